@@ -1,0 +1,41 @@
+#pragma once
+
+#include <pcl/core/exceptions.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief A file that is written beside its target and renamed into place by
+ * \ref commit: a killed run, an exception or a full disk leaves the old file or none.
+ * \ingroup core */
+class OutputFile {
+public:
+  /** \throws OutputFileException when the file cannot be created */
+  explicit OutputFile(const std::string& path);
+
+  /** \brief Removes what was written unless it was committed. */
+  ~OutputFile();
+
+  OutputFile(const OutputFile&) = delete;
+  OutputFile&
+  operator=(const OutputFile&) = delete;
+
+  /** \throws OutputFileException when the bytes could not be written */
+  void
+  write(const void* data, std::size_t bytes);
+
+  /** \brief Flushes, closes and renames.
+   * \throws OutputFileException when any of it failed */
+  void
+  commit();
+
+private:
+  std::string path_;
+  std::string temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+} // namespace pcl::acmap

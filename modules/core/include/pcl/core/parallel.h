@@ -1,0 +1,57 @@
+#pragma once
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Chunk length of the loops below: long enough to hide the scheduling, and fixed,
+ * so that the grouping of sums never depends on the number of threads. */
+inline constexpr std::size_t parallel_chunk = 4096;
+
+/** \brief Runs a function in an arena of \a threads threads (0 = all). */
+template <typename Function>
+auto
+withThreads(unsigned threads, Function&& function)
+{
+  oneapi::tbb::task_arena arena(threads ? static_cast<int>(threads)
+                                        : oneapi::tbb::task_arena::automatic);
+  return arena.execute(std::forward<Function>(function));
+}
+
+/** \brief Calls body (begin, end) for each chunk of [0, size), in any order. */
+template <typename Body>
+void
+parallelForChunks(std::size_t size, const Body& body)
+{
+  const std::size_t chunks = (size + parallel_chunk - 1) / parallel_chunk;
+  oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+    const std::size_t begin = chunk * parallel_chunk;
+    body(begin, std::min(begin + parallel_chunk, size));
+  });
+}
+
+/** \brief Reduces chunk results in the order of the chunks: the same bytes for any number
+ * of threads, floating-point sums included.
+ * \param[in] map gives the value of chunk (begin, end)
+ * \param[in] join folds the next chunk's value into the first argument, by reference */
+template <typename Value, typename Map, typename Join>
+Value
+parallelReduceChunks(std::size_t size, Value start, const Map& map, const Join& join)
+{
+  const std::size_t chunks = (size + parallel_chunk - 1) / parallel_chunk;
+  std::vector<Value> values(chunks, start);
+  parallelForChunks(size, [&](std::size_t begin, std::size_t end) {
+    values[begin / parallel_chunk] = map(begin, end);
+  });
+  for (const Value& value : values)
+    join(start, value);
+  return start;
+}
+
+} // namespace pcl::acmap

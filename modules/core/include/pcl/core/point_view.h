@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace pcl::acmap {
+
+/** \brief Zero-copy view of the x y z floats of any point array, whole or through indices.
+ *
+ * Kernels read points through it, so that they need no PCL type. The three floats of a
+ * point stand together; points stand \a stride bytes apart. Units and frame are the
+ * caller's. The view does not own the memory. \ingroup core
+ */
+class PointView {
+public:
+  PointView() = default;
+
+  /** \param[in] first address of the x of the first point
+   * \param[in] stride bytes from one point to the next
+   * \param[in] size number of points, or of indices where these are given
+   * \param[in] indices positions in the array, nullptr for all points in their order */
+  PointView(const void* first,
+            std::size_t stride,
+            std::size_t size,
+            const std::int32_t* indices = nullptr)
+  : first_(static_cast<const char*>(first))
+  , stride_(stride)
+  , size_(size)
+  , indices_(indices)
+  {}
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  /** \brief Position of view point \a i in the underlying array. */
+  std::int32_t
+  index(std::size_t i) const
+  {
+    return indices_ ? indices_[i] : static_cast<std::int32_t>(i);
+  }
+
+  Eigen::Vector3f
+  operator[](std::size_t i) const
+  {
+    Eigen::Vector3f p;
+    std::memcpy(
+        p.data(), first_ + stride_ * static_cast<std::size_t>(index(i)), sizeof(float) * 3);
+    return p;
+  }
+
+private:
+  const char* first_ = nullptr;
+  std::size_t stride_ = 0;
+  std::size_t size_ = 0;
+  const std::int32_t* indices_ = nullptr;
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+
+/** \brief What every stage tells about its last run; stages add their counts.
+ * \ingroup core */
+struct Report {
+  /** \brief Wall-clock seconds of each step, in the order they ran. */
+  std::vector<std::pair<std::string, double>> seconds;
+
+  /** \brief One line for each oddity met: why an output is empty or partial, what was
+   * skipped. Empty when there is nothing to say. */
+  std::vector<std::string> remarks;
+};
+
+namespace acmap {
+
+/** \brief Appends the time since construction, or since the last call, to a report. */
+class StepTimer {
+public:
+  explicit StepTimer(Report& report) : report_(report) {}
+
+  void
+  finish(std::string step)
+  {
+    const auto now = Clock::now();
+    report_.seconds.emplace_back(std::move(step),
+                                 std::chrono::duration<double>(now - begin_).count());
+    begin_ = now;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Report& report_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+} // namespace acmap
+} // namespace pcl

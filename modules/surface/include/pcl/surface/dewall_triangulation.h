@@ -1,0 +1,179 @@
+#pragma once
+
+#include <pcl/core/progress.h>
+#include <pcl/core/report.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/reconstruction.h>
+
+#include <cstddef>
+
+namespace pcl {
+
+/** \brief How \ref DeWallTriangulation accepts a triangle. */
+enum class DeWallRule {
+  /** The paper's empty sphere, and at most two triangles a side, one fan a vertex. */
+  Paper,
+  /** The Delaunay-nearest apex without the sphere test, with the same guard: covers
+   * noisy surfaces more densely. */
+  Dense,
+  /** The paper's rule as printed, without guard: for study, the mesh is not manifold. */
+  Strict
+};
+
+/** \brief What a \ref DeWallTriangulation did. \ingroup surface */
+struct DeWallReport : Report {
+  std::size_t points = 0;            ///< points (or indices) given
+  std::size_t invalid_points = 0;    ///< of these not finite, skipped
+  std::size_t duplicate_points = 0;  ///< of these at the place of an earlier one, skipped
+  std::size_t used_points = 0;       ///< corners of at least one triangle
+  std::size_t clusters = 0;          ///< connected clusters of at least three points
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+  std::size_t boundary_edges = 0;    ///< edges with one triangle
+  std::size_t components = 0;        ///< of triangles that share edges
+  std::size_t removed_moebius = 0;   ///< triangles removed to make components orientable
+  std::size_t removed_fans = 0;      ///< triangles removed to leave one fan a vertex
+  double median_spacing = 0;         ///< metres, between neighbouring points
+  double least_maximum_edge = 0;     ///< metres, the size constraint where densest
+  double largest_maximum_edge = 0;   ///< metres, the size constraint where sparsest
+};
+
+/** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of triangles.
+ *
+ * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A splitting
+ * plane alpha divides the points; the triangles that cross it, the wall, are built first,
+ * side by side, each new apex being the Delaunay-nearest point in the half-space beyond
+ * the side's plane beta; then each half is treated alike with points of its own. The mesh
+ * is open: it ends where the size constraint ends it. Vertices are the input points, in
+ * their order. No normals are needed.
+ *
+ * Every result of rules \c Paper and \c Dense has at most two triangles an edge, one fan a
+ * vertex, no degenerate or doubled face, one orientation a component (towards
+ * `sensor_origin_` of the cloud), and no edge beyond the size constraint; with \c Paper no
+ * input point lies inside the smallest sphere through a triangle's corners by more than
+ * the relative tolerance 1e-6 of its radius. The same input gives the same bytes for every
+ * number of threads.
+ *
+ * Coordinates in metres. Time O(n log n), memory about 150 bytes a point.
+ * \code
+ * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
+ * dewall.setInputCloud (cloud);
+ * pcl::PolygonMesh mesh;
+ * dewall.reconstruct (mesh);
+ * \endcode
+ * \ingroup surface
+ */
+template <typename PointInT>
+class DeWallTriangulation : public MeshConstruction<PointInT> {
+public:
+  using Ptr = shared_ptr<DeWallTriangulation<PointInT>>;
+  using ConstPtr = shared_ptr<const DeWallTriangulation<PointInT>>;
+
+  DeWallTriangulation();
+
+  /** \brief Sets the acceptance rule (default \ref DeWallRule::Paper). */
+  void
+  setAcceptanceRule(DeWallRule rule);
+
+  DeWallRule
+  getAcceptanceRule() const
+  {
+    return rule_;
+  }
+
+  /** \brief Sets the size constraint L: no edge is longer.
+   * \param[in] length metres; 0 (default): automatic, for each point a multiple of the
+   * spacing around it, and an edge obeys the smaller one of its two ends
+   * \throws BadArgumentException when negative or not finite */
+  void
+  setMaximumEdgeLength(double length);
+
+  double
+  getMaximumEdgeLength() const
+  {
+    return maximum_edge_length_;
+  }
+
+  /** \brief Asks for \ref TriangleMesh::wall_depth (default false). */
+  void
+  setComputeWallDepth(bool compute)
+  {
+    compute_wall_depth_ = compute;
+  }
+
+  bool
+  getComputeWallDepth() const
+  {
+    return compute_wall_depth_;
+  }
+
+  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
+  void
+  setNumberOfThreads(unsigned int threads = 0)
+  {
+    threads_ = threads;
+  }
+
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return threads_;
+  }
+
+  /** \brief Sets who is told about the progress and may stop the run. */
+  void
+  setProgressCallback(ProgressCallback callback)
+  {
+    progress_ = std::move(callback);
+  }
+
+  /** \brief Counts, seconds and remarks of the last run. */
+  const DeWallReport&
+  getReport() const
+  {
+    return report_;
+  }
+
+  /** \brief Triangulates the input cloud (its indices, where set).
+   * \param[out] mesh index triples into the whole input cloud; empty, with the reason in
+   * the report, where no triangle is possible
+   * \throws InitFailedException without an input cloud, or with indices outside of it
+   * \throws CancelledException when the progress callback stopped it */
+  void
+  reconstruct(TriangleMesh& mesh);
+
+  /** \brief As above, as PCL's mesh: the whole input cloud and its polygons. */
+  void
+  reconstruct(PolygonMesh& output) override;
+
+  /** \brief As above, polygons alone. */
+  void
+  reconstruct(std::vector<Vertices>& polygons) override;
+
+protected:
+  using MeshConstruction<PointInT>::input_;
+  using MeshConstruction<PointInT>::indices_;
+  using MeshConstruction<PointInT>::check_tree_;
+
+  std::string
+  getClassName() const override
+  {
+    return "DeWallTriangulation";
+  }
+
+private:
+  void
+  performReconstruction(PolygonMesh& output) override;
+
+  void
+  performReconstruction(std::vector<Vertices>& polygons) override;
+
+  DeWallRule rule_ = DeWallRule::Paper;
+  double maximum_edge_length_ = 0;
+  bool compute_wall_depth_ = false;
+  unsigned int threads_ = 0;
+  ProgressCallback progress_;
+  DeWallReport report_;
+};
+
+} // namespace pcl
