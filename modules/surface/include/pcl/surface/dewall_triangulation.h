@@ -1,58 +1,31 @@
 #pragma once
 
+#include <pcl/core/build_config.h>
 #include <pcl/core/progress.h>
-#include <pcl/core/report.h>
 #include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/dewall_types.h>
 #include <pcl/surface/reconstruction.h>
 
-#include <cstddef>
+#include <utility>
 
 namespace pcl {
 
-/** \brief How \ref DeWallTriangulation accepts a triangle. */
-enum class DeWallRule {
-  /** The paper's empty sphere, and at most two triangles a side, one fan a vertex. */
-  Paper,
-  /** The Delaunay-nearest apex without the sphere test, with the same guard: covers
-   * noisy surfaces more densely. */
-  Dense,
-  /** The paper's rule as printed, without guard: for study, the mesh is not manifold. */
-  Strict
-};
-
-/** \brief What a \ref DeWallTriangulation did. \ingroup surface */
-struct DeWallReport : Report {
-  std::size_t points = 0;            ///< points (or indices) given
-  std::size_t invalid_points = 0;    ///< of these not finite, skipped
-  std::size_t duplicate_points = 0;  ///< of these at the place of an earlier one, skipped
-  std::size_t used_points = 0;       ///< corners of at least one triangle
-  std::size_t clusters = 0;          ///< connected clusters of at least three points
-  std::size_t triangles = 0;
-  std::size_t edges = 0;
-  std::size_t boundary_edges = 0;    ///< edges with one triangle
-  std::size_t components = 0;        ///< of triangles that share edges
-  std::size_t removed_moebius = 0;   ///< triangles removed to make components orientable
-  std::size_t removed_fans = 0;      ///< triangles removed to leave one fan a vertex
-  double median_spacing = 0;         ///< metres, between neighbouring points
-  double least_maximum_edge = 0;     ///< metres, the size constraint where densest
-  double largest_maximum_edge = 0;   ///< metres, the size constraint where sparsest
-};
-
-/** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of triangles.
+/** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of
+ * triangles.
  *
- * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A splitting
- * plane alpha divides the points; the triangles that cross it, the wall, are built first,
- * side by side, each new apex being the Delaunay-nearest point in the half-space beyond
- * the side's plane beta; then each half is treated alike with points of its own. The mesh
- * is open: it ends where the size constraint ends it. Vertices are the input points, in
- * their order. No normals are needed.
+ * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A
+ * splitting plane alpha divides the points; the triangles that cross it, the wall, are
+ * built first, side by side, each new apex being the Delaunay-nearest point in the
+ * half-space beyond the side's plane beta; then each half is treated alike with points
+ * of its own. The mesh is open: it ends where the size constraint ends it. Vertices are
+ * the input points, in their order. No normals are needed.
  *
- * Every result of rules \c Paper and \c Dense has at most two triangles an edge, one fan a
- * vertex, no degenerate or doubled face, one orientation a component (towards
- * `sensor_origin_` of the cloud), and no edge beyond the size constraint; with \c Paper no
- * input point lies inside the smallest sphere through a triangle's corners by more than
- * the relative tolerance 1e-6 of its radius. The same input gives the same bytes for every
- * number of threads.
+ * Every result of rules \c Paper and \c Dense has at most two triangles an edge, one
+ * fan a vertex, no degenerate or doubled face, one orientation a component (towards
+ * `sensor_origin_` of the cloud), and no edge beyond the size constraint; with \c Paper
+ * no input point lies inside the smallest sphere through a triangle's corners by more
+ * than the relative tolerance 1e-6 of its radius. The same input gives the same bytes
+ * for every number of threads.
  *
  * Coordinates in metres. Time O(n log n), memory about 150 bytes a point.
  * \code
@@ -135,10 +108,10 @@ public:
   }
 
   /** \brief Triangulates the input cloud (its indices, where set).
-   * \param[out] mesh index triples into the whole input cloud; empty, with the reason in
-   * the report, where no triangle is possible
-   * \throws InitFailedException without an input cloud, or with indices outside of it
-   * \throws CancelledException when the progress callback stopped it */
+   * \param[out] mesh index triples into the whole input cloud; empty, with the reason
+   * in the report, where no triangle is possible \throws InitFailedException without an
+   * input cloud, or with indices outside of it \throws CancelledException when the
+   * progress callback stopped it */
   void
   reconstruct(TriangleMesh& mesh);
 
@@ -162,6 +135,9 @@ protected:
   }
 
 private:
+  void
+  requireInput() const;
+
   void
   performReconstruction(PolygonMesh& output) override;
 

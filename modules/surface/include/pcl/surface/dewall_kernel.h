@@ -1,0 +1,35 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_view.h>
+#include <pcl/core/progress.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/dewall_types.h>
+
+namespace pcl::acmap {
+
+/** \brief Settings of \ref triangulateDeWall; see DeWallTriangulation. */
+struct DeWallSettings {
+  DeWallRule rule = DeWallRule::Paper;
+  double maximum_edge_length = 0; ///< metres; 0: automatic
+  bool compute_wall_depth = false;
+  unsigned threads = 0; ///< 0: all
+  Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
+
+  /** Halves of at most so many points are grown without a further wall. The mesh
+   * depends on it, so it depends on nothing else. */
+  std::int32_t leaf_size = 32768;
+};
+
+/** \brief The kernel behind DeWallTriangulation, free of PCL's point types.
+ * \param[in] view the points
+ * \param[out] report counts, seconds, remarks; begun anew
+ * \return index triples into the array under the view
+ * \throws CancelledException when the progress was told to stop \ingroup surface */
+ACMAP_EXPORT TriangleMesh
+triangulateDeWall(const PointView& view,
+                  const DeWallSettings& settings,
+                  const Progress& progress,
+                  DeWallReport& report);
+
+} // namespace pcl::acmap

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <pcl/conversions.h>
+#include <pcl/core/arguments.h>
+#include <pcl/core/export.h>
+#include <pcl/core/point_view.h>
+#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/dewall_triangulation.h>
+
+namespace pcl {
+
+template <typename PointInT>
+DeWallTriangulation<PointInT>::DeWallTriangulation()
+{
+  check_tree_ = false; // the kernel has cells of its own
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::setAcceptanceRule(DeWallRule rule)
+{
+  if (rule != DeWallRule::Paper && rule != DeWallRule::Dense &&
+      rule != DeWallRule::Strict)
+    acmap::refuseArgument(
+        "acceptance rule", static_cast<int>(rule), "Paper, Dense or Strict");
+  rule_ = rule;
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::setMaximumEdgeLength(double length)
+{
+  acmap::requireInRange("maximum edge length", length, 0.0, 1e9, "m (0 = automatic)");
+  maximum_edge_length_ = length;
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::requireInput() const
+{
+  if (!input_)
+    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  if (indices_)
+    for (const index_t index : *indices_)
+      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+        PCL_THROW_EXCEPTION(InitFailedException,
+                            "index " << index << " is outside of the input cloud of "
+                                     << input_->size() << " points");
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
+{
+  requireInput();
+  if (!this->initCompute())
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+  acmap::DeWallSettings settings;
+  settings.rule = rule_;
+  settings.maximum_edge_length = maximum_edge_length_;
+  settings.compute_wall_depth = compute_wall_depth_;
+  settings.threads = threads_;
+  settings.sensor_origin =
+      input_->sensor_origin_.template head<3>().template cast<double>();
+  const acmap::PointView view(input_->empty() ? nullptr : &input_->front().x,
+                              sizeof(PointInT),
+                              indices_->size(),
+                              indices_->data());
+  DeWallReport report;
+  TriangleMesh result =
+      acmap::triangulateDeWall(view, settings, acmap::Progress(progress_), report);
+  this->deinitCompute();
+  mesh = std::move(result);
+  report_ = std::move(report);
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::reconstruct(std::vector<Vertices>& polygons)
+{
+  performReconstruction(polygons);
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::reconstruct(PolygonMesh& output)
+{
+  performReconstruction(output);
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::performReconstruction(std::vector<Vertices>& polygons)
+{
+  TriangleMesh mesh;
+  reconstruct(mesh);
+  std::vector<Vertices> result(mesh.triangles.size());
+  for (std::size_t t = 0; t < result.size(); ++t)
+    result[t].vertices.assign(mesh.triangles[t].begin(), mesh.triangles[t].end());
+  polygons = std::move(result);
+}
+
+template <typename PointInT>
+void
+DeWallTriangulation<PointInT>::performReconstruction(PolygonMesh& output)
+{
+  PolygonMesh result;
+  performReconstruction(result.polygons);
+  result.header = input_->header;
+  toPCLPointCloud2(*input_, result.cloud);
+  output = std::move(result);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_DeWallTriangulation(T) \
+  template class ACMAP_EXPORT pcl::DeWallTriangulation<T>;

@@ -1,0 +1,104 @@
+#include "apex_search.h"
+
+namespace pcl::acmap::dewall {
+
+SideFrame::SideFrame(const PointTree& tree,
+                     std::int32_t a_index,
+                     std::int32_t b_index,
+                     std::int32_t opposite)
+: a(a_index)
+, b(b_index)
+, origin(tree.position(a_index))
+, u(tree.position(b_index) - origin)
+, outward(-perpendicular(origin, tree.position(b_index), tree.position(opposite))
+               .normalized())
+, half_length(u.norm() / 2)
+{}
+
+LeafSieve::LeafSieve(const PointTree& tree, const SideFrame& side)
+: x_(tree.coordinates(0))
+, y_(tree.coordinates(1))
+, z_(tree.coordinates(2))
+, length_(static_cast<float>(2 * side.half_length))
+{
+  const Eigen::Vector3d direction = side.u / (2 * side.half_length);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    a_[i] = static_cast<float>(side.origin[axis]);
+    u_[i] = static_cast<float>(direction[axis]);
+    w_[i] = static_cast<float>(side.outward[axis]);
+  }
+}
+
+const float*
+LeafSieve::cotangents(const PointTree::Node& leaf, double longest)
+{
+  const float limit2 = static_cast<float>(longest * longest * (1 + 1e-4));
+  const std::int32_t count = leaf.size();
+  const float *x = x_ + leaf.begin, *y = y_ + leaf.begin, *z = z_ + leaf.begin;
+  const float ax = a_[0], ay = a_[1], az = a_[2];
+  const float ux = u_[0], uy = u_[1], uz = u_[2];
+  const float wx = w_[0], wy = w_[1], wz = w_[2];
+  for (std::int32_t k = 0; k < count; ++k) {
+    const float vx = x[k] - ax, vy = y[k] - ay, vz = z[k] - az;
+    const float vv = vx * vx + vy * vy + vz * vz;
+    const float vu = vx * ux + vy * uy + vz * uz;
+    const float vw = vx * wx + vy * wy + vz * wz;
+    const float cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
+    const float distance2 = cx * cx + cy * cy + cz * cz;
+    const float other2 = vv + length_ * (length_ - 2 * vu);
+    const bool possible = (vw > 0) & (vv <= limit2) & (other2 <= limit2);
+    const float value = (vv - vu * length_) / (length_ * std::sqrt(distance2));
+    cotangent_[static_cast<std::size_t>(k)] =
+        possible ? value : std::numeric_limits<float>::infinity();
+  }
+  return cotangent_.data();
+}
+
+bool
+LeafSieve::isBehind(const PointTree::Node& node) const
+{
+  float most = 0;
+  float size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float low = (node.low[i] - a_[i]) * w_[i],
+                high = (node.high[i] - a_[i]) * w_[i];
+    most += std::max(low, high);
+    size += std::abs(low) + std::abs(high);
+  }
+  return most < -1e-6f * size;
+}
+
+bool
+isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& apex)
+{
+  const double base = 2 * side.half_length;
+  const double squared = apex.from_a.squaredNorm();
+  const double other = (apex.from_a - side.u).squaredNorm();
+  const double longest = std::max(base * base, std::max(squared, other));
+  return apex.cross > least_sine * longest && apex.from_a.dot(side.outward) > 0 &&
+         size.allows(side.a, apex.index, squared) &&
+         size.allows(side.b, apex.index, other);
+}
+
+bool
+isSphereEmpty(const PointTree& tree,
+              const Sphere& sphere,
+              const std::array<std::int32_t, 3>& corners)
+{
+  const double inside = sphere.radius * (1 - sphere_tolerance);
+  double radius = inside;
+  const auto visit = [&](const PointTree::Node& leaf) {
+    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
+      if ((tree.position(i) - sphere.centre).squaredNorm() < inside * inside &&
+          i != corners[0] && i != corners[1] && i != corners[2]) {
+        radius = -1;
+        return;
+      }
+  };
+  tree.visitBall(
+      sphere.centre, radius, [](const PointTree::Node&) { return true; }, visit);
+  return radius >= 0;
+}
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,135 @@
+#include "front.h"
+
+#include <map>
+
+namespace pcl::acmap::dewall {
+
+void
+Front::advance(const Range& range)
+{
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    const Side side = queue_[next];
+    process(side, range, Doubt::Postpones);
+    tick_();
+  }
+  queue_.clear();
+}
+
+void
+Front::advancePostponed(const Range& range)
+{
+  // Most of them have been mended by a neighbour meanwhile.
+  while (!postponed_.empty() || !bridges_.empty()) {
+    while (!postponed_.empty()) {
+      for (const Side& side : std::exchange(postponed_, {}))
+        process(side, range, Doubt::IsAllowed);
+      advance(range);
+    }
+    for (const Side& side : bridgesByVotes())
+      process(side, range, Doubt::MayBridge);
+    advance(range);
+  }
+}
+
+std::vector<Side>
+Front::bridgesByVotes()
+{
+  std::map<GrowingMesh::Bridge, std::size_t> votes;
+  for (const PendingBridge& pending : bridges_)
+    ++votes[pending.bridge];
+  std::stable_sort(bridges_.begin(), bridges_.end(), [&](const auto& p, const auto& q) {
+    return votes[p.bridge] > votes[q.bridge];
+  });
+  std::vector<Side> sides;
+  for (const PendingBridge& pending : bridges_)
+    sides.push_back(pending.side);
+  bridges_.clear();
+  return sides;
+}
+
+void
+Front::process(const Side& side, const Range& range, Doubt doubt)
+{
+  const std::int32_t opposite = mesh_.oppositeOf(side);
+  if (opposite < 0)
+    return;
+  const SideFrame frame(tree_, side.a, side.b, opposite);
+  const bool mask = rule_ == DeWallRule::Paper;
+  std::int32_t blocked = -1;
+  // With the paper's rule the second-nearest apex gets its chance when the guard
+  // refuses the first; without the sphere test it would open second sheets.
+  for (int attempt = 0; attempt < (mask ? 2 : 1); ++attempt) {
+    const std::int32_t apex = findApex(tree_, size_, frame, [&](std::int32_t i) {
+      return i != blocked && !(mask && range.contains(i) && mesh_.isSaturated(i));
+    });
+    if (apex < 0)
+      return;
+    if (!range.contains(apex)) {
+      deferred_.push_back(side);
+      return;
+    }
+    if (tryApex(side, apex, range, doubt))
+      return;
+    blocked = apex;
+  }
+}
+
+bool
+Front::tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt)
+{
+  const std::array<std::int32_t, 3> corners{side.b, side.a, apex};
+  if (rule_ != DeWallRule::Dense && !isEmpty(corners))
+    return true;
+  if (rule_ != DeWallRule::Strict) {
+    const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
+    if (verdict == GrowingMesh::Verdict::Blocked)
+      return false;
+    if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
+      postponed_.push_back(side);
+      return true;
+    }
+    const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
+    if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
+        doubt != Doubt::MayBridge) {
+      bridges_.push_back({side, bridge});
+      return true;
+    }
+  }
+  mesh_.add(side, apex, range.depth);
+  insertOpen({side.a, apex}, range);
+  insertOpen({apex, side.b}, range);
+  return true;
+}
+
+void
+Front::insertOpen(const Side& side, const Range& range)
+{
+  if (mesh_.oppositeOf(side) >= 0)
+    insert(side, range);
+}
+
+bool
+Front::isEmpty(const std::array<std::int32_t, 3>& corners) const
+{
+  return isSphereEmpty(tree_,
+                       smallestSphere(tree_.position(corners[0]),
+                                      tree_.position(corners[1]),
+                                      tree_.position(corners[2])),
+                       corners);
+}
+
+void
+Front::startAt(std::int32_t p1, std::int32_t p2, const Range& range)
+{
+  const std::int32_t p3 = findThirdPoint(tree_, size_, p1, p2, [&](std::int32_t i) {
+    return range.contains(i) && !mesh_.isUsed(i);
+  });
+  if (p3 < 0 || !isEmpty({p1, p2, p3}))
+    return;
+  mesh_.addSeed({p1, p2, p3}, range.depth);
+  for (const Side& side : mesh_.sidesOfLast())
+    insert(side, range);
+  advance(range);
+}
+
+} // namespace pcl::acmap::dewall

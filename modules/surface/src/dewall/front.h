@@ -1,0 +1,138 @@
+#pragma once
+
+#include "apex_search.h"
+#include "growing_mesh.h"
+#include "third_point.h"
+
+#include <pcl/surface/dewall_types.h>
+
+#include <functional>
+#include <utility>
+
+namespace pcl::acmap::dewall {
+
+/** \brief A run of tree points, and in a wall the first one beyond the splitting plane.
+ */
+struct Range {
+  std::int32_t begin, end;
+  std::int32_t
+      middle; ///< equal to begin in a leaf of the recursion: every side is ours
+  std::uint8_t depth;
+
+  bool
+  contains(std::int32_t i) const
+  {
+    return begin <= i && i < end;
+  }
+
+  /** \brief Is this side in L_alpha, the list of sides that alpha cuts (Fig. 6)? */
+  bool
+  isCut(const Side& side) const
+  {
+    return middle == begin || (side.a < middle) != (side.b < middle);
+  }
+};
+
+/** \brief Grows triangles side by side, first in first out ([P] Fig. 6, the while
+ * loop).
+ */
+class Front {
+public:
+  Front(const PointTree& tree,
+        const SizeConstraint& size,
+        DeWallRule rule,
+        GrowingMesh& mesh,
+        std::function<void()> tick)
+  : tree_(tree)
+  , size_(size)
+  , rule_(rule)
+  , mesh_(mesh)
+  , tick_(std::move(tick))
+  {}
+
+  /** \brief Takes a side into its list: L_alpha when alpha cuts it, else for a half. */
+  void
+  insert(const Side& side, const Range& range)
+  {
+    (range.isCut(side) ? queue_ : uncut_).push_back(side);
+  }
+
+  /** \brief Works L_alpha off; apexes come from the range alone. Triangles that would
+   * pinch a vertex or turn steeply are postponed. */
+  void
+  advance(const Range& range);
+
+  /** \brief Works off what was postponed, now allowing it. */
+  void
+  advancePostponed(const Range& range);
+
+  /** \brief Tries the triangle of p1, p2 and the p3 of smallest circumcircle as the
+   * first of a component (FindFirstTriangle), and works its sides off. */
+  void
+  startAt(std::int32_t p1, std::int32_t p2, const Range& range);
+
+  /** \brief Longest edge at p1, within which p2 is to be sought. */
+  double
+  reachOf(std::int32_t p1) const
+  {
+    return size_.longest(p1);
+  }
+
+  /** \brief Hands over the sides not cut by alpha (L_l and L_r). */
+  std::vector<Side>
+  takeUncut()
+  {
+    return std::exchange(uncut_, {});
+  }
+
+  /** \brief Leaves what was postponed to the last pass. */
+  void
+  deferPostponed()
+  {
+    deferred_.insert(deferred_.end(), postponed_.begin(), postponed_.end());
+    postponed_.clear();
+  }
+
+  /** \brief Hands over the sides left to the last pass: those, and the ones whose apex
+   * lay beyond their range. */
+  std::vector<Side>
+  takeDeferred()
+  {
+    return std::exchange(deferred_, {});
+  }
+
+private:
+  enum class Doubt { Postpones, IsAllowed, MayBridge };
+
+  struct PendingBridge {
+    Side side;
+    GrowingMesh::Bridge bridge;
+  };
+
+  /** \brief Pending bridges, those of the most popular joints first: when two
+   * components touch along a seam, the many decide how they fit, not the first. */
+  std::vector<Side>
+  bridgesByVotes();
+
+  void
+  process(const Side& side, const Range& range, Doubt doubt);
+
+  bool
+  tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
+
+  void
+  insertOpen(const Side& side, const Range& range);
+
+  bool
+  isEmpty(const std::array<std::int32_t, 3>& corners) const;
+
+  const PointTree& tree_;
+  const SizeConstraint& size_;
+  const DeWallRule rule_;
+  GrowingMesh& mesh_;
+  std::function<void()> tick_;
+  std::vector<Side> queue_, uncut_, postponed_, deferred_;
+  std::vector<PendingBridge> bridges_;
+};
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,107 @@
+#include "oriented_mesh.h"
+
+#include <numeric>
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+/** \brief Components of the mesh by union-find over its vertices: under the guarantee
+ * of one fan a vertex, triangles that share a vertex are joined by edges too. */
+class Components {
+public:
+  Components(const PointTree& tree, const std::vector<GrownTriangle>& triangles)
+  : parent_(static_cast<std::size_t>(tree.size()))
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (const GrownTriangle& triangle : triangles)
+      for (std::size_t i = 1; i < 3; ++i) {
+        const std::int32_t a = find(triangle.corners[0]), b = find(triangle.corners[i]);
+        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      }
+  }
+
+  std::int32_t
+  find(std::int32_t v)
+  {
+    while (parent(v) != v)
+      v = parent(v) = parent(parent(v));
+    return v;
+  }
+
+private:
+  std::int32_t&
+  parent(std::int32_t v)
+  {
+    return parent_[static_cast<std::size_t>(v)];
+  }
+
+  std::vector<std::int32_t> parent_;
+};
+
+/** \brief Area a triangle shows to the sensor; negative when it shows its back. */
+double
+areaFacing(const PointTree& tree,
+           const std::array<std::int32_t, 3>& corners,
+           const Eigen::Vector3d& sensor)
+{
+  const Eigen::Vector3d a = tree.position(corners[0]);
+  const Eigen::Vector3d b = tree.position(corners[1]), c = tree.position(corners[2]);
+  const Eigen::Vector3d view = sensor - (a + b + c) / 3;
+  const double distance = view.norm();
+  return distance > 0 ? (b - a).cross(c - a).dot(view) / (2 * distance) : 0.0;
+}
+
+void
+count(const PointTree& tree,
+      const std::vector<GrownTriangle>& triangles,
+      GrowingMesh& grown,
+      Components& components,
+      DeWallReport& report)
+{
+  report.triangles = triangles.size();
+  report.boundary_edges = grown.openSides().size();
+  report.edges = (3 * report.triangles + report.boundary_edges) / 2;
+  for (std::int32_t v = 0; v < tree.size(); ++v)
+    if (grown.isUsed(v)) {
+      ++report.used_points;
+      report.components += components.find(v) == v;
+    }
+}
+
+} // namespace
+
+TriangleMesh
+orientedMesh(const PointTree& tree,
+             GrowingMesh& grown,
+             const Eigen::Vector3d& sensor_origin,
+             bool compute_wall_depth,
+             DeWallReport& report)
+{
+  const std::vector<GrownTriangle>& triangles = grown.triangles();
+  Components components(tree, triangles);
+  std::vector<double> facing(static_cast<std::size_t>(tree.size()));
+  for (const GrownTriangle& triangle : triangles) {
+    const double area = areaFacing(tree, triangle.corners, sensor_origin);
+    facing[static_cast<std::size_t>(components.find(triangle.corners[0]))] +=
+        grown.isFlipped(triangle) ? -area : area;
+  }
+  TriangleMesh mesh;
+  mesh.triangles.reserve(triangles.size());
+  for (const GrownTriangle& triangle : triangles) {
+    TriangleMesh::Triangle corners;
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = tree.source(triangle.corners[i]);
+    const bool turned =
+        facing[static_cast<std::size_t>(components.find(triangle.corners[0]))] < 0;
+    if (grown.isFlipped(triangle) != turned)
+      std::swap(corners[1], corners[2]);
+    mesh.triangles.push_back(corners);
+    if (compute_wall_depth)
+      mesh.wall_depth.push_back(triangle.depth);
+  }
+  count(tree, triangles, grown, components, report);
+  return mesh;
+}
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "growing_mesh.h"
+
+#include <pcl/core/triangle_mesh.h>
+
+#include <pcl/surface/dewall_types.h>
+
+namespace pcl::acmap::dewall {
+
+/** \brief The grown triangles as a mesh of source indices, every component turned as a
+ * whole towards the sensor (by projected area); fills the report's counts of the mesh.
+ */
+TriangleMesh
+orientedMesh(const PointTree& tree,
+             GrowingMesh& grown,
+             const Eigen::Vector3d& sensor_origin,
+             bool compute_wall_depth,
+             DeWallReport& report);
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap::dewall {
+
+/** \brief Union-find over the seeds of the front that also knows whether two components
+ * run the same way round (parity 0) or must be turned over to fit (parity 1). */
+class ParityUnion {
+public:
+  struct Root {
+    std::int32_t component;
+    bool flipped;
+  };
+
+  std::int32_t
+  addComponent()
+  {
+    const auto component = static_cast<std::int32_t>(parent_.size());
+    parent_.push_back({component, false});
+    return component;
+  }
+
+  std::int32_t
+  size() const
+  {
+    return static_cast<std::int32_t>(parent_.size());
+  }
+
+  Root
+  find(std::int32_t component)
+  {
+    std::int32_t root = component;
+    bool flipped = false;
+    while (at(root).component != root) {
+      flipped ^= at(root).flipped;
+      root = at(root).component;
+    }
+    const Root result{root, flipped};
+    while (component != root) { // path compression
+      const Root step = at(component);
+      at(component) = {root, flipped};
+      flipped ^= step.flipped;
+      component = step.component;
+    }
+    return result;
+  }
+
+  /** \brief Joins two components; the lower root stays. They must not disagree. */
+  void
+  unite(std::int32_t a, std::int32_t b, bool flipped)
+  {
+    Root root_a = find(a), root_b = find(b);
+    if (root_a.component == root_b.component)
+      return;
+    if (root_b.component < root_a.component)
+      std::swap(root_a, root_b);
+    const bool turned = (root_a.flipped != root_b.flipped) != flipped;
+    at(root_b.component) = {root_a.component, turned};
+  }
+
+private:
+  Root&
+  at(std::int32_t component)
+  {
+    return parent_[static_cast<std::size_t>(component)];
+  }
+
+  std::vector<Root> parent_;
+};
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,74 @@
+#include "size_constraint.h"
+
+#include "nearest.h"
+
+#include <pcl/core/parallel.h>
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+/** \brief Edges reach this many times the distance to the eighth neighbour, which on a
+ * square grid is 1.41 spacings, on random points 1.6. */
+constexpr double reach = 2.5;
+constexpr std::size_t neighbour = 8;
+
+std::vector<std::int32_t>
+leaves(const PointTree& tree)
+{
+  std::vector<std::int32_t> result;
+  for (std::int32_t n = 0; n < tree.nodeCount(); ++n)
+    if (tree.node(n).isLeaf())
+      result.push_back(n);
+  return result;
+}
+
+std::int32_t
+middlePoint(const PointTree::Node& leaf)
+{
+  return leaf.begin + leaf.size() / 2;
+}
+
+std::vector<double>
+distances(const PointTree& tree, const std::vector<std::int32_t>& leaves, std::size_t k)
+{
+  std::vector<double> result(leaves.size());
+  parallelForChunks(leaves.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t l = begin; l < end; ++l)
+      result[l] = distanceToNeighbour(tree, middlePoint(tree.node(leaves[l])), k);
+  });
+  return result;
+}
+
+} // namespace
+
+SizeConstraint::SizeConstraint(const PointTree& tree, double maximum_edge_length)
+: leaf_of_(static_cast<std::size_t>(tree.size()))
+, longest_(1, maximum_edge_length)
+{}
+
+SizeConstraint::SizeConstraint(const PointTree& tree)
+: leaf_of_(static_cast<std::size_t>(tree.size()))
+{
+  const std::vector<std::int32_t> all = leaves(tree);
+  longest_ = distances(tree, all, neighbour);
+  for (std::size_t l = 0; l < all.size(); ++l) {
+    longest_[l] *= reach;
+    const PointTree::Node& leaf = tree.node(all[l]);
+    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
+      leaf_of_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(l);
+  }
+}
+
+double
+medianSpacing(const PointTree& tree)
+{
+  if (tree.size() < 2)
+    return 0;
+  std::vector<double> nearest = distances(tree, leaves(tree), 1);
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
+} // namespace pcl::acmap::dewall

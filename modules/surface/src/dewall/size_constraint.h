@@ -1,0 +1,64 @@
+#pragma once
+
+#include "point_tree.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl::acmap::dewall {
+
+/** \brief The paper's triangle size constraint, as a predicate over edges.
+ *
+ * Every leaf of the tree has its longest edge; an edge obeys both of its ends. */
+class SizeConstraint {
+public:
+  /** \brief The same length everywhere. */
+  SizeConstraint(const PointTree& tree, double maximum_edge_length);
+
+  /** \brief From the spacing around each leaf. */
+  explicit SizeConstraint(const PointTree& tree);
+
+  /** \brief Longest edge at tree point \a i, metres. */
+  double
+  longest(std::int32_t i) const
+  {
+    return longest_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(i)])];
+  }
+
+  /** \brief Longest edge at the points of a leaf, metres. */
+  double
+  longestInLeaf(const PointTree::Node& leaf) const
+  {
+    return longest(leaf.begin);
+  }
+
+  bool
+  allows(std::int32_t i, std::int32_t j, double squared_length) const
+  {
+    const double limit = std::min(longest(i), longest(j));
+    return squared_length <= limit * limit;
+  }
+
+  double
+  least() const
+  {
+    return *std::min_element(longest_.begin(), longest_.end());
+  }
+
+  double
+  largest() const
+  {
+    return *std::max_element(longest_.begin(), longest_.end());
+  }
+
+private:
+  std::vector<std::int32_t> leaf_of_; ///< for each point its leaf's number
+  std::vector<double> longest_;       ///< for each leaf
+};
+
+/** \brief Median distance of a point to its nearest neighbour, metres, from one point a
+ * leaf; 0 with fewer than two points. */
+double
+medianSpacing(const PointTree& tree);
+
+} // namespace pcl::acmap::dewall

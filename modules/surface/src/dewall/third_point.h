@@ -1,0 +1,48 @@
+#pragma once
+
+#include "predicates.h"
+#include "size_constraint.h"
+
+#include <limits>
+
+namespace pcl::acmap::dewall {
+
+/** \brief The p3 whose circumcircle with p1 and p2 is smallest, on whichever side,
+ * under the size constraint ([P] II-C.1); -1 where there is none. */
+template <typename Accept>
+std::int32_t
+findThirdPoint(const PointTree& tree,
+               const SizeConstraint& size,
+               std::int32_t p1,
+               std::int32_t p2,
+               const Accept& accept)
+{
+  const Eigen::Vector3d a = tree.position(p1), b = tree.position(p2);
+  const double half = (b - a).norm() / 2;
+  const double longest = std::min(size.longest(p1), size.longest(p2));
+  double reach = std::sqrt(std::max(0.0, longest * longest - half * half));
+  double smallest = std::numeric_limits<double>::max();
+  std::int32_t best = -1;
+  const auto visit = [&](const PointTree::Node& leaf) {
+    for (std::int32_t i = leaf.begin; i < leaf.end; ++i) {
+      const Eigen::Vector3d p = tree.position(i);
+      if (i == p1 || i == p2 || !accept(i) ||
+          !size.allows(p1, i, (p - a).squaredNorm()) ||
+          !size.allows(p2, i, (p - b).squaredNorm()) || isDegenerate(a, b, p))
+        continue;
+      const double radius = smallestSphere(a, b, p).radius;
+      if (radius > smallest || (radius == smallest && i > best))
+        continue;
+      smallest = radius;
+      best = i;
+      // A circle of this radius through p1 and p2 stays within this of their middle.
+      reach = std::min(
+          reach, radius + std::sqrt(std::max(0.0, radius * radius - half * half)));
+    }
+  };
+  tree.visitBall(
+      0.5 * (a + b), reach, [](const PointTree::Node&) { return true; }, visit);
+  return best;
+}
+
+} // namespace pcl::acmap::dewall
