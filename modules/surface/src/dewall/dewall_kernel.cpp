@@ -1,3 +1,4 @@
+#include "clusters.h"
 #include "distinct_points.h"
 #include "oriented_mesh.h"
 #include "refill.h"
@@ -102,6 +103,8 @@ triangulate(const PointView& view,
   report.least_maximum_edge = size.least();
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
+  report.clusters = countClusters(tree, size);
+  timer.finish("clusters");
 
   GrowingMesh mesh(tree);
   Ticker ticker(progress, mesh, tree.size());

@@ -1,43 +1,23 @@
 #include "oriented_mesh.h"
 
-#include <numeric>
+#include "disjoint_sets.h"
 
 namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Components of the mesh by union-find over its vertices: under the guarantee
- * of one fan a vertex, triangles that share a vertex are joined by edges too. */
-class Components {
-public:
-  Components(const PointTree& tree, const std::vector<GrownTriangle>& triangles)
-  : parent_(static_cast<std::size_t>(tree.size()))
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (const GrownTriangle& triangle : triangles)
-      for (std::size_t i = 1; i < 3; ++i) {
-        const std::int32_t a = find(triangle.corners[0]), b = find(triangle.corners[i]);
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      }
+/** \brief Components of the mesh, by vertices: under the guarantee of one fan a vertex,
+ * triangles that share a vertex are joined by edges too. */
+DisjointSets
+findComponents(const PointTree& tree, const std::vector<GrownTriangle>& triangles)
+{
+  DisjointSets components(tree.size());
+  for (const GrownTriangle& triangle : triangles) {
+    components.unite(triangle.corners[0], triangle.corners[1]);
+    components.unite(triangle.corners[0], triangle.corners[2]);
   }
-
-  std::int32_t
-  find(std::int32_t v)
-  {
-    while (parent(v) != v)
-      v = parent(v) = parent(parent(v));
-    return v;
-  }
-
-private:
-  std::int32_t&
-  parent(std::int32_t v)
-  {
-    return parent_[static_cast<std::size_t>(v)];
-  }
-
-  std::vector<std::int32_t> parent_;
-};
+  return components;
+}
 
 /** \brief Area a triangle shows to the sensor; negative when it shows its back. */
 double
@@ -56,7 +36,7 @@ void
 count(const PointTree& tree,
       const std::vector<GrownTriangle>& triangles,
       GrowingMesh& grown,
-      Components& components,
+      DisjointSets& components,
       DeWallReport& report)
 {
   report.triangles = triangles.size();
@@ -79,7 +59,7 @@ orientedMesh(const PointTree& tree,
              DeWallReport& report)
 {
   const std::vector<GrownTriangle>& triangles = grown.triangles();
-  Components components(tree, triangles);
+  DisjointSets components = findComponents(tree, triangles);
   std::vector<double> facing(static_cast<std::size_t>(tree.size()));
   for (const GrownTriangle& triangle : triangles) {
     const double area = areaFacing(tree, triangle.corners, sensor_origin);

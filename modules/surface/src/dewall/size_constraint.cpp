@@ -23,19 +23,19 @@ leaves(const PointTree& tree)
   return result;
 }
 
-std::int32_t
-middlePoint(const PointTree::Node& leaf)
-{
-  return leaf.begin + leaf.size() / 2;
-}
-
+/** \brief Distance to the k-th neighbour for each leaf, the lesser one of two of its
+ * points, so that one outlier in a leaf does not speak for the others. */
 std::vector<double>
 distances(const PointTree& tree, const std::vector<std::int32_t>& leaves, std::size_t k)
 {
   std::vector<double> result(leaves.size());
   parallelForChunks(leaves.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t l = begin; l < end; ++l)
-      result[l] = distanceToNeighbour(tree, middlePoint(tree.node(leaves[l])), k);
+    for (std::size_t l = begin; l < end; ++l) {
+      const PointTree::Node& leaf = tree.node(leaves[l]);
+      result[l] =
+          std::min(distanceToNeighbour(tree, leaf.begin + leaf.size() / 4, k),
+                   distanceToNeighbour(tree, leaf.end - 1 - leaf.size() / 4, k));
+    }
   });
   return result;
 }

@@ -56,8 +56,8 @@ private:
   std::vector<double> longest_;       ///< for each leaf
 };
 
-/** \brief Median distance of a point to its nearest neighbour, metres, from one point a
- * leaf; 0 with fewer than two points. */
+/** \brief Median distance of a point to its nearest neighbour, metres, from two points
+ * a leaf; 0 with fewer than two points. */
 double
 medianSpacing(const PointTree& tree);
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "size_constraint.h"
+
+namespace pcl::acmap::dewall {
+
+/** \brief Number of connected clusters of at least three points ([P] II-C.1): points
+ * are connected when a chain of edges within the size constraint joins them. No
+ * triangle joins two clusters; the front starts anew in each. */
+std::size_t
+countClusters(const PointTree& tree, const SizeConstraint& size);
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace pcl::acmap::dewall {
+
+/** \brief Union-find over indices; the lowest index of a set is its root. */
+class DisjointSets {
+public:
+  explicit DisjointSets(std::int32_t size)
+  : parent_(static_cast<std::size_t>(size))
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  std::int32_t
+  find(std::int32_t i)
+  {
+    while (parent(i) != i)
+      i = parent(i) = parent(parent(i));
+    return i;
+  }
+
+  void
+  unite(std::int32_t i, std::int32_t j)
+  {
+    i = find(i);
+    j = find(j);
+    parent(std::max(i, j)) = std::min(i, j);
+  }
+
+private:
+  std::int32_t&
+  parent(std::int32_t i)
+  {
+    return parent_[static_cast<std::size_t>(i)];
+  }
+
+  std::vector<std::int32_t> parent_;
+};
+
+} // namespace pcl::acmap::dewall
