@@ -1,5 +1,7 @@
 #include "front.h"
 
+#include "seed_test.h"
+
 #include <map>
 
 namespace pcl::acmap::dewall {
@@ -124,7 +126,7 @@ Front::startAt(std::int32_t p1, std::int32_t p2, const Range& range)
   const std::int32_t p3 = findThirdPoint(tree_, size_, p1, p2, [&](std::int32_t i) {
     return range.contains(i) && !mesh_.isUsed(i);
   });
-  if (p3 < 0 || !isEmpty({p1, p2, p3}))
+  if (p3 < 0 || !isFirstTriangle(tree_, size_, {p1, p2, p3}))
     return;
   mesh_.addSeed({p1, p2, p3}, range.depth);
   for (const Side& side : mesh_.sidesOfLast())

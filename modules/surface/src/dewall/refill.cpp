@@ -1,5 +1,7 @@
 #include "refill.h"
 
+#include "seed_test.h"
+
 namespace pcl::acmap::dewall {
 
 namespace {
@@ -23,8 +25,12 @@ Refill::isEmpty(const std::array<std::int32_t, 3>& corners) const
 void
 Refill::run()
 {
-  queue_ = mesh_.openSides();
-  workOff();
+  std::size_t before = 0;
+  do {
+    before = mesh_.triangles().size();
+    queue_ = mesh_.openSides();
+    workOff();
+  } while (rule_ == DeWallRule::Dense && mesh_.triangles().size() > before);
   for (std::int32_t p1 = 0; p1 < tree_.size(); ++p1)
     if (!mesh_.isUsed(p1))
       startAt(p1);
@@ -112,7 +118,7 @@ Refill::startAt(std::int32_t p1)
       const std::int32_t p2 = unused[i].second, p3 = unused[j].second;
       const Eigen::Vector3d b = tree_.position(p2), c = tree_.position(p3);
       if (!size_.allows(p2, p3, (b - c).squaredNorm()) || isDegenerate(centre, b, c) ||
-          !isEmpty({p1, p2, p3}))
+          !isFirstTriangle(tree_, size_, {p1, p2, p3}))
         continue;
       mesh_.addSeed({p1, p2, p3}, TriangleMesh::no_wall);
       queue_ = mesh_.sidesOfLast();

@@ -12,10 +12,12 @@ namespace pcl::acmap::dewall {
 
 /** \brief The last sequential pass: completes the mesh without ever pinching a vertex.
  *
- * Every open side tries all of its apexes (with the dense rule the Delaunay-nearest
- * one), every unused point all triangles of unused points round it. Nothing a later
- * triangle does can make an earlier refusal legal except a new open side, which is
- * tried anew: when the pass ends, no legal triangle is left. */
+ * Every open side tries all of its apexes, every unused point all triangles of unused
+ * points round it. An earlier refusal can become legal only by a new open side, which is
+ * tried itself: when the pass ends, no legal triangle is left. With the dense rule a side
+ * has but one apex, the Delaunay-nearest, so that the other side may have to be asked
+ * again: the pass is repeated until nothing changes.
+ */
 class Refill {
 public:
   Refill(const PointTree& tree,

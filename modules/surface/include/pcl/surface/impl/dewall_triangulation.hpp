@@ -40,7 +40,7 @@ DeWallTriangulation<PointInT>::requireInput() const
 {
   if (!input_)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  if (indices_)
+  if (indices_ && !this->fake_indices_)
     for (const index_t index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
         PCL_THROW_EXCEPTION(InitFailedException,

@@ -1,0 +1,66 @@
+#include "seed_test.h"
+
+#include "apex_search.h"
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+/** \brief Points on the sphere, its three corners apart. */
+std::vector<std::int32_t>
+pointsOnSphere(const PointTree& tree,
+               const Sphere& sphere,
+               const std::array<std::int32_t, 3>& corners)
+{
+  std::vector<std::int32_t> result;
+  const double reach = sphere.radius * (1 + sphere_tolerance);
+  const auto visit = [&](const PointTree::Node& leaf) {
+    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
+      if ((tree.position(i) - sphere.centre).norm() <= reach && i != corners[0] &&
+          i != corners[1] && i != corners[2])
+        result.push_back(i);
+  };
+  tree.visitBall(
+      sphere.centre, reach, [](const PointTree::Node&) { return true; }, visit);
+  return result;
+}
+
+/** \brief Does point q, on the same side of a b as c, come before c as its apex? */
+bool
+comesBefore(const PointTree& tree,
+            const SizeConstraint& size,
+            std::int32_t q,
+            std::int32_t a,
+            std::int32_t b,
+            std::int32_t c)
+{
+  const Eigen::Vector3d origin = tree.position(a), end = tree.position(b);
+  const Eigen::Vector3d u = end - origin, from_a = tree.position(q) - origin;
+  if (!size.allows(a, q, from_a.squaredNorm()) ||
+      !size.allows(b, q, (from_a - u).squaredNorm()) ||
+      cosineOfTurn(origin, end, tree.position(q), tree.position(c)) > 0)
+    return false;
+  return isNearerApex(
+      makeApex(q, u, from_a), makeApex(c, u, tree.position(c) - origin), a, b, u);
+}
+
+} // namespace
+
+bool
+isFirstTriangle(const PointTree& tree,
+                const SizeConstraint& size,
+                const std::array<std::int32_t, 3>& corners)
+{
+  const auto [a, b, c] = corners;
+  const Sphere sphere =
+      smallestSphere(tree.position(a), tree.position(b), tree.position(c));
+  if (!isSphereEmpty(tree, sphere, corners))
+    return false;
+  for (const std::int32_t q : pointsOnSphere(tree, sphere, corners))
+    if (comesBefore(tree, size, q, a, b, c) || comesBefore(tree, size, q, b, c, a) ||
+        comesBefore(tree, size, q, c, a, b))
+      return false;
+  return true;
+}
+
+} // namespace pcl::acmap::dewall
