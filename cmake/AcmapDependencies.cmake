@@ -1,0 +1,34 @@
+# The libraries acmap stands on, found once for all folders.
+include(AcmapFindPCL)
+include(CheckCXXSourceCompiles)
+
+acmap_find_pcl(common search surface io features)
+find_package(Eigen3 3.3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+
+# liblzf comes without a package file.
+find_path(LZF_INCLUDE_DIR liblzf/lzf.h REQUIRED)
+find_library(LZF_LIBRARY lzf REQUIRED)
+mark_as_advanced(LZF_INCLUDE_DIR LZF_LIBRARY)
+add_library(lzf UNKNOWN IMPORTED)
+set_target_properties(lzf PROPERTIES IMPORTED_LOCATION "${LZF_LIBRARY}"
+                                     INTERFACE_INCLUDE_DIRECTORIES "${LZF_INCLUDE_DIR}")
+
+# Eigen's alignment decides the layout of PCL's points: users of acmap must agree with it.
+set(CMAKE_REQUIRED_LIBRARIES Eigen3::Eigen)
+foreach(bytes IN ITEMS 16 0 32 64)
+  check_cxx_source_compiles(
+    "#include <Eigen/Core>
+     static_assert(EIGEN_MAX_ALIGN_BYTES == ${bytes}, \"\");
+     int main() {}" ACMAP_EIGEN_ALIGNS_TO_${bytes})
+  if(ACMAP_EIGEN_ALIGNS_TO_${bytes})
+    set(ACMAP_EIGEN_MAX_ALIGN_BYTES ${bytes})
+    break()
+  endif()
+endforeach()
+unset(CMAKE_REQUIRED_LIBRARIES)
+if(NOT DEFINED ACMAP_EIGEN_MAX_ALIGN_BYTES)
+  message(FATAL_ERROR "cannot tell EIGEN_MAX_ALIGN_BYTES of this compiler and its flags")
+endif()

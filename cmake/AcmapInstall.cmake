@@ -1,0 +1,38 @@
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+# A root of our own: <prefix>/include stays free of a second pcl folder, and two versions
+# of acmap can stand side by side.
+set(ACMAP_INSTALL_INCLUDEDIR
+    "${CMAKE_INSTALL_INCLUDEDIR}/acmap-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+set(ACMAP_INSTALL_CMAKEDIR "${CMAKE_INSTALL_LIBDIR}/cmake/acmap")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+# Library, headers and target file of a module.
+function(acmap_install_module name)
+  install(TARGETS acmap_${name} EXPORT acmap_${name}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT acmap_${name} FILE acmap_${name}.cmake NAMESPACE acmap::
+          DESTINATION ${ACMAP_INSTALL_CMAKEDIR})
+  install(DIRECTORY include/ DESTINATION ${ACMAP_INSTALL_INCLUDEDIR}
+          FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+endfunction()
+
+# The package files of all modules declared so far, and the generated headers.
+function(acmap_install_package)
+  get_property(modules GLOBAL PROPERTY ACMAP_MODULES)
+  get_property(data GLOBAL PROPERTY ACMAP_MODULE_DATA)
+  file(WRITE "${PROJECT_BINARY_DIR}/acmapModules.cmake"
+       "set(acmap_modules \"${modules}\")\n${data}")
+  configure_package_config_file(
+    cmake/acmapConfig.cmake.in "${PROJECT_BINARY_DIR}/acmapConfig.cmake"
+    INSTALL_DESTINATION ${ACMAP_INSTALL_CMAKEDIR} NO_SET_AND_CHECK_MACRO)
+  write_basic_package_version_file("${PROJECT_BINARY_DIR}/acmapConfigVersion.cmake"
+                                   COMPATIBILITY SameMinorVersion)
+  install(FILES "${PROJECT_BINARY_DIR}/acmapConfig.cmake"
+                "${PROJECT_BINARY_DIR}/acmapConfigVersion.cmake"
+                "${PROJECT_BINARY_DIR}/acmapModules.cmake" cmake/AcmapFindPCL.cmake
+          DESTINATION ${ACMAP_INSTALL_CMAKEDIR})
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/include/"
+          DESTINATION ${ACMAP_INSTALL_INCLUDEDIR})
+endfunction()
