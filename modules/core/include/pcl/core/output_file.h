@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/export.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -10,8 +11,10 @@ namespace pcl::acmap {
 
 /** \brief A file that is written beside its target and renamed into place by
  * \ref commit: a killed run, an exception or a full disk leaves the old file or none.
- * \ingroup core */
-class OutputFile {
+ *
+ * A target that is a link keeps being one: the file that it points to is replaced, with
+ * its permissions kept. A device or a pipe is written straight into. \ingroup core */
+class ACMAP_EXPORT OutputFile {
 public:
   /** \throws OutputFileException when the file cannot be created */
   explicit OutputFile(const std::string& path);
@@ -27,13 +30,14 @@ public:
   void
   write(const void* data, std::size_t bytes);
 
-  /** \brief Flushes, closes and renames.
+  /** \brief Flushes, closes and renames. Nothing can be written afterwards.
    * \throws OutputFileException when any of it failed */
   void
   commit();
 
 private:
   std::string path_;
+  std::string target_; // path_ with its links followed
   std::string temporary_;
   std::FILE* file_ = nullptr;
 };

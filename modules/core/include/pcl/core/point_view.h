@@ -49,8 +49,9 @@ public:
   operator[](std::size_t i) const
   {
     Eigen::Vector3f p;
-    std::memcpy(
-        p.data(), first_ + stride_ * static_cast<std::size_t>(index(i)), sizeof(float) * 3);
+    std::memcpy(p.data(),
+                first_ + stride_ * static_cast<std::size_t>(index(i)),
+                sizeof(float) * 3);
     return p;
   }
 

@@ -20,7 +20,9 @@ namespace acmap {
 /** \brief Tells a callback, if there is one, and turns its refusal into an exception. */
 class Progress {
 public:
-  explicit Progress(ProgressCallback callback = {}) : callback_(std::move(callback)) {}
+  explicit Progress(ProgressCallback callback = {})
+  : callback_(std::move(callback))
+  {}
 
   /** \throws CancelledException when the callback returned false */
   void

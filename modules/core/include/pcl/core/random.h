@@ -9,7 +9,9 @@ namespace pcl::acmap {
  * standard library are not). SplitMix64; give each task a seed of its own. */
 class Random {
 public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit Random(std::uint64_t seed)
+  : state_(seed)
+  {}
 
   std::uint64_t
   bits()

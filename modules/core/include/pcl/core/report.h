@@ -23,7 +23,9 @@ namespace acmap {
 /** \brief Appends the time since construction, or since the last call, to a report. */
 class StepTimer {
 public:
-  explicit StepTimer(Report& report) : report_(report) {}
+  explicit StepTimer(Report& report)
+  : report_(report)
+  {}
 
   void
   finish(std::string step)

@@ -1,0 +1,107 @@
+#include "mesh_columns.h"
+
+#include "record_moves.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl::acmap {
+
+namespace {
+
+void
+requireInside(const PCLPointCloud2& cloud)
+{
+  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  if (cloud.point_step == 0 ? points > 0
+                            : cloud.data.size() / cloud.point_step < points)
+    throw BadArgumentException("cloud has " + std::to_string(points) + " points of " +
+                               std::to_string(cloud.point_step) + " bytes but " +
+                               std::to_string(cloud.data.size()) + " bytes of data");
+  for (const PCLPointField& field : cloud.fields) {
+    const std::size_t bytes = sizeOfType(field.datatype) * field.count;
+    if (field.offset + bytes > cloud.point_step)
+      throw BadArgumentException("field " + field.name + " lies outside the points");
+  }
+}
+
+const PCLPointField*
+findSingle(const PCLPointCloud2& cloud, const char* name, std::size_t bytes)
+{
+  for (const PCLPointField& field : cloud.fields)
+    if (field.name == name && field.count == 1 && sizeOfType(field.datatype) == bytes)
+      return &field;
+  return nullptr;
+}
+
+/** \return the offsets of three float fields, or nothing unless all are there */
+std::vector<std::size_t>
+findFloats(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
+{
+  std::vector<std::size_t> offsets;
+  for (const char* name : names) {
+    const PCLPointField* const field = findSingle(cloud, name, sizeof(float));
+    if (!field || field->datatype != PCLPointField::FLOAT32)
+      return {};
+    offsets.push_back(field->offset);
+  }
+  return offsets;
+}
+
+// PCL packs a colour as the bytes b g r a.
+std::vector<std::size_t>
+findColour(const PCLPointCloud2& cloud)
+{
+  if (const PCLPointField* const rgb = findSingle(cloud, "rgb", 4))
+    return {rgb->offset + 2U, rgb->offset + 1U, rgb->offset};
+  if (const PCLPointField* const rgba = findSingle(cloud, "rgba", 4))
+    return {rgba->offset + 2U, rgba->offset + 1U, rgba->offset, rgba->offset + 3U};
+  return {};
+}
+
+bool
+isWord(const std::string& name)
+{
+  return !name.empty() && name != "_" &&
+         std::all_of(
+             name.begin(), name.end(), [](char c) { return c > ' ' && c < 127; });
+}
+
+bool
+isStorable(std::uint8_t datatype)
+{
+  return sizeOfType(datatype) > 0 && datatype != PCLPointField::BOOL &&
+         datatype != PCLPointField::INT64 && datatype != PCLPointField::UINT64;
+}
+
+} // namespace
+
+MeshColumns
+sortColumns(const PCLPointCloud2& cloud)
+{
+  requireInside(cloud);
+  MeshColumns columns;
+  const auto coordinates = findFloats(cloud, {"x", "y", "z"});
+  if (coordinates.empty())
+    throw BadArgumentException("cloud has no float32 fields x, y and z");
+  std::copy(coordinates.begin(), coordinates.end(), columns.coordinates.begin());
+  columns.normal = findFloats(cloud, {"normal_x", "normal_y", "normal_z"});
+  columns.colour = findColour(cloud);
+  std::vector<std::string> taken{"x", "y", "z"};
+  if (!columns.normal.empty())
+    taken.insert(taken.end(), {"normal_x", "normal_y", "normal_z", "nx", "ny", "nz"});
+  if (!columns.colour.empty())
+    taken.insert(taken.end(), {"rgb", "rgba", "red", "green", "blue", "alpha"});
+  for (const PCLPointField& field : cloud.fields) {
+    if (field.count != 1 || !isStorable(field.datatype) || !isWord(field.name) ||
+        std::find(taken.begin(), taken.end(), field.name) != taken.end())
+      continue;
+    taken.push_back(field.name);
+    columns.scalars.push_back({field.name, field.datatype, field.offset});
+  }
+  return columns;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief A value of every point that a mesh file stores under a name of its own. */
+struct ScalarColumn {
+  std::string name;
+  std::uint8_t datatype = 0;
+  std::size_t offset = 0; // in a point
+};
+
+/** \brief Where a cloud keeps what a mesh file stores, as offsets in a point. */
+struct MeshColumns {
+  std::array<std::size_t, 3> coordinates{};
+  std::vector<std::size_t> normal; // x y z, or empty
+  std::vector<std::size_t> colour; // red green blue (alpha), or empty
+  std::vector<ScalarColumn> scalars;
+};
+
+/** \brief Sorts the fields of a cloud.
+ *
+ * Fields of several values, of a type that mesh files do not have (64-bit integers,
+ * boolean), or whose name is no word or stands twice are left out.
+ * \throws BadArgumentException when x, y, z are not float32, or a field or a point lies
+ * outside the data */
+MeshColumns
+sortColumns(const PCLPointCloud2& cloud);
+
+} // namespace pcl::acmap

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mesh_columns.h"
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/output_file.h>
+#include <pcl/core/triangle_mesh.h>
+
+namespace pcl::acmap {
+
+/** \brief The writers behind \ref saveTriangleMesh; the mesh is checked already. */
+void
+writePly(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const MeshColumns& columns,
+         const TriangleMesh& mesh);
+void
+writeVtk(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const MeshColumns& columns,
+         const TriangleMesh& mesh);
+
+} // namespace pcl::acmap

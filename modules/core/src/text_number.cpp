@@ -1,0 +1,150 @@
+#include "text_number.h"
+
+#include "record_moves.h"
+
+#include <pcl/PCLPointField.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <system_error>
+
+namespace pcl::acmap {
+
+namespace {
+
+// Microsoft's run-time library once wrote 1.#QNAN, -1.#IND and 1.#INF.
+bool
+parseOldWindowsNumber(std::string_view word, std::string_view rest, double& value)
+{
+  if (rest.substr(0, 1) != "#")
+    return false;
+  const double infinity = std::numeric_limits<double>::infinity();
+  value = rest.substr(1, 3) == "INF" ? (word.front() == '-' ? -infinity : infinity)
+                                     : std::numeric_limits<double>::quiet_NaN();
+  return true;
+}
+
+std::string_view
+withoutPlus(std::string_view word)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  return word;
+}
+
+template <typename Value>
+bool
+storeInteger(std::string_view word, std::uint8_t* to)
+{
+  word = withoutPlus(word);
+  const char* const end = word.data() + word.size();
+  Value value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || stop != end) {
+    // Some writers print integers as 12.0 or 1e3, and an unknown one as nan.
+    double real = 0.0;
+    if (!parseNumber(word, real))
+      return false;
+    if (std::isnan(real))
+      real = 0.0;
+    const double limit = std::ldexp(1.0, std::numeric_limits<Value>::digits);
+    const double least = std::numeric_limits<Value>::is_signed ? -limit : 0.0;
+    if (real < least || real >= limit || real != std::floor(real))
+      return false;
+    value = static_cast<Value>(real);
+  }
+  std::memcpy(to, &value, sizeof(value));
+  return true;
+}
+
+template <typename Value>
+bool
+storeReal(std::string_view word, std::uint8_t* to)
+{
+  Value value = 0;
+  if (!parseNumber(word, value))
+    return false;
+  std::memcpy(to, &value, sizeof(value));
+  return true;
+}
+
+} // namespace
+
+bool
+parseNumber(std::string_view word, float& value)
+{
+  word = withoutPlus(word);
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc() && stop == end)
+    return true;
+  double wide = 0.0;
+  if (!parseNumber(word, wide))
+    return false;
+  value = narrowed(wide);
+  return true;
+}
+
+bool
+parseNumber(std::string_view word, double& value)
+{
+  word = withoutPlus(word);
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc())
+    return false;
+  return stop == end || parseOldWindowsNumber(
+                            word, {stop, static_cast<std::size_t>(end - stop)}, value);
+}
+
+bool
+parseCount(std::string_view word, std::uint64_t& value)
+{
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stop == end;
+}
+
+bool
+storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to)
+{
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return storeInteger<std::int8_t>(word, to);
+  case PCLPointField::BOOL:
+  case PCLPointField::UINT8:
+    return storeInteger<std::uint8_t>(word, to);
+  case PCLPointField::INT16:
+    return storeInteger<std::int16_t>(word, to);
+  case PCLPointField::UINT16:
+    return storeInteger<std::uint16_t>(word, to);
+  case PCLPointField::INT32:
+    return storeInteger<std::int32_t>(word, to);
+  case PCLPointField::UINT32:
+    return storeInteger<std::uint32_t>(word, to);
+  case PCLPointField::INT64:
+    return storeInteger<std::int64_t>(word, to);
+  case PCLPointField::UINT64:
+    return storeInteger<std::uint64_t>(word, to);
+  case PCLPointField::FLOAT32:
+    return storeReal<float>(word, to);
+  case PCLPointField::FLOAT64:
+    return storeReal<double>(word, to);
+  default:
+    return false;
+  }
+}
+
+std::string
+quoted(std::string_view word)
+{
+  constexpr std::size_t longest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, longest))
+    text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > longest ? "...'" : "'");
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pcl::acmap {
+
+/** \brief Cuts a line into words, without copies. */
+class Words {
+public:
+  enum class Separators { blanks, blanks_and_commas };
+
+  explicit Words(std::string_view line, Separators separators = Separators::blanks)
+  : at_(line.data())
+  , end_(line.data() + line.size())
+  , least_(separators == Separators::blanks ? blank : comma)
+  {}
+
+  /** \return false when the line has no further word */
+  bool
+  next(std::string_view& word)
+  {
+    while (at_ != end_ && separates(*at_))
+      ++at_;
+    const char* const begin = at_;
+    while (at_ != end_ && !separates(*at_))
+      ++at_;
+    word = {begin, static_cast<std::size_t>(at_ - begin)};
+    return at_ != begin;
+  }
+
+private:
+  static constexpr std::uint8_t comma = 1;
+  static constexpr std::uint8_t blank = 2;
+
+  static constexpr std::array<std::uint8_t, 256>
+  kinds()
+  {
+    std::array<std::uint8_t, 256> kinds{};
+    kinds[' '] = kinds['\t'] = kinds['\r'] = blank;
+    kinds[','] = kinds[';'] = comma;
+    return kinds;
+  }
+
+  bool
+  separates(char c) const
+  {
+    static constexpr auto table = kinds();
+    return table[static_cast<unsigned char>(c)] >= least_;
+  }
+
+  const char* at_;
+  const char* end_;
+  std::uint8_t least_;
+};
+
+/** \brief Reads a whole word as a number, `nan` and `inf` included, in any locale.
+ * \return false when the word is not a number */
+bool
+parseNumber(std::string_view word, float& value);
+bool
+parseNumber(std::string_view word, double& value);
+
+/** \brief Reads a word as a count: digits only. */
+bool
+parseCount(std::string_view word, std::uint64_t& value);
+
+/** \brief Reads a word as a value of a PCLPointField datatype and stores its bytes.
+ * \return false when the word is not a number or does not fit the type */
+bool
+storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to);
+
+/** \brief A word in quotes for a message: short, and printable whatever the file holds. */
+std::string
+quoted(std::string_view word);
+
+} // namespace pcl::acmap
