@@ -1,0 +1,26 @@
+# Compares every source with what clang-format 14 makes of it. ROOT: the repository.
+cmake_minimum_required(VERSION 3.25)
+find_program(formatter NAMES clang-format-14 clang-format)
+if(formatter)
+  execute_process(COMMAND ${formatter} --version OUTPUT_VARIABLE version)
+endif()
+if(NOT version MATCHES "version 14\\.")
+  message("skipped: clang-format 14 is not installed")
+  return()
+endif()
+
+set(files)
+foreach(folder IN ITEMS modules apps test share)
+  file(GLOB_RECURSE found "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.hpp"
+       "${ROOT}/${folder}/*.cpp")
+  list(APPEND files ${found})
+endforeach()
+execute_process(COMMAND ${formatter} --style=file --dry-run -Werror ${files}
+                RESULT_VARIABLE result ERROR_VARIABLE complaints)
+if(NOT result EQUAL 0)
+  string(REGEX MATCHALL "[^\n]*: error:" places "${complaints}")
+  list(TRANSFORM places REPLACE ":[0-9]*:[0-9]*: error:" "")
+  list(REMOVE_DUPLICATES places)
+  list(JOIN places "\n  " places)
+  message(FATAL_ERROR "run clang-format 14 -i on:\n  ${places}")
+endif()

@@ -1,0 +1,12 @@
+# Every public class and every tool has a page under doc. ROOT: the repository.
+cmake_minimum_required(VERSION 3.25)
+file(GLOB classes "${ROOT}/modules/*/include/pcl/*/impl/*.hpp")
+file(GLOB tools "${ROOT}/apps/pcl_*.cpp")
+file(GLOB_RECURSE pages "${ROOT}/doc/*.md")
+list(TRANSFORM pages REPLACE ".*/" "")
+foreach(file IN LISTS classes tools)
+  cmake_path(GET file STEM name)
+  if(NOT "${name}.md" IN_LIST pages)
+    message(SEND_ERROR "${file} has no page ${name}.md under doc")
+  endif()
+endforeach()

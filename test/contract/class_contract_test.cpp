@@ -1,0 +1,10 @@
+#include "dewall_traits.h"
+
+namespace pcl::acmap::test {
+
+/** Every public class with a verb has its traits here. */
+using PublicClasses = testing::Types<DeWallTraits>;
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ClassContract, PublicClasses);
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,191 @@
+#include "cloud_values.h"
+#include "temporary_folder.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+PointCloudFile
+loadText(const std::string& text)
+{
+  const TemporaryFolder folder;
+  return loadPointCloud(folder.write("cloud.PLY", text));
+}
+
+template <typename Value>
+std::string
+bigEndian(Value value)
+{
+  std::string bytes = rawBytes(value);
+  std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+TEST(PlyReader, readsWhatPclWrites)
+{
+  PointCloud<PointXYZRGBNormal> cloud(9, 1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    cloud[i].getVector3fMap() = Eigen::Vector3f(0.5F, -0.25F, 0.125F) * float(i);
+    cloud[i].getNormalVector3fMap() = Eigen::Vector3f::UnitX();
+    cloud[i].r = static_cast<std::uint8_t>(20 * i);
+    cloud[i].g = 7;
+    cloud[i].b = 255;
+    cloud[i].a = 0; // PLY has no alpha for this type
+  }
+  PCLPointCloud2 blob;
+  toPCLPointCloud2(cloud, blob);
+  const TemporaryFolder folder;
+  const std::string path = folder.path("cloud.ply");
+  for (const bool binary : {false, true}) {
+    PLYWriter().write(path,
+                      blob,
+                      Eigen::Vector4f::Zero(),
+                      Eigen::Quaternionf::Identity(),
+                      binary,
+                      false);
+    const PointCloudFile file = loadPointCloud(path);
+    for (const char* name : {"x", "y", "z", "normal_x", "normal_y", "normal_z", "rgb"})
+      EXPECT_EQ(bytesOf(file.cloud, name), bytesOf(blob, name)) << name;
+    EXPECT_EQ(floatsOf(file.cloud, "curvature"), floatsOf(blob, "curvature"));
+  }
+}
+
+const std::string vertex_between_others = "element camera 1\n"
+                                          "property float angle\n"
+                                          "property list uchar short row\n"
+                                          "element vertex 2\n"
+                                          "property double x\n"
+                                          "property list int uchar seen_by\n"
+                                          "property float y\n"
+                                          "property ushort quality\n"
+                                          "property float z\n"
+                                          "property uchar red\n"
+                                          "property uchar green\n"
+                                          "property uchar blue\n"
+                                          "property uchar alpha\n"
+                                          "element face 1\n"
+                                          "property list uchar int vertex_indices\n"
+                                          "end_header\n";
+
+void
+expectTwoVertices(const PointCloudFile& file)
+{
+  EXPECT_THAT(namesOf(file.cloud), ElementsAre("x", "y", "z", "rgba", "quality"));
+  ASSERT_EQ(file.points().size(), 2U);
+  EXPECT_EQ(file.points()[0], Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(file.points()[1], Eigen::Vector3f(4, 5, 6));
+  EXPECT_THAT(bytesOf(file.cloud, "quality"), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(bytesOf(file.cloud, "rgba"), ElementsAre(12, 11, 10, 13, 22, 21, 20, 23));
+}
+
+TEST(PlyReader, findsVerticesBetweenOtherElementsInText)
+{
+  expectTwoVertices(loadText("ply\r\nformat ascii 1.0\r\ncomment of mine\r\n" +
+                             vertex_between_others +
+                             "0.5 3 1 2 3\n1 0 2 513 3 10 11 12 13\n"
+                             "4 2 9 9 5 1027 6 20 21 22 23\n3 0 1 1\n"));
+}
+
+template <typename Store>
+std::string
+binaryRows(const Store& store)
+{
+  return store(0.5F) + store(std::uint8_t{2}) + store(std::int16_t{1}) +
+         store(std::int16_t{2}) + store(1.0) + store(std::int32_t{0}) + store(2.0F) +
+         store(std::uint16_t{513}) + store(3.0F) + "\x0a\x0b\x0c\x0d" + store(4.0) +
+         store(std::int32_t{3}) + "abc" + store(5.0F) + store(std::uint16_t{1027}) +
+         store(6.0F) + "\x14\x15\x16\x17" + store(std::uint8_t{1}) +
+         store(std::int32_t{0});
+}
+
+TEST(PlyReader, findsVerticesBetweenOtherElementsInBothBinaryOrders)
+{
+  expectTwoVertices(loadText("ply\nformat binary_little_endian 1.0\n" +
+                             vertex_between_others +
+                             binaryRows([](auto value) { return rawBytes(value); })));
+  expectTwoVertices(loadText("ply\nformat binary_big_endian 1.0\n" +
+                             vertex_between_others +
+                             binaryRows([](auto value) { return bigEndian(value); })));
+}
+
+TEST(PlyReader, readsEveryTypeOfBothBinaryOrders)
+{
+  const std::string properties =
+      "element vertex 1\nproperty float32 x\nproperty float y\nproperty float z\n"
+      "property int8 a\nproperty char b\nproperty uint16 c\nproperty int d\n"
+      "property uint32 e\nproperty float64 f\nproperty short g\nend_header\n";
+  const auto rows = [](auto store) {
+    return store(1.0F) + store(2.0F) + store(3.0F) + store(std::int8_t{-5}) +
+           store(std::int8_t{6}) + store(std::uint16_t{60000}) +
+           store(std::int32_t{-70000}) + store(std::uint32_t{4000000000U}) +
+           store(0.125) + store(std::int16_t{-300});
+  };
+  const PCLPointCloud2 little =
+      loadText("ply\nformat binary_little_endian 1.0\n" + properties +
+               rows([](auto value) { return rawBytes(value); }))
+          .cloud;
+  const PCLPointCloud2 big =
+      loadText("ply\nformat binary_big_endian 1.0\n" + properties +
+               rows([](auto value) { return bigEndian(value); }))
+          .cloud;
+  const PCLPointCloud2 text = loadText("ply\nformat ascii 1.0\n" + properties +
+                                       "1 2 3 -5 6 60000 -70000 4000000000 0.125 -300")
+                                  .cloud;
+  EXPECT_THAT(floatsOf(little, "z"), ElementsAre(3));
+  expectEqual(big, little);
+  expectEqual(text, little);
+}
+
+TEST(PlyReader, leavesColoursOfOtherTypesAsTheyAre)
+{
+  const PointCloudFile file = loadText(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float red\nproperty float green\nproperty float "
+      "blue\n"
+      "end_header\n1 2 3 .5 .25 1\n");
+  EXPECT_THAT(namesOf(file.cloud), ElementsAre("x", "y", "z", "red", "green", "blue"));
+  EXPECT_TRUE(file.remarks.empty());
+}
+
+TEST(PlyReader, takesAnHonestEmptyCloud)
+{
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    const PointCloudFile file =
+        loadText(std::string("ply\nformat ") + format +
+                 " 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face 0\n"
+                 "property list uchar int vertex_indices\nend_header\n");
+    EXPECT_EQ(file.points().size(), 0U);
+    EXPECT_EQ(file.cloud.fields.size(), 3U);
+  }
+}
+
+TEST(PlyReader, remarksOnCoordinatesTooLargeForFloat)
+{
+  EXPECT_THAT(loadText("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+                       "property double y\nproperty double z\nend_header\n"
+                       "0 5100000.25 nan\n0 5100000.25 0\n")
+                  .remarks,
+              ElementsAre());
+  EXPECT_THAT(loadText("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+                       "property double y\nproperty double z\nend_header\n"
+                       "0 5100000.25 0\n")
+                  .remarks,
+              ElementsAre(HasSubstr("rounds them to 0.5 m")));
+}
+
+} // namespace
+} // namespace pcl::acmap::test

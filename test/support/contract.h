@@ -1,0 +1,212 @@
+#pragma once
+
+#include "clouds.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/progress.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief A call that a public class must refuse, and words that its message must hold:
+ * the value, the legal range, the unit. */
+template <typename Class>
+struct RefusedCall {
+  std::function<void(Class&)> call;
+  std::vector<std::string> words;
+};
+
+/** \brief The clouds that every class must take, however little comes out. */
+inline std::vector<std::pair<std::string, Cloud>>
+degenerateClouds()
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  Cloud invalid;
+  invalid.resize(50, PointXYZ(nan, nan, nan));
+  invalid.is_dense = false;
+  return {{"no point", {}},
+          {"one point", makeRandomBox(1, 1)},
+          {"two points", makeRandomBox(2, 1)},
+          {"points in line", makeCollinear(40)},
+          {"points in one place", makeCoincident(1000)},
+          {"no valid point", invalid},
+          {"two points far out", withOutlier(makeRandomBox(1, 1), 1e9F)}};
+}
+
+/** \brief The class contract of the library, one test a point; a class joins through a
+ * traits type:
+ *
+ * - `Class`, `Output` (equality comparable);
+ * - `setInput (Class&, const Cloud&)`, `run (Class&, Output&)`;
+ * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can give;
+ * - `refusedCalls ()`: setters with nonsense;
+ * - `parameters (const Class&)`: all parameters in words;
+ * - `invalidPoints (const Class&)`: how many the report tells;
+ * - `header ()`: the text of the public header.
+ */
+template <typename Traits>
+class ClassContract : public testing::Test {
+protected:
+  using Class = typename Traits::Class;
+  using Output = typename Traits::Output;
+
+  static Output
+  outputOf(Class& object, const Cloud& cloud)
+  {
+    Output output = Traits::sentinel();
+    Traits::setInput(object, cloud);
+    Traits::run(object, output);
+    return output;
+  }
+
+  static Output
+  outputOf(const Cloud& cloud)
+  {
+    Class object;
+    return outputOf(object, cloud);
+  }
+
+  const Cloud cloud_ = makeJitteredPlane({60, 60, 0.02, 0.25, 0.1, 5}).cloud;
+  const Cloud other_cloud_ = makeRoom(0.2, 0.1, 3);
+};
+
+TYPED_TEST_SUITE_P(ClassContract);
+
+TYPED_TEST_P(ClassContract, worksAsConstructed)
+{
+  EXPECT_FALSE(TypeParam::isEmpty(this->outputOf(this->cloud_)));
+}
+
+TYPED_TEST_P(ClassContract, settersRefuseNonsenseAndSayWhy)
+{
+  for (const auto& refused : TypeParam::refusedCalls()) {
+    typename TypeParam::Class object;
+    const std::string before = TypeParam::parameters(object);
+    try {
+      refused.call(object);
+      ADD_FAILURE() << "nonsense was accepted: " << TypeParam::parameters(object);
+    } catch (const BadArgumentException& error) {
+      for (const std::string& word : refused.words)
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+            << '"' << word << "\" is not in \"" << error.what() << '"';
+    }
+    EXPECT_EQ(TypeParam::parameters(object), before);
+  }
+}
+
+TYPED_TEST_P(ClassContract, missingInputIsRefusedAndOutputUntouched)
+{
+  typename TypeParam::Class object;
+  auto output = TypeParam::sentinel();
+  EXPECT_THROW(TypeParam::run(object, output), InitFailedException);
+  EXPECT_EQ(output, TypeParam::sentinel());
+}
+
+TYPED_TEST_P(ClassContract, invalidPointsAreSkippedAndCounted)
+{
+  typename TypeParam::Class object;
+  const Cloud laced = lacedWithNan(this->cloud_, 4);
+  EXPECT_FALSE(TypeParam::isEmpty(this->outputOf(object, laced)));
+  EXPECT_EQ(TypeParam::invalidPoints(object), laced.size() - this->cloud_.size());
+}
+
+TYPED_TEST_P(ClassContract, degenerateInputIsLegalAndExplained)
+{
+  for (const auto& [name, cloud] : degenerateClouds()) {
+    typename TypeParam::Class object;
+    EXPECT_TRUE(TypeParam::isEmpty(this->outputOf(object, cloud))) << name;
+    EXPECT_FALSE(object.getReport().remarks.empty()) << name;
+  }
+}
+
+TYPED_TEST_P(ClassContract, cancelledRunLeavesOutputAndObjectUsable)
+{
+  for (const int allowed_calls : {0, 1, 2, 5}) {
+    typename TypeParam::Class object;
+    TypeParam::setInput(object, this->cloud_);
+    int calls = 0;
+    object.setProgressCallback(
+        [&](double, const std::string&) { return calls++ < allowed_calls; });
+    auto output = TypeParam::sentinel();
+    try {
+      TypeParam::run(object, output);
+      EXPECT_LE(calls, allowed_calls) << "the callback's refusal was ignored";
+    } catch (const CancelledException&) {
+      EXPECT_EQ(calls, allowed_calls + 1);
+      EXPECT_EQ(output, TypeParam::sentinel());
+    }
+    object.setProgressCallback({});
+    EXPECT_EQ(this->outputOf(object, this->cloud_), this->outputOf(this->cloud_));
+  }
+}
+
+TYPED_TEST_P(ClassContract, parametersStayAndRunsDoNotDependOnEarlierOnes)
+{
+  typename TypeParam::Class object;
+  const std::string before = TypeParam::parameters(object);
+  const auto first = this->outputOf(object, this->cloud_);
+  this->outputOf(object, this->other_cloud_);
+  this->outputOf(object, Cloud());
+  EXPECT_EQ(this->outputOf(object, this->cloud_), first);
+  EXPECT_EQ(this->outputOf(this->cloud_), first);
+  EXPECT_EQ(TypeParam::parameters(object), before);
+}
+
+TYPED_TEST_P(ClassContract, reportTellsSecondsAndProgressNeverFalls)
+{
+  typename TypeParam::Class object;
+  double last = 0;
+  int calls = 0;
+  object.setProgressCallback([&](double fraction, const std::string& step) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    EXPECT_FALSE(step.empty());
+    last = fraction;
+    return ++calls > 0;
+  });
+  this->outputOf(object, this->cloud_);
+  EXPECT_GT(calls, 1);
+  EXPECT_FALSE(object.getReport().seconds.empty());
+  for (const auto& [step, seconds] : object.getReport().seconds) {
+    EXPECT_FALSE(step.empty());
+    EXPECT_GE(seconds, 0);
+  }
+}
+
+TYPED_TEST_P(ClassContract, threadsDoNotChangeAByte)
+{
+  const auto wanted = this->outputOf(this->other_cloud_);
+  for (const unsigned threads : {1U, 2U, 8U}) {
+    typename TypeParam::Class object;
+    object.setNumberOfThreads(threads);
+    EXPECT_EQ(this->outputOf(object, this->other_cloud_), wanted) << threads << " threads";
+  }
+}
+
+TYPED_TEST_P(ClassContract, headerSaysWhatAUserMustKnow)
+{
+  const std::string header = TypeParam::header();
+  for (const char* needed :
+       {"Active Stereo Based Compact Mapping", "etres", "O(n", "\\throws", "\\code"})
+    EXPECT_NE(header.find(needed), std::string::npos) << needed;
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ClassContract,
+                            worksAsConstructed,
+                            settersRefuseNonsenseAndSayWhy,
+                            missingInputIsRefusedAndOutputUntouched,
+                            invalidPointsAreSkippedAndCounted,
+                            degenerateInputIsLegalAndExplained,
+                            cancelledRunLeavesOutputAndObjectUsable,
+                            parametersStayAndRunsDoNotDependOnEarlierOnes,
+                            reportTellsSecondsAndProgressNeverFalls,
+                            threadsDoNotChangeAByte,
+                            headerSaysWhatAUserMustKnow);
+
+} // namespace pcl::acmap::test

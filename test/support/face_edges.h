@@ -1,0 +1,99 @@
+#pragma once
+
+#include "mesh_checker.h"
+
+#include <map>
+#include <numeric>
+
+namespace pcl::acmap::test {
+
+/** \brief An edge by its ends, the smaller index first. */
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+/** \brief One face at an edge. */
+struct EdgeUse {
+  std::size_t face;
+  std::int32_t apex;
+  bool forward; ///< the face runs from the smaller index to the larger
+};
+
+using EdgeMap = std::map<Edge, std::vector<EdgeUse>>;
+
+inline Edge
+makeEdge(std::int32_t a, std::int32_t b)
+{
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/** \brief All edges with the faces at them; corners must be distinct. */
+inline EdgeMap
+edgesOf(const Triangles& faces)
+{
+  EdgeMap edges;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t a = faces[face][i];
+      const std::int32_t b = faces[face][(i + 1) % 3];
+      edges[makeEdge(a, b)].push_back({face, faces[face][(i + 2) % 3], a < b});
+    }
+  return edges;
+}
+
+/** \brief Union-find. The root of a set is its smallest member. */
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t size) : parents_(size)
+  {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
+
+  std::size_t
+  root(std::size_t member)
+  {
+    while (parents_[member] != member)
+      member = parents_[member] = parents_[parents_[member]];
+    return member;
+  }
+
+  void
+  unite(std::size_t a, std::size_t b)
+  {
+    a = root(a);
+    b = root(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::size_t> parents_;
+};
+
+inline std::vector<std::vector<std::size_t>>
+facesAroundVertices(const Triangles& faces, std::size_t size)
+{
+  std::vector<std::vector<std::size_t>> around(size);
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    for (const std::int32_t corner : faces[face])
+      around[corner].push_back(face);
+  return around;
+}
+
+/** \brief Number of fans at a vertex: sets of its faces connected through edges that end
+ * in the vertex. */
+inline std::size_t
+countFans(const Triangles& faces,
+          const std::vector<std::size_t>& around,
+          std::int32_t vertex)
+{
+  DisjointSets fans(around.size());
+  std::map<std::int32_t, std::size_t> first_at;
+  for (std::size_t i = 0; i < around.size(); ++i)
+    for (const std::int32_t corner : faces[around[i]])
+      if (corner != vertex)
+        fans.unite(i, first_at.emplace(corner, i).first->second);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < around.size(); ++i)
+    count += fans.root(i) == i;
+  return count;
+}
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,76 @@
+#include "dewall_runs.h"
+#include "test_data.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/point_cloud_file.h>
+
+#include <gtest/gtest.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+struct RealCloud {
+  std::string name;
+  std::string path;
+  double least_used;     ///< share of the valid, distinct points that carry triangles
+  double most_boundary;  ///< share of the edges that have one triangle
+};
+
+void
+PrintTo(const RealCloud& cloud, std::ostream* stream)
+{
+  *stream << cloud.path;
+}
+
+class DeWallOnRealCloud : public testing::TestWithParam<RealCloud> {
+protected:
+  void
+  SetUp() override
+  {
+    if (!hasTestData(GetParam().path))
+      GTEST_SKIP() << "no " << GetParam().path << " in ACMAP_TEST_DATA";
+    fromPCLPointCloud2(loadPointCloud(testDataPath(GetParam().path).string()).cloud,
+                       cloud_);
+  }
+
+  Cloud cloud_;
+};
+
+TEST_P(DeWallOnRealCloud, keepsEveryGuarantee)
+{
+  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+    const DeWallRun run{rule, 0, 0};
+    const DeWallResult result = triangulate(cloud_, run);
+    EXPECT_TRUE(keepsGuarantees(result, run)) << nameOf(rule);
+    const DeWallReport& report = result.report;
+    const auto valid = static_cast<double>(report.points - report.invalid_points -
+                                           report.duplicate_points);
+    EXPECT_GE(static_cast<double>(report.used_points), GetParam().least_used * valid)
+        << nameOf(rule);
+    EXPECT_LE(static_cast<double>(report.boundary_edges),
+              GetParam().most_boundary * static_cast<double>(report.edges))
+        << nameOf(rule);
+  }
+}
+
+TEST_P(DeWallOnRealCloud, sameBytesForEveryNumberOfThreads)
+{
+  const TriangleMesh one = triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 1}, 5000).mesh;
+  const TriangleMesh all = triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 8}, 5000).mesh;
+  EXPECT_EQ(one.triangles, all.triangles);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Data,
+    DeWallOnRealCloud,
+    testing::Values(
+        RealCloud{"mug", "E_meshing/table_scene_mug_stereo_textured.pcd", 0.99, 0.025},
+        RealCloud{"office", "E_meshing/office1.pcd", 0.99, 0.13},
+        RealCloud{"capture", "E_meshing/capture0001.pcd", 0.99, 0.14},
+        RealCloud{"bun0", "E_meshing/bun0.pcd", 0.9, 0.3},
+        RealCloud{"bunny", "E_meshing/stanford-bunny.obj", 0.99, 0.03},
+        RealCloud{"room_scan", "C_sequence/pcl_room_scans/room_scan1.pcd", 0.5, 0.5}),
+    [](const auto& info) { return info.param.name; });
+
+} // namespace
+} // namespace pcl::acmap::test
