@@ -2,6 +2,7 @@
 #include "distinct_points.h"
 #include "oriented_mesh.h"
 #include "refill.h"
+#include "small_holes.h"
 #include "triangle_builder.h"
 
 #include <pcl/core/parallel.h>
@@ -117,6 +118,8 @@ triangulate(const PointView& view,
     report.removed_fans = mesh.keepLargestFans();
     Refill(tree, size, settings.rule, mesh, tick).run();
   }
+  if (settings.rule == DeWallRule::Dense)
+    closeSmallHoles(tree, size, mesh);
   report.refused_moebius = mesh.refusedMoebius();
   timer.finish("last passes");
   TriangleMesh result = orientedMesh(

@@ -102,32 +102,42 @@ GrowingMesh::isOrientable(const Side& side,
   return true;
 }
 
+const Edge*
+GrowingMesh::findUsed(std::int32_t a, std::int32_t b)
+{
+  const Edge* edge = edges_.find(a, b);
+  return edge && edge->triangles > 0 ? edge : nullptr;
+}
+
+double
+GrowingMesh::steepestCosine(const Side& side, std::int32_t apex)
+{
+  double least = cosineOfTurnAt(side.a, side.b, *edges_.find(side.a, side.b), apex);
+  if (const Edge* at_a = findUsed(side.a, apex))
+    least = std::min(least, cosineOfTurnAt(side.a, apex, *at_a, side.b));
+  if (const Edge* at_b = findUsed(side.b, apex))
+    least = std::min(least, cosineOfTurnAt(side.b, apex, *at_b, side.a));
+  return least;
+}
+
 GrowingMesh::Verdict
 GrowingMesh::judge(const Side& side, std::int32_t apex)
 {
-  const Edge* at_a = edges_.find(side.a, apex);
-  const Edge* at_b = edges_.find(side.b, apex);
-  if (at_a && at_a->triangles == 0)
-    at_a = nullptr;
-  if (at_b && at_b->triangles == 0)
-    at_b = nullptr;
+  const Edge* at_a = findUsed(side.a, apex);
+  const Edge* at_b = findUsed(side.b, apex);
   if ((at_a && !at_a->isOpen()) || (at_b && !at_b->isOpen()))
     return Verdict::Blocked;
-  double least = cosineOfTurnAt(side.a, side.b, *edges_.find(side.a, side.b), apex);
   if (!at_a && !at_b && isUsed(apex))
     return isSaturated(apex) ? Verdict::Blocked : Verdict::Pinches;
-  if (at_a)
-    least = std::min(least, cosineOfTurnAt(side.a, apex, *at_a, side.b));
-  if (at_b)
-    least = std::min(least, cosineOfTurnAt(side.b, apex, *at_b, side.a));
-  if (least <= cos_largest_turn)
+  const double cosine = steepestCosine(side, apex);
+  if (cosine <= cos_largest_turn)
     return Verdict::Blocked;
   if ((at_a || at_b) && !isOrientable(side, apex, at_a, at_b)) {
     ++refused_moebius_;
     return Verdict::Blocked;
   }
-  return least < cos_gentle_turn || isOdd(side, apex) ? Verdict::Doubtful
-                                                      : Verdict::Fits;
+  return cosine < cos_gentle_turn || isOdd(side, apex) ? Verdict::Doubtful
+                                                       : Verdict::Fits;
 }
 
 void

@@ -56,6 +56,10 @@ public:
   Verdict
   judge(const Side& side, std::int32_t apex);
 
+  /** \brief Cosine of the largest turn that triangle would make at one of its sides. */
+  double
+  steepestCosine(const Side& side, std::int32_t apex);
+
   Bridge
   bridge(const Side& side, std::int32_t apex);
 
@@ -66,6 +70,12 @@ public:
   /** \brief Adds the first triangle of a component. */
   void
   addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth);
+
+  bool
+  hasEdge(std::int32_t a, std::int32_t b)
+  {
+    return findUsed(a, b) != nullptr;
+  }
 
   /** \brief Third corner of the only triangle at a side; -1 when it is not open. */
   std::int32_t
@@ -165,6 +175,9 @@ private:
 
   bool
   isOrientable(const Side& side, std::int32_t apex, const Edge* at_a, const Edge* at_b);
+
+  const Edge*
+  findUsed(std::int32_t a, std::int32_t b);
 
   double
   cosineOfTurnAt(std::int32_t a,
