@@ -1,0 +1,52 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace pcl::acmap {
+namespace {
+
+std::string
+withDoubleDash(const std::string& argument, const CLI::App& app)
+{
+  const std::size_t begin = argument.find_first_not_of('-');
+  if (begin == std::string::npos || begin == 0 || begin > 2)
+    return argument;
+  const std::size_t end = std::min(argument.find('='), argument.size());
+  std::string name = argument.substr(begin, end - begin);
+  std::replace(name.begin(), name.end(), '_', '-');
+  if (name.size() < 2 || !app.get_option_no_throw("--" + name))
+    return argument;
+  return "--" + name + argument.substr(end);
+}
+
+} // namespace
+
+std::vector<std::string>
+withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app)
+{
+  for (std::string& argument : arguments) {
+    if (argument == "--")
+      break;
+    argument = withDoubleDash(argument, app);
+  }
+  return arguments;
+}
+
+CLI::Validator
+positiveNumber()
+{
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0)
+          return {};
+        return text + " is not a number above 0";
+      },
+      "NUMBER");
+}
+
+} // namespace pcl::acmap

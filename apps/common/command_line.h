@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Rewrites PCL's spelling of long options (`-max_edge`, `-max-edge`) to the one
+ * that CLI11 knows (`--max-edge`); everything else stays as it is.
+ * \param[in] arguments without the name of the program
+ * \param[in] app knows the long options */
+std::vector<std::string>
+withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app);
+
+/** \brief Lets finite numbers above zero pass. */
+CLI::Validator
+positiveNumber();
+
+} // namespace pcl::acmap

@@ -1,0 +1,60 @@
+#include "exit_code.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <algorithm>
+#include <new>
+
+namespace pcl::acmap {
+namespace {
+
+std::string
+oneLine(std::string text)
+{
+  // PCL puts ": " before every message
+  text.erase(0, std::min(text.find_first_not_of(": \n"), text.size()));
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+} // namespace
+
+Failure
+failureOf(const std::exception_ptr& error)
+{
+  try {
+    std::rethrow_exception(error);
+  }
+  catch (const CancelledException&) {
+    return {exit_interrupted, "interrupted, nothing was written"};
+  }
+  catch (const InputFileException& e) {
+    return {exit_input, oneLine(e.what())};
+  }
+  catch (const OutputFileException& e) {
+    return {exit_output, oneLine(e.what())};
+  }
+  catch (const NothingFound& e) {
+    return {exit_nothing_found, oneLine(e.what())};
+  }
+  catch (const UsageError& e) {
+    return {exit_usage, oneLine(e.what())};
+  }
+  catch (const BadArgumentException& e) {
+    return {exit_usage, oneLine(e.what())};
+  }
+  catch (const MemoryRefused& e) {
+    return {exit_memory, oneLine(e.what())};
+  }
+  catch (const std::bad_alloc&) {
+    return {exit_memory, "not enough memory"};
+  }
+  catch (const std::exception& e) {
+    return {exit_failed, oneLine(e.what())};
+  }
+  catch (...) {
+    return {exit_failed, "failed for an unknown reason"};
+  }
+}
+
+} // namespace pcl::acmap

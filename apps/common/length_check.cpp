@@ -1,0 +1,101 @@
+#include "length_check.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace pcl::acmap {
+namespace {
+
+/** Rooms and streets are scanned denser than this, and stretch less far. */
+constexpr double suspicious_spacing = 0.5;
+constexpr double suspicious_extent = 1000.0;
+
+/** A point this many extents away from the others belongs to no scene. */
+constexpr double far_extents = 100.0;
+
+/** \brief The 10 % and 90 % quantiles; reorders the values. */
+std::pair<double, double>
+quantiles(std::vector<float>& values)
+{
+  const std::size_t tenth = values.size() / 10;
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(tenth);
+  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(tenth);
+  std::nth_element(values.begin(), low, values.end());
+  const float least = *low;
+  std::nth_element(values.begin(), high, values.end());
+  return {least, *high};
+}
+
+std::string
+farRemark(const PointView& points, const CloudExtent& extent)
+{
+  const Eigen::Vector3d center = (extent.least + extent.most) / 2;
+  std::size_t count = 0, farthest = 0;
+  double most = far_extents * extent.diagonal();
+  const double limit = most;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = (points[i].cast<double>() - center).norm();
+    if (!(distance > limit))
+      continue;
+    ++count;
+    if (distance > most) {
+      most = distance;
+      farthest = i;
+    }
+  }
+  if (count == 0)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << (count == 1 ? "one point lies" : std::to_string(count) + " points lie")
+       << " far away from all others, " << (count == 1 ? "" : "the farthest ")
+       << "at a distance of " << most << " m (point " << points.index(farthest) << ")";
+  return text.str();
+}
+
+std::string
+millimetreRemark(double median_spacing, double extent, double scale)
+{
+  if (median_spacing <= suspicious_spacing && extent <= suspicious_extent)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "looks like millimetres: the points spread over " << extent << " m";
+  if (median_spacing > 0)
+    text << " and stand " << median_spacing << " m apart";
+  text << "; --scale " << scale * 0.001 << " would make metres of millimetres";
+  return text.str();
+}
+
+} // namespace
+
+CloudExtent
+cloudExtent(const PointView& points)
+{
+  CloudExtent extent;
+  std::vector<float> values;
+  for (int axis = 0; axis < 3; ++axis) {
+    values.clear();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const Eigen::Vector3f p = points[i]; p.allFinite())
+        values.push_back(p[axis]);
+    extent.finite_points = values.size();
+    if (!values.empty())
+      std::tie(extent.least[axis], extent.most[axis]) = quantiles(values);
+  }
+  return extent;
+}
+
+std::vector<std::string>
+lengthRemarks(const PointView& points, double median_spacing, double scale)
+{
+  const CloudExtent extent = cloudExtent(points);
+  std::vector<std::string> remarks;
+  if (extent.diagonal() > 0)
+    remarks.push_back(farRemark(points, extent));
+  remarks.push_back(millimetreRemark(median_spacing, extent.diagonal(), scale));
+  remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
+  return remarks;
+}
+
+} // namespace pcl::acmap

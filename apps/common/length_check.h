@@ -1,0 +1,34 @@
+#pragma once
+
+#include <pcl/core/point_view.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Where most points of a cloud lie, whatever a few strays do. */
+struct CloudExtent {
+  Eigen::Vector3d least = Eigen::Vector3d::Zero(); ///< metres, 10 % quantile an axis
+  Eigen::Vector3d most = Eigen::Vector3d::Zero();  ///< metres, 90 % quantile an axis
+  std::size_t finite_points = 0;
+
+  double
+  diagonal() const
+  {
+    return (most - least).norm();
+  }
+};
+
+CloudExtent
+cloudExtent(const PointView& points);
+
+/** \brief What is odd about the lengths in a cloud, a line each: points far away from all
+ * others, and lengths that look like millimetres.
+ * \param[in] points in what the caller takes for metres
+ * \param[in] median_spacing between neighbouring points, in the same unit
+ * \param[in] scale that was applied to the file's numbers, for the advice */
+std::vector<std::string>
+lengthRemarks(const PointView& points, double median_spacing, double scale);
+
+} // namespace pcl::acmap

@@ -1,0 +1,80 @@
+#include "output_target.h"
+
+#include "exit_code.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace pcl::acmap {
+namespace fs = std::filesystem;
+namespace {
+
+std::string
+listOf(const std::vector<std::string>& endings)
+{
+  std::string list;
+  for (const std::string& ending : endings)
+    list += (list.empty() ? "" : " or ") + ending;
+  return list;
+}
+
+/** \brief Whether two names, existing or not, stand for one file. */
+bool
+sameFile(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  if (fs::equivalent(a, b, error))
+    return true;
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+void
+requireFolder(const std::string& path)
+{
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw OutputFileException(path + ": there is no folder " + folder.string());
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw OutputFileException(path + ": no permission to write into the folder " +
+                              folder.string());
+}
+
+} // namespace
+
+std::string
+endingOf(const std::string& path)
+{
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return ending;
+}
+
+void
+requireWritable(const std::string& path,
+                const std::vector<std::string>& endings,
+                const std::vector<std::string>& others)
+{
+  for (const std::string& other : others)
+    if (!other.empty() && sameFile(path, other))
+      throw UsageError(path + ": would replace another file of this run, " + other);
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw OutputFileException(path + ": is a folder, a file is needed");
+  if (std::find(endings.begin(), endings.end(), endingOf(path)) == endings.end())
+    throw OutputFileException(path + ": unknown ending, " + listOf(endings) +
+                              " is needed");
+  requireFolder(path);
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    throw OutputFileException(path + ": is not a regular file");
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <pcl/core/point_cloud_file.h>
+
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief Reads a cloud and multiplies x, y, z and the sensor's place by a factor.
+ * \param[in] path the file
+ * \param[in] scale metres in a unit of the file
+ * \throws InputFileException as \ref pcl::loadPointCloud */
+PointCloudFile
+loadScaledCloud(const std::string& path, double scale);
+
+/** \brief Multiplies x, y, z of all points and the sensor's place by a factor. */
+void
+scaleCloud(PointCloudFile& file, double scale);
+
+} // namespace pcl::acmap

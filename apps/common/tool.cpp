@@ -1,0 +1,196 @@
+#include "tool.h"
+
+#include "command_line.h"
+#include "interruption.h"
+#include "memory.h"
+#include "output_target.h"
+
+#include <pcl/console/print.h>
+#include <pcl/core/build_config.h>
+#include <pcl/core/output_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <sstream>
+
+namespace pcl::acmap {
+namespace {
+
+constexpr const char* exit_code_text =
+    "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
+    "found,\n5 output could not be written, 6 not enough memory, 130 interrupted.\n"
+    "Long options may also be spelt with one dash and underscores.";
+
+constexpr int most_threads = 1024;
+
+} // namespace
+
+Tool::Tool(std::string name, const std::string& purpose)
+: name_(std::move(name))
+, app_(purpose, name_)
+{
+  app_.option_defaults()->always_capture_default();
+  app_.set_help_flag("-h,--help", "Print this help and stop");
+  app_.set_version_flag("--version", name_ + " (acmap) " ACMAP_VERSION);
+  app_.get_option("--version")->description("Print the version and stop");
+  app_.get_formatter()->column_width(34);
+  app_.footer(exit_code_text);
+  app_.add_option("--report", report_path_, "Write counts, seconds and remarks there")
+      ->type_name("FILE.json")
+      ->capture_default_str();
+  app_.add_flag("--quiet", quiet_, "Print nothing but errors");
+}
+
+void
+Tool::addThreads()
+{
+  app_.add_option(
+          "--threads", threads_, "Threads; 0 = all cores; the result is the same")
+      ->type_name("N")
+      ->check(CLI::Range(0, most_threads).description(""));
+}
+
+void
+Tool::addScale()
+{
+  app_.add_option("--scale",
+                  scale_,
+                  "Metres in a unit of the input: 0.001 for a file in millimetres")
+      ->type_name("M")
+      ->check(positiveNumber().description(""));
+}
+
+int
+Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
+{
+  // PCL's own messages would come between ours
+  console::setVerbosityLevel(console::L_ALWAYS);
+  // a file beyond the limit of its size is an error to report, not a reason to die
+  std::signal(SIGXFSZ, SIG_IGN);
+  noteInterruptions();
+  try {
+    if (const int code = parse(argc, argv); code >= 0)
+      return code;
+    work();
+    writeReport();
+    flushSummary();
+    return exit_done;
+  }
+  catch (...) {
+    const Failure failure = failureOf(std::current_exception());
+    complain(failure.code == exit_usage ? failure.line + " (see --help)"
+                                        : failure.line);
+    return failure.code;
+  }
+}
+
+int
+Tool::parse(int argc, const char* const* argv)
+{
+  command_line_.assign(argv, argv + argc);
+  std::vector<std::string> arguments(command_line_.begin() + std::min(argc, 1),
+                                     command_line_.end());
+  arguments = withDoubleDashes(std::move(arguments), app_);
+  // CLI11 takes them from the back
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    app_.parse(std::move(arguments));
+  }
+  catch (const CLI::Success& e) {
+    return app_.exit(e, std::cout, std::cerr);
+  }
+  catch (const CLI::ParseError& e) {
+    throw UsageError(e.what());
+  }
+  return -1;
+}
+
+void
+Tool::requireReportWritable(const std::vector<std::string>& others) const
+{
+  if (!report_path_.empty())
+    requireWritable(report_path_, {".json"}, others);
+}
+
+void
+Tool::withProgress(const std::function<void(const ProgressCallback&)>& work)
+{
+  ProgressBar bar(!quiet_);
+  work([&bar](double fraction, const std::string& step) {
+    bar.show(fraction, step);
+    return !interrupted();
+  });
+}
+
+void
+Tool::stopIfInterrupted() const
+{
+  if (interrupted())
+    throw CancelledException("interrupted");
+}
+
+void
+Tool::warn(const std::string& remark)
+{
+  report_.remarks.push_back(remark);
+}
+
+void
+Tool::tell(const std::string& name, const std::string& value)
+{
+  constexpr std::size_t name_width = 12;
+  summary_ += name + ":" +
+              std::string(name_width - std::min(name.size(), name_width - 1), ' ') +
+              value + "\n";
+}
+
+void
+Tool::writeReport() const
+{
+  if (report_path_.empty())
+    return;
+  nlohmann::ordered_json json = {
+      {"tool", name_}, {"version", ACMAP_VERSION}, {"command_line", command_line_}};
+  json.update(details_);
+  for (const auto& [step, seconds] : report_.seconds)
+    json["seconds"][step] = seconds;
+  json["peak_memory_bytes"] = peakMemory();
+  json["remarks"] = report_.remarks;
+  const std::string text =
+      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  OutputFile file(report_path_);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+void
+Tool::flushSummary() const
+{
+  if (quiet_)
+    return;
+  for (const std::string& remark : report_.remarks)
+    complain("warning: " + remark);
+  std::cout << summary_ << std::flush;
+  if (!std::cout)
+    throw OutputFileException("standard output: could not be written");
+}
+
+void
+Tool::complain(const std::string& line) const
+{
+  std::cerr << name_ + ": " + line + "\n";
+}
+
+std::string
+shortNumber(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,134 @@
+#pragma once
+
+#include "exit_code.h"
+#include "progress_bar.h"
+
+#include <pcl/core/progress.h>
+#include <pcl/core/report.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What all tools share: common options, exit codes, one line for an error,
+ * progress, warnings, the summary on stdout and the report as JSON.
+ *
+ * A tool adds its own options, then hands its work to \ref run. */
+class Tool {
+public:
+  /** \param[in] name of the program
+   * \param[in] purpose what it does, a sentence */
+  Tool(std::string name, const std::string& purpose);
+
+  /** \brief Where the tool adds its own options. */
+  CLI::App&
+  options()
+  {
+    return app_;
+  }
+
+  /** \brief Adds `--threads`. */
+  void
+  addThreads();
+
+  /** \brief Adds `--scale`. */
+  void
+  addScale();
+
+  /** \brief Parses, works, reports; what main returns.
+   * \param[in] work throws what \ref failureOf knows */
+  int
+  run(int argc, const char* const* argv, const std::function<void()>& work);
+
+  unsigned
+  threads() const
+  {
+    return threads_;
+  }
+
+  /** \brief Metres in a unit of the input. */
+  double
+  scale() const
+  {
+    return scale_;
+  }
+
+  /** \brief Checks the place of the report, if one was asked for, as
+   * \ref requireWritable does. */
+  void
+  requireReportWritable(const std::vector<std::string>& others) const;
+
+  /** \brief Calls the work with a callback that draws the bar and tells interruptions. */
+  void
+  withProgress(const std::function<void(const ProgressCallback&)>& work);
+
+  /** \throws CancelledException when the user interrupted the run */
+  void
+  stopIfInterrupted() const;
+
+  /** \brief Something odd that did not stop the run; told once the run has succeeded. */
+  void
+  warn(const std::string& remark);
+
+  /** \brief The warnings so far, to be joined to the reason of a failure. */
+  const std::vector<std::string>&
+  warnings() const
+  {
+    return report_.remarks;
+  }
+
+  /** \brief A line of the summary on stdout. */
+  void
+  tell(const std::string& name, const std::string& value);
+
+  /** \brief What goes into the JSON report besides what the base knows. */
+  nlohmann::ordered_json&
+  details()
+  {
+    return details_;
+  }
+
+  /** \brief Seconds of each step; the base adds them to the JSON report. */
+  Report&
+  report()
+  {
+    return report_;
+  }
+
+private:
+  int
+  parse(int argc, const char* const* argv);
+
+  void
+  writeReport() const;
+
+  void
+  flushSummary() const;
+
+  void
+  complain(const std::string& line) const;
+
+  std::string name_;
+  CLI::App app_;
+  unsigned threads_ = 0;
+  double scale_ = 1.0;
+  std::string report_path_;
+  bool quiet_ = false;
+  std::vector<std::string> command_line_;
+  std::string summary_;
+  nlohmann::ordered_json details_ = nlohmann::ordered_json::object();
+  Report report_;
+};
+
+/** \brief A number with a few significant digits, for the summary. */
+std::string
+shortNumber(double value);
+
+} // namespace pcl::acmap

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/triangle_mesh.h>
+
+#include <string>
+
+namespace pcl {
+
+/** \brief A mesh or a cloud as it came from a file; without triangles it is a cloud.
+ * \ingroup visualization */
+struct SceneFile {
+  PointCloudFile points;
+  TriangleMesh mesh;
+};
+
+/** \brief Reads what \ref showScene can show: a cloud (PCD, OBJ, XYZ, PLY without faces)
+ * or a mesh (PLY with faces, legacy VTK of polygons or triangle strips).
+ * \throws InputFileException naming file and fault \ingroup visualization */
+ACMAP_EXPORT SceneFile
+loadScene(const std::string& path);
+
+} // namespace pcl

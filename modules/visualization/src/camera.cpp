@@ -1,0 +1,151 @@
+#include "camera.h"
+
+#include "camera_fit.h"
+
+#include <pcl/core/arguments.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr double degree = M_PI / 180.0;
+constexpr double view_angle = 36.0; // degrees
+constexpr int most_pixels = 16384;
+
+/** How far the eye turns away from the sensor's own view, and from a level one. */
+constexpr double sensor_yaw = 18.0 * degree;
+constexpr double sensor_pitch = 10.0 * degree;
+constexpr double object_yaw = 35.0 * degree;
+constexpr double object_pitch = 30.0 * degree;
+
+/** \brief Whether nearly all points lie in the field of view of a camera. */
+bool
+isSeenFrom(const Eigen::Vector3f& origin,
+           const Eigen::Quaternionf& orientation,
+           const std::vector<Eigen::Vector3f>& points)
+{
+  constexpr float widest_slope = 1.5F;
+  const Eigen::Quaternionf to_sensor = orientation.conjugate();
+  const auto seen = std::count_if(points.begin(), points.end(), [&](const auto& p) {
+    const Eigen::Vector3f q = to_sensor * (p - origin);
+    return q.z() > 0 &&
+           std::max(std::abs(q.x()), std::abs(q.y())) <= widest_slope * q.z();
+  });
+  return static_cast<double>(seen) >= 0.95 * static_cast<double>(points.size());
+}
+
+/** \brief Orientation of the sensor that saw the points, if one did. */
+std::optional<Eigen::Quaternionf>
+seeingSensor(const SceneView& view, const std::vector<Eigen::Vector3f>& points)
+{
+  // grabbers write points in the camera frame beside an orientation that is none
+  for (const auto& orientation :
+       {view.sensor_orientation, Eigen::Quaternionf(Eigen::Quaternionf::Identity())})
+    if (isSeenFrom(view.sensor_origin, orientation, points))
+      return orientation;
+  return {};
+}
+
+Vector3d
+upOf(const SceneView& view,
+     const std::optional<Eigen::Quaternionf>& sensor,
+     const RobustBox& box)
+{
+  if (view.up)
+    return view.up->cast<double>().normalized();
+  if (sensor)
+    return (*sensor * -Eigen::Vector3f::UnitY()).cast<double>();
+  return box.half.y() < box.half.z() ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitZ();
+}
+
+/** \brief A direction turned about the vertical and then downwards. */
+Vector3d
+turned(const Vector3d& direction, const Vector3d& up, double yaw, double pitch)
+{
+  const Vector3d level = AngleAxisd(yaw, up) * direction;
+  const Vector3d right = level.cross(up);
+  if (right.norm() < 1e-6)
+    return level;
+  return AngleAxisd(-pitch, right.normalized()) * level;
+}
+
+/** \brief Direction in which the eye looks when nobody says so. */
+Vector3d
+obliqueDirection(const SceneView& view,
+                 bool seen_by_sensor,
+                 const Vector3d& focus,
+                 const Vector3d& facing,
+                 const Vector3d& up)
+{
+  if (seen_by_sensor) {
+    const Vector3d straight = focus - view.sensor_origin.cast<double>();
+    return turned(straight.normalized(), up, sensor_yaw, sensor_pitch);
+  }
+  const Vector3d level = -(facing - facing.dot(up) * up);
+  return turned(level.norm() > 0.1 ? Vector3d(level.normalized()) : up.unitOrthogonal(),
+                up,
+                object_yaw,
+                object_pitch);
+}
+
+/** \brief An up that is upright to the view. */
+Vector3d
+uprightUp(const Vector3d& up, const Vector3d& direction)
+{
+  const Vector3d upright = up - up.dot(direction) * direction;
+  return upright.norm() > 1e-3 ? Vector3d(upright.normalized())
+                               : direction.unitOrthogonal();
+}
+
+void
+requireSound(const SceneView& view)
+{
+  requireInRange("width", view.width, 1, most_pixels, "pixels");
+  requireInRange("height", view.height, 1, most_pixels, "pixels");
+  for (const auto* vector : {&view.from, &view.look, &view.up})
+    if (*vector && !(*vector)->allFinite())
+      throw BadArgumentException("a place or direction of the view is not finite");
+  if (view.up && view.up->norm() == 0)
+    throw BadArgumentException("up of the view is refused: it has no length");
+}
+
+} // namespace
+
+Camera
+placeCamera(const std::vector<Eigen::Vector3f>& points,
+            const Eigen::Vector3d& facing,
+            const SceneView& view)
+{
+  requireSound(view);
+  const RobustBox box(points);
+  const auto sensor = seeingSensor(view, points);
+  const Vector3d up = upOf(view, sensor, box);
+  Camera camera;
+  camera.view_angle = view_angle;
+  camera.focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
+
+  if (view.from) {
+    camera.position = view.from->cast<double>();
+    const Vector3d ahead = camera.focus - camera.position;
+    if (ahead.norm() == 0)
+      throw BadArgumentException("the view looks from a point to the same point");
+    camera.up = uprightUp(up, ahead.normalized());
+  }
+  else {
+    const Vector3d direction =
+        obliqueDirection(view, sensor.has_value(), camera.focus, facing, up);
+    const double aspect = static_cast<double>(view.width) / view.height;
+    camera.up = uprightUp(up, direction);
+    fitCamera(camera, direction, points, box, aspect, !view.look);
+  }
+  setDepths(camera, points, box);
+  return camera;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,152 @@
+#include "camera_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double margin = 1.04;
+
+/** Points beyond this many half boxes are strays that need not be seen. */
+constexpr double stray_factor = 3.0;
+
+/** Of the points that are no strays, so many may be cut off at each border. */
+constexpr double cut_share = 0.0025;
+
+/** Rounds of centring and fitting; each changes the perspective a little. */
+constexpr int rounds = 4;
+
+/** \brief The value that a share of the values lies below; reorders them. */
+template <typename Number>
+Number
+quantile(std::vector<Number>& values, double share)
+{
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/** \brief Where points stand as the eye sees them: right, up, and towards the eye. */
+std::vector<Vector3d>
+seenPoints(const Camera& camera,
+           const Vector3d& direction,
+           const std::vector<Eigen::Vector3f>& points,
+           const RobustBox& box)
+{
+  const Vector3d right = direction.cross(camera.up);
+  std::vector<Vector3d> seen;
+  for (const Eigen::Vector3f& point : points) {
+    const Vector3d d = point.cast<double>() - camera.focus;
+    if (box.contains(point.cast<double>(), stray_factor))
+      seen.emplace_back(d.dot(right), d.dot(camera.up), -d.dot(direction));
+  }
+  return seen;
+}
+
+/** \brief Least distance of the eye from the focus at which the points fit. */
+double
+fittingDistance(const std::vector<Vector3d>& seen,
+                const Vector3d& offset,
+                double slope_x,
+                double slope_y)
+{
+  std::vector<double> distances;
+  for (const Vector3d& p : seen)
+    distances.push_back(p.z() + std::max(std::abs(p.x() - offset.x()) / slope_x,
+                                         std::abs(p.y() - offset.y()) / slope_y));
+  return quantile(distances, 1 - 2 * cut_share) * margin;
+}
+
+/** \brief Middle of the picture of the points, as an offset of the focus. */
+double
+middleOffset(const std::vector<Vector3d>& seen,
+             int axis,
+             double offset,
+             double distance)
+{
+  std::vector<double> slopes;
+  for (const Vector3d& p : seen)
+    if (p.z() < distance)
+      slopes.push_back((p[axis] - offset) / (distance - p.z()));
+  if (slopes.empty())
+    return offset;
+  const double least = quantile(slopes, cut_share);
+  const double most = quantile(slopes, 1 - cut_share);
+  return offset + (least + most) / 2 * distance;
+}
+
+} // namespace
+
+RobustBox::RobustBox(const std::vector<Eigen::Vector3f>& points)
+{
+  constexpr double outside = 0.02;
+  std::vector<float> values(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::transform(points.begin(), points.end(), values.begin(), [&](const auto& p) {
+      return p[axis];
+    });
+    const double least = quantile(values, outside);
+    const double most = quantile(values, 1 - outside);
+    middle[axis] = (least + most) / 2;
+    half[axis] = (most - least) / 2;
+  }
+}
+
+bool
+RobustBox::contains(const Vector3d& point, double factor) const
+{
+  // a flat scene has a box without depth
+  const double slack = 0.1 * half.maxCoeff() + 1e-9;
+  return ((point - middle).cwiseAbs().array() <= half.array() * factor + slack).all();
+}
+
+void
+fitCamera(Camera& camera,
+          const Vector3d& direction,
+          const std::vector<Eigen::Vector3f>& points,
+          const RobustBox& box,
+          double aspect,
+          bool center)
+{
+  const double slope_y = std::tan(camera.view_angle / 2 * M_PI / 180.0);
+  const double slope_x = slope_y * aspect;
+  const std::vector<Vector3d> seen = seenPoints(camera, direction, points, box);
+  // a single point fits any distance
+  double distance = std::max(1e-3, 1e-3 * camera.focus.norm());
+  Vector3d offset = Vector3d::Zero();
+  for (int round = 0; round < rounds && !seen.empty(); ++round) {
+    distance = std::max(distance, fittingDistance(seen, offset, slope_x, slope_y));
+    for (int axis = 0; center && axis < 2; ++axis)
+      offset[axis] = middleOffset(seen, axis, offset[axis], distance);
+    distance =
+        std::max(1e-3 * distance, fittingDistance(seen, offset, slope_x, slope_y));
+  }
+  camera.focus += offset.x() * direction.cross(camera.up) + offset.y() * camera.up;
+  camera.position = camera.focus - direction * distance;
+}
+
+void
+setDepths(Camera& camera,
+          const std::vector<Eigen::Vector3f>& points,
+          const RobustBox& box)
+{
+  const Vector3d ahead = camera.focus - camera.position;
+  double least = ahead.norm(), most = least;
+  for (const Eigen::Vector3f& point : points) {
+    const Vector3d p = point.cast<double>();
+    if (!box.contains(p, stray_factor))
+      continue;
+    const double depth = (p - camera.position).dot(ahead.normalized());
+    least = std::min(least, depth);
+    most = std::max(most, depth);
+  }
+  camera.far = most * 1.05;
+  camera.near = std::max(least * 0.95, camera.far * 1e-3);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,205 @@
+#include "scene.h"
+
+#include <pcl/exceptions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace pcl::acmap {
+namespace {
+
+const PCLPointField*
+findField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const PCLPointField& field : cloud.fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
+/** \brief Reads places and colours out of the bytes of a cloud. */
+class CloudBytes {
+public:
+  explicit CloudBytes(const PCLPointCloud2& cloud)
+  : data_(cloud.data.data())
+  , step_(cloud.point_step)
+  , size_(std::size_t{cloud.width} * cloud.height)
+  {
+    const char* const names[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+      const PCLPointField* const field = findField(cloud, names[axis]);
+      if (!field || field->datatype != PCLPointField::FLOAT32)
+        throw BadArgumentException(std::string("the cloud has no float32 field ") +
+                                   names[axis]);
+      place_[axis] = requireInside(*field);
+    }
+    const PCLPointField* color = findField(cloud, "rgb");
+    if (!color)
+      color = findField(cloud, "rgba");
+    has_color_ = color != nullptr;
+    if (has_color_)
+      color_ = requireInside(*color);
+    if (cloud.data.size() < size_ * step_)
+      throw BadArgumentException("the cloud has fewer bytes than its points need");
+  }
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  bool
+  hasColor() const
+  {
+    return has_color_;
+  }
+
+  Eigen::Vector3f
+  point(std::size_t i) const
+  {
+    Eigen::Vector3f p;
+    for (int axis = 0; axis < 3; ++axis)
+      std::memcpy(&p[axis], data_ + i * step_ + place_[axis], sizeof(float));
+    return p;
+  }
+
+  std::array<std::uint8_t, 3>
+  color(std::size_t i) const
+  {
+    const std::uint8_t* const bgr = data_ + i * step_ + color_;
+    return {bgr[2], bgr[1], bgr[0]};
+  }
+
+private:
+  std::size_t
+  requireInside(const PCLPointField& field) const
+  {
+    if (field.offset + sizeof(float) > step_)
+      throw BadArgumentException("field " + field.name + " lies outside of the points");
+    return field.offset;
+  }
+
+  const std::uint8_t* data_;
+  std::size_t step_;
+  std::size_t size_;
+  std::array<std::size_t, 3> place_{};
+  std::size_t color_ = 0;
+  bool has_color_ = false;
+};
+
+void
+requireInside(const TriangleMesh& mesh, std::size_t size)
+{
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles)
+    for (const std::int32_t corner : triangle)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= size)
+        throw BadArgumentException("a triangle has the corner " +
+                                   std::to_string(corner) + " in a cloud of " +
+                                   std::to_string(size) + " points");
+}
+
+/** \brief Which points are drawn. */
+std::vector<bool>
+drawnPoints(const CloudBytes& cloud, const TriangleMesh& mesh)
+{
+  std::vector<bool> drawn(cloud.size(), mesh.triangles.empty());
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles)
+    for (const std::int32_t corner : triangle)
+      drawn[static_cast<std::size_t>(corner)] = true;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    drawn[i] = drawn[i] && cloud.point(i).allFinite();
+  return drawn;
+}
+
+/** \brief A file may have the field for a colour and leave it black. */
+bool
+allBlack(const Scene& scene)
+{
+  return std::all_of(scene.colors.begin(), scene.colors.end(), [](const auto& color) {
+    return color == std::array<std::uint8_t, 3>{0, 0, 0};
+  });
+}
+
+} // namespace
+
+Scene
+makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
+{
+  const CloudBytes bytes(cloud);
+  requireInside(mesh, bytes.size());
+  const std::vector<bool> drawn = drawnPoints(bytes, mesh);
+  std::vector<std::int32_t> place(bytes.size(), -1);
+  Scene scene;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (!drawn[i])
+      continue;
+    place[i] = static_cast<std::int32_t>(scene.points.size());
+    scene.points.push_back(bytes.point(i));
+    if (bytes.hasColor())
+      scene.colors.push_back(bytes.color(i));
+  }
+  if (scene.points.empty())
+    throw InitFailedException("nothing to show: no point is finite");
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const TriangleMesh::Triangle triangle = {place[a], place[b], place[c]};
+    if (*std::min_element(triangle.begin(), triangle.end()) >= 0)
+      scene.triangles.push_back(triangle);
+  }
+  if (allBlack(scene))
+    scene.colors.clear();
+  return scene;
+}
+
+Eigen::Vector3d
+meanNormal(const Scene& scene)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (const auto& [a, b, c] : scene.triangles) {
+    const Eigen::Vector3d origin = scene.points[a].cast<double>();
+    const Eigen::Vector3d normal = (scene.points[b].cast<double>() - origin)
+                                       .cross(scene.points[c].cast<double>() - origin);
+    sum += normal;
+    area += normal.norm();
+  }
+  return area > 0 ? Eigen::Vector3d(sum / area) : sum;
+}
+
+TriangleMesh
+trianglesOf(const PolygonMesh& mesh)
+{
+  TriangleMesh triangles;
+  for (const Vertices& polygon : mesh.polygons) {
+    const Indices& corners = polygon.vertices;
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      triangles.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+  return triangles;
+}
+
+std::vector<std::array<std::int32_t, 2>>
+boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles)
+{
+  std::vector<std::array<std::int32_t, 2>> edges;
+  edges.reserve(triangles.size() * 3);
+  for (const TriangleMesh::Triangle& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [least, most] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      edges.push_back({least, most});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<std::int32_t, 2>> single;
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next] == edges[i])
+      ++next;
+    if (next == i + 1)
+      single.push_back(edges[i]);
+  }
+  return single;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/PolygonMesh.h>
+#include <pcl/core/triangle_mesh.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What is drawn of a cloud and a mesh: finite points alone, of a mesh only those
+ * that are corners. */
+struct Scene {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::array<std::uint8_t, 3>> colors; ///< of the points, or empty
+  std::vector<TriangleMesh::Triangle> triangles;   ///< into points
+
+  bool
+  isMesh() const
+  {
+    return !triangles.empty();
+  }
+};
+
+/** \throws BadArgumentException when the mesh has an index outside the cloud, or the
+ * cloud no x y z
+ * \throws InitFailedException when nothing can be drawn */
+Scene
+makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh);
+
+/** \brief Mean of the unit normals of the triangles, by area; zero without triangles. */
+Eigen::Vector3d
+meanNormal(const Scene& scene);
+
+/** \brief Polygons as fans of triangles. */
+TriangleMesh
+trianglesOf(const PolygonMesh& mesh);
+
+/** \brief Edges with one triangle. */
+std::vector<std::array<std::int32_t, 2>>
+boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles);
+
+} // namespace pcl::acmap

@@ -1,0 +1,211 @@
+#include "vtk_mesh_reader.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCommand.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+namespace pcl::acmap {
+namespace {
+
+[[noreturn]] void
+fail(const std::string& path, const std::string& fault)
+{
+  throw InputFileException(path + ": " + fault);
+}
+
+void
+requireFile(const std::string& path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    fail(path, "No such file or directory");
+  if (std::filesystem::is_directory(status))
+    fail(path, "is a folder, not a file");
+  if (!std::filesystem::is_regular_file(status))
+    fail(path, "is not a regular file");
+  if (std::filesystem::file_size(path, error) == 0)
+    fail(path, "is empty");
+}
+
+/** \brief Refuses a header that claims more points than its file has bytes for, because
+ * VTK takes the memory before it looks. */
+void
+requirePointsFit(const std::string& path)
+{
+  constexpr int most_lines = 50;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  for (int i = 0; i < most_lines && std::getline(file, line); ++i) {
+    double count = 0;
+    if (std::sscanf(line.c_str(), "POINTS %lf", &count) != 1)
+      continue;
+    // a coordinate takes two characters or more
+    if (!(count >= 0 &&
+          count * 6 <= static_cast<double>(std::filesystem::file_size(path)) + 1))
+      fail(path, "the header claims more points than the file can hold");
+    return;
+  }
+}
+
+/** \brief Keeps VTK from printing as long as it lives. */
+class QuietVtk {
+public:
+  QuietVtk()
+  {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+
+  ~QuietVtk()
+  {
+    vtkLogger::SetStderrVerbosity(before_);
+  }
+
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk&
+  operator=(const QuietVtk&) = delete;
+
+private:
+  vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
+};
+
+/** \brief Lets VTK read, and turns what it would print into an exception. */
+void
+update(vtkPolyDataReader* reader, const std::string& path)
+{
+  const QuietVtk quiet;
+  bool complained = false;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&complained);
+  note->SetCallback([](vtkObject*, unsigned long, void* flag, void*) {
+    *static_cast<bool*>(flag) = true;
+  });
+  reader->AddObserver(vtkCommand::ErrorEvent, note);
+  reader->AddObserver(vtkCommand::WarningEvent, note);
+  try {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&) {
+    complained = true;
+  }
+  reader->RemoveObserver(note);
+  if (complained)
+    fail(path, "is no legacy VTK file of polygons, or a damaged one");
+}
+
+void
+takePoints(vtkPolyData* data, PCLPointCloud2& cloud)
+{
+  const auto* const colors =
+      vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
+  const bool colored = colors && colors->GetNumberOfComponents() >= 3;
+  const char* const names[] = {"x", "y", "z", "rgb"};
+  const std::uint32_t fields = colored ? 4 : 3;
+  for (std::uint32_t i = 0; i < fields; ++i) {
+    PCLPointField field;
+    field.name = names[i];
+    field.offset = i * 4;
+    field.datatype = PCLPointField::FLOAT32;
+    field.count = 1;
+    cloud.fields.push_back(field);
+  }
+  cloud.width = static_cast<std::uint32_t>(data->GetNumberOfPoints());
+  cloud.height = 1;
+  cloud.point_step = fields * 4;
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data.resize(std::size_t{cloud.point_step} * cloud.width);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    std::uint8_t* const place =
+        cloud.data.data() + static_cast<std::size_t>(i) * cloud.point_step;
+    const Eigen::Vector3f p = Eigen::Vector3d(data->GetPoint(i)).cast<float>();
+    std::memcpy(place, p.data(), sizeof(float) * 3);
+    for (int c = 0; colored && c < 3; ++c)
+      place[12 + 2 - c] = colors->GetTypedComponent(i, c);
+  }
+}
+
+/** \brief Whether the cells stay inside their own corners and these inside the points. */
+bool
+isSound(vtkCellArray* cells, vtkIdType points)
+{
+  const vtkIdType corners = cells->GetNumberOfConnectivityIds();
+  vtkIdType next = 0;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+    const vtkIdType size = cells->GetCellSize(cell);
+    if (size < 0 || size > corners - next)
+      return false;
+    next += size;
+  }
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
+       iterator->GoToNextCell()) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+      if (ids[i] < 0 || ids[i] >= points)
+        return false;
+  }
+  return true;
+}
+
+/** \brief Adds polygons as fans, or triangle strips, every other one of which turns the
+ * other way. */
+void
+takeTriangles(vtkCellArray* cells, bool strips, TriangleMesh& mesh)
+{
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
+       iterator->GoToNextCell()) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    for (vtkIdType i = 2; i < size; ++i) {
+      const bool turned = strips && i % 2 != 0;
+      mesh.triangles.push_back(
+          {static_cast<std::int32_t>(strips ? ids[i - 2] : ids[0]),
+           static_cast<std::int32_t>(turned ? ids[i] : ids[i - 1]),
+           static_cast<std::int32_t>(turned ? ids[i - 1] : ids[i])});
+    }
+  }
+}
+
+} // namespace
+
+SceneFile
+readVtkMesh(const std::string& path)
+{
+  requireFile(path);
+  requirePointsFit(path);
+  vtkNew<vtkPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  update(reader, path);
+  vtkPolyData* const data = reader->GetOutput();
+  if (!data || data->GetNumberOfPoints() == 0)
+    fail(path, "has no points");
+  SceneFile scene;
+  takePoints(data, scene.points.cloud);
+  for (const bool strips : {false, true}) {
+    vtkCellArray* const cells = strips ? data->GetStrips() : data->GetPolys();
+    if (!isSound(cells, data->GetNumberOfPoints()))
+      fail(path, "has polygons with corners outside of its points");
+    takeTriangles(cells, strips, scene.mesh);
+  }
+  return scene;
+}
+
+} // namespace pcl::acmap

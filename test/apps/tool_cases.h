@@ -1,0 +1,34 @@
+#pragma once
+
+#include "run_tool.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief Runs pcl_dewall_surface. */
+ToolRun
+runSurface(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
+/** \brief Runs pcl_compact_viewer. */
+ToolRun
+runViewer(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
+/** \brief Checks that a tool gave up as it should: the exit code, nothing on stdout and
+ * one line on stderr that begins with the name of the tool and holds a word. */
+void
+expectRefused(const ToolRun& run, int exit_code, const std::string& word);
+
+/** \brief A cloud as the text of a PCD file. */
+std::string
+pcdText(const PointCloud<PointXYZ>& cloud);
+
+/** \brief A noisy plane that a mesh is easily made of. */
+std::string
+planePcd(int columns = 20);
+
+} // namespace pcl::acmap::test

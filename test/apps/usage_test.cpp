@@ -1,0 +1,70 @@
+#include "temporary_folder.h"
+#include "tool_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+using Run = ToolRun (*)(const std::vector<std::string>&, const RunSettings&);
+
+class Usage : public testing::TestWithParam<Run> {};
+
+TEST_P(Usage, HelpTellsUnitsAndExitCodesOnStdout)
+{
+  for (const char* spelling : {"--help", "-h", "-help"}) {
+    const ToolRun run = GetParam()({spelling}, {});
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.err, "");
+    for (const char* word : {"Usage:", "metres", "--report", "--quiet", "Exit codes"})
+      EXPECT_NE(run.out.find(word), std::string::npos) << word << "\n" << run.out;
+  }
+}
+
+TEST_P(Usage, VersionIsTheProjects)
+{
+  const ToolRun run = GetParam()({"--version"}, {});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find(" (acmap) " ACMAP_VERSION "\n"), std::string::npos) << run.out;
+  EXPECT_EQ(run.err, "");
+}
+
+TEST_P(Usage, NonsenseIsRefusedInOneLine)
+{
+  expectRefused(GetParam()({}, {}), 2, "--help");
+  expectRefused(GetParam()({"a.pcd", "b.ply", "c.ply"}, {}), 2, "--help");
+  expectRefused(GetParam()({"a.pcd", "b.ply", "--nonsense"}, {}), 2, "--nonsense");
+  expectRefused(GetParam()({"a.pcd", "-scale", "x"}, {}), 2, "--scale");
+  expectRefused(GetParam()({"a.pcd", "--scale"}, {}), 2, "--scale");
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, Usage, testing::Values(runSurface, runViewer));
+
+TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
+{
+  const TemporaryFolder folder;
+  const std::string input = folder.write("in.pcd", planePcd());
+  const std::string output = folder.path("out.ply");
+  const std::vector<std::vector<std::string>> nonsense = {
+      {"--max-edge", "0"},
+      {"--max-edge", "-1"},
+      {"--max-edge", "nan"},
+      {"--max-edge", "1", "-max_edge", "2"},
+      {"--rule", "fast"},
+      {"--rule", "strict"},
+      {"--threads", "-1"},
+      {"--threads", "2.5"},
+      {"--scale", "0"},
+      {"--quiet=maybe"}};
+  for (const auto& words : nonsense) {
+    std::vector<std::string> arguments = {input, output};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    SCOPED_TRACE(words[0] + " " + words.back());
+    expectRefused(runSurface(arguments), 2, "--help");
+  }
+  expectRefused(runSurface({input, folder.path("out.vtk"), "--wall-depth"}), 2, ".ply");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

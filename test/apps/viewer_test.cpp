@@ -1,0 +1,123 @@
+#include "temporary_folder.h"
+#include "tool_cases.h"
+#include "virtual_display.h"
+
+#include <gtest/gtest.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+const std::string png_signature = "\x89PNG";
+
+class Viewer : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (!display_.exists())
+      GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  }
+
+  std::string
+  shoot(const std::string& input, std::vector<std::string> more = {})
+  {
+    std::vector<std::string> arguments = {input, "--screenshot", picture_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolRun run = runViewer(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string png = contentOf(picture_);
+    EXPECT_EQ(png.substr(0, 4), png_signature);
+    return png;
+  }
+
+  VirtualDisplay display_;
+  TemporaryFolder folder_;
+  std::string cloud_ = folder_.write("in.pcd", planePcd());
+  std::string picture_ = folder_.path("out.png");
+};
+
+TEST_F(Viewer, DrawsCloudsAndMeshes)
+{
+  const std::string cloud = shoot(cloud_);
+  for (const char* ending : {".ply", ".vtk"}) {
+    const std::string mesh = folder_.path(std::string("mesh") + ending);
+    ASSERT_EQ(runSurface({cloud_, mesh}).exit_code, 0);
+    const std::string drawn = shoot(mesh);
+    EXPECT_NE(drawn, cloud);
+    EXPECT_NE(shoot(mesh, {"--boundary"}), drawn);
+  }
+}
+
+TEST_F(Viewer, LooksFromWhereItIsTold)
+{
+  const std::string oblique = shoot(cloud_);
+  const std::string front = shoot(cloud_, {"--from", "0", "0", "-1"});
+  EXPECT_NE(front, oblique);
+  EXPECT_NE(shoot(cloud_, {"-from", "0", "0", "-1", "-up", "1", "0", "0"}), front);
+  EXPECT_NE(shoot(cloud_, {"-from", "0", "0", "-1", "-look", "0.1", "0", "0"}), front);
+  // width and height stand as big-endian numbers in the first chunk
+  EXPECT_EQ(shoot(cloud_, {"--size", "320x200"}).substr(16, 8),
+            std::string("\0\0\1\x40\0\0\0\xc8", 8));
+}
+
+TEST_F(Viewer, RefusesViewsThatCannotBe)
+{
+  for (const char* size : {"0x10", "-5x5", "10", "axb", "10x10x10", "99999999x1"})
+    expectRefused(runViewer({cloud_, "-screenshot", picture_, "-size", size}), 2, "");
+  expectRefused(
+      runViewer({cloud_, "-screenshot", picture_, "-up", "0", "0", "0"}), 2, "up");
+  expectRefused(
+      runViewer({cloud_, "-screenshot", picture_, "-up", "0", "0"}), 2, "--up");
+  EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(Viewer, RefusesFacesOutsideOfTheVertices)
+{
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+      "y\nproperty float z\nelement face 1\nproperty list uchar int "
+      "vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n";
+  for (const char* face :
+       {"3 0 1 3\n", "3 0 1 -1\n", "3 0 1\n", "200 0 1 2\n", "-3 0\n"}) {
+    const std::string input = folder_.write("in.ply", vertices + face);
+    expectRefused(runViewer({input, "--screenshot", picture_}), 3, input);
+  }
+}
+
+TEST_F(Viewer, RefusesDamagedVtk)
+{
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n";
+  const std::string points = "POINTS 3 float\n0 0 1 1 0 1 0 1 1\n";
+  for (const std::string& text :
+       {std::string(),
+        std::string("garbage"),
+        head,
+        head + "POINTS 4000000000 float\n0 0 0\n",
+        head + "POINTS -3 float\n0 0 0\n",
+        head + points + "POLYGONS 1 4\n3 0 1 7\n",
+        head + points + "POLYGONS 1 4\n300 0 1 2\n",
+        head + points + "POLYGONS 4000000000 16000000000\n3 0 1 2\n",
+        head + points + "POLYGONS -1 -4\n3 0 1 2\n"}) {
+    SCOPED_TRACE(text);
+    const std::string input = folder_.write("in.vtk", text);
+    expectRefused(runViewer({input, "--screenshot", picture_}), 3, input);
+  }
+}
+
+TEST_F(Viewer, AsksForAnXServer)
+{
+  RunSettings blind;
+  blind.environment = {{"DISPLAY", std::nullopt}};
+  expectRefused(runViewer({cloud_, "-screenshot", picture_}, blind), 1, "xvfb-run");
+  blind.environment = {{"DISPLAY", ":987654"}};
+  expectRefused(runViewer({cloud_, "-screenshot", picture_}, blind), 1, "xvfb-run");
+  EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(Viewer, FoldersAreNotYetShown)
+{
+  expectRefused(runViewer({folder_.path("."), "-screenshot", picture_}), 3, "folder");
+}
+
+} // namespace
+} // namespace pcl::acmap::test

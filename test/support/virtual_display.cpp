@@ -1,0 +1,74 @@
+#include "virtual_display.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace pcl::acmap::test {
+namespace {
+
+[[noreturn]] void
+becomeServer(int number_to)
+{
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDERR_FILENO);
+  const std::string descriptor = std::to_string(number_to);
+  execlp("Xvfb",
+         "Xvfb",
+         "-displayfd",
+         descriptor.c_str(),
+         "-screen",
+         "0",
+         "1280x960x24",
+         "-noreset",
+         "-nolisten",
+         "tcp",
+         nullptr);
+  _exit(127);
+}
+
+/** \brief The line that the server writes when it is ready; empty when it cannot. */
+std::string
+lineFrom(int descriptor)
+{
+  std::string line;
+  for (char c = 0; read(descriptor, &c, 1) == 1 && c != '\n';)
+    line += c;
+  return line;
+}
+
+} // namespace
+
+VirtualDisplay::VirtualDisplay()
+{
+  if (const char* name = std::getenv("DISPLAY"); name && *name) {
+    exists_ = true;
+    return;
+  }
+  int ends[2];
+  if (pipe(ends) != 0)
+    return;
+  server_ = fork();
+  if (server_ == 0)
+    becomeServer(ends[1]);
+  close(ends[1]);
+  const std::string number = lineFrom(ends[0]);
+  close(ends[0]);
+  exists_ = !number.empty();
+  if (exists_)
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+}
+
+VirtualDisplay::~VirtualDisplay()
+{
+  if (server_ <= 0)
+    return;
+  unsetenv("DISPLAY");
+  kill(server_, SIGTERM);
+  waitpid(server_, nullptr, 0);
+}
+
+} // namespace pcl::acmap::test

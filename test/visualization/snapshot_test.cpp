@@ -1,0 +1,148 @@
+#include "clouds.h"
+#include "temporary_folder.h"
+#include "virtual_display.h"
+
+#include <pcl/conversions.h>
+#include <pcl/visualization/mesh_snapshot.h>
+
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <set>
+
+namespace pcl::acmap::test {
+namespace {
+
+/** \brief A picture, read back. */
+struct Picture {
+  explicit Picture(const std::string& path)
+  {
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    int size[3];
+    reader->GetOutput()->GetDimensions(size);
+    width = size[0];
+    height = size[1];
+    const auto* bytes =
+        static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer());
+    for (int i = 0; i < width * height; ++i)
+      pixels.push_back({bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]});
+  }
+
+  /** \brief Share of the pixels that differ from the background at the left border. */
+  double
+  covered() const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const auto& border = pixels[i - i % static_cast<std::size_t>(width)];
+      for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(pixels[i][c] - border[c]) > 8) {
+          ++count;
+          break;
+        }
+    }
+    return static_cast<double>(count) / static_cast<double>(pixels.size());
+  }
+
+  std::size_t
+  differentColors() const
+  {
+    return std::set<std::array<int, 3>>(pixels.begin(), pixels.end()).size();
+  }
+
+  int width = 0;
+  int height = 0;
+  std::vector<std::array<int, 3>> pixels;
+};
+
+class Snapshot : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (!display_.exists())
+      GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+    const Cloud grid = makeGrid(20, 20, 0.125, ExactPlane::Level);
+    Cloud wavy = grid;
+    for (PointXYZ& p : wavy)
+      p.z = 4 + 0.1F * std::sin(5 * p.x);
+    toPCLPointCloud2(wavy, cloud_);
+    for (int row = 0; row < 19; ++row)
+      for (int column = 0; column < 19; ++column) {
+        const int a = row * 20 + column;
+        mesh_.triangles.push_back({a, a + 20, a + 1});
+        mesh_.triangles.push_back({a + 1, a + 20, a + 21});
+      }
+  }
+
+  VirtualDisplay display_;
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path("out.png");
+  PCLPointCloud2 cloud_;
+  TriangleMesh mesh_;
+};
+
+TEST_F(Snapshot, MeshFillsThePictureAndShowsItsRelief)
+{
+  SceneView view;
+  view.width = 400;
+  view.height = 300;
+  saveSnapshot(path_, cloud_, mesh_, view);
+  const Picture picture(path_);
+  EXPECT_EQ(picture.width, 400);
+  EXPECT_EQ(picture.height, 300);
+  EXPECT_GT(picture.covered(), 0.3);
+  EXPECT_GT(picture.differentColors(), 100u);
+}
+
+TEST_F(Snapshot, PointsAreSeen)
+{
+  saveSnapshot(path_, cloud_, {});
+  EXPECT_GT(Picture(path_).covered(), 0.001);
+}
+
+TEST_F(Snapshot, PclsMeshLooksTheSame)
+{
+  PolygonMesh polygons;
+  polygons.cloud = cloud_;
+  for (const auto& [a, b, c] : mesh_.triangles) {
+    polygons.polygons.emplace_back();
+    polygons.polygons.back().vertices = {a, b, c};
+  }
+  saveSnapshot(path_, cloud_, mesh_);
+  const std::string first = contentOf(path_);
+  saveSnapshot(path_, polygons);
+  EXPECT_EQ(contentOf(path_), first);
+}
+
+TEST_F(Snapshot, BackFacesHaveATint)
+{
+  SceneView view;
+  view.from = Eigen::Vector3f(1, 1, 0);
+  saveSnapshot(path_, cloud_, mesh_, view);
+  const Picture front(path_);
+  for (TriangleMesh::Triangle& triangle : mesh_.triangles)
+    std::swap(triangle[1], triangle[2]);
+  saveSnapshot(path_, cloud_, mesh_, view);
+  const Picture back(path_);
+  const std::size_t center = front.pixels.size() / 2 + 640;
+  const auto blueness = [&](const Picture& picture) {
+    return picture.pixels[center][2] - picture.pixels[center][0];
+  };
+  EXPECT_GT(std::abs(blueness(front) - blueness(back)), 20);
+}
+
+TEST_F(Snapshot, FailsWithoutAFolderAndLeavesNothing)
+{
+  EXPECT_THROW(saveSnapshot(folder_.path("none/out.png"), cloud_, mesh_),
+               OutputFileException);
+  EXPECT_THROW(saveSnapshot(path_, PCLPointCloud2(), mesh_), BadArgumentException);
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
