@@ -25,6 +25,7 @@ LeafSieve::LeafSieve(const PointTree& tree, const SideFrame& side)
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     a_[i] = static_cast<float>(side.origin[axis]);
+    b_[i] = static_cast<float>(side.origin[axis] + side.u[axis]);
     u_[i] = static_cast<float>(direction[axis]);
     w_[i] = static_cast<float>(side.outward[axis]);
   }
@@ -36,37 +37,24 @@ LeafSieve::cotangents(const PointTree::Node& leaf, double longest)
   const float limit2 = static_cast<float>(longest * longest * (1 + 1e-4));
   const std::int32_t count = leaf.size();
   const float *x = x_ + leaf.begin, *y = y_ + leaf.begin, *z = z_ + leaf.begin;
-  const float ax = a_[0], ay = a_[1], az = a_[2];
-  const float ux = u_[0], uy = u_[1], uz = u_[2];
-  const float wx = w_[0], wy = w_[1], wz = w_[2];
+  const auto [ax, ay, az] = a_;
+  const auto [bx, by, bz] = b_;
+  const auto [ux, uy, uz] = u_;
+  const auto [wx, wy, wz] = w_;
   for (std::int32_t k = 0; k < count; ++k) {
     const float vx = x[k] - ax, vy = y[k] - ay, vz = z[k] - az;
-    const float vv = vx * vx + vy * vy + vz * vz;
-    const float vu = vx * ux + vy * uy + vz * uz;
-    const float vw = vx * wx + vy * wy + vz * wz;
+    const float tx = x[k] - bx, ty = y[k] - by, tz = z[k] - bz;
+    const float from_a2 = vx * vx + vy * vy + vz * vz;
+    const float from_b2 = tx * tx + ty * ty + tz * tz;
+    const float dot = vx * tx + vy * ty + vz * tz;
+    const float forward = vx * wx + vy * wy + vz * wz;
     const float cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
-    const float distance2 = cx * cx + cy * cy + cz * cz;
-    const float other2 = vv + length_ * (length_ - 2 * vu);
-    const bool possible = (vw > 0) & (vv <= limit2) & (other2 <= limit2);
-    const float value = (vv - vu * length_) / (length_ * std::sqrt(distance2));
+    const float distance = std::sqrt(cx * cx + cy * cy + cz * cz);
+    const bool possible = (forward > 0) & (from_a2 <= limit2) & (from_b2 <= limit2);
     cotangent_[static_cast<std::size_t>(k)] =
-        possible ? value : std::numeric_limits<float>::infinity();
+        possible ? dot / (length_ * distance) : std::numeric_limits<float>::infinity();
   }
   return cotangent_.data();
-}
-
-bool
-LeafSieve::isBehind(const PointTree::Node& node) const
-{
-  float most = 0;
-  float size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float low = (node.low[i] - a_[i]) * w_[i],
-                high = (node.high[i] - a_[i]) * w_[i];
-    most += std::max(low, high);
-    size += std::abs(low) + std::abs(high);
-  }
-  return most < -1e-6f * size;
 }
 
 bool
@@ -97,7 +85,11 @@ isSphereEmpty(const PointTree& tree,
       }
   };
   tree.visitBall(
-      sphere.centre, radius, [](const PointTree::Node&) { return true; }, visit);
+      corners[2],
+      sphere.centre,
+      radius,
+      [](const PointTree::Node&) { return true; },
+      visit);
   return radius >= 0;
 }
 

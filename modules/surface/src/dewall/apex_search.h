@@ -37,13 +37,23 @@ public:
 
   /** \brief No point of the box lies beyond plane beta. */
   bool
-  isBehind(const PointTree::Node& node) const;
+  isBehind(const PointTree::Node& node) const
+  {
+    float most = 0, size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float forward = ((w_[i] > 0 ? node.high[i] : node.low[i]) - a_[i]) * w_[i];
+      most += forward;
+      size += std::abs(forward);
+    }
+    return most < -1e-6f * size;
+  }
 
 private:
   const float* x_;
   const float* y_;
   const float* z_;
-  std::array<float, 3> a_, u_, w_; ///< u of unit length, so that squares stay in range
+  std::array<float, 3> a_, b_, w_;
+  std::array<float, 3> u_; ///< of unit length, so that squares stay in range
   float length_;
   std::array<float, PointTree::leaf_capacity> cotangent_;
 };
@@ -53,40 +63,6 @@ private:
 bool
 isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& apex);
 
-/** \brief Calls visit (apex) for allowed candidates, the nearest leaves first.
- *
- * \param[in] best_cotangent read anew at each candidate: those of a smaller angle a p b
- * are left out, but for rounding
- * \param[in] radius read anew at each leaf, round the middle of the side */
-template <typename Visit>
-void
-visitApexes(const PointTree& tree,
-            const SizeConstraint& size,
-            const SideFrame& side,
-            const double& best_cotangent,
-            const double& radius,
-            const Visit& visit)
-{
-  const double longest_at_side = std::min(size.longest(side.a), size.longest(side.b));
-  LeafSieve sieve(tree, side);
-  const auto visit_leaf = [&](const PointTree::Node& leaf) {
-    const float* cotangent =
-        sieve.cotangents(leaf, std::min(longest_at_side, size.longestInLeaf(leaf)));
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i) {
-      const double margin = 1e-3 * (1 + std::abs(best_cotangent));
-      if (!(static_cast<double>(cotangent[i - leaf.begin]) <=
-            best_cotangent + margin) ||
-          i == side.a || i == side.b)
-        continue;
-      const Apex apex = makeApex(i, side.u, tree.position(i) - side.origin);
-      if (isApexAllowed(size, side, apex))
-        visit(apex);
-    }
-  };
-  const auto keep = [&](const PointTree::Node& node) { return !sieve.isBehind(node); };
-  tree.visitBall(side.origin + 0.5 * side.u, radius, keep, visit_leaf);
-}
-
 /** \brief Farthest a point may be from the middle of a side under the size constraint.
  */
 inline double
@@ -95,19 +71,6 @@ reachFromMiddle(const SizeConstraint& size, const SideFrame& side)
   const double longest = std::min(size.longest(side.a), size.longest(side.b));
   return std::sqrt(
       std::max(0.0, longest * longest - side.half_length * side.half_length));
-}
-
-/** \brief Calls visit (apex) for every allowed candidate over a side. */
-template <typename Visit>
-void
-forEachApex(const PointTree& tree,
-            const SizeConstraint& size,
-            const SideFrame& side,
-            const Visit& visit)
-{
-  const double all = std::numeric_limits<double>::max();
-  const double radius = reachFromMiddle(size, side);
-  visitApexes(tree, size, side, all, radius, visit);
 }
 
 /** \brief Finds the Delaunay-nearest point over a side: the largest angle a p b in the
@@ -123,11 +86,14 @@ findApex(const PointTree& tree,
          const Accept& accept)
 {
   const double h = side.half_length;
+  const double longest_at_side = std::min(size.longest(side.a), size.longest(side.b));
   double radius = reachFromMiddle(size, side);
   double best_cotangent = std::numeric_limits<double>::max();
   Apex best;
-  const auto visit = [&](const Apex& apex) {
-    if (!accept(apex.index) ||
+  LeafSieve sieve(tree, side);
+  const auto consider = [&](std::int32_t i) {
+    const Apex apex = makeApex(i, side.u, tree.position(i) - side.origin);
+    if (!isApexAllowed(size, side, apex) ||
         (best.index >= 0 && !isNearerApex(apex, best, side.a, side.b, side.u)))
       return;
     best = apex;
@@ -136,7 +102,18 @@ findApex(const PointTree& tree,
     const double t = h * best_cotangent;
     radius = std::min(radius, t > 0 ? t + std::sqrt(t * t + h * h) : h);
   };
-  visitApexes(tree, size, side, best_cotangent, radius, visit);
+  const auto visit = [&](const PointTree::Node& leaf) {
+    const float* cotangent =
+        sieve.cotangents(leaf, std::min(longest_at_side, size.longestInLeaf(leaf)));
+    for (std::int32_t i = leaf.begin; i < leaf.end; ++i) {
+      const double margin = 1e-3 * (1 + std::abs(best_cotangent)); // of the float sieve
+      if (static_cast<double>(cotangent[i - leaf.begin]) <= best_cotangent + margin &&
+          i != side.a && i != side.b && accept(i))
+        consider(i);
+    }
+  };
+  const auto keep = [&](const PointTree::Node& node) { return !sieve.isBehind(node); };
+  tree.visitBall(side.a, side.origin + 0.5 * side.u, radius, keep, visit);
   return best.index;
 }
 

@@ -68,7 +68,11 @@ private:
         join(leaf, other);
     };
     tree_.visitBall(
-        (low + high) / 2, radius, [](const PointTree::Node&) { return true; }, visit);
+        leaf.begin,
+        (low + high) / 2,
+        radius,
+        [](const PointTree::Node&) { return true; },
+        visit);
   }
 
   const PointTree& tree_;

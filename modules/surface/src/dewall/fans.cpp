@@ -1,7 +1,6 @@
 #include "growing_mesh.h"
 
 #include <algorithm>
-#include <map>
 
 namespace pcl::acmap::dewall {
 
@@ -55,20 +54,23 @@ smallerFans(std::int32_t v,
 bool
 GrowingMesh::removeSmallerFans(std::vector<bool>& removed)
 {
-  std::map<std::int32_t, std::vector<std::size_t>> incident;
+  std::vector<std::pair<std::int32_t, std::size_t>>
+      incident; // pinched vertex, triangle
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (const std::int32_t corner : triangles_[t].corners)
       if (vertex(corner).was_pinched && !removed[t])
-        incident[corner].push_back(t);
-  bool any = false;
+        incident.emplace_back(corner, t);
+  std::sort(incident.begin(), incident.end());
   for (Vertex& v : vertices_)
     v.was_pinched = false;
-  for (const auto& [v, triangles] : incident) {
-    std::vector<std::size_t> left;
-    for (const std::size_t t : triangles)
-      if (!removed[t])
-        left.push_back(t);
-    for (const std::size_t t : smallerFans(v, left, triangles_)) {
+  bool any = false;
+  for (auto begin = incident.begin(); begin != incident.end();) {
+    const std::int32_t v = begin->first;
+    std::vector<std::size_t> around;
+    for (; begin != incident.end() && begin->first == v; ++begin)
+      if (!removed[begin->second])
+        around.push_back(begin->second);
+    for (const std::size_t t : smallerFans(v, around, triangles_)) {
       removed[t] = any = true;
       // Without it the fans of its other corners may fall apart.
       for (const std::int32_t corner : triangles_[t].corners)

@@ -23,30 +23,37 @@ Front::advancePostponed(const Range& range)
   // Most of them have been mended by a neighbour meanwhile.
   while (!postponed_.empty() || !bridges_.empty()) {
     while (!postponed_.empty()) {
-      for (const Side& side : std::exchange(postponed_, {}))
-        process(side, range, Doubt::IsAllowed);
+      for (const Candidate& candidate : std::exchange(postponed_, {}))
+        reconsider(candidate, range, Doubt::IsAllowed);
       advance(range);
     }
-    for (const Side& side : bridgesByVotes())
-      process(side, range, Doubt::MayBridge);
+    for (const Candidate& candidate : bridgesByVotes())
+      reconsider(candidate, range, Doubt::MayBridge);
     advance(range);
   }
 }
 
-std::vector<Side>
+std::vector<Front::Candidate>
 Front::bridgesByVotes()
 {
+  std::vector<Candidate> bridges = std::exchange(bridges_, {});
   std::map<GrowingMesh::Bridge, std::size_t> votes;
-  for (const PendingBridge& pending : bridges_)
-    ++votes[pending.bridge];
-  std::stable_sort(bridges_.begin(), bridges_.end(), [&](const auto& p, const auto& q) {
+  for (const Candidate& candidate : bridges)
+    ++votes[candidate.bridge];
+  std::stable_sort(bridges.begin(), bridges.end(), [&](const auto& p, const auto& q) {
     return votes[p.bridge] > votes[q.bridge];
   });
-  std::vector<Side> sides;
-  for (const PendingBridge& pending : bridges_)
-    sides.push_back(pending.side);
-  bridges_.clear();
-  return sides;
+  return bridges;
+}
+
+void
+Front::reconsider(const Candidate& candidate, const Range& range, Doubt doubt)
+{
+  if (mesh_.oppositeOf(candidate.side) < 0)
+    return;
+  const bool masked = rule_ == DeWallRule::Paper && mesh_.isSaturated(candidate.apex);
+  if (masked || !tryCandidate(candidate.side, candidate.apex, range, doubt))
+    process(candidate.side, range, doubt);
 }
 
 void
@@ -80,20 +87,28 @@ bool
 Front::tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt)
 {
   const std::array<std::int32_t, 3> corners{side.b, side.a, apex};
-  if (rule_ != DeWallRule::Dense && !isEmpty(corners))
-    return true;
+  return (rule_ != DeWallRule::Dense && !isEmpty(corners)) ||
+         tryCandidate(side, apex, range, doubt);
+}
+
+bool
+Front::tryCandidate(const Side& side,
+                    std::int32_t apex,
+                    const Range& range,
+                    Doubt doubt)
+{
   if (rule_ != DeWallRule::Strict) {
     const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
     if (verdict == GrowingMesh::Verdict::Blocked)
       return false;
     if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
-      postponed_.push_back(side);
+      postponed_.push_back({side, apex, {}});
       return true;
     }
     const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
     if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
         doubt != Doubt::MayBridge) {
-      bridges_.push_back({side, bridge});
+      bridges_.push_back({side, apex, bridge});
       return true;
     }
   }

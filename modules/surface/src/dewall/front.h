@@ -89,8 +89,8 @@ public:
   void
   deferPostponed()
   {
-    deferred_.insert(deferred_.end(), postponed_.begin(), postponed_.end());
-    postponed_.clear();
+    for (const Candidate& candidate : std::exchange(postponed_, {}))
+      deferred_.push_back(candidate.side);
   }
 
   /** \brief Hands over the sides left to the last pass: those, and the ones whose apex
@@ -104,21 +104,31 @@ public:
 private:
   enum class Doubt { Postpones, IsAllowed, MayBridge };
 
-  struct PendingBridge {
+  /** A triangle that has passed all tests but waits for the doubts about it. */
+  struct Candidate {
     Side side;
+    std::int32_t apex;
     GrowingMesh::Bridge bridge;
   };
 
   /** \brief Pending bridges, those of the most popular joints first: when two
    * components touch along a seam, the many decide how they fit, not the first. */
-  std::vector<Side>
+  std::vector<Candidate>
   bridgesByVotes();
+
+  void
+  reconsider(const Candidate& candidate, const Range& range, Doubt doubt);
 
   void
   process(const Side& side, const Range& range, Doubt doubt);
 
+  /** \brief Adds, postpones or gives up; false when another apex may be tried. */
   bool
   tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
+
+  /** \brief As above for an apex whose sphere is known to be empty. */
+  bool
+  tryCandidate(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
 
   void
   insertOpen(const Side& side, const Range& range);
@@ -131,8 +141,8 @@ private:
   const DeWallRule rule_;
   GrowingMesh& mesh_;
   std::function<void()> tick_;
-  std::vector<Side> queue_, uncut_, postponed_, deferred_;
-  std::vector<PendingBridge> bridges_;
+  std::vector<Side> queue_, uncut_, deferred_;
+  std::vector<Candidate> postponed_, bridges_;
 };
 
 } // namespace pcl::acmap::dewall

@@ -31,7 +31,7 @@ distanceToNeighbour(const PointTree& tree, std::int32_t i, std::size_t k)
     }
   };
   tree.visitBall(
-      centre, radius, [](const PointTree::Node&) { return true; }, visit);
+      i, centre, radius, [](const PointTree::Node&) { return true; }, visit);
   return nearest.empty() ? 0.0 : std::sqrt(nearest.back());
 }
 
@@ -60,7 +60,7 @@ nearestPoint(const PointTree& tree, std::int32_t i, double within, const Accept&
     }
   };
   tree.visitBall(
-      centre, radius, [](const PointTree::Node&) { return true; }, visit);
+      i, centre, radius, [](const PointTree::Node&) { return true; }, visit);
   return best;
 }
 

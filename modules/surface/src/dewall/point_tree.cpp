@@ -1,5 +1,7 @@
 #include "point_tree.h"
 
+#include <limits>
+
 namespace pcl::acmap::dewall {
 
 namespace {
@@ -32,9 +34,13 @@ PointTree::PointTree(std::vector<SourcePoint> points)
 {
   if (points.empty())
     return;
-  const auto count = static_cast<std::int32_t>(points.size());
   nodes_.reserve(points.size() / (leaf_capacity / 4) + 1);
-  build(points, 0, count);
+  leaf_of_.resize(points.size());
+  Node root;
+  root.end = static_cast<std::int32_t>(points.size());
+  root.cell_low.fill(-std::numeric_limits<float>::infinity());
+  root.cell_high.fill(std::numeric_limits<float>::infinity());
+  build(points, root);
   source_.resize(points.size());
   for (auto& axis : coordinates_)
     axis.resize(points.size());
@@ -46,35 +52,38 @@ PointTree::PointTree(std::vector<SourcePoint> points)
 }
 
 std::int32_t
-PointTree::build(std::vector<SourcePoint>& points, std::int32_t begin, std::int32_t end)
+PointTree::build(std::vector<SourcePoint>& points, Node node)
 {
   const auto index = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
-  Node node;
-  node.begin = begin;
-  node.end = end;
   fitBox(node, points);
   // The order is total, so that a node's points do not depend on the standard library.
   if (node.size() <= leaf_capacity) {
     std::sort(
-        points.begin() + begin,
-        points.begin() + end,
+        points.begin() + node.begin,
+        points.begin() + node.end,
         [](const SourcePoint& a, const SourcePoint& b) { return a.source < b.source; });
+    std::fill(leaf_of_.begin() + node.begin, leaf_of_.begin() + node.end, index);
   }
   else {
     const std::size_t axis = widestAxis(node);
-    const std::int32_t middle = begin + (end - begin) / 2;
-    std::nth_element(points.begin() + begin,
-                     points.begin() + middle,
-                     points.begin() + end,
+    const auto middle = points.begin() + node.begin + node.size() / 2;
+    std::nth_element(points.begin() + node.begin,
+                     middle,
+                     points.begin() + node.end,
                      [axis](const SourcePoint& a, const SourcePoint& b) {
                        return a.position[axis] != b.position[axis]
                                   ? a.position[axis] < b.position[axis]
                                   : a.source < b.source;
                      });
     node.axis = static_cast<std::int32_t>(axis);
-    node.left = build(points, begin, middle);
-    node.right = build(points, middle, end);
+    Node left = node, right = node;
+    left.parent = right.parent = index;
+    left.end = right.begin = node.begin + node.size() / 2;
+    // Points on the plane stand in both halves: it belongs to neither cell's inside.
+    left.cell_high[axis] = right.cell_low[axis] = middle->position[axis];
+    node.left = build(points, left);
+    node.right = build(points, right);
   }
   nodes_[static_cast<std::size_t>(index)] = node;
   return index;

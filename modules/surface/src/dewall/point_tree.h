@@ -25,9 +25,10 @@ struct SourcePoint {
 class PointTree {
 public:
   struct Node {
-    std::array<float, 3> low, high;
+    std::array<float, 3> low, high;           ///< tight box of its points
+    std::array<float, 3> cell_low, cell_high; ///< its share of space between the planes
     std::int32_t begin = 0, end = 0;
-    std::int32_t left = -1, right = -1;
+    std::int32_t parent = -1, left = -1, right = -1;
     std::int32_t axis = 0; ///< of the splitting plane, where there is one
 
     bool
@@ -61,6 +62,12 @@ public:
   }
 
   std::int32_t
+  numberOf(const Node& node) const
+  {
+    return static_cast<std::int32_t>(&node - nodes_.data());
+  }
+
+  std::int32_t
   nodeCount() const
   {
     return static_cast<std::int32_t>(nodes_.size());
@@ -86,26 +93,47 @@ public:
     return source_[static_cast<std::size_t>(i)];
   }
 
-  /** \brief Visits the leaves that a ball touches, the nearest first.
+  /** \brief The leaf that holds tree point \a i. */
+  std::int32_t
+  leafOf(std::int32_t i) const
+  {
+    return leaf_of_[static_cast<std::size_t>(i)];
+  }
+
+  /** \brief Visits the leaves that a ball touches, near ones first.
    *
+   * \param[in] start a point near the centre: the walk climbs from its leaf no farther
+   * than to the node whose cell holds the ball
    * \param[in] centre of the ball
    * \param[in] radius read anew before each step, so that visit () may shrink it;
-   * negative ends the walk \param[in] keep (node) false prunes a subtree \param[in]
-   * visit (leaf node) */
+   * negative ends the walk
+   * \param[in] keep (node) false prunes a subtree
+   * \param[in] visit (leaf node) */
   template <typename Keep, typename Visit>
   void
-  visitBall(const Eigen::Vector3d& centre,
+  visitBall(std::int32_t start,
+            const Eigen::Vector3d& centre,
             const double& radius,
             const Keep& keep,
             const Visit& visit) const;
 
 private:
+  struct Ball;
+
   std::int32_t
-  build(std::vector<SourcePoint>& points, std::int32_t begin, std::int32_t end);
+  build(std::vector<SourcePoint>& points, Node node);
+
+  template <typename Keep, typename Visit>
+  void
+  visitSubtree(std::int32_t top,
+               const Ball& ball,
+               const Keep& keep,
+               const Visit& visit) const;
 
   std::vector<Node> nodes_;
   std::array<std::vector<float>, 3> coordinates_;
   std::vector<std::int32_t> source_;
+  std::vector<std::int32_t> leaf_of_;
 };
 
 /** \brief Squared distance from a point to a node's box, in float. */
@@ -122,30 +150,77 @@ squaredDistanceToBox(const PointTree::Node& node, const Eigen::Vector3f& p)
   return sum;
 }
 
+/** \brief A ball whose radius may shrink under the walk. */
+struct PointTree::Ball {
+  Eigen::Vector3f centre;
+  double
+      slack; ///< rounding the centre may move it so far: no box must be missed for that
+  const double& radius;
+
+  Ball(const Eigen::Vector3d& c, const double& r)
+  : centre(c.cast<float>())
+  , slack(static_cast<double>(centre.cwiseAbs().maxCoeff()) * 0x1p-22)
+  , radius(r)
+  {}
+
+  bool
+  touches(float squared_distance) const
+  {
+    const double reach = (radius + slack) * (1 + 1e-6);
+    return radius >= 0 && static_cast<double>(squared_distance) <= reach * reach;
+  }
+
+  bool
+  isInside(const Node& node) const
+  {
+    const double reach = (radius + slack) * (1 + 1e-6);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      const auto c = static_cast<double>(centre[axis]);
+      if (c - reach <= static_cast<double>(node.cell_low[i]) ||
+          c + reach >= static_cast<double>(node.cell_high[i]))
+        return false;
+    }
+    return true;
+  }
+};
+
 template <typename Keep, typename Visit>
 void
-PointTree::visitBall(const Eigen::Vector3d& centre,
+PointTree::visitBall(std::int32_t start,
+                     const Eigen::Vector3d& centre,
                      const double& radius,
                      const Keep& keep,
                      const Visit& visit) const
+{
+  const Ball ball(centre, radius);
+  std::int32_t current = leafOf(start);
+  visitSubtree(current, ball, keep, visit);
+  while (node(current).parent >= 0 && !ball.isInside(node(current))) {
+    const Node& parent = node(node(current).parent);
+    visitSubtree(
+        parent.left == current ? parent.right : parent.left, ball, keep, visit);
+    current = node(current).parent;
+  }
+}
+
+template <typename Keep, typename Visit>
+void
+PointTree::visitSubtree(std::int32_t top,
+                        const Ball& ball,
+                        const Keep& keep,
+                        const Visit& visit) const
 {
   struct Entry {
     std::int32_t node;
     float squared_distance;
   };
-  const Eigen::Vector3f c = centre.cast<float>();
-  // Rounding the centre may move it by this much: a box must not be missed for that.
-  const double slack = static_cast<double>(c.cwiseAbs().maxCoeff()) * 0x1p-22;
-  const auto touches = [&](float squared_distance) {
-    const double reach = (radius + slack) * (1 + 1e-6);
-    return radius >= 0 && static_cast<double>(squared_distance) <= reach * reach;
-  };
   std::array<Entry, 64> stack; // the tree is balanced: its depth is below 32
-  std::size_t top = 0;
-  stack[top++] = {0, squaredDistanceToBox(nodes_[0], c)};
-  while (top > 0) {
-    const Entry entry = stack[--top];
-    if (!touches(entry.squared_distance))
+  std::size_t size = 0;
+  stack[size++] = {top, squaredDistanceToBox(node(top), ball.centre)};
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (!ball.touches(entry.squared_distance))
       continue;
     const Node& current = node(entry.node);
     if (!keep(current))
@@ -154,12 +229,12 @@ PointTree::visitBall(const Eigen::Vector3d& centre,
       visit(current);
       continue;
     }
-    Entry near{current.left, squaredDistanceToBox(node(current.left), c)};
-    Entry far{current.right, squaredDistanceToBox(node(current.right), c)};
+    Entry near{current.left, squaredDistanceToBox(node(current.left), ball.centre)};
+    Entry far{current.right, squaredDistanceToBox(node(current.right), ball.centre)};
     if (far.squared_distance < near.squared_distance)
       std::swap(near, far);
-    stack[top++] = far;
-    stack[top++] = near;
+    stack[size++] = far;
+    stack[size++] = near;
   }
 }
 

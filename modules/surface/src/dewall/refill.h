@@ -15,41 +15,57 @@ namespace pcl::acmap::dewall {
  * Every open side tries all of its apexes, every unused point all triangles of unused
  * points round it. An earlier refusal can become legal only by a new open side, which is
  * tried itself: when the pass ends, no legal triangle is left. With the dense rule a side
- * has but one apex, the Delaunay-nearest, so that the other side may have to be asked
- * again: the pass is repeated until nothing changes.
- */
+ * has but one apex, the Delaunay-nearest; those refused are asked again until nothing
+ * changes. */
 class Refill {
 public:
   Refill(const PointTree& tree,
          const SizeConstraint& size,
          DeWallRule rule,
          GrowingMesh& mesh,
-         std::function<void()> tick)
-  : tree_(tree)
-  , size_(size)
-  , rule_(rule)
-  , mesh_(mesh)
-  , tick_(std::move(tick))
-  {}
+         std::function<void()> tick);
 
   void
   run();
 
 private:
+  struct Refusal {
+    Side side;
+    std::int32_t apex;
+  };
+
   void
   workOff();
 
   void
+  reconsider();
+
+  void
   closeSide(const Side& side);
 
-  std::vector<std::int32_t>
-  fittingApexes(const Side& side, const SideFrame& frame);
+  bool
+  closeWith(const Side& side, std::int32_t apex);
 
   void
   startAt(std::int32_t p1);
 
+  std::vector<std::int32_t>
+  apexesByDistance(const Side& side, const SideFrame& frame) const;
+
+  std::vector<std::int32_t>
+  unusedWithin(double radius, const Eigen::Vector3d& centre, std::int32_t start) const;
+
+  bool
+  fits(const Side& side, std::int32_t apex);
+
   bool
   isEmpty(const std::array<std::int32_t, 3>& corners) const;
+
+  void
+  noteLastTriangle();
+
+  void
+  turnEdge(std::int32_t a, std::int32_t b);
 
   const PointTree& tree_;
   const SizeConstraint& size_;
@@ -57,6 +73,11 @@ private:
   GrowingMesh& mesh_;
   std::function<void()> tick_;
   std::vector<Side> queue_;
+  std::vector<Refusal> refused_;
+  /** For each point its open neighbours: two, three while a triangle is noted. */
+  std::vector<std::array<std::int32_t, 3>> rim_;
+  std::vector<std::int32_t> unused_; ///< for each node its unused points
+  std::vector<bool> counted_;        ///< for each point: it left unused_
 };
 
 } // namespace pcl::acmap::dewall

@@ -21,7 +21,11 @@ pointsOnSphere(const PointTree& tree,
         result.push_back(i);
   };
   tree.visitBall(
-      sphere.centre, reach, [](const PointTree::Node&) { return true; }, visit);
+      corners[0],
+      sphere.centre,
+      reach,
+      [](const PointTree::Node&) { return true; },
+      visit);
   return result;
 }
 

@@ -43,21 +43,23 @@ distances(const PointTree& tree, const std::vector<std::int32_t>& leaves, std::s
 } // namespace
 
 SizeConstraint::SizeConstraint(const PointTree& tree, double maximum_edge_length)
-: leaf_of_(static_cast<std::size_t>(tree.size()))
-, longest_(1, maximum_edge_length)
+: tree_(tree)
+, longest_(static_cast<std::size_t>(tree.nodeCount()), maximum_edge_length)
+, least_(maximum_edge_length)
+, largest_(maximum_edge_length)
 {}
 
 SizeConstraint::SizeConstraint(const PointTree& tree)
-: leaf_of_(static_cast<std::size_t>(tree.size()))
+: tree_(tree)
+, longest_(static_cast<std::size_t>(tree.nodeCount()))
 {
   const std::vector<std::int32_t> all = leaves(tree);
-  longest_ = distances(tree, all, neighbour);
-  for (std::size_t l = 0; l < all.size(); ++l) {
-    longest_[l] *= reach;
-    const PointTree::Node& leaf = tree.node(all[l]);
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
-      leaf_of_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(l);
-  }
+  const std::vector<double> spacing = distances(tree, all, neighbour);
+  for (std::size_t l = 0; l < all.size(); ++l)
+    longest_[static_cast<std::size_t>(all[l])] = reach * spacing[l];
+  const auto [least, largest] = std::minmax_element(spacing.begin(), spacing.end());
+  least_ = reach * *least;
+  largest_ = reach * *largest;
 }
 
 double

@@ -22,7 +22,7 @@ public:
   double
   longest(std::int32_t i) const
   {
-    return longest_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(i)])];
+    return longest_[static_cast<std::size_t>(tree_.leafOf(i))];
   }
 
   /** \brief Longest edge at the points of a leaf, metres. */
@@ -42,18 +42,19 @@ public:
   double
   least() const
   {
-    return *std::min_element(longest_.begin(), longest_.end());
+    return least_;
   }
 
   double
   largest() const
   {
-    return *std::max_element(longest_.begin(), longest_.end());
+    return largest_;
   }
 
 private:
-  std::vector<std::int32_t> leaf_of_; ///< for each point its leaf's number
-  std::vector<double> longest_;       ///< for each leaf
+  const PointTree& tree_;
+  std::vector<double> longest_; ///< for each leaf, by its number among the nodes
+  double least_ = 0, largest_ = 0;
 };
 
 /** \brief Median distance of a point to its nearest neighbour, metres, from two points

@@ -41,7 +41,7 @@ findThirdPoint(const PointTree& tree,
     }
   };
   tree.visitBall(
-      0.5 * (a + b), reach, [](const PointTree::Node&) { return true; }, visit);
+      p1, 0.5 * (a + b), reach, [](const PointTree::Node&) { return true; }, visit);
   return best;
 }
 
