@@ -76,13 +76,16 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr
 coordinatesOf(const pcl::PointCloudFile& file)
 {
   const PointView view = file.points();
-  // the class states 150 bytes a point; the copy and the triangles come on top
-  constexpr std::size_t bytes_per_point = 200;
+  // the class states 220 bytes a point; the copy comes on top
+  constexpr std::size_t bytes_per_point = 240;
   requireMemory(view.size() * bytes_per_point, "triangulating this cloud");
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   cloud->reserve(view.size());
   for (std::size_t i = 0; i < view.size(); ++i)
     cloud->push_back(pcl::PointXYZ(view[i].x(), view[i].y(), view[i].z()));
+  // An organized cloud is known to come from one sensor.
+  cloud->width = file.cloud.width;
+  cloud->height = file.cloud.height;
   cloud->is_dense = false;
   cloud->sensor_origin_.head<3>() = file.sensor_origin;
   cloud->sensor_orientation_ = file.sensor_orientation;

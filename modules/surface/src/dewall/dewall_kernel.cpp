@@ -69,6 +69,7 @@ growAcrossPlanes(const PointTree& tree, Front& front)
     front.insert(side, all);
   front.advance(all);
   front.advancePostponed(all);
+  front.advanceContrary(all);
 }
 
 std::string
@@ -107,7 +108,9 @@ triangulate(const PointView& view,
   report.clusters = countClusters(tree, size);
   timer.finish("clusters");
 
-  GrowingMesh mesh(tree);
+  GrowingMesh mesh(tree,
+                   settings.is_single_view ? std::optional(settings.sensor_origin)
+                                           : std::nullopt);
   Ticker ticker(progress, mesh, tree.size());
   const auto tick = [&] { ticker(); };
   Front front(tree, size, settings.rule, mesh, tick);

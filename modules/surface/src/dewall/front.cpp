@@ -33,6 +33,17 @@ Front::advancePostponed(const Range& range)
   }
 }
 
+void
+Front::advanceContrary(const Range& range)
+{
+  while (!contrary_.empty()) {
+    for (const Side& side : std::exchange(contrary_, {}))
+      process(side, range, Doubt::MayBeContrary);
+    advance(range);
+    advancePostponed(range);
+  }
+}
+
 std::vector<Front::Candidate>
 Front::bridgesByVotes()
 {
@@ -101,13 +112,17 @@ Front::tryCandidate(const Side& side,
     const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
     if (verdict == GrowingMesh::Verdict::Blocked)
       return false;
+    if (doubt != Doubt::MayBeContrary && mesh_.isContrary(side, apex)) {
+      contrary_.push_back(side);
+      return true;
+    }
     if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
       postponed_.push_back({side, apex, {}});
       return true;
     }
     const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
     if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
-        doubt != Doubt::MayBridge) {
+        doubt < Doubt::MayBridge) {
       bridges_.push_back({side, apex, bridge});
       return true;
     }

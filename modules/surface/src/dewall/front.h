@@ -66,6 +66,11 @@ public:
   void
   advancePostponed(const Range& range);
 
+  /** \brief Works off what would show the sensor its back, last of all: a few such
+   * triangles between parts that already fit can turn nothing inside out. */
+  void
+  advanceContrary(const Range& range);
+
   /** \brief Tries the triangle of p1, p2 and the p3 of smallest circumcircle as the
    * first of a component (FindFirstTriangle), and works its sides off. */
   void
@@ -102,7 +107,7 @@ public:
   }
 
 private:
-  enum class Doubt { Postpones, IsAllowed, MayBridge };
+  enum class Doubt { Postpones, IsAllowed, MayBridge, MayBeContrary };
 
   /** A triangle that has passed all tests but waits for the doubts about it. */
   struct Candidate {
@@ -141,7 +146,7 @@ private:
   const DeWallRule rule_;
   GrowingMesh& mesh_;
   std::function<void()> tick_;
-  std::vector<Side> queue_, uncut_, deferred_;
+  std::vector<Side> queue_, uncut_, deferred_, contrary_;
   std::vector<Candidate> postponed_, bridges_;
 };
 

@@ -95,11 +95,31 @@ GrowingMesh::isOrientable(const Side& side,
                           const Edge* at_b)
 {
   const Demands all = demands(side, apex, at_a, at_b);
+  if (sensor_) // every component faces it already: none may be turned over
+    return std::none_of(all.of.begin(),
+                        all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
+                        [](const Demands::Demand& demand) { return demand.flipped; });
   for (std::size_t i = 1; i < all.count; ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (all.of[i].root == all.of[j].root && all.of[i].flipped != all.of[j].flipped)
         return false;
   return true;
+}
+
+bool
+GrowingMesh::showsBack(const std::array<std::int32_t, 3>& corners) const
+{
+  if (!sensor_)
+    return false;
+  const Eigen::Vector3d a = tree_.position(corners[0]), b = tree_.position(corners[1]),
+                        c = tree_.position(corners[2]);
+  return (b - a).cross(c - a).dot(*sensor_ - a) < 0;
+}
+
+bool
+GrowingMesh::isContrary(const Side& side, std::int32_t apex)
+{
+  return showsBack({side.b, side.a, apex});
 }
 
 const Edge*
@@ -196,7 +216,10 @@ GrowingMesh::add(const Side& side, std::int32_t apex, std::uint8_t depth)
 void
 GrowingMesh::addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth)
 {
-  triangles_.push_back({corners, parity_.addComponent(), depth});
+  const auto [a, b, c] = corners;
+  const bool turned = showsBack(corners);
+  triangles_.push_back(
+      {{a, turned ? c : b, turned ? b : c}, parity_.addComponent(), depth});
   put(triangles_.back());
 }
 

@@ -5,6 +5,7 @@
 #include "point_tree.h"
 
 #include <array>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -46,8 +47,10 @@ public:
     }
   };
 
-  explicit GrowingMesh(const PointTree& tree)
+  /** \param[in] sensor the place from which every point was seen, if there is one */
+  GrowingMesh(const PointTree& tree, const std::optional<Eigen::Vector3d>& sensor)
   : tree_(tree)
+  , sensor_(sensor)
   , edges_(tree.size())
   , vertices_(static_cast<std::size_t>(tree.size()))
   {}
@@ -55,6 +58,11 @@ public:
   /** \brief Would triangle (b, a, apex) over an open side keep the guarantees? */
   Verdict
   judge(const Side& side, std::int32_t apex);
+
+  /** \brief Would triangle (b, a, apex) show its back to the sensor, or join components
+   * of which one does? False where no sensor is known. */
+  bool
+  isContrary(const Side& side, std::int32_t apex);
 
   /** \brief Cosine of the largest turn that triangle would make at one of its sides. */
   double
@@ -67,7 +75,7 @@ public:
   void
   add(const Side& side, std::int32_t apex, std::uint8_t depth);
 
-  /** \brief Adds the first triangle of a component. */
+  /** \brief Adds the first triangle of a component, turned towards the sensor. */
   void
   addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth);
 
@@ -200,7 +208,11 @@ private:
   void
   forget(const std::vector<bool>& removed);
 
+  bool
+  showsBack(const std::array<std::int32_t, 3>& corners) const;
+
   const PointTree& tree_;
+  const std::optional<Eigen::Vector3d> sensor_;
   EdgeTable edges_;
   std::vector<Vertex> vertices_;
   std::vector<GrownTriangle> triangles_;

@@ -15,6 +15,7 @@ struct DeWallSettings {
   bool compute_wall_depth = false;
   unsigned threads = 0; ///< 0: all
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
+  bool is_single_view = false; ///< every point was seen from there
 
   /** Halves of at most so many points are grown without a further wall. The mesh
    * depends on it, so it depends on nothing else. */
@@ -31,5 +32,13 @@ triangulateDeWall(const PointView& view,
                   const DeWallSettings& settings,
                   const Progress& progress,
                   DeWallReport& report);
+
+/** \brief Are these the pixels of one camera that stood at \a origin, row by row?
+ *
+ * The rays to a pixel, its right and its lower neighbour turn the same way round all over
+ * an image, whatever the depths. A cloud that was moved after it was taken fails.
+ * \param[in] width pixels a row \ingroup surface */
+ACMAP_EXPORT bool
+isSingleView(const PointView& view, std::size_t width, const Eigen::Vector3d& origin);
 
 } // namespace pcl::acmap

@@ -27,7 +27,7 @@ namespace pcl {
  * than the relative tolerance 1e-6 of its radius. The same input gives the same bytes
  * for every number of threads.
  *
- * Coordinates in metres. Time O(n log n), memory about 150 bytes a point.
+ * Coordinates in metres. Time O(n log n), memory about 220 bytes a point.
  * \code
  * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
  * dewall.setInputCloud (cloud);

@@ -66,6 +66,9 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
                               sizeof(PointInT),
                               indices_->size(),
                               indices_->data());
+  settings.is_single_view =
+      input_->isOrganized() && indices_->size() == input_->size() &&
+      acmap::isSingleView(view, input_->width, settings.sensor_origin);
   DeWallReport report;
   TriangleMesh result =
       acmap::triangulateDeWall(view, settings, acmap::Progress(progress_), report);
