@@ -12,7 +12,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The sharpest fold the kernel makes across an edge, radians. */
+/** \brief Legal triangles that fold no sharper than this, radians, must all be there. The
+ * kernel grows over a side up to it, and closes sharper folds at its other sides. */
 inline constexpr double turn_limit = 90.0 / 180.0 * 3.14159265358979323846;
 
 /** \brief A cloud with the size constraint to mesh it under (0: automatic). */
