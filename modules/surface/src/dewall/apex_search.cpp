@@ -34,14 +34,18 @@ LeafSieve::LeafSieve(const PointTree& tree, const SideFrame& side)
 const float*
 LeafSieve::cotangents(const PointTree::Node& leaf, double longest)
 {
+  constexpr float unreachable = std::numeric_limits<float>::infinity();
   const float limit2 = static_cast<float>(longest * longest * (1 + 1e-4));
-  const std::int32_t count = leaf.size();
   const float *x = x_ + leaf.begin, *y = y_ + leaf.begin, *z = z_ + leaf.begin;
   const auto [ax, ay, az] = a_;
   const auto [bx, by, bz] = b_;
   const auto [ux, uy, uz] = u_;
   const auto [wx, wy, wz] = w_;
-  for (std::int32_t k = 0; k < count; ++k) {
+  const float length = length_;
+  float* __restrict cotangent = cotangent_.data();
+  // Always a full leaf, so that the compiler uses its lanes: what is read beyond the
+  // leaf's points is not looked at.
+  for (std::int32_t k = 0; k < PointTree::leaf_capacity; ++k) {
     const float vx = x[k] - ax, vy = y[k] - ay, vz = z[k] - az;
     const float tx = x[k] - bx, ty = y[k] - by, tz = z[k] - bz;
     const float from_a2 = vx * vx + vy * vy + vz * vz;
@@ -49,10 +53,9 @@ LeafSieve::cotangents(const PointTree::Node& leaf, double longest)
     const float dot = vx * tx + vy * ty + vz * tz;
     const float forward = vx * wx + vy * wy + vz * wz;
     const float cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
-    const float distance = std::sqrt(cx * cx + cy * cy + cz * cz);
-    const bool possible = (forward > 0) & (from_a2 <= limit2) & (from_b2 <= limit2);
-    cotangent_[static_cast<std::size_t>(k)] =
-        possible ? dot / (length_ * distance) : std::numeric_limits<float>::infinity();
+    const float value = dot / (length * std::sqrt(cx * cx + cy * cy + cz * cz));
+    const float reachable = std::max(from_a2, from_b2) <= limit2 ? value : unreachable;
+    cotangent[k] = forward > 0 ? reachable : unreachable;
   }
   return cotangent_.data();
 }

@@ -43,7 +43,7 @@ PointTree::PointTree(std::vector<SourcePoint> points)
   build(points, root);
   source_.resize(points.size());
   for (auto& axis : coordinates_)
-    axis.resize(points.size());
+    axis.resize(points.size() + leaf_capacity);
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       coordinates_[axis][i] = points[i].position[axis];

@@ -73,7 +73,8 @@ public:
     return static_cast<std::int32_t>(nodes_.size());
   }
 
-  /** \brief Coordinates along an axis, of all points in tree order. */
+  /** \brief Coordinates along an axis, of all points in tree order; a leaf's length of
+   * zeros follows. */
   const float*
   coordinates(int axis) const
   {
