@@ -10,8 +10,10 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_dewall_figures [soundness] [coverage] [time] [bunny]\n"
-    "Prints the figures of DeWallTriangulation beside PCL's greedy projection as Markdown\n"
-    "tables; without a name all of them. Real clouds are read from the folder named by\n"
+    "Prints the figures of DeWallTriangulation beside PCL's greedy projection as "
+    "Markdown\n"
+    "tables; without a name all of them. Real clouds are read from the folder named "
+    "by\n"
     "the environment variable ACMAP_TEST_DATA.\n";
 
 } // namespace

@@ -59,9 +59,10 @@ realClouds()
 std::vector<FigureCloud>
 singleViews()
 {
-  auto clouds = load({{"table_scene_mug", "E_meshing/table_scene_mug_stereo_textured.pcd"},
-                      {"office1", "E_meshing/office1.pcd"},
-                      {"capture0001", "E_meshing/capture0001.pcd"}});
+  auto clouds =
+      load({{"table_scene_mug", "E_meshing/table_scene_mug_stereo_textured.pcd"},
+            {"office1", "E_meshing/office1.pcd"},
+            {"capture0001", "E_meshing/capture0001.pcd"}});
   clouds.push_back(
       makeFigureCloud("simulated corridor view", test::makeCorridorView(138654, 1)));
   return clouds;

@@ -1,8 +1,10 @@
 #include "figure_tables.h"
+#include "foreign_holes.h"
 
 #include "coverage.h"
 #include "cpu_time.h"
 #include "figure_clouds.h"
+#include "foreign_holes.h"
 #include "greedy_projection.h"
 #include "obj_mesh.h"
 #include "surface_distance.h"
@@ -84,8 +86,8 @@ printSoundnessRow(const FigureCloud& cloud, std::size_t places, const Mesher& me
   demands.empty_spheres = true;
   const test::MeshFaults faults = test::checkMesh(points, mesh, demands);
   const test::MeshCounts counts = test::countMesh(points, mesh);
-  std::cout << "| " << cloud.name << " | " << mesher.name << " | " << mesh.size() << " | "
-            << faults.crowded_edges << " | " << faults.torn_vertices << " | "
+  std::cout << "| " << cloud.name << " | " << mesher.name << " | " << mesh.size()
+            << " | " << faults.crowded_edges << " | " << faults.torn_vertices << " | "
             << faults.duplicate_faces << " | " << faults.degenerate_faces << " | "
             << faults.inconsistent_edges << " | " << faults.occupied_spheres << " | "
             << percent(counts.used_points, places) << " | "
@@ -108,8 +110,9 @@ printCoverageRow(const std::string& name,
     most.uncovered = std::max(most.uncovered, coverage.uncovered);
     most.overlapped = std::max(most.overlapped, coverage.overlapped);
   }
-  std::cout << "| " << name << " | " << mean.uncovered << " | " << most.uncovered << " | "
-            << mean.overlapped << " | " << most.overlapped << " |" << std::endl;
+  std::cout << "| " << name << " | " << mean.uncovered << " | " << most.uncovered
+            << " | " << mean.overlapped << " | " << most.overlapped << " |"
+            << std::endl;
 }
 
 } // namespace
@@ -117,11 +120,12 @@ printCoverageRow(const std::string& name,
 void
 printSoundness()
 {
-  std::cout << "\n| cloud | mesher | triangles | edges with > 2 faces | vertices without one "
-               "fan | duplicates | degenerate | inconsistent edges | occupied spheres | "
-               "points used % | boundary edges % |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|\n"
-            << std::fixed << std::setprecision(1);
+  std::cout
+      << "\n| cloud | mesher | triangles | edges with > 2 faces | vertices without one "
+         "fan | duplicates | degenerate | inconsistent edges | occupied spheres | "
+         "points used % | boundary edges % |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|\n"
+      << std::fixed << std::setprecision(1);
   for (const FigureCloud& cloud : realClouds()) {
     const std::size_t places = countPlaces(test::toPoints(cloud.cloud));
     for (const Mesher& mesher : allMeshers())
@@ -146,7 +150,8 @@ printCoverage(std::size_t seeds)
       for (const auto& [name, rule] : {std::pair{"paper", DeWallRule::Paper},
                                        std::pair{"dense", DeWallRule::Dense}})
         for (const double length : {3.0, 0.0})
-          printCoverageRow(head.str() + name + (length > 0 ? ", L = 3" : ", automatic L"),
+          printCoverageRow(head.str() + name +
+                               (length > 0 ? ", L = 3" : ", automatic L"),
                            seeds,
                            makeSheet,
                            [rule = rule, length](const SheetCloud& sheet) {
@@ -164,9 +169,10 @@ printCoverage(std::size_t seeds)
 void
 printTime(std::size_t rounds)
 {
-  std::cout << "\n| view | points | mesher | CPU us a point | greedy projection takes |\n"
-               "|---|---|---|---|---|\n"
-            << std::fixed << std::setprecision(2);
+  std::cout
+      << "\n| view | points | mesher | CPU us a point | greedy projection takes |\n"
+         "|---|---|---|---|---|\n"
+      << std::fixed << std::setprecision(2);
   const std::vector<Mesher> meshers = allMeshers();
   for (const FigureCloud& view : singleViews()) {
     std::vector<std::vector<double>> seconds(meshers.size());
@@ -202,13 +208,15 @@ printBunny()
     cloud.cloud.push_back({float(p.x()), float(p.y()), float(p.z())});
 
   constexpr std::size_t samples = 50000;
-  std::cout << "\nMedian spacing " << std::scientific << std::setprecision(3)
-            << cloud.spacing << " m; boundary loops of the model: "
-            << test::countMesh(model.points, model.triangles).boundary_loops
-            << ". Distances in spacings.\n\n"
-            << "| mesher | mesh to model, mean | most | model to mesh, mean | most | Chamfer "
-               "(mean of both) | boundary loops |\n|---|---|---|---|---|---|---|\n"
-            << std::fixed;
+  std::cout
+      << "\nMedian spacing " << std::scientific << std::setprecision(3) << cloud.spacing
+      << " m; boundary loops of the model: "
+      << test::countMesh(model.points, model.triangles).boundary_loops
+      << ". Distances in spacings.\n\n"
+      << "| mesher | mesh to model, mean | most | model to mesh, mean | most | Chamfer "
+         "(mean of both) | boundary loops | holes the model has not |\n"
+         "|---|---|---|---|---|---|---|---|\n"
+      << std::fixed;
   for (const Mesher& mesher : allMeshers()) {
     const Triangles mesh = mesher.mesh(cloud);
     const SurfaceDistance there =
@@ -218,8 +226,10 @@ printBunny()
     const double unit = cloud.spacing;
     std::cout << "| " << mesher.name << " | " << there.mean / unit << " | "
               << there.most / unit << " | " << back.mean / unit << " | "
-              << back.most / unit << " | " << (there.mean + back.mean) / 2 / unit << " | "
-              << test::countMesh(model.points, mesh).boundary_loops << " |" << std::endl;
+              << back.most / unit << " | " << (there.mean + back.mean) / 2 / unit
+              << " | " << test::countMesh(model.points, mesh).boundary_loops << " | "
+              << countForeignHoles(model.points, mesh, model.triangles, 3 * unit)
+              << " |" << std::endl;
   }
 }
 

@@ -30,7 +30,9 @@ distanceToSegment(const Eigen::Vector3d& p,
 class Surface {
 public:
   Surface(const Points& points, const Triangles& triangles)
-  : points_(points), triangles_(triangles), tree_(centers(points, triangles))
+  : points_(points)
+  , triangles_(triangles)
+  , tree_(centers(points, triangles))
   {
     const Points middles = centers(points, triangles);
     for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -54,11 +54,12 @@ struct DeWallTraits {
     const auto length = [](double value) {
       return [value](Class& object) { object.setMaximumEdgeLength(value); };
     };
-    return {{length(-0.5), {"-0.5", "[0,", " m"}},
-            {length(std::numeric_limits<double>::quiet_NaN()), {"nan", "[0,", " m"}},
-            {length(std::numeric_limits<double>::infinity()), {"inf", "[0,", " m"}},
-            {[](Class& object) { object.setAcceptanceRule(static_cast<DeWallRule>(9)); },
-             {"9", "Paper", "Dense", "Strict"}}};
+    return {
+        {length(-0.5), {"-0.5", "[0,", " m"}},
+        {length(std::numeric_limits<double>::quiet_NaN()), {"nan", "[0,", " m"}},
+        {length(std::numeric_limits<double>::infinity()), {"inf", "[0,", " m"}},
+        {[](Class& object) { object.setAcceptanceRule(static_cast<DeWallRule>(9)); },
+         {"9", "Paper", "Dense", "Strict"}}};
   }
 
   static std::string

@@ -14,7 +14,8 @@ namespace {
 PointXYZ
 toPoint(const Eigen::Vector3d& p)
 {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  return {
+      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
 PointXYZ
@@ -55,9 +56,8 @@ makeHexagonalGrid(int columns, int rows, double spacing)
   Cloud cloud;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
-      cloud.push_back(toPoint({(column + (row % 2) / 2.0) * spacing,
-                               row * std::sqrt(0.75) * spacing,
-                               0}));
+      cloud.push_back(toPoint(
+          {(column + (row % 2) / 2.0) * spacing, row * std::sqrt(0.75) * spacing, 0}));
   return cloud;
 }
 
@@ -105,7 +105,8 @@ makeMoebiusBand(int around, int across, double radius, double width, std::uint64
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
       const double angle = 2 * M_PI * (i + random.uniform(-0.2, 0.2)) / around;
-      const double offset = width * ((j + random.uniform(-0.2, 0.2)) / (across - 1) - 0.5);
+      const double offset =
+          width * ((j + random.uniform(-0.2, 0.2)) / (across - 1) - 0.5);
       const double distance = radius + offset * std::cos(angle / 2);
       cloud.push_back(toPoint({distance * std::cos(angle),
                                distance * std::sin(angle),
@@ -215,9 +216,10 @@ makeCorridorView(std::size_t size, std::uint64_t seed)
   for (const std::size_t pixel : shuffledNumbers(hits.size(), seed)) {
     if (size == 0)
       break;
-    const Eigen::Vector3d ray((static_cast<double>(pixel % columns) - 319.5) / focal_length,
-                              (static_cast<double>(pixel / columns) - 239.5) / focal_length,
-                              1);
+    const Eigen::Vector3d ray(
+        (static_cast<double>(pixel % columns) - 319.5) / focal_length,
+        (static_cast<double>(pixel / columns) - 239.5) / focal_length,
+        1);
     const double side = 1.2 / std::max(std::abs(ray.x()), 1e-9);
     const double level = (ray.y() > 0 ? 1.1 : 1.6) / std::max(std::abs(ray.y()), 1e-9);
     const double z = std::min({side, level, end});

@@ -51,7 +51,7 @@ makeSphereCap(const SheetSampling& sampling, double radius);
 
 /** \brief Planes on which float coordinates are exact. */
 enum class ExactPlane {
-  Level,  ///< z = 0
+  Level,   ///< z = 0
   Inclined ///< z = x
 };
 
@@ -78,7 +78,8 @@ makeRandomBox(std::size_t size, std::uint64_t seed);
 
 /** \brief Jittered band of the given radius with half a turn in it. */
 Cloud
-makeMoebiusBand(int around, int across, double radius, double width, std::uint64_t seed);
+makeMoebiusBand(
+    int around, int across, double radius, double width, std::uint64_t seed);
 
 /** \brief Two planes, one above the other at a distance. */
 Cloud

@@ -91,7 +91,8 @@ TYPED_TEST_P(ClassContract, settersRefuseNonsenseAndSayWhy)
     try {
       refused.call(object);
       ADD_FAILURE() << "nonsense was accepted: " << TypeParam::parameters(object);
-    } catch (const BadArgumentException& error) {
+    }
+    catch (const BadArgumentException& error) {
       for (const std::string& word : refused.words)
         EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
             << '"' << word << "\" is not in \"" << error.what() << '"';
@@ -137,7 +138,8 @@ TYPED_TEST_P(ClassContract, cancelledRunLeavesOutputAndObjectUsable)
     try {
       TypeParam::run(object, output);
       EXPECT_LE(calls, allowed_calls) << "the callback's refusal was ignored";
-    } catch (const CancelledException&) {
+    }
+    catch (const CancelledException&) {
       EXPECT_EQ(calls, allowed_calls + 1);
       EXPECT_EQ(output, TypeParam::sentinel());
     }
@@ -185,7 +187,8 @@ TYPED_TEST_P(ClassContract, threadsDoNotChangeAByte)
   for (const unsigned threads : {1U, 2U, 8U}) {
     typename TypeParam::Class object;
     object.setNumberOfThreads(threads);
-    EXPECT_EQ(this->outputOf(object, this->other_cloud_), wanted) << threads << " threads";
+    EXPECT_EQ(this->outputOf(object, this->other_cloud_), wanted)
+        << threads << " threads";
   }
 }
 

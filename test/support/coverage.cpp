@@ -25,9 +25,11 @@ public:
     const Eigen::Vector2d high =
         (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) - least_) / step_;
     const int last_row = std::min(rows_ - 1, static_cast<int>(std::floor(high.y())));
-    const int last_column = std::min(columns_ - 1, static_cast<int>(std::floor(high.x())));
+    const int last_column =
+        std::min(columns_ - 1, static_cast<int>(std::floor(high.x())));
     for (int row = std::max(0, static_cast<int>(low.y()) - 1); row <= last_row; ++row)
-      for (int column = std::max(0, static_cast<int>(low.x()) - 1); column <= last_column;
+      for (int column = std::max(0, static_cast<int>(low.x()) - 1);
+           column <= last_column;
            ++column)
         if (contains(corners, sample(column, row)))
           ++counts_[static_cast<std::size_t>(row) * columns_ + column];

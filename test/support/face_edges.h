@@ -42,7 +42,8 @@ edgesOf(const Triangles& faces)
 /** \brief Union-find. The root of a set is its smallest member. */
 class DisjointSets {
 public:
-  explicit DisjointSets(std::size_t size) : parents_(size)
+  explicit DisjointSets(std::size_t size)
+  : parents_(size)
   {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
   }

@@ -31,10 +31,12 @@ Triangles
 usableFaces(const Points& points, const Triangles& faces)
 {
   Triangles usable;
-  std::copy_if(
-      faces.begin(), faces.end(), std::back_inserter(usable), [&](const Triangle& face) {
-        return isValid(points, face) && !hasRepeatedCorner(face);
-      });
+  std::copy_if(faces.begin(),
+               faces.end(),
+               std::back_inserter(usable),
+               [&](const Triangle& face) {
+                 return isValid(points, face) && !hasRepeatedCorner(face);
+               });
   return usable;
 }
 
@@ -62,15 +64,16 @@ checkEdges(const Triangles& faces,
       ++faults.crowded_edges;
       is_torn[edge.first] = is_torn[edge.second] = 1;
     }
-    faults.inconsistent_edges +=
-        uses.size() == 2 && uses[0].forward == uses[1].forward;
+    faults.inconsistent_edges += uses.size() == 2 && uses[0].forward == uses[1].forward;
     faults.forbidden_edges +=
         demands.edge_allowed && !demands.edge_allowed(edge.first, edge.second);
   }
 }
 
 void
-checkVertices(const Triangles& faces, MeshFaults& faults, const std::vector<char>& is_torn)
+checkVertices(const Triangles& faces,
+              MeshFaults& faults,
+              const std::vector<char>& is_torn)
 {
   const auto around = facesAroundVertices(faces, is_torn.size());
   for (std::size_t vertex = 0; vertex < is_torn.size(); ++vertex)
@@ -158,7 +161,8 @@ countMesh(const Points& points, const Triangles& faces)
   for (const Triangle& face : usable)
     for (const std::int32_t corner : face)
       used[corner] = 1;
-  counts.used_points = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  counts.used_points =
+      static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
 
   const auto edges = edgesOf(usable);
   DisjointSets components(usable.size());

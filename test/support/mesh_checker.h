@@ -24,14 +24,14 @@ noLongerThan(const Points& points, double length);
 
 /** \brief Everything that can be wrong with a mesh; a sound one has only zeros. */
 struct MeshFaults {
-  std::size_t invalid_faces = 0;       ///< a corner out of range or not finite
-  std::size_t degenerate_faces = 0;    ///< a repeated corner or no area
-  std::size_t duplicate_faces = 0;     ///< same three corners as an earlier face
-  std::size_t crowded_edges = 0;       ///< more than two faces
-  std::size_t torn_vertices = 0;       ///< not one fan: several, or a crowded edge
-  std::size_t inconsistent_edges = 0;  ///< two faces that run along it in one direction
-  std::size_t forbidden_edges = 0;     ///< beyond the size constraint
-  std::size_t occupied_spheres = 0;    ///< a point inside the smallest circumsphere
+  std::size_t invalid_faces = 0;      ///< a corner out of range or not finite
+  std::size_t degenerate_faces = 0;   ///< a repeated corner or no area
+  std::size_t duplicate_faces = 0;    ///< same three corners as an earlier face
+  std::size_t crowded_edges = 0;      ///< more than two faces
+  std::size_t torn_vertices = 0;      ///< not one fan: several, or a crowded edge
+  std::size_t inconsistent_edges = 0; ///< two faces that run along it in one direction
+  std::size_t forbidden_edges = 0;    ///< beyond the size constraint
+  std::size_t occupied_spheres = 0;   ///< a point inside the smallest circumsphere
 
   std::size_t
   total() const;
@@ -52,15 +52,17 @@ struct MeshCounts {
 
 /** \brief Which of the checks below are asked for. */
 struct MeshDemands {
-  EdgeAllowed edge_allowed;         ///< empty: any length
-  bool empty_spheres = false;       ///< \ref MeshFaults::occupied_spheres is counted
-  double sphere_tolerance = 1e-6;   ///< of the radius
-  double least_area_ratio = 1e-10;  ///< twice the area over the squared longest edge
+  EdgeAllowed edge_allowed;        ///< empty: any length
+  bool empty_spheres = false;      ///< \ref MeshFaults::occupied_spheres is counted
+  double sphere_tolerance = 1e-6;  ///< of the radius
+  double least_area_ratio = 1e-10; ///< twice the area over the squared longest edge
 };
 
 /** \brief Finds every fault by brute force; owes nothing to the kernels. */
 MeshFaults
-checkMesh(const Points& points, const Triangles& faces, const MeshDemands& demands = {});
+checkMesh(const Points& points,
+          const Triangles& faces,
+          const MeshDemands& demands = {});
 
 MeshCounts
 countMesh(const Points& points, const Triangles& faces);

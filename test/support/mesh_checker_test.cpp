@@ -49,8 +49,8 @@ TEST(MeshChecker, findsInvalidIndices)
 {
   Points points = square;
   points[5].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(checkMesh(points, fanWith({{0, 1, 6}, {0, -1, 2}, {0, 1, 5}})).invalid_faces,
-            3U);
+  EXPECT_EQ(
+      checkMesh(points, fanWith({{0, 1, 6}, {0, -1, 2}, {0, 1, 5}})).invalid_faces, 3U);
 }
 
 TEST(MeshChecker, findsDegenerateFaces)
@@ -131,7 +131,8 @@ TEST(MeshChecker, circumsphereHoldsItsCornersInItsPlane)
     const Sphere sphere = smallestCircumsphere(p[i], p[i + 1], p[i + 2]);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR((p[i + k] - sphere.center).norm() / sphere.radius, 1, 1e-9);
-    const Eigen::Vector3d normal = (p[i + 1] - p[i]).cross(p[i + 2] - p[i]).normalized();
+    const Eigen::Vector3d normal =
+        (p[i + 1] - p[i]).cross(p[i + 2] - p[i]).normalized();
     EXPECT_NEAR(normal.dot(sphere.center - p[i]) / sphere.radius, 0, 1e-9);
   }
   EXPECT_TRUE(std::isinf(smallestCircumsphere({0, 0, 0}, {1, 0, 0}, {2, 0, 0}).radius));

@@ -98,7 +98,8 @@ private:
       if (found->second.size() > 1)
         return false;
       const EdgeUse& use = found->second.front();
-      if (turnAngle(points_[a], points_[b], points_[use.apex], points_[t[(i + 2) % 3]]) >
+      if (turnAngle(
+              points_[a], points_[b], points_[use.apex], points_[t[(i + 2) % 3]]) >
           rule_.turn_limit - rule_.turn_slack)
         return false;
       const bool flip = use.forward == (a < b);
@@ -152,7 +153,9 @@ forAllTriples(std::size_t size,
 
 /** Cotangent of the angle a-p-b: the smaller, the nearer in Delaunay's sense. */
 double
-signedDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p)
+signedDistance(const Eigen::Vector3d& a,
+               const Eigen::Vector3d& b,
+               const Eigen::Vector3d& p)
 {
   const Eigen::Vector3d u = a - p;
   const Eigen::Vector3d v = b - p;
@@ -210,7 +213,8 @@ missingUnderPaperRule(const Points& points,
   Extension extension(points, mesh, rule);
   Triangles missing;
   forAllTriples(points.size(), rule.edge_allowed, points, [&](const Triangle& t) {
-    if (extension.isWellFormed(t) && extension.canTake(t) && extension.hasEmptySphere(t))
+    if (extension.isWellFormed(t) && extension.canTake(t) &&
+        extension.hasEmptySphere(t))
       missing.push_back(t);
   });
   return missing;
@@ -235,8 +239,9 @@ missingUnderDenseRule(const Points& points,
       missing.push_back(nearest.front());
   }
   forAllTriples(points.size(), rule.edge_allowed, points, [&](const Triangle& t) {
-    const bool unused = std::none_of(
-        t.begin(), t.end(), [&](std::int32_t corner) { return extension.isUsed(corner); });
+    const bool unused = std::none_of(t.begin(), t.end(), [&](std::int32_t corner) {
+      return extension.isUsed(corner);
+    });
     if (unused && extension.isWellFormed(t) && extension.hasEmptySphere(t))
       missing.push_back(t);
   });

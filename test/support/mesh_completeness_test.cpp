@@ -113,7 +113,8 @@ struct Ring {
     const int size = 2 * around;
     const int first = half_turns > 0 ? 1 : 0;
     for (int i = 0; i + 2 < size; ++i)
-      mesh.push_back(i % 2 == 0 ? Triangle{i, i + 1, i + 2} : Triangle{i + 1, i, i + 2});
+      mesh.push_back(i % 2 == 0 ? Triangle{i, i + 1, i + 2}
+                                : Triangle{i + 1, i, i + 2});
     mesh.push_back({size - 2, size - 1, first});
     last = {first, size - 1, 1 - first};
     std::sort(last.begin(), last.end());

@@ -4,7 +4,8 @@
 
 namespace pcl::acmap::test {
 
-PointTree::PointTree(Points points) : points_(std::move(points))
+PointTree::PointTree(Points points)
+: points_(std::move(points))
 {
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (points_[i].allFinite())
@@ -163,7 +164,8 @@ medianSpacing(const Points& points)
   }
   if (spacings.empty())
     return 0;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  const auto middle =
+      spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
   std::nth_element(spacings.begin(), middle, spacings.end());
   return *middle;
 }

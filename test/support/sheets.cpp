@@ -10,7 +10,8 @@ namespace {
 PointXYZ
 toPoint(const Eigen::Vector3d& p)
 {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  return {
+      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
 /** Samples a sheet; \a place turns (u, v, height) into a point of space. */
@@ -21,8 +22,8 @@ sampleSheet(const SheetSampling& sampling, const Place& place)
   Random random(sampling.seed);
   SheetCloud sheet;
   sheet.spacing = sampling.spacing;
-  sheet.most = Eigen::Vector2d(sampling.columns - 1, sampling.rows - 1) / 2 *
-               sampling.spacing;
+  sheet.most =
+      Eigen::Vector2d(sampling.columns - 1, sampling.rows - 1) / 2 * sampling.spacing;
   sheet.least = -sheet.most;
   const double reach = sampling.jitter * sampling.spacing;
   for (int row = 0; row < sampling.rows; ++row)
@@ -73,8 +74,8 @@ makeGradedPlane(const SheetSampling& sampling, double growth)
       const double v = (row + 0.5) * width / rows + random.uniform(-reach, reach);
       const Eigen::Vector2d place(u + random.uniform(-reach, reach), v);
       sheet.parameters.push_back(place);
-      sheet.cloud.push_back(toPoint(
-          {place.x(), place.y(), sampling.noise * spacing * random.normal()}));
+      sheet.cloud.push_back(
+          toPoint({place.x(), place.y(), sampling.noise * spacing * random.normal()}));
     }
     sheet.most = {u, width};
     sheet.spacing = spacing;
@@ -115,10 +116,12 @@ makeCorner(const SheetSampling& sampling)
     SheetSampling each = sampling;
     each.seed += static_cast<std::uint64_t>(side);
     const SheetCloud sheet = makeJitteredPlane(each);
-    const Eigen::Vector2d center = sheet.most + Eigen::Vector2d::Constant(each.spacing / 2);
+    const Eigen::Vector2d center =
+        sheet.most + Eigen::Vector2d::Constant(each.spacing / 2);
     for (const PointXYZ& p : sheet.cloud) {
-      const float place[3] = {
-          p.x + static_cast<float>(center.x()), p.y + static_cast<float>(center.y()), p.z};
+      const float place[3] = {p.x + static_cast<float>(center.x()),
+                              p.y + static_cast<float>(center.y()),
+                              p.z};
       corner.push_back({place[side], place[(side + 1) % 3], place[(side + 2) % 3]});
     }
   }
@@ -133,13 +136,13 @@ makeRoom(double spacing, double noise, std::uint64_t seed)
   const auto addSide = [&](int normal, double sign, std::uint64_t side) {
     const int along = (normal + 1) % 3;
     const int across = (normal + 2) % 3;
-    const SheetCloud sheet = makeJitteredPlane(
-        {static_cast<int>(2 * half[along] / spacing),
-         static_cast<int>(2 * half[across] / spacing),
-         spacing,
-         0.25,
-         noise,
-         seed + side});
+    const SheetCloud sheet =
+        makeJitteredPlane({static_cast<int>(2 * half[along] / spacing),
+                           static_cast<int>(2 * half[across] / spacing),
+                           spacing,
+                           0.25,
+                           noise,
+                           seed + side});
     for (std::size_t i = 0; i < sheet.cloud.size(); ++i) {
       Eigen::Vector3d place;
       place[along] = sheet.parameters[i].x();

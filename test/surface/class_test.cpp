@@ -68,9 +68,10 @@ TEST(DeWallClass, wallOfTheFirstPlaneIsCutByOnePlane)
   EXPECT_GT(first_wall, 40U);
   EXPECT_LT(first_wall, depth.size() / 10);
   EXPECT_TRUE((greatest_low.array() <= least_high.array()).any());
-  const auto deepest = std::accumulate(depth.begin(), depth.end(), 0, [](int most, int d) {
-    return d == TriangleMesh::no_wall ? most : std::max(most, d);
-  });
+  const auto deepest =
+      std::accumulate(depth.begin(), depth.end(), 0, [](int most, int d) {
+        return d == TriangleMesh::no_wall ? most : std::max(most, d);
+      });
   EXPECT_GE(deepest, 4);
   EXPECT_LE(deepest, 10);
 }

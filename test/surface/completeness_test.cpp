@@ -1,7 +1,6 @@
 #include "dewall_runs.h"
 #include "mesh_completeness.h"
 
-
 namespace pcl::acmap::test {
 namespace {
 
@@ -25,8 +24,7 @@ makeSmallCases()
     add("edge" + tail, makeFoldedPlane(sampling(0.1), M_PI / 2).cloud, 2.5);
     add("random_level" + tail, makeRandomPlane(200, ExactPlane::Level, seed), 0.2);
     add("random_box" + tail, makeRandomBox(120, seed), 0.35);
-    add("sheets" + tail,
-        makeParallelSheets({10, 10, 1, 0.25, 0.1, seed}, 1.2), 2.5);
+    add("sheets" + tail, makeParallelSheets({10, 10, 1, 0.25, 0.1, seed}, 1.2), 2.5);
     add("moebius" + tail, makeMoebiusBand(40, 5, 1, 0.5, seed), 0.3);
     add("corner" + tail, makeCorner({8, 8, 1, 0.25, 0.1, seed}), 2.5);
     add("sparse" + tail, makeRandomBox(40, seed), 0.3);
@@ -64,7 +62,8 @@ protected:
             : missingUnderDenseRule(result.points, result.mesh.triangles, demands);
     EXPECT_TRUE(missing.empty())
         << "leaf size " << leaf_size << ", of " << result.mesh.triangles.size() << ": "
-        << missing.size() << " missing, first " << describe(result.points, missing.front());
+        << missing.size() << " missing, first "
+        << describe(result.points, missing.front());
   }
 };
 
@@ -83,7 +82,9 @@ TEST_P(DeWallCompleteness, denseMeshTakesNoFurtherTriangle)
 INSTANTIATE_TEST_SUITE_P(Small,
                          DeWallCompleteness,
                          testing::Range<std::size_t>(0, smallCases().size()),
-                         [](const auto& info) { return smallCases()[info.param].name; });
+                         [](const auto& info) {
+                           return smallCases()[info.param].name;
+                         });
 
 } // namespace
 } // namespace pcl::acmap::test

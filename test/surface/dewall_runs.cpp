@@ -134,7 +134,8 @@ keepsGuarantees(const DeWallResult& result, const DeWallRun& run)
   const DeWallReport& report = result.report;
   if (counts.faces != report.triangles || counts.edges != report.edges ||
       counts.boundary_edges != report.boundary_edges ||
-      counts.components != report.components || counts.used_points != report.used_points)
+      counts.components != report.components ||
+      counts.used_points != report.used_points)
     return testing::AssertionFailure()
            << "the report tells " << report.triangles << " triangles, " << report.edges
            << " edges, " << report.boundary_edges << " of the boundary, "

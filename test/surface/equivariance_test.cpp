@@ -23,14 +23,15 @@ TEST_P(DeWallEquivariance, scaleByPowersOfTwoChangesNothing)
 
 TEST_P(DeWallEquivariance, rigidMotionKeepsNumberAndGuarantees)
 {
-  const double size = static_cast<double>(
-      triangulate(case_.cloud, run_).mesh.triangles.size());
+  const double size =
+      static_cast<double>(triangulate(case_.cloud, run_).mesh.triangles.size());
   const double reach = static_cast<double>(case_.cloud.front().getVector3fMap().norm());
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Eigen::Isometry3d motion = makeRandomMotion(seed, reach);
     const DeWallResult other = triangulate(moved(case_.cloud, motion), run_);
     EXPECT_TRUE(keepsGuarantees(other, run_));
-    EXPECT_NEAR(static_cast<double>(other.mesh.triangles.size()), size, 0.05 * size + 2);
+    EXPECT_NEAR(
+        static_cast<double>(other.mesh.triangles.size()), size, 0.05 * size + 2);
   }
 }
 
@@ -49,15 +50,15 @@ movableCases()
   return movable;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Synthetic,
-    DeWallEquivariance,
-    testing::Combine(testing::ValuesIn(movableCases()),
-                     testing::Values(DeWallRule::Paper, DeWallRule::Dense)),
-    [](const auto& info) {
-      return syntheticCases()[std::get<0>(info.param)].name + "_" +
-             nameOf(std::get<1>(info.param));
-    });
+INSTANTIATE_TEST_SUITE_P(Synthetic,
+                         DeWallEquivariance,
+                         testing::Combine(testing::ValuesIn(movableCases()),
+                                          testing::Values(DeWallRule::Paper,
+                                                          DeWallRule::Dense)),
+                         [](const auto& info) {
+                           return syntheticCases()[std::get<0>(info.param)].name + "_" +
+                                  nameOf(std::get<1>(info.param));
+                         });
 
 } // namespace
 } // namespace pcl::acmap::test

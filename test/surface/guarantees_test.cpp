@@ -29,8 +29,7 @@ TEST_P(DeWallGuarantees, holdWhenDividedIntoSmallLeaves)
 
 TEST_P(DeWallGuarantees, holdForAnyOrderOfThePoints)
 {
-  const std::size_t triangles =
-      triangulate(case_.cloud, run_).mesh.triangles.size();
+  const std::size_t triangles = triangulate(case_.cloud, run_).mesh.triangles.size();
   for (const std::uint64_t seed : {1U, 2U}) {
     const DeWallResult mixed = triangulate(permuted(case_.cloud, seed), run_);
     EXPECT_TRUE(keepsGuarantees(mixed, run_));

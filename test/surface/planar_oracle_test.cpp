@@ -22,12 +22,13 @@ delaunay(const Points& points, ExactPlane plane)
   for (std::size_t i = 0; i < points.size(); ++i)
     flat.emplace_back(Kernel::Point_2(points[i].x() * stretch, points[i].y()),
                       static_cast<std::int32_t>(i));
-  const CGAL::Delaunay_triangulation_2<Kernel, Structure> oracle(flat.begin(), flat.end());
+  const CGAL::Delaunay_triangulation_2<Kernel, Structure> oracle(flat.begin(),
+                                                                 flat.end());
   Triangles triangles;
-  for (auto face = oracle.finite_faces_begin(); face != oracle.finite_faces_end(); ++face)
-    triangles.push_back({face->vertex(0)->info(),
-                         face->vertex(1)->info(),
-                         face->vertex(2)->info()});
+  for (auto face = oracle.finite_faces_begin(); face != oracle.finite_faces_end();
+       ++face)
+    triangles.push_back(
+        {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   return asSets(std::move(triangles));
 }
 
@@ -38,8 +39,8 @@ within(const Points& points, Triangles triangles, double length)
   triangles.erase(std::remove_if(triangles.begin(),
                                  triangles.end(),
                                  [&](const Triangle& t) {
-                                   return !allowed(t[0], t[1]) || !allowed(t[1], t[2]) ||
-                                          !allowed(t[2], t[0]);
+                                   return !allowed(t[0], t[1]) ||
+                                          !allowed(t[1], t[2]) || !allowed(t[2], t[0]);
                                  }),
                   triangles.end());
   return triangles;
@@ -49,7 +50,8 @@ Triangles
 difference(const Triangles& a, const Triangles& b)
 {
   Triangles result;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  std::set_difference(
+      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
   return result;
 }
 
@@ -127,7 +129,8 @@ TEST(DeWallOnGrid, isADelaunayTriangulation)
           MeshDemands demands;
           demands.edge_allowed = noLongerThan(result.points, length);
           demands.empty_spheres = true;
-          EXPECT_EQ(checkMesh(result.points, result.mesh.triangles, demands).total(), 0U);
+          EXPECT_EQ(checkMesh(result.points, result.mesh.triangles, demands).total(),
+                    0U);
           EXPECT_EQ(result.mesh.triangles.size(), 2U * 29 * 19);
           const double slope = plane == ExactPlane::Level ? 1 : std::sqrt(2.0);
           EXPECT_NEAR(area(result.points, result.mesh.triangles),

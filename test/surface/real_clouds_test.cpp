@@ -12,8 +12,8 @@ namespace {
 struct RealCloud {
   std::string name;
   std::string path;
-  double least_used;     ///< share of the valid, distinct points that carry triangles
-  double most_boundary;  ///< share of the edges that have one triangle
+  double least_used;    ///< share of the valid, distinct points that carry triangles
+  double most_boundary; ///< share of the edges that have one triangle
 };
 
 void
@@ -55,8 +55,10 @@ TEST_P(DeWallOnRealCloud, keepsEveryGuarantee)
 
 TEST_P(DeWallOnRealCloud, sameBytesForEveryNumberOfThreads)
 {
-  const TriangleMesh one = triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 1}, 5000).mesh;
-  const TriangleMesh all = triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 8}, 5000).mesh;
+  const TriangleMesh one =
+      triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 1}, 5000).mesh;
+  const TriangleMesh all =
+      triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 8}, 5000).mesh;
   EXPECT_EQ(one.triangles, all.triangles);
 }
 

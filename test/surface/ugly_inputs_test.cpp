@@ -91,7 +91,8 @@ TEST(DeWallUgly, outlierDoesNotHarmTheRest)
 TEST(DeWallUgly, twoClustersFarApart)
 {
   Cloud cloud = makeJitteredPlane({20, 20, 0.02, 0.25, 0.1, 8}).cloud;
-  const std::size_t each = triangulate(cloud, {DeWallRule::Paper, 0.06}).report.triangles;
+  const std::size_t each =
+      triangulate(cloud, {DeWallRule::Paper, 0.06}).report.triangles;
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translation().x() = 4096;
   cloud += moved(cloud, aside);
@@ -110,7 +111,8 @@ TEST(DeWallUgly, doubledPointsMeshLikeSingleOnes)
     const DeWallRun run{DeWallRule::Paper, length};
     const DeWallResult twice = triangulate(doubled(sheet), run);
     EXPECT_EQ(twice.report.duplicate_points, sheet.size());
-    EXPECT_EQ(asSets(twice.mesh.triangles), asSets(triangulate(sheet, run).mesh.triangles));
+    EXPECT_EQ(asSets(twice.mesh.triangles),
+              asSets(triangulate(sheet, run).mesh.triangles));
   }
 }
 
