@@ -73,10 +73,9 @@ isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& ape
 }
 
 bool
-isSphereEmpty(const PointTree& tree,
-              const Sphere& sphere,
-              const std::array<std::int32_t, 3>& corners)
+isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 {
+  const Sphere sphere = sphereOf(tree, corners);
   const double inside = sphere.radius * (1 - sphere_tolerance);
   double radius = inside;
   const auto visit = [&](const PointTree::Node& leaf) {

@@ -117,12 +117,17 @@ findApex(const PointTree& tree,
   return best.index;
 }
 
-/** \brief True when no point of the tree lies inside the sphere, its three corners
- * apart.
- */
+/** \brief The smallest sphere through three points of the tree. */
+inline Sphere
+sphereOf(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
+{
+  return smallestSphere(
+      tree.position(corners[0]), tree.position(corners[1]), tree.position(corners[2]));
+}
+
+/** \brief The paper's Delaunay condition: no point lies inside the smallest sphere
+ * through three others, up to \ref sphere_tolerance. */
 bool
-isSphereEmpty(const PointTree& tree,
-              const Sphere& sphere,
-              const std::array<std::int32_t, 3>& corners);
+isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners);
 
 } // namespace pcl::acmap::dewall

@@ -98,7 +98,7 @@ bool
 Front::tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt)
 {
   const std::array<std::int32_t, 3> corners{side.b, side.a, apex};
-  return (rule_ != DeWallRule::Dense && !isEmpty(corners)) ||
+  return (rule_ != DeWallRule::Dense && !isSphereEmpty(tree_, corners)) ||
          tryCandidate(side, apex, range, doubt);
 }
 
@@ -138,16 +138,6 @@ Front::insertOpen(const Side& side, const Range& range)
 {
   if (mesh_.oppositeOf(side) >= 0)
     insert(side, range);
-}
-
-bool
-Front::isEmpty(const std::array<std::int32_t, 3>& corners) const
-{
-  return isSphereEmpty(tree_,
-                       smallestSphere(tree_.position(corners[0]),
-                                      tree_.position(corners[1]),
-                                      tree_.position(corners[2])),
-                       corners);
 }
 
 void

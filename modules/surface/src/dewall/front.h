@@ -138,9 +138,6 @@ private:
   void
   insertOpen(const Side& side, const Range& range);
 
-  bool
-  isEmpty(const std::array<std::int32_t, 3>& corners) const;
-
   const PointTree& tree_;
   const SizeConstraint& size_;
   const DeWallRule rule_;

@@ -89,7 +89,7 @@ Refill::closeSide(const Side& side)
     return;
   }
   for (const std::int32_t apex : apexesByDistance(side, frame))
-    if (fits(side, apex) && isEmpty({side.b, side.a, apex})) {
+    if (fits(side, apex) && isSphereEmpty(tree_, {side.b, side.a, apex})) {
       closeWith(side, apex);
       return;
     }
@@ -114,16 +114,6 @@ Refill::fits(const Side& side, std::int32_t apex)
   const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
   return verdict == GrowingMesh::Verdict::Fits ||
          verdict == GrowingMesh::Verdict::Doubtful;
-}
-
-bool
-Refill::isEmpty(const std::array<std::int32_t, 3>& corners) const
-{
-  return isSphereEmpty(tree_,
-                       smallestSphere(tree_.position(corners[0]),
-                                      tree_.position(corners[1]),
-                                      tree_.position(corners[2])),
-                       corners);
 }
 
 /** A used apex fits only beside an open edge to one of the side's ends. */

@@ -58,9 +58,6 @@ private:
   bool
   fits(const Side& side, std::int32_t apex);
 
-  bool
-  isEmpty(const std::array<std::int32_t, 3>& corners) const;
-
   void
   noteLastTriangle();
 

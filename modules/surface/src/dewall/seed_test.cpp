@@ -56,11 +56,9 @@ isFirstTriangle(const PointTree& tree,
                 const std::array<std::int32_t, 3>& corners)
 {
   const auto [a, b, c] = corners;
-  const Sphere sphere =
-      smallestSphere(tree.position(a), tree.position(b), tree.position(c));
-  if (!isSphereEmpty(tree, sphere, corners))
+  if (!isSphereEmpty(tree, corners))
     return false;
-  for (const std::int32_t q : pointsOnSphere(tree, sphere, corners))
+  for (const std::int32_t q : pointsOnSphere(tree, sphereOf(tree, corners), corners))
     if (comesBefore(tree, size, q, a, b, c) || comesBefore(tree, size, q, b, c, a) ||
         comesBefore(tree, size, q, c, a, b))
       return false;
