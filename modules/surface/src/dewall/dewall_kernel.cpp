@@ -3,6 +3,7 @@
 #include "oriented_mesh.h"
 #include "refill.h"
 #include "small_holes.h"
+#include "spacing.h"
 #include "triangle_builder.h"
 
 #include <pcl/core/parallel.h>
@@ -98,15 +99,14 @@ triangulate(const PointView& view,
                              " distinct finite points");
     return {};
   }
-  report.median_spacing = medianSpacing(tree);
+  const Spacing spacing = measureSpacing(tree);
+  report.median_spacing = spacing.median();
   const SizeConstraint size = settings.maximum_edge_length > 0
                                   ? SizeConstraint(tree, settings.maximum_edge_length)
-                                  : SizeConstraint(tree);
+                                  : SizeConstraint(tree, spacing);
   report.least_maximum_edge = size.least();
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
-  report.clusters = countClusters(tree, size);
-  timer.finish("clusters");
 
   GrowingMesh mesh(tree,
                    settings.is_single_view ? std::optional(settings.sensor_origin)
@@ -125,6 +125,8 @@ triangulate(const PointView& view,
     closeSmallHoles(tree, size, mesh);
   report.refused_moebius = mesh.refusedMoebius();
   timer.finish("last passes");
+  report.clusters = countClusters(tree, size, mesh.triangles());
+  timer.finish("clusters");
   TriangleMesh result = orientedMesh(
       tree, mesh, settings.sensor_origin, settings.compute_wall_depth, report);
   timer.finish("orientation");

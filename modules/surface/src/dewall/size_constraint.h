@@ -7,6 +7,8 @@
 
 namespace pcl::acmap::dewall {
 
+struct Spacing;
+
 /** \brief The paper's triangle size constraint, as a predicate over edges.
  *
  * Every leaf of the tree has its longest edge; an edge obeys both of its ends. */
@@ -16,7 +18,7 @@ public:
   SizeConstraint(const PointTree& tree, double maximum_edge_length);
 
   /** \brief From the spacing around each leaf. */
-  explicit SizeConstraint(const PointTree& tree);
+  SizeConstraint(const PointTree& tree, const Spacing& spacing);
 
   /** \brief Longest edge at tree point \a i, metres. */
   double
@@ -56,10 +58,5 @@ private:
   std::vector<double> longest_; ///< for each leaf, by its number among the nodes
   double least_ = 0, largest_ = 0;
 };
-
-/** \brief Median distance of a point to its nearest neighbour, metres, from two points
- * a leaf; 0 with fewer than two points. */
-double
-medianSpacing(const PointTree& tree);
 
 } // namespace pcl::acmap::dewall
