@@ -98,6 +98,18 @@ makeRandomBox(std::size_t size, std::uint64_t seed)
 }
 
 Cloud
+makeLattice(int side)
+{
+  Cloud cloud;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z)
+        cloud.push_back(
+            {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+  return cloud;
+}
+
+Cloud
 makeMoebiusBand(int around, int across, double radius, double width, std::uint64_t seed)
 {
   Random random(seed);

@@ -76,6 +76,10 @@ makeExactCircle(int radius, bool with_center);
 Cloud
 makeRandomBox(std::size_t size, std::uint64_t seed);
 
+/** \brief Every point of whole coordinates in a cube: ties and right angles only. */
+Cloud
+makeLattice(int side);
+
 /** \brief Jittered band of the given radius with half a turn in it. */
 Cloud
 makeMoebiusBand(

@@ -29,6 +29,8 @@ makeSmallCases()
     add("corner" + tail, makeCorner({8, 8, 1, 0.25, 0.1, seed}), 2.5);
     add("sparse" + tail, makeRandomBox(40, seed), 0.3);
   }
+  for (const std::uint64_t order : {131U, 185U})
+    add("lattice_" + std::to_string(order), permuted(makeLattice(5), order), 1.5);
   add("grid", makeGrid(12, 12, 0.25, ExactPlane::Level), 0.5);
   add("grid_inclined", makeGrid(12, 12, 0.25, ExactPlane::Inclined), 0.6);
   add("hexagonal_grid", makeHexagonalGrid(12, 12, 1), 1.5);
@@ -71,12 +73,14 @@ TEST_P(DeWallCompleteness, paperMeshTakesNoFurtherTriangle)
 {
   expectComplete(DeWallRule::Paper, 100000);
   expectComplete(DeWallRule::Paper, 16);
+  expectComplete(DeWallRule::Paper, 8);
 }
 
 TEST_P(DeWallCompleteness, denseMeshTakesNoFurtherTriangle)
 {
   expectComplete(DeWallRule::Dense, 100000);
   expectComplete(DeWallRule::Dense, 16);
+  expectComplete(DeWallRule::Dense, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Small,

@@ -41,9 +41,11 @@ void
 Refill::run()
 {
   workOff();
-  for (std::int32_t p1 = 0; p1 < tree_.size(); ++p1)
-    if (!mesh_.isUsed(p1))
-      startAt(p1);
+  // Where first triangles that keep the tie rule have failed, any empty sphere will do.
+  for (const Ties ties : {Ties::Matter, Ties::DoNotMatter})
+    for (std::int32_t p1 = 0; p1 < tree_.size(); ++p1)
+      if (!mesh_.isUsed(p1))
+        startAt(p1, ties);
   reconsider();
 }
 
@@ -160,7 +162,7 @@ Refill::unusedWithin(double radius,
 }
 
 void
-Refill::startAt(std::int32_t p1)
+Refill::startAt(std::int32_t p1, Ties ties)
 {
   const Eigen::Vector3d a = tree_.position(p1);
   std::vector<std::pair<double, std::int32_t>> unused;
@@ -176,7 +178,8 @@ Refill::startAt(std::int32_t p1)
       const std::int32_t p2 = unused[i].second, p3 = unused[j].second;
       const Eigen::Vector3d b = tree_.position(p2), c = tree_.position(p3);
       if (!size_.allows(p2, p3, (b - c).squaredNorm()) || isDegenerate(a, b, c) ||
-          !isFirstTriangle(tree_, size_, {p1, p2, p3}))
+          !(ties == Ties::Matter ? isFirstTriangle(tree_, size_, {p1, p2, p3})
+                                 : isSphereEmpty(tree_, {p1, p2, p3})))
         continue;
       mesh_.addSeed({p1, p2, p3}, TriangleMesh::no_wall);
       noteLastTriangle();

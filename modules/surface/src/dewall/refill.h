@@ -46,8 +46,10 @@ private:
   bool
   closeWith(const Side& side, std::int32_t apex);
 
+  enum class Ties { Matter, DoNotMatter };
+
   void
-  startAt(std::int32_t p1);
+  startAt(std::int32_t p1, Ties ties);
 
   std::vector<std::int32_t>
   apexesByDistance(const Side& side, const SideFrame& frame) const;
