@@ -1,9 +1,11 @@
+#include "consolidated_cloud.h"
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
 #include "scaled_cloud.h"
 #include "tool.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -14,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <map>
+#include <optional>
 
 namespace {
 
@@ -22,10 +25,14 @@ using namespace pcl::acmap;
 struct Options {
   std::string input;
   std::string output;
+  std::optional<double> voxel_size;
   double maximum_edge_length = 0;
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;
 };
+
+// reaches over the jitter of representatives
+constexpr double edges_of_voxel = 2.5;
 
 const std::map<std::string, pcl::DeWallRule> rules = {
     {"paper", pcl::DeWallRule::Paper}, {"dense", pcl::DeWallRule::Dense}};
@@ -40,10 +47,15 @@ addOptions(Tool& tool, Options& options)
   app.add_option("output", options.output, "Triangle mesh to write: .ply or .vtk")
       ->type_name("OUT")
       ->required();
+  tool.addLengthOrAuto("--consolidate",
+                       options.voxel_size,
+                       "First replace the points of each voxel by one on their plane; "
+                       "the voxel's edge in "
+                       "metres, or automatic from noise and spacing. For noisy clouds");
   app.add_option("--max-edge",
                  options.maximum_edge_length,
                  "No edge is longer, in metres [default: automatic, from the spacing "
-                 "around each point]")
+                 "around each point; 2.5 voxels of a consolidated cloud]")
       ->type_name("M")
       ->default_str("")
       ->check(positiveNumber().description(""));
@@ -72,24 +84,39 @@ checkPlaces(const Tool& tool, const Options& options)
     throw UsageError("--wall-depth needs an output that ends in .ply");
 }
 
-pcl::PointCloud<pcl::PointXYZ>::Ptr
-coordinatesOf(const pcl::PointCloudFile& file)
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+typedCloud(const pcl::PointCloudFile& file)
 {
-  const PointView view = file.points();
   // the class states 220 bytes a point; the copy comes on top
-  constexpr std::size_t bytes_per_point = 240;
-  requireMemory(view.size() * bytes_per_point, "triangulating this cloud");
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  cloud->reserve(view.size());
-  for (std::size_t i = 0; i < view.size(); ++i)
-    cloud->push_back(pcl::PointXYZ(view[i].x(), view[i].y(), view[i].z()));
+  constexpr std::size_t bytes_per_point = 220 + sizeof(PointT);
+  const std::size_t size = file.points().size();
+  requireMemory(size * bytes_per_point, "triangulating this cloud");
+  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
+  pcl::fromPCLPointCloud2(file.cloud, *cloud);
   // An organized cloud is known to come from one sensor.
   cloud->width = file.cloud.width;
   cloud->height = file.cloud.height;
   cloud->is_dense = false;
-  cloud->sensor_origin_.head<3>() = file.sensor_origin;
+  cloud->sensor_origin_.template head<3>() = file.sensor_origin;
   cloud->sensor_orientation_ = file.sensor_orientation;
   return cloud;
+}
+
+nlohmann::ordered_json
+jsonOf(const pcl::ConsolidationReport& report)
+{
+  return {{"points", report.points},
+          {"invalid_points", report.invalid_points},
+          {"distant_points", report.distant_points},
+          {"voxels", report.voxels},
+          {"representatives", report.representatives},
+          {"two_sided_voxels", report.two_sided_voxels},
+          {"narrowed_windows", report.narrowed_windows},
+          {"without_normal", report.without_normal},
+          {"voxel_size", report.voxel_size},
+          {"sigma", report.sigma},
+          {"residual", report.residual}};
 }
 
 nlohmann::ordered_json
@@ -120,15 +147,27 @@ percent(std::size_t part, std::size_t whole)
          " %";
 }
 
+bool
+hasNormals(const pcl::PointCloudFile& file)
+{
+  std::size_t found = 0;
+  for (const pcl::PCLPointField& field : file.cloud.fields)
+    for (const char* name : {"normal_x", "normal_y", "normal_z"})
+      found += field.name == name && field.datatype == pcl::PCLPointField::FLOAT32;
+  return found == 3;
+}
+
+template <typename PointT>
 pcl::DeWallReport
 triangulate(Tool& tool,
             const Options& options,
             const pcl::PointCloudFile& file,
+            double maximum_edge_length,
             pcl::TriangleMesh& mesh)
 {
-  pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
-  dewall.setInputCloud(coordinatesOf(file));
-  dewall.setMaximumEdgeLength(options.maximum_edge_length);
+  pcl::DeWallTriangulation<PointT> dewall;
+  dewall.setInputCloud(typedCloud<PointT>(file));
+  dewall.setMaximumEdgeLength(maximum_edge_length);
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
   dewall.setNumberOfThreads(tool.threads());
@@ -184,17 +223,58 @@ summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
   tool.tell("file", options.output);
 }
 
+/** Replaces the cloud by its consolidation. */
+pcl::ConsolidationReport
+consolidate(Tool& tool, const Options& options, pcl::PointCloudFile& file)
+{
+  pcl::ConsolidationReport report;
+  pcl::PointCloudFile result;
+  const std::vector<std::string> remarks = file.remarks;
+  tool.withProgress([&](const pcl::ProgressCallback& progress) {
+    result = consolidatedCloud(file,
+                               options.input,
+                               {*options.voxel_size, tool.threads(), tool.scale()},
+                               progress,
+                               report);
+  });
+  file = std::move(result);
+  file.remarks = remarks;
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tool.details()["consolidation"] = jsonOf(report);
+  for (const auto& [step, seconds] : report.seconds)
+    tool.details()["consolidation"]["seconds"][step] = seconds;
+  tool.tell("consolidated",
+            std::to_string(report.points) + " points to " +
+                std::to_string(report.representatives) + ", voxels of " +
+                shortNumber(report.voxel_size) + " m, noise " +
+                shortNumber(1000 * report.sigma) + " to about " +
+                shortNumber(1000 * report.residual) + " mm");
+  return report;
+}
+
 void
 meshCloud(Tool& tool, const Options& options)
 {
   checkPlaces(tool, options);
   StepTimer timer(tool.report());
-  const pcl::PointCloudFile file = loadScaledCloud(options.input, tool.scale());
+  pcl::PointCloudFile file = loadScaledCloud(options.input, tool.scale());
   timer.finish("read");
   tool.stopIfInterrupted();
 
+  double maximum_edge_length = options.maximum_edge_length;
+  if (options.voxel_size) {
+    const pcl::ConsolidationReport consolidation = consolidate(tool, options, file);
+    timer.finish("consolidate");
+    if (maximum_edge_length == 0)
+      maximum_edge_length = edges_of_voxel * consolidation.voxel_size;
+  }
   pcl::TriangleMesh mesh;
-  const pcl::DeWallReport report = triangulate(tool, options, file, mesh);
+  const pcl::DeWallReport report =
+      hasNormals(file)
+          ? triangulate<pcl::PointNormal>(
+                tool, options, file, maximum_edge_length, mesh)
+          : triangulate<pcl::PointXYZ>(tool, options, file, maximum_edge_length, mesh);
   timer.finish("triangulate");
   collectWarnings(tool, file, report);
   requireTriangles(tool, options, mesh.triangles.size());
@@ -203,8 +283,9 @@ meshCloud(Tool& tool, const Options& options)
   pcl::saveTriangleMesh(options.output, file.cloud, mesh);
   timer.finish("write");
 
-  tool.details() = {
-      {"input", options.input}, {"output", options.output}, {"report", jsonOf(report)}};
+  tool.details()["input"] = options.input;
+  tool.details()["output"] = options.output;
+  tool.details()["report"] = jsonOf(report);
   for (const auto& [step, seconds] : report.seconds)
     tool.details()["report"]["seconds"][step] = seconds;
   summarize(tool, options, report);

@@ -7,6 +7,7 @@ find_package(Eigen3 3.3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(yaml-cpp REQUIRED)
 
 # liblzf comes without a package file.
 find_path(LZF_INCLUDE_DIR liblzf/lzf.h REQUIRED)

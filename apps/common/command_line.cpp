@@ -36,6 +36,20 @@ withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app)
   return arguments;
 }
 
+std::vector<std::string>
+withAutomaticValue(std::vector<std::string> arguments, const std::string& name)
+{
+  const auto is_value = [](const std::string& text) {
+    double number = 0;
+    return text == "auto" || CLI::detail::lexical_cast(text, number);
+  };
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i)
+    if (arguments[i] == name &&
+        (i + 1 == arguments.size() || !is_value(arguments[i + 1])))
+      arguments[i] += "=auto";
+  return arguments;
+}
+
 CLI::Validator
 positiveNumber()
 {

@@ -15,6 +15,12 @@ namespace pcl::acmap {
 std::vector<std::string>
 withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app);
 
+/** \brief Gives an option whose value may be left out the value `auto` where what follows
+ * it is no value: a number or `auto`.
+ * \param[in] name of the option, with its dashes */
+std::vector<std::string>
+withAutomaticValue(std::vector<std::string> arguments, const std::string& name);
+
 /** \brief Lets finite numbers above zero pass. */
 CLI::Validator
 positiveNumber();

@@ -63,6 +63,27 @@ Tool::addScale()
       ->check(positiveNumber().description(""));
 }
 
+void
+Tool::addLengthOrAuto(const std::string& name,
+                      std::optional<double>& length,
+                      const std::string& description)
+{
+  automatic_options_.push_back(name);
+  app_.add_option_function<std::string>(
+          name,
+          [&length](const std::string& text) {
+            length = text == "auto" ? 0.0 : std::stod(text);
+          },
+          description)
+      ->type_name("[M|auto]")
+      ->default_str("")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return text == "auto" ? std::string() : positiveNumber()(text);
+          },
+          ""));
+}
+
 int
 Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
 {
@@ -94,6 +115,8 @@ Tool::parse(int argc, const char* const* argv)
   std::vector<std::string> arguments(command_line_.begin() + std::min(argc, 1),
                                      command_line_.end());
   arguments = withDoubleDashes(std::move(arguments), app_);
+  for (const std::string& name : automatic_options_)
+    arguments = withAutomaticValue(std::move(arguments), name);
   // CLI11 takes them from the back
   std::reverse(arguments.begin(), arguments.end());
   try {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,13 @@ public:
   /** \brief Adds `--scale`. */
   void
   addScale();
+
+  /** \brief Adds an option whose value is a length, `auto`, or left out.
+   * \param[out] length metres, 0 for automatic; not set where the option is not given */
+  void
+  addLengthOrAuto(const std::string& name,
+                  std::optional<double>& length,
+                  const std::string& description);
 
   /** \brief Parses, works, reports; what main returns.
    * \param[in] work throws what \ref failureOf knows */
@@ -119,6 +127,7 @@ private:
   CLI::App app_;
   unsigned threads_ = 0;
   double scale_ = 1.0;
+  std::vector<std::string> automatic_options_;
   std::string report_path_;
   bool quiet_ = false;
   std::vector<std::string> command_line_;

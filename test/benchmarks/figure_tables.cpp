@@ -7,6 +7,7 @@
 #include "foreign_holes.h"
 #include "greedy_projection.h"
 #include "obj_mesh.h"
+#include "statistics.h"
 #include "surface_distance.h"
 #include "test_data.h"
 
@@ -55,12 +56,6 @@ allMeshers()
            [](const FigureCloud& c) { return greedyProjection(c.cloud, c.spacing); }}};
 }
 
-double
-percent(std::size_t part, std::size_t whole)
-{
-  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0;
-}
-
 std::size_t
 countPlaces(const test::Points& points)
 {
@@ -68,13 +63,6 @@ countPlaces(const test::Points& points)
   for (const Eigen::Vector3d& p : points)
     places.insert({p.x(), p.y(), p.z()});
   return places.size();
-}
-
-double
-median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 void

@@ -1,5 +1,6 @@
 #include "clusters.h"
 #include "distinct_points.h"
+#include "facing.h"
 #include "oriented_mesh.h"
 #include "refill.h"
 #include "small_holes.h"
@@ -108,9 +109,10 @@ triangulate(const PointView& view,
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 
-  GrowingMesh mesh(tree,
-                   settings.is_single_view ? std::optional(settings.sensor_origin)
-                                           : std::nullopt);
+  const Facing facing = settings.is_single_view
+                            ? Facing::towards(tree, settings.sensor_origin)
+                            : Facing::byNormals(tree, settings.normals);
+  GrowingMesh mesh(tree, facing);
   Ticker ticker(progress, mesh, tree.size());
   const auto tick = [&] { ticker(); };
   Front front(tree, size, settings.rule, mesh, tick);
@@ -128,7 +130,7 @@ triangulate(const PointView& view,
   report.clusters = countClusters(tree, size, mesh.triangles());
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(
-      tree, mesh, settings.sensor_origin, settings.compute_wall_depth, report);
+      tree, mesh, facing, settings.sensor_origin, settings.compute_wall_depth, report);
   timer.finish("orientation");
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));

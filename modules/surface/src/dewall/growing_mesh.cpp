@@ -95,7 +95,7 @@ GrowingMesh::isOrientable(const Side& side,
                           const Edge* at_b)
 {
   const Demands all = demands(side, apex, at_a, at_b);
-  if (sensor_) // every component faces it already: none may be turned over
+  if (facing_.isKnown()) // all components face it already: none may be turned over
     return std::none_of(all.of.begin(),
                         all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
                         [](const Demands::Demand& demand) { return demand.flipped; });
@@ -107,19 +107,9 @@ GrowingMesh::isOrientable(const Side& side,
 }
 
 bool
-GrowingMesh::showsBack(const std::array<std::int32_t, 3>& corners) const
-{
-  if (!sensor_)
-    return false;
-  const Eigen::Vector3d a = tree_.position(corners[0]), b = tree_.position(corners[1]),
-                        c = tree_.position(corners[2]);
-  return (b - a).cross(c - a).dot(*sensor_ - a) < 0;
-}
-
-bool
 GrowingMesh::isContrary(const Side& side, std::int32_t apex)
 {
-  return showsBack({side.b, side.a, apex});
+  return facing_.shownArea(tree_, {side.b, side.a, apex}) < 0;
 }
 
 const Edge*
@@ -217,7 +207,7 @@ void
 GrowingMesh::addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth)
 {
   const auto [a, b, c] = corners;
-  const bool turned = showsBack(corners);
+  const bool turned = facing_.shownArea(tree_, corners) < 0;
   triangles_.push_back(
       {{a, turned ? c : b, turned ? b : c}, parity_.addComponent(), depth});
   put(triangles_.back());

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "edge_table.h"
+#include "facing.h"
 #include "parity_union.h"
 #include "point_tree.h"
 
 #include <array>
-#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -47,10 +47,9 @@ public:
     }
   };
 
-  /** \param[in] sensor the place from which every point was seen, if there is one */
-  GrowingMesh(const PointTree& tree, const std::optional<Eigen::Vector3d>& sensor)
+  GrowingMesh(const PointTree& tree, const Facing& facing)
   : tree_(tree)
-  , sensor_(sensor)
+  , facing_(facing)
   , edges_(tree.size())
   , vertices_(static_cast<std::size_t>(tree.size()))
   {}
@@ -59,8 +58,8 @@ public:
   Verdict
   judge(const Side& side, std::int32_t apex);
 
-  /** \brief Would triangle (b, a, apex) show its back to the sensor, or join components
-   * of which one does? False where no sensor is known. */
+  /** \brief Would triangle (b, a, apex) show its back to the side from which its points
+   * were seen? False where that is not known. */
   bool
   isContrary(const Side& side, std::int32_t apex);
 
@@ -75,7 +74,7 @@ public:
   void
   add(const Side& side, std::int32_t apex, std::uint8_t depth);
 
-  /** \brief Adds the first triangle of a component, turned towards the sensor. */
+  /** \brief Adds the first triangle of a component, turned to its face. */
   void
   addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth);
 
@@ -208,11 +207,8 @@ private:
   void
   forget(const std::vector<bool>& removed);
 
-  bool
-  showsBack(const std::array<std::int32_t, 3>& corners) const;
-
   const PointTree& tree_;
-  const std::optional<Eigen::Vector3d> sensor_;
+  const Facing& facing_;
   EdgeTable edges_;
   std::vector<Vertex> vertices_;
   std::vector<GrownTriangle> triangles_;

@@ -54,16 +54,19 @@ count(const PointTree& tree,
 TriangleMesh
 orientedMesh(const PointTree& tree,
              GrowingMesh& grown,
+             const Facing& facing,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report)
 {
   const std::vector<GrownTriangle>& triangles = grown.triangles();
   DisjointSets components = findComponents(tree, triangles);
-  std::vector<double> facing(static_cast<std::size_t>(tree.size()));
+  std::vector<double> shown(static_cast<std::size_t>(tree.size()));
   for (const GrownTriangle& triangle : triangles) {
-    const double area = areaFacing(tree, triangle.corners, sensor_origin);
-    facing[static_cast<std::size_t>(components.find(triangle.corners[0]))] +=
+    const double area = facing.isKnown()
+                            ? facing.shownArea(tree, triangle.corners)
+                            : areaFacing(tree, triangle.corners, sensor_origin);
+    shown[static_cast<std::size_t>(components.find(triangle.corners[0]))] +=
         grown.isFlipped(triangle) ? -area : area;
   }
   TriangleMesh mesh;
@@ -73,7 +76,7 @@ orientedMesh(const PointTree& tree,
     for (std::size_t i = 0; i < 3; ++i)
       corners[i] = tree.source(triangle.corners[i]);
     const bool turned =
-        facing[static_cast<std::size_t>(components.find(triangle.corners[0]))] < 0;
+        shown[static_cast<std::size_t>(components.find(triangle.corners[0]))] < 0;
     if (grown.isFlipped(triangle) != turned)
       std::swap(corners[1], corners[2]);
     mesh.triangles.push_back(corners);

@@ -9,11 +9,13 @@
 namespace pcl::acmap::dewall {
 
 /** \brief The grown triangles as a mesh of source indices, every component turned as a
- * whole towards the sensor (by projected area); fills the report's counts of the mesh.
+ * whole to its face where that is known, else towards the sensor (by projected area);
+ * fills the report's counts of the mesh.
  */
 TriangleMesh
 orientedMesh(const PointTree& tree,
              GrowingMesh& grown,
+             const Facing& facing,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report);

@@ -17,6 +17,10 @@ struct DeWallSettings {
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
   bool is_single_view = false; ///< every point was seen from there
 
+  /** Unit normals of the array under the points, off the side from which they were seen;
+   * empty: unknown. */
+  PointView normals;
+
   /** Halves of at most so many points are grown without a further wall. The mesh
    * depends on it, so it depends on nothing else. */
   std::int32_t leaf_size = 32768;

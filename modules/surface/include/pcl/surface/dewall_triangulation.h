@@ -18,7 +18,8 @@ namespace pcl {
  * built first, side by side, each new apex being the Delaunay-nearest point in the
  * half-space beyond the side's plane beta; then each half is treated alike with points
  * of its own. The mesh is open: it ends where the size constraint ends it. Vertices are
- * the input points, in their order. No normals are needed.
+ * the input points, in their order. No normals are needed; where the points have unit
+ * normals that mostly agree with their neighbours', the mesh is oriented by them.
  *
  * Every result of rules \c Paper and \c Dense has at most two triangles an edge, one
  * fan a vertex, no degenerate or doubled face, one orientation a component (towards

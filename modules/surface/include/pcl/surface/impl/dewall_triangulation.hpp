@@ -3,6 +3,7 @@
 #include <pcl/conversions.h>
 #include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/point_fields.h>
 #include <pcl/core/point_view.h>
 #include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_triangulation.h>
@@ -66,6 +67,10 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
                               sizeof(PointInT),
                               indices_->size(),
                               indices_->data());
+  if constexpr (acmap::has_normal<PointInT>)
+    if (!input_->empty())
+      settings.normals =
+          acmap::PointView(&input_->front().normal_x, sizeof(PointInT), input_->size());
   settings.is_single_view =
       input_->isOrganized() && indices_->size() == input_->size() &&
       acmap::isSingleView(view, input_->width, settings.sensor_origin);

@@ -1,0 +1,59 @@
+#!/bin/sh
+# Makes the pictures of the simulated corridor anew, beside this script.
+# usage: sh make_pictures.sh BIN_FOLDER    where the tools are, build/release/bin for one
+set -eu
+
+bin=${1:?usage: sh make_pictures.sh BIN_FOLDER}
+pictures=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# in_map X Y Z: from the corridor's axes (x right, y down, z ahead) to the first camera's,
+# which looks 30 degrees to the right.
+in_map() {
+  awk -v x="$1" -v y="$2" -v z="$3" 'BEGIN {
+    c = cos (atan2 (0, -1) / 6); s = 0.5
+    printf "%.3f %.3f %.3f", c * x - s * z, y, s * x + c * z }'
+}
+
+# picture MESH NAME SIZE EYE... LOOK... [OPTION...]: places in the corridor's axes.
+picture() {
+  mesh=$scratch/$1.ply name=$2 size=$3
+  from=$(in_map "$4" "$5" "$6") look=$(in_map "$7" "$8" "$9")
+  shift 9
+  xvfb-run -a -s "-screen 0 1280x960x24" "$bin/pcl_compact_viewer" "$mesh" --quiet "$@" \
+    --screenshot "$pictures/$name.png" --size "$size" --from $from --look $look --up 0 -1 0
+}
+
+# mesh CLOUD NAME [OPTION...]
+mesh() {
+  cloud=$scratch/$1.pcd name=$2
+  shift 2
+  echo "== $name $*"
+  "$bin/pcl_dewall_surface" "$cloud" "$scratch/$name.ply" "$@"
+}
+
+"$bin/pcl_simulated_rig" -o "$scratch/few" --observations 4 --clouds \
+  --merged "$scratch/few/map.pcd"
+"$bin/pcl_simulated_rig" -o "$scratch/many" --observations 24 --clouds \
+  --merged "$scratch/many/map.pcd"
+
+mesh few/observation_0000 view_raw
+mesh few/observation_0000 view --consolidate
+mesh few/observation_0000 view_small --consolidate 0.02
+mesh few/observation_0000 view_large --consolidate 0.2
+mesh few/map few_raw
+mesh few/map few --consolidate
+mesh many/map many --consolidate
+
+# noise does not compress: pairs that show some are small
+door="-0.9 -0.1 0.2 1.2 0.05 3.2"
+picture view_raw corridor_view_raw 432x288 $door --grey
+picture view corridor_view 432x288 $door --grey
+picture view_small corridor_voxel_small 432x288 $door --grey
+picture view_large corridor_voxel_large 432x288 $door --grey
+ahead="0 -0.1 0.4 0 0.15 6"
+picture few_raw corridor_raw 432x288 $ahead
+picture few corridor_consolidated 432x288 $ahead
+picture many corridor_inside 900x600 0 -0.1 1 0 0.15 8
+picture many corridor_door 900x600 -0.4 -0.1 1.9 1.2 0.25 3.1

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Where the sensor stood that saw a point: one place for all points, or the place
+ * of the observation that the point's field `view` names, or unknown.
+ *
+ * The companion of \ref PointView, with the same order of points. Metres, frame of the
+ * points. It owns the places but not the field. \ingroup core */
+class SensorView {
+public:
+  /** \brief Nothing is known. */
+  SensorView() = default;
+
+  /** \brief One sensor saw all points. */
+  explicit SensorView(const Eigen::Vector3f& origin)
+  : origins_{origin}
+  {}
+
+  /** \param[in] first address of the int32 `view` of the first point of the array
+   * \param[in] stride bytes from one point to the next
+   * \param[in] origins place of each observation
+   * \param[in] indices positions in the array, nullptr for all points in their order */
+  SensorView(const void* first,
+             std::size_t stride,
+             std::vector<Eigen::Vector3f> origins,
+             const std::int32_t* indices = nullptr)
+  : first_(static_cast<const char*>(first))
+  , stride_(stride)
+  , indices_(indices)
+  , origins_(std::move(origins))
+  {}
+
+  bool
+  isKnown() const
+  {
+    return !origins_.empty();
+  }
+
+  /** \brief Place of the sensor that saw point \a i of the view; nullptr where unknown. */
+  const Eigen::Vector3f*
+  operator[](std::size_t i) const
+  {
+    if (!first_)
+      return origins_.empty() ? nullptr : origins_.data();
+    const std::size_t place = indices_ ? static_cast<std::size_t>(indices_[i]) : i;
+    std::int32_t view;
+    std::memcpy(&view, first_ + stride_ * place, sizeof view);
+    return view >= 0 && static_cast<std::size_t>(view) < origins_.size()
+               ? &origins_[static_cast<std::size_t>(view)]
+               : nullptr;
+  }
+
+private:
+  const char* first_ = nullptr;
+  std::size_t stride_ = 0;
+  const std::int32_t* indices_ = nullptr;
+  std::vector<Eigen::Vector3f> origins_;
+};
+
+} // namespace pcl::acmap

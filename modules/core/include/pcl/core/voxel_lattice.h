@@ -1,0 +1,133 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_view.h>
+
+#include <array>
+#include <cstdint>
+
+namespace pcl::acmap {
+
+/** \brief A voxel and an octant of directions in 63 bits: 20 bits each of x, y, z, then 3
+ * of the octant. Ascending keys run along z fastest. */
+using VoxelKey = std::uint64_t;
+
+inline constexpr int voxel_axis_bits = 20;
+inline constexpr int octant_bits = 3;
+
+/** \brief A voxel's place in the lattice, counted from its far corner. */
+using VoxelPlace = std::array<std::int32_t, 3>;
+
+inline VoxelKey
+voxelKey(const VoxelPlace& place, unsigned octant = 0)
+{
+  return (static_cast<VoxelKey>(place[0]) << (2 * voxel_axis_bits + octant_bits)) |
+         (static_cast<VoxelKey>(place[1]) << (voxel_axis_bits + octant_bits)) |
+         (static_cast<VoxelKey>(place[2]) << octant_bits) | octant;
+}
+
+inline VoxelPlace
+placeOf(VoxelKey key)
+{
+  constexpr VoxelKey mask = (VoxelKey{1} << voxel_axis_bits) - 1;
+  return {
+      static_cast<std::int32_t>((key >> (2 * voxel_axis_bits + octant_bits)) & mask),
+      static_cast<std::int32_t>((key >> (voxel_axis_bits + octant_bits)) & mask),
+      static_cast<std::int32_t>((key >> octant_bits) & mask)};
+}
+
+inline unsigned
+octantOf(VoxelKey key)
+{
+  return static_cast<unsigned>(key & ((1u << octant_bits) - 1));
+}
+
+/** \brief The key without its octant: equal for all cells of a voxel. */
+inline VoxelKey
+voxelOf(VoxelKey key)
+{
+  return key >> octant_bits << octant_bits;
+}
+
+/** \brief Octant of the direction from a point to its sensor: a bit for each axis along
+ * which the sensor stands on the far side. */
+inline unsigned
+octantTowards(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor)
+{
+  return (sensor.x() > point.x() ? 4u : 0u) | (sensor.y() > point.y() ? 2u : 0u) |
+         (sensor.z() > point.z() ? 1u : 0u);
+}
+
+/** \brief A point's voxel, and its place inside in 2^-14 of an edge from the centre. */
+struct VoxelHit {
+  VoxelPlace place;
+  std::array<std::int32_t, 3> offset;
+};
+
+/** \brief Voxels whose corners are the multiples of their edge: clouds in one frame share
+ * them. It reaches 2^20 voxels along each axis, about the middle of the cloud it was made
+ * for. \ingroup core */
+class ACMAP_EXPORT VoxelLattice {
+public:
+  static constexpr int offset_bits = 14;
+
+  VoxelLattice() = default;
+
+  /** \param[in] points finite ones decide where the lattice lies
+   * \param[in] edge in metres, positive */
+  VoxelLattice(const PointView& points, double edge);
+
+  double
+  edge() const
+  {
+    return edge_;
+  }
+
+  /** \brief The lattice of twice the edge in which voxel (x, y, z) is part of
+   * (x / 2, y / 2, z / 2), for up to six doublings. */
+  VoxelLattice
+  coarser() const;
+
+  /** \return false for points that are not finite or out of reach */
+  bool
+  locate(const Eigen::Vector3f& point, VoxelHit& hit) const
+  {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double ticks = static_cast<double>(point[axis]) * scale_ + shift_[axis];
+      if (!(ticks >= least_ticks && ticks < most_ticks))
+        return false;
+      const auto whole = static_cast<std::int64_t>(ticks);
+      hit.place[axis] = static_cast<std::int32_t>(whole >> offset_bits);
+      hit.offset[axis] = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
+                         (1 << (offset_bits - 1));
+    }
+    return true;
+  }
+
+  /** \brief Centre of a voxel, metres. */
+  Eigen::Vector3d
+  center(const VoxelPlace& place) const
+  {
+    Eigen::Vector3d result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = (static_cast<double>(place[axis] + first_[axis]) + 0.5) * edge_;
+    return result;
+  }
+
+private:
+  void
+  derive();
+
+  // a margin of voxels all round lets windows step over the rim
+  static constexpr double margin = 8;
+  static constexpr double least_ticks = margin * (1 << offset_bits);
+  static constexpr double most_ticks =
+      ((1 << voxel_axis_bits) - margin) * (1 << offset_bits);
+
+  double edge_ = 1;
+  std::array<std::int64_t, 3> first_{}; // lattice place 0 in multiples of the edge
+  double scale_ = 0;                    // ticks in a metre
+  std::array<double, 3> shift_{};       // ticks
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <cstring>
+
+namespace pcl::acmap {
+
+/** \brief Chooses about \a wanted of \a size points by their coordinates alone, so that
+ * their order does not matter; equal points share their fate. */
+class PointSample {
+public:
+  PointSample(std::size_t size, std::size_t wanted)
+  : share_(size <= wanted ? 1.0
+                          : static_cast<double>(wanted) / static_cast<double>(size))
+  {}
+
+  bool
+  holds(const Eigen::Vector3f& point) const
+  {
+    if (share_ == 1.0)
+      return true;
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::uint32_t bits;
+      std::memcpy(&bits, &point[axis], sizeof bits);
+      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return static_cast<double>(hash >> 11) * 0x1.0p-53 < share_;
+  }
+
+private:
+  double share_;
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief The shortest text that reads back as the same number, in any locale. */
+template <typename Real>
+std::string
+textOf(Real value)
+{
+  std::array<char, 40> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+} // namespace pcl::acmap

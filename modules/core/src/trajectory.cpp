@@ -1,0 +1,120 @@
+#include <pcl/core/trajectory.h>
+
+#include "byte_source.h"
+#include "number_text.h"
+#include "text_number.h"
+
+#include <pcl/core/output_file.h>
+
+#include <array>
+#include <cmath>
+
+namespace pcl {
+
+namespace {
+
+constexpr double rotation_slack = 0.01; // of a length that should be 1
+constexpr double motion_slack = 1e-6;
+
+using Row = std::array<double, 8>; // stamp tx ty tz qx qy qz qw
+
+Row
+readRow(std::string_view line, const acmap::ByteSource& source)
+{
+  Row row{};
+  std::size_t count = 0;
+  acmap::Words words(line);
+  for (std::string_view word; words.next(word); ++count) {
+    double value = 0;
+    if (!acmap::parseNumber(word, value) || !std::isfinite(value))
+      source.failAtLine(acmap::quoted(word) + " is no finite number");
+    if (count < row.size())
+      row[count] = value;
+  }
+  if (count != row.size())
+    source.failAtLine("has " + std::to_string(count) +
+                      " numbers, 8 are needed: stamp tx ty tz qx qy qz qw");
+  return row;
+}
+
+void
+appendRow(const Row& row, const acmap::ByteSource& source, Trajectory& trajectory)
+{
+  const Eigen::Quaterniond rotation(row[7], row[4], row[5], row[6]);
+  const double length = rotation.norm();
+  if (!(std::abs(length - 1.0) <= rotation_slack))
+    source.failAtLine("the quaternion has length " + acmap::textOf(length) +
+                      ", that of a rotation has 1");
+  Eigen::Isometry3d pose(rotation.normalized());
+  pose.translation() = Eigen::Vector3d(row[1], row[2], row[3]);
+  trajectory.stamps.push_back(row[0]);
+  trajectory.poses.push_back(pose);
+}
+
+bool
+isRigid(const Eigen::Isometry3d& pose)
+{
+  const Eigen::Matrix3d rotation = pose.linear();
+  return pose.matrix().allFinite() && rotation.isUnitary(motion_slack) &&
+         rotation.determinant() > 0.0;
+}
+
+std::string
+textOfRow(double stamp, const Eigen::Isometry3d& pose)
+{
+  Eigen::Quaterniond rotation(pose.linear());
+  rotation.normalize();
+  if (rotation.w() < 0.0)
+    rotation.coeffs() = -rotation.coeffs();
+  const Eigen::Vector3d place = pose.translation();
+  std::string text = acmap::textOf(stamp);
+  for (const double value : {place.x(),
+                             place.y(),
+                             place.z(),
+                             rotation.x(),
+                             rotation.y(),
+                             rotation.z(),
+                             rotation.w()})
+    text += " " + acmap::textOf(value + 0.0); // no -0
+  return text + "\n";
+}
+
+} // namespace
+
+Trajectory
+loadTrajectory(const std::string& path)
+{
+  acmap::ByteSource source(path);
+  Trajectory trajectory;
+  for (std::string_view line; source.readLine(line);) {
+    line = line.substr(0, line.find('#'));
+    std::string_view word;
+    if (acmap::Words(line).next(word))
+      appendRow(readRow(line, source), source, trajectory);
+  }
+  if (trajectory.poses.empty())
+    source.fail("has no row of stamp tx ty tz qx qy qz qw");
+  return trajectory;
+}
+
+void
+saveTrajectory(const std::string& path, const Trajectory& trajectory)
+{
+  if (trajectory.stamps.size() != trajectory.poses.size())
+    throw BadArgumentException("a trajectory of " +
+                               std::to_string(trajectory.poses.size()) + " poses has " +
+                               std::to_string(trajectory.stamps.size()) + " stamps");
+  std::string text = "# stamp tx ty tz qx qy qz qw (T_map_camera; seconds, metres)\n";
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+    if (!std::isfinite(trajectory.stamps[i]) || !isRigid(trajectory.poses[i]))
+      throw BadArgumentException("pose " + std::to_string(i) +
+                                 " of a trajectory is no rigid motion, or its stamp "
+                                 "is not finite");
+    text += textOfRow(trajectory.stamps[i], trajectory.poses[i]);
+  }
+  acmap::OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+} // namespace pcl

@@ -1,0 +1,92 @@
+#include <pcl/core/trinocular_rig.h>
+
+#include "number_text.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/output_file.h>
+
+#include <vector>
+
+namespace pcl {
+
+namespace {
+
+constexpr int most_pixels = 32768; // a side
+constexpr double longest_focal_length = 1e6;
+constexpr double farthest_center = 1e6;
+constexpr double longest_baseline = 100.0;
+constexpr double largest_disparity_sigma = 1000.0;
+
+/** \brief A real value of a rig and what is legal for it. */
+struct RealKey {
+  const char* name;
+  double TrinocularRig::*value;
+  double least;
+  double most;
+  const char* unit;
+};
+
+const std::vector<RealKey>&
+realKeys()
+{
+  using Rig = TrinocularRig;
+  static const std::vector<RealKey> keys = {
+      {"focal_length", &Rig::focal_length, 1.0, longest_focal_length, "px"},
+      {"center_x", &Rig::center_x, -farthest_center, farthest_center, "px"},
+      {"center_y", &Rig::center_y, -farthest_center, farthest_center, "px"},
+      {"baseline_horizontal",
+       &Rig::baseline_horizontal,
+       -longest_baseline,
+       longest_baseline,
+       "m"},
+      {"baseline_vertical",
+       &Rig::baseline_vertical,
+       -longest_baseline,
+       longest_baseline,
+       "m"},
+      {"disparity_sigma", &Rig::disparity_sigma, 0.0, largest_disparity_sigma, "px"}};
+  return keys;
+}
+
+} // namespace
+
+void
+requireSoundRig(const TrinocularRig& rig)
+{
+  acmap::requireInRange("width", rig.width, 1, most_pixels, "px");
+  acmap::requireInRange("height", rig.height, 1, most_pixels, "px");
+  for (const RealKey& key : realKeys())
+    acmap::requireInRange(key.name, rig.*key.value, key.least, key.most, key.unit);
+}
+
+TrinocularRig
+loadTrinocularRig(const std::string& path)
+{
+  return acmap::readTrinocularRig(acmap::loadYaml(path));
+}
+
+TrinocularRig
+acmap::readTrinocularRig(const YamlNode& map)
+{
+  TrinocularRig rig;
+  rig.width = static_cast<int>(map.at("width").count(1, most_pixels));
+  rig.height = static_cast<int>(map.at("height").count(1, most_pixels));
+  for (const RealKey& key : realKeys())
+    rig.*key.value = map.at(key.name).number(key.least, key.most);
+  return rig;
+}
+
+void
+saveTrinocularRig(const std::string& path, const TrinocularRig& rig)
+{
+  requireSoundRig(rig);
+  std::string text = "%YAML:1.0\n---\nwidth: " + std::to_string(rig.width) +
+                     "\nheight: " + std::to_string(rig.height) + "\n";
+  for (const RealKey& key : realKeys())
+    text += std::string(key.name) + ": " + acmap::textOf(rig.*key.value) + "\n";
+  acmap::OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+} // namespace pcl

@@ -1,0 +1,214 @@
+#include "voxels/cell_sums.h"
+
+#include <pcl/core/parallel.h>
+
+#include <numeric>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** The sums of one stretch of the points. */
+struct Stretch {
+  CellTable table;
+  std::size_t invalid = 0;
+  std::size_t distant = 0;
+};
+
+class Summation {
+public:
+  Summation(const PointView& points,
+            const SensorView& sensors,
+            const ColorView& colors,
+            const VoxelLattice& lattice)
+  : points_(points)
+  , sensors_(sensors)
+  , colors_(colors)
+  , lattice_(lattice)
+  {}
+
+  void
+  sum(std::size_t begin, std::size_t end, Stretch& stretch) const
+  {
+    VoxelKey last_key = ~VoxelKey{0};
+    std::size_t cell = 0;
+    const auto steps = static_cast<float>(way_steps / lattice_.edge());
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3f point = points_[i];
+      VoxelHit hit;
+      if (!lattice_.locate(point, hit)) {
+        ++(point.allFinite() ? stretch.distant : stretch.invalid);
+        continue;
+      }
+      const Eigen::Vector3f* sensor = sensors_[i];
+      const VoxelKey key =
+          voxelKey(hit.place, sensor ? octantTowards(point, *sensor) : 0);
+      if (key != last_key)
+        cell = stretch.table.find(key);
+      last_key = key;
+      const Eigen::Vector3f way =
+          sensor ? Eigen::Vector3f(*sensor - point) : Eigen::Vector3f::Zero();
+      const float range = way.norm();
+      CellSums& sums = stretch.table.cells[cell];
+      if (sums.count == 0) {
+        sums.witness = static_cast<std::int32_t>(i);
+        sums.range = range;
+      }
+      sums.offerWitness(static_cast<std::int32_t>(i), range);
+      sums.add(hit);
+      if (sensor)
+        sums.addWay(way * steps);
+      if (colors_)
+        addColor(i, cell, stretch.table.colors);
+    }
+  }
+
+private:
+  void
+  addColor(std::size_t i, std::size_t cell, std::vector<ColorSum>& sums) const
+  {
+    std::uint32_t packed;
+    const auto place = static_cast<std::size_t>(points_.index(i));
+    std::memcpy(&packed,
+                static_cast<const char*>(colors_.first) + colors_.stride * place,
+                sizeof packed);
+    if (cell >= sums.size())
+      sums.resize(cell + 1);
+    sums[cell].red += (packed >> 16) & 0xff;
+    sums[cell].green += (packed >> 8) & 0xff;
+    sums[cell].blue += packed & 0xff;
+  }
+
+  const PointView& points_;
+  const SensorView& sensors_;
+  const ColorView& colors_;
+  const VoxelLattice& lattice_;
+};
+
+/** As many stretches as threads: the sums are exact, so their number does not show. */
+std::vector<Stretch>
+sumStretches(const Summation& summation, std::size_t size)
+{
+  constexpr std::size_t worth_a_thread = std::size_t{1} << 18;
+  const auto threads =
+      static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
+  const std::size_t count = std::clamp<std::size_t>(size / worth_a_thread, 1, threads);
+  std::vector<Stretch> stretches(count);
+  oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    summation.sum(size * k / count, size * (k + 1) / count, stretches[k]);
+  });
+  return stretches;
+}
+
+/** Where a cell of a stretch stands. */
+struct CellPlace {
+  VoxelKey key;
+  std::uint32_t stretch;
+  std::uint32_t cell;
+};
+
+std::vector<CellPlace>
+sortedPlaces(const std::vector<Stretch>& stretches)
+{
+  std::vector<CellPlace> places;
+  for (std::uint32_t s = 0; s < stretches.size(); ++s) {
+    const auto& cells = stretches[s].table.cells;
+    for (std::uint32_t c = 0; c < cells.size(); ++c)
+      places.push_back({cells[c].key, s, c});
+  }
+  std::sort(places.begin(), places.end(), [](const CellPlace& a, const CellPlace& b) {
+    return a.key != b.key ? a.key < b.key : a.stretch < b.stretch;
+  });
+  return places;
+}
+
+void
+joinStretches(const std::vector<Stretch>& stretches, VoxelMoments& voxels)
+{
+  const std::vector<CellPlace> places = sortedPlaces(stretches);
+  voxels.cells.reserve(places.size());
+  voxels.colors.reserve(places.size());
+  for (std::size_t begin = 0, end; begin < places.size(); begin = end) {
+    CellSums sums = stretches[places[begin].stretch].table.cells[places[begin].cell];
+    ColorSum color;
+    for (end = begin; end < places.size() && places[end].key == sums.key; ++end) {
+      const CellTable& table = stretches[places[end].stretch].table;
+      if (end > begin)
+        sums.join(table.cells[places[end].cell]);
+      if (table.colors.empty())
+        continue;
+      const ColorSum& more = table.colors[places[end].cell];
+      color.red += more.red;
+      color.green += more.green;
+      color.blue += more.blue;
+    }
+    voxels.cells.push_back(toVoxelCell(sums, voxels.lattice.edge()));
+    voxels.colors.push_back(color);
+  }
+}
+
+} // namespace
+
+VoxelMoments
+sumVoxels(const PointView& points,
+          const SensorView& sensors,
+          double edge,
+          unsigned threads,
+          const ColorView& colors)
+{
+  return withThreads(threads, [&] {
+    VoxelMoments voxels;
+    voxels.lattice = VoxelLattice(points, edge);
+    const Summation summation(points, sensors, colors, voxels.lattice);
+    const std::vector<Stretch> stretches = sumStretches(summation, points.size());
+    joinStretches(stretches, voxels);
+    if (!colors)
+      voxels.colors.clear();
+    for (const Stretch& stretch : stretches) {
+      voxels.invalid_points += stretch.invalid;
+      voxels.distant_points += stretch.distant;
+    }
+    return voxels;
+  });
+}
+
+VoxelMoments
+coarserVoxels(const VoxelMoments& fine)
+{
+  VoxelMoments coarse;
+  coarse.lattice = fine.lattice.coarser();
+  coarse.invalid_points = fine.invalid_points;
+  coarse.distant_points = fine.distant_points;
+  std::vector<std::pair<VoxelKey, std::size_t>> order;
+  order.reserve(fine.cells.size());
+  for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+    VoxelPlace place = placeOf(fine.cells[c].key);
+    for (std::int32_t& coordinate : place)
+      coordinate /= 2;
+    order.emplace_back(voxelKey(place), c);
+  }
+  std::sort(order.begin(), order.end());
+  for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
+    VoxelCell& cell = coarse.cells.emplace_back(fine.cells[order[begin].second]);
+    cell.key = order[begin].first;
+    Moments sum; // in edges of the fine voxels
+    for (end = begin; end < order.size() && order[end].first == cell.key; ++end) {
+      const VoxelCell& part = fine.cells[order[end].second];
+      const VoxelPlace place = placeOf(part.key);
+      sum.addShifted(part.moments,
+                     (place[0] & 1) - 0.5,
+                     (place[1] & 1) - 0.5,
+                     (place[2] & 1) - 0.5);
+      if (part.range < cell.range ||
+          (part.range == cell.range && part.witness < cell.witness)) {
+        cell.range = part.range;
+        cell.witness = part.witness;
+      }
+    }
+    cell.moments = sum.scaled(0.5);
+    cell.way.setZero();
+  }
+  return coarse;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,109 @@
+#include <pcl/core/yaml_node.h>
+
+#include "text_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl::acmap {
+
+const YamlNode*
+YamlNode::find(const std::string& key) const
+{
+  const auto& known = keys();
+  const auto at = std::find_if(
+      known.begin(), known.end(), [&](const auto& k) { return k.text_ == key; });
+  return at == known.end() ? nullptr : &values_[std::size_t(at - known.begin())];
+}
+
+const YamlNode&
+YamlNode::at(const std::string& key) const
+{
+  const YamlNode* const value = find(key);
+  if (!value)
+    fail("key " + quoted(key) + " is missing");
+  return *value;
+}
+
+const std::vector<YamlNode>&
+YamlNode::keys() const
+{
+  if (kind_ != Kind::map)
+    fail("a map of keys and values is needed here");
+  return keys_;
+}
+
+void
+YamlNode::requireKeys(const std::vector<std::string>& known) const
+{
+  for (const YamlNode& key : keys()) {
+    if (std::find(known.begin(), known.end(), key.text_) != known.end())
+      continue;
+    std::string list;
+    for (const std::string& name : known)
+      list += (list.empty() ? "" : ", ") + name;
+    key.fail("key " + quoted(key.text_) + " is not known here; known are " + list);
+  }
+}
+
+const std::vector<YamlNode>&
+YamlNode::list(std::size_t least, std::size_t most) const
+{
+  if (kind_ == Kind::list && values_.size() >= least && values_.size() <= most)
+    return values_;
+  const std::string length =
+      least == most ? std::to_string(least)
+                    : std::to_string(least) + " to " + std::to_string(most);
+  fail("a list of " + length + " values is needed here" +
+       (kind_ == Kind::list ? ", not of " + std::to_string(values_.size()) : ""));
+}
+
+const std::string&
+YamlNode::text() const
+{
+  if (kind_ != Kind::scalar || text_.empty())
+    fail("a single value is needed here");
+  return text_;
+}
+
+double
+YamlNode::number(double least, double most) const
+{
+  double value = 0;
+  if (parseNumber(text(), value) && std::isfinite(value) && value >= least &&
+      value <= most)
+    return value;
+  std::ostringstream fault;
+  fault << quoted(text_) << " is refused: a number within [" << least << ", " << most
+        << "] is needed here";
+  fail(fault.str());
+}
+
+std::size_t
+YamlNode::count(std::size_t least, std::size_t most) const
+{
+  std::uint64_t value = 0;
+  if (parseCount(text(), value) && value >= least && value <= most)
+    return static_cast<std::size_t>(value);
+  fail(quoted(text_) + " is refused: a whole number within [" + std::to_string(least) +
+       ", " + std::to_string(most) + "] is needed here");
+}
+
+bool
+YamlNode::boolean() const
+{
+  if (text() != "true" && text_ != "false")
+    fail(quoted(text_) + " is refused: true or false is needed here");
+  return text_ == "true";
+}
+
+void
+YamlNode::fail(const std::string& fault) const
+{
+  throw InputFileException(*file_ + ": line " + std::to_string(line_) + ", column " +
+                           std::to_string(column_) + ": " +
+                           (name_.empty() ? "" : name_ + ": ") + fault);
+}
+
+} // namespace pcl::acmap

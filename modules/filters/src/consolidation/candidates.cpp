@@ -1,0 +1,107 @@
+#include "consolidation/candidates.h"
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** The cells of a voxel that lie on one surface, summed up. */
+struct OwnPoints {
+  Moments moments;
+  std::int32_t witness = 0;
+  float range = std::numeric_limits<float>::infinity();
+};
+
+OwnPoints
+ownPoints(const VoxelWindows& windows, std::size_t voxel, unsigned octants)
+{
+  OwnPoints own;
+  const VoxelMoments& voxels = windows.voxels();
+  for (std::size_t c = windows.firstCell(voxel); c < windows.firstCell(voxel + 1);
+       ++c) {
+    const VoxelCell& cell = voxels.cells[c];
+    if (!(octants >> octantOf(cell.key) & 1))
+      continue;
+    own.moments += cell.moments;
+    if (cell.range < own.range ||
+        (cell.range == own.range && cell.witness < own.witness)) {
+      own.range = cell.range;
+      own.witness = cell.witness;
+    }
+  }
+  return own;
+}
+
+class CandidateMaker {
+public:
+  CandidateMaker(const VoxelWindows& windows, const SensorView& sensors)
+  : windows_(windows)
+  , sensors_(sensors)
+  {}
+
+  Candidate
+  make(std::size_t voxel, const SurfaceFit& fit) const
+  {
+    const OwnPoints own = ownPoints(windows_, voxel, fit.octants);
+    const VoxelLattice& lattice = windows_.voxels().lattice;
+    const Eigen::Vector3d mean = own.moments.mean();
+    const Eigen::Vector3d normal = fit.normal.cast<double>();
+    const double move = (fit.mean.cast<double>() - mean).dot(normal);
+    const Eigen::Vector3d place = mean + move * normal;
+
+    Candidate candidate;
+    candidate.voxel = static_cast<std::uint32_t>(voxel);
+    candidate.octants = fit.octants;
+    candidate.strayed =
+        place.cwiseAbs().maxCoeff() <= 0.5 ? 0.0f : static_cast<float>(std::abs(move));
+    Representative& representative = candidate.representative;
+    const VoxelKey key = windows_.voxels().cells[windows_.firstCell(voxel)].key;
+    representative.point =
+        (lattice.center(placeOf(key)) + place * lattice.edge()).cast<float>();
+    representative.witness = own.witness;
+    representative.curvature = fit.curvature;
+    representative.normal = orient(fit.normal, representative);
+    return candidate;
+  }
+
+private:
+  Eigen::Vector3f
+  orient(const Eigen::Vector3f& normal, const Representative& representative) const
+  {
+    if (normal.isZero())
+      return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    const Eigen::Vector3f* sensor =
+        sensors_[static_cast<std::size_t>(representative.witness)];
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    const float side =
+        sensor ? normal.dot(*sensor - representative.point) : normal[axis];
+    return side < 0 ? Eigen::Vector3f(-normal) : normal;
+  }
+
+  const VoxelWindows& windows_;
+  const SensorView& sensors_;
+};
+
+} // namespace
+
+std::vector<Candidate>
+makeCandidates(const VoxelWindows& windows,
+               const SurfaceFits& fits,
+               const SensorView& sensors)
+{
+  const CandidateMaker maker(windows, sensors);
+  std::vector<Candidate> candidates;
+  candidates.reserve(windows.size() + fits.second.size());
+  auto second = fits.second.begin();
+  for (std::size_t v = 0; v < windows.size(); ++v) {
+    candidates.push_back(maker.make(v, fits.first[v]));
+    if (second != fits.second.end() && second->first == v)
+      candidates.push_back(maker.make(v, (second++)->second));
+  }
+  return candidates;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,87 @@
+#include "consolidation/sources.h"
+
+#include <pcl/core/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+std::vector<std::int32_t>
+representativesOfCells(const VoxelWindows& windows,
+                       const std::vector<Candidate>& candidates,
+                       const Thinning& thinning)
+{
+  const auto& cells = windows.voxels().cells;
+  std::vector<std::int32_t> of_cell(cells.size());
+  std::size_t first = 0;
+  for (std::size_t v = 0; v < windows.size(); ++v) {
+    std::size_t last = first;
+    while (last < candidates.size() && candidates[last].voxel == v)
+      ++last;
+    for (std::size_t c = windows.firstCell(v); c < windows.firstCell(v + 1); ++c) {
+      of_cell[c] = thinning.stand_in[first];
+      for (std::size_t k = first; k < last; ++k)
+        if (candidates[k].octants >> octantOf(cells[c].key) & 1)
+          of_cell[c] = thinning.stand_in[k];
+    }
+    first = last;
+  }
+  return of_cell;
+}
+
+void
+setMeanColors(const VoxelMoments& voxels,
+              const std::vector<std::int32_t>& of_cell,
+              std::vector<Representative>& representatives)
+{
+  if (voxels.colors.empty())
+    return;
+  std::vector<ColorSum> sums(representatives.size());
+  std::vector<double> counts(representatives.size());
+  for (std::size_t c = 0; c < voxels.colors.size(); ++c) {
+    const auto r = static_cast<std::size_t>(of_cell[c]);
+    sums[r].red += voxels.colors[c].red;
+    sums[r].green += voxels.colors[c].green;
+    sums[r].blue += voxels.colors[c].blue;
+    counts[r] += voxels.cells[c].moments.count;
+  }
+  for (std::size_t r = 0; r < representatives.size(); ++r) {
+    const auto mean = [&](std::uint64_t sum) {
+      return static_cast<std::uint8_t>(
+          std::lround(static_cast<double>(sum) / counts[r]));
+    };
+    representatives[r].color = {
+        mean(sums[r].red), mean(sums[r].green), mean(sums[r].blue)};
+  }
+}
+
+std::vector<std::int32_t>
+representativesOf(const PointView& points,
+                  const SensorView& sensors,
+                  const VoxelMoments& voxels,
+                  const std::vector<std::int32_t>& of_cell)
+{
+  const auto& cells = voxels.cells;
+  const VoxelLattice& lattice = voxels.lattice;
+  std::vector<std::int32_t> result(points.size(), -1);
+  parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      VoxelHit hit;
+      const Eigen::Vector3f point = points[i];
+      if (!lattice.locate(point, hit))
+        continue;
+      const Eigen::Vector3f* sensor = sensors[i];
+      const VoxelKey key =
+          voxelKey(hit.place, sensor ? octantTowards(point, *sensor) : 0);
+      const auto cell = std::lower_bound(
+          cells.begin(), cells.end(), key, [](const VoxelCell& c, VoxelKey least) {
+            return c.key < least;
+          });
+      result[i] = of_cell[static_cast<std::size_t>(cell - cells.begin())];
+    }
+  });
+  return result;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,118 @@
+#include "consolidation/surface_fit.h"
+
+#include "consolidation/window_planes.h"
+
+#include <pcl/core/parallel.h>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** The noise of a voxel's window as one octant of sensors saw it: the far side of a thin
+ * wall adds nothing. */
+void
+sampleNoise(const VoxelMoments& voxels,
+            std::size_t first_cell,
+            const std::vector<WindowPart>& parts,
+            std::vector<PlaneNoise>& samples)
+{
+  const unsigned octant = octantOf(voxels.cells[first_cell].key);
+  std::vector<WindowPart> seen_alike;
+  for (const WindowPart& part : parts)
+    if (octantOf(voxels.cells[part.cell].key) == octant)
+      seen_alike.push_back(part);
+  const PlaneFit fit =
+      widestPlane(voxels, seen_alike, [](const WindowPart&) { return true; });
+  if (fit.isPlanar())
+    samples.push_back(noiseOf(voxels,
+                              seen_alike,
+                              fit.normal.cast<float>(),
+                              static_cast<float>(thicknessOf(fit))));
+}
+
+NoiseProfile
+fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
+{
+  fits.resize(windows.size());
+  const VoxelMoments& voxels = windows.voxels();
+  using Samples = std::vector<PlaneNoise>;
+  Samples samples = parallelReduceChunks(
+      windows.size(),
+      Samples{},
+      [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t voxels_a_sample = 4;
+        Samples chunk;
+        VoxelWindows::Cursor cursor(windows, 2);
+        for (std::size_t v = begin; v < end; ++v) {
+          const std::vector<WindowPart>& parts = cursor.moveTo(v);
+          SurfaceFit& fit = fits[v];
+          fit = toSurfaceFit(
+              widestPlane(voxels, parts, [](const WindowPart&) { return true; }));
+          fit.noise = noiseOf(voxels, parts, fit.normal, fit.thickness);
+          if (v % voxels_a_sample == 0)
+            sampleNoise(voxels, windows.firstCell(v), parts, chunk);
+        }
+        return chunk;
+      },
+      [](Samples& all, const Samples& next) {
+        all.insert(all.end(), next.begin(), next.end());
+      });
+  return NoiseProfile(samples);
+}
+
+/** What a chunk of voxels adds to the surfaces. */
+struct Refinement {
+  std::vector<std::pair<std::uint32_t, SurfaceFit>> second;
+  std::size_t narrowed = 0;
+};
+
+void
+refineVoxel(const VoxelWindows& windows,
+            std::size_t voxel,
+            const std::vector<WindowPart>& parts,
+            const NoiseProfile& noise,
+            SurfaceFit& fit,
+            Refinement& refinement)
+{
+  const SidesOfVoxel sides = separateSides(windows.voxels(), parts, noise, fit);
+  if (sides.found) {
+    fit = sides.first;
+    if (sides.has_second)
+      refinement.second.emplace_back(static_cast<std::uint32_t>(voxel), sides.second);
+  }
+  else if (narrowPlane(windows.voxels(), parts, noise, fit))
+    ++refinement.narrowed;
+}
+
+} // namespace
+
+SurfaceFits
+fitSurfaces(const VoxelWindows& windows, NoiseProfile& noise)
+{
+  SurfaceFits fits;
+  noise = fitWidest(windows, fits.first);
+  Refinement all = parallelReduceChunks(
+      windows.size(),
+      Refinement{},
+      [&](std::size_t begin, std::size_t end) {
+        Refinement chunk;
+        VoxelWindows::Cursor cursor(windows, 2);
+        for (std::size_t v = begin; v < end; ++v) {
+          SurfaceFit& fit = fits.first[v];
+          if (fit.thickness > thick_factor * noise.expectedThickness(fit.noise))
+            refineVoxel(windows, v, cursor.moveTo(v), noise, fit, chunk);
+        }
+        return chunk;
+      },
+      [](Refinement& sum, const Refinement& next) {
+        sum.second.insert(sum.second.end(), next.second.begin(), next.second.end());
+        sum.narrowed += next.narrowed;
+      });
+  fits.second = std::move(all.second);
+  fits.narrowed = all.narrowed;
+  return fits;
+}
+
+} // namespace pcl::acmap

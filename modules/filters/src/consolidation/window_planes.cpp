@@ -1,0 +1,189 @@
+#include "consolidation/window_planes.h"
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double enough_points = 6;
+
+/** Has it a normal at all, other than points on a line or in one place? */
+bool
+isSurface(const PlaneFit& fit)
+{
+  constexpr double least_width = 1e-3; // of its length, as variances; and edges^2
+  return fit.count >= 3 && fit.variances[1] > least_width * fit.variances[2] &&
+         fit.variances[1] > least_width * least_width;
+}
+
+unsigned
+bitOf(const VoxelMoments& voxels, const WindowPart& part, unsigned bit)
+{
+  return octantOf(voxels.cells[part.cell].key) & bit;
+}
+
+double
+pointsOfMiddle(const VoxelMoments& voxels,
+               const std::vector<WindowPart>& parts,
+               unsigned bit,
+               unsigned value)
+{
+  double count = 0;
+  for (const WindowPart& part : parts)
+    if (part.isMiddle() && bitOf(voxels, part, bit) == value)
+      count += voxels.cells[part.cell].moments.count;
+  return count;
+}
+
+std::uint8_t
+octantsWith(unsigned bit, unsigned value)
+{
+  std::uint8_t octants = 0;
+  for (unsigned octant = 0; octant < 8; ++octant)
+    if ((octant & bit) == value)
+      octants = static_cast<std::uint8_t>(octants | 1u << octant);
+  return octants;
+}
+
+SurfaceFit
+fitSide(const VoxelMoments& voxels,
+        const std::vector<WindowPart>& parts,
+        unsigned bit,
+        unsigned value)
+{
+  SurfaceFit side =
+      toSurfaceFit(widestPlane(voxels, parts, [&](const WindowPart& part) {
+        return bitOf(voxels, part, bit) == value;
+      }));
+  side.octants = octantsWith(bit, value);
+  return side;
+}
+
+} // namespace
+
+SurfaceFit
+toSurfaceFit(const PlaneFit& fit)
+{
+  SurfaceFit surface;
+  surface.mean = fit.mean.cast<float>();
+  surface.count = static_cast<float>(fit.count);
+  if (!isSurface(fit))
+    return surface;
+  surface.normal = fit.normal.cast<float>();
+  surface.thickness = static_cast<float>(thicknessOf(fit));
+  surface.curvature = static_cast<float>(fit.variances[0] / fit.variances.sum());
+  return surface;
+}
+
+bool
+isSamePlane(const PlaneFit& wide, const PlaneFit& inner)
+{
+  if (inner.count < enough_points || !isSurface(inner))
+    return true;
+  constexpr double least_cosine = 0.95;
+  if (std::abs(wide.normal.dot(inner.normal)) < least_cosine)
+    return false;
+  // the thickness of few points is itself uncertain
+  const double slack = 1.22 * (1 + 2 / std::sqrt(inner.count));
+  return thicknessOf(wide) < slack * thicknessOf(inner);
+}
+
+PlaneNoise
+noiseOf(const VoxelMoments& voxels,
+        const std::vector<WindowPart>& parts,
+        const Eigen::Vector3f& normal,
+        float thickness)
+{
+  double count = 0, range = 0, square = 0;
+  for (const WindowPart& part : parts) {
+    const VoxelCell& cell = voxels.cells[part.cell];
+    const double height = cell.way.dot(normal);
+    count += cell.moments.count;
+    range += cell.moments.count * cell.way.norm();
+    square += cell.moments.count * height * height;
+  }
+  PlaneNoise noise;
+  noise.thickness = thickness;
+  noise.range = static_cast<float>(range / count);
+  if (!(noise.range > 0))
+    return noise;
+  // no ray is so flat that none of its noise is across
+  constexpr float least_slant = 0.1f;
+  noise.height = std::max(least_slant * noise.range,
+                          static_cast<float>(std::sqrt(square / count)));
+  return noise;
+}
+
+SidesOfVoxel
+separateSides(const VoxelMoments& voxels,
+              const std::vector<WindowPart>& parts,
+              const NoiseProfile& noise,
+              const SurfaceFit& whole)
+{
+  // how many times as thick as expected
+  const auto excess = [&](const SurfaceFit& side) {
+    return side.thickness /
+           noise.expectedThickness(noiseOf(voxels, parts, side.normal, side.thickness));
+  };
+  SidesOfVoxel best;
+  double least = std::max(thick_factor, 0.6 * excess(whole));
+  for (const unsigned bit : {4u, 2u, 1u}) {
+    const double low = pointsOfMiddle(voxels, parts, bit, 0);
+    const double high = pointsOfMiddle(voxels, parts, bit, bit);
+    const unsigned main = high > low ? bit : 0;
+    const SurfaceFit first = fitSide(voxels, parts, bit, main);
+    if (first.count < enough_points || first.normal.isZero())
+      continue;
+    // few points on the far side are strays of the near one's noise
+    const bool both = std::min(low, high) >= enough_points / 2;
+    const SurfaceFit second = fitSide(voxels, parts, bit, bit - main);
+    const bool has_second =
+        both && second.count >= enough_points && !second.normal.isZero();
+    const double worst =
+        has_second ? std::max(excess(first), excess(second)) : excess(first);
+    if (first.count == whole.count || !(worst < least))
+      continue;
+    least = worst;
+    best = {true, first, has_second, second};
+  }
+  return best;
+}
+
+bool
+narrowPlane(const VoxelMoments& voxels,
+            const std::vector<WindowPart>& parts,
+            const NoiseProfile& noise,
+            SurfaceFit& fit)
+{
+  PlaneFit best;
+  double flattest = 1;
+  const auto offer = [&](const Moments& sum) {
+    if (sum.count < enough_points)
+      return;
+    const PlaneFit plane = fitPlane(sum);
+    const double flatness = plane.variances[0] / plane.variances[1];
+    if (isSurface(plane) && flatness < flattest) {
+      best = plane;
+      flattest = flatness;
+    }
+  };
+  for (int corner = 0; corner < 8; ++corner)
+    offer(sumParts(voxels, parts, [corner](const WindowPart& part) {
+      const int dx = part.dx + (corner & 1);
+      const int dy = part.dy + (corner >> 1 & 1);
+      const int dz = part.dz + (corner >> 2);
+      return (dx | dy | dz) >= 0 && dx <= 1 && dy <= 1 && dz <= 1;
+    }));
+  const auto expected = [&](const PlaneFit& plane) {
+    return noise.expectedThickness(
+        noiseOf(voxels, parts, plane.normal.cast<float>(), 0));
+  };
+  if (best.count > 0 && thicknessOf(best) > thick_factor * expected(best))
+    offer(sumParts(
+        voxels, parts, [](const WindowPart& part) { return part.isMiddle(); }));
+  if (best.count == 0 || thicknessOf(best) > 0.7 * fit.thickness)
+    return false;
+  fit = toSurfaceFit(best);
+  return true;
+}
+
+} // namespace pcl::acmap

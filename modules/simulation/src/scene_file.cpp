@@ -1,0 +1,63 @@
+#include <pcl/simulation/scene_file.h>
+
+#include "path_reader.h"
+#include "scene_text.h"
+#include "surface_reader.h"
+#include "yaml_values.h"
+
+namespace pcl {
+
+namespace {
+
+constexpr std::size_t most_pixels = std::size_t{1} << 30;
+
+RangeSensor
+readSensor(const acmap::YamlNode& node, std::size_t views)
+{
+  node.requireKeys({"reach", "points", "total_points"});
+  RangeSensor sensor;
+  constexpr double least_reach = 1e-2;
+  if (const auto* const reach = node.find("reach"))
+    sensor.reach = reach->number(least_reach, acmap::farthest_place);
+  const auto* const points = node.find("points");
+  const auto* const total = node.find("total_points");
+  if (points && total)
+    total->fail("points of a view are given too: one of both is enough");
+  if (points)
+    sensor.points = points->count(1, most_pixels);
+  if (total) {
+    const std::size_t all = total->count(views, views * most_pixels);
+    sensor.points = all / views;
+    sensor.views_with_one_more = all % views;
+  }
+  return sensor;
+}
+
+} // namespace
+
+namespace acmap {
+
+SimulatedScene
+readScene(const YamlNode& document)
+{
+  document.requireKeys({"name", "rig", "sensor", "looks", "surfaces", "path"});
+  SimulatedScene scene;
+  scene.name = document.at("name").text();
+  if (const YamlNode* const rig = document.find("rig"))
+    scene.rig = readTrinocularRig(*rig);
+  scene.geometry = readSurfaces(document);
+  scene.views = readPath(document.at("path"));
+  if (const YamlNode* const sensor = document.find("sensor"))
+    scene.sensor = readSensor(*sensor, scene.views.size());
+  return scene;
+}
+
+} // namespace acmap
+
+SimulatedScene
+loadSimulatedScene(const std::string& path)
+{
+  return acmap::readScene(acmap::loadYaml(path));
+}
+
+} // namespace pcl

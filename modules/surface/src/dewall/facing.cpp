@@ -1,0 +1,58 @@
+#include "facing.h"
+
+#include <cmath>
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+Eigen::Vector3f
+usableNormal(const Eigen::Vector3f& normal)
+{
+  constexpr float tolerance = 0.1f;
+  return std::abs(normal.norm() - 1) < tolerance ? normal : Eigen::Vector3f::Zero();
+}
+
+/** Points that follow each other in the tree are neighbours: nearly all of them look the
+ * same way, unless the normals have random signs. */
+bool
+neighboursAgree(const std::vector<Eigen::Vector3f>& directions)
+{
+  std::size_t agreeing = 0, pairs = 0;
+  for (std::size_t i = 1; i < directions.size(); ++i) {
+    const float cosine = directions[i - 1].dot(directions[i]);
+    agreeing += cosine > 0;
+    pairs += cosine != 0;
+  }
+  return 2 * pairs > directions.size() && 10 * agreeing > 8 * pairs;
+}
+
+} // namespace
+
+Facing
+Facing::towards(const PointTree& tree, const Eigen::Vector3d& sensor)
+{
+  Facing facing;
+  facing.directions_.reserve(static_cast<std::size_t>(tree.size()));
+  for (std::int32_t i = 0; i < tree.size(); ++i)
+    facing.directions_.push_back(
+        (sensor - tree.position(i)).normalized().cast<float>());
+  return facing;
+}
+
+Facing
+Facing::byNormals(const PointTree& tree, const PointView& normals)
+{
+  Facing facing;
+  if (normals.size() == 0)
+    return facing;
+  facing.directions_.reserve(static_cast<std::size_t>(tree.size()));
+  for (std::int32_t i = 0; i < tree.size(); ++i)
+    facing.directions_.push_back(
+        usableNormal(normals[static_cast<std::size_t>(tree.source(i))]));
+  if (!neighboursAgree(facing.directions_))
+    facing.directions_.clear();
+  return facing;
+}
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,92 @@
+#include "noise_clouds.h"
+
+#include "temporary_folder.h"
+#include "test_data.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+namespace pcl::acmap::bench {
+namespace {
+
+struct Source {
+  const char* name;
+  const char* path;
+  bool is_view;
+  bool is_exact;
+};
+
+constexpr Source sources[] = {
+    {"table_scene_mug", "E_meshing/table_scene_mug_stereo_textured.pcd", true, false},
+    {"office1", "E_meshing/office1.pcd", true, false},
+    {"capture0001", "E_meshing/capture0001.pcd", true, false},
+    {"bun0", "E_meshing/bun0.pcd", false, false},
+    {"stanford-bunny", "E_meshing/stanford-bunny.obj", false, false},
+    {"fandisk", "E_meshing/fandisk.obj", false, true},
+    {"room_scan1", "C_sequence/pcl_room_scans/room_scan1.pcd", false, false},
+    {"grenoble_room", "D_large/grenoble_room_5.2M.ply.xz", false, false},
+    {"wtc37_corridor", "D_large/wtc37_corridor_1M.ply.xz", false, false},
+};
+
+bool
+isPacked(const std::string& path)
+{
+  const std::string ending = ".xz";
+  return path.size() > ending.size() &&
+         path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/** \return false where there is no xz, or it failed */
+bool
+unpack(const std::string& packed, const std::string& unpacked)
+{
+  FILE* pipe = popen(("xz -dkc '" + packed + "'").c_str(), "r");
+  if (!pipe)
+    return false;
+  std::ofstream file(unpacked, std::ios::binary);
+  std::array<char, 1 << 16> bytes;
+  while (const std::size_t got = fread(bytes.data(), 1, bytes.size(), pipe))
+    file.write(bytes.data(), static_cast<std::streamsize>(got));
+  return pclose(pipe) == 0 && file.good();
+}
+
+PointCloudFile
+loadMaybePacked(const std::string& path)
+{
+  if (!isPacked(path))
+    return loadPointCloud(path);
+  const test::TemporaryFolder folder;
+  const std::string unpacked = folder.path("cloud.ply");
+  if (!unpack(path, unpacked))
+    throw InputFileException(path + " was not unpacked: is there an xz?");
+  return loadPointCloud(unpacked);
+}
+
+} // namespace
+
+void
+forEachNoiseCloud(const std::function<void(const NoiseCloud&)>& use)
+{
+  for (const Source& source : sources) {
+    if (!test::hasTestData(source.path)) {
+      std::cerr << "left out: no " << source.path << " in ACMAP_TEST_DATA\n";
+      continue;
+    }
+    try {
+      use({source.name,
+           loadMaybePacked(test::testDataPath(source.path).string()),
+           source.is_view,
+           source.is_exact});
+    }
+    catch (const InputFileException& error) {
+      std::cerr << "left out: " << error.what() << "\n";
+    }
+  }
+}
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,140 @@
+#include "simulated_clouds.h"
+
+#include <pcl/core/random.h>
+#include <pcl/simulation/standard_scenes.h>
+
+#include <sstream>
+
+namespace pcl::acmap::bench {
+namespace {
+
+constexpr std::uint64_t noise_seed = 1;
+
+} // namespace
+
+PointView
+SimulatedCloud::points() const
+{
+  return {merged.points.data(), sizeof(Eigen::Vector3f), merged.points.size()};
+}
+
+std::vector<Eigen::Vector3f>
+SimulatedCloud::sensorOrigins() const
+{
+  std::vector<Eigen::Vector3f> origins;
+  for (const Eigen::Isometry3d& pose : merged.trajectory.poses)
+    origins.emplace_back(pose.translation().cast<float>());
+  return origins;
+}
+
+SensorView
+SimulatedCloud::sensors() const
+{
+  return {merged.view.data(), sizeof(std::int32_t), sensorOrigins()};
+}
+
+ColorView
+SimulatedCloud::colors() const
+{
+  return {merged.rgb.data(), sizeof(std::uint32_t)};
+}
+
+SimulatedCloud
+makeViewCloud(const SimulatedScene& scene, std::size_t view)
+{
+  SimulatedCloud cloud;
+  cloud.name = "view " + std::to_string(view);
+  cloud.T_scene_cloud = scene.views[view];
+  cloud.merged.trajectory = {{0.0}, {Eigen::Isometry3d::Identity()}};
+  for (const TruthPlane& plane : scene.geometry.planes())
+    cloud.merged.planes.push_back(transformPlane(plane, scene.views[view].inverse()));
+  appendObservation(observe(scene, view, noise_seed), 0, cloud.merged);
+  return cloud;
+}
+
+SimulatedCloud
+makeSceneCloud(const SimulatedScene& scene)
+{
+  SimulatedCloud cloud;
+  cloud.name = scene.name + ", all views";
+  cloud.T_scene_cloud = scene.views.front();
+  cloud.merged = mergeObservations(scene, 0, noise_seed);
+  return cloud;
+}
+
+SimulatedCloud
+makeRandomPart(const SimulatedCloud& cloud, std::size_t size, std::uint64_t seed)
+{
+  const MergedObservations& all = cloud.merged;
+  SimulatedCloud part;
+  part.name = "random " + std::to_string(size);
+  part.T_scene_cloud = cloud.T_scene_cloud;
+  part.merged.trajectory = all.trajectory;
+  part.merged.planes = all.planes;
+  Random random(seed);
+  for (std::size_t i = 0; i < cloud.size() && part.size() < size; ++i) {
+    const auto left = static_cast<double>(cloud.size() - i);
+    if (random.uniform() * left >= static_cast<double>(size - part.size()))
+      continue;
+    part.merged.points.push_back(all.points[i]);
+    part.merged.rgb.push_back(all.rgb[i]);
+    part.merged.view.push_back(all.view[i]);
+    part.merged.label.push_back(all.label[i]);
+  }
+  return part;
+}
+
+Consolidation
+consolidate(const SimulatedCloud& cloud, double voxel, ConsolidationReport& report)
+{
+  ConsolidationSettings settings;
+  settings.voxel_size = voxel;
+  settings.threads = 1;
+  return consolidatePoints(
+      cloud.points(), cloud.sensors(), cloud.colors(), settings, Progress(), report);
+}
+
+std::string
+voxelName(double voxel)
+{
+  if (!(voxel > 0))
+    return "automatic";
+  std::ostringstream name;
+  name << 100 * voxel << " cm";
+  return name.str();
+}
+
+SceneData::SceneData(const std::string& standard_scene)
+: scene_(standardScene(standard_scene))
+{}
+
+const SimulatedCloud&
+SceneData::whole()
+{
+  if (!whole_)
+    whole_ = std::make_unique<SimulatedCloud>(makeSceneCloud(scene_));
+  return *whole_;
+}
+
+const SceneTruth&
+SceneData::wholeTruth()
+{
+  constexpr int finer = 2;
+  if (!truth_) {
+    truth_ = std::make_unique<SceneTruth>(scene_);
+    for (std::size_t view = 0; view < scene_.views.size(); ++view)
+      truth_->see(scene_, view, finer);
+  }
+  return *truth_;
+}
+
+SceneTruth
+SceneData::truthOfView(std::size_t view) const
+{
+  constexpr int finer = 4;
+  SceneTruth truth(scene_);
+  truth.see(scene_, view, finer);
+  return truth;
+}
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "scene_truth.h"
+
+#include <pcl/core/point_view.h>
+#include <pcl/core/sensor_view.h>
+#include <pcl/core/voxel_moments.h>
+#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/simulation/simulated_observation.h>
+
+#include <memory>
+#include <string>
+
+namespace pcl::acmap::bench {
+
+/** \brief A cloud of a simulated scene with its truth. */
+struct SimulatedCloud {
+  std::string name;
+  MergedObservations merged; ///< points and planes in the cloud's frame
+  Eigen::Isometry3d T_scene_cloud = Eigen::Isometry3d::Identity();
+
+  std::size_t
+  size() const
+  {
+    return merged.points.size();
+  }
+
+  PointView
+  points() const;
+
+  std::vector<Eigen::Vector3f>
+  sensorOrigins() const;
+
+  SensorView
+  sensors() const;
+
+  ColorView
+  colors() const;
+};
+
+/** \brief One view in the frame of its camera. */
+SimulatedCloud
+makeViewCloud(const SimulatedScene& scene, std::size_t view);
+
+/** \brief All views of a scene in the frame of the first. */
+SimulatedCloud
+makeSceneCloud(const SimulatedScene& scene);
+
+/** \brief A seeded random part of a cloud, in its order. */
+SimulatedCloud
+makeRandomPart(const SimulatedCloud& cloud, std::size_t size, std::uint64_t seed);
+
+/** \brief The kernel of VoxelConsolidation on one thread.
+ * \param[in] voxel metres, 0 for automatic */
+Consolidation
+consolidate(const SimulatedCloud& cloud, double voxel, ConsolidationReport& report);
+
+/** \brief "5 cm", or "automatic" for 0. */
+std::string
+voxelName(double voxel);
+
+/** \brief A scene with all its points and the truth of all its views, made when they are
+ * first asked for and then kept. */
+class SceneData {
+public:
+  explicit SceneData(const std::string& standard_scene);
+
+  const SimulatedScene&
+  scene() const
+  {
+    return scene_;
+  }
+
+  const SimulatedCloud&
+  whole();
+
+  const SceneTruth&
+  wholeTruth();
+
+  SceneTruth
+  truthOfView(std::size_t view) const;
+
+private:
+  SimulatedScene scene_;
+  std::unique_ptr<SimulatedCloud> whole_;
+  std::unique_ptr<SceneTruth> truth_;
+};
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,235 @@
+#include "clouds.h"
+#include "consolidation_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+template <typename PointT>
+typename PointCloud<PointT>::Ptr
+makeSheet(std::uint64_t seed)
+{
+  Random random(seed);
+  NoisyCloud sheet;
+  sheet.addPatch(squarePatch(1, 0.3), 10000, 0.005, random);
+  typename PointCloud<PointT>::Ptr cloud(new PointCloud<PointT>);
+  for (const Eigen::Vector3f& place : sheet.points) {
+    PointT point;
+    point.getVector3fMap() = place;
+    cloud->push_back(point);
+  }
+  return cloud;
+}
+
+template <typename PointT>
+class AnyPoint : public testing::Test {};
+
+using PointTypes = testing::Types<PointXYZ,
+                                  PointXYZI,
+                                  PointXYZRGB,
+                                  PointXYZRGBA,
+                                  PointNormal,
+                                  PointXYZRGBNormal,
+                                  PointXYZRGBNormalView>;
+TYPED_TEST_SUITE(AnyPoint, PointTypes);
+
+TYPED_TEST(AnyPoint, isConsolidated)
+{
+  const auto cloud = makeSheet<TypeParam>(1);
+  cloud->header.frame_id = "map";
+  cloud->header.stamp = 77;
+  cloud->sensor_origin_ = Eigen::Vector4f(0.1F, 0.2F, -3, 1);
+  cloud->sensor_orientation_ = Eigen::Quaternionf(0, 1, 0, 0);
+  VoxelConsolidation<TypeParam> consolidation;
+  consolidation.setInputCloud(cloud);
+  consolidation.setVoxelSize(0.05);
+  PointCloud<TypeParam> output;
+  consolidation.filter(output);
+  EXPECT_NEAR(static_cast<double>(output.size()), 420, 60);
+  EXPECT_EQ(output.width, output.size());
+  EXPECT_EQ(output.height, 1U);
+  EXPECT_TRUE(output.is_dense);
+  EXPECT_EQ(output.header.frame_id, "map");
+  EXPECT_EQ(output.header.stamp, 77U);
+  EXPECT_EQ(output.sensor_origin_, cloud->sensor_origin_);
+  EXPECT_TRUE(output.sensor_orientation_.isApprox(cloud->sensor_orientation_));
+  EXPECT_TRUE(consolidation.getSourceIndices().indices.empty()) << "nobody asked";
+  EXPECT_TRUE(consolidation.getVoxelOfPoint().empty());
+}
+
+TYPED_TEST(AnyPoint, isConsolidatedInPlace)
+{
+  const auto cloud = makeSheet<TypeParam>(2);
+  VoxelConsolidation<TypeParam> consolidation;
+  consolidation.setVoxelSize(0.05);
+  consolidation.setInputCloud(cloud);
+  PointCloud<TypeParam> output;
+  consolidation.filter(output);
+  consolidation.filter(*cloud);
+  ASSERT_EQ(cloud->size(), output.size());
+  for (std::size_t i = 0; i < output.size(); ++i)
+    EXPECT_EQ((*cloud)[i].getVector3fMap(), output[i].getVector3fMap());
+}
+
+TYPED_TEST(AnyPoint, isConsolidatedThroughTheBaseClass)
+{
+  const auto cloud = makeSheet<TypeParam>(3);
+  VoxelConsolidation<TypeParam> consolidation;
+  consolidation.setVoxelSize(0.05);
+  Filter<TypeParam>& base = consolidation;
+  base.setInputCloud(cloud);
+  PointCloud<TypeParam> by_base, output;
+  base.filter(by_base);
+  EXPECT_GT(consolidation.getReport().representatives, 300U);
+  consolidation.filter(output);
+  ASSERT_EQ(by_base.size(), output.size());
+  EXPECT_EQ(by_base.width, output.size());
+  for (std::size_t i = 0; i < output.size(); ++i)
+    EXPECT_EQ(by_base[i].getVector3fMap(), output[i].getVector3fMap());
+  base.filter(*cloud);
+  EXPECT_EQ(cloud->size(), output.size());
+}
+
+TEST(ConsolidationClass, wrongSettingsAreRefused)
+{
+  MapConsolidation consolidation;
+  for (const double wrong : {-0.1, -1e-300, 2e9, double{nan}, double{infinity}})
+    try {
+      consolidation.setVoxelSize(wrong);
+      ADD_FAILURE() << wrong;
+    }
+    catch (const BadArgumentException& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("voxel size"), std::string::npos) << text;
+      EXPECT_NE(text.find("[0,"), std::string::npos) << text;
+      EXPECT_NE(text.find(" m"), std::string::npos) << text;
+    }
+  EXPECT_EQ(consolidation.getVoxelSize(), 0);
+  for (const float wrong : {nan, infinity, -infinity, 1e10F})
+    for (int axis = 0; axis < 3; ++axis) {
+      Eigen::Vector3f viewpoint(1, 2, 3);
+      viewpoint[axis] = wrong;
+      EXPECT_THROW(consolidation.setViewpoints({{0, 0, 0}, viewpoint}),
+                   BadArgumentException);
+    }
+  EXPECT_TRUE(consolidation.getViewpoints().empty());
+  EXPECT_THROW(consolidation.setInputCloud(nullptr), InitFailedException);
+}
+
+TEST(ConsolidationClass, wrongIndicesAreRefused)
+{
+  MapConsolidation consolidation;
+  consolidation.setInputCloud(makeSheet<MapPoint>(4));
+  const auto size = static_cast<index_t>(makeSheet<MapPoint>(4)->size());
+  MapCloud output;
+  output.resize(3);
+  for (const index_t wrong : {-1, size}) {
+    consolidation.setIndices(std::make_shared<Indices>(Indices{0, 1, wrong}));
+    EXPECT_THROW(consolidation.filter(output), InitFailedException);
+    EXPECT_EQ(output.size(), 3U);
+  }
+}
+
+TEST(ConsolidationClass, missingViewpointsAreRemarked)
+{
+  MapConsolidation consolidation;
+  consolidation.setInputCloud(makeSheet<MapPoint>(5));
+  consolidation.setVoxelSize(0.05);
+  MapCloud output;
+  consolidation.filter(output);
+  ASSERT_GT(output.size(), 300U);
+  EXPECT_FALSE(consolidation.getReport().remarks.empty());
+  for (const MapPoint& point : output)
+    EXPECT_GT(point.getNormalVector3fMap().dot(output[0].getNormalVector3fMap()), 0.9F)
+        << "neighbours agree";
+}
+
+TEST(ConsolidationClass, farPointsAreCountedAndRemarked)
+{
+  const auto cloud = makeSheet<MapPoint>(6);
+  cloud->push_back(MapPoint());
+  cloud->back().x = 1e9F;
+  MapConsolidation consolidation;
+  consolidation.setInputCloud(cloud);
+  consolidation.setVoxelSize(0.05);
+  consolidation.setKeepSources(true);
+  MapCloud output;
+  consolidation.filter(output);
+  EXPECT_EQ(consolidation.getReport().distant_points, 1U);
+  EXPECT_FALSE(consolidation.getReport().remarks.empty());
+  EXPECT_NEAR(static_cast<double>(output.size()), 420, 60);
+  EXPECT_EQ(consolidation.getVoxelOfPoint().back(), -1);
+}
+
+/** The clouds that nobody wants, at a voxel size that somebody chose. */
+TEST(ConsolidationClass, uglyCloudsAreTaken)
+{
+  Cloud invalid;
+  invalid.resize(50, PointXYZ(nan, nan, nan));
+  const std::vector<std::pair<Cloud, std::size_t>> cases = {
+      {{}, 0},
+      {invalid, 0},
+      {makeRandomBox(1, 1), 1},
+      {makeCoincident(1000), 1},
+      {makeCollinear(40), 40},
+      {withOutlier(makeRandomBox(1, 1), 1e9F), 1},
+      {withOutlier(makeCoincident(5), 1e9F), 1},
+      {lacedWithNan(makeCollinear(40), 3), 40},
+      {scaled(makeCollinear(40), 1e-20F), 1},
+      {makeLattice(6), 216}};
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    VoxelConsolidation<PointXYZ> consolidation;
+    consolidation.setInputCloud(cases[k].first.makeShared());
+    consolidation.setVoxelSize(0.5);
+    consolidation.setKeepSources(true);
+    Cloud output;
+    output.resize(7);
+    consolidation.filter(output);
+    EXPECT_EQ(output.size(), cases[k].second) << "case " << k;
+    const ConsolidationReport& report = consolidation.getReport();
+    EXPECT_EQ(report.points, cases[k].first.size()) << "case " << k;
+    EXPECT_EQ(report.representatives, output.size()) << "case " << k;
+    EXPECT_TRUE(std::isfinite(report.sigma) && std::isfinite(report.residual));
+    EXPECT_EQ(consolidation.getSourceIndices().indices.size() + report.invalid_points +
+                  report.distant_points,
+              cases[k].first.size())
+        << "case " << k;
+    for (const PointXYZ& point : output)
+      EXPECT_TRUE(point.getVector3fMap().allFinite()) << "case " << k;
+  }
+}
+
+TEST(ConsolidationClass, exactPlanesStayExact)
+{
+  for (const ExactPlane plane : {ExactPlane::Level, ExactPlane::Inclined}) {
+    PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
+    for (const PointXYZ& place : makeGrid(40, 40, 0.0625, plane)) {
+      cloud->push_back(PointNormal());
+      cloud->back().getVector3fMap() = place.getVector3fMap();
+    }
+    cloud->sensor_origin_ = Eigen::Vector4f(1.25F, 1.25F, 9, 1);
+    VoxelConsolidation<PointNormal> consolidation;
+    consolidation.setInputCloud(cloud);
+    consolidation.setVoxelSize(0.2);
+    PointCloud<PointNormal> output;
+    consolidation.filter(output);
+    const Eigen::Vector3f normal = plane == ExactPlane::Level
+                                       ? Eigen::Vector3f(0, 0, 1)
+                                       : Eigen::Vector3f(-1, 0, 1).normalized();
+    for (const PointNormal& point : output) {
+      EXPECT_NEAR(point.getVector3fMap().dot(normal), 0, 5e-5);
+      EXPECT_GT(point.getNormalVector3fMap().dot(normal), 0.99999F);
+      EXPECT_LT(point.curvature, 1e-5F);
+    }
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test
