@@ -62,9 +62,9 @@ printRow(const SimulatedCloud& cloud,
       .atMost(figures.normals.median_all, reach.median, 2)
       .number(figures.normals.p95_all, 1)
       .number(figures.normals.backs_all, 2)
-      .atLeast(figures.cover, reach.cover, 1)
+      .atLeast(figures.cover, reach.cover, 2)
       .number(figures.overlap, 1)
-      .within(figures.area, reach.area, 1)
+      .within(figures.area, reach.area, 2)
       .atMost(figures.boundary, reach.boundary, 2)
       .print();
 }

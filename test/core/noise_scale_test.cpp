@@ -253,7 +253,7 @@ TEST(NoiseScale, growsWithTheDistanceAsTold)
     EXPECT_NEAR(range.sigma, 0.003 * range.distance, 0.15 * 0.003 * range.distance)
         << "at " << range.distance;
   }
-  EXPECT_GT(points, 100000U);
+  EXPECT_GT(points, 50000U);
   EXPECT_GT(scale.ranges.back().sigma, 2 * scale.ranges.front().sigma);
 }
 

@@ -105,13 +105,15 @@ ScaleLevel
 measureLevel(const VoxelMoments& voxels)
 {
   const VoxelWindows windows(voxels);
+  constexpr std::size_t enough_windows = 1 << 15;
+  const std::size_t step = windows.size() / enough_windows + 1;
   WindowFigures all = parallelReduceChunks(
       windows.size(),
       WindowFigures{},
       [&](std::size_t begin, std::size_t end) {
         WindowFigures figures;
         VoxelWindows::Cursor cursor(windows, 1);
-        for (std::size_t v = begin; v < end; ++v)
+        for (std::size_t v = (begin + step - 1) / step * step; v < end; v += step)
           measureWindow(voxels, cursor.moveTo(v), figures);
         return figures;
       },
@@ -130,7 +132,9 @@ measureLevel(const VoxelMoments& voxels)
   double points = 0;
   for (const VoxelCell& cell : voxels.cells)
     points += cell.moments.count;
-  level.spacing = std::sqrt(all.area / std::max(points, 1.0)) * level.edge;
+  level.spacing =
+      std::sqrt(all.area * static_cast<double>(step) / std::max(points, 1.0)) *
+      level.edge;
   level.occupancy =
       points / static_cast<double>(std::max<std::size_t>(windows.size(), 1));
   if (all.surfaces > 0)

@@ -34,6 +34,34 @@ ownPoints(const VoxelWindows& windows, std::size_t voxel, unsigned octants)
   return own;
 }
 
+/** Where the window's points lie to one side, the voxel is at a rim of the surface: moves
+ * its point outwards to where the voxel's own points end, or every rim would recede by
+ * half a voxel. */
+Eigen::Vector3d
+reachRim(const Moments& own, const SurfaceFit& fit, const Eigen::Vector3d& place)
+{
+  constexpr double least_shift = 0.75; // of the window's mean, in edges
+  const Eigen::Vector3d normal = fit.normal.cast<double>();
+  Eigen::Vector3d outwards = place - fit.mean.cast<double>();
+  outwards -= outwards.dot(normal) * normal;
+  if (outwards.norm() < least_shift)
+    return place;
+  outwards.normalize();
+  const Eigen::Vector3d mean = own.mean();
+  const Eigen::Vector3d second(
+      own.xx * outwards.x() + own.xy * outwards.y() + own.xz * outwards.z(),
+      own.xy * outwards.x() + own.yy * outwards.y() + own.yz * outwards.z(),
+      own.xz * outwards.x() + own.yz * outwards.y() + own.zz * outwards.z());
+  const double along = mean.dot(outwards);
+  const double variance = second.dot(outwards) / own.count - along * along;
+  // points spread evenly end at the root of three standard deviations
+  const double reach = std::min(0.5, std::sqrt(3 * std::max(variance, 0.0)));
+  const Eigen::Vector3d moved = place + reach * outwards;
+  const bool stays =
+      place.cwiseAbs().maxCoeff() > 0.5 || moved.cwiseAbs().maxCoeff() <= 0.5;
+  return stays ? moved : Eigen::Vector3d(moved.cwiseMax(-0.5).cwiseMin(0.5));
+}
+
 class CandidateMaker {
 public:
   CandidateMaker(const VoxelWindows& windows, const SensorView& sensors)
@@ -49,7 +77,9 @@ public:
     const Eigen::Vector3d mean = own.moments.mean();
     const Eigen::Vector3d normal = fit.normal.cast<double>();
     const double move = (fit.mean.cast<double>() - mean).dot(normal);
-    const Eigen::Vector3d place = mean + move * normal;
+    Eigen::Vector3d place = mean + move * normal;
+    if (fit.is_whole)
+      place = reachRim(own.moments, fit, place);
 
     Candidate candidate;
     candidate.voxel = static_cast<std::uint32_t>(voxel);

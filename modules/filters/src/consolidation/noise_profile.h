@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 /** \brief What a plane's window shows: how far its sensors stood off, how thick it is. */
 struct PlaneNoise {
-  float range = 0;     ///< mean distance of the sensors, metres; 0 unknown
+  float range = 0;     ///< distance of the sensors, metres; 0 unknown
   float height = 1;    ///< their height over the plane, metres; 1 where unknown
   float thickness = 0; ///< edges
 };

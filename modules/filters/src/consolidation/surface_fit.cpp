@@ -32,6 +32,15 @@ sampleNoise(const VoxelMoments& voxels,
                               static_cast<float>(thicknessOf(fit))));
 }
 
+double
+pointsOf(const VoxelMoments& voxels, const std::vector<WindowPart>& parts)
+{
+  double count = 0;
+  for (const WindowPart& part : parts)
+    count += voxels.cells[part.cell].moments.count;
+  return count;
+}
+
 NoiseProfile
 fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
 {
@@ -42,7 +51,7 @@ fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
       windows.size(),
       Samples{},
       [&](std::size_t begin, std::size_t end) {
-        constexpr std::size_t voxels_a_sample = 4;
+        constexpr std::size_t voxels_a_sample = 16;
         Samples chunk;
         VoxelWindows::Cursor cursor(windows, 2);
         for (std::size_t v = begin; v < end; ++v) {
@@ -51,6 +60,7 @@ fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
           fit = toSurfaceFit(
               widestPlane(voxels, parts, [](const WindowPart&) { return true; }));
           fit.noise = noiseOf(voxels, parts, fit.normal, fit.thickness);
+          fit.is_whole = fit.count == static_cast<float>(pointsOf(voxels, parts));
           if (v % voxels_a_sample == 0)
             sampleNoise(voxels, windows.firstCell(v), parts, chunk);
         }
@@ -101,6 +111,8 @@ fitSurfaces(const VoxelWindows& windows, NoiseProfile& noise)
         VoxelWindows::Cursor cursor(windows, 2);
         for (std::size_t v = begin; v < end; ++v) {
           SurfaceFit& fit = fits.first[v];
+          if (!fit.is_whole)
+            widenWithinNoise(windows.voxels(), cursor.moveTo(v), noise, fit);
           if (fit.thickness > thick_factor * noise.expectedThickness(fit.noise))
             refineVoxel(windows, v, cursor.moveTo(v), noise, fit, chunk);
         }

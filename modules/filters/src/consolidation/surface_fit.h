@@ -14,8 +14,9 @@ struct SurfaceFit {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< zero without a plane
   float thickness = 0;                              ///< edges
   float curvature = 0;
-  float count = 0;  ///< points that it was fitted to
-  PlaneNoise noise; ///< of the window, whatever part of it was taken
+  float count = 0;       ///< points that it was fitted to
+  PlaneNoise noise;      ///< of the window, whatever part of it was taken
+  bool is_whole = false; ///< fitted to all of the window
 
   /** Octants of the cells that lie on it, a bit each. */
   std::uint8_t octants = 0xff;

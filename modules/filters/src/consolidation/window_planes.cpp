@@ -93,24 +93,40 @@ noiseOf(const VoxelMoments& voxels,
         const Eigen::Vector3f& normal,
         float thickness)
 {
-  double count = 0, range = 0, square = 0;
+  double count = 0, range_square = 0, height_square = 0;
   for (const WindowPart& part : parts) {
     const VoxelCell& cell = voxels.cells[part.cell];
     const double height = cell.way.dot(normal);
     count += cell.moments.count;
-    range += cell.moments.count * cell.way.norm();
-    square += cell.moments.count * height * height;
+    range_square += cell.moments.count * static_cast<double>(cell.way.squaredNorm());
+    height_square += cell.moments.count * height * height;
   }
   PlaneNoise noise;
   noise.thickness = thickness;
-  noise.range = static_cast<float>(range / count);
+  noise.range = static_cast<float>(std::sqrt(range_square / count));
   if (!(noise.range > 0))
     return noise;
   // no ray is so flat that none of its noise is across
   constexpr float least_slant = 0.1f;
   noise.height = std::max(least_slant * noise.range,
-                          static_cast<float>(std::sqrt(square / count)));
+                          static_cast<float>(std::sqrt(height_square / count)));
   return noise;
+}
+
+void
+widenWithinNoise(const VoxelMoments& voxels,
+                 const std::vector<WindowPart>& parts,
+                 const NoiseProfile& noise,
+                 SurfaceFit& fit)
+{
+  constexpr double slack = 1.3;
+  const SurfaceFit whole = toSurfaceFit(
+      fitPlane(sumParts(voxels, parts, [](const WindowPart&) { return true; })));
+  const PlaneNoise seen = noiseOf(voxels, parts, whole.normal, whole.thickness);
+  if (whole.normal.isZero() || whole.thickness > slack * noise.expectedThickness(seen))
+    return;
+  fit = whole;
+  fit.noise = seen;
 }
 
 SidesOfVoxel

@@ -57,6 +57,14 @@ widestPlane(const VoxelMoments& voxels,
   return isSamePlane(wide_fit, inner_fit) ? wide_fit : inner_fit;
 }
 
+/** \brief Replaces the plane of an inner window by that of the whole one where this is no
+ * thicker than the noise: the tail of a slab, seen alone, has a tilted plane of its own. */
+void
+widenWithinNoise(const VoxelMoments& voxels,
+                 const std::vector<WindowPart>& parts,
+                 const NoiseProfile& noise,
+                 SurfaceFit& fit);
+
 /** \brief The one or two sides on which a voxel was seen, each with its own plane. */
 struct SidesOfVoxel {
   bool found = false;
