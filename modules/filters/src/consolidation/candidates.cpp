@@ -55,11 +55,12 @@ reachRim(const Moments& own, const SurfaceFit& fit, const Eigen::Vector3d& place
   const double along = mean.dot(outwards);
   const double variance = second.dot(outwards) / own.count - along * along;
   // points spread evenly end at the root of three standard deviations
-  const double reach = std::min(0.5, std::sqrt(3 * std::max(variance, 0.0)));
-  const Eigen::Vector3d moved = place + reach * outwards;
-  const bool stays =
-      place.cwiseAbs().maxCoeff() > 0.5 || moved.cwiseAbs().maxCoeff() <= 0.5;
-  return stays ? moved : Eigen::Vector3d(moved.cwiseMax(-0.5).cwiseMin(0.5));
+  double reach = std::min(0.5, std::sqrt(3 * std::max(variance, 0.0)));
+  for (int axis = 0; axis < 3; ++axis)
+    if (outwards[axis] != 0) // not beyond the voxel's own face
+      reach = std::min(
+          reach, (std::copysign(0.5, outwards[axis]) - place[axis]) / outwards[axis]);
+  return place + std::max(reach, 0.0) * outwards;
 }
 
 class CandidateMaker {

@@ -14,8 +14,9 @@ struct Thinning {
   std::vector<std::int32_t> stand_in;
 };
 
-/** \brief Drops candidates nearer to an earlier one on the same side than 0.7 edges:
- * those that stayed in their voxel come first, then the others by how far they strayed.
+/** \brief Drops candidates nearer to an earlier one on the same side than 0.7 edges,
+ * or 0.85 when they strayed: those that stayed in their voxel come first, then the others
+ * by how far they strayed.
  * \param[in] edge of a voxel, metres */
 Thinning
 thinOut(const std::vector<Candidate>& candidates, double edge);

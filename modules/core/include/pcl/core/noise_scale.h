@@ -12,8 +12,8 @@ namespace pcl {
 /** \brief How noisy a cloud of surfaces is, and how dense: the two lengths from which
  * all automatic sizes follow. \ingroup core */
 struct NoiseScale {
-  /** \brief Standard deviation of the points across their surface, in metres; the median
-   * over the surface. 0 when no noise can be told from the shape. */
+  /** \brief Standard deviation of the points across their surface, in metres; the middle
+   * of what the surface shows. 0 when no noise can be told from the shape. */
   double sigma = 0;
 
   /** \brief Side of the square of surface that holds one point, in metres, on average: the
@@ -52,10 +52,11 @@ namespace acmap {
 /** \brief Measures sigma and spacing on planes through windows of 3 x 3 x 3 voxels,
  * at the smallest scale that holds the noise.
  *
- * Voxels of about 16 points are summed once and doubled; at each scale the thickness is
- * the median over planar windows. The scale is the first one whose voxel is three times
- * as large as the thickness. What grows from there to the next scale is taken for
- * curvature and removed. Linear time, memory of the voxels.
+ * Voxels of 3 to 64 points, by the size of the cloud, are summed once and doubled; at each
+ * scale the thickness is the mean of the middle half of the planar windows. The
+ * scale is the first one whose voxel is three times as large as the thickness, and at
+ * whose double the thickness is much the same; what it grows is taken for curvature and
+ * removed. Linear time, memory of the voxels.
  * \param[in] points metres
  * \param[in] sensors who saw them; without it there are no ranges
  * \param[in] threads 0 for all; the answer is the same */

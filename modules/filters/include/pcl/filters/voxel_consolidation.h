@@ -18,15 +18,17 @@ namespace pcl {
  * slab, and every mesh that interpolates it is crumpled. This filter sums the points of
  * each voxel up to their moments (count, mean, covariance), fits a plane to the window of
  * 5 x 5 x 5 voxels about it, and moves the voxel's mean along the normal onto the plane.
- * Where the window is thicker than the noise it fits 3 x 3 x 3 voxels; then the two sides
- * of a thin wall apart, by where their sensors stood; then, at a crease, the flattest
- * 2 x 2 x 2. A point nearer than 0.7 voxels to an earlier one on its side is dropped.
+ * Where the window is thicker than the noise, which is expected by distance and slant of
+ * the sensors, it fits 3 x 3 x 3 voxels; then the two sides of a thin wall apart, by where
+ * their sensors stood; then, at a crease, the flattest 2 x 2 x 2. At a rim the point moves
+ * outwards to where its sources end. A point nearer than 0.7 voxels to an earlier one on
+ * its side is dropped (0.85 when it left its voxel).
  *
  * Output points are copies of the input point that was seen from nearest (the first one,
  * where nothing is known), so that `view`, intensity, label have a true source; on top of
  * it x y z are moved, colour is the mean of the sources, and normal and curvature are set,
- * as far as PointT has them. Normals are unit, towards the sensor, NaN where three points
- * are not to be had. Neither the order of the points nor the number of threads matters
+ * as far as PointT has them. Normals are unit, towards the sensor, or agree with their
+ * neighbours' where no sensor fits; NaN where three points are not to be had. Neither the order of the points nor the number of threads matters
  * (where sensors are equally near, the lower index is the source).
  *
  * Metres. Time O(n), memory of the occupied voxels, about 110 bytes each.
