@@ -163,9 +163,6 @@ protected:
 
 private:
   void
-  requireInput() const;
-
-  void
   keepSources(const std::vector<std::int32_t>& representative_of, std::size_t size);
 
   double voxel_size_ = 0;

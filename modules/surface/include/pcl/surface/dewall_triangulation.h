@@ -137,9 +137,6 @@ protected:
 
 private:
   void
-  requireInput() const;
-
-  void
   performReconstruction(PolygonMesh& output) override;
 
   void

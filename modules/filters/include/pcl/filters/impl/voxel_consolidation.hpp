@@ -2,6 +2,7 @@
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/input_check.h>
 #include <pcl/core/point_fields.h>
 #include <pcl/filters/consolidation_kernel.h>
 #include <pcl/filters/voxel_consolidation.h>
@@ -43,23 +44,9 @@ VoxelConsolidation<PointT>::setViewpoints(std::vector<Eigen::Vector3f> viewpoint
 
 template <typename PointT>
 void
-VoxelConsolidation<PointT>::requireInput() const
-{
-  if (!input_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  if (indices_ && !this->fake_indices_)
-    for (const index_t index : *indices_)
-      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-        PCL_THROW_EXCEPTION(InitFailedException,
-                            "index " << index << " is outside of the input cloud of "
-                                     << input_->size() << " points");
-}
-
-template <typename PointT>
-void
 VoxelConsolidation<PointT>::filter(PointCloud& output)
 {
-  requireInput();
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   PointCloud result;
   Filter<PointT>::filter(result);
   output = std::move(result);

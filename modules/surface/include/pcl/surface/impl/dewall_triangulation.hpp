@@ -3,6 +3,7 @@
 #include <pcl/conversions.h>
 #include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/input_check.h>
 #include <pcl/core/point_fields.h>
 #include <pcl/core/point_view.h>
 #include <pcl/surface/dewall_kernel.h>
@@ -37,23 +38,9 @@ DeWallTriangulation<PointInT>::setMaximumEdgeLength(double length)
 
 template <typename PointInT>
 void
-DeWallTriangulation<PointInT>::requireInput() const
-{
-  if (!input_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  if (indices_ && !this->fake_indices_)
-    for (const index_t index : *indices_)
-      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-        PCL_THROW_EXCEPTION(InitFailedException,
-                            "index " << index << " is outside of the input cloud of "
-                                     << input_->size() << " points");
-}
-
-template <typename PointInT>
-void
 DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
 {
-  requireInput();
+  acmap::requireInput<PointInT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!this->initCompute())
     PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
   acmap::DeWallSettings settings;
