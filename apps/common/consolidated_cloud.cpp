@@ -7,7 +7,6 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
-#include <numeric>
 
 namespace pcl::acmap {
 
@@ -79,11 +78,11 @@ emptyResult(const PCLPointCloud2& cloud, std::size_t size)
   result.fields = cloud.fields;
   result.point_step = cloud.point_step;
   for (const char* name : {"normal_x", "normal_y", "normal_z", "curvature"}) {
-    const PCLPointField* field = findField(cloud, name);
+    const PCLPointField* field = findField(result, name);
     if (field && field->datatype == PCLPointField::FLOAT32)
       continue;
     if (field)
-      result.fields.erase(result.fields.begin() + (field - cloud.fields.data()));
+      result.fields.erase(result.fields.begin() + (field - result.fields.data()));
     PCLPointField added;
     added.name = name;
     added.offset = result.point_step;

@@ -96,8 +96,7 @@ measureWindow(const VoxelMoments& voxels,
   figures.area += 1 / fit.normal.cwiseAbs().sum();
   if (!fit.isPlanar())
     return;
-  figures.thickness.push_back(
-      std::sqrt(fit.variances[0] * fit.count / (fit.count - 3)));
+  figures.thickness.push_back(fit.thickness());
   figures.spacing.push_back(std::sqrt(coveredArea(parts, fit.normal) / fit.count));
 }
 

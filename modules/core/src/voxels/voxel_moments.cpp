@@ -2,8 +2,6 @@
 
 #include <pcl/core/parallel.h>
 
-#include <numeric>
-
 namespace pcl::acmap {
 
 namespace {

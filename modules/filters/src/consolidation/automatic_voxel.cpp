@@ -5,22 +5,10 @@
 
 namespace pcl::acmap {
 
-namespace {
-
-constexpr double window_width = 5; // voxels
-
-} // namespace
-
-double
-residualNoise(double sigma, double spacing, double voxel_size)
-{
-  const double points = std::max(1.0, std::pow(window_width * voxel_size / spacing, 2));
-  return sigma / std::sqrt(points);
-}
-
 double
 automaticVoxel(const NoiseScale& scale)
 {
+  constexpr double window_width = 5; // voxels
   // A slope between neighbours of 1/80 times the root of 2 is one degree.
   constexpr double residual_share = 1.0 / 80;
   const double by_noise =

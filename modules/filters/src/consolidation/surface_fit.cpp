@@ -29,7 +29,7 @@ sampleNoise(const VoxelMoments& voxels,
     samples.push_back(noiseOf(voxels,
                               seen_alike,
                               fit.normal.cast<float>(),
-                              static_cast<float>(thicknessOf(fit))));
+                              static_cast<float>(fit.thickness())));
 }
 
 double

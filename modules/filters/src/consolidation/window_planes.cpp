@@ -1,5 +1,8 @@
 #include "consolidation/window_planes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap {
 
 namespace {
@@ -69,7 +72,7 @@ toSurfaceFit(const PlaneFit& fit)
   if (!isSurface(fit))
     return surface;
   surface.normal = fit.normal.cast<float>();
-  surface.thickness = static_cast<float>(thicknessOf(fit));
+  surface.thickness = static_cast<float>(fit.thickness());
   surface.curvature = static_cast<float>(fit.variances[0] / fit.variances.sum());
   return surface;
 }
@@ -84,7 +87,7 @@ isSamePlane(const PlaneFit& wide, const PlaneFit& inner)
     return false;
   // the thickness of few points is itself uncertain
   const double slack = 1.22 * (1 + 2 / std::sqrt(inner.count));
-  return thicknessOf(wide) < slack * thicknessOf(inner);
+  return wide.thickness() < slack * inner.thickness();
 }
 
 PlaneNoise
@@ -193,10 +196,10 @@ narrowPlane(const VoxelMoments& voxels,
     return noise.expectedThickness(
         noiseOf(voxels, parts, plane.normal.cast<float>(), 0));
   };
-  if (best.count > 0 && thicknessOf(best) > thick_factor * expected(best))
+  if (best.count > 0 && best.thickness() > thick_factor * expected(best))
     offer(sumParts(
         voxels, parts, [](const WindowPart& part) { return part.isMiddle(); }));
-  if (best.count == 0 || thicknessOf(best) > 0.7 * fit.thickness)
+  if (best.count == 0 || best.thickness() > 0.7 * fit.thickness)
     return false;
   fit = toSurfaceFit(best);
   return true;

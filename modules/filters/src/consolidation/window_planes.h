@@ -4,19 +4,10 @@
 
 #include <pcl/core/voxel_windows.h>
 
-#include <cmath>
-
 namespace pcl::acmap {
 
 /** \brief A window this many times as thick as the noise holds more than one plane. */
 inline constexpr double thick_factor = 2;
-
-/** \brief Standard deviation across the plane, free of what the fit took away. */
-inline double
-thicknessOf(const PlaneFit& fit)
-{
-  return std::sqrt(fit.variances[0] * fit.count / std::max(fit.count - 3, 1.0));
-}
 
 SurfaceFit
 toSurfaceFit(const PlaneFit& fit);

@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap {
 
 /** \brief Sums of 1, p and p p^T over some points: all that a plane fit needs, and they
@@ -72,6 +75,13 @@ struct PlaneFit {
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 
   double count = 0;
+
+  /** \brief Standard deviation across the plane, free of what the fit took away. */
+  double
+  thickness() const
+  {
+    return std::sqrt(variances[0] * count / std::max(count - 3, 1.0));
+  }
 
   /** \brief Is it a plane rather than a line, a point or a ball? */
   bool
