@@ -1,8 +1,14 @@
 #include "apex_search.h"
 
+#include "ball_visit.h"
+#include "simd/tree_search.h"
+
+#include <limits>
+
 namespace pcl::acmap::dewall {
 
 SideFrame::SideFrame(const PointTree& tree,
+                     const SizeConstraint& size,
                      std::int32_t a_index,
                      std::int32_t b_index,
                      std::int32_t opposite)
@@ -13,51 +19,129 @@ SideFrame::SideFrame(const PointTree& tree,
 , outward(-perpendicular(origin, tree.position(b_index), tree.position(opposite))
                .normalized())
 , half_length(u.norm() / 2)
+, longest(std::min(size.longest(a_index), size.longest(b_index)))
 {}
 
-LeafSieve::LeafSieve(const PointTree& tree, const SideFrame& side)
-: x_(tree.coordinates(0))
-, y_(tree.coordinates(1))
-, z_(tree.coordinates(2))
-, length_(static_cast<float>(2 * side.half_length))
-{
-  const Eigen::Vector3d direction = side.u / (2 * side.half_length);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    a_[i] = static_cast<float>(side.origin[axis]);
-    b_[i] = static_cast<float>(side.origin[axis] + side.u[axis]);
-    u_[i] = static_cast<float>(direction[axis]);
-    w_[i] = static_cast<float>(side.outward[axis]);
+namespace {
+
+/** \brief The nearest apex among points looked at one by one. */
+class NearestApex {
+public:
+  NearestApex(const PointTree& tree, const SizeConstraint& size, const SideFrame& side)
+  : tree_(tree)
+  , size_(size)
+  , side_(side)
+  {}
+
+  /** \brief True when the point is the nearest so far. */
+  bool
+  consider(std::int32_t i)
+  {
+    const Apex apex = makeApex(i, side_.u, tree_.position(i) - side_.origin);
+    if (!isApexAllowed(size_, side_, apex) ||
+        (best_.index >= 0 && !isNearerApex(apex, best_, side_.a, side_.b, side_.u)))
+      return false;
+    best_ = apex;
+    return true;
   }
+
+  const Apex&
+  best() const
+  {
+    return best_;
+  }
+
+private:
+  const PointTree& tree_;
+  const SizeConstraint& size_;
+  const SideFrame& side_;
+  Apex best_;
+};
+
+ApexQuery
+apexQuery(const PointTree& tree,
+          const SizeConstraint& size,
+          const SideFrame& side,
+          const PassedOver& passed_over)
+{
+  ApexQuery query;
+  query.a = side.a;
+  query.b = side.b;
+  query.left_out = passed_over.point;
+  query.leaf = tree.leafOf(side.a);
+  const Eigen::Vector3d along = side.u / (2 * side.half_length);
+  for (int axis = 0; axis < 3; ++axis) {
+    query.at_a[axis] = tree.coordinates(axis)[side.a];
+    query.at_b[axis] = tree.coordinates(axis)[side.b];
+    query.along[axis] = static_cast<float>(along[axis]);
+    query.outward[axis] = static_cast<float>(side.outward[axis]);
+  }
+  query.length = static_cast<float>(2 * side.half_length);
+  query.longest = static_cast<float>(side.longest);
+  query.longest_at = size.longestOfLeaves();
+  query.masks = passed_over.masks;
+  query.first_masked = passed_over.first_leaf;
+  query.end_masked = passed_over.end_leaf;
+  return query;
 }
 
-const float*
-LeafSieve::cotangents(const PointTree::Node& leaf, double longest)
+/** \brief The same without lanes, for more ties than the search has room for. */
+std::int32_t
+findApexOneByOne(const PointTree& tree,
+                 const SizeConstraint& size,
+                 const SideFrame& side,
+                 const PassedOver& passed_over)
 {
-  constexpr float unreachable = std::numeric_limits<float>::infinity();
-  const float limit2 = static_cast<float>(longest * longest * (1 + 1e-4));
-  const float *x = x_ + leaf.begin, *y = y_ + leaf.begin, *z = z_ + leaf.begin;
-  const auto [ax, ay, az] = a_;
-  const auto [bx, by, bz] = b_;
-  const auto [ux, uy, uz] = u_;
-  const auto [wx, wy, wz] = w_;
-  const float length = length_;
-  float* __restrict cotangent = cotangent_.data();
-  // Always a full leaf, so that the compiler uses its lanes: what is read beyond the
-  // leaf's points is not looked at.
-  for (std::int32_t k = 0; k < PointTree::leaf_capacity; ++k) {
-    const float vx = x[k] - ax, vy = y[k] - ay, vz = z[k] - az;
-    const float tx = x[k] - bx, ty = y[k] - by, tz = z[k] - bz;
-    const float from_a2 = vx * vx + vy * vy + vz * vz;
-    const float from_b2 = tx * tx + ty * ty + tz * tz;
-    const float dot = vx * tx + vy * ty + vz * tz;
-    const float forward = vx * wx + vy * wy + vz * wz;
-    const float cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
-    const float value = dot / (length * std::sqrt(cx * cx + cy * cy + cz * cz));
-    const float reachable = std::max(from_a2, from_b2) <= limit2 ? value : unreachable;
-    cotangent[k] = forward > 0 ? reachable : unreachable;
-  }
-  return cotangent_.data();
+  NearestApex nearest(tree, size, side);
+  double radius = reachFromMiddle(side);
+  const double h = side.half_length;
+  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
+    for (std::int32_t i = first; i < end; ++i) {
+      if (i == side.a || i == side.b || passed_over.contains(tree, i) ||
+          !nearest.consider(i))
+        continue;
+      // All better apexes lie in balls through a and b, hence within this of the middle.
+      const double t = h * nearest.best().dot / nearest.best().cross;
+      radius = std::min(radius, t > 0 ? t + std::sqrt(t * t + h * h) : h);
+    }
+  };
+  visitBall(tree, side.a, side.origin + 0.5 * side.u, radius, visit);
+  return nearest.best().index;
+}
+
+bool
+isSphereEmptyOneByOne(const PointTree& tree,
+                      const std::array<std::int32_t, 3>& corners,
+                      const Sphere& sphere)
+{
+  const double inside = sphere.radius * (1 - sphere_tolerance);
+  double radius = inside;
+  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
+    for (std::int32_t i = first; i < end; ++i)
+      if ((tree.position(i) - sphere.centre).squaredNorm() < inside * inside &&
+          i != corners[0] && i != corners[1] && i != corners[2])
+        radius = -1;
+  };
+  visitBall(tree, corners[2], sphere.centre, radius, visit);
+  return radius >= 0;
+}
+
+} // namespace
+
+std::int32_t
+findApex(const PointTree& tree,
+         const SizeConstraint& size,
+         const SideFrame& side,
+         const PassedOver& passed_over)
+{
+  SearchHits hits;
+  treeSearch().apexes(tree.cells(), apexQuery(tree, size, side, passed_over), hits);
+  if (hits.count > SearchHits::capacity)
+    return findApexOneByOne(tree, size, side, passed_over);
+  NearestApex nearest(tree, size, side);
+  for (std::int32_t i = 0; i < hits.count; ++i)
+    nearest.consider(hits.index[i]);
+  return nearest.best().index;
 }
 
 bool
@@ -67,32 +151,36 @@ isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& ape
   const double squared = apex.from_a.squaredNorm();
   const double other = (apex.from_a - side.u).squaredNorm();
   const double longest = std::max(base * base, std::max(squared, other));
+  const double limit = std::min(side.longest, size.longest(apex.index));
   return apex.cross > least_sine * longest && apex.from_a.dot(side.outward) > 0 &&
-         size.allows(side.a, apex.index, squared) &&
-         size.allows(side.b, apex.index, other);
+         std::max(squared, other) <= limit * limit;
 }
 
 bool
 isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 {
   const Sphere sphere = sphereOf(tree, corners);
+  const Eigen::Vector3d origin = tree.position(corners[2]);
+  BallQuery query;
+  query.leaf = tree.leafOf(corners[2]);
+  query.radius = static_cast<float>(sphere.radius);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<int>(i);
+    query.corners[i] = corners[i];
+    query.origin[i] = static_cast<float>(origin[axis]);
+    query.centre[i] = static_cast<float>(sphere.centre[axis] - origin[axis]);
+    query.middle[i] = static_cast<float>(sphere.centre[axis]);
+  }
+  SearchHits hits;
+  if (treeSearch().ball(tree.cells(), query, hits))
+    return false;
+  if (hits.count > SearchHits::capacity)
+    return isSphereEmptyOneByOne(tree, corners, sphere);
   const double inside = sphere.radius * (1 - sphere_tolerance);
-  double radius = inside;
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
-      if ((tree.position(i) - sphere.centre).squaredNorm() < inside * inside &&
-          i != corners[0] && i != corners[1] && i != corners[2]) {
-        radius = -1;
-        return;
-      }
-  };
-  tree.visitBall(
-      corners[2],
-      sphere.centre,
-      radius,
-      [](const PointTree::Node&) { return true; },
-      visit);
-  return radius >= 0;
+  for (std::int32_t i = 0; i < hits.count; ++i)
+    if ((tree.position(hits.index[i]) - sphere.centre).squaredNorm() < inside * inside)
+      return false;
+  return true;
 }
 
 } // namespace pcl::acmap::dewall

@@ -1,5 +1,6 @@
 #include "clusters.h"
 
+#include "ball_visit.h"
 #include "disjoint_sets.h"
 
 namespace pcl::acmap::dewall {
@@ -12,22 +13,23 @@ class Clustering {
 public:
   Clustering(const PointTree& tree,
              const SizeConstraint& size,
-             const std::vector<GrownTriangle>& triangles)
+             const std::vector<TriangleList>& lists)
   : tree_(tree)
   , size_(size)
   , sets_(tree.size())
-  , is_one_set_(static_cast<std::size_t>(tree.size()))
+  , is_one_set_(static_cast<std::size_t>(tree.leafCount()))
   {
-    for (const GrownTriangle& triangle : triangles) {
-      sets_.unite(triangle.corners[0], triangle.corners[1]);
-      sets_.unite(triangle.corners[0], triangle.corners[2]);
-    }
+    for (const TriangleList& list : lists)
+      for (const GrownTriangle& triangle : *list.triangles) {
+        sets_.unite(triangle.corners[0], triangle.corners[1]);
+        sets_.unite(triangle.corners[0], triangle.corners[2]);
+      }
     // Of two sets one at least is not the largest: that one looks for the other.
     const std::int32_t largest = memberOfLargest();
-    for (std::int32_t n = 0; n < tree.nodeCount(); ++n)
-      if (tree.node(n).isLeaf() && !isWithin(tree.node(n), largest)) {
-        join(tree.node(n), tree.node(n));
-        joinNeighbours(tree.node(n));
+    for (std::int32_t leaf = 0; leaf < tree.leafCount(); ++leaf)
+      if (!isWithin(leaf, largest)) {
+        join(leaf, leaf);
+        joinNeighbours(leaf);
       }
   }
 
@@ -49,60 +51,57 @@ private:
   }
 
   bool
-  isWithin(const PointTree::Node& leaf, std::int32_t member)
+  isWithin(std::int32_t leaf, std::int32_t member)
   {
-    return sets_.find(leaf.begin) == sets_.find(member) && isOneSet(leaf);
+    return sets_.find(tree_.firstOfLeaf(leaf)) == sets_.find(member) && isOneSet(leaf);
   }
 
   /** \brief Are all points of a leaf joined? Once they are they stay so. */
   bool
-  isOneSet(const PointTree::Node& leaf)
+  isOneSet(std::int32_t leaf)
   {
-    if (is_one_set_[static_cast<std::size_t>(leaf.begin)])
+    if (is_one_set_[static_cast<std::size_t>(leaf)])
       return true;
-    const std::int32_t first = sets_.find(leaf.begin);
-    for (std::int32_t i = leaf.begin + 1; i < leaf.end; ++i)
+    const std::int32_t begin = tree_.firstOfLeaf(leaf);
+    const std::int32_t first = sets_.find(begin);
+    for (std::int32_t i = begin + 1; i < tree_.firstOfLeaf(leaf + 1); ++i)
       if (sets_.find(i) != first)
         return false;
-    return is_one_set_[static_cast<std::size_t>(leaf.begin)] = true;
+    return is_one_set_[static_cast<std::size_t>(leaf)] = true;
   }
 
   void
-  join(const PointTree::Node& one, const PointTree::Node& other)
+  join(std::int32_t one, std::int32_t other)
   {
-    for (std::int32_t i = one.begin; i < one.end; ++i)
-      for (std::int32_t j = other.begin; j < other.end; ++j)
+    for (std::int32_t i = tree_.firstOfLeaf(one); i < tree_.firstOfLeaf(one + 1); ++i)
+      for (std::int32_t j = tree_.firstOfLeaf(other); j < tree_.firstOfLeaf(other + 1);
+           ++j)
         if (sets_.find(i) != sets_.find(j) &&
             size_.allows(i, j, (tree_.position(i) - tree_.position(j)).squaredNorm()))
           sets_.unite(i, j);
   }
 
   void
-  joinNeighbours(const PointTree::Node& leaf)
+  joinNeighbours(std::int32_t leaf)
   {
-    const Eigen::Vector3d low = Eigen::Vector3f(leaf.low.data()).cast<double>();
-    const Eigen::Vector3d high = Eigen::Vector3f(leaf.high.data()).cast<double>();
-    const double radius = (high - low).norm() / 2 + size_.longestInLeaf(leaf);
-    const auto visit = [&](const PointTree::Node& other) {
-      if (other.begin == leaf.begin)
+    const Eigen::AlignedBox3d box = tree_.boxOfLeaf(leaf).cast<double>();
+    const double radius = box.diagonal().norm() / 2 + size_.longestInLeaf(leaf);
+    const std::int32_t own = tree_.firstOfLeaf(leaf);
+    const auto visit = [&](std::int32_t other, std::int32_t first, std::int32_t) {
+      if (other == leaf)
         return;
-      const bool joined = sets_.find(other.begin) == sets_.find(leaf.begin) &&
-                          isOneSet(leaf) && isOneSet(other);
+      const bool joined =
+          sets_.find(first) == sets_.find(own) && isOneSet(leaf) && isOneSet(other);
       if (!joined)
         join(leaf, other);
     };
-    tree_.visitBall(
-        leaf.begin,
-        (low + high) / 2,
-        radius,
-        [](const PointTree::Node&) { return true; },
-        visit);
+    visitBall(tree_, own, box.center(), radius, visit);
   }
 
   const PointTree& tree_;
   const SizeConstraint& size_;
   DisjointSets sets_;
-  std::vector<bool> is_one_set_; ///< by the first point of a leaf
+  std::vector<bool> is_one_set_; ///< of each leaf
 };
 
 } // namespace
@@ -110,9 +109,9 @@ private:
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
-              const std::vector<GrownTriangle>& triangles)
+              const std::vector<TriangleList>& lists)
 {
-  Clustering clustering(tree, size, triangles);
+  Clustering clustering(tree, size, lists);
   std::vector<std::int32_t> members(static_cast<std::size_t>(tree.size()));
   for (std::int32_t i = 0; i < tree.size(); ++i)
     ++members[static_cast<std::size_t>(clustering.sets().find(i))];

@@ -12,6 +12,6 @@ namespace pcl::acmap::dewall {
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
-              const std::vector<GrownTriangle>& triangles);
+              const std::vector<TriangleList>& lists);
 
 } // namespace pcl::acmap::dewall

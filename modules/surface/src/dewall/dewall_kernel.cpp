@@ -1,16 +1,18 @@
 #include "clusters.h"
 #include "distinct_points.h"
 #include "facing.h"
+#include "joined_parts.h"
+#include "last_passes.h"
 #include "oriented_mesh.h"
-#include "refill.h"
-#include "small_holes.h"
 #include "spacing.h"
 #include "triangle_builder.h"
 
 #include <pcl/core/parallel.h>
 #include <pcl/surface/dewall_kernel.h>
 
+#include <atomic>
 #include <sstream>
+#include <thread>
 
 namespace pcl::acmap {
 
@@ -18,35 +20,29 @@ namespace dewall {
 
 namespace {
 
-/** \brief Tells the progress now and then, by the share of the points in use. */
+/** \brief Tells the progress now and then, by the share of the sides worked off, from
+ * the thread that called; the tasks of other threads only count. */
 class Ticker {
 public:
-  Ticker(const Progress& progress, const GrowingMesh& mesh, std::int32_t points)
+  Ticker(const Progress& progress, std::int32_t points)
   : progress_(progress)
-  , mesh_(mesh)
-  , expected_(2.0 * points)
+  , expected_(4.0 * points)
   {}
 
   void
   operator()()
   {
-    if (++count_ % 4096 == 0)
-      progress_.tell(fraction(), "triangulation");
+    const std::size_t count = count_.fetch_add(1, std::memory_order_relaxed);
+    if (count % 512 == 0 && std::this_thread::get_id() == caller_)
+      progress_.tell(0.05 + 0.9 * std::min(1.0, static_cast<double>(count) / expected_),
+                     "triangulation");
   }
 
 private:
-  double
-  fraction() const
-  {
-    return 0.05 +
-           0.9 *
-               std::min(1.0, static_cast<double>(mesh_.triangles().size()) / expected_);
-  }
-
   const Progress& progress_;
-  const GrowingMesh& mesh_;
-  double expected_;
-  std::size_t count_ = 0;
+  const double expected_;
+  const std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::size_t> count_{0};
 };
 
 void
@@ -60,18 +56,6 @@ remarkOnInput(DeWallReport& report)
   remark(report.invalid_points, "are not finite and were skipped");
   remark(report.duplicate_points,
          "repeat the place of an earlier one and were skipped");
-}
-
-/** \brief The deferred sides, with apexes from everywhere. */
-void
-growAcrossPlanes(const PointTree& tree, Front& front)
-{
-  const Range all{0, tree.size(), 0, TriangleMesh::no_wall};
-  for (const Side& side : front.takeDeferred())
-    front.insert(side, all);
-  front.advance(all);
-  front.advancePostponed(all);
-  front.advanceContrary(all);
 }
 
 std::string
@@ -112,25 +96,30 @@ triangulate(const PointView& view,
   const Facing facing = settings.is_single_view
                             ? Facing::towards(tree, settings.sensor_origin)
                             : Facing::byNormals(tree, settings.normals);
-  GrowingMesh mesh(tree, facing);
-  Ticker ticker(progress, mesh, tree.size());
-  const auto tick = [&] { ticker(); };
-  Front front(tree, size, settings.rule, mesh, tick);
-  buildTriangles(tree, mesh, front, 0, {}, 0, settings.leaf_size);
+  MeshArrays arrays(tree, facing);
+  Ticker ticker(progress, tree.size());
+  const std::function<void()> tick = [&] { ticker(); };
+  std::vector<Part> parts =
+      buildTriangles(arrays, size, {settings.rule, settings.leaf_size}, tick);
   timer.finish("walls and halves");
-  growAcrossPlanes(tree, front);
-  if (settings.rule != DeWallRule::Strict) {
-    report.removed_fans = mesh.keepLargestFans();
-    Refill(tree, size, settings.rule, mesh, tick).run();
+  std::vector<GrownTriangle> contradictions;
+  GrowingMesh mesh = joinParts(arrays, parts, contradictions);
+  report.refused_moebius = contradictions.size();
+  report.removed_fans =
+      finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
+  std::vector<TriangleList> lists;
+  for (Part& part : parts) {
+    lists.push_back({&part.triangles, static_cast<std::uint8_t>(part.node.depth)});
+    report.refused_moebius += part.refused_moebius;
+    report.removed_fans += part.removed_fans;
   }
-  if (settings.rule == DeWallRule::Dense)
-    closeSmallHoles(tree, size, mesh);
-  report.refused_moebius = mesh.refusedMoebius();
+  lists.push_back({&mesh.triangles(), TriangleMesh::no_wall});
+  report.refused_moebius += mesh.refusedMoebius();
   timer.finish("last passes");
-  report.clusters = countClusters(tree, size, mesh.triangles());
+  report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(
-      tree, mesh, facing, settings.sensor_origin, settings.compute_wall_depth, report);
+      mesh, lists, settings.sensor_origin, settings.compute_wall_depth, report);
   timer.finish("orientation");
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));

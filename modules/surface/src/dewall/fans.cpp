@@ -1,10 +1,14 @@
-#include "growing_mesh.h"
+#include "fans.h"
+
+#include <pcl/core/parallel.h>
 
 #include <algorithm>
 
 namespace pcl::acmap::dewall {
 
 namespace {
+
+using Incidence = std::pair<std::int32_t, GrownTriangle*>; ///< vertex, triangle at it
 
 bool
 shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
@@ -16,123 +20,152 @@ shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
   return false;
 }
 
-/** \brief The triangles round a vertex that are not in its largest fan (of equal ones
- * the fan of the earliest triangle stays). */
-std::vector<std::size_t>
-smallerFans(std::int32_t v,
-            const std::vector<std::size_t>& incident,
-            const std::vector<GrownTriangle>& triangles)
+bool
+isTakenOut(const GrownTriangle& triangle)
 {
-  std::vector<std::vector<std::size_t>> fans;
-  std::vector<bool> taken(incident.size());
-  for (std::size_t seed = 0; seed < incident.size(); ++seed) {
-    if (taken[seed])
-      continue;
-    taken[seed] = true;
-    std::vector<std::size_t> fan{incident[seed]};
-    for (std::size_t next = 0; next < fan.size(); ++next)
-      for (std::size_t i = 0; i < incident.size(); ++i)
-        if (!taken[i] && shareEdgeAt(v, triangles[fan[next]], triangles[incident[i]])) {
-          taken[i] = true;
-          fan.push_back(incident[i]);
-        }
-    fans.push_back(std::move(fan));
-  }
-  const auto largest =
-      std::max_element(fans.begin(), fans.end(), [](const auto& f, const auto& g) {
-        return f.size() < g.size();
-      });
-  std::vector<std::size_t> smaller;
-  for (auto fan = fans.begin(); fan != fans.end(); ++fan)
-    if (fan != largest)
-      smaller.insert(smaller.end(), fan->begin(), fan->end());
-  return smaller;
+  return triangle.component < 0;
 }
+
+/** \brief Finds the triangles round a vertex that are not in its largest fan (of equal
+ * ones the fan of the earliest triangle stays). */
+class SmallerFans {
+public:
+  const std::vector<GrownTriangle*>&
+  find(std::int32_t v, const std::vector<GrownTriangle*>& incident)
+  {
+    fan_.assign(incident.size(), -1);
+    sizes_.clear();
+    smaller_.clear();
+    for (std::size_t seed = 0; seed < incident.size(); ++seed)
+      if (fan_[seed] < 0)
+        collect(v, incident, seed);
+    if (sizes_.size() < 2)
+      return smaller_;
+    const auto largest =
+        std::max_element(sizes_.begin(), sizes_.end()) - sizes_.begin();
+    for (std::size_t i = 0; i < incident.size(); ++i)
+      if (fan_[i] != largest)
+        smaller_.push_back(incident[i]);
+    return smaller_;
+  }
+
+private:
+  void
+  collect(std::int32_t v, const std::vector<GrownTriangle*>& incident, std::size_t seed)
+  {
+    const auto fan = static_cast<std::ptrdiff_t>(sizes_.size());
+    members_.assign(1, seed);
+    fan_[seed] = fan;
+    for (std::size_t next = 0; next < members_.size(); ++next)
+      for (std::size_t i = seed + 1; i < incident.size(); ++i)
+        if (fan_[i] < 0 && shareEdgeAt(v, *incident[members_[next]], *incident[i])) {
+          fan_[i] = fan;
+          members_.push_back(i);
+        }
+    sizes_.push_back(members_.size());
+  }
+
+  std::vector<std::ptrdiff_t> fan_; ///< of each triangle
+  std::vector<std::size_t> sizes_, members_;
+  std::vector<GrownTriangle*> smaller_;
+};
+
+class FanChoice {
+public:
+  FanChoice(GrowingMesh& mesh,
+            const std::vector<std::vector<GrownTriangle>*>& lists,
+            bool are_walls_known)
+  : mesh_(mesh)
+  , lists_(lists)
+  , are_walls_known_(are_walls_known)
+  {}
+
+  std::vector<GrownTriangle>
+  run()
+  {
+    while (removeOnce()) {
+    }
+    if (!removed_.empty())
+      oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
+        std::vector<GrownTriangle>& list = *lists_[l];
+        list.erase(std::remove_if(list.begin(), list.end(), isTakenOut), list.end());
+        mesh_.reassignEdges(list);
+      });
+    return std::move(removed_);
+  }
+
+private:
+  bool
+  isLookedAt(std::int32_t corner) const
+  {
+    const Vertex& v = mesh_.arrays().vertex(corner);
+    return v.was_pinched && (are_walls_known_ || !v.is_of_wall);
+  }
+
+  /** \brief Triangles at the pinched vertices, by vertex, then as they stand. */
+  std::vector<Incidence>
+  findIncidences() const
+  {
+    std::vector<std::vector<Incidence>> of_list(lists_.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
+      for (GrownTriangle& triangle : *lists_[l])
+        for (const std::int32_t corner : triangle.corners)
+          if (isLookedAt(corner) && !isTakenOut(triangle))
+            of_list[l].emplace_back(corner, &triangle);
+    });
+    std::vector<Incidence> all;
+    for (const std::vector<Incidence>& some : of_list)
+      all.insert(all.end(), some.begin(), some.end());
+    std::stable_sort(
+        all.begin(), all.end(), [](const Incidence& a, const Incidence& b) {
+          return a.first < b.first;
+        });
+    return all;
+  }
+
+  bool
+  removeOnce()
+  {
+    const std::vector<Incidence> incident = findIncidences();
+    for (const Incidence& incidence : incident)
+      mesh_.arrays().vertex(incidence.first).was_pinched = false;
+    const std::size_t before = removed_.size();
+    std::vector<GrownTriangle*> around;
+    for (auto begin = incident.begin(); begin != incident.end();) {
+      const std::int32_t v = begin->first;
+      around.clear();
+      for (; begin != incident.end() && begin->first == v; ++begin)
+        if (!isTakenOut(*begin->second))
+          around.push_back(begin->second);
+      for (GrownTriangle* triangle : fans_.find(v, around))
+        takeOut(*triangle);
+    }
+    return removed_.size() > before;
+  }
+
+  void
+  takeOut(GrownTriangle& triangle)
+  {
+    mesh_.detach(triangle);
+    removed_.push_back(triangle);
+    triangle.component = -1;
+  }
+
+  GrowingMesh& mesh_;
+  const std::vector<std::vector<GrownTriangle>*>& lists_;
+  const bool are_walls_known_;
+  std::vector<GrownTriangle> removed_;
+  SmallerFans fans_;
+};
 
 } // namespace
 
-bool
-GrowingMesh::removeSmallerFans(std::vector<bool>& removed)
+std::vector<GrownTriangle>
+keepLargestFans(GrowingMesh& mesh,
+                const std::vector<std::vector<GrownTriangle>*>& lists,
+                bool are_walls_known)
 {
-  std::vector<std::pair<std::int32_t, std::size_t>>
-      incident; // pinched vertex, triangle
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (const std::int32_t corner : triangles_[t].corners)
-      if (vertex(corner).was_pinched && !removed[t])
-        incident.emplace_back(corner, t);
-  std::sort(incident.begin(), incident.end());
-  for (Vertex& v : vertices_)
-    v.was_pinched = false;
-  bool any = false;
-  for (auto begin = incident.begin(); begin != incident.end();) {
-    const std::int32_t v = begin->first;
-    std::vector<std::size_t> around;
-    for (; begin != incident.end() && begin->first == v; ++begin)
-      if (!removed[begin->second])
-        around.push_back(begin->second);
-    for (const std::size_t t : smallerFans(v, around, triangles_)) {
-      removed[t] = any = true;
-      // Without it the fans of its other corners may fall apart.
-      for (const std::int32_t corner : triangles_[t].corners)
-        vertex(corner).was_pinched = true;
-    }
-  }
-  return any;
-}
-
-std::size_t
-GrowingMesh::keepLargestFans()
-{
-  std::vector<bool> removed(triangles_.size());
-  while (removeSmallerFans(removed)) {
-  }
-  const auto count =
-      static_cast<std::size_t>(std::count(removed.begin(), removed.end(), true));
-  if (count > 0)
-    forget(removed);
-  return count;
-}
-
-void
-GrowingMesh::forget(const std::vector<bool>& removed)
-{
-  std::vector<bool> touched(vertices_.size());
-  const auto isTouched = [&](std::int32_t v) {
-    return touched[static_cast<std::size_t>(v)];
-  };
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    if (removed[t])
-      for (const std::int32_t corner : triangles_[t].corners)
-        touched[static_cast<std::size_t>(corner)] = true;
-
-  for (std::int32_t low = 0; low < tree_.size(); ++low) {
-    if (!isTouched(low))
-      continue;
-    vertex(low).used = false;
-    edges_.forEachAt(low, [&](Edge& edge) {
-      if (!isTouched(edge.high))
-        return;
-      if (edge.isOpen()) {
-        --vertex(low).open_edges;
-        --vertex(edge.high).open_edges;
-      }
-      edge.triangles = 0;
-    });
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (removed[t])
-      continue;
-    const GrownTriangle triangle = triangles_[kept++] = triangles_[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
-      if (isTouched(from))
-        vertex(from).used = true;
-      if (isTouched(from) && isTouched(to))
-        attach(from, to, triangle.corners[(i + 2) % 3], triangle.component);
-    }
-  }
-  triangles_.resize(kept);
+  return FanChoice(mesh, lists, are_walls_known).run();
 }
 
 } // namespace pcl::acmap::dewall

@@ -73,15 +73,18 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
   const std::int32_t opposite = mesh_.oppositeOf(side);
   if (opposite < 0)
     return;
-  const SideFrame frame(tree_, side.a, side.b, opposite);
+  const SideFrame frame(tree_, size_, side.a, side.b, opposite);
   const bool mask = rule_ == DeWallRule::Paper;
-  std::int32_t blocked = -1;
+  PassedOver passed_over;
+  if (mask) {
+    passed_over.masks = mesh_.arrays().saturated.data();
+    passed_over.first_leaf = range.first_leaf;
+    passed_over.end_leaf = range.end_leaf;
+  }
   // With the paper's rule the second-nearest apex gets its chance when the guard
   // refuses the first; without the sphere test it would open second sheets.
   for (int attempt = 0; attempt < (mask ? 2 : 1); ++attempt) {
-    const std::int32_t apex = findApex(tree_, size_, frame, [&](std::int32_t i) {
-      return i != blocked && !(mask && range.contains(i) && mesh_.isSaturated(i));
-    });
+    const std::int32_t apex = findApex(tree_, size_, frame, passed_over);
     if (apex < 0)
       return;
     if (!range.contains(apex)) {
@@ -90,7 +93,7 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
     }
     if (tryApex(side, apex, range, doubt))
       return;
-    blocked = apex;
+    passed_over.point = apex;
   }
 }
 
@@ -127,7 +130,7 @@ Front::tryCandidate(const Side& side,
       return true;
     }
   }
-  mesh_.add(side, apex, range.depth);
+  mesh_.add(side, apex);
   insertOpen({side.a, apex}, range);
   insertOpen({apex, side.b}, range);
   return true;
@@ -148,7 +151,7 @@ Front::startAt(std::int32_t p1, std::int32_t p2, const Range& range)
   });
   if (p3 < 0 || !isFirstTriangle(tree_, size_, {p1, p2, p3}))
     return;
-  mesh_.addSeed({p1, p2, p3}, range.depth);
+  mesh_.addSeed({p1, p2, p3});
   for (const Side& side : mesh_.sidesOfLast())
     insert(side, range);
   advance(range);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apex_search.h"
-#include "growing_mesh.h"
+#include "range.h"
 #include "third_point.h"
 
 #include <pcl/surface/dewall_types.h>
@@ -10,28 +10,6 @@
 #include <utility>
 
 namespace pcl::acmap::dewall {
-
-/** \brief A run of tree points, and in a wall the first one beyond the splitting plane.
- */
-struct Range {
-  std::int32_t begin, end;
-  std::int32_t
-      middle; ///< equal to begin in a leaf of the recursion: every side is ours
-  std::uint8_t depth;
-
-  bool
-  contains(std::int32_t i) const
-  {
-    return begin <= i && i < end;
-  }
-
-  /** \brief Is this side in L_alpha, the list of sides that alpha cuts (Fig. 6)? */
-  bool
-  isCut(const Side& side) const
-  {
-    return middle == begin || (side.a < middle) != (side.b < middle);
-  }
-};
 
 /** \brief Grows triangles side by side, first in first out ([P] Fig. 6, the while
  * loop).
@@ -90,12 +68,14 @@ public:
     return std::exchange(uncut_, {});
   }
 
-  /** \brief Leaves what was postponed to the last pass. */
+  /** \brief Leaves what waits to the last pass. */
   void
-  deferPostponed()
+  deferWaiting()
   {
     for (const Candidate& candidate : std::exchange(postponed_, {}))
       deferred_.push_back(candidate.side);
+    for (const Side& side : std::exchange(contrary_, {}))
+      deferred_.push_back(side);
   }
 
   /** \brief Hands over the sides left to the last pass: those, and the ones whose apex

@@ -4,25 +4,6 @@
 
 namespace pcl::acmap::dewall {
 
-std::int32_t
-GrowingMesh::oppositeOf(const Side& side)
-{
-  const Edge* edge = edges_.find(side.a, side.b);
-  return edge && edge->isOpen() ? edge->opposite : -1;
-}
-
-double
-GrowingMesh::cosineOfTurnAt(std::int32_t a,
-                            std::int32_t b,
-                            const Edge& edge,
-                            std::int32_t corner) const
-{
-  return cosineOfTurn(tree_.position(a),
-                      tree_.position(b),
-                      tree_.position(edge.opposite),
-                      tree_.position(corner));
-}
-
 Eigen::Vector3f
 GrowingMesh::areaVector(const std::array<std::int32_t, 3>& corners) const
 {
@@ -35,13 +16,13 @@ GrowingMesh::areaVector(const std::array<std::int32_t, 3>& corners) const
 }
 
 bool
-GrowingMesh::isOdd(const Side& side, std::int32_t apex)
+GrowingMesh::isOdd(const Side& side, std::int32_t apex, std::int32_t component)
 {
   const Eigen::Vector3f area = areaVector({side.b, side.a, apex});
   const float plumpness = area.norm();
   if (plumpness < static_cast<float>(least_plumpness))
     return true;
-  const ParityUnion::Root own = parity_.find(edges_.find(side.a, side.b)->component);
+  const ParityUnion::Root own = parity_.find(component);
   for (const std::int32_t end : {side.a, side.b}) {
     const Vertex& v = vertex(end);
     const ParityUnion::Root root = parity_.find(v.component);
@@ -57,6 +38,7 @@ GrowingMesh::isOdd(const Side& side, std::int32_t apex)
 GrowingMesh::Demands
 GrowingMesh::demands(const Side& side,
                      std::int32_t apex,
+                     const Edge* base,
                      const Edge* at_a,
                      const Edge* at_b)
 {
@@ -65,11 +47,12 @@ GrowingMesh::demands(const Side& side,
   const auto demand = [&](const Edge* edge, bool ascending) {
     if (!edge || !edge->isOpen())
       return;
-    const ParityUnion::Root root = parity_.find(edge->component);
+    const ParityUnion::Root root =
+        parity_.find(static_cast<std::int32_t>(edge->component));
     all.of[all.count++] = {root.component,
-                           root.flipped != (edge->ascending == ascending)};
+                           root.flipped != (bool(edge->ascending) == ascending)};
   };
-  demand(edges_.find(side.a, side.b), side.b < side.a);
+  demand(base, side.b < side.a);
   demand(at_a, side.a < apex);
   demand(at_b, apex < side.b);
   return all;
@@ -78,8 +61,11 @@ GrowingMesh::demands(const Side& side,
 GrowingMesh::Bridge
 GrowingMesh::bridge(const Side& side, std::int32_t apex)
 {
-  const Demands all =
-      demands(side, apex, edges_.find(side.a, apex), edges_.find(side.b, apex));
+  const Demands all = demands(side,
+                              apex,
+                              arrays_.find(side.a, side.b),
+                              arrays_.find(side.a, apex),
+                              arrays_.find(side.b, apex));
   for (std::size_t i = 1; i < all.count; ++i)
     if (all.of[i].root != all.of[0].root)
       return {std::min(all.of[i].root, all.of[0].root),
@@ -89,12 +75,8 @@ GrowingMesh::bridge(const Side& side, std::int32_t apex)
 }
 
 bool
-GrowingMesh::isOrientable(const Side& side,
-                          std::int32_t apex,
-                          const Edge* at_a,
-                          const Edge* at_b)
+GrowingMesh::isOrientable(const Demands& all) const
 {
-  const Demands all = demands(side, apex, at_a, at_b);
   if (facing_.isKnown()) // all components face it already: none may be turned over
     return std::none_of(all.of.begin(),
                         all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
@@ -106,48 +88,44 @@ GrowingMesh::isOrientable(const Side& side,
   return true;
 }
 
-bool
-GrowingMesh::isContrary(const Side& side, std::int32_t apex)
-{
-  return facing_.shownArea(tree_, {side.b, side.a, apex}) < 0;
-}
-
-const Edge*
-GrowingMesh::findUsed(std::int32_t a, std::int32_t b)
-{
-  const Edge* edge = edges_.find(a, b);
-  return edge && edge->triangles > 0 ? edge : nullptr;
-}
-
 double
-GrowingMesh::steepestCosine(const Side& side, std::int32_t apex)
+GrowingMesh::steepestCosine(const Side& side,
+                            std::int32_t apex,
+                            const Edge* base,
+                            const Edge* at_a,
+                            const Edge* at_b) const
 {
-  double least = cosineOfTurnAt(side.a, side.b, *edges_.find(side.a, side.b), apex);
-  if (const Edge* at_a = findUsed(side.a, apex))
-    least = std::min(least, cosineOfTurnAt(side.a, apex, *at_a, side.b));
-  if (const Edge* at_b = findUsed(side.b, apex))
-    least = std::min(least, cosineOfTurnAt(side.b, apex, *at_b, side.a));
+  const Eigen::Vector3d a = tree_.position(side.a), b = tree_.position(side.b),
+                        p = tree_.position(apex);
+  double least = cosineOfTurn(a, b, tree_.position(base->opposites), p);
+  if (at_a)
+    least = std::min(least, cosineOfTurn(a, p, tree_.position(at_a->opposites), b));
+  if (at_b)
+    least = std::min(least, cosineOfTurn(b, p, tree_.position(at_b->opposites), a));
   return least;
 }
 
 GrowingMesh::Verdict
 GrowingMesh::judge(const Side& side, std::int32_t apex)
 {
-  const Edge* at_a = findUsed(side.a, apex);
-  const Edge* at_b = findUsed(side.b, apex);
+  const Edge* at_a = arrays_.findUsed(side.a, apex);
+  const Edge* at_b = arrays_.findUsed(side.b, apex);
   if ((at_a && !at_a->isOpen()) || (at_b && !at_b->isOpen()))
     return Verdict::Blocked;
-  if (!at_a && !at_b && isUsed(apex))
-    return isSaturated(apex) ? Verdict::Blocked : Verdict::Pinches;
-  const double cosine = steepestCosine(side, apex);
+  if (!at_a && !at_b && isUsed(apex)) // one pinch a vertex: most are taken out again
+    return vertex(apex).open_edges == 2 ? Verdict::Pinches : Verdict::Blocked;
+  const Edge* base = arrays_.find(side.a, side.b);
+  const double cosine = steepestCosine(side, apex, base, at_a, at_b);
   if (cosine <= cos_largest_turn)
     return Verdict::Blocked;
-  if ((at_a || at_b) && !isOrientable(side, apex, at_a, at_b)) {
+  if ((at_a || at_b) && !isOrientable(demands(side, apex, base, at_a, at_b))) {
     ++refused_moebius_;
     return Verdict::Blocked;
   }
-  return cosine < cos_gentle_turn || isOdd(side, apex) ? Verdict::Doubtful
-                                                       : Verdict::Fits;
+  return cosine < cos_gentle_turn ||
+                 isOdd(side, apex, static_cast<std::int32_t>(base->component))
+             ? Verdict::Doubtful
+             : Verdict::Fits;
 }
 
 void
@@ -156,22 +134,63 @@ GrowingMesh::attach(std::int32_t from,
                     std::int32_t opposite,
                     std::int32_t component)
 {
-  Edge* found = edges_.find(from, to);
-  Edge& edge = found ? *found : edges_.add(from, to);
+  Edge* edge = arrays_.find(from, to);
+  if (!edge) {
+    std::int32_t& first = vertex(std::min(from, to)).first_edge;
+    const std::int32_t index = new_edges_.take();
+    edge = &arrays_.edges[index];
+    *edge = {std::max(from, to), first, 0, 0, 0, 0};
+    first = index;
+  }
   const bool ascending = from < to;
-  if (edge.triangles == 0) {
-    edge.opposite = opposite;
-    edge.component = component;
-    edge.ascending = ascending;
-    ++vertex(from).open_edges;
-    ++vertex(to).open_edges;
+  if (edge->triangles == 0) {
+    edge->opposites = opposite;
+    edge->component = static_cast<std::uint32_t>(component) & Edge::largest_component;
+    edge->ascending = ascending;
+    vertex(from).addOpenEdges(1);
+    vertex(to).addOpenEdges(1);
   }
-  else if (edge.isOpen()) {
-    parity_.unite(edge.component, component, edge.ascending == ascending);
-    --vertex(from).open_edges;
-    --vertex(to).open_edges;
+  else if (edge->isOpen()) {
+    const auto first = static_cast<std::int32_t>(edge->component);
+    const bool flipped = bool(edge->ascending) == ascending;
+    if (parity_.unite(first, component, flipped))
+      joints_.push_back({first, component, flipped});
+    edge->opposites ^= opposite;
+    vertex(from).addOpenEdges(-1);
+    vertex(to).addOpenEdges(-1);
   }
-  ++edge.triangles;
+  if (edge->triangles < 3)
+    ++edge->triangles;
+}
+
+void
+GrowingMesh::detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite)
+{
+  Edge& edge = *arrays_.find(from, to);
+  const int change = edge.isOpen() ? -1 : 1;
+  vertex(from).addOpenEdges(change);
+  vertex(to).addOpenEdges(change);
+  edge.opposites ^= opposite;
+  --edge.triangles;
+}
+
+void
+GrowingMesh::reassignEdges(const std::vector<GrownTriangle>& triangles)
+{
+  for (const GrownTriangle& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
+      const Vertex &start = vertex(from), &end = vertex(to);
+      if (!start.has_lost || !end.has_lost || start.open_edges == 0 ||
+          end.open_edges == 0)
+        continue;
+      Edge& edge = *arrays_.find(from, to);
+      if (edge.isOpen()) {
+        edge.component =
+            static_cast<std::uint32_t>(triangle.component) & Edge::largest_component;
+        edge.ascending = from < to;
+      }
+    }
 }
 
 void
@@ -186,40 +205,80 @@ GrowingMesh::put(const GrownTriangle& triangle)
   for (const std::int32_t corner : triangle.corners) {
     Vertex& v = vertex(corner);
     v.was_pinched |= v.open_edges > 2;
-    if (!v.used)
+    v.is_mixed |= v.triangles > 0 && v.component != triangle.component;
+    v.is_of_wall |= is_of_wall_;
+    if (v.triangles == 0) {
       v.component = triangle.component;
+      v.normal.setZero();
+      arrays_.noteUse(corner, true);
+    }
+    if (v.triangles < 0xffff)
+      ++v.triangles;
     const ParityUnion::Root root = parity_.find(v.component);
     if (root.component == own.component)
       v.normal += root.flipped != own.flipped ? Eigen::Vector3f(-area) : area;
-    v.used = true;
+    if (v.open_edges == 0)
+      arrays_.noteSaturation(corner, true);
   }
 }
 
 void
-GrowingMesh::add(const Side& side, std::int32_t apex, std::uint8_t depth)
+GrowingMesh::detach(const GrownTriangle& triangle)
 {
-  const std::int32_t component = edges_.find(side.a, side.b)->component;
-  triangles_.push_back({{side.b, side.a, apex}, component, depth});
+  const auto [a, b, c] = triangle.corners;
+  detachEdge(a, b, c);
+  detachEdge(b, c, a);
+  detachEdge(c, a, b);
+  for (const std::int32_t corner : triangle.corners) {
+    Vertex& v = vertex(corner);
+    v.has_lost = true;
+    v.was_pinched = true; // without it the fan may have fallen apart
+    if (--v.triangles == 0)
+      arrays_.noteUse(corner, false);
+    arrays_.noteSaturation(corner, v.triangles > 0 && v.open_edges == 0);
+  }
+}
+
+void
+GrowingMesh::add(const Side& side, std::int32_t apex)
+{
+  const auto component =
+      static_cast<std::int32_t>(arrays_.find(side.a, side.b)->component);
+  triangles_.push_back({{side.b, side.a, apex}, component});
   put(triangles_.back());
 }
 
 void
-GrowingMesh::addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth)
+GrowingMesh::addSeed(const std::array<std::int32_t, 3>& corners)
 {
   const auto [a, b, c] = corners;
   const bool turned = facing_.shownArea(tree_, corners) < 0;
-  triangles_.push_back(
-      {{a, turned ? c : b, turned ? b : c}, parity_.addComponent(), depth});
+  triangles_.push_back({{a, turned ? c : b, turned ? b : c}, parity_.addComponent()});
   put(triangles_.back());
 }
 
+std::int32_t
+GrowingMesh::endOfFan(std::int32_t at, const Side& side)
+{
+  std::int32_t previous = side.a == at ? side.b : side.a;
+  std::int32_t next = oppositeOf(side);
+  for (;;) {
+    const Edge& edge = *arrays_.find(at, next);
+    if (edge.isOpen())
+      return next;
+    const std::int32_t beyond = edge.opposites ^ previous;
+    previous = next;
+    next = beyond;
+  }
+}
+
 std::vector<Side>
-GrowingMesh::openSides()
+GrowingMesh::openSides(std::int32_t begin, std::int32_t end)
 {
   std::vector<Side> sides;
-  for (std::int32_t low = 0; low < tree_.size(); ++low)
+  for (std::int32_t low = begin; low < end; ++low)
     if (vertex(low).open_edges > 0)
-      edges_.forEachAt(low, [&](const Edge& edge) {
+      arrays_.forEachEdgeAt(low, [&](const Edge& edge) {
         if (edge.isOpen())
           sides.push_back(edge.ascending ? Side{low, edge.high} : Side{edge.high, low});
       });

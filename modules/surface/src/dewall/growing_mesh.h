@@ -1,9 +1,7 @@
 #pragma once
 
-#include "edge_table.h"
-#include "facing.h"
+#include "mesh_arrays.h"
 #include "parity_union.h"
-#include "point_tree.h"
 
 #include <array>
 #include <tuple>
@@ -20,13 +18,21 @@ struct Side {
 struct GrownTriangle {
   std::array<std::int32_t, 3> corners;
   std::int32_t component; ///< the seed it grew from; its corners run as that seed's do
-  std::uint8_t depth;     ///< of the wall that made it
 };
 
-/** \brief The mesh while it grows, and the guard that keeps it a manifold.
- *
- * Each vertex counts its open edges: 0 is unused or *saturated* (its fan is closed), 2
- * one open fan, more a *pinch*, which later triangles may mend. */
+/** \brief Triangles of one wall, or of one leaf. */
+struct TriangleList {
+  std::vector<GrownTriangle>* triangles;
+  std::uint8_t depth; ///< of the divide step, 255 for the last passes
+};
+
+/** \brief Two components that share an edge, one turned over if flipped. */
+struct Joint {
+  std::int32_t first, second;
+  bool flipped;
+};
+
+/** \brief The mesh as one task grows it, and the guard that keeps it a manifold. */
 class GrowingMesh {
 public:
   /** Doubtful: legal, but steep or thin, so that one of them may turn half a wall
@@ -47,12 +53,27 @@ public:
     }
   };
 
-  GrowingMesh(const PointTree& tree, const Facing& facing)
-  : tree_(tree)
-  , facing_(facing)
-  , edges_(tree.size())
-  , vertices_(static_cast<std::size_t>(tree.size()))
+  /** \param[in] parity of the components of the walls above */
+  GrowingMesh(MeshArrays& arrays, ParityUnion parity)
+  : arrays_(arrays)
+  , tree_(arrays.tree)
+  , facing_(arrays.facing)
+  , new_edges_(arrays.edges)
+  , parity_(std::move(parity))
   {}
+
+  MeshArrays&
+  arrays()
+  {
+    return arrays_;
+  }
+
+  /** \brief From now on the triangles cross a splitting plane, or do not. */
+  void
+  setOfWall(bool is_of_wall)
+  {
+    is_of_wall_ = is_of_wall;
+  }
 
   /** \brief Would triangle (b, a, apex) over an open side keep the guarantees? */
   Verdict
@@ -61,43 +82,70 @@ public:
   /** \brief Would triangle (b, a, apex) show its back to the side from which its points
    * were seen? False where that is not known. */
   bool
-  isContrary(const Side& side, std::int32_t apex);
-
-  /** \brief Cosine of the largest turn that triangle would make at one of its sides. */
-  double
-  steepestCosine(const Side& side, std::int32_t apex);
+  isContrary(const Side& side, std::int32_t apex) const
+  {
+    return facing_.shownArea(tree_, {side.b, side.a, apex}) < 0;
+  }
 
   Bridge
   bridge(const Side& side, std::int32_t apex);
 
   /** \brief Adds triangle (b, a, apex) over an open side. */
   void
-  add(const Side& side, std::int32_t apex, std::uint8_t depth);
+  add(const Side& side, std::int32_t apex);
 
   /** \brief Adds the first triangle of a component, turned to its face. */
   void
-  addSeed(const std::array<std::int32_t, 3>& corners, std::uint8_t depth);
+  addSeed(const std::array<std::int32_t, 3>& corners);
+
+  /** \brief Takes a triangle out, but not of the list of triangles; reassignEdges () is
+   * due when all have been taken out. */
+  void
+  detach(const GrownTriangle& triangle);
+
+  /** \brief Gives the open edges round what was taken out to the triangles that stayed.
+   */
+  void
+  reassignEdges(const std::vector<GrownTriangle>& triangles);
 
   bool
   hasEdge(std::int32_t a, std::int32_t b)
   {
-    return findUsed(a, b) != nullptr;
+    return arrays_.findUsed(a, b) != nullptr;
   }
 
   /** \brief Third corner of the only triangle at a side; -1 when it is not open. */
   std::int32_t
-  oppositeOf(const Side& side);
+  oppositeOf(const Side& side)
+  {
+    const Edge* edge = arrays_.find(side.a, side.b);
+    return edge && edge->isOpen() ? edge->opposites : -1;
+  }
+
+  /** \brief An open side the way its triangle's component runs through it. */
+  Side
+  asItRuns(const Side& side)
+  {
+    const Edge* edge = arrays_.find(side.a, side.b);
+    return bool(edge->ascending) == (side.a < side.b) ? side : Side{side.b, side.a};
+  }
+
+  /** \brief From one open side of a fan at vertex \a at over its triangles to the other:
+   * the other end of that side. */
+  std::int32_t
+  endOfFan(std::int32_t at, const Side& side);
 
   bool
   isUsed(std::int32_t i) const
   {
-    return vertex(i).used;
+    return arrays_.isUsed(i);
   }
 
   bool
   isSaturated(std::int32_t i) const
   {
-    return vertex(i).used && vertex(i).open_edges == 0;
+    const Vertex& v = arrays_.vertices[static_cast<std::size_t>(i)];
+    return v.triangles > 0 && v.open_edges == 0;
   }
 
   const std::vector<GrownTriangle>&
@@ -106,29 +154,34 @@ public:
     return triangles_;
   }
 
+  std::vector<GrownTriangle>&
+  triangles()
+  {
+    return triangles_;
+  }
+
   /** \brief Sides of the triangle added last. */
-  std::vector<Side>
+  std::array<Side, 3>
   sidesOfLast() const
   {
     const auto [a, b, c] = triangles_.back().corners;
-    return {{a, b}, {b, c}, {c, a}};
+    return {Side{a, b}, Side{b, c}, Side{c, a}};
   }
 
-  /** \brief Open sides, by ascending lower end. */
+  /** \brief Open sides whose lower end is in [begin, end), by ascending lower end. */
   std::vector<Side>
-  openSides();
+  openSides(std::int32_t begin, std::int32_t end);
 
-  /** \brief Removes all but the largest fan of every pinched vertex, and what that
-   * pinches in turn.
-   * \return number of triangles removed */
-  std::size_t
-  keepLargestFans();
-
-  /** \brief Does a triangle run the other way round than the root of its component? */
-  bool
-  isFlipped(const GrownTriangle& triangle)
+  ParityUnion&
+  parity()
   {
-    return parity_.find(triangle.component).flipped;
+    return parity_;
+  }
+
+  std::vector<Joint>
+  takeJoints()
+  {
+    return std::exchange(joints_, {});
   }
 
   /** \brief Triangles not made because their component would be a Moebius band. */
@@ -139,24 +192,10 @@ public:
   }
 
 private:
-  struct Vertex {
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< sum over its triangles, ...
-    std::int32_t component = -1;                      ///< ... as this component runs
-    std::uint16_t open_edges = 0;
-    bool used = false;
-    bool was_pinched = false;
-  };
-
   Vertex&
   vertex(std::int32_t i)
   {
-    return vertices_[static_cast<std::size_t>(i)];
-  }
-
-  const Vertex&
-  vertex(std::int32_t i) const
-  {
-    return vertices_[static_cast<std::size_t>(i)];
+    return arrays_.vertex(i);
   }
 
   /** What the neighbours of a new triangle ask of its orientation. */
@@ -170,27 +209,30 @@ private:
   };
 
   Demands
-  demands(const Side& side, std::int32_t apex, const Edge* at_a, const Edge* at_b);
+  demands(const Side& side,
+          std::int32_t apex,
+          const Edge* base,
+          const Edge* at_a,
+          const Edge* at_b);
 
   /** \brief Is the triangle thin, or far from the mean normal at one of the ends of its
    * side? A chain of gentle turns can turn over as well as a steep one. */
   bool
-  isOdd(const Side& side, std::int32_t apex);
+  isOdd(const Side& side, std::int32_t apex, std::int32_t component);
 
   Eigen::Vector3f
   areaVector(const std::array<std::int32_t, 3>& corners) const;
 
   bool
-  isOrientable(const Side& side, std::int32_t apex, const Edge* at_a, const Edge* at_b);
+  isOrientable(const Demands& demands) const;
 
-  const Edge*
-  findUsed(std::int32_t a, std::int32_t b);
-
+  /** \brief Cosine of the largest turn the triangle would make at one of its sides. */
   double
-  cosineOfTurnAt(std::int32_t a,
-                 std::int32_t b,
-                 const Edge& edge,
-                 std::int32_t corner) const;
+  steepestCosine(const Side& side,
+                 std::int32_t apex,
+                 const Edge* base,
+                 const Edge* at_a,
+                 const Edge* at_b) const;
 
   void
   put(const GrownTriangle& triangle);
@@ -201,19 +243,18 @@ private:
          std::int32_t opposite,
          std::int32_t component);
 
-  bool
-  removeSmallerFans(std::vector<bool>& removed);
-
   void
-  forget(const std::vector<bool>& removed);
+  detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite);
 
+  MeshArrays& arrays_;
   const PointTree& tree_;
   const Facing& facing_;
-  EdgeTable edges_;
-  std::vector<Vertex> vertices_;
+  EdgePool::Cursor new_edges_;
   std::vector<GrownTriangle> triangles_;
   ParityUnion parity_;
+  std::vector<Joint> joints_;
   std::size_t refused_moebius_ = 0;
+  bool is_of_wall_ = false;
 };
 
 } // namespace pcl::acmap::dewall

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "point_tree.h"
+#include "ball_visit.h"
 
 namespace pcl::acmap::dewall {
 
@@ -14,22 +14,21 @@ nearestPoint(const PointTree& tree, std::int32_t i, double within, const Accept&
   double radius = within;
   double best_squared = within * within;
   std::int32_t best = -1;
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t j = leaf.begin; j < leaf.end; ++j) {
-      if (j == i)
-        continue;
-      const double squared = (tree.position(j) - centre).squaredNorm();
-      const bool nearer =
-          squared < best_squared || (squared == best_squared && (best < 0 || j < best));
-      if (nearer && accept(j)) {
-        best = j;
-        best_squared = squared;
-        radius = std::sqrt(squared);
-      }
-    }
-  };
-  tree.visitBall(
-      i, centre, radius, [](const PointTree::Node&) { return true; }, visit);
+  visitBall(
+      tree, i, centre, radius, [&](std::int32_t, std::int32_t first, std::int32_t end) {
+        for (std::int32_t j = first; j < end; ++j) {
+          if (j == i)
+            continue;
+          const double squared = (tree.position(j) - centre).squaredNorm();
+          const bool nearer = squared < best_squared ||
+                              (squared == best_squared && (best < 0 || j < best));
+          if (nearer && accept(j)) {
+            best = j;
+            best_squared = squared;
+            radius = std::sqrt(squared);
+          }
+        }
+      });
   return best;
 }
 

@@ -9,13 +9,14 @@ namespace {
 /** \brief Components of the mesh, by vertices: under the guarantee of one fan a vertex,
  * triangles that share a vertex are joined by edges too. */
 DisjointSets
-findComponents(const PointTree& tree, const std::vector<GrownTriangle>& triangles)
+findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 {
   DisjointSets components(tree.size());
-  for (const GrownTriangle& triangle : triangles) {
-    components.unite(triangle.corners[0], triangle.corners[1]);
-    components.unite(triangle.corners[0], triangle.corners[2]);
-  }
+  for (const TriangleList& list : lists)
+    for (const GrownTriangle& triangle : *list.triangles) {
+      components.unite(triangle.corners[0], triangle.corners[1]);
+      components.unite(triangle.corners[0], triangle.corners[2]);
+    }
   return components;
 }
 
@@ -32,58 +33,104 @@ areaFacing(const PointTree& tree,
   return distance > 0 ? (b - a).cross(c - a).dot(view) / (2 * distance) : 0.0;
 }
 
+/** \brief Gives each component the way round in which it shows most. */
+class Turning {
+public:
+  Turning(GrowingMesh& grown,
+          const std::vector<TriangleList>& lists,
+          const Eigen::Vector3d& sensor)
+  : grown_(grown)
+  , tree_(grown.arrays().tree)
+  , components_(findComponents(tree_, lists))
+  , shown_(static_cast<std::size_t>(tree_.size()))
+  {
+    const Facing& facing = grown.arrays().facing;
+    for (const TriangleList& list : lists)
+      for (const GrownTriangle& triangle : *list.triangles) {
+        const double area = facing.isKnown()
+                                ? facing.shownArea(tree_, triangle.corners)
+                                : areaFacing(tree_, triangle.corners, sensor);
+        shownOf(triangle) += isFlipped(triangle) ? -area : area;
+      }
+  }
+
+  bool
+  turns(const GrownTriangle& triangle)
+  {
+    return isFlipped(triangle) != (shownOf(triangle) < 0);
+  }
+
+  std::size_t
+  count()
+  {
+    std::size_t count = 0;
+    for (std::int32_t v = 0; v < tree_.size(); ++v)
+      count += grown_.isUsed(v) && components_.find(v) == v;
+    return count;
+  }
+
+private:
+  bool
+  isFlipped(const GrownTriangle& triangle)
+  {
+    return grown_.parity().find(triangle.component).flipped;
+  }
+
+  double&
+  shownOf(const GrownTriangle& triangle)
+  {
+    return shown_[static_cast<std::size_t>(components_.find(triangle.corners[0]))];
+  }
+
+  GrowingMesh& grown_;
+  const PointTree& tree_;
+  DisjointSets components_;
+  std::vector<double> shown_;
+};
+
 void
-count(const PointTree& tree,
-      const std::vector<GrownTriangle>& triangles,
-      GrowingMesh& grown,
-      DisjointSets& components,
-      DeWallReport& report)
+count(GrowingMesh& grown, DeWallReport& report)
 {
-  report.triangles = triangles.size();
-  report.boundary_edges = grown.openSides().size();
+  const std::vector<Vertex>& vertices = grown.arrays().vertices;
+  std::size_t open_ends = 0;
+  for (const Vertex& v : vertices) {
+    report.used_points += v.triangles > 0;
+    open_ends += v.open_edges;
+  }
+  report.boundary_edges = open_ends / 2;
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;
-  for (std::int32_t v = 0; v < tree.size(); ++v)
-    if (grown.isUsed(v)) {
-      ++report.used_points;
-      report.components += components.find(v) == v;
-    }
 }
 
 } // namespace
 
 TriangleMesh
-orientedMesh(const PointTree& tree,
-             GrowingMesh& grown,
-             const Facing& facing,
+orientedMesh(GrowingMesh& grown,
+             const std::vector<TriangleList>& lists,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report)
 {
-  const std::vector<GrownTriangle>& triangles = grown.triangles();
-  DisjointSets components = findComponents(tree, triangles);
-  std::vector<double> shown(static_cast<std::size_t>(tree.size()));
-  for (const GrownTriangle& triangle : triangles) {
-    const double area = facing.isKnown()
-                            ? facing.shownArea(tree, triangle.corners)
-                            : areaFacing(tree, triangle.corners, sensor_origin);
-    shown[static_cast<std::size_t>(components.find(triangle.corners[0]))] +=
-        grown.isFlipped(triangle) ? -area : area;
-  }
+  const PointTree& tree = grown.arrays().tree;
+  Turning turning(grown, lists, sensor_origin);
+  for (const TriangleList& list : lists)
+    report.triangles += list.triangles->size();
+  report.components = turning.count();
+  count(grown, report);
   TriangleMesh mesh;
-  mesh.triangles.reserve(triangles.size());
-  for (const GrownTriangle& triangle : triangles) {
-    TriangleMesh::Triangle corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = tree.source(triangle.corners[i]);
-    const bool turned =
-        shown[static_cast<std::size_t>(components.find(triangle.corners[0]))] < 0;
-    if (grown.isFlipped(triangle) != turned)
-      std::swap(corners[1], corners[2]);
-    mesh.triangles.push_back(corners);
+  mesh.triangles.reserve(report.triangles);
+  for (const TriangleList& list : lists) {
+    for (const GrownTriangle& triangle : *list.triangles) {
+      TriangleMesh::Triangle corners;
+      for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = tree.source(triangle.corners[i]);
+      if (turning.turns(triangle))
+        std::swap(corners[1], corners[2]);
+      mesh.triangles.push_back(corners);
+    }
     if (compute_wall_depth)
-      mesh.wall_depth.push_back(triangle.depth);
+      mesh.wall_depth.resize(mesh.triangles.size(), list.depth);
+    *list.triangles = {};
   }
-  count(tree, triangles, grown, components, report);
   return mesh;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "growing_mesh.h"
+#include "triangle_builder.h"
 
 #include <pcl/core/triangle_mesh.h>
 
@@ -13,9 +13,8 @@ namespace pcl::acmap::dewall {
  * fills the report's counts of the mesh.
  */
 TriangleMesh
-orientedMesh(const PointTree& tree,
-             GrowingMesh& grown,
-             const Facing& facing,
+orientedMesh(GrowingMesh& grown,
+             const std::vector<TriangleList>& lists,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report);

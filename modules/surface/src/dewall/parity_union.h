@@ -15,6 +15,15 @@ public:
     bool flipped;
   };
 
+  ParityUnion() = default;
+
+  /** \brief So many components, each alone. */
+  explicit ParityUnion(std::int32_t components)
+  {
+    while (size() < components)
+      addComponent();
+  }
+
   std::int32_t
   addComponent()
   {
@@ -48,17 +57,19 @@ public:
     return result;
   }
 
-  /** \brief Joins two components; the lower root stays. They must not disagree. */
-  void
+  /** \brief Joins two components; the lower root stays.
+   * \return false when they were joined already, whatever their parity then was */
+  bool
   unite(std::int32_t a, std::int32_t b, bool flipped)
   {
     Root root_a = find(a), root_b = find(b);
     if (root_a.component == root_b.component)
-      return;
+      return false;
     if (root_b.component < root_a.component)
       std::swap(root_a, root_b);
     const bool turned = (root_a.flipped != root_b.flipped) != flipped;
     at(root_b.component) = {root_a.component, turned};
+    return true;
   }
 
 private:

@@ -1,92 +1,201 @@
 #include "point_tree.h"
 
+#include <pcl/core/parallel.h>
+
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <limits>
 
 namespace pcl::acmap::dewall {
 
 namespace {
 
-void
-fitBox(PointTree::Node& node, const std::vector<SourcePoint>& points)
-{
-  node.low = node.high = points[static_cast<std::size_t>(node.begin)].position;
-  for (std::int32_t i = node.begin; i < node.end; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float value = points[static_cast<std::size_t>(i)].position[axis];
-      node.low[axis] = std::min(node.low[axis], value);
-      node.high[axis] = std::max(node.high[axis], value);
-    }
-}
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/** \brief Halves of fewer points are divided without a task of their own. */
+constexpr std::int32_t least_task = 1 << 15;
 
 std::size_t
-widestAxis(const PointTree::Node& node)
+widestAxis(const SourcePoint* begin, const SourcePoint* end)
 {
+  std::array<float, 3> low = begin->position, high = low;
+  for (const SourcePoint* p = begin; p < end; ++p)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p->position[axis]);
+      high[axis] = std::max(high[axis], p->position[axis]);
+    }
   std::size_t widest = 0;
   for (std::size_t axis = 1; axis < 3; ++axis)
-    if (node.high[axis] - node.low[axis] > node.high[widest] - node.low[widest])
+    if (high[axis] - low[axis] > high[widest] - low[widest])
       widest = axis;
   return widest;
 }
 
+int
+depthFor(std::size_t points)
+{
+  int depth = 0;
+  while (((points - 1) >> depth) + 1 > PointTree::leaf_capacity)
+    ++depth;
+  return depth;
+}
+
+/** \brief Depth at which the groups of a level stand. */
+int
+depthOfLevel(const TreeCells& cells, int level)
+{
+  return std::max(0, cells.depth - 3 * level);
+}
+
+SiblingBoxes
+noBoxes()
+{
+  SiblingBoxes boxes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      boxes.low[axis][lane] = infinity;
+      boxes.high[axis][lane] = -infinity;
+    }
+  return boxes;
+}
+
 } // namespace
+
+/** \brief Divides the points; the order is total, so that a node's points do not depend
+ * on the standard library. */
+struct PointTree::Builder {
+  PointTree& tree;
+  std::vector<SourcePoint>& points;
+
+  void
+  divide(const Node& node)
+  {
+    SourcePoint* begin = points.data() + tree.firstOf(node);
+    SourcePoint* end = points.data() + tree.endOf(node);
+    if (tree.isLeaf(node)) {
+      std::sort(begin, end, [](const SourcePoint& a, const SourcePoint& b) {
+        return a.source < b.source;
+      });
+      return;
+    }
+    const std::size_t axis = widestAxis(begin, end);
+    SourcePoint* middle = points.data() + tree.firstOf(node.right());
+    std::nth_element(
+        begin, middle, end, [axis](const SourcePoint& a, const SourcePoint& b) {
+          return a.position[axis] != b.position[axis]
+                     ? a.position[axis] < b.position[axis]
+                     : a.source < b.source;
+        });
+    tree.planes_[(std::size_t{1} << node.depth) +
+                 static_cast<std::size_t>(node.index)] = {
+        middle->position[axis], static_cast<std::uint8_t>(axis)};
+    if (end - begin >= least_task)
+      oneapi::tbb::parallel_invoke([&] { divide(node.left()); },
+                                   [&] { divide(node.right()); });
+    else {
+      divide(node.left());
+      divide(node.right());
+    }
+  }
+};
 
 PointTree::PointTree(std::vector<SourcePoint> points)
 {
   if (points.empty())
     return;
-  nodes_.reserve(points.size() / (leaf_capacity / 4) + 1);
-  leaf_of_.resize(points.size());
-  Node root;
-  root.end = static_cast<std::int32_t>(points.size());
-  root.cell_low.fill(-std::numeric_limits<float>::infinity());
-  root.cell_high.fill(std::numeric_limits<float>::infinity());
-  build(points, root);
+  cells_.points = static_cast<std::int64_t>(points.size());
+  cells_.depth = depthFor(points.size());
+  leaves_a_point_ =
+      static_cast<double>(leafCount()) / static_cast<double>(points.size());
+  planes_.resize(static_cast<std::size_t>(leafCount()));
+  Builder{*this, points}.divide({});
+  takePoints(points);
+  makeGroups();
+}
+
+void
+PointTree::takePoints(const std::vector<SourcePoint>& points)
+{
   source_.resize(points.size());
-  for (auto& axis : coordinates_)
-    axis.resize(points.size() + leaf_capacity);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      coordinates_[axis][i] = points[i].position[axis];
-    source_[i] = points[i].source;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    coordinates_[axis].resize(points.size() + leaf_capacity);
+    cells_.coordinates[axis] = coordinates_[axis].data();
+  }
+  parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        coordinates_[axis][i] = points[i].position[axis];
+      source_[i] = points[i].source;
+    }
+  });
+}
+
+/** A group's box goes into its place among its siblings, level by level. */
+void
+PointTree::makeGroups()
+{
+  std::int32_t members = leafCount();
+  for (int level = 1; level == 1 || members > 1; ++level) {
+    cells_.levels = level;
+    auto& groups = boxes_[static_cast<std::size_t>(level)];
+    groups.assign(static_cast<std::size_t>((members + 7) / 8), noBoxes());
+    cells_.boxes[level] = groups.data();
+    for (std::int32_t m = 0; m < members; ++m) {
+      SiblingBoxes& boxes = groups[static_cast<std::size_t>(m / 8)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        float &low = boxes.low[axis][m % 8], &high = boxes.high[axis][m % 8];
+        if (level == 1)
+          for (std::int32_t i = firstOfLeaf(m); i < firstOfLeaf(m + 1); ++i) {
+            low = std::min(low, coordinates_[axis][static_cast<std::size_t>(i)]);
+            high = std::max(high, coordinates_[axis][static_cast<std::size_t>(i)]);
+          }
+        else {
+          const SiblingBoxes& below =
+              boxes_[static_cast<std::size_t>(level - 1)][static_cast<std::size_t>(m)];
+          low = *std::min_element(below.low[axis], below.low[axis] + 8);
+          high = *std::max_element(below.high[axis], below.high[axis] + 8);
+        }
+      }
+    }
+    makeCells(level);
+    members = (members + 7) / 8;
   }
 }
 
-std::int32_t
-PointTree::build(std::vector<SourcePoint>& points, Node node)
+/** The planes on the way up bound a group's cell; the nearest one on each side counts,
+ * and that is met first. */
+void
+PointTree::makeCells(int level)
 {
-  const auto index = static_cast<std::int32_t>(nodes_.size());
-  nodes_.emplace_back();
-  fitBox(node, points);
-  // The order is total, so that a node's points do not depend on the standard library.
-  if (node.size() <= leaf_capacity) {
-    std::sort(
-        points.begin() + node.begin,
-        points.begin() + node.end,
-        [](const SourcePoint& a, const SourcePoint& b) { return a.source < b.source; });
-    std::fill(leaf_of_.begin() + node.begin, leaf_of_.begin() + node.end, index);
+  const int depth = depthOfLevel(cells_, level);
+  auto& cells = cell_boxes_[static_cast<std::size_t>(level)];
+  cells.resize(std::size_t{1} << depth);
+  cells_.cells[level] = cells.data();
+  for (std::size_t g = 0; g < cells.size(); ++g) {
+    CellBox& cell = cells[g];
+    std::fill_n(cell.low, 3, -infinity);
+    std::fill_n(cell.high, 3, infinity);
+    for (int d = depth; d > 0; --d) {
+      const std::size_t child = g >> (depth - d);
+      const Plane& plane = planeOf({d - 1, static_cast<std::int32_t>(child / 2)});
+      if (child % 2 == 1 && cell.low[plane.axis] == -infinity)
+        cell.low[plane.axis] = plane.offset;
+      if (child % 2 == 0 && cell.high[plane.axis] == infinity)
+        cell.high[plane.axis] = plane.offset;
+    }
   }
-  else {
-    const std::size_t axis = widestAxis(node);
-    const auto middle = points.begin() + node.begin + node.size() / 2;
-    std::nth_element(points.begin() + node.begin,
-                     middle,
-                     points.begin() + node.end,
-                     [axis](const SourcePoint& a, const SourcePoint& b) {
-                       return a.position[axis] != b.position[axis]
-                                  ? a.position[axis] < b.position[axis]
-                                  : a.source < b.source;
-                     });
-    node.axis = static_cast<std::int32_t>(axis);
-    Node left = node, right = node;
-    left.parent = right.parent = index;
-    left.end = right.begin = node.begin + node.size() / 2;
-    // Points on the plane stand in both halves: it belongs to neither cell's inside.
-    left.cell_high[axis] = right.cell_low[axis] = middle->position[axis];
-    node.left = build(points, left);
-    node.right = build(points, right);
+}
+
+Eigen::AlignedBox3f
+PointTree::boxOfLeaf(std::int32_t leaf) const
+{
+  const SiblingBoxes& group = cells_.boxes[1][leaf / 8];
+  Eigen::Vector3f low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = group.low[axis][leaf % 8];
+    high[axis] = group.high[axis][leaf % 8];
   }
-  nodes_[static_cast<std::size_t>(index)] = node;
-  return index;
+  return {low, high};
 }
 
 } // namespace pcl::acmap::dewall

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "simd/tree_cells.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -18,36 +20,45 @@ struct SourcePoint {
 
 /** \brief The splitting planes of the divide step, and the cells of all searches.
  *
- * A balanced tree of median splits along the widest axis. The points stand in the order
+ * A complete tree of median splits along the widest axis. The points stand in the order
  * of its leaves, so that a node owns a run of indices, a splitting plane alpha
- * separates two runs, and a leaf (at most 16 points in a tight box) is a cell that
- * adapts to any density and extent. */
+ * separates two runs, and a leaf (8 to 16 points in a tight box) is a cell that adapts to
+ * any density and extent. Nothing else is stored of the nodes than planes and boxes:
+ * where they begin follows from the number of points. */
 class PointTree {
 public:
+  /** \brief A node: number \a index of the 2^depth nodes at a depth. */
   struct Node {
-    std::array<float, 3> low, high;           ///< tight box of its points
-    std::array<float, 3> cell_low, cell_high; ///< its share of space between the planes
-    std::int32_t begin = 0, end = 0;
-    std::int32_t parent = -1, left = -1, right = -1;
-    std::int32_t axis = 0; ///< of the splitting plane, where there is one
+    int depth = 0;
+    std::int32_t index = 0;
 
-    bool
-    isLeaf() const
+    Node
+    left() const
     {
-      return left < 0;
+      return {depth + 1, 2 * index};
     }
 
-    std::int32_t
-    size() const
+    Node
+    right() const
     {
-      return end - begin;
+      return {depth + 1, 2 * index + 1};
     }
   };
 
-  static constexpr std::int32_t leaf_capacity = 16;
+  /** \brief The splitting plane alpha of an inner node. */
+  struct Plane {
+    float offset;
+    std::uint8_t axis;
+  };
+
+  static constexpr std::int32_t leaf_capacity = TreeCells::leaf_capacity;
 
   /** \param[in] points finite and pairwise distinct */
   explicit PointTree(std::vector<SourcePoint> points);
+
+  PointTree(const PointTree&) = delete;
+  PointTree&
+  operator=(const PointTree&) = delete;
 
   std::int32_t
   size() const
@@ -55,22 +66,58 @@ public:
     return static_cast<std::int32_t>(source_.size());
   }
 
-  const Node&
-  node(std::int32_t index) const
+  const TreeCells&
+  cells() const
   {
-    return nodes_[static_cast<std::size_t>(index)];
+    return cells_;
+  }
+
+  /** \brief First point of a node; its last is the one before the first of the next. */
+  std::int32_t
+  firstOf(const Node& node) const
+  {
+    return static_cast<std::int32_t>((node.index * cells_.points) >> node.depth);
   }
 
   std::int32_t
-  numberOf(const Node& node) const
+  endOf(const Node& node) const
   {
-    return static_cast<std::int32_t>(&node - nodes_.data());
+    return firstOf({node.depth, node.index + 1});
+  }
+
+  bool
+  isLeaf(const Node& node) const
+  {
+    return node.depth == cells_.depth;
+  }
+
+  const Plane&
+  planeOf(const Node& node) const
+  {
+    return planes_[(std::size_t{1} << node.depth) +
+                   static_cast<std::size_t>(node.index)];
   }
 
   std::int32_t
-  nodeCount() const
+  leafCount() const
   {
-    return static_cast<std::int32_t>(nodes_.size());
+    return std::int32_t{1} << cells_.depth;
+  }
+
+  /** \brief First point of a leaf, and with the number of leaves the number of points. */
+  std::int32_t
+  firstOfLeaf(std::int32_t leaf) const
+  {
+    return dewall::firstOfLeaf(cells_, leaf);
+  }
+
+  /** \brief The leaf that holds tree point \a i. */
+  std::int32_t
+  leafOf(std::int32_t i) const
+  {
+    auto leaf = static_cast<std::int32_t>((i + 0.5) * leaves_a_point_);
+    leaf -= i < firstOfLeaf(leaf);
+    return leaf + (i >= firstOfLeaf(leaf + 1));
   }
 
   /** \brief Coordinates along an axis, of all points in tree order; a leaf's length of
@@ -78,7 +125,7 @@ public:
   const float*
   coordinates(int axis) const
   {
-    return coordinates_[static_cast<std::size_t>(axis)].data();
+    return cells_.coordinates[axis];
   }
 
   Eigen::Vector3d
@@ -94,149 +141,29 @@ public:
     return source_[static_cast<std::size_t>(i)];
   }
 
-  /** \brief The leaf that holds tree point \a i. */
-  std::int32_t
-  leafOf(std::int32_t i) const
-  {
-    return leaf_of_[static_cast<std::size_t>(i)];
-  }
-
-  /** \brief Visits the leaves that a ball touches, near ones first.
-   *
-   * \param[in] start a point near the centre: the walk climbs from its leaf no farther
-   * than to the node whose cell holds the ball
-   * \param[in] centre of the ball
-   * \param[in] radius read anew before each step, so that visit () may shrink it;
-   * negative ends the walk
-   * \param[in] keep (node) false prunes a subtree
-   * \param[in] visit (leaf node) */
-  template <typename Keep, typename Visit>
-  void
-  visitBall(std::int32_t start,
-            const Eigen::Vector3d& centre,
-            const double& radius,
-            const Keep& keep,
-            const Visit& visit) const;
+  /** \brief Tight box of a leaf. */
+  Eigen::AlignedBox3f
+  boxOfLeaf(std::int32_t leaf) const;
 
 private:
-  struct Ball;
+  struct Builder;
 
-  std::int32_t
-  build(std::vector<SourcePoint>& points, Node node);
-
-  template <typename Keep, typename Visit>
   void
-  visitSubtree(std::int32_t top,
-               const Ball& ball,
-               const Keep& keep,
-               const Visit& visit) const;
+  takePoints(const std::vector<SourcePoint>& points);
 
-  std::vector<Node> nodes_;
+  void
+  makeGroups();
+
+  void
+  makeCells(int level);
+
+  TreeCells cells_;
+  double leaves_a_point_ = 0;
   std::array<std::vector<float>, 3> coordinates_;
   std::vector<std::int32_t> source_;
-  std::vector<std::int32_t> leaf_of_;
+  std::vector<Plane> planes_; ///< those at depth d begin at 2^d
+  std::array<std::vector<SiblingBoxes>, TreeCells::most_levels + 1> boxes_;
+  std::array<std::vector<CellBox>, TreeCells::most_levels + 1> cell_boxes_;
 };
-
-/** \brief Squared distance from a point to a node's box, in float. */
-inline float
-squaredDistanceToBox(const PointTree::Node& node, const Eigen::Vector3f& p)
-{
-  float sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    const float outside =
-        std::max(std::max(node.low[i] - p[axis], p[axis] - node.high[i]), 0.0f);
-    sum += outside * outside;
-  }
-  return sum;
-}
-
-/** \brief A ball whose radius may shrink under the walk. */
-struct PointTree::Ball {
-  Eigen::Vector3f centre;
-  double
-      slack; ///< rounding the centre may move it so far: no box must be missed for that
-  const double& radius;
-
-  Ball(const Eigen::Vector3d& c, const double& r)
-  : centre(c.cast<float>())
-  , slack(static_cast<double>(centre.cwiseAbs().maxCoeff()) * 0x1p-22)
-  , radius(r)
-  {}
-
-  bool
-  touches(float squared_distance) const
-  {
-    const double reach = (radius + slack) * (1 + 1e-6);
-    return radius >= 0 && static_cast<double>(squared_distance) <= reach * reach;
-  }
-
-  bool
-  isInside(const Node& node) const
-  {
-    const double reach = (radius + slack) * (1 + 1e-6);
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<std::size_t>(axis);
-      const auto c = static_cast<double>(centre[axis]);
-      if (c - reach <= static_cast<double>(node.cell_low[i]) ||
-          c + reach >= static_cast<double>(node.cell_high[i]))
-        return false;
-    }
-    return true;
-  }
-};
-
-template <typename Keep, typename Visit>
-void
-PointTree::visitBall(std::int32_t start,
-                     const Eigen::Vector3d& centre,
-                     const double& radius,
-                     const Keep& keep,
-                     const Visit& visit) const
-{
-  const Ball ball(centre, radius);
-  std::int32_t current = leafOf(start);
-  visitSubtree(current, ball, keep, visit);
-  while (node(current).parent >= 0 && !ball.isInside(node(current))) {
-    const Node& parent = node(node(current).parent);
-    visitSubtree(
-        parent.left == current ? parent.right : parent.left, ball, keep, visit);
-    current = node(current).parent;
-  }
-}
-
-template <typename Keep, typename Visit>
-void
-PointTree::visitSubtree(std::int32_t top,
-                        const Ball& ball,
-                        const Keep& keep,
-                        const Visit& visit) const
-{
-  struct Entry {
-    std::int32_t node;
-    float squared_distance;
-  };
-  std::array<Entry, 64> stack; // the tree is balanced: its depth is below 32
-  std::size_t size = 0;
-  stack[size++] = {top, squaredDistanceToBox(node(top), ball.centre)};
-  while (size > 0) {
-    const Entry entry = stack[--size];
-    if (!ball.touches(entry.squared_distance))
-      continue;
-    const Node& current = node(entry.node);
-    if (!keep(current))
-      continue;
-    if (current.isLeaf()) {
-      visit(current);
-      continue;
-    }
-    Entry near{current.left, squaredDistanceToBox(node(current.left), ball.centre)};
-    Entry far{current.right, squaredDistanceToBox(node(current.right), ball.centre)};
-    if (far.squared_distance < near.squared_distance)
-      std::swap(near, far);
-    stack[size++] = far;
-    stack[size++] = near;
-  }
-}
 
 } // namespace pcl::acmap::dewall

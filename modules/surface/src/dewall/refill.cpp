@@ -1,5 +1,6 @@
 #include "refill.h"
 
+#include "ball_visit.h"
 #include "seed_test.h"
 
 namespace pcl::acmap::dewall {
@@ -11,42 +12,24 @@ constexpr std::size_t largest_neighbourhood = 64;
 
 } // namespace
 
-Refill::Refill(const PointTree& tree,
-               const SizeConstraint& size,
-               DeWallRule rule,
-               GrowingMesh& mesh,
-               std::function<void()> tick)
-: tree_(tree)
-, size_(size)
-, rule_(rule)
-, mesh_(mesh)
-, tick_(std::move(tick))
-, rim_(static_cast<std::size_t>(tree.size()), {-1, -1, -1})
-, unused_(static_cast<std::size_t>(tree.nodeCount()))
-, counted_(static_cast<std::size_t>(tree.size()))
+Unfinished
+Refill::run(Unfinished begun)
 {
-  queue_ = mesh_.openSides();
-  for (const Side& side : queue_)
-    turnEdge(side.a, side.b);
-  for (std::int32_t i = 0; i < tree_.size(); ++i) {
-    if (mesh_.isUsed(i))
-      counted_[static_cast<std::size_t>(i)] = true;
-    else
-      for (std::int32_t n = tree_.leafOf(i); n >= 0; n = tree_.node(n).parent)
-        ++unused_[static_cast<std::size_t>(n)];
-  }
-}
-
-void
-Refill::run()
-{
+  // What is not open now and opens later is then tried anyway.
+  for (const Side& side : begun.sides)
+    if (mesh_.oppositeOf(side) >= 0)
+      queue_.push_back(mesh_.asItRuns(side));
+  for (const Refusal& refusal : begun.refusals)
+    if (mesh_.oppositeOf(refusal.side) >= 0)
+      left_.refusals.push_back({mesh_.asItRuns(refusal.side), refusal.apex});
   workOff();
   // Where first triangles that keep the tie rule have failed, any empty sphere will do.
   for (const Ties ties : {Ties::Matter, Ties::DoNotMatter})
-    for (std::int32_t p1 = 0; p1 < tree_.size(); ++p1)
-      if (!mesh_.isUsed(p1))
-        startAt(p1, ties);
+    for (const std::int32_t p1 : begun.points)
+      if (!mesh_.isUsed(p1) && !startAt(p1, ties) && ties == Ties::DoNotMatter)
+        left_.points.push_back(p1);
   reconsider();
+  return std::move(left_);
 }
 
 void
@@ -66,11 +49,11 @@ Refill::reconsider()
   std::size_t before = 0;
   do {
     before = mesh_.triangles().size();
-    for (const Refusal& refusal : std::exchange(refused_, {})) {
+    for (const Refusal& refusal : std::exchange(left_.refusals, {})) {
       if (mesh_.oppositeOf(refusal.side) < 0)
         continue;
       if (!closeWith(refusal.side, refusal.apex))
-        refused_.push_back(refusal);
+        left_.refusals.push_back(refusal);
       workOff();
     }
   } while (mesh_.triangles().size() > before);
@@ -82,19 +65,37 @@ Refill::closeSide(const Side& side)
   const std::int32_t opposite = mesh_.oppositeOf(side);
   if (opposite < 0)
     return;
-  const SideFrame frame(tree_, side.a, side.b, opposite);
+  const SideFrame frame(tree_, size_, side.a, side.b, opposite);
   if (rule_ == DeWallRule::Dense) {
-    const std::int32_t apex =
-        findApex(tree_, size_, frame, [](std::int32_t) { return true; });
-    if (apex >= 0 && !closeWith(side, apex))
-      refused_.push_back({side, apex});
+    closeSideDensely(side, frame);
     return;
   }
-  for (const std::int32_t apex : apexesByDistance(side, frame))
-    if (fits(side, apex) && isSphereEmpty(tree_, {side.b, side.a, apex})) {
-      closeWith(side, apex);
-      return;
-    }
+  findApexes(side, frame);
+  for (const Apex& apex : apexes_) {
+    const bool is_own = range_.contains(apex.index);
+    if ((is_own && !fits(side, apex.index)) ||
+        !isSphereEmpty(tree_, {side.b, side.a, apex.index}))
+      continue;
+    if (is_own)
+      closeWith(side, apex.index);
+    else
+      left_.sides.push_back(side);
+    return;
+  }
+  if (is_pinched_)
+    left_.sides.push_back(side);
+}
+
+void
+Refill::closeSideDensely(const Side& side, const SideFrame& frame)
+{
+  const std::int32_t apex = findApex(tree_, size_, frame, {});
+  if (apex < 0)
+    return;
+  if (!range_.contains(apex))
+    left_.sides.push_back(side);
+  else if (!closeWith(side, apex))
+    left_.refusals.push_back({side, apex});
 }
 
 bool
@@ -102,8 +103,7 @@ Refill::closeWith(const Side& side, std::int32_t apex)
 {
   if (!fits(side, apex))
     return false;
-  mesh_.add(side, apex, TriangleMesh::no_wall);
-  noteLastTriangle();
+  mesh_.add(side, apex);
   for (const Side& made : {Side{side.a, apex}, Side{apex, side.b}})
     if (mesh_.oppositeOf(made) >= 0)
       queue_.push_back(made);
@@ -118,57 +118,77 @@ Refill::fits(const Side& side, std::int32_t apex)
          verdict == GrowingMesh::Verdict::Doubtful;
 }
 
-/** A used apex fits only beside an open edge to one of the side's ends. */
-std::vector<std::int32_t>
-Refill::apexesByDistance(const Side& side, const SideFrame& frame) const
+/** A used apex fits only beside an open edge to one of the side's ends; which points
+ * beyond the range are used is not known. */
+void
+Refill::findApexes(const Side& side, const SideFrame& frame)
 {
-  std::vector<std::int32_t> points =
-      unusedWithin(reachFromMiddle(size_, frame), frame.origin + 0.5 * frame.u, side.a);
-  for (const std::int32_t end : {side.a, side.b})
-    for (const std::int32_t i : rim_[static_cast<std::size_t>(end)])
-      if (i >= 0 && i != side.a && i != side.b)
-        points.push_back(i);
-  std::vector<Apex> apexes;
-  for (const std::int32_t i : points) {
+  findUnused(reachFromMiddle(frame), frame.origin + 0.5 * frame.u, side.a);
+  is_pinched_ = false;
+  for (const std::int32_t end : {side.a, side.b}) {
+    const std::int32_t other = mesh_.endOfFan(end, side);
+    if (range_.contains(other) && other != side.a && other != side.b)
+      found_.push_back(other);
+    is_pinched_ |= mesh_.arrays().vertex(end).open_edges > 2; // at a wall
+  }
+  apexes_.clear();
+  for (const std::int32_t i : found_) {
     const Apex apex = makeApex(i, frame.u, tree_.position(i) - frame.origin);
     if (isApexAllowed(size_, frame, apex))
-      apexes.push_back(apex);
+      apexes_.push_back(apex);
   }
-  std::sort(apexes.begin(), apexes.end(), [&](const Apex& p, const Apex& q) {
+  std::sort(apexes_.begin(), apexes_.end(), [&](const Apex& p, const Apex& q) {
     return isNearerApex(p, q, side.a, side.b, frame.u);
   });
-  std::vector<std::int32_t> result;
-  for (const Apex& apex : apexes)
-    result.push_back(apex.index);
-  return result;
 }
 
-std::vector<std::int32_t>
-Refill::unusedWithin(double radius,
-                     const Eigen::Vector3d& centre,
-                     std::int32_t start) const
+bool
+Refill::findUnused(double radius, const Eigen::Vector3d& centre, std::int32_t start)
 {
-  std::vector<std::int32_t> result;
-  const auto keep = [&](const PointTree::Node& node) {
-    return unused_[static_cast<std::size_t>(tree_.numberOf(node))] > 0;
+  found_.clear();
+  bool is_all_in_range = true;
+  const MeshArrays& arrays = mesh_.arrays();
+  const auto isOwn = [&](std::int32_t leaf) {
+    return leaf >= range_.first_leaf && leaf < range_.end_leaf;
   };
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
-      if (!mesh_.isUsed(i))
-        result.push_back(i);
+  const auto keep = [&](int level, std::int32_t group) {
+    unsigned bits = 0xff;
+    const std::int32_t first = 8 * group;
+    if (level > 2 || !isOwn(first << (3 * level - 3)) ||
+        !isOwn(((first + 8) << (3 * level - 3)) - 1))
+      return bits;
+    for (unsigned lane = 0; lane < 8; ++lane) {
+      const auto member = static_cast<std::size_t>(first) + lane;
+      if (level == 1 ? arrays.unused[member] == 0 : arrays.unused_in_group[member] == 0)
+        bits &= ~(1u << lane);
+    }
+    return bits;
   };
-  tree_.visitBall(start, centre, radius, keep, visit);
-  return result;
+  const auto visit = [&](std::int32_t leaf, std::int32_t first, std::int32_t end) {
+    unsigned unused = (1u << (end - first)) - 1;
+    if (isOwn(leaf))
+      unused = arrays.unused[static_cast<std::size_t>(leaf)];
+    else
+      is_all_in_range = false;
+    for (std::int32_t i = first; unused; ++i, unused >>= 1)
+      if (unused & 1)
+        found_.push_back(i);
+  };
+  visitBall(tree_, start, centre, radius, keep, visit);
+  return is_all_in_range;
 }
 
-void
+bool
 Refill::startAt(std::int32_t p1, Ties ties)
 {
   const Eigen::Vector3d a = tree_.position(p1);
+  const bool is_all_in_range = findUnused(size_.longest(p1), a, p1);
+  if (!is_all_in_range && ties == Ties::DoNotMatter)
+    return false;
   std::vector<std::pair<double, std::int32_t>> unused;
-  for (const std::int32_t i : unusedWithin(size_.longest(p1), a, p1)) {
+  for (const std::int32_t i : found_) {
     const double squared = (tree_.position(i) - a).squaredNorm();
-    if (i != p1 && size_.allows(p1, i, squared))
+    if (i != p1 && range_.contains(i) && size_.allows(p1, i, squared))
       unused.emplace_back(squared, i);
   }
   std::sort(unused.begin(), unused.end());
@@ -181,41 +201,56 @@ Refill::startAt(std::int32_t p1, Ties ties)
           !(ties == Ties::Matter ? isFirstTriangle(tree_, size_, {p1, p2, p3})
                                  : isSphereEmpty(tree_, {p1, p2, p3})))
         continue;
-      mesh_.addSeed({p1, p2, p3}, TriangleMesh::no_wall);
-      noteLastTriangle();
-      queue_ = mesh_.sidesOfLast();
+      mesh_.addSeed({p1, p2, p3});
+      const auto sides = mesh_.sidesOfLast();
+      queue_.assign(sides.begin(), sides.end());
       workOff();
-      return;
+      return true;
     }
+  return is_all_in_range;
 }
 
-void
-Refill::noteLastTriangle()
+Unfinished
+affectedBy(const std::vector<GrownTriangle>& removed,
+           const SizeConstraint& size,
+           GrowingMesh& mesh)
 {
-  for (const Side& side : mesh_.sidesOfLast()) {
-    turnEdge(side.a, side.b);
-    if (counted_[static_cast<std::size_t>(side.a)])
-      continue;
-    counted_[static_cast<std::size_t>(side.a)] = true;
-    for (std::int32_t n = tree_.leafOf(side.a); n >= 0; n = tree_.node(n).parent)
-      --unused_[static_cast<std::size_t>(n)];
-  }
-}
-
-/** An edge that was closed or not there becomes open, an open one closed. */
-void
-Refill::turnEdge(std::int32_t a, std::int32_t b)
-{
-  const auto turn = [&](std::int32_t at, std::int32_t other) {
-    std::array<std::int32_t, 3>& open = rim_[static_cast<std::size_t>(at)];
-    const auto known = std::find(open.begin(), open.end(), other);
-    if (known != open.end())
-      *known = -1;
-    else
-      *std::find(open.begin(), open.end(), -1) = other;
-  };
-  turn(a, b);
-  turn(b, a);
+  MeshArrays& arrays = mesh.arrays();
+  std::vector<std::int32_t> near; // points whose open sides may close
+  Unfinished affected;
+  for (const GrownTriangle& triangle : removed)
+    near.insert(near.end(), triangle.corners.begin(), triangle.corners.end());
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const std::int32_t corner : std::vector<std::int32_t>(near))
+    if (!arrays.isUsed(corner)) {
+      affected.points.push_back(corner);
+      double radius = size.longest(corner);
+      visitBall(arrays.tree,
+                corner,
+                arrays.tree.position(corner),
+                radius,
+                [&](std::int32_t, std::int32_t first, std::int32_t end) {
+                  for (std::int32_t i = first; i < end; ++i)
+                    if (arrays.vertex(i).open_edges > 0)
+                      near.push_back(i);
+                });
+    }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges; // lower end, higher end
+  for (const std::int32_t low : near)
+    for (const Side& side : mesh.openSides(low, low + 1)) {
+      edges.emplace_back(low, std::max(side.a, side.b));
+      for (const std::int32_t end : {side.a, side.b})
+        edges.push_back(std::minmax(end, mesh.endOfFan(end, side)));
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& [low, high] : edges)
+    affected.sides.push_back(arrays.find(low, high)->ascending ? Side{low, high}
+                                                               : Side{high, low});
+  return affected;
 }
 
 } // namespace pcl::acmap::dewall

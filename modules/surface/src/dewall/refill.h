@@ -1,39 +1,55 @@
 #pragma once
 
 #include "apex_search.h"
-#include "growing_mesh.h"
+#include "range.h"
 
-#include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
 
 #include <functional>
 
 namespace pcl::acmap::dewall {
 
-/** \brief The last sequential pass: completes the mesh without ever pinching a vertex.
+/** \brief A triangle of the dense rule that the guard refused. */
+struct Refusal {
+  Side side;
+  std::int32_t apex;
+};
+
+/** \brief What a refill leaves open. */
+struct Unfinished {
+  std::vector<Side> sides;          ///< points beyond the range might close them
+  std::vector<std::int32_t> points; ///< unused, with points beyond the range in reach
+  std::vector<Refusal> refusals;    ///< to be asked again where something changes
+};
+
+/** \brief Completes the mesh of a range of points without ever pinching a vertex.
  *
- * Every open side tries all of its apexes, every unused point all triangles of unused
- * points round it. An earlier refusal can become legal only by a new open side, which is
- * tried itself: when the pass ends, no legal triangle is left. With the dense rule a side
- * has but one apex, the Delaunay-nearest; those refused are asked again until nothing
+ * Open sides try all of their apexes, unused points all triangles of unused points round
+ * them. An earlier refusal can become legal only by a new open side, which is tried
+ * itself: when the pass ends, no legal triangle is left. With the dense rule a side has
+ * but one apex, the Delaunay-nearest; those refused are asked again until nothing
  * changes. */
 class Refill {
 public:
-  Refill(const PointTree& tree,
-         const SizeConstraint& size,
+  Refill(const SizeConstraint& size,
          DeWallRule rule,
          GrowingMesh& mesh,
-         std::function<void()> tick);
+         const Range& range,
+         std::function<void()> tick)
+  : tree_(mesh.arrays().tree)
+  , size_(size)
+  , rule_(rule)
+  , mesh_(mesh)
+  , range_(range)
+  , tick_(std::move(tick))
+  {}
 
-  void
-  run();
+  /** \param[in] begun open sides, unused points and refusals to begin with
+   * \return what may go on beyond the range */
+  Unfinished
+  run(Unfinished begun);
 
 private:
-  struct Refusal {
-    Side side;
-    std::int32_t apex;
-  };
-
   void
   workOff();
 
@@ -43,40 +59,49 @@ private:
   void
   closeSide(const Side& side);
 
+  void
+  closeSideDensely(const Side& side, const SideFrame& frame);
+
   bool
   closeWith(const Side& side, std::int32_t apex);
 
   enum class Ties { Matter, DoNotMatter };
 
-  void
+  /** \brief False when points beyond the range might have helped. */
+  bool
   startAt(std::int32_t p1, Ties ties);
 
-  std::vector<std::int32_t>
-  apexesByDistance(const Side& side, const SideFrame& frame) const;
+  /** \brief Indices of the apexes, the Delaunay-nearest first. */
+  void
+  findApexes(const Side& side, const SideFrame& frame);
 
-  std::vector<std::int32_t>
-  unusedWithin(double radius, const Eigen::Vector3d& centre, std::int32_t start) const;
+  /** \brief Finds the points inside a ball that are unused, or beyond the range.
+   * \return false when the ball touches leaves beyond the range */
+  bool
+  findUnused(double radius, const Eigen::Vector3d& centre, std::int32_t start);
 
   bool
   fits(const Side& side, std::int32_t apex);
-
-  void
-  noteLastTriangle();
-
-  void
-  turnEdge(std::int32_t a, std::int32_t b);
 
   const PointTree& tree_;
   const SizeConstraint& size_;
   const DeWallRule rule_;
   GrowingMesh& mesh_;
+  const Range range_;
   std::function<void()> tick_;
   std::vector<Side> queue_;
-  std::vector<Refusal> refused_;
-  /** For each point its open neighbours: two, three while a triangle is noted. */
-  std::vector<std::array<std::int32_t, 3>> rim_;
-  std::vector<std::int32_t> unused_; ///< for each node its unused points
-  std::vector<bool> counted_;        ///< for each point: it left unused_
+  Unfinished left_;
+  std::vector<std::int32_t> found_; ///< unused points, kept for its memory
+  std::vector<Apex> apexes_;        ///< as found_
+  bool is_pinched_ =
+      false; ///< an end of the side last looked at, which may hide apexes
 };
+
+/** \brief Sides that may close, and points that may be used, now that triangles are gone:
+ * the open sides at their corners, and what is in reach of corners no longer used. */
+Unfinished
+affectedBy(const std::vector<GrownTriangle>& removed,
+           const SizeConstraint& size,
+           GrowingMesh& mesh);
 
 } // namespace pcl::acmap::dewall

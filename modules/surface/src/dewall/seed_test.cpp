@@ -1,6 +1,7 @@
 #include "seed_test.h"
 
 #include "apex_search.h"
+#include "ball_visit.h"
 
 namespace pcl::acmap::dewall {
 
@@ -14,18 +15,13 @@ pointsOnSphere(const PointTree& tree,
 {
   std::vector<std::int32_t> result;
   const double reach = sphere.radius * (1 + sphere_tolerance);
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i)
+  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
+    for (std::int32_t i = first; i < end; ++i)
       if ((tree.position(i) - sphere.centre).norm() <= reach && i != corners[0] &&
           i != corners[1] && i != corners[2])
         result.push_back(i);
   };
-  tree.visitBall(
-      corners[0],
-      sphere.centre,
-      reach,
-      [](const PointTree::Node&) { return true; },
-      visit);
+  visitBall(tree, corners[0], sphere.centre, reach, visit);
   return result;
 }
 

@@ -2,6 +2,9 @@
 
 #include "spacing.h"
 
+#include <cmath>
+#include <limits>
+
 namespace pcl::acmap::dewall {
 
 namespace {
@@ -9,25 +12,33 @@ namespace {
 /** \brief Edges reach this many times the distance to the eighth neighbour. */
 constexpr double reach = 2.5;
 
+/** \brief The largest float that is not above a length: no edge is longer than asked. */
+float
+floatBelow(double length)
+{
+  const float rounded = static_cast<float>(length);
+  return static_cast<double>(rounded) > length ? std::nextafter(rounded, 0.0f)
+                                               : rounded;
+}
+
 } // namespace
 
 SizeConstraint::SizeConstraint(const PointTree& tree, double maximum_edge_length)
 : tree_(tree)
-, longest_(static_cast<std::size_t>(tree.nodeCount()), maximum_edge_length)
+, longest_(static_cast<std::size_t>(tree.leafCount()), floatBelow(maximum_edge_length))
 , least_(maximum_edge_length)
 , largest_(maximum_edge_length)
 {}
 
 SizeConstraint::SizeConstraint(const PointTree& tree, const Spacing& spacing)
 : tree_(tree)
-, longest_(static_cast<std::size_t>(tree.nodeCount()))
 {
-  for (std::size_t l = 0; l < spacing.leaves.size(); ++l)
-    longest_[static_cast<std::size_t>(spacing.leaves[l])] = reach * spacing.eighth[l];
-  const auto [least, largest] =
-      std::minmax_element(spacing.eighth.begin(), spacing.eighth.end());
-  least_ = reach * *least;
-  largest_ = reach * *largest;
+  longest_.reserve(spacing.eighth.size());
+  for (const double eighth : spacing.eighth)
+    longest_.push_back(floatBelow(reach * eighth));
+  const auto [least, largest] = std::minmax_element(longest_.begin(), longest_.end());
+  least_ = *least;
+  largest_ = *largest;
 }
 
 } // namespace pcl::acmap::dewall

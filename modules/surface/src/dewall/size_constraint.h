@@ -24,14 +24,21 @@ public:
   double
   longest(std::int32_t i) const
   {
-    return longest_[static_cast<std::size_t>(tree_.leafOf(i))];
+    return longestInLeaf(tree_.leafOf(i));
   }
 
   /** \brief Longest edge at the points of a leaf, metres. */
   double
-  longestInLeaf(const PointTree::Node& leaf) const
+  longestInLeaf(std::int32_t leaf) const
   {
-    return longest(leaf.begin);
+    return longest_[static_cast<std::size_t>(leaf)];
+  }
+
+  /** \brief That of every leaf. */
+  const float*
+  longestOfLeaves() const
+  {
+    return longest_.data();
   }
 
   bool
@@ -55,7 +62,7 @@ public:
 
 private:
   const PointTree& tree_;
-  std::vector<double> longest_; ///< for each leaf, by its number among the nodes
+  std::vector<float> longest_;
   double least_ = 0, largest_ = 0;
 };
 

@@ -2,9 +2,7 @@
 
 #include "predicates.h"
 
-#include <pcl/core/triangle_mesh.h>
-
-#include <map>
+#include <array>
 
 namespace pcl::acmap::dewall {
 
@@ -15,44 +13,89 @@ constexpr std::size_t most_sides = 8;
 /** \brief The sides of a hole, each beginning where the one before it ends. */
 using Hole = std::vector<Side>;
 
-/** \brief Holes of few sides; every corner of a rim has two open sides. */
-std::vector<Hole>
-findSmallHoles(GrowingMesh& mesh)
-{
-  std::map<std::int32_t, std::vector<Side>> at;
-  for (const Side& side : mesh.openSides()) {
-    at[side.a].push_back(side);
-    at[side.b].push_back(side);
+/** \brief Finds holes by walking round them from each side at their first corner. */
+class HoleSearch {
+public:
+  HoleSearch(GrowingMesh& mesh, const Range& range)
+  : mesh_(mesh)
+  , range_(range)
+  , is_whole_(range.end - range.begin == mesh.arrays().tree.size())
+  {}
+
+  std::vector<Hole>
+  run()
+  {
+    std::vector<Hole> holes;
+    for (const Side& side : mesh_.openSides(range_.begin, range_.end))
+      for (const std::int32_t first : {side.a, side.b})
+        if (Hole hole; walk(first, side, hole))
+          holes.push_back(std::move(hole));
+    return holes;
   }
-  const auto follow = [&](const Side& side, std::int32_t corner) {
-    const std::vector<Side>& both = at.at(corner);
-    return both[0].a == side.a && both[0].b == side.b ? both[1] : both[0];
-  };
-  std::vector<Hole> holes;
-  for (const auto& [first, sides] : at) {
-    Hole hole{sides[0]};
-    std::int32_t corner = sides[0].a == first ? sides[0].b : sides[0].a;
-    std::int32_t lowest = first;
-    while (corner != first && hole.size() <= most_sides) {
-      lowest = std::min(lowest, corner);
-      hole.push_back(follow(hole.back(), corner));
-      corner = hole.back().a == corner ? hole.back().b : hole.back().a;
+
+private:
+  /** \brief True when a small hole begins with a side at its first corner. */
+  bool
+  walk(std::int32_t first, const Side& begin, Hole& hole)
+  {
+    if (!isLookedAt(first) || mesh_.arrays().vertex(first).open_edges != 2)
+      return false;
+    hole.push_back(begin);
+    std::int32_t corner = begin.a == first ? begin.b : begin.a;
+    while (corner != first) {
+      if (hole.size() == most_sides || (isLookedAt(corner) && corner < first) ||
+          !range_.contains(corner) || mesh_.arrays().vertex(corner).open_edges != 2)
+        return false;
+      const std::int32_t next = mesh_.endOfFan(corner, hole.back());
+      const Edge& edge = *mesh_.arrays().find(corner, next);
+      const bool from_corner = bool(edge.ascending) == (corner < next);
+      hole.push_back(from_corner ? Side{corner, next} : Side{next, corner});
+      corner = next;
     }
-    if (corner == first && lowest == first && hole.size() <= most_sides)
-      holes.push_back(std::move(hole));
+    // Each hole is met in both directions.
+    const Side& last = hole.back();
+    return hole.size() >= 3 && begin.a + begin.b < last.a + last.b &&
+           isOrientable(first, hole);
   }
-  return holes;
-}
+
+  /** \brief Do the components round the hole, as they run, leave it orientable? */
+  bool
+  isOrientable(std::int32_t first, const Hole& hole)
+  {
+    std::array<ParityUnion::Root, most_sides> runs;
+    std::int32_t corner = first;
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+      const Side& side = hole[i];
+      const Edge& edge = *mesh_.arrays().find(side.a, side.b);
+      runs[i] = mesh_.parity().find(static_cast<std::int32_t>(edge.component));
+      runs[i].flipped ^= side.a != corner;
+      for (std::size_t j = 0; j < i; ++j)
+        if (runs[j].flipped != runs[i].flipped &&
+            (runs[j].component == runs[i].component || mesh_.arrays().facing.isKnown()))
+          return false;
+      corner = side.a == corner ? side.b : side.a;
+    }
+    return true;
+  }
+
+  bool
+  isLookedAt(std::int32_t corner) const
+  {
+    return range_.contains(corner) &&
+           (!is_whole_ || mesh_.arrays().vertex(corner).is_of_wall);
+  }
+
+  GrowingMesh& mesh_;
+  const Range& range_;
+  const bool is_whole_;
+};
 
 /** \brief The triangulation of a hole whose sharpest turn is the gentlest, by dynamic
  * programming over runs of its corners. */
 class HoleFilling {
 public:
-  HoleFilling(const PointTree& tree,
-              const SizeConstraint& size,
-              GrowingMesh& mesh,
-              const Hole& hole)
-  : tree_(tree)
+  HoleFilling(const SizeConstraint& size, GrowingMesh& mesh, const Hole& hole)
+  : tree_(mesh.arrays().tree)
   , size_(size)
   , mesh_(mesh)
   , hole_(hole)
@@ -156,7 +199,7 @@ private:
       return;
     const std::size_t apex = best(first, last).apex;
     const std::int32_t p = corners_[apex];
-    mesh_.add(chord, p, TriangleMesh::no_wall);
+    mesh_.add(chord, p);
     // The new triangle runs b a p: its new sides are a p and p b.
     const bool starts_at_first = chord.a == corners_[first];
     add(first, apex, starts_at_first ? Side{chord.a, p} : Side{p, chord.b});
@@ -174,10 +217,10 @@ private:
 } // namespace
 
 void
-closeSmallHoles(const PointTree& tree, const SizeConstraint& size, GrowingMesh& mesh)
+closeSmallHoles(const SizeConstraint& size, GrowingMesh& mesh, const Range& range)
 {
-  for (const Hole& hole : findSmallHoles(mesh))
-    HoleFilling(tree, size, mesh, hole).fill();
+  for (const Hole& hole : HoleSearch(mesh, range).run())
+    HoleFilling(size, mesh, hole).fill();
 }
 
 } // namespace pcl::acmap::dewall

@@ -1,14 +1,16 @@
 #pragma once
 
-#include "growing_mesh.h"
+#include "range.h"
 #include "size_constraint.h"
 
 namespace pcl::acmap::dewall {
 
-/** \brief Closes holes of a few sides by the triangles that turn least, as far as the
- * largest turn and the size constraint allow. For the dense rule: where noise or a fold
- * leaves no Delaunay-nearest apex that fits, a hole no larger than an edge remains. */
+/** \brief Closes holes of few sides by the triangles that turn least, under the guard and
+ * the size constraint; where one would turn too steeply the hole stays.
+ *
+ * In the whole of the points only holes at vertices of walls are looked at: the parts
+ * have closed the others. */
 void
-closeSmallHoles(const PointTree& tree, const SizeConstraint& size, GrowingMesh& mesh);
+closeSmallHoles(const SizeConstraint& size, GrowingMesh& mesh, const Range& range);
 
 } // namespace pcl::acmap::dewall

@@ -1,5 +1,7 @@
 #include "spacing.h"
 
+#include "ball_visit.h"
+
 #include <pcl/core/parallel.h>
 
 #include <limits>
@@ -18,8 +20,8 @@ nearestSquared(const PointTree& tree, std::int32_t i)
   std::vector<double> nearest;
   nearest.reserve(most_neighbours + 1);
   double radius = std::numeric_limits<double>::max();
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t j = leaf.begin; j < leaf.end; ++j) {
+  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
+    for (std::int32_t j = first; j < end; ++j) {
       if (j == i)
         continue;
       const double squared = (tree.position(j) - centre).squaredNorm();
@@ -33,8 +35,7 @@ nearestSquared(const PointTree& tree, std::int32_t i)
         radius = std::sqrt(nearest.back());
     }
   };
-  tree.visitBall(
-      i, centre, radius, [](const PointTree::Node&) { return true; }, visit);
+  visitBall(tree, i, centre, radius, visit);
   return nearest;
 }
 
@@ -53,16 +54,16 @@ Spacing
 measureSpacing(const PointTree& tree)
 {
   Spacing spacing;
-  for (std::int32_t n = 0; n < tree.nodeCount(); ++n)
-    if (tree.node(n).isLeaf())
-      spacing.leaves.push_back(n);
-  spacing.nearest.resize(spacing.leaves.size());
-  spacing.eighth.resize(spacing.leaves.size());
-  parallelForChunks(spacing.leaves.size(), [&](std::size_t begin, std::size_t end) {
+  const auto leaves = static_cast<std::size_t>(tree.leafCount());
+  spacing.nearest.resize(leaves);
+  spacing.eighth.resize(leaves);
+  parallelForChunks(leaves, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l) {
-      const PointTree::Node& leaf = tree.node(spacing.leaves[l]);
-      const auto first = nearestSquared(tree, leaf.begin + leaf.size() / 4);
-      const auto second = nearestSquared(tree, leaf.end - 1 - leaf.size() / 4);
+      const std::int32_t first_point = tree.firstOfLeaf(static_cast<std::int32_t>(l));
+      const std::int32_t end_point = tree.firstOfLeaf(static_cast<std::int32_t>(l + 1));
+      const std::int32_t quarter = (end_point - first_point) / 4;
+      const auto first = nearestSquared(tree, first_point + quarter);
+      const auto second = nearestSquared(tree, end_point - 1 - quarter);
       spacing.nearest[l] = std::sqrt(std::min(first.front(), second.front()));
       spacing.eighth[l] = std::sqrt(std::min(first.back(), second.back()));
     }

@@ -8,9 +8,8 @@ namespace pcl::acmap::dewall {
 
 /** \brief How far apart the points of each leaf of the tree stand, metres. */
 struct Spacing {
-  std::vector<std::int32_t> leaves; ///< their numbers among the nodes
-  std::vector<double> nearest;      ///< for each, from a point to its nearest neighbour
-  std::vector<double> eighth; ///< and to its eighth: 1.41 spacings on a square grid
+  std::vector<double> nearest; ///< for each, from a point to its nearest neighbour
+  std::vector<double> eighth;  ///< and to its eighth: 1.41 spacings on a square grid
 
   /** \brief Median of \ref nearest. */
   double

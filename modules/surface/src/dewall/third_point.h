@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ball_visit.h"
 #include "predicates.h"
 #include "size_constraint.h"
 
@@ -23,8 +24,8 @@ findThirdPoint(const PointTree& tree,
   double reach = std::sqrt(std::max(0.0, longest * longest - half * half));
   double smallest = std::numeric_limits<double>::max();
   std::int32_t best = -1;
-  const auto visit = [&](const PointTree::Node& leaf) {
-    for (std::int32_t i = leaf.begin; i < leaf.end; ++i) {
+  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
+    for (std::int32_t i = first; i < end; ++i) {
       const Eigen::Vector3d p = tree.position(i);
       if (i == p1 || i == p2 || !accept(i) ||
           !size.allows(p1, i, (p - a).squaredNorm()) ||
@@ -40,8 +41,7 @@ findThirdPoint(const PointTree& tree,
           reach, radius + std::sqrt(std::max(0.0, radius * radius - half * half)));
     }
   };
-  tree.visitBall(
-      p1, 0.5 * (a + b), reach, [](const PointTree::Node&) { return true; }, visit);
+  visitBall(tree, p1, 0.5 * (a + b), reach, visit);
   return best;
 }
 

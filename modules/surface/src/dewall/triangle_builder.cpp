@@ -1,100 +1,232 @@
 #include "triangle_builder.h"
 
+#include "fans.h"
 #include "nearest.h"
+#include "small_holes.h"
+
+#include <oneapi/tbb/parallel_invoke.h>
 
 namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Points within reach of alpha, the nearest first. */
+/** \brief The leaves of the tree within reach of alpha, the nearest first. */
 std::vector<std::int32_t>
-pointsNearPlane(const PointTree& tree, const PointTree::Node& node, const Front& front)
+leavesNearPlane(const PointTree& tree,
+                const PointTree::Plane& alpha,
+                const Range& range,
+                const SizeConstraint& size)
 {
-  const float* value = tree.coordinates(node.axis);
-  const auto axis = static_cast<std::size_t>(node.axis);
-  const float low = tree.node(node.left).high[axis],
-              high = tree.node(node.right).low[axis];
-  const double alpha = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
-  std::vector<std::pair<double, std::int32_t>> near;
-  for (std::int32_t i = node.begin; i < node.end; ++i) {
-    const double distance = std::abs(static_cast<double>(value[i]) - alpha);
-    if (distance <= front.reachOf(i))
-      near.emplace_back(distance, i);
+  std::vector<std::pair<float, std::int32_t>> near;
+  for (std::int32_t leaf = range.first_leaf; leaf < range.end_leaf; ++leaf) {
+    const Eigen::AlignedBox3f box = tree.boxOfLeaf(leaf);
+    const int axis = alpha.axis;
+    const float distance = std::max(
+        0.0f, std::max(box.min()[axis] - alpha.offset, alpha.offset - box.max()[axis]));
+    if (static_cast<double>(distance) <= size.longestInLeaf(leaf))
+      near.emplace_back(distance, leaf);
   }
   std::sort(near.begin(), near.end());
-  std::vector<std::int32_t> result;
-  result.reserve(near.size());
+  std::vector<std::int32_t> leaves;
+  leaves.reserve(near.size());
   for (const auto& entry : near)
-    result.push_back(entry.second);
-  return result;
+    leaves.push_back(entry.second);
+  return leaves;
 }
 
-/** \brief Starts a component at every sheet that crosses alpha. */
-void
-seedWall(const PointTree& tree,
-         const PointTree::Node& node,
-         GrowingMesh& mesh,
-         Front& front,
-         const Range& range)
-{
-  for (const std::int32_t p1 : pointsNearPlane(tree, node, front)) {
-    if (mesh.isUsed(p1))
-      continue;
-    const std::int32_t p2 =
-        nearestPoint(tree, p1, front.reachOf(p1), [&](std::int32_t i) {
-          return range.contains(i) && range.isCut({p1, i}) && !mesh.isUsed(i);
-        });
-    if (p2 >= 0)
-      front.startAt(p1, p2, range);
+/** \brief Grows the part of one node. */
+class PartBuilder {
+public:
+  PartBuilder(Part& part,
+              MeshArrays& arrays,
+              const SizeConstraint& size,
+              const BuilderSettings& settings,
+              const std::function<void()>& tick,
+              const ParityUnion& parity,
+              bool is_wall)
+  : part_(part)
+  , tree_(arrays.tree)
+  , size_(size)
+  , settings_(settings)
+  , tick_(tick)
+  , range_(arrays.tree, part.node, is_wall)
+  , mesh_(arrays, parity)
+  , front_(arrays.tree, size, settings.rule, mesh_, tick)
+  {
+    mesh_.setOfWall(is_wall);
+    part.first_component = parity.size();
   }
-}
 
-/** \brief Starts a component at every point left over in a leaf of the recursion. */
-void
-seedLeaf(const PointTree& tree, GrowingMesh& mesh, Front& front, const Range& range)
-{
-  for (std::int32_t p1 = range.begin; p1 < range.end; ++p1) {
-    if (mesh.isUsed(p1))
-      continue;
-    const std::int32_t p2 =
-        nearestPoint(tree, p1, front.reachOf(p1), [&](std::int32_t i) {
-          return range.contains(i) && !mesh.isUsed(i);
-        });
-    if (p2 >= 0)
-      front.startAt(p1, p2, range);
+  /** \return the sides of each half (L_l and L_r) */
+  std::array<std::vector<Side>, 2>
+  growWall(const std::vector<Side>& sides)
+  {
+    for (const Side& side : sides)
+      front_.insert(side, range_);
+    front_.advance(range_);
+    for (const std::int32_t leaf :
+         leavesNearPlane(tree_, tree_.planeOf(part_.node), range_, size_))
+      seedAt(leaf, 2); // what a wall misses the halves find
+    front_.deferWaiting();
+    std::array<std::vector<Side>, 2> halves;
+    for (const Side& side : front_.takeUncut())
+      halves[side.a < range_.middle ? 0 : 1].push_back(side);
+    finish();
+    return halves;
   }
-}
+
+  void
+  growLeaf(const std::vector<Side>& sides)
+  {
+    for (const Side& side : sides)
+      front_.insert(side, range_);
+    front_.advance(range_);
+    for (std::int32_t leaf = range_.first_leaf; leaf < range_.end_leaf; ++leaf)
+      seedAt(leaf, PointTree::leaf_capacity);
+    front_.advancePostponed(range_);
+    front_.advanceContrary(range_);
+    if (settings_.rule != DeWallRule::Strict)
+      complete();
+    finish();
+  }
+
+  ParityUnion&
+  parity()
+  {
+    return mesh_.parity();
+  }
+
+private:
+  /** \brief Starts a component in a leaf of the tree where many points are unused: that a
+   * few are left over under noise is no sign of another surface. */
+  void
+  seedAt(std::int32_t leaf, int trials)
+  {
+    const std::int32_t first = tree_.firstOfLeaf(leaf),
+                       end = tree_.firstOfLeaf(leaf + 1);
+    for (std::int32_t p1 = first; p1 < end; ++p1) {
+      const int unused =
+          __builtin_popcount(mesh_.arrays().unused[static_cast<std::size_t>(leaf)]);
+      if (2 * unused < end - first)
+        return;
+      if (mesh_.isUsed(p1))
+        continue;
+      const std::int32_t p2 =
+          nearestPoint(tree_, p1, size_.longest(p1), [&](std::int32_t i) {
+            return range_.contains(i) && range_.isCut({p1, i}) && !mesh_.isUsed(i);
+          });
+      if (p2 >= 0)
+        front_.startAt(p1, p2, range_);
+      if (--trials == 0)
+        return;
+    }
+  }
+
+  /** \brief The last passes, for what they can decide here. */
+  void
+  complete()
+  {
+    part_.removed_fans = keepLargestFans(mesh_, {&mesh_.triangles()}, false).size();
+    Unfinished begun;
+    for (const Side& side : mesh_.openSides(range_.begin, range_.end))
+      if (range_.contains(side.a) && range_.contains(side.b))
+        begun.sides.push_back(side);
+    for (std::int32_t i = range_.begin; i < range_.end; ++i)
+      if (!mesh_.isUsed(i))
+        begun.points.push_back(i);
+    part_.unfinished =
+        Refill(size_, settings_.rule, mesh_, range_, tick_).run(std::move(begun));
+    if (settings_.rule == DeWallRule::Dense)
+      closeSmallHoles(size_, mesh_, range_);
+  }
+
+  void
+  finish()
+  {
+    part_.triangles = std::move(mesh_.triangles());
+    part_.triangles.shrink_to_fit();
+    part_.components = mesh_.parity().size() - part_.first_component;
+    part_.joints = mesh_.takeJoints();
+    part_.deferred = front_.takeDeferred();
+    part_.refused_moebius = mesh_.refusedMoebius();
+  }
+
+  Part& part_;
+  const PointTree& tree_;
+  const SizeConstraint& size_;
+  const BuilderSettings& settings_;
+  const std::function<void()>& tick_;
+  const Range range_;
+  GrowingMesh mesh_;
+  Front front_;
+};
+
+class Recursion {
+public:
+  Recursion(MeshArrays& arrays,
+            const SizeConstraint& size,
+            const BuilderSettings& settings,
+            const std::function<void()>& tick)
+  : arrays_(arrays)
+  , size_(size)
+  , settings_(settings)
+  , tick_(tick)
+  {
+    const std::int64_t points = arrays.tree.size();
+    while (depth_ < arrays.tree.cells().depth &&
+           ((points - 1) >> depth_) + 1 > settings.leaf_size)
+      ++depth_;
+    parts_.resize((std::size_t{2} << depth_) - 1);
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      const PointTree::Node& parent = parts_[(i - 1) / 2].node;
+      parts_[i].node = i % 2 == 1 ? parent.left() : parent.right();
+    }
+  }
+
+  std::vector<Part>
+  run()
+  {
+    build(0, {}, {});
+    return std::move(parts_);
+  }
+
+private:
+  void
+  build(std::size_t index, const std::vector<Side>& sides, const ParityUnion& above)
+  {
+    Part& part = parts_[index];
+    if (part.node.depth == depth_) {
+      PartBuilder(part, arrays_, size_, settings_, tick_, above, false).growLeaf(sides);
+      return;
+    }
+    std::array<std::vector<Side>, 2> halves;
+    ParityUnion parity;
+    {
+      PartBuilder wall(part, arrays_, size_, settings_, tick_, above, true);
+      halves = wall.growWall(sides);
+      parity = std::move(wall.parity());
+    }
+    oneapi::tbb::parallel_invoke([&] { build(2 * index + 1, halves[0], parity); },
+                                 [&] { build(2 * index + 2, halves[1], parity); });
+  }
+
+  MeshArrays& arrays_;
+  const SizeConstraint& size_;
+  const BuilderSettings& settings_;
+  const std::function<void()>& tick_;
+  int depth_ = 0; ///< of the leaves of the recursion
+  std::vector<Part> parts_;
+};
 
 } // namespace
 
-void
-buildTriangles(const PointTree& tree,
-               GrowingMesh& mesh,
-               Front& front,
-               std::int32_t index,
-               const std::vector<Side>& sides,
-               std::uint8_t depth,
-               std::int32_t leaf_size)
+std::vector<Part>
+buildTriangles(MeshArrays& arrays,
+               const SizeConstraint& size,
+               const BuilderSettings& settings,
+               const std::function<void()>& tick)
 {
-  const PointTree::Node& node = tree.node(index);
-  const bool is_leaf = node.isLeaf() || node.size() <= leaf_size;
-  const std::int32_t middle = is_leaf ? node.begin : tree.node(node.left).end;
-  const Range range{node.begin, node.end, middle, depth};
-  for (const Side& side : sides)
-    front.insert(side, range);
-  front.advance(range);
-  if (is_leaf) {
-    seedLeaf(tree, mesh, front, range);
-    front.advancePostponed(range);
-    return;
-  }
-  seedWall(tree, node, mesh, front, range);
-  front.deferPostponed();
-  std::vector<Side> left, right;
-  for (const Side& side : front.takeUncut())
-    (side.a < middle ? left : right).push_back(side);
-  buildTriangles(tree, mesh, front, node.left, left, depth + 1, leaf_size);
-  buildTriangles(tree, mesh, front, node.right, right, depth + 1, leaf_size);
+  return Recursion(arrays, size, settings, tick).run();
 }
 
 } // namespace pcl::acmap::dewall

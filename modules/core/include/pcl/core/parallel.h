@@ -1,10 +1,12 @@
 #pragma once
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,11 +16,16 @@ namespace pcl::acmap {
  * so that the grouping of sums never depends on the number of threads. */
 inline constexpr std::size_t parallel_chunk = 4096;
 
-/** \brief Runs a function in an arena of \a threads threads (0 = all). */
+/** \brief Runs a function in an arena of \a threads threads (0 = all), be they more than
+ * the machine's processors. */
 template <typename Function>
 auto
 withThreads(unsigned threads, Function&& function)
 {
+  using oneapi::tbb::global_control;
+  std::optional<global_control> allowed;
+  if (threads > global_control::active_value(global_control::max_allowed_parallelism))
+    allowed.emplace(global_control::max_allowed_parallelism, threads);
   oneapi::tbb::task_arena arena(threads ? static_cast<int>(threads)
                                         : oneapi::tbb::task_arena::automatic);
   return arena.execute(std::forward<Function>(function));

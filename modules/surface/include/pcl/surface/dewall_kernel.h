@@ -23,7 +23,7 @@ struct DeWallSettings {
 
   /** Halves of at most so many points are grown without a further wall. The mesh
    * depends on it, so it depends on nothing else. */
-  std::int32_t leaf_size = 32768;
+  std::int32_t leaf_size = 65536;
 };
 
 /** \brief The kernel behind DeWallTriangulation, free of PCL's point types.

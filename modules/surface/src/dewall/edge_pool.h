@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap::dewall {
+
+/** \brief What is known of an edge of the mesh. */
+struct Edge {
+  static constexpr std::uint32_t largest_component = (1u << 29) - 1;
+
+  std::int32_t high; ///< its end of higher index; the list it stands in is the lower
+  std::int32_t next; ///< in that list, -1 at its end
+  std::int32_t opposites; ///< third corners of its triangles, combined by exclusive or
+  std::uint32_t component : 29; ///< of its first triangle
+  std::uint32_t
+      ascending : 1; ///< that runs through it from the lower to the higher end
+  std::uint32_t triangles : 2; ///< at it, at most 2 under the guard; 3: more
+
+  bool
+  isOpen() const
+  {
+    return triangles == 1;
+  }
+};
+
+/** \brief Room for edges that tasks fill side by side; an edge keeps its place. */
+class EdgePool {
+public:
+  explicit EdgePool(std::int32_t points)
+  : blocks_(64 + static_cast<std::size_t>(points) / (block_size / 24))
+  {}
+
+  Edge&
+  operator[](std::int32_t e)
+  {
+    return blocks_[static_cast<std::size_t>(e) / block_size]
+                  [static_cast<std::size_t>(e) % block_size];
+  }
+
+  /** \brief Hands out new edges of one task, block by block. */
+  class Cursor {
+  public:
+    explicit Cursor(EdgePool& pool)
+    : pool_(&pool)
+    {}
+
+    Cursor(const Cursor&) = delete;
+    Cursor&
+    operator=(const Cursor&) = delete;
+
+    ~Cursor()
+    {
+      const std::lock_guard<std::mutex> lock(pool_->mutex_);
+      if (next_ != end_)
+        pool_->spare_.emplace_back(next_, end_);
+    }
+
+    std::int32_t
+    take()
+    {
+      if (next_ == end_)
+        std::tie(next_, end_) = pool_->takeRun();
+      return next_++;
+    }
+
+  private:
+    EdgePool* pool_;
+    std::int32_t next_ = 0, end_ = 0;
+  };
+
+private:
+  static constexpr std::size_t block_size = 1024;
+
+  /** \brief What is left of a block by another task, or a new one. */
+  std::pair<std::int32_t, std::int32_t>
+  takeRun()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!spare_.empty()) {
+      const auto run = spare_.back();
+      spare_.pop_back();
+      return run;
+    }
+    if (taken_ == blocks_.size())
+      throw std::bad_alloc();
+    blocks_[taken_] = std::make_unique<Edge[]>(block_size);
+    const auto first = static_cast<std::int32_t>(taken_++ * block_size);
+    return {first, first + static_cast<std::int32_t>(block_size)};
+  }
+
+  std::vector<std::unique_ptr<Edge[]>> blocks_;
+  std::size_t taken_ = 0;
+  std::vector<std::pair<std::int32_t, std::int32_t>> spare_; ///< runs of edges
+  std::mutex mutex_;
+};
+
+} // namespace pcl::acmap::dewall

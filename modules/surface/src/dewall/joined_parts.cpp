@@ -1,0 +1,175 @@
+#include "joined_parts.h"
+
+#include <pcl/core/parallel.h>
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+/** \brief From the numbers of components in a part to those in the whole. */
+class Numbering {
+public:
+  explicit Numbering(const std::vector<Part>& parts)
+  : parts_(parts)
+  {
+    for (const Part& part : parts) {
+      first_.push_back(count_);
+      count_ += part.components;
+    }
+  }
+
+  std::int32_t
+  count() const
+  {
+    return count_;
+  }
+
+  std::int32_t
+  inWhole(std::size_t part, std::int32_t component) const
+  {
+    while (component < parts_[part].first_component)
+      part = (part - 1) / 2;
+    return first_[part] + component - parts_[part].first_component;
+  }
+
+private:
+  const std::vector<Part>& parts_;
+  std::vector<std::int32_t> first_;
+  std::int32_t count_ = 0;
+};
+
+void
+renumberArrays(MeshArrays& arrays,
+               const Numbering& numbering,
+               const Part& part,
+               std::size_t index)
+{
+  const std::int32_t end = arrays.tree.endOf(part.node);
+  for (std::int32_t i = arrays.tree.firstOf(part.node); i < end; ++i) {
+    Vertex& v = arrays.vertex(i);
+    if (v.component >= 0)
+      v.component = numbering.inWhole(index, v.component);
+    arrays.forEachEdgeAt(i, [&](Edge& edge) {
+      edge.component = static_cast<std::uint32_t>(numbering.inWhole(
+                           index, static_cast<std::int32_t>(edge.component))) &
+                       Edge::largest_component;
+    });
+  }
+}
+
+void
+renumber(MeshArrays& arrays, std::vector<Part>& parts, const Numbering& numbering)
+{
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    Part& part = parts[p];
+    for (GrownTriangle& triangle : part.triangles)
+      triangle.component = numbering.inWhole(p, triangle.component);
+    for (Joint& joint : part.joints) {
+      joint.first = numbering.inWhole(p, joint.first);
+      joint.second = numbering.inWhole(p, joint.second);
+    }
+    if (2 * p + 1 >= parts.size())
+      renumberArrays(arrays, numbering, part, p);
+  });
+}
+
+bool
+agrees(ParityUnion& parity, const Joint& joint)
+{
+  const ParityUnion::Root first = parity.find(joint.first),
+                          second = parity.find(joint.second);
+  return first.component != second.component ||
+         (first.flipped != second.flipped) == joint.flipped;
+}
+
+/** \brief Joins what the parts joined; false when they contradict each other. */
+bool
+replay(const std::vector<Part>& parts, ParityUnion& parity)
+{
+  for (const Part& part : parts)
+    for (const Joint& joint : part.joints) {
+      if (!agrees(parity, joint))
+        return false;
+      parity.unite(joint.first, joint.second, joint.flipped);
+    }
+  return true;
+}
+
+/** \brief A triangle at an edge whose first triangle is of another component. */
+struct Seam {
+  GrownTriangle* triangle;
+  Joint joint;
+};
+
+std::vector<Seam>
+findSeams(MeshArrays& arrays, std::vector<GrownTriangle>& triangles)
+{
+  std::vector<Seam> seams;
+  for (GrownTriangle& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
+      if (!arrays.vertex(from).is_mixed || !arrays.vertex(to).is_mixed)
+        continue;
+      const Edge& edge = *arrays.find(from, to);
+      const auto first = static_cast<std::int32_t>(edge.component);
+      if (edge.triangles == 2 && first != triangle.component)
+        seams.push_back(
+            {&triangle,
+             {first, triangle.component, bool(edge.ascending) == (from < to)}});
+    }
+  return seams;
+}
+
+/** \brief Joins the components edge by edge, and takes out what contradicts. */
+ParityUnion
+removeContradictions(MeshArrays& arrays,
+                     std::vector<Part>& parts,
+                     std::int32_t components,
+                     std::vector<GrownTriangle>& removed)
+{
+  std::vector<std::vector<Seam>> seams(parts.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    seams[p] = findSeams(arrays, parts[p].triangles);
+  });
+  ParityUnion parity(components);
+  std::vector<GrownTriangle*> wrong;
+  for (const std::vector<Seam>& of_part : seams)
+    for (const Seam& seam : of_part) {
+      if (agrees(parity, seam.joint))
+        parity.unite(seam.joint.first, seam.joint.second, seam.joint.flipped);
+      else if (wrong.empty() || wrong.back() != seam.triangle)
+        wrong.push_back(seam.triangle);
+    }
+  GrowingMesh mesh(arrays, parity);
+  for (GrownTriangle* triangle : wrong) {
+    mesh.detach(*triangle);
+    removed.push_back(*triangle);
+    triangle->component = -1;
+  }
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    std::vector<GrownTriangle>& all = parts[p].triangles;
+    all.erase(std::remove_if(all.begin(),
+                             all.end(),
+                             [](const GrownTriangle& t) { return t.component < 0; }),
+              all.end());
+    mesh.reassignEdges(all);
+  });
+  return parity;
+}
+
+} // namespace
+
+GrowingMesh
+joinParts(MeshArrays& arrays,
+          std::vector<Part>& parts,
+          std::vector<GrownTriangle>& removed)
+{
+  const Numbering numbering(parts);
+  renumber(arrays, parts, numbering);
+  ParityUnion parity(numbering.count());
+  if (!replay(parts, parity))
+    parity = removeContradictions(arrays, parts, numbering.count(), removed);
+  return GrowingMesh(arrays, std::move(parity));
+}
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,105 @@
+#include "last_passes.h"
+
+#include "fans.h"
+#include "small_holes.h"
+
+namespace pcl::acmap::dewall {
+
+namespace {
+
+Range
+wholeOf(const PointTree& tree)
+{
+  return Range(tree, PointTree::Node{}, false);
+}
+
+/** \brief The deferred sides, with apexes from everywhere. */
+void
+growAcrossPlanes(GrowingMesh& mesh,
+                 const SizeConstraint& size,
+                 DeWallRule rule,
+                 const std::vector<Part>& parts,
+                 const std::function<void()>& tick)
+{
+  const PointTree& tree = mesh.arrays().tree;
+  const Range all = wholeOf(tree);
+  Front front(tree, size, rule, mesh, tick);
+  for (const Part& part : parts)
+    for (const Side& side : part.deferred)
+      if (mesh.oppositeOf(side) >= 0)
+        front.insert(mesh.asItRuns(side), all);
+  front.advance(all);
+  front.advancePostponed(all);
+  front.advanceContrary(all);
+}
+
+/** \brief Open sides of walls that no part had to itself. */
+void
+addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& begun)
+{
+  for (const Part& part : parts)
+    for (const GrownTriangle& triangle : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Side side{triangle.corners[i], triangle.corners[(i + 1) % 3]};
+        if (mesh.oppositeOf(side) >= 0)
+          begun.sides.push_back(side);
+      }
+}
+
+bool
+isAnyTouched(MeshArrays& arrays, const Refusal& refusal)
+{
+  return arrays.vertex(refusal.side.a).is_of_wall ||
+         arrays.vertex(refusal.side.b).is_of_wall ||
+         arrays.vertex(refusal.apex).is_of_wall;
+}
+
+void
+append(Unfinished& all, const Unfinished& more)
+{
+  all.sides.insert(all.sides.end(), more.sides.begin(), more.sides.end());
+  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+}
+
+} // namespace
+
+std::size_t
+finishMesh(GrowingMesh& mesh,
+           const SizeConstraint& size,
+           DeWallRule rule,
+           std::vector<Part>& parts,
+           std::vector<GrownTriangle> removed,
+           const std::function<void()>& tick)
+{
+  MeshArrays& arrays = mesh.arrays();
+  mesh.setOfWall(true);
+  growAcrossPlanes(mesh, size, rule, parts, tick);
+  if (rule == DeWallRule::Strict)
+    return 0;
+  std::vector<std::vector<GrownTriangle>*> lists;
+  for (Part& part : parts)
+    lists.push_back(&part.triangles);
+  lists.push_back(&mesh.triangles());
+  const std::vector<GrownTriangle> of_fans = keepLargestFans(mesh, lists, true);
+  removed.insert(removed.end(), of_fans.begin(), of_fans.end());
+  for (const GrownTriangle& triangle : removed)
+    for (const std::int32_t corner : triangle.corners)
+      arrays.vertex(corner).is_of_wall = true;
+
+  Unfinished begun = affectedBy(removed, size, mesh);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    append(begun, parts[p].unfinished);
+    for (const Refusal& refusal : parts[p].unfinished.refusals)
+      if (isAnyTouched(arrays, refusal))
+        begun.refusals.push_back(refusal);
+  }
+  const std::size_t walls = parts.size() / 2; // they stand before the leaves
+  addSidesOfWalls(mesh, {parts.begin(), parts.begin() + walls}, begun);
+  const Range all = wholeOf(arrays.tree);
+  Refill(size, rule, mesh, all, tick).run(std::move(begun));
+  if (rule == DeWallRule::Dense)
+    closeSmallHoles(size, mesh, all);
+  return of_fans.size();
+}
+
+} // namespace pcl::acmap::dewall

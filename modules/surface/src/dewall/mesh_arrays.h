@@ -1,0 +1,142 @@
+#pragma once
+
+#include "edge_pool.h"
+#include "facing.h"
+#include "point_tree.h"
+
+#include <vector>
+
+namespace pcl::acmap::dewall {
+
+/** \brief What the mesh knows of a vertex. Its open edges count 0 when it is unused or
+ * *saturated* (its fan is closed), 2 for one open fan, more for a *pinch*, which later
+ * triangles may mend. */
+struct Vertex {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< sum over its triangles, ...
+  std::int32_t component = -1;                      ///< ... as this component runs
+  std::int32_t first_edge = -1; ///< head of the list of edges it is the lower end of
+  std::uint16_t triangles = 0;
+  std::uint16_t open_edges : 12;
+  std::uint16_t was_pinched : 1;
+  std::uint16_t
+      has_lost : 1; ///< a triangle, so that its edges are to be looked through
+  std::uint16_t is_mixed : 1;   ///< triangles of several components meet here
+  std::uint16_t is_of_wall : 1; ///< a triangle that crosses a splitting plane has it
+
+  void
+  addOpenEdges(int change)
+  {
+    open_edges = static_cast<std::uint16_t>(open_edges + change) & 0xfff;
+  }
+
+  Vertex()
+  : open_edges(0)
+  , was_pinched(0)
+  , has_lost(0)
+  , is_mixed(0)
+  , is_of_wall(0)
+  {}
+};
+
+/** \brief The arrays of the mesh, common to the tasks that grow it: each has a range of
+ * points of its own, and touches nothing of others. */
+struct MeshArrays {
+  const PointTree& tree;
+  const Facing& facing;
+  std::vector<Vertex> vertices;
+  EdgePool edges;
+  std::vector<std::uint16_t> saturated, unused; ///< bits of the points of each leaf
+  std::vector<std::uint8_t> unused_in_group; ///< number in each group of eight leaves
+
+  MeshArrays(const PointTree& t, const Facing& f)
+  : tree(t)
+  , facing(f)
+  , vertices(static_cast<std::size_t>(t.size()))
+  , edges(t.size())
+  , saturated(static_cast<std::size_t>(t.leafCount()))
+  , unused(static_cast<std::size_t>(t.leafCount()))
+  , unused_in_group(static_cast<std::size_t>((t.leafCount() + 7) / 8))
+  {
+    for (std::int32_t leaf = 0; leaf < t.leafCount(); ++leaf) {
+      const std::int32_t points = t.firstOfLeaf(leaf + 1) - t.firstOfLeaf(leaf);
+      unused[static_cast<std::size_t>(leaf)] =
+          static_cast<std::uint16_t>((1u << points) - 1);
+      unused_in_group[static_cast<std::size_t>(leaf / 8)] += points;
+    }
+  }
+
+  MeshArrays(const MeshArrays&) = delete;
+  MeshArrays&
+  operator=(const MeshArrays&) = delete;
+
+  Vertex&
+  vertex(std::int32_t i)
+  {
+    return vertices[static_cast<std::size_t>(i)];
+  }
+
+  bool
+  isUsed(std::int32_t i) const
+  {
+    return vertices[static_cast<std::size_t>(i)].triangles > 0;
+  }
+
+  /** \brief The edge between two points, nullptr where there is none. */
+  Edge*
+  find(std::int32_t a, std::int32_t b)
+  {
+    const std::int32_t high = std::max(a, b);
+    for (std::int32_t e = vertex(std::min(a, b)).first_edge; e >= 0;) {
+      Edge& edge = edges[e];
+      if (edge.high == high)
+        return &edge;
+      e = edge.next;
+    }
+    return nullptr;
+  }
+
+  /** \brief As find (), nullptr for an edge without triangles too. */
+  Edge*
+  findUsed(std::int32_t a, std::int32_t b)
+  {
+    Edge* edge = find(a, b);
+    return edge && edge->triangles > 0 ? edge : nullptr;
+  }
+
+  /** \brief Calls function (edge) for the edges whose lower end is \a low. */
+  template <typename Function>
+  void
+  forEachEdgeAt(std::int32_t low, const Function& function)
+  {
+    for (std::int32_t e = vertex(low).first_edge; e >= 0;) {
+      Edge& edge = edges[e];
+      e = edge.next;
+      function(edge);
+    }
+  }
+
+  void
+  noteSaturation(std::int32_t i, bool is_saturated)
+  {
+    setBit(saturated, i, is_saturated);
+  }
+
+  void
+  noteUse(std::int32_t i, bool is_used)
+  {
+    setBit(unused, i, !is_used);
+    unused_in_group[static_cast<std::size_t>(tree.leafOf(i) / 8)] += is_used ? -1 : 1;
+  }
+
+private:
+  void
+  setBit(std::vector<std::uint16_t>& masks, std::int32_t i, bool value) const
+  {
+    const std::int32_t leaf = tree.leafOf(i);
+    const unsigned bit = 1u << (i - tree.firstOfLeaf(leaf));
+    std::uint16_t& bits = masks[static_cast<std::size_t>(leaf)];
+    bits = static_cast<std::uint16_t>(value ? bits | bit : bits & ~bit);
+  }
+};
+
+} // namespace pcl::acmap::dewall

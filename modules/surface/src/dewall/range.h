@@ -1,0 +1,44 @@
+#pragma once
+
+#include "growing_mesh.h"
+
+namespace pcl::acmap::dewall {
+
+/** \brief A run of tree points, and in a wall the first one beyond the splitting plane.
+ */
+struct Range {
+  std::int32_t begin, end;
+  std::int32_t
+      middle; ///< equal to begin in a leaf of the recursion: every side is ours
+  std::int32_t first_leaf, end_leaf; ///< of the tree
+
+  Range(const PointTree& tree, const PointTree::Node& node, bool is_wall)
+  : begin(tree.firstOf(node))
+  , end(tree.endOf(node))
+  , middle(is_wall ? tree.firstOf(node.right()) : begin)
+  , first_leaf(firstLeaf(tree, node))
+  , end_leaf(firstLeaf(tree, {node.depth, node.index + 1}))
+  {}
+
+  bool
+  contains(std::int32_t i) const
+  {
+    return begin <= i && i < end;
+  }
+
+  /** \brief Is this side in L_alpha, the list of sides that alpha cuts (Fig. 6)? */
+  bool
+  isCut(const Side& side) const
+  {
+    return middle == begin || (side.a < middle) != (side.b < middle);
+  }
+
+private:
+  static std::int32_t
+  firstLeaf(const PointTree& tree, const PointTree::Node& node)
+  {
+    return node.index << (tree.cells().depth - node.depth);
+  }
+};
+
+} // namespace pcl::acmap::dewall

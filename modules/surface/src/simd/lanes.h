@@ -1,0 +1,64 @@
+// Eight floats at once, as a vector type of the compiler. For the inside of one source
+// file: all is in an unnamed namespace, since every variant is compiled with its own flags.
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+// The vectors never pass between functions of different files.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace {
+
+typedef float Lanes __attribute__((vector_size(32), aligned(32)));
+typedef int LaneMask __attribute__((vector_size(32), aligned(32)));
+
+#define ACMAP_INLINE inline __attribute__((always_inline))
+
+ACMAP_INLINE Lanes
+loadLanes(const float* from)
+{
+  Lanes lanes;
+  __builtin_memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+ACMAP_INLINE Lanes
+allLanes(float value)
+{
+  return Lanes{value, value, value, value, value, value, value, value};
+}
+
+ACMAP_INLINE Lanes
+maxLanes(const Lanes& a, const Lanes& b)
+{
+  return a > b ? a : b;
+}
+
+/** A bit for each lane whose mask is set. */
+ACMAP_INLINE unsigned
+bitsOf(const LaneMask& mask)
+{
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#elif defined(__SSE2__)
+  __m128 halves[2];
+  __builtin_memcpy(halves, &mask, sizeof mask);
+  return static_cast<unsigned>(_mm_movemask_ps(halves[0]) |
+                               (_mm_movemask_ps(halves[1]) << 4));
+#else
+  unsigned bits = 0;
+  for (int lane = 0; lane < 8; ++lane)
+    bits |= (static_cast<unsigned>(mask[lane]) & 1u) << lane;
+  return bits;
+#endif
+}
+
+ACMAP_INLINE unsigned
+lowestBit(unsigned bits)
+{
+  return static_cast<unsigned>(__builtin_ctz(bits));
+}
+
+} // namespace

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+namespace pcl::acmap::dewall {
+
+/** \brief The tight boxes of up to eight siblings of the tree, an axis after the other. */
+struct alignas(32) SiblingBoxes {
+  float low[3][8], high[3][8];
+};
+
+/** \brief The share of space of a group of siblings, between the splitting planes. */
+struct CellBox {
+  float low[3], high[3];
+};
+
+/** \brief A PointTree as plain arrays, for kernels that may not use Eigen.
+ *
+ * The tree is complete: 2^depth leaves, and leaf l begins at point l n / 2^depth. Eight
+ * leaves make a group of level 1, eight of these one of level 2, and so on; the single
+ * group of the highest level may have fewer members. */
+struct TreeCells {
+  static constexpr int leaf_capacity = 16;
+  static constexpr int most_levels = 10;
+
+  const float* coordinates[3] = {}; ///< in tree order; a leaf's length of zeros follows
+  std::int64_t points = 0;
+  int depth = 0;
+  int levels = 0;
+  const SiblingBoxes* boxes[most_levels + 1] = {}; ///< of each group, by level
+  const CellBox* cells[most_levels + 1] = {};      ///< of each group, by level
+};
+
+static inline std::int32_t
+firstOfLeaf(const TreeCells& tree, std::int32_t leaf)
+{
+  return static_cast<std::int32_t>((leaf * tree.points) >> tree.depth);
+}
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,7 @@
+#include "tree_search_kernel.h"
+
+namespace pcl::acmap::dewall {
+
+const TreeSearch tree_search_avx2{findApexes, findInBall};
+
+} // namespace pcl::acmap::dewall

@@ -1,0 +1,240 @@
+// The searches themselves, compiled once for each variant; as lanes.h.
+#pragma once
+
+#include "tree_search.h"
+#include "tree_walk.h"
+
+namespace {
+
+using pcl::acmap::dewall::ApexQuery;
+using pcl::acmap::dewall::BallQuery;
+using pcl::acmap::dewall::SearchHits;
+
+constexpr float unbounded = __builtin_inff();
+
+/** The cotangent whose signed square is given. */
+ACMAP_INLINE float
+cotangentOf(float signed_square)
+{
+  return signed_square < 0 ? -__builtin_sqrtf(-signed_square)
+                           : __builtin_sqrtf(signed_square);
+}
+
+/** Looks at points as apexes in units of the side's length: the angle apb is largest
+ * where (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p - a)|^2, the signed square of its
+ * cotangent, is least. A point counts as *sure* when it is allowed whatever the rounding:
+ * only such ones raise the bar for the others. */
+struct ApexVisitor {
+  const TreeCells& tree;
+  const ApexQuery& query;
+  SearchHits& hits;
+  Ball ball;
+  float scale;
+  float* score;            ///< of each hit
+  float best = unbounded;  ///< of the sure ones
+  float limit = unbounded; ///< above it no candidate
+
+  ACMAP_INLINE unsigned
+  keep(int level, std::int32_t group) const
+  {
+    const SiblingBoxes& boxes = tree.boxes[level][group];
+    Lanes most = allLanes(0), size = allLanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float w = query.outward[axis];
+      const Lanes far = loadLanes(w > 0 ? boxes.high[axis] : boxes.low[axis]);
+      const Lanes forward = (far - allLanes(query.at_a[axis])) * allLanes(w);
+      most += forward;
+      size += maxLanes(forward, -forward);
+    }
+    return bitsOf(most >= allLanes(-1e-6f) * size);
+  }
+
+  ACMAP_INLINE void
+  raiseBar(float signed_square)
+  {
+    best = signed_square;
+    const float cotangent = cotangentOf(best);
+    const float size = cotangent < 0 ? -cotangent : cotangent;
+    const float bar = cotangent + 1e-4f * (1 + size);
+    limit = bar < 0 ? -bar * bar : bar * bar;
+    // All better apexes lie in balls through a and b, hence within this of the middle.
+    const float half = query.length / 2, t = half * bar;
+    const float radius = t > 0 ? t + __builtin_sqrtf(t * t + half * half) : half;
+    ball.radius = radius < ball.radius ? radius : ball.radius;
+  }
+
+  ACMAP_INLINE void
+  note(std::int32_t index, float signed_square)
+  {
+    if (hits.count == SearchHits::capacity) {
+      std::int32_t kept = 0;
+      for (std::int32_t i = 0; i < hits.count; ++i)
+        if (score[i] <= limit) {
+          score[kept] = score[i];
+          hits.index[kept++] = hits.index[i];
+        }
+      hits.count = kept;
+    }
+    if (hits.count >= SearchHits::capacity) {
+      hits.count = SearchHits::capacity + 1;
+      ball.radius = -1;
+      return;
+    }
+    score[hits.count] = signed_square;
+    hits.index[hits.count++] = index;
+  }
+
+  ACMAP_INLINE void
+  lookAt(std::int32_t first, unsigned alive, float longest)
+  {
+    const Lanes unit = allLanes(scale);
+    Lanes a2 = allLanes(0), b2 = a2, dot = a2, forward = a2;
+    Lanes v[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes p = loadLanes(tree.coordinates[axis] + first);
+      v[axis] = (p - allLanes(query.at_a[axis])) * unit;
+      const Lanes t = (p - allLanes(query.at_b[axis])) * unit;
+      a2 += v[axis] * v[axis];
+      b2 += t * t;
+      dot += v[axis] * t;
+      forward += v[axis] * allLanes(query.outward[axis]);
+    }
+    const Lanes ux = allLanes(query.along[0]), uy = allLanes(query.along[1]),
+                uz = allLanes(query.along[2]);
+    const Lanes cx = uy * v[2] - uz * v[1], cy = uz * v[0] - ux * v[2],
+                cz = ux * v[1] - uy * v[0];
+    const Lanes cross2 = cx * cx + cy * cy + cz * cz;
+    const Lanes square = dot * maxLanes(dot, -dot) / cross2;
+    const Lanes far2 = maxLanes(a2, b2);
+    const Lanes doubt = allLanes(1e-6f) * (allLanes(1) + a2);
+    const float limit2 = longest * longest * scale * scale;
+    const LaneMask maybe = (square <= allLanes(limit)) & (forward > -doubt) &
+                           (far2 <= allLanes(limit2 * (1 + 1e-5f)));
+    unsigned candidates = bitsOf(maybe) & alive;
+    if (!candidates)
+      return;
+    const LaneMask certain = (forward > doubt) &
+                             (far2 <= allLanes(limit2 * (1 - 1e-5f))) &
+                             (cross2 > allLanes(1e-6f) * far2);
+    const unsigned sure = bitsOf(certain);
+    for (; candidates; candidates &= candidates - 1) {
+      const unsigned lane = lowestBit(candidates);
+      const std::int32_t index = first + static_cast<std::int32_t>(lane);
+      const float value = square[lane];
+      if (value > limit || index == query.a || index == query.b ||
+          index == query.left_out)
+        continue;
+      if ((sure >> lane & 1u) && value < best)
+        raiseBar(value);
+      note(index, value);
+    }
+  }
+
+  ACMAP_INLINE void
+  visit(std::int32_t leaf)
+  {
+    const std::int32_t first = firstOfLeaf(tree, leaf);
+    const std::int32_t size = firstOfLeaf(tree, leaf + 1) - first;
+    unsigned alive = (1u << size) - 1;
+    if (leaf >= query.first_masked && leaf < query.end_masked)
+      alive &= ~static_cast<unsigned>(query.masks[leaf]);
+    if (!alive)
+      return;
+    const float here = query.longest_at[leaf];
+    const float longest = here < query.longest ? here : query.longest;
+    lookAt(first, alive & 0xff, longest);
+    if (alive >> 8)
+      lookAt(first + 8, alive >> 8, longest);
+  }
+};
+
+void
+findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
+{
+  float middle[3];
+  for (int axis = 0; axis < 3; ++axis)
+    middle[axis] = query.at_a[axis] + query.along[axis] * (query.length / 2);
+  const float half = query.length / 2;
+  const float squared = query.longest * query.longest - half * half;
+  const float reach = squared > 0 ? __builtin_sqrtf(squared) * (1 + 1e-5f) : 0;
+  hits.count = 0;
+  float score[SearchHits::capacity];
+  ApexVisitor visitor{
+      tree, query, hits, ballAt(middle, reach), 1 / query.length, score};
+  walkTree(tree, visitor, query.leaf);
+  if (hits.count > SearchHits::capacity)
+    return;
+  std::int32_t kept = 0;
+  for (std::int32_t i = 0; i < hits.count; ++i)
+    if (score[i] <= visitor.limit)
+      hits.index[kept++] = hits.index[i];
+  hits.count = kept;
+}
+
+struct BallVisitor {
+  const TreeCells& tree;
+  const BallQuery& query;
+  SearchHits& hits;
+  Ball ball;
+  bool is_occupied = false;
+
+  ACMAP_INLINE unsigned
+  keep(int, std::int32_t) const
+  {
+    return 0xff;
+  }
+
+  ACMAP_INLINE void
+  lookAt(std::int32_t first, unsigned alive)
+  {
+    Lanes squared = allLanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes v =
+          (loadLanes(tree.coordinates[axis] + first) - allLanes(query.origin[axis])) -
+          allLanes(query.centre[axis]);
+      squared += v * v;
+    }
+    const float radius2 = query.radius * query.radius;
+    if (bitsOf(squared < allLanes(radius2 * (1 - 1e-4f))) & alive) {
+      is_occupied = true;
+      ball.radius = -1;
+      return;
+    }
+    unsigned candidates = bitsOf(squared < allLanes(radius2 * (1 + 1e-4f))) & alive;
+    for (; candidates; candidates &= candidates - 1) {
+      const std::int32_t index =
+          first + static_cast<std::int32_t>(lowestBit(candidates));
+      if (index == query.corners[0] || index == query.corners[1] ||
+          index == query.corners[2])
+        continue;
+      if (hits.count >= SearchHits::capacity) {
+        hits.count = SearchHits::capacity + 1;
+        ball.radius = -1;
+        return;
+      }
+      hits.index[hits.count++] = index;
+    }
+  }
+
+  ACMAP_INLINE void
+  visit(std::int32_t leaf)
+  {
+    const std::int32_t first = firstOfLeaf(tree, leaf);
+    const unsigned alive = (1u << (firstOfLeaf(tree, leaf + 1) - first)) - 1;
+    lookAt(first, alive & 0xff);
+    if (alive >> 8 && !is_occupied)
+      lookAt(first + 8, alive >> 8);
+  }
+};
+
+bool
+findInBall(const TreeCells& tree, const BallQuery& query, SearchHits& hits)
+{
+  hits.count = 0;
+  BallVisitor visitor{
+      tree, query, hits, ballAt(query.middle, query.radius * (1 + 1e-4f))};
+  walkTree(tree, visitor, query.leaf);
+  return visitor.is_occupied;
+}
+
+} // namespace

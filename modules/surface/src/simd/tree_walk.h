@@ -1,0 +1,112 @@
+// The walk through a tree's groups of eight, near ones first. For the inside of one source
+// file, as lanes.h.
+#pragma once
+
+#include "lanes.h"
+#include "tree_cells.h"
+
+namespace {
+
+using pcl::acmap::dewall::CellBox;
+using pcl::acmap::dewall::firstOfLeaf;
+using pcl::acmap::dewall::SiblingBoxes;
+using pcl::acmap::dewall::TreeCells;
+
+/** A ball that may shrink under the walk; a negative radius ends it. */
+struct Ball {
+  float centre[3];
+  float slack; ///< rounding may have moved the centre so far: no box must be missed
+  float radius;
+
+  ACMAP_INLINE float
+  reach() const
+  {
+    return (radius + slack) * (1 + 1e-6f);
+  }
+};
+
+ACMAP_INLINE Ball
+ballAt(const float* centre, float radius)
+{
+  Ball ball{{centre[0], centre[1], centre[2]}, 0, radius};
+  for (int axis = 0; axis < 3; ++axis) {
+    const float size = centre[axis] < 0 ? -centre[axis] : centre[axis];
+    ball.slack = size > ball.slack ? size : ball.slack;
+  }
+  ball.slack *= 0x1p-21f;
+  return ball;
+}
+
+ACMAP_INLINE bool
+isInside(const Ball& ball, const CellBox& cell)
+{
+  const float reach = ball.reach();
+  for (int axis = 0; axis < 3; ++axis)
+    if (ball.centre[axis] - reach <= cell.low[axis] ||
+        ball.centre[axis] + reach >= cell.high[axis])
+      return false;
+  return true;
+}
+
+ACMAP_INLINE Lanes
+squaredDistances(const SiblingBoxes& boxes, const Ball& ball)
+{
+  Lanes sum = allLanes(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Lanes centre = allLanes(ball.centre[axis]);
+    const Lanes outside = maxLanes(maxLanes(loadLanes(boxes.low[axis]) - centre,
+                                            centre - loadLanes(boxes.high[axis])),
+                                   allLanes(0));
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+/** Visits the members of a group, and what is below them, all but one (-1: all).
+ * Visitor: ball; keep (level, group) gives a bit a member; visit (leaf) may shrink the
+ * ball. */
+template <typename Visitor>
+void
+walkGroup(
+    const TreeCells& tree, Visitor& visitor, int level, std::int32_t group, int without)
+{
+  const SiblingBoxes& boxes = tree.boxes[level][group];
+  const Lanes squared = squaredDistances(boxes, visitor.ball);
+  const float reach = visitor.ball.reach();
+  unsigned left =
+      bitsOf(squared <= allLanes(reach * reach)) & visitor.keep(level, group);
+  if (without >= 0)
+    left &= ~(1u << without);
+  while (left) {
+    unsigned nearest = lowestBit(left);
+    for (unsigned rest = left & (left - 1); rest; rest &= rest - 1)
+      if (squared[lowestBit(rest)] < squared[nearest])
+        nearest = lowestBit(rest);
+    left &= ~(1u << nearest);
+    const float now = visitor.ball.reach();
+    if (visitor.ball.radius < 0 || squared[nearest] > now * now)
+      return;
+    const std::int32_t member = 8 * group + static_cast<std::int32_t>(nearest);
+    if (level == 1)
+      visitor.visit(member);
+    else
+      walkGroup(tree, visitor, level - 1, member, -1);
+  }
+}
+
+/** Climbs from a leaf no farther than to the group whose cell holds the ball. */
+template <typename Visitor>
+void
+walkTree(const TreeCells& tree, Visitor& visitor, std::int32_t leaf)
+{
+  int from = -1;
+  for (int level = 1; level <= tree.levels; ++level) {
+    const std::int32_t group = leaf >> (3 * level);
+    walkGroup(tree, visitor, level, group, from);
+    if (visitor.ball.radius < 0 || isInside(visitor.ball, tree.cells[level][group]))
+      return;
+    from = static_cast<int>(group & 7);
+  }
+}
+
+} // namespace
