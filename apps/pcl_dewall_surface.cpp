@@ -9,6 +9,7 @@
 #include <pcl/core/mesh_file.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_triangulation.h>
 
 #include "command_line.h"
@@ -29,6 +30,7 @@ struct Options {
   double maximum_edge_length = 0;
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;
+  std::size_t memory_limit = 0;
 };
 
 // reaches over the jitter of representatives
@@ -71,6 +73,13 @@ addOptions(Tool& tool, Options& options)
                options.wall_depth,
                "Write with each triangle the depth of the dividing wall that made it "
                "(.ply only)");
+  app.add_option("--memory-limit",
+                 options.memory_limit,
+                 "Memory the triangulation may take beside its input, as 500MB or 2GB; "
+                 "what needs more is refused [default: what this machine has left]")
+      ->type_name("SIZE")
+      ->default_str("")
+      ->transform(CLI::AsSizeValue(false).description(""));
   tool.addThreads();
   tool.addScale();
 }
@@ -88,10 +97,9 @@ template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
 typedCloud(const pcl::PointCloudFile& file)
 {
-  // the class states 220 bytes a point; the copy comes on top
-  constexpr std::size_t bytes_per_point = 220 + sizeof(PointT);
   const std::size_t size = file.points().size();
-  requireMemory(size * bytes_per_point, "triangulating this cloud");
+  requireMemory(estimateDeWallMemory(size, true) + size * sizeof(PointT),
+                "triangulating this cloud");
   typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
   pcl::fromPCLPointCloud2(file.cloud, *cloud);
   // An organized cloud is known to come from one sensor.
@@ -171,6 +179,7 @@ triangulate(Tool& tool,
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
   dewall.setNumberOfThreads(tool.threads());
+  dewall.setMemoryLimit(options.memory_limit);
   tool.withProgress([&](const pcl::ProgressCallback& progress) {
     dewall.setProgressCallback(progress);
     dewall.reconstruct(mesh);

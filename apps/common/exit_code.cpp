@@ -31,6 +31,9 @@ failureOf(const std::exception_ptr& error)
   catch (const InputFileException& e) {
     return {exit_input, oneLine(e.what())};
   }
+  catch (const MemoryLimitException& e) {
+    return {exit_memory, oneLine(e.what())};
+  }
   catch (const OutputFileException& e) {
     return {exit_output, oneLine(e.what())};
   }

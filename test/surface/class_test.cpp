@@ -2,6 +2,7 @@
 #include "dewall_runs.h"
 
 #include <pcl/conversions.h>
+#include <pcl/surface/dewall_kernel.h>
 
 #include <algorithm>
 #include <numeric>
@@ -162,6 +163,22 @@ TEST(DeWallClass, indicesOutsideAreRefused)
     dewall.setIndices(std::make_shared<Indices>(Indices{0, 1, wrong}));
     EXPECT_THROW(dewall.reconstruct(mesh), InitFailedException);
   }
+}
+
+TEST(DeWallClass, cloudBeyondTheMemoryLimitIsRefused)
+{
+  const Cloud cloud = makeRandomBox(10000, 1);
+  DeWallTriangulation<PointXYZ> dewall;
+  dewall.setInputCloud(cloud.makeShared());
+  TriangleMesh mesh;
+  mesh.triangles = {{1, 2, 3}};
+  dewall.setMemoryLimit(1000000);
+  EXPECT_EQ(dewall.getMemoryLimit(), 1000000U);
+  EXPECT_THROW(dewall.reconstruct(mesh), MemoryLimitException);
+  EXPECT_EQ(mesh.triangles.size(), 1U) << "a refusal leaves the output alone";
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false));
+  EXPECT_NO_THROW(dewall.reconstruct(mesh));
+  EXPECT_GT(mesh.triangles.size(), 1U);
 }
 
 TEST(DeWallClass, organizedCloudWithHolesIsMeshedAroundThem)

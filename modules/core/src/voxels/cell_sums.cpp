@@ -18,7 +18,7 @@ slotOf(VoxelKey key, int shift)
 void
 CellSums::join(const CellSums& other)
 {
-  offerWitness(other.witness, other.range);
+  offerWitness(other.witness, other.squared_range);
   count += other.count;
   for (int k = 0; k < 3; ++k) {
     first[k] += other.first[k];
@@ -48,7 +48,7 @@ toVoxelCell(const CellSums& sums, double edge)
   cell.key = sums.key;
   cell.moments.addShifted(centered, tick / 2, tick / 2, tick / 2);
   cell.witness = sums.witness;
-  cell.range = sums.range;
+  cell.range = std::sqrt(sums.squared_range);
   for (int axis = 0; axis < 3; ++axis)
     cell.way[axis] = static_cast<float>(static_cast<double>(sums.way[axis]) * edge /
                                         (way_steps * sums.count));
@@ -77,6 +77,32 @@ CellTable::find(VoxelKey key)
     cells.emplace_back().key = key;
     return slot.cell;
   }
+}
+
+void
+CellTable::join(const CellTable& other)
+{
+  for (std::size_t c = 0; c < other.cells.size(); ++c) {
+    const std::size_t cell = find(other.cells[c].key);
+    if (cells[cell].count == 0)
+      cells[cell] = other.cells[c];
+    else
+      cells[cell].join(other.cells[c]);
+    if (other.colors.empty())
+      continue;
+    colors.resize(cells.size());
+    colors[cell].red += other.colors[c].red;
+    colors[cell].green += other.colors[c].green;
+    colors[cell].blue += other.colors[c].blue;
+  }
+}
+
+void
+CellTable::clear()
+{
+  cells.clear();
+  colors.clear();
+  std::fill(slots_.begin(), slots_.end(), Slot{no_key, 0});
 }
 
 void

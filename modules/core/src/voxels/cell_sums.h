@@ -17,12 +17,12 @@ struct CellSums {
   std::int64_t way[3] = {};    // to the sensors, in 1/16 of an edge
   std::uint32_t count = 0;
   std::int32_t witness = 0;
-  float range = 0;
+  float squared_range = 0; ///< of the witness, in square metres
 
+  /** \brief Adds a point by its offsets from the centre, whose products fit 32 bits. */
   void
-  add(const VoxelHit& hit)
+  add(std::int32_t x, std::int32_t y, std::int32_t z)
   {
-    const std::int64_t x = hit.offset[0], y = hit.offset[1], z = hit.offset[2];
     ++count;
     first[0] += x;
     first[1] += y;
@@ -35,22 +35,21 @@ struct CellSums {
     second[5] += z * z;
   }
 
-  /** \param[in] steps way from a point to its sensor, in 1/16 of an edge */
-  void
-  addWay(const Eigen::Vector3f& steps)
+  /** \brief A way in 1/16 of an edge, so large at most that no sum overflows. */
+  static std::int32_t
+  stepsOf(float way)
   {
-    constexpr float largest = 1 << 24; // so many of them cannot overflow
-    for (int axis = 0; axis < 3; ++axis)
-      way[axis] +=
-          static_cast<std::int32_t>(std::clamp(steps[axis], -largest, largest));
+    constexpr float largest = 1 << 24;
+    const float above = way > -largest ? way : -largest; // not a number: -largest
+    return static_cast<std::int32_t>(above < largest ? above : largest);
   }
 
   void
-  offerWitness(std::int32_t index, float distance)
+  offerWitness(std::int32_t index, float squared)
   {
-    if (distance < range || (distance == range && index < witness)) {
+    if (squared < squared_range || (squared == squared_range && index < witness)) {
       witness = index;
-      range = distance;
+      squared_range = squared;
     }
   }
 
@@ -71,6 +70,14 @@ public:
   /** \brief Position of the key's cell, which is made where it was not yet. */
   std::size_t
   find(VoxelKey key);
+
+  /** \brief Adds the cells of another table. */
+  void
+  join(const CellTable& other);
+
+  /** \brief Forgets all cells, but keeps their memory. */
+  void
+  clear();
 
   std::vector<CellSums> cells;
   std::vector<ColorSum> colors; // parallel to the cells where there are colours

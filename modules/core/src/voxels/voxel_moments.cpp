@@ -13,6 +13,24 @@ struct Stretch {
   std::size_t distant = 0;
 };
 
+/** Some points at once, an array for each number, so that the compiler uses its lanes. */
+struct Batch {
+  static constexpr std::size_t capacity = 256;
+
+  float point[3][capacity];
+  float way[3][capacity]; ///< to the sensor, zero where it is unknown
+  std::int32_t steps[3][capacity];
+  std::int32_t offset[3][capacity];
+  VoxelKey key[capacity];
+  float squared_range[capacity];
+  bool is_within[capacity];
+  bool has_sensor[capacity];
+};
+
+/** Points that follow each other are mostly neighbours: the cells of so many stay in the
+ * second-level cache until they are joined to the others. */
+constexpr std::size_t points_of_near_cells = std::size_t{1} << 14;
+
 class Summation {
 public:
   Summation(const PointView& points,
@@ -28,40 +46,85 @@ public:
   void
   sum(std::size_t begin, std::size_t end, Stretch& stretch) const
   {
-    VoxelKey last_key = ~VoxelKey{0};
-    std::size_t cell = 0;
-    const auto steps = static_cast<float>(way_steps / lattice_.edge());
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3f point = points_[i];
-      VoxelHit hit;
-      if (!lattice_.locate(point, hit)) {
-        ++(point.allFinite() ? stretch.distant : stretch.invalid);
-        continue;
+    Batch batch;
+    CellTable near;
+    for (std::size_t next; begin < end; begin = next) {
+      next = std::min(begin + points_of_near_cells, end);
+      for (std::size_t first = begin; first < next; first += Batch::capacity) {
+        const std::size_t size = std::min(Batch::capacity, next - first);
+        gather(first, size, batch);
+        locate(size, batch);
+        add(first, size, batch, near, stretch);
       }
-      const Eigen::Vector3f* sensor = sensors_[i];
-      const VoxelKey key =
-          voxelKey(hit.place, sensor ? octantTowards(point, *sensor) : 0);
-      if (key != last_key)
-        cell = stretch.table.find(key);
-      last_key = key;
-      const Eigen::Vector3f way =
-          sensor ? Eigen::Vector3f(*sensor - point) : Eigen::Vector3f::Zero();
-      const float range = way.norm();
-      CellSums& sums = stretch.table.cells[cell];
-      if (sums.count == 0) {
-        sums.witness = static_cast<std::int32_t>(i);
-        sums.range = range;
-      }
-      sums.offerWitness(static_cast<std::int32_t>(i), range);
-      sums.add(hit);
-      if (sensor)
-        sums.addWay(way * steps);
-      if (colors_)
-        addColor(i, cell, stretch.table.colors);
+      stretch.table.join(near);
+      near.clear();
     }
   }
 
 private:
+  void
+  gather(std::size_t begin, std::size_t size, Batch& batch) const
+  {
+    for (std::size_t k = 0; k < size; ++k) {
+      const Eigen::Vector3f point = points_[begin + k];
+      const Eigen::Vector3f* sensor = sensors_[begin + k];
+      batch.has_sensor[k] = sensor != nullptr;
+      for (int axis = 0; axis < 3; ++axis) {
+        batch.point[axis][k] = point[axis];
+        batch.way[axis][k] = sensor ? (*sensor)[axis] - point[axis] : 0.0f;
+      }
+    }
+  }
+
+  void
+  locate(std::size_t size, Batch& batch) const
+  {
+    lattice_.locate(batch.point, size, batch.key, batch.offset, batch.is_within);
+    const auto scale = static_cast<float>(way_steps / lattice_.edge());
+    for (std::size_t k = 0; k < size; ++k) {
+      const float x = batch.way[0][k], y = batch.way[1][k], z = batch.way[2][k];
+      batch.squared_range[k] = x * x + y * y + z * z;
+      const unsigned octant = (x > 0 ? 4u : 0u) | (y > 0 ? 2u : 0u) | (z > 0 ? 1u : 0u);
+      batch.key[k] |= octant;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t k = 0; k < size; ++k)
+        batch.steps[axis][k] = CellSums::stepsOf(batch.way[axis][k] * scale);
+  }
+
+  void
+  add(std::size_t begin,
+      std::size_t size,
+      const Batch& batch,
+      CellTable& table,
+      Stretch& stretch) const
+  {
+    VoxelKey last_key = ~VoxelKey{0};
+    std::size_t cell = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t i = begin + k;
+      if (!batch.is_within[k]) {
+        ++(points_[i].allFinite() ? stretch.distant : stretch.invalid);
+        continue;
+      }
+      if (batch.key[k] != last_key)
+        cell = table.find(batch.key[k]);
+      last_key = batch.key[k];
+      CellSums& sums = table.cells[cell];
+      if (sums.count == 0) {
+        sums.witness = static_cast<std::int32_t>(i);
+        sums.squared_range = batch.squared_range[k];
+      }
+      sums.offerWitness(static_cast<std::int32_t>(i), batch.squared_range[k]);
+      sums.add(batch.offset[0][k], batch.offset[1][k], batch.offset[2][k]);
+      if (batch.has_sensor[k])
+        for (int axis = 0; axis < 3; ++axis)
+          sums.way[axis] += batch.steps[axis][k];
+      if (colors_)
+        addColor(i, cell, table.colors);
+    }
+  }
+
   void
   addColor(std::size_t i, std::size_t cell, std::vector<ColorSum>& sums) const
   {

@@ -1,8 +1,6 @@
 #include "apex_search.h"
 
 #include "ball_visit.h"
-#include "simd/tree_search.h"
-
 #include <limits>
 
 namespace pcl::acmap::dewall {
@@ -58,33 +56,6 @@ private:
   Apex best_;
 };
 
-ApexQuery
-apexQuery(const PointTree& tree,
-          const SizeConstraint& size,
-          const SideFrame& side,
-          const PassedOver& passed_over)
-{
-  ApexQuery query;
-  query.a = side.a;
-  query.b = side.b;
-  query.left_out = passed_over.point;
-  query.leaf = tree.leafOf(side.a);
-  const Eigen::Vector3d along = side.u / (2 * side.half_length);
-  for (int axis = 0; axis < 3; ++axis) {
-    query.at_a[axis] = tree.coordinates(axis)[side.a];
-    query.at_b[axis] = tree.coordinates(axis)[side.b];
-    query.along[axis] = static_cast<float>(along[axis]);
-    query.outward[axis] = static_cast<float>(side.outward[axis]);
-  }
-  query.length = static_cast<float>(2 * side.half_length);
-  query.longest = static_cast<float>(side.longest);
-  query.longest_at = size.longestOfLeaves();
-  query.masks = passed_over.masks;
-  query.first_masked = passed_over.first_leaf;
-  query.end_masked = passed_over.end_leaf;
-  return query;
-}
-
 /** \brief The same without lanes, for more ties than the search has room for. */
 std::int32_t
 findApexOneByOne(const PointTree& tree,
@@ -128,6 +99,52 @@ isSphereEmptyOneByOne(const PointTree& tree,
 
 } // namespace
 
+ApexQuery
+apexQuery(const PointTree& tree,
+          const SizeConstraint& size,
+          const SideFrame& side,
+          const PassedOver& passed_over)
+{
+  ApexQuery query;
+  query.a = side.a;
+  query.b = side.b;
+  query.left_out = passed_over.point;
+  query.leaf = tree.leafOf(side.a);
+  const Eigen::Vector3d along = side.u / (2 * side.half_length);
+  for (int axis = 0; axis < 3; ++axis) {
+    query.at_a[axis] = tree.coordinates(axis)[side.a];
+    query.at_b[axis] = tree.coordinates(axis)[side.b];
+    query.along[axis] = static_cast<float>(along[axis]);
+    query.outward[axis] = static_cast<float>(side.outward[axis]);
+  }
+  query.length = static_cast<float>(2 * side.half_length);
+  query.longest = static_cast<float>(side.longest);
+  query.longest_at = size.longestOfLeaves();
+  query.masks = passed_over.masks;
+  query.first_masked = passed_over.first_leaf;
+  query.end_masked = passed_over.end_leaf;
+  return query;
+}
+
+BallQuery
+ballQuery(const PointTree& tree,
+          const std::array<std::int32_t, 3>& corners,
+          const Sphere& sphere)
+{
+  const Eigen::Vector3d origin = tree.position(corners[2]);
+  BallQuery query;
+  query.leaf = tree.leafOf(corners[2]);
+  query.radius = static_cast<float>(sphere.radius);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<int>(i);
+    query.corners[i] = corners[i];
+    query.origin[i] = static_cast<float>(origin[axis]);
+    query.centre[i] = static_cast<float>(sphere.centre[axis] - origin[axis]);
+    query.middle[i] = static_cast<float>(sphere.centre[axis]);
+  }
+  return query;
+}
+
 std::int32_t
 findApex(const PointTree& tree,
          const SizeConstraint& size,
@@ -160,19 +177,8 @@ bool
 isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 {
   const Sphere sphere = sphereOf(tree, corners);
-  const Eigen::Vector3d origin = tree.position(corners[2]);
-  BallQuery query;
-  query.leaf = tree.leafOf(corners[2]);
-  query.radius = static_cast<float>(sphere.radius);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<int>(i);
-    query.corners[i] = corners[i];
-    query.origin[i] = static_cast<float>(origin[axis]);
-    query.centre[i] = static_cast<float>(sphere.centre[axis] - origin[axis]);
-    query.middle[i] = static_cast<float>(sphere.centre[axis]);
-  }
   SearchHits hits;
-  if (treeSearch().ball(tree.cells(), query, hits))
+  if (treeSearch().ball(tree.cells(), ballQuery(tree, corners, sphere), hits))
     return false;
   if (hits.count > SearchHits::capacity)
     return isSphereEmptyOneByOne(tree, corners, sphere);

@@ -4,6 +4,8 @@
 #include "predicates.h"
 #include "size_constraint.h"
 
+#include "simd/tree_search.h"
+
 #include <cmath>
 
 namespace pcl::acmap::dewall {
@@ -40,6 +42,19 @@ struct PassedOver {
                           (masks[leaf] >> (i - tree.firstOfLeaf(leaf)) & 1));
   }
 };
+
+/** \brief The search for the apex over a side, in float. */
+ApexQuery
+apexQuery(const PointTree& tree,
+          const SizeConstraint& size,
+          const SideFrame& side,
+          const PassedOver& passed_over);
+
+/** \brief The search for points inside the smallest sphere through three, in float. */
+BallQuery
+ballQuery(const PointTree& tree,
+          const std::array<std::int32_t, 3>& corners,
+          const Sphere& sphere);
 
 /** \brief Is the apex in the valid half-space beyond plane beta and within the size
  * constraint? */

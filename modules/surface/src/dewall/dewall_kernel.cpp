@@ -116,6 +116,7 @@ triangulate(const PointView& view,
   lists.push_back({&mesh.triangles(), TriangleMesh::no_wall});
   report.refused_moebius += mesh.refusedMoebius();
   timer.finish("last passes");
+  arrays.edges.clear(); // the rest needs the triangles alone
   report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(
@@ -129,7 +130,27 @@ triangulate(const PointView& view,
 
 } // namespace
 
+void
+requireWithinLimit(std::size_t bytes, std::size_t limit)
+{
+  if (limit == 0 || bytes <= limit)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the triangulation needs about " << static_cast<double>(bytes) / 1e9
+       << " GB beside its input, allowed are " << static_cast<double>(limit) / 1e9
+       << " GB";
+  throw MemoryLimitException(text.str());
+}
+
 } // namespace dewall
+
+std::size_t
+estimateDeWallMemory(std::size_t points, bool with_normals)
+{
+  constexpr std::size_t bytes_a_point = 170, bytes_a_normal = 12, rest = 1 << 20;
+  return rest + points * (bytes_a_point + (with_normals ? bytes_a_normal : 0));
+}
 
 TriangleMesh
 triangulateDeWall(const PointView& view,
@@ -137,6 +158,9 @@ triangulateDeWall(const PointView& view,
                   const Progress& progress,
                   DeWallReport& report)
 {
+  const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
+  dewall::requireWithinLimit(estimateDeWallMemory(view.size(), with_facing),
+                             settings.memory_limit);
   return withThreads(settings.threads, [&] {
     return dewall::triangulate(view, settings, progress, report);
   });

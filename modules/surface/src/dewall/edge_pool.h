@@ -36,6 +36,15 @@ public:
   : blocks_(64 + static_cast<std::size_t>(points) / (block_size / 24))
   {}
 
+  /** \brief Forgets all edges. */
+  void
+  clear()
+  {
+    blocks_.clear();
+    spare_.clear();
+    taken_ = 0;
+  }
+
   Edge&
   operator[](std::int32_t e)
   {

@@ -19,6 +19,13 @@ public:
   using IOException::IOException;
 };
 
+/** \brief Work that would take more memory than allowed, refused before it began; the
+ * message names both amounts. \ingroup core */
+class ACMAP_EXPORT MemoryLimitException : public PCLException {
+public:
+  using PCLException::PCLException;
+};
+
 /** \brief Thrown by a verb whose progress callback asked to stop; its outputs are
  * untouched. \ingroup core */
 class ACMAP_EXPORT CancelledException : public PCLException {

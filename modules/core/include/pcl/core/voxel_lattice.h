@@ -104,6 +104,37 @@ public:
     return true;
   }
 
+  /** \brief As locate () for many points at once, an array for each axis.
+   * \param[out] keys of their voxels, octant 0
+   * \param[out] offsets inside, in 2^-14 of an edge from the centre
+   * \param[out] is_within false for points that are not finite or out of reach; their key
+   * and offsets mean nothing */
+  template <std::size_t Capacity>
+  void
+  locate(const float (&points)[3][Capacity],
+         std::size_t size,
+         VoxelKey (&keys)[Capacity],
+         std::int32_t (&offsets)[3][Capacity],
+         bool (&is_within)[Capacity]) const
+  {
+    for (std::size_t k = 0; k < size; ++k) {
+      keys[k] = 0;
+      is_within[k] = true;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t k = 0; k < size; ++k) {
+        const double ticks =
+            static_cast<double>(points[axis][k]) * scale_ + shift_[axis];
+        const bool within = ticks >= least_ticks && ticks < most_ticks;
+        is_within[k] &= within;
+        const auto whole = static_cast<std::int64_t>(within ? ticks : 0.0);
+        offsets[axis][k] = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
+                           (1 << (offset_bits - 1));
+        keys[k] |= static_cast<VoxelKey>(whole >> offset_bits)
+                   << ((2 - axis) * voxel_axis_bits + octant_bits);
+      }
+  }
+
   /** \brief Centre of a voxel, metres. */
   Eigen::Vector3d
   center(const VoxelPlace& place) const

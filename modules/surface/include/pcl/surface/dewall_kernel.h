@@ -13,7 +13,8 @@ struct DeWallSettings {
   DeWallRule rule = DeWallRule::Paper;
   double maximum_edge_length = 0; ///< metres; 0: automatic
   bool compute_wall_depth = false;
-  unsigned threads = 0; ///< 0: all
+  unsigned threads = 0;         ///< 0: all
+  std::size_t memory_limit = 0; ///< bytes beside the input; 0: none
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
   bool is_single_view = false; ///< every point was seen from there
 
@@ -26,10 +27,17 @@ struct DeWallSettings {
   std::int32_t leaf_size = 65536;
 };
 
+/** \brief Bytes that \ref triangulateDeWall takes at most for so many points, its result
+ * included, the input not. Measured on raw clouds, the most demanding ones. \ingroup
+ * surface */
+ACMAP_EXPORT std::size_t
+estimateDeWallMemory(std::size_t points, bool with_normals);
+
 /** \brief The kernel behind DeWallTriangulation, free of PCL's point types.
  * \param[in] view the points
  * \param[out] report counts, seconds, remarks; begun anew
  * \return index triples into the array under the view
+ * \throws MemoryLimitException when the estimate exceeds the memory limit
  * \throws CancelledException when the progress was told to stop \ingroup surface */
 ACMAP_EXPORT TriangleMesh
 triangulateDeWall(const PointView& view,

@@ -94,6 +94,20 @@ public:
     return threads_;
   }
 
+  /** \brief Sets how much memory reconstruct () may take beside its input, in bytes (0 =
+   * no limit, default); a cloud for which the estimate exceeds it is refused. */
+  void
+  setMemoryLimit(std::size_t bytes)
+  {
+    memory_limit_ = bytes;
+  }
+
+  std::size_t
+  getMemoryLimit() const
+  {
+    return memory_limit_;
+  }
+
   /** \brief Sets who is told about the progress and may stop the run. */
   void
   setProgressCallback(ProgressCallback callback)
@@ -111,8 +125,9 @@ public:
   /** \brief Triangulates the input cloud (its indices, where set).
    * \param[out] mesh index triples into the whole input cloud; empty, with the reason
    * in the report, where no triangle is possible \throws InitFailedException without an
-   * input cloud, or with indices outside of it \throws CancelledException when the
-   * progress callback stopped it */
+   * input cloud, or with indices outside of it \throws MemoryLimitException when it
+   * would exceed the memory limit \throws CancelledException when the progress callback
+   * stopped it */
   void
   reconstruct(TriangleMesh& mesh);
 
@@ -146,6 +161,7 @@ private:
   double maximum_edge_length_ = 0;
   bool compute_wall_depth_ = false;
   unsigned int threads_ = 0;
+  std::size_t memory_limit_ = 0;
   ProgressCallback progress_;
   DeWallReport report_;
 };

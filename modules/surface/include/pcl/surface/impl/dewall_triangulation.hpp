@@ -48,6 +48,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   settings.maximum_edge_length = maximum_edge_length_;
   settings.compute_wall_depth = compute_wall_depth_;
   settings.threads = threads_;
+  settings.memory_limit = memory_limit_;
   settings.sensor_origin =
       input_->sensor_origin_.template head<3>().template cast<double>();
   const acmap::PointView view(input_->empty() ? nullptr : &input_->front().x,

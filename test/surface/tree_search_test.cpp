@@ -1,0 +1,194 @@
+#include "clouds.h"
+#include "dewall/apex_search.h"
+#include "simd/tree_search.h"
+
+#include <pcl/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace pcl::acmap::test {
+namespace {
+
+using namespace dewall;
+
+struct Variant {
+  std::string name;
+  const TreeSearch* search;
+};
+
+/** What this processor can run. */
+std::vector<Variant>
+variants()
+{
+  std::vector<Variant> all{{"base", &tree_search_base}};
+#ifdef ACMAP_SIMD_AVX2
+  if (__builtin_cpu_supports("avx2"))
+    all.push_back({"avx2", &tree_search_avx2});
+#endif
+  return all;
+}
+
+std::unique_ptr<PointTree>
+treeOf(const Cloud& cloud)
+{
+  std::vector<SourcePoint> points;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    points.push_back(
+        {{cloud[i].x, cloud[i].y, cloud[i].z}, static_cast<std::int32_t>(i)});
+  return std::make_unique<PointTree>(std::move(points));
+}
+
+/** Clouds with and without noise, far away, and with many exact ties. */
+std::vector<Cloud>
+clouds()
+{
+  return {makeJitteredPlane({20, 20, 1, 0.25, 0.3, 1}).cloud,
+          makeRandomBox(700, 2),
+          makeGrid(15, 15, 0.25, ExactPlane::Level),
+          moved(makeRandomBox(300, 3),
+                Eigen::Isometry3d(Eigen::Translation3d(3000, -5000, 800)))};
+}
+
+std::int32_t
+pickPoint(const PointTree& tree, Random& random)
+{
+  return static_cast<std::int32_t>(random.bits() %
+                                   static_cast<std::uint64_t>(tree.size()));
+}
+
+bool
+contains(const SearchHits& hits, std::int32_t index)
+{
+  return std::find(hits.index, hits.index + hits.count, index) !=
+         hits.index + hits.count;
+}
+
+/** The apex over a side by looking at every point in double. */
+std::int32_t
+apexByBruteForce(const PointTree& tree,
+                 const SizeConstraint& size,
+                 const SideFrame& side,
+                 const PassedOver& passed_over)
+{
+  Apex best;
+  for (std::int32_t i = 0; i < tree.size(); ++i) {
+    if (i == side.a || i == side.b || passed_over.contains(tree, i))
+      continue;
+    const Apex apex = makeApex(i, side.u, tree.position(i) - side.origin);
+    if (isApexAllowed(size, side, apex) &&
+        (best.index < 0 || isNearerApex(apex, best, side.a, side.b, side.u)))
+      best = apex;
+  }
+  return best.index;
+}
+
+TEST(TreeSearch, findsTheApexOfBruteForce)
+{
+  for (const Cloud& cloud : clouds()) {
+    const auto tree = treeOf(cloud);
+    std::vector<std::uint16_t> masks(static_cast<std::size_t>(tree->leafCount()));
+    Random random(7);
+    for (std::uint16_t& mask : masks)
+      mask = static_cast<std::uint16_t>(random.bits());
+    const SizeConstraint size(*tree, 3);
+    for (int trial = 0; trial < 2000; ++trial) {
+      const auto pick = [&] { return pickPoint(*tree, random); };
+      const std::int32_t a = pick(), b = pick(), opposite = pick();
+      if (a == b || a == opposite || b == opposite)
+        continue;
+      if (isDegenerate(tree->position(a), tree->position(b), tree->position(opposite)))
+        continue;
+      const SideFrame side(*tree, size, a, b, opposite);
+      PassedOver passed_over;
+      passed_over.point = pick();
+      passed_over.masks = masks.data();
+      passed_over.end_leaf = trial % 2 ? tree->leafCount() / 2 : 0;
+      ASSERT_EQ(findApex(*tree, size, side, passed_over),
+                apexByBruteForce(*tree, size, side, passed_over));
+    }
+  }
+}
+
+TEST(TreeSearch, everyVariantKnowsWhatLiesInABall)
+{
+  for (const Cloud& cloud : clouds()) {
+    const auto tree = treeOf(cloud);
+    Random random(11);
+    for (int trial = 0; trial < 3000; ++trial) {
+      std::array<std::int32_t, 3> corners;
+      for (std::int32_t& corner : corners)
+        corner = pickPoint(*tree, random);
+      if (isDegenerate(tree->position(corners[0]),
+                       tree->position(corners[1]),
+                       tree->position(corners[2])))
+        continue;
+      const Sphere sphere = sphereOf(*tree, corners);
+      const double inside = sphere.radius * (1 - sphere_tolerance);
+      bool is_empty = true;
+      for (std::int32_t i = 0; i < tree->size(); ++i)
+        is_empty &= i == corners[0] || i == corners[1] || i == corners[2] ||
+                    (tree->position(i) - sphere.centre).norm() >= inside;
+      const BallQuery query = ballQuery(*tree, corners, sphere);
+      for (const Variant& variant : variants()) {
+        SearchHits hits;
+        const bool is_occupied = variant.search->ball(tree->cells(), query, hits);
+        bool holds = is_occupied;
+        for (std::int32_t i = 0; i < tree->size(); ++i) {
+          const bool is_inside = (tree->position(i) - sphere.centre).norm() < inside &&
+                                 std::count(corners.begin(), corners.end(), i) == 0;
+          holds |= is_inside && hits.count <= SearchHits::capacity && contains(hits, i);
+        }
+        if (hits.count <= SearchHits::capacity) {
+          EXPECT_EQ(holds, !is_empty) << variant.name;
+        }
+      }
+      EXPECT_EQ(isSphereEmpty(*tree, corners), is_empty);
+    }
+  }
+}
+
+TEST(TreeSearch, variantsFindTheSameApexes)
+{
+  for (const Cloud& cloud : clouds()) {
+    const auto tree = treeOf(cloud);
+    const SizeConstraint size(*tree, 2);
+    for (std::int32_t a = 0; a + 2 < tree->size(); ++a) {
+      if (isDegenerate(tree->position(a), tree->position(a + 1), tree->position(a + 2)))
+        continue;
+      const SideFrame side(*tree, size, a, a + 1, a + 2);
+      SearchHits base;
+      const ApexQuery query = apexQuery(*tree, size, side, {});
+      tree_search_base.apexes(tree->cells(), query, base);
+      for (const Variant& variant : variants()) {
+        SearchHits hits;
+        variant.search->apexes(tree->cells(), query, hits);
+        ASSERT_EQ(hits.count, base.count) << variant.name;
+        if (hits.count <= SearchHits::capacity) {
+          EXPECT_TRUE(std::equal(hits.index, hits.index + hits.count, base.index))
+              << variant.name;
+        }
+      }
+    }
+  }
+}
+
+TEST(TreeSearch, manyPointsOnOneCircleAreTied)
+{
+  Cloud ring;
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 2 * 3.14159265358979323846 * i / 400;
+    ring.emplace_back(
+        static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0F);
+  }
+  const auto tree = treeOf(ring);
+  const SizeConstraint size(*tree, 10);
+  const SideFrame side(*tree, size, 0, 200, 399);
+  EXPECT_EQ(findApex(*tree, size, side, {}), apexByBruteForce(*tree, size, side, {}));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
