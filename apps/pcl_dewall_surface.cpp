@@ -79,7 +79,7 @@ addOptions(Tool& tool, Options& options)
                  "what needs more is refused [default: what this machine has left]")
       ->type_name("SIZE")
       ->default_str("")
-      ->transform(CLI::AsSizeValue(false).description(""));
+      ->transform(CLI::AsSizeValue(true).description(""));
   tool.addThreads();
   tool.addScale();
 }

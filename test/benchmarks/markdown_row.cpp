@@ -18,6 +18,14 @@ printHead(std::initializer_list<const char*> titles)
   std::cout << std::endl;
 }
 
+std::string
+timesOf(double whole, double part)
+{
+  std::ostringstream times;
+  times << std::fixed << std::setprecision(2) << whole / part << " x";
+  return times.str();
+}
+
 MarkdownRow&
 MarkdownRow::text(const std::string& cell)
 {

@@ -15,6 +15,10 @@ inline constexpr double no_reach = std::numeric_limits<double>::quiet_NaN();
 void
 printHead(std::initializer_list<const char*> titles);
 
+/** \brief How many times \a part goes into \a whole: "2.25 x". */
+std::string
+timesOf(double whole, double part);
+
 /** \brief A row of a Markdown table. Figures stand beside what they should reach; those
  * that miss it are set in bold and say so. */
 class MarkdownRow {

@@ -3,12 +3,33 @@
 #include <pcl/core/random.h>
 #include <pcl/simulation/standard_scenes.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::uint64_t noise_seed = 1;
+
+SimulatedCloud
+makeEmptyPart(const SimulatedCloud& cloud, const std::string& name)
+{
+  SimulatedCloud part;
+  part.name = name;
+  part.T_scene_cloud = cloud.T_scene_cloud;
+  part.merged.trajectory = cloud.merged.trajectory;
+  part.merged.planes = cloud.merged.planes;
+  return part;
+}
+
+void
+appendPoint(const MergedObservations& all, std::size_t i, MergedObservations& part)
+{
+  part.points.push_back(all.points[i]);
+  part.rgb.push_back(all.rgb[i]);
+  part.view.push_back(all.view[i]);
+  part.label.push_back(all.label[i]);
+}
 
 } // namespace
 
@@ -65,22 +86,32 @@ makeSceneCloud(const SimulatedScene& scene)
 SimulatedCloud
 makeRandomPart(const SimulatedCloud& cloud, std::size_t size, std::uint64_t seed)
 {
-  const MergedObservations& all = cloud.merged;
-  SimulatedCloud part;
-  part.name = "random " + std::to_string(size);
-  part.T_scene_cloud = cloud.T_scene_cloud;
-  part.merged.trajectory = all.trajectory;
-  part.merged.planes = all.planes;
+  SimulatedCloud part = makeEmptyPart(cloud, "random " + std::to_string(size));
   Random random(seed);
   for (std::size_t i = 0; i < cloud.size() && part.size() < size; ++i) {
     const auto left = static_cast<double>(cloud.size() - i);
     if (random.uniform() * left >= static_cast<double>(size - part.size()))
       continue;
-    part.merged.points.push_back(all.points[i]);
-    part.merged.rgb.push_back(all.rgb[i]);
-    part.merged.view.push_back(all.view[i]);
-    part.merged.label.push_back(all.label[i]);
+    appendPoint(cloud.merged, i, part.merged);
   }
+  return part;
+}
+
+SimulatedCloud
+makeCrop(const SimulatedCloud& cloud, std::size_t size)
+{
+  std::vector<double> along;
+  along.reserve(cloud.size());
+  for (const Eigen::Vector3f& point : cloud.merged.points)
+    along.push_back((cloud.T_scene_cloud * point.cast<double>()).z());
+  std::vector<double> sorted = along;
+  const std::size_t last = std::min(size, sorted.size()) - 1;
+  std::nth_element(
+      sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(last), sorted.end());
+  SimulatedCloud part = makeEmptyPart(cloud, "crop " + std::to_string(size));
+  for (std::size_t i = 0; i < cloud.size() && part.size() < size; ++i)
+    if (along[i] <= sorted[last])
+      appendPoint(cloud.merged, i, part.merged);
   return part;
 }
 

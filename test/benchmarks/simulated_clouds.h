@@ -50,6 +50,12 @@ makeSceneCloud(const SimulatedScene& scene);
 SimulatedCloud
 makeRandomPart(const SimulatedCloud& cloud, std::size_t size, std::uint64_t seed);
 
+/** \brief The first \a size points along z of the scene, in the order of the cloud: a piece
+ * as dense as the whole.
+ * \param[in] size at least 1 */
+SimulatedCloud
+makeCrop(const SimulatedCloud& cloud, std::size_t size);
+
 /** \brief The kernel of VoxelConsolidation on one thread.
  * \param[in] voxel metres, 0 for automatic */
 Consolidation

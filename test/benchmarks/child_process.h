@@ -1,0 +1,56 @@
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <type_traits>
+
+namespace pcl::acmap::bench {
+
+/** \brief Writes all of a result, or tells the parent by silence. */
+template <typename Result, typename Function>
+bool
+answerParent(int pipe, const Function& function)
+{
+  try {
+    const Result result = function();
+    return ::write(pipe, &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+  }
+  catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    return false;
+  }
+}
+
+/** \brief What a function gives in a process of its own, so that the memory of one run is
+ * not there for the next. To be called before any thread was started: threads do not
+ * survive a fork, and a pool would wait for them.
+ * \throws std::runtime_error when the child gave nothing */
+template <typename Function>
+auto
+runInChild(const Function& function)
+{
+  using Result = decltype(function());
+  static_assert(std::is_trivially_copyable_v<Result>);
+  int ends[2];
+  if (::pipe(ends) != 0)
+    throw std::runtime_error("no pipe");
+  const pid_t child = ::fork();
+  if (child < 0)
+    throw std::runtime_error("no child process");
+  if (child == 0)
+    ::_exit(answerParent<Result>(ends[1], function) ? 0 : 1);
+  ::close(ends[1]);
+  Result result;
+  const ssize_t bytes = ::read(ends[0], &result, sizeof result);
+  ::close(ends[0]);
+  ::waitpid(child, nullptr, 0);
+  if (bytes != static_cast<ssize_t>(sizeof result))
+    throw std::runtime_error("a child process gave nothing");
+  return result;
+}
+
+} // namespace pcl::acmap::bench

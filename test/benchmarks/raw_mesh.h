@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pcl/surface/dewall_kernel.h>
+
+#include <string>
+
+namespace pcl::acmap::bench {
+
+struct RawMesh {
+  TriangleMesh mesh;
+  DeWallReport report;
+};
+
+/** \brief Meshes points of which nothing else is known: automatic edge length, neither
+ * normals nor sensors. */
+RawMesh
+meshRaw(const PointView& points, DeWallRule rule, unsigned threads = 1);
+
+/** \brief "DeWall paper" or "DeWall dense". */
+std::string
+ruleName(DeWallRule rule);
+
+} // namespace pcl::acmap::bench
