@@ -3,6 +3,7 @@
 #include <pcl/core/parallel.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pcl::acmap::dewall {
 
@@ -70,6 +71,28 @@ private:
   std::vector<GrownTriangle*> smaller_;
 };
 
+/** \brief A stable sort without comparisons: there are many, and in no order at all. */
+void
+sortByVertex(std::vector<Incidence>& incidences)
+{
+  constexpr int digit_bits = 11, digits = 3; // of 31 bits and a sign that is never set
+  std::vector<Incidence> sorted(incidences.size());
+  for (int digit = 0; digit < digits; ++digit) {
+    const auto digitOf = [&](const Incidence& incidence) {
+      return static_cast<std::size_t>(incidence.first >> (digit * digit_bits)) &
+             ((1u << digit_bits) - 1);
+    };
+    std::array<std::size_t, (1u << digit_bits) + 1> begin{};
+    for (const Incidence& incidence : incidences)
+      ++begin[digitOf(incidence) + 1];
+    for (std::size_t value = 1; value < begin.size(); ++value)
+      begin[value] += begin[value - 1];
+    for (const Incidence& incidence : incidences)
+      sorted[begin[digitOf(incidence)]++] = incidence;
+    incidences.swap(sorted);
+  }
+}
+
 class FanChoice {
 public:
   FanChoice(GrowingMesh& mesh,
@@ -116,10 +139,7 @@ private:
     std::vector<Incidence> all;
     for (const std::vector<Incidence>& some : of_list)
       all.insert(all.end(), some.begin(), some.end());
-    std::stable_sort(
-        all.begin(), all.end(), [](const Incidence& a, const Incidence& b) {
-          return a.first < b.first;
-        });
+    sortByVertex(all);
     return all;
   }
 

@@ -51,9 +51,12 @@ Front::bridgesByVotes()
   std::map<GrowingMesh::Bridge, std::size_t> votes;
   for (const Candidate& candidate : bridges)
     ++votes[candidate.bridge];
-  std::stable_sort(bridges.begin(), bridges.end(), [&](const auto& p, const auto& q) {
-    return votes[p.bridge] > votes[q.bridge];
-  });
+  for (Candidate& candidate : bridges)
+    candidate.votes = votes[candidate.bridge];
+  std::stable_sort(
+      bridges.begin(), bridges.end(), [](const Candidate& p, const Candidate& q) {
+        return p.votes > q.votes;
+      });
   return bridges;
 }
 
@@ -120,13 +123,13 @@ Front::tryCandidate(const Side& side,
       return true;
     }
     if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
-      postponed_.push_back({side, apex, {}});
+      postponed_.push_back({side, apex, {}, 0});
       return true;
     }
     const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
     if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
         doubt < Doubt::MayBridge) {
-      bridges_.push_back({side, apex, bridge});
+      bridges_.push_back({side, apex, bridge, 0});
       return true;
     }
   }

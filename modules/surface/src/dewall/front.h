@@ -94,6 +94,7 @@ private:
     Side side;
     std::int32_t apex;
     GrowingMesh::Bridge bridge;
+    std::size_t votes = 0; ///< of the bridge
   };
 
   /** \brief Pending bridges, those of the most popular joints first: when two

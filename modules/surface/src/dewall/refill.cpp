@@ -123,7 +123,10 @@ Refill::fits(const Side& side, std::int32_t apex)
 void
 Refill::findApexes(const Side& side, const SideFrame& frame)
 {
-  findUnused(reachFromMiddle(frame), frame.origin + 0.5 * frame.u, side.a);
+  findUnused(reachFromMiddle(frame),
+             frame.origin + 0.5 * frame.u,
+             side.a,
+             frame.outward.cast<float>());
   is_pinched_ = false;
   for (const std::int32_t end : {side.a, side.b}) {
     const std::int32_t other = mesh_.endOfFan(end, side);
@@ -143,16 +146,21 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
 }
 
 bool
-Refill::findUnused(double radius, const Eigen::Vector3d& centre, std::int32_t start)
+Refill::findUnused(double radius,
+                   const Eigen::Vector3d& centre,
+                   std::int32_t start,
+                   const Eigen::Vector3f& inward)
 {
   found_.clear();
   bool is_all_in_range = true;
   const MeshArrays& arrays = mesh_.arrays();
+  const Eigen::Vector3f origin = tree_.position(start).cast<float>();
   const auto isOwn = [&](std::int32_t leaf) {
     return leaf >= range_.first_leaf && leaf < range_.end_leaf;
   };
   const auto keep = [&](int level, std::int32_t group) {
-    unsigned bits = 0xff;
+    unsigned bits =
+        membersBeyond(tree_.cells().boxes[level][group], origin.data(), inward.data());
     const std::int32_t first = 8 * group;
     if (level > 2 || !isOwn(first << (3 * level - 3)) ||
         !isOwn(((first + 8) << (3 * level - 3)) - 1))
@@ -182,7 +190,8 @@ bool
 Refill::startAt(std::int32_t p1, Ties ties)
 {
   const Eigen::Vector3d a = tree_.position(p1);
-  const bool is_all_in_range = findUnused(size_.longest(p1), a, p1);
+  const bool is_all_in_range =
+      findUnused(size_.longest(p1), a, p1, Eigen::Vector3f::Zero());
   if (!is_all_in_range && ties == Ties::DoNotMatter)
     return false;
   std::vector<std::pair<double, std::int32_t>> unused;

@@ -76,9 +76,14 @@ private:
   findApexes(const Side& side, const SideFrame& frame);
 
   /** \brief Finds the points inside a ball that are unused, or beyond the range.
+   * \param[in] inward unit normal of a plane through the start, behind which none is
+   * wanted; zero: everywhere
    * \return false when the ball touches leaves beyond the range */
   bool
-  findUnused(double radius, const Eigen::Vector3d& centre, std::int32_t start);
+  findUnused(double radius,
+             const Eigen::Vector3d& centre,
+             std::int32_t start,
+             const Eigen::Vector3f& inward);
 
   bool
   fits(const Side& side, std::int32_t apex);

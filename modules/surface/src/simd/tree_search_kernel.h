@@ -37,16 +37,7 @@ struct ApexVisitor {
   ACMAP_INLINE unsigned
   keep(int level, std::int32_t group) const
   {
-    const SiblingBoxes& boxes = tree.boxes[level][group];
-    Lanes most = allLanes(0), size = allLanes(0);
-    for (int axis = 0; axis < 3; ++axis) {
-      const float w = query.outward[axis];
-      const Lanes far = loadLanes(w > 0 ? boxes.high[axis] : boxes.low[axis]);
-      const Lanes forward = (far - allLanes(query.at_a[axis])) * allLanes(w);
-      most += forward;
-      size += maxLanes(forward, -forward);
-    }
-    return bitsOf(most >= allLanes(-1e-6f) * size);
+    return membersBeyond(tree.boxes[level][group], query.at_a, query.outward);
   }
 
   ACMAP_INLINE void

@@ -62,6 +62,22 @@ squaredDistances(const SiblingBoxes& boxes, const Ball& ball)
   return sum;
 }
 
+/** A bit for each member of a group of which a point may lie in a half-space.
+ * \param[in] origin of the half-space, \a inward its unit normal */
+ACMAP_INLINE unsigned
+membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inward)
+{
+  Lanes most = allLanes(0), size = allLanes(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const float w = inward[axis];
+    const Lanes far = loadLanes(w > 0 ? boxes.high[axis] : boxes.low[axis]);
+    const Lanes forward = (far - allLanes(origin[axis])) * allLanes(w);
+    most += forward;
+    size += maxLanes(forward, -forward);
+  }
+  return bitsOf(most >= allLanes(-1e-6f) * size);
+}
+
 /** Visits the members of a group, and what is below them, all but one (-1: all).
  * Visitor: ball; keep (level, group) gives a bit a member; visit (leaf) may shrink the
  * ball. */
