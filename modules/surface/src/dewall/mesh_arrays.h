@@ -4,6 +4,7 @@
 #include "facing.h"
 #include "point_tree.h"
 
+#include <atomic>
 #include <vector>
 
 namespace pcl::acmap::dewall {
@@ -46,7 +47,8 @@ struct MeshArrays {
   std::vector<Vertex> vertices;
   EdgePool edges;
   std::vector<std::uint16_t> saturated, unused; ///< bits of the points of each leaf
-  std::vector<std::uint8_t> unused_in_group; ///< number in each group of eight leaves
+  /** Number in each group of eight leaves, which small tasks may share. */
+  std::vector<std::atomic<std::uint8_t>> unused_in_group;
 
   MeshArrays(const PointTree& t, const Facing& f)
   : tree(t)
@@ -61,7 +63,8 @@ struct MeshArrays {
       const std::int32_t points = t.firstOfLeaf(leaf + 1) - t.firstOfLeaf(leaf);
       unused[static_cast<std::size_t>(leaf)] =
           static_cast<std::uint16_t>((1u << points) - 1);
-      unused_in_group[static_cast<std::size_t>(leaf / 8)] += points;
+      unused_in_group[static_cast<std::size_t>(leaf / 8)] +=
+          static_cast<std::uint8_t>(points);
     }
   }
 
@@ -125,7 +128,9 @@ struct MeshArrays {
   noteUse(std::int32_t i, bool is_used)
   {
     setBit(unused, i, !is_used);
-    unused_in_group[static_cast<std::size_t>(tree.leafOf(i) / 8)] += is_used ? -1 : 1;
+    const auto change = static_cast<std::uint8_t>(is_used ? -1 : 1);
+    unused_in_group[static_cast<std::size_t>(tree.leafOf(i) / 8)].fetch_add(
+        change, std::memory_order_relaxed);
   }
 
 private:

@@ -26,6 +26,12 @@ struct Range {
     return begin <= i && i < end;
   }
 
+  bool
+  isWhole(const PointTree& tree) const
+  {
+    return end - begin == tree.size();
+  }
+
   /** \brief Is this side in L_alpha, the list of sides that alpha cuts (Fig. 6)? */
   bool
   isCut(const Side& side) const

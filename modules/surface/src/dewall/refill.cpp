@@ -82,7 +82,7 @@ Refill::closeSide(const Side& side)
       left_.sides.push_back(side);
     return;
   }
-  if (is_pinched_)
+  if (is_at_wall_)
     left_.sides.push_back(side);
 }
 
@@ -127,12 +127,16 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
              frame.origin + 0.5 * frame.u,
              side.a,
              frame.outward.cast<float>());
-  is_pinched_ = false;
+  is_at_wall_ = false;
   for (const std::int32_t end : {side.a, side.b}) {
+    // The fan at a wall may lead over points of another task, or there may be several.
+    if (!range_.isWhole(tree_) && mesh_.arrays().vertex(end).is_of_wall) {
+      is_at_wall_ = true;
+      continue;
+    }
     const std::int32_t other = mesh_.endOfFan(end, side);
-    if (range_.contains(other) && other != side.a && other != side.b)
+    if (other != side.a && other != side.b)
       found_.push_back(other);
-    is_pinched_ |= mesh_.arrays().vertex(end).open_edges > 2; // at a wall
   }
   apexes_.clear();
   for (const std::int32_t i : found_) {

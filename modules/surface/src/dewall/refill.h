@@ -98,8 +98,7 @@ private:
   Unfinished left_;
   std::vector<std::int32_t> found_; ///< unused points, kept for its memory
   std::vector<Apex> apexes_;        ///< as found_
-  bool is_pinched_ =
-      false; ///< an end of the side last looked at, which may hide apexes
+  bool is_at_wall_ = false; ///< the side last looked at: it may have more apexes
 };
 
 /** \brief Sides that may close, and points that may be used, now that triangles are gone:

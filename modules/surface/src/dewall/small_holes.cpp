@@ -19,7 +19,7 @@ public:
   HoleSearch(GrowingMesh& mesh, const Range& range)
   : mesh_(mesh)
   , range_(range)
-  , is_whole_(range.end - range.begin == mesh.arrays().tree.size())
+  , is_whole_(range.isWhole(mesh.arrays().tree))
   {}
 
   std::vector<Hole>
@@ -38,13 +38,13 @@ private:
   bool
   walk(std::int32_t first, const Side& begin, Hole& hole)
   {
-    if (!isLookedAt(first) || mesh_.arrays().vertex(first).open_edges != 2)
+    if (!isLookedAt(first) || !isPassable(first))
       return false;
     hole.push_back(begin);
     std::int32_t corner = begin.a == first ? begin.b : begin.a;
     while (corner != first) {
       if (hole.size() == most_sides || (isLookedAt(corner) && corner < first) ||
-          !range_.contains(corner) || mesh_.arrays().vertex(corner).open_edges != 2)
+          !isPassable(corner))
         return false;
       const std::int32_t next = mesh_.endOfFan(corner, hole.back());
       const Edge& edge = *mesh_.arrays().find(corner, next);
@@ -76,6 +76,16 @@ private:
       corner = side.a == corner ? side.b : side.a;
     }
     return true;
+  }
+
+  /** \brief Has it one fan, and none that leads over points of another task? */
+  bool
+  isPassable(std::int32_t corner) const
+  {
+    if (!range_.contains(corner))
+      return false;
+    const Vertex& v = mesh_.arrays().vertex(corner);
+    return v.open_edges == 2 && (is_whole_ || !v.is_of_wall);
   }
 
   bool
