@@ -11,8 +11,13 @@
 #include <pcl/surface/dewall_kernel.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <sstream>
 #include <thread>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace pcl::acmap {
 
@@ -67,6 +72,16 @@ whyEmpty(const SizeConstraint& size)
   return reason.str();
 }
 
+/** \brief Small blocks that were freed stay with the process where the C library is not
+ * asked. */
+void
+returnFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 TriangleMesh
 triangulate(const PointView& view,
             const DeWallSettings& settings,
@@ -117,6 +132,7 @@ triangulate(const PointView& view,
   report.refused_moebius += mesh.refusedMoebius();
   timer.finish("last passes");
   arrays.edges.clear(); // the rest needs the triangles alone
+  returnFreeMemory();
   report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(

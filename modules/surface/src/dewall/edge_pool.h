@@ -68,11 +68,25 @@ public:
       const std::lock_guard<std::mutex> lock(pool_->mutex_);
       if (next_ != end_)
         pool_->spare_.emplace_back(next_, end_);
+      for (const std::int32_t edge : given_back_)
+        pool_->spare_.emplace_back(edge, edge + 1);
+    }
+
+    /** \brief Takes an edge back that is in no list any more. */
+    void
+    giveBack(std::int32_t edge)
+    {
+      given_back_.push_back(edge);
     }
 
     std::int32_t
     take()
     {
+      if (!given_back_.empty()) {
+        const std::int32_t edge = given_back_.back();
+        given_back_.pop_back();
+        return edge;
+      }
       if (next_ == end_)
         std::tie(next_, end_) = pool_->takeRun();
       return next_++;
@@ -81,6 +95,7 @@ public:
   private:
     EdgePool* pool_;
     std::int32_t next_ = 0, end_ = 0;
+    std::vector<std::int32_t> given_back_;
   };
 
 private:

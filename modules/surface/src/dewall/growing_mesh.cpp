@@ -108,8 +108,8 @@ GrowingMesh::steepestCosine(const Side& side,
 GrowingMesh::Verdict
 GrowingMesh::judge(const Side& side, std::int32_t apex)
 {
-  const Edge* at_a = arrays_.findUsed(side.a, apex);
-  const Edge* at_b = arrays_.findUsed(side.b, apex);
+  const Edge* at_a = arrays_.find(side.a, apex);
+  const Edge* at_b = arrays_.find(side.b, apex);
   if ((at_a && !at_a->isOpen()) || (at_b && !at_b->isOpen()))
     return Verdict::Blocked;
   if (!at_a && !at_b && isUsed(apex)) // one pinch a vertex: most are taken out again
@@ -171,7 +171,8 @@ GrowingMesh::detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposit
   vertex(from).addOpenEdges(change);
   vertex(to).addOpenEdges(change);
   edge.opposites ^= opposite;
-  --edge.triangles;
+  if (--edge.triangles == 0)
+    new_edges_.giveBack(arrays_.unlink(from, to));
 }
 
 void

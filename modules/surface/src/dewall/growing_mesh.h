@@ -111,7 +111,7 @@ public:
   bool
   hasEdge(std::int32_t a, std::int32_t b)
   {
-    return arrays_.findUsed(a, b) != nullptr;
+    return arrays_.find(a, b) != nullptr;
   }
 
   /** \brief Third corner of the only triangle at a side; -1 when it is not open. */

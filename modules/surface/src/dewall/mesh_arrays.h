@@ -98,12 +98,18 @@ struct MeshArrays {
     return nullptr;
   }
 
-  /** \brief As find (), nullptr for an edge without triangles too. */
-  Edge*
-  findUsed(std::int32_t a, std::int32_t b)
+  /** \brief Takes the edge between two points out of its list.
+   * \return its place in the pool */
+  std::int32_t
+  unlink(std::int32_t a, std::int32_t b)
   {
-    Edge* edge = find(a, b);
-    return edge && edge->triangles > 0 ? edge : nullptr;
+    const std::int32_t high = std::max(a, b);
+    std::int32_t* link = &vertex(std::min(a, b)).first_edge;
+    while (edges[*link].high != high)
+      link = &edges[*link].next;
+    const std::int32_t place = *link;
+    *link = edges[place].next;
+    return place;
   }
 
   /** \brief Calls function (edge) for the edges whose lower end is \a low. */
