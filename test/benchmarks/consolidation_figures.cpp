@@ -1,6 +1,7 @@
 #include "consolidation_tables.h"
 
-#include <iostream>
+#include "sections.h"
+
 #include <set>
 #include <string>
 
@@ -23,26 +24,20 @@ main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
   const std::set<std::string> known{"noise", "mesh", "normals", "sheets", "time"};
-  const std::set<std::string> asked(argv + 1, argv + argc);
-  for (const std::string& part : asked)
-    if (known.count(part) == 0) {
-      std::cerr << usage;
-      return part == "--help" ? 0 : 2;
-    }
-  const auto isWanted = [&](const char* part) {
-    return asked.empty() || asked.count(part) > 0;
-  };
+  Sections sections;
+  if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
+    return *exit_code;
 
   SceneData corridor("corridor");
-  if (isWanted("noise"))
+  if (sections.isWanted("noise"))
     printNoise(corridor);
-  if (isWanted("mesh"))
+  if (sections.isWanted("mesh"))
     printMesh(corridor);
-  if (isWanted("normals"))
+  if (sections.isWanted("normals"))
     printNormals(corridor);
-  if (isWanted("sheets"))
+  if (sections.isWanted("sheets"))
     printSheets(corridor);
-  if (isWanted("time")) {
+  if (sections.isWanted("time")) {
     printConsolidationTime(corridor, 5);
     printConsolidationMemory(corridor);
   }

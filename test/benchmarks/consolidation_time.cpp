@@ -1,11 +1,11 @@
 #include "consolidation_tables.h"
 
 #include "consolidated_mesh.h"
-#include "cpu_time.h"
 #include "markdown_row.h"
 #include "peak_memory.h"
 #include "simulated_points.h"
 #include "statistics.h"
+#include "timing.h"
 
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/approximate_voxel_grid.h>
@@ -125,11 +125,8 @@ printRows(const SimulatedCloud& cloud, std::size_t rounds)
   std::vector<std::vector<double>> seconds(all.size());
   std::vector<std::size_t> results(all.size());
   for (std::size_t round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const double begin = threadSeconds();
-      results[i] = all[i].run();
-      seconds[i].push_back(threadSeconds() - begin);
-    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      seconds[i].push_back(measureThread([&] { results[i] = all[i].run(); }));
   for (std::size_t i = 0; i < all.size(); ++i)
     MarkdownRow()
         .text(cloud.name)

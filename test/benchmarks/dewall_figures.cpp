@@ -1,8 +1,9 @@
 #include "figure_tables.h"
 
+#include "sections.h"
+
 #include <pcl/console/print.h>
 
-#include <iostream>
 #include <set>
 #include <string>
 
@@ -23,25 +24,19 @@ main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
   const std::set<std::string> known{"soundness", "coverage", "time", "bunny"};
-  const std::set<std::string> asked(argv + 1, argv + argc);
-  for (const std::string& part : asked)
-    if (known.count(part) == 0) {
-      std::cerr << usage;
-      return part == "--help" ? 0 : 2;
-    }
-  const auto isWanted = [&](const char* part) {
-    return asked.empty() || asked.count(part) > 0;
-  };
+  Sections sections;
+  if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
+    return *exit_code;
 
   // Greedy projection writes a line for every point it cannot place.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  if (isWanted("soundness"))
+  if (sections.isWanted("soundness"))
     printSoundness();
-  if (isWanted("coverage"))
+  if (sections.isWanted("coverage"))
     printCoverage(10);
-  if (isWanted("time"))
+  if (sections.isWanted("time"))
     printTime(5);
-  if (isWanted("bunny"))
+  if (sections.isWanted("bunny"))
     printBunny();
   return 0;
 }

@@ -1,8 +1,9 @@
 #include "mesh_speed_tables.h"
 
+#include "sections.h"
+
 #include <pcl/console/print.h>
 
-#include <iostream>
 #include <set>
 #include <string>
 
@@ -24,30 +25,24 @@ main(int argc, char** argv)
   using namespace pcl::acmap::bench;
   const std::set<std::string> known{
       "view", "map", "crops", "consolidated", "threads", "files"};
-  const std::set<std::string> asked(argv + 1, argv + argc);
-  for (const std::string& part : asked)
-    if (known.count(part) == 0) {
-      std::cerr << usage;
-      return part == "--help" ? 0 : 2;
-    }
-  const auto isWanted = [&](const char* part) {
-    return asked.empty() || asked.count(part) > 0;
-  };
+  Sections sections;
+  if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
+    return *exit_code;
 
   // Greedy projection writes a line for every point it cannot place.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  if (isWanted("map")) // first: it forks, and the others start threads
+  if (sections.isWanted("map")) // first: it forks, and the others start threads
     printMapSpeed("corridor");
   SceneData corridor("corridor");
-  if (isWanted("view"))
+  if (sections.isWanted("view"))
     printViewSpeed(corridor, 5);
-  if (isWanted("crops"))
+  if (sections.isWanted("crops"))
     printCropSpeed(corridor);
-  if (isWanted("consolidated"))
+  if (sections.isWanted("consolidated"))
     printConsolidatedSpeed(corridor, 5);
-  if (isWanted("threads"))
+  if (sections.isWanted("threads"))
     printThreadSpeed(corridor);
-  if (isWanted("files"))
+  if (sections.isWanted("files"))
     printFileSpeed(corridor, 5);
   return 0;
 }

@@ -84,8 +84,7 @@ private:
     for (std::size_t k = 0; k < size; ++k) {
       const float x = batch.way[0][k], y = batch.way[1][k], z = batch.way[2][k];
       batch.squared_range[k] = x * x + y * y + z * z;
-      const unsigned octant = (x > 0 ? 4u : 0u) | (y > 0 ? 2u : 0u) | (z > 0 ? 1u : 0u);
-      batch.key[k] |= octant;
+      batch.key[k] |= octantAlong(x, y, z);
     }
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t k = 0; k < size; ++k)

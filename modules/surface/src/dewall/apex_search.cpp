@@ -119,6 +119,7 @@ apexQuery(const PointTree& tree,
   }
   query.length = static_cast<float>(2 * side.half_length);
   query.longest = static_cast<float>(side.longest);
+  query.reach = static_cast<float>(reachFromMiddle(side));
   query.longest_at = size.longestOfLeaves();
   query.masks = passed_over.masks;
   query.first_masked = passed_over.first_leaf;

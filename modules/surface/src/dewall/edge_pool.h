@@ -22,6 +22,18 @@ struct Edge {
       ascending : 1; ///< that runs through it from the lower to the higher end
   std::uint32_t triangles : 2; ///< at it, at most 2 under the guard; 3: more
 
+  std::int32_t
+  componentNumber() const
+  {
+    return static_cast<std::int32_t>(component);
+  }
+
+  void
+  setComponent(std::int32_t number)
+  {
+    component = static_cast<std::uint32_t>(number) & largest_component;
+  }
+
   bool
   isOpen() const
   {

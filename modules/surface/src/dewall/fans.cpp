@@ -21,12 +21,6 @@ shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
   return false;
 }
 
-bool
-isTakenOut(const GrownTriangle& triangle)
-{
-  return triangle.component < 0;
-}
-
 /** \brief Finds the triangles round a vertex that are not in its largest fan (of equal
  * ones the fan of the earliest triangle stays). */
 class SmallerFans {
@@ -109,11 +103,7 @@ public:
     while (removeOnce()) {
     }
     if (!removed_.empty())
-      oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
-        std::vector<GrownTriangle>& list = *lists_[l];
-        list.erase(std::remove_if(list.begin(), list.end(), isTakenOut), list.end());
-        mesh_.reassignEdges(list);
-      });
+      mesh_.sweep(lists_);
     return std::move(removed_);
   }
 
@@ -133,7 +123,7 @@ private:
     oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
       for (GrownTriangle& triangle : *lists_[l])
         for (const std::int32_t corner : triangle.corners)
-          if (isLookedAt(corner) && !isTakenOut(triangle))
+          if (isLookedAt(corner) && !triangle.isTakenOut())
             of_list[l].emplace_back(corner, &triangle);
     });
     std::vector<Incidence> all;
@@ -155,20 +145,14 @@ private:
       const std::int32_t v = begin->first;
       around.clear();
       for (; begin != incident.end() && begin->first == v; ++begin)
-        if (!isTakenOut(*begin->second))
+        if (!begin->second->isTakenOut())
           around.push_back(begin->second);
-      for (GrownTriangle* triangle : fans_.find(v, around))
-        takeOut(*triangle);
+      for (GrownTriangle* triangle : fans_.find(v, around)) {
+        removed_.push_back(*triangle);
+        mesh_.takeOut(*triangle);
+      }
     }
     return removed_.size() > before;
-  }
-
-  void
-  takeOut(GrownTriangle& triangle)
-  {
-    mesh_.detach(triangle);
-    removed_.push_back(triangle);
-    triangle.component = -1;
   }
 
   GrowingMesh& mesh_;

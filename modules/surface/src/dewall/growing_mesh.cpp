@@ -2,6 +2,8 @@
 
 #include "predicates.h"
 
+#include <pcl/core/parallel.h>
+
 namespace pcl::acmap::dewall {
 
 Eigen::Vector3f
@@ -47,8 +49,7 @@ GrowingMesh::demands(const Side& side,
   const auto demand = [&](const Edge* edge, bool ascending) {
     if (!edge || !edge->isOpen())
       return;
-    const ParityUnion::Root root =
-        parity_.find(static_cast<std::int32_t>(edge->component));
+    const ParityUnion::Root root = parity_.find(edge->componentNumber());
     all.of[all.count++] = {root.component,
                            root.flipped != (bool(edge->ascending) == ascending)};
   };
@@ -122,8 +123,7 @@ GrowingMesh::judge(const Side& side, std::int32_t apex)
     ++refused_moebius_;
     return Verdict::Blocked;
   }
-  return cosine < cos_gentle_turn ||
-                 isOdd(side, apex, static_cast<std::int32_t>(base->component))
+  return cosine < cos_gentle_turn || isOdd(side, apex, base->componentNumber())
              ? Verdict::Doubtful
              : Verdict::Fits;
 }
@@ -134,24 +134,20 @@ GrowingMesh::attach(std::int32_t from,
                     std::int32_t opposite,
                     std::int32_t component)
 {
+  const bool ascending = from < to;
   Edge* edge = arrays_.find(from, to);
   if (!edge) {
     std::int32_t& first = vertex(std::min(from, to)).first_edge;
     const std::int32_t index = new_edges_.take();
     edge = &arrays_.edges[index];
-    *edge = {std::max(from, to), first, 0, 0, 0, 0};
+    *edge = {std::max(from, to), first, opposite, 0, ascending, 0};
+    edge->setComponent(component);
     first = index;
-  }
-  const bool ascending = from < to;
-  if (edge->triangles == 0) {
-    edge->opposites = opposite;
-    edge->component = static_cast<std::uint32_t>(component) & Edge::largest_component;
-    edge->ascending = ascending;
     vertex(from).addOpenEdges(1);
     vertex(to).addOpenEdges(1);
   }
   else if (edge->isOpen()) {
-    const auto first = static_cast<std::int32_t>(edge->component);
+    const std::int32_t first = edge->componentNumber();
     const bool flipped = bool(edge->ascending) == ascending;
     if (parity_.unite(first, component, flipped))
       joints_.push_back({first, component, flipped});
@@ -179,19 +175,30 @@ void
 GrowingMesh::reassignEdges(const std::vector<GrownTriangle>& triangles)
 {
   for (const GrownTriangle& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
-      const Vertex &start = vertex(from), &end = vertex(to);
+    for (const Side& side : sidesOf(triangle)) {
+      const Vertex &start = vertex(side.a), &end = vertex(side.b);
       if (!start.has_lost || !end.has_lost || start.open_edges == 0 ||
           end.open_edges == 0)
         continue;
-      Edge& edge = *arrays_.find(from, to);
+      Edge& edge = *arrays_.find(side.a, side.b);
       if (edge.isOpen()) {
-        edge.component =
-            static_cast<std::uint32_t>(triangle.component) & Edge::largest_component;
-        edge.ascending = from < to;
+        edge.setComponent(triangle.component);
+        edge.ascending = side.a < side.b;
       }
     }
+}
+
+void
+GrowingMesh::sweep(const std::vector<std::vector<GrownTriangle>*>& lists)
+{
+  oneapi::tbb::parallel_for(std::size_t{0}, lists.size(), [&](std::size_t l) {
+    std::vector<GrownTriangle>& list = *lists[l];
+    list.erase(std::remove_if(list.begin(),
+                              list.end(),
+                              [](const GrownTriangle& t) { return t.isTakenOut(); }),
+               list.end());
+    reassignEdges(list);
+  });
 }
 
 void
@@ -224,7 +231,7 @@ GrowingMesh::put(const GrownTriangle& triangle)
 }
 
 void
-GrowingMesh::detach(const GrownTriangle& triangle)
+GrowingMesh::takeOut(GrownTriangle& triangle)
 {
   const auto [a, b, c] = triangle.corners;
   detachEdge(a, b, c);
@@ -238,13 +245,13 @@ GrowingMesh::detach(const GrownTriangle& triangle)
       arrays_.noteUse(corner, false);
     arrays_.noteSaturation(corner, v.triangles > 0 && v.open_edges == 0);
   }
+  triangle.component = -1;
 }
 
 void
 GrowingMesh::add(const Side& side, std::int32_t apex)
 {
-  const auto component =
-      static_cast<std::int32_t>(arrays_.find(side.a, side.b)->component);
+  const std::int32_t component = arrays_.find(side.a, side.b)->componentNumber();
   triangles_.push_back({{side.b, side.a, apex}, component});
   put(triangles_.back());
 }

@@ -18,7 +18,22 @@ struct Side {
 struct GrownTriangle {
   std::array<std::int32_t, 3> corners;
   std::int32_t component; ///< the seed it grew from; its corners run as that seed's do
+
+  /** \brief True until it is swept out of its list. */
+  bool
+  isTakenOut() const
+  {
+    return component < 0;
+  }
 };
+
+/** \brief The sides of a triangle, as it runs. */
+inline std::array<Side, 3>
+sidesOf(const GrownTriangle& triangle)
+{
+  const auto [a, b, c] = triangle.corners;
+  return {Side{a, b}, Side{b, c}, Side{c, a}};
+}
 
 /** \brief Triangles of one wall, or of one leaf. */
 struct TriangleList {
@@ -98,15 +113,15 @@ public:
   void
   addSeed(const std::array<std::int32_t, 3>& corners);
 
-  /** \brief Takes a triangle out, but not of the list of triangles; reassignEdges () is
-   * due when all have been taken out. */
+  /** \brief Takes a triangle out, but leaves it in its list, marked; sweep () is due when
+   * all have been taken out. */
   void
-  detach(const GrownTriangle& triangle);
+  takeOut(GrownTriangle& triangle);
 
-  /** \brief Gives the open edges round what was taken out to the triangles that stayed.
-   */
+  /** \brief Drops what was taken out from the lists of triangles, and gives the open edges
+   * round it to the triangles that stayed. */
   void
-  reassignEdges(const std::vector<GrownTriangle>& triangles);
+  sweep(const std::vector<std::vector<GrownTriangle>*>& lists);
 
   bool
   hasEdge(std::int32_t a, std::int32_t b)
@@ -164,8 +179,7 @@ public:
   std::array<Side, 3>
   sidesOfLast() const
   {
-    const auto [a, b, c] = triangles_.back().corners;
-    return {Side{a, b}, Side{b, c}, Side{c, a}};
+    return sidesOf(triangles_.back());
   }
 
   /** \brief Open sides whose lower end is in [begin, end), by ascending lower end. */
@@ -242,6 +256,9 @@ private:
          std::int32_t to,
          std::int32_t opposite,
          std::int32_t component);
+
+  void
+  reassignEdges(const std::vector<GrownTriangle>& triangles);
 
   void
   detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite);

@@ -50,9 +50,7 @@ renumberArrays(MeshArrays& arrays,
     if (v.component >= 0)
       v.component = numbering.inWhole(index, v.component);
     arrays.forEachEdgeAt(i, [&](Edge& edge) {
-      edge.component = static_cast<std::uint32_t>(numbering.inWhole(
-                           index, static_cast<std::int32_t>(edge.component))) &
-                       Edge::largest_component;
+      edge.setComponent(numbering.inWhole(index, edge.componentNumber()));
     });
   }
 }
@@ -73,25 +71,14 @@ renumber(MeshArrays& arrays, std::vector<Part>& parts, const Numbering& numberin
   });
 }
 
-bool
-agrees(ParityUnion& parity, const Joint& joint)
-{
-  const ParityUnion::Root first = parity.find(joint.first),
-                          second = parity.find(joint.second);
-  return first.component != second.component ||
-         (first.flipped != second.flipped) == joint.flipped;
-}
-
 /** \brief Joins what the parts joined; false when they contradict each other. */
 bool
 replay(const std::vector<Part>& parts, ParityUnion& parity)
 {
   for (const Part& part : parts)
-    for (const Joint& joint : part.joints) {
-      if (!agrees(parity, joint))
+    for (const Joint& joint : part.joints)
+      if (!parity.uniteIfConsistent(joint.first, joint.second, joint.flipped))
         return false;
-      parity.unite(joint.first, joint.second, joint.flipped);
-    }
   return true;
 }
 
@@ -106,16 +93,15 @@ findSeams(MeshArrays& arrays, std::vector<GrownTriangle>& triangles)
 {
   std::vector<Seam> seams;
   for (GrownTriangle& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
-      if (!arrays.vertex(from).is_mixed || !arrays.vertex(to).is_mixed)
+    for (const Side& side : sidesOf(triangle)) {
+      if (!arrays.vertex(side.a).is_mixed || !arrays.vertex(side.b).is_mixed)
         continue;
-      const Edge& edge = *arrays.find(from, to);
-      const auto first = static_cast<std::int32_t>(edge.component);
+      const Edge& edge = *arrays.find(side.a, side.b);
+      const std::int32_t first = edge.componentNumber();
       if (edge.triangles == 2 && first != triangle.component)
         seams.push_back(
             {&triangle,
-             {first, triangle.component, bool(edge.ascending) == (from < to)}});
+             {first, triangle.component, bool(edge.ascending) == (side.a < side.b)}});
     }
   return seams;
 }
@@ -134,26 +120,19 @@ removeContradictions(MeshArrays& arrays,
   ParityUnion parity(components);
   std::vector<GrownTriangle*> wrong;
   for (const std::vector<Seam>& of_part : seams)
-    for (const Seam& seam : of_part) {
-      if (agrees(parity, seam.joint))
-        parity.unite(seam.joint.first, seam.joint.second, seam.joint.flipped);
-      else if (wrong.empty() || wrong.back() != seam.triangle)
-        wrong.push_back(seam.triangle);
-    }
+    for (const auto& [triangle, joint] : of_part)
+      if (!parity.uniteIfConsistent(joint.first, joint.second, joint.flipped) &&
+          (wrong.empty() || wrong.back() != triangle))
+        wrong.push_back(triangle);
   GrowingMesh mesh(arrays, parity);
   for (GrownTriangle* triangle : wrong) {
-    mesh.detach(*triangle);
     removed.push_back(*triangle);
-    triangle->component = -1;
+    mesh.takeOut(*triangle);
   }
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
-    std::vector<GrownTriangle>& all = parts[p].triangles;
-    all.erase(std::remove_if(all.begin(),
-                             all.end(),
-                             [](const GrownTriangle& t) { return t.component < 0; }),
-              all.end());
-    mesh.reassignEdges(all);
-  });
+  std::vector<std::vector<GrownTriangle>*> lists;
+  for (Part& part : parts)
+    lists.push_back(&part.triangles);
+  mesh.sweep(lists);
   return parity;
 }
 

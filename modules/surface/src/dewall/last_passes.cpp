@@ -37,13 +37,12 @@ growAcrossPlanes(GrowingMesh& mesh,
 void
 addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& begun)
 {
-  for (const Part& part : parts)
-    for (const GrownTriangle& triangle : part.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Side side{triangle.corners[i], triangle.corners[(i + 1) % 3]};
+  const std::size_t walls = parts.size() / 2; // they stand before the leaves
+  for (std::size_t p = 0; p < walls; ++p)
+    for (const GrownTriangle& triangle : parts[p].triangles)
+      for (const Side& side : sidesOf(triangle))
         if (mesh.oppositeOf(side) >= 0)
           begun.sides.push_back(side);
-      }
 }
 
 bool
@@ -87,14 +86,13 @@ finishMesh(GrowingMesh& mesh,
       arrays.vertex(corner).is_of_wall = true;
 
   Unfinished begun = affectedBy(removed, size, mesh);
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    append(begun, parts[p].unfinished);
-    for (const Refusal& refusal : parts[p].unfinished.refusals)
+  for (const Part& part : parts) {
+    append(begun, part.unfinished);
+    for (const Refusal& refusal : part.unfinished.refusals)
       if (isAnyTouched(arrays, refusal))
         begun.refusals.push_back(refusal);
   }
-  const std::size_t walls = parts.size() / 2; // they stand before the leaves
-  addSidesOfWalls(mesh, {parts.begin(), parts.begin() + walls}, begun);
+  addSidesOfWalls(mesh, parts, begun);
   const Range all = wholeOf(arrays.tree);
   Refill(size, rule, mesh, all, tick).run(std::move(begun));
   if (rule == DeWallRule::Dense)

@@ -57,6 +57,15 @@ public:
     return result;
   }
 
+  /** \brief As unite (), but false where they are joined with another parity. */
+  bool
+  uniteIfConsistent(std::int32_t a, std::int32_t b, bool flipped)
+  {
+    if (unite(a, b, flipped))
+      return true;
+    return (find(a).flipped != find(b).flipped) == flipped;
+  }
+
   /** \brief Joins two components; the lower root stays.
    * \return false when they were joined already, whatever their parity then was */
   bool

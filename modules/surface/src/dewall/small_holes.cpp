@@ -67,7 +67,7 @@ private:
     for (std::size_t i = 0; i < hole.size(); ++i) {
       const Side& side = hole[i];
       const Edge& edge = *mesh_.arrays().find(side.a, side.b);
-      runs[i] = mesh_.parity().find(static_cast<std::int32_t>(edge.component));
+      runs[i] = mesh_.parity().find(edge.componentNumber());
       runs[i].flipped ^= side.a != corner;
       for (std::size_t j = 0; j < i; ++j)
         if (runs[j].flipped != runs[i].flipped &&

@@ -14,6 +14,7 @@ struct ApexQuery {
   float outward[3];        ///< unit, beyond plane beta
   float length;            ///< |ab|
   float longest;           ///< edge allowed at a and b
+  float reach;             ///< farthest from the middle that it allows
   const float* longest_at; ///< edge allowed at the points of each leaf
   std::int32_t leaf;       ///< where the walk begins
   /** Bits of the points of each leaf that are no apexes, for leaves from first_masked to

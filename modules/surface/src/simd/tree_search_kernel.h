@@ -54,18 +54,24 @@ struct ApexVisitor {
     ball.radius = radius < ball.radius ? radius : ball.radius;
   }
 
+  /** Drops the hits above the bar. */
+  void
+  prune()
+  {
+    std::int32_t kept = 0;
+    for (std::int32_t i = 0; i < hits.count; ++i)
+      if (score[i] <= limit) {
+        score[kept] = score[i];
+        hits.index[kept++] = hits.index[i];
+      }
+    hits.count = kept;
+  }
+
   ACMAP_INLINE void
   note(std::int32_t index, float signed_square)
   {
-    if (hits.count == SearchHits::capacity) {
-      std::int32_t kept = 0;
-      for (std::int32_t i = 0; i < hits.count; ++i)
-        if (score[i] <= limit) {
-          score[kept] = score[i];
-          hits.index[kept++] = hits.index[i];
-        }
-      hits.count = kept;
-    }
+    if (hits.count == SearchHits::capacity)
+      prune();
     if (hits.count >= SearchHits::capacity) {
       hits.count = SearchHits::capacity + 1;
       ball.radius = -1;
@@ -145,21 +151,17 @@ findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
   float middle[3];
   for (int axis = 0; axis < 3; ++axis)
     middle[axis] = query.at_a[axis] + query.along[axis] * (query.length / 2);
-  const float half = query.length / 2;
-  const float squared = query.longest * query.longest - half * half;
-  const float reach = squared > 0 ? __builtin_sqrtf(squared) * (1 + 1e-5f) : 0;
   hits.count = 0;
   float score[SearchHits::capacity];
-  ApexVisitor visitor{
-      tree, query, hits, ballAt(middle, reach), 1 / query.length, score};
+  ApexVisitor visitor{tree,
+                      query,
+                      hits,
+                      ballAt(middle, query.reach * (1 + 1e-5f)),
+                      1 / query.length,
+                      score};
   walkTree(tree, visitor, query.leaf);
-  if (hits.count > SearchHits::capacity)
-    return;
-  std::int32_t kept = 0;
-  for (std::int32_t i = 0; i < hits.count; ++i)
-    if (score[i] <= visitor.limit)
-      hits.index[kept++] = hits.index[i];
-  hits.count = kept;
+  if (hits.count <= SearchHits::capacity)
+    visitor.prune();
 }
 
 struct BallVisitor {

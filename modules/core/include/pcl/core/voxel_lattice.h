@@ -49,13 +49,20 @@ voxelOf(VoxelKey key)
   return key >> octant_bits << octant_bits;
 }
 
+/** \brief Octant of a direction: a bit for each axis along which it is positive. */
+inline unsigned
+octantAlong(float x, float y, float z)
+{
+  return (x > 0 ? 4u : 0u) | (y > 0 ? 2u : 0u) | (z > 0 ? 1u : 0u);
+}
+
 /** \brief Octant of the direction from a point to its sensor: a bit for each axis along
  * which the sensor stands on the far side. */
 inline unsigned
 octantTowards(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor)
 {
-  return (sensor.x() > point.x() ? 4u : 0u) | (sensor.y() > point.y() ? 2u : 0u) |
-         (sensor.z() > point.z() ? 1u : 0u);
+  const Eigen::Vector3f way = sensor - point;
+  return octantAlong(way.x(), way.y(), way.z());
 }
 
 /** \brief A point's voxel, and its place inside in 2^-14 of an edge from the centre. */
@@ -92,15 +99,9 @@ public:
   bool
   locate(const Eigen::Vector3f& point, VoxelHit& hit) const
   {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double ticks = static_cast<double>(point[axis]) * scale_ + shift_[axis];
-      if (!(ticks >= least_ticks && ticks < most_ticks))
+    for (int axis = 0; axis < 3; ++axis)
+      if (!locateAlong(axis, point[axis], hit.place[axis], hit.offset[axis]))
         return false;
-      const auto whole = static_cast<std::int64_t>(ticks);
-      hit.place[axis] = static_cast<std::int32_t>(whole >> offset_bits);
-      hit.offset[axis] = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
-                         (1 << (offset_bits - 1));
-    }
     return true;
   }
 
@@ -123,14 +124,9 @@ public:
     }
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t k = 0; k < size; ++k) {
-        const double ticks =
-            static_cast<double>(points[axis][k]) * scale_ + shift_[axis];
-        const bool within = ticks >= least_ticks && ticks < most_ticks;
-        is_within[k] &= within;
-        const auto whole = static_cast<std::int64_t>(within ? ticks : 0.0);
-        offsets[axis][k] = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
-                           (1 << (offset_bits - 1));
-        keys[k] |= static_cast<VoxelKey>(whole >> offset_bits)
+        std::int32_t place;
+        is_within[k] &= locateAlong(axis, points[axis][k], place, offsets[axis][k]);
+        keys[k] |= static_cast<VoxelKey>(place)
                    << ((2 - axis) * voxel_axis_bits + octant_bits);
       }
   }
@@ -148,6 +144,22 @@ public:
 private:
   void
   derive();
+
+  /** Without branches, for loops over many points. */
+  bool
+  locateAlong(int axis,
+              float coordinate,
+              std::int32_t& place,
+              std::int32_t& offset) const
+  {
+    const double ticks = static_cast<double>(coordinate) * scale_ + shift_[axis];
+    const bool is_within = ticks >= least_ticks && ticks < most_ticks;
+    const auto whole = static_cast<std::int64_t>(is_within ? ticks : 0.0);
+    place = static_cast<std::int32_t>(whole >> offset_bits);
+    offset = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
+             (1 << (offset_bits - 1));
+    return is_within;
+  }
 
   // a margin of voxels all round lets windows step over the rim
   static constexpr double margin = 8;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iostream>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace pcl::acmap::bench {
+
+/** \brief The parts of a benchmark that its command line names; without a name all. */
+class Sections {
+public:
+  /** \brief Reads the command line; where a name is not known, tells the usage and the
+   * exit code to end with. */
+  static std::optional<int>
+  read(int argc,
+       char** argv,
+       const std::set<std::string>& known,
+       const char* usage,
+       Sections& sections)
+  {
+    sections.asked_ = {argv + 1, argv + argc};
+    for (const std::string& part : sections.asked_)
+      if (known.count(part) == 0) {
+        std::cerr << usage;
+        return part == "--help" ? 0 : 2;
+      }
+    return std::nullopt;
+  }
+
+  bool
+  isWanted(const char* part) const
+  {
+    return asked_.empty() || asked_.count(part) > 0;
+  }
+
+private:
+  std::set<std::string> asked_;
+};
+
+} // namespace pcl::acmap::bench
