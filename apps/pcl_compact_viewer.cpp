@@ -1,3 +1,4 @@
+#include "cloud_labels.h"
 #include "interruption.h"
 #include "length_check.h"
 #include "output_target.h"
@@ -24,7 +25,9 @@ struct Options {
   std::vector<float> up;
   std::string size = "1280x960";
   bool boundary = false;
+  bool hide_backs = false;
   bool grey = false;
+  bool labels = false;
 };
 
 void
@@ -59,6 +62,12 @@ addOptions(Tool& tool, Options& options)
   app.add_option("--size", options.size, "Width and height of the picture, pixels")
       ->type_name("WxH");
   app.add_flag("--boundary", options.boundary, "Draw the boundary of a mesh as lines");
+  app.add_flag("--hide-backs",
+               options.hide_backs,
+               "Leave out the faces of a mesh that look away, to see into rooms");
+  app.add_flag("--labels",
+               options.labels,
+               "Colour by the field label of the points, as planes leave it");
   app.add_flag("--grey", options.grey, "Draw without the colours of the file");
   tool.addScale();
 }
@@ -85,6 +94,7 @@ viewOf(const Options& options, const pcl::PointCloudFile& file)
   view.sensor_origin = file.sensor_origin;
   view.sensor_orientation = file.sensor_orientation;
   view.show_boundary = options.boundary;
+  view.hide_backs = options.hide_backs;
   view.ignore_colors = options.grey;
   return view;
 }
@@ -129,6 +139,8 @@ show(Tool& tool, const Options& options)
   timer.finish("read");
   if (cloudExtent(scene.points.points()).finite_points == 0)
     throw NothingFound(options.input + ": nothing to show, no point is finite");
+  if (options.labels)
+    scene.points.cloud = coloredByLabel(std::move(scene.points.cloud));
   tool.stopIfInterrupted();
 
   const pcl::SceneView view = viewOf(options, scene.points);

@@ -1,8 +1,11 @@
-#include "consolidated_cloud.h"
+#include "cloud_sensors.h"
+#include "command_line.h"
+#include "consolidation_stage.h"
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
 #include "scaled_cloud.h"
+#include "stage_reports.h"
 #include "tool.h"
 
 #include <pcl/conversions.h>
@@ -11,8 +14,6 @@
 #include <pcl/point_types.h>
 #include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_triangulation.h>
-
-#include "command_line.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,9 +33,6 @@ struct Options {
   bool wall_depth = false;
   std::size_t memory_limit = 0;
 };
-
-// reaches over the jitter of representatives
-constexpr double edges_of_voxel = 2.5;
 
 const std::map<std::string, pcl::DeWallRule> rules = {
     {"paper", pcl::DeWallRule::Paper}, {"dense", pcl::DeWallRule::Dense}};
@@ -109,50 +107,6 @@ typedCloud(const pcl::PointCloudFile& file)
   cloud->sensor_origin_.template head<3>() = file.sensor_origin;
   cloud->sensor_orientation_ = file.sensor_orientation;
   return cloud;
-}
-
-nlohmann::ordered_json
-jsonOf(const pcl::ConsolidationReport& report)
-{
-  return {{"points", report.points},
-          {"invalid_points", report.invalid_points},
-          {"distant_points", report.distant_points},
-          {"voxels", report.voxels},
-          {"representatives", report.representatives},
-          {"two_sided_voxels", report.two_sided_voxels},
-          {"narrowed_windows", report.narrowed_windows},
-          {"without_normal", report.without_normal},
-          {"voxel_size", report.voxel_size},
-          {"sigma", report.sigma},
-          {"residual", report.residual}};
-}
-
-nlohmann::ordered_json
-jsonOf(const pcl::DeWallReport& report)
-{
-  return {{"points", report.points},
-          {"invalid_points", report.invalid_points},
-          {"duplicate_points", report.duplicate_points},
-          {"used_points", report.used_points},
-          {"clusters", report.clusters},
-          {"triangles", report.triangles},
-          {"edges", report.edges},
-          {"boundary_edges", report.boundary_edges},
-          {"components", report.components},
-          {"refused_moebius", report.refused_moebius},
-          {"removed_fans", report.removed_fans},
-          {"median_spacing", report.median_spacing},
-          {"least_maximum_edge", report.least_maximum_edge},
-          {"largest_maximum_edge", report.largest_maximum_edge}};
-}
-
-std::string
-percent(std::size_t part, std::size_t whole)
-{
-  return shortNumber(whole ? 100.0 * static_cast<double>(part) /
-                                 static_cast<double>(whole)
-                           : 0.0) +
-         " %";
 }
 
 bool
@@ -232,34 +186,19 @@ summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
   tool.tell("file", options.output);
 }
 
-/** Replaces the cloud by its consolidation. */
-pcl::ConsolidationReport
+/** Replaces the cloud by its consolidation. \return the voxel's edge, metres */
+double
 consolidate(Tool& tool, const Options& options, pcl::PointCloudFile& file)
 {
-  pcl::ConsolidationReport report;
-  pcl::PointCloudFile result;
-  const std::vector<std::string> remarks = file.remarks;
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    result = consolidatedCloud(file,
-                               options.input,
-                               {*options.voxel_size, tool.threads(), tool.scale()},
-                               progress,
-                               report);
-  });
-  file = std::move(result);
-  file.remarks = remarks;
-  for (const std::string& remark : report.remarks)
+  std::vector<std::string> remarks;
+  const SensorView sensors = sensorsOfFile(file, options.input, tool.scale(), remarks);
+  for (const std::string& remark : remarks)
     tool.warn(remark);
-  tool.details()["consolidation"] = jsonOf(report);
-  for (const auto& [step, seconds] : report.seconds)
-    tool.details()["consolidation"]["seconds"][step] = seconds;
-  tool.tell("consolidated",
-            std::to_string(report.points) + " points to " +
-                std::to_string(report.representatives) + ", voxels of " +
-                shortNumber(report.voxel_size) + " m, noise " +
-                shortNumber(1000 * report.sigma) + " to about " +
-                shortNumber(1000 * report.residual) + " mm");
-  return report;
+  ConsolidationSettings settings;
+  settings.voxel_size = *options.voxel_size;
+  pcl::ConsolidationReport report;
+  file = consolidateInput(tool, file, sensors, settings, report).file;
+  return report.voxel_size;
 }
 
 void
@@ -273,10 +212,10 @@ meshCloud(Tool& tool, const Options& options)
 
   double maximum_edge_length = options.maximum_edge_length;
   if (options.voxel_size) {
-    const pcl::ConsolidationReport consolidation = consolidate(tool, options, file);
+    const double voxel_size = consolidate(tool, options, file);
     timer.finish("consolidate");
     if (maximum_edge_length == 0)
-      maximum_edge_length = edges_of_voxel * consolidation.voxel_size;
+      maximum_edge_length = edges_of_voxel * voxel_size;
   }
   pcl::TriangleMesh mesh;
   const pcl::DeWallReport report =
@@ -295,8 +234,6 @@ meshCloud(Tool& tool, const Options& options)
   tool.details()["input"] = options.input;
   tool.details()["output"] = options.output;
   tool.details()["report"] = jsonOf(report);
-  for (const auto& [step, seconds] : report.seconds)
-    tool.details()["report"]["seconds"][step] = seconds;
   summarize(tool, options, report);
 }
 

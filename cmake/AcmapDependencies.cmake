@@ -17,6 +17,10 @@ add_library(lzf UNKNOWN IMPORTED)
 set_target_properties(lzf PROPERTIES IMPORTED_LOCATION "${LZF_LIBRARY}"
                                      INTERFACE_INCLUDE_DIRECTORIES "${LZF_INCLUDE_DIR}")
 
+# FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
+find_library(LZ4_LIBRARY lz4 REQUIRED)
+mark_as_advanced(LZ4_LIBRARY)
+
 # Eigen's alignment decides the layout of PCL's points: users of acmap must agree with it.
 set(CMAKE_REQUIRED_LIBRARIES Eigen3::Eigen)
 foreach(bytes IN ITEMS 16 0 32 64)

@@ -24,6 +24,15 @@ TEST_F(OutputFault, FolderIsMissing)
           {input_, folder_.path("out.ply"), "--report", folder_.path("none/r.json")}),
       5,
       "none");
+  expectRefused(runPlanes({input_, folder_.path("none/out.json")}), 5, "none");
+  for (const auto& [option, name] : {std::pair{"--labels", "none/out.pcd"},
+                                     {"--normals", "none/out.ply"},
+                                     {"--picture", "none/out.png"},
+                                     {"--report", "none/r.json"}})
+    expectRefused(
+        runPlanes({input_, folder_.path("out.json"), option, folder_.path(name)}),
+        5,
+        "none");
   EXPECT_EQ(folder_.count(), 1);
 }
 
@@ -32,6 +41,14 @@ TEST_F(OutputFault, EndingIsUnknown)
   expectRefused(runSurface({input_, folder_.path("out.stl")}), 5, ".ply or .vtk");
   expectRefused(
       runViewer({input_, "--screenshot", folder_.path("out.jpg")}), 5, ".png");
+  expectRefused(runPlanes({input_, folder_.path("out.yaml")}), 5, ".json");
+  for (const auto& [option, name, ending] : {std::tuple{"--labels", "out.ply", ".pcd"},
+                                             {"--normals", "out.obj", ".ply"},
+                                             {"--picture", "out.jpg", ".png"}})
+    expectRefused(
+        runPlanes({input_, folder_.path("out.json"), option, folder_.path(name)}),
+        5,
+        ending);
   EXPECT_EQ(folder_.count(), 1);
 }
 
@@ -52,6 +69,16 @@ TEST_F(OutputFault, OutputIsTheInput)
   const std::string before = contentOf(mesh);
   expectRefused(runSurface({mesh, mesh}), 2, mesh);
   EXPECT_EQ(contentOf(mesh), before);
+  expectRefused(
+      runPlanes({mesh, folder_.path("out.json"), "--normals", mesh}), 2, mesh);
+  expectRefused(
+      runPlanes({input_, folder_.path("out.json"), "--labels", input_}), 2, input_);
+  expectRefused(
+      runPlanes({input_, folder_.path("r.json"), "--report", folder_.path("r.json")}),
+      2,
+      "r.json");
+  EXPECT_EQ(contentOf(mesh), before);
+  EXPECT_EQ(folder_.count(), 2);
 }
 
 TEST_F(OutputFault, DiskIsFullAndTheOldFileStays)

@@ -20,6 +20,12 @@ runViewer(const std::vector<std::string>& arguments, const RunSettings& settings
   return runTool(ACMAP_COMPACT_VIEWER, arguments, settings);
 }
 
+ToolRun
+runPlanes(const std::vector<std::string>& arguments, const RunSettings& settings)
+{
+  return runTool(ACMAP_PLANE_EXTRACTION, arguments, settings);
+}
+
 void
 expectRefused(const ToolRun& run, int exit_code, const std::string& word)
 {

@@ -18,6 +18,10 @@ runSurface(const std::vector<std::string>& arguments, const RunSettings& setting
 ToolRun
 runViewer(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
+/** \brief Runs pcl_plane_extraction. */
+ToolRun
+runPlanes(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
 /** \brief Checks that a tool gave up as it should: the exit code, nothing on stdout and
  * one line on stderr that begins with the name of the tool and holds a word. */
 void

@@ -9,7 +9,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief No triangle can be made of a cloud: code 4, the reason, nothing written. */
+/** \brief No triangle can be made of a cloud, and no plane: code 4, the reason, nothing
+ * written. */
 void
 expectNothingFound(const Cloud& cloud)
 {
@@ -19,6 +20,19 @@ expectNothingFound(const Cloud& cloud)
       runSurface({input, folder.path("out.ply"), "--report", folder.path("r.json")}),
       4,
       "no triangle is possible; ");
+  expectRefused(runPlanes({input,
+                           folder.path("out.json"),
+                           "--labels",
+                           folder.path("labels.pcd"),
+                           "--normals",
+                           folder.path("normals.ply"),
+                           "--report",
+                           folder.path("r.json")}),
+                4,
+                "no plane was found; ");
+  expectRefused(runPlanes({input, folder.path("out.json"), "--paper"}),
+                4,
+                "no plane was found; ");
   EXPECT_EQ(folder.count(), 1);
 }
 
@@ -85,6 +99,15 @@ TEST(UglyCloud, NotANumber)
                            folder.path("out.png")}),
                 4,
                 "no point is finite");
+}
+
+TEST(UglyCloud, OneTriangleIsNoPlane)
+{
+  const TemporaryFolder folder;
+  const std::string input =
+      folder.write("in.obj", "v 0 0 2\nv 1 0 2\nv 0 1 2\nf 1 2 3\n");
+  expectRefused(runPlanes({input, folder.path("out.json")}), 4, "no plane was found; ");
+  EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(UglyCloud, CoplanarGrid)

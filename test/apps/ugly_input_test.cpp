@@ -8,13 +8,14 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief Both tools refuse a file as unreadable and write nothing. */
+/** \brief The tools refuse a file as unreadable and write nothing. */
 void
 expectUnreadable(const TemporaryFolder& folder, const std::string& input)
 {
   SCOPED_TRACE(input);
   const auto before = folder.count();
   expectRefused(runSurface({input, folder.path("out.ply")}), 3, input);
+  expectRefused(runPlanes({input, folder.path("out.json")}), 3, input);
   expectRefused(runViewer({input, "--screenshot", folder.path("out.png")}), 3, input);
   EXPECT_EQ(folder.count(), before);
 }

@@ -38,7 +38,9 @@ TEST_P(Usage, NonsenseIsRefusedInOneLine)
   expectRefused(GetParam()({"a.pcd", "--scale"}, {}), 2, "--scale");
 }
 
-INSTANTIATE_TEST_SUITE_P(Tools, Usage, testing::Values(runSurface, runViewer));
+INSTANTIATE_TEST_SUITE_P(Tools,
+                         Usage,
+                         testing::Values(runSurface, runViewer, runPlanes));
 
 TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
 {
@@ -63,6 +65,31 @@ TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
     expectRefused(runSurface(arguments), 2, "--help");
   }
   expectRefused(runSurface({input, folder.path("out.vtk"), "--wall-depth"}), 2, ".ply");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(PlanesUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
+{
+  const TemporaryFolder folder;
+  const std::string input = folder.write("in.pcd", planePcd());
+  const std::string output = folder.path("planes.json");
+  const std::vector<std::vector<std::string>> nonsense = {{"--min-area", "-1"},
+                                                          {"--min-area", "nan"},
+                                                          {"--min-area", "much"},
+                                                          {"--consolidate=0"},
+                                                          {"--consolidate=five"},
+                                                          {"--labels"},
+                                                          {"--paper=maybe"},
+                                                          {"--threads", "-1"},
+                                                          {"--scale", "0"}};
+  for (const auto& words : nonsense) {
+    std::vector<std::string> arguments = {input, output};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    SCOPED_TRACE(words[0] + " " + words.back());
+    expectRefused(runPlanes(arguments), 2, "--help");
+  }
+  expectRefused(
+      runPlanes({input, output, "--paper", "--min-area", "1"}), 2, "--min-area");
   EXPECT_EQ(folder.count(), 1);
 }
 

@@ -60,6 +60,24 @@ TEST_F(Viewer, LooksFromWhereItIsTold)
             std::string("\0\0\1\x40\0\0\0\xc8", 8));
 }
 
+TEST_F(Viewer, HidesBacksOfMeshes)
+{
+  const std::string mesh = folder_.path("mesh.ply");
+  ASSERT_EQ(runSurface({cloud_, mesh}).exit_code, 0);
+  const std::string behind = shoot(mesh, {"--from", "0", "0", "1"});
+  const std::string before = shoot(mesh, {"--from", "0", "0", "-1"});
+  EXPECT_NE(shoot(mesh, {"--from", "0", "0", "1", "--hide-backs"}) == behind,
+            shoot(mesh, {"--from", "0", "0", "-1", "--hide-backs"}) == before);
+}
+
+TEST_F(Viewer, DrawsFacesOfAnObj)
+{
+  const std::string points = "v 0 0 2\nv 1 0 2\nv 0 1 2\nv 1 1 3\n";
+  const std::string faces = "f 1 2 3\nf 2 4 3\n";
+  EXPECT_NE(shoot(folder_.write("mesh.obj", points + faces)),
+            shoot(folder_.write("points.obj", points)));
+}
+
 TEST_F(Viewer, RefusesViewsThatCannotBe)
 {
   for (const char* size : {"0x10", "-5x5", "10", "axb", "10x10x10", "99999999x1"})

@@ -4,12 +4,8 @@
 #include "cpu_time.h"
 #include "markdown_row.h"
 #include "mesh_figures.h"
-#include "simulated_points.h"
+#include "peer_normals.h"
 
-#include <pcl/features/normal_3d.h>
-#include <pcl/search/kdtree.h>
-
-#include <functional>
 #include <iostream>
 
 namespace pcl::acmap::bench {
@@ -56,33 +52,15 @@ printOurs(const SimulatedCloud& cloud, double voxel, const SceneTruth& truth)
   return report.voxel_size;
 }
 
-using Estimation = NormalEstimation<PointXYZ, Normal>;
-
 void
-printPeer(const std::string& name,
+printPeer(const PeerNormals& peer,
           const SimulatedCloud& cloud,
           const SceneTruth& truth,
-          double voxel,
-          const std::function<void(Estimation&)>& setNeighbours)
+          double voxel)
 {
-  const double begin = threadSeconds();
-  Estimation estimation;
-  estimation.setInputCloud(plainPoints(cloud));
-  estimation.setSearchMethod(std::make_shared<search::KdTree<PointXYZ>>());
-  setNeighbours(estimation);
-  PointCloud<Normal> estimated;
-  estimation.compute(estimated);
-  const double seconds = threadSeconds() - begin;
-
-  test::Points places, normals;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    places.push_back(cloud.T_scene_cloud * cloud.merged.points[i].cast<double>());
-    normals.push_back(cloud.T_scene_cloud.linear() *
-                      estimated[i].getNormalVector3fMap().cast<double>());
-  }
-  printRow(cloud.name + ", PCL NormalEstimation, " + name,
-           measureNormals(truth, places, normals, voxel),
-           seconds,
+  printRow(cloud.name + ", " + peer.name,
+           measureNormals(truth, peer.places, peer.normals, voxel),
+           peer.seconds,
            cloud,
            false);
 }
@@ -107,10 +85,10 @@ printNormals(SceneData& corridor)
     const double voxel = printOurs(cloud, 0, truth);
     if (view > 0)
       continue;
-    printPeer("k = 16", cloud, truth, voxel, [](Estimation& e) { e.setKSearch(16); });
-    printPeer("radius 10 cm", cloud, truth, voxel, [](Estimation& e) {
-      e.setRadiusSearch(0.1);
-    });
+    constexpr int neighbours = 16;
+    constexpr double radius = 0.1;
+    printPeer(normalsOfNearest(cloud, neighbours), cloud, truth, voxel);
+    printPeer(normalsWithin(cloud, radius), cloud, truth, voxel);
   }
   for (const double voxel : {0.05, 0.0})
     printOurs(corridor.whole(), voxel, truth);

@@ -1,10 +1,15 @@
 #include "dewall_traits.h"
+#include "normal_vector_voting_traits.h"
+#include "plane_hypothesis_clustering_traits.h"
 #include "voxel_consolidation_traits.h"
 
 namespace pcl::acmap::test {
 
 /** Every public class with a verb has its traits here. */
-using PublicClasses = testing::Types<DeWallTraits, VoxelConsolidationTraits>;
+using PublicClasses = testing::Types<DeWallTraits,
+                                     NormalVectorVotingTraits,
+                                     PlaneHypothesisClusteringTraits,
+                                     VoxelConsolidationTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ClassContract, PublicClasses);
 

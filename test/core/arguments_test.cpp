@@ -36,5 +36,18 @@ TEST(RequireInRange, namesValueRangeAndUnit)
   }
 }
 
+TEST(RequireViewpoints, refusesWhatIsNoPlace)
+{
+  EXPECT_NO_THROW(requireViewpoints({}));
+  EXPECT_NO_THROW(requireViewpoints({{0, 0, 0}, {1e9F, -1e9F, 3}}));
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const float wrong : {std::nanf(""), infinity, -infinity, 2e9F})
+    for (int axis = 0; axis < 3; ++axis) {
+      Eigen::Vector3f place(1, 2, 3);
+      place[axis] = wrong;
+      EXPECT_THROW(requireViewpoints({{0, 0, 0}, place}), BadArgumentException);
+    }
+}
+
 } // namespace
 } // namespace pcl::acmap::test

@@ -1,4 +1,7 @@
+#include <pcl/core/point_fields.h>
+#include <pcl/core/point_types.h>
 #include <pcl/core/sensor_view.h>
+#include <pcl/point_types.h>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +73,23 @@ TEST(SensorView, viewsWithoutViewpointsAreUnknown)
   const SensorView sensors(&points[0].view, sizeof(Seen), {});
   EXPECT_FALSE(sensors.isKnown());
   EXPECT_EQ(sensors[0], nullptr);
+}
+
+TEST(NamedSensors, areThoseThatSomebodyNamed)
+{
+  PointCloud<PointXYZRGBNormalView> map;
+  EXPECT_FALSE(namedSensorsOf(map, stations).isKnown()) << "no points";
+  map.resize(3);
+  map[0].view = 1;
+  map[1].view = 0;
+  EXPECT_FALSE(namedSensorsOf(map, {}).isKnown()) << "no viewpoints";
+  const SensorView sensors = namedSensorsOf(map, stations);
+  EXPECT_EQ(*sensors[0], stations[1]);
+  EXPECT_EQ(*sensors[1], stations[0]);
+  EXPECT_EQ(sensors[2], nullptr) << "-1 is unknown";
+  PointCloud<PointXYZ> plain;
+  plain.resize(3);
+  EXPECT_FALSE(namedSensorsOf(plain, stations).isKnown()) << "no field view";
 }
 
 } // namespace

@@ -146,6 +146,7 @@ TEST(ConsolidationClass, missingViewpointsAreRemarked)
   consolidation.filter(output);
   ASSERT_GT(output.size(), 300U);
   EXPECT_FALSE(consolidation.getReport().remarks.empty());
+  EXPECT_FALSE(consolidation.getReport().sensors_fit);
   for (const MapPoint& point : output)
     EXPECT_GT(point.getNormalVector3fMap().dot(output[0].getNormalVector3fMap()), 0.9F)
         << "neighbours agree";
@@ -220,6 +221,7 @@ TEST(ConsolidationClass, exactPlanesStayExact)
     consolidation.setVoxelSize(0.2);
     PointCloud<PointNormal> output;
     consolidation.filter(output);
+    EXPECT_TRUE(consolidation.getReport().sensors_fit);
     const Eigen::Vector3f normal = plane == ExactPlane::Level
                                        ? Eigen::Vector3f(0, 0, 1)
                                        : Eigen::Vector3f(-1, 0, 1).normalized();

@@ -3,6 +3,7 @@
 #include "byte_source.h"
 #include "file_ending.h"
 #include "mesh_writers.h"
+#include "obj_faces.h"
 #include "ply_faces.h"
 
 #include <pcl/exceptions.h>
@@ -52,11 +53,11 @@ TriangleMesh
 loadTriangleMesh(const std::string& path)
 {
   const std::string ending = acmap::lowerEnding(path);
-  if (ending != ".ply")
+  if (ending != ".ply" && ending != ".obj")
     throw InputFileException(path + ": ending '" + ending +
-                             "' is not known for a mesh; ply is");
+                             "' is not known for a mesh; ply and obj are");
   acmap::ByteSource source(path);
-  return acmap::readPlyFaces(source);
+  return ending == ".ply" ? acmap::readPlyFaces(source) : acmap::readObjFaces(source);
 }
 
 } // namespace pcl

@@ -1,7 +1,7 @@
+#include <pcl/visualization/display_connection.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
 #include "camera.h"
-#include "display.h"
 #include "png_file.h"
 #include "scene.h"
 #include "scene_renderer.h"
@@ -29,7 +29,7 @@ makeWindow(const PCLPointCloud2& cloud, const TriangleMesh& mesh, const SceneVie
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetSize(view.width, view.height);
   window->SetMultiSamples(samples_a_pixel);
-  window->AddRenderer(acmap::makeRenderer(scene, camera, view.show_boundary));
+  window->AddRenderer(acmap::makeRenderer(scene, camera, view));
   return window;
 }
 

@@ -21,7 +21,7 @@ loadScene(const std::string& path)
     return acmap::readVtkMesh(path);
   SceneFile scene;
   scene.points = loadPointCloud(path);
-  if (ending == ".ply")
+  if (ending == ".ply" || ending == ".obj")
     scene.mesh = loadTriangleMesh(path);
   return scene;
 }

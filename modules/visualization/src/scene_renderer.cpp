@@ -105,7 +105,7 @@ actorOf(vtkPolyData* data, const std::array<double, 3>& color, bool use_point_co
 /** \brief Facets show the relief; the two sides are drawn apart, because a colour of the
  * points would cover the tint of the back. */
 void
-addMesh(const Scene& scene, vtkPolyData* data, vtkRenderer* renderer)
+addMesh(const Scene& scene, vtkPolyData* data, bool hide_backs, vtkRenderer* renderer)
 {
   data->SetPolys(cellsOf(scene.triangles));
   const auto front = actorOf(data, front_color, !scene.colors.empty());
@@ -116,8 +116,10 @@ addMesh(const Scene& scene, vtkPolyData* data, vtkRenderer* renderer)
     side->GetProperty()->SetInterpolationToFlat();
     side->GetProperty()->SetAmbient(scene.colors.empty() ? 0.12 : 0.35);
     side->GetProperty()->SetDiffuse(0.9);
-    renderer->AddActor(side);
   }
+  renderer->AddActor(front);
+  if (!hide_backs)
+    renderer->AddActor(back);
 }
 
 void
@@ -196,7 +198,7 @@ setCamera(const Camera& camera, vtkRenderer* renderer)
 } // namespace
 
 vtkSmartPointer<vtkRenderer>
-makeRenderer(const Scene& scene, const Camera& camera, bool show_boundary)
+makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
 
@@ -206,10 +208,10 @@ makeRenderer(const Scene& scene, const Camera& camera, bool show_boundary)
   if (!scene.colors.empty())
     data->GetPointData()->SetScalars(colorsOf(scene.colors));
   if (scene.isMesh())
-    addMesh(scene, data, renderer);
+    addMesh(scene, data, view.hide_backs, renderer);
   else
     addPoints(scene, camera, data, renderer);
-  if (show_boundary && scene.isMesh())
+  if (view.show_boundary && scene.isMesh())
     addBoundary(scene, points, renderer);
   setBackground(scene.isMesh(), renderer);
   addLights(renderer);

@@ -15,7 +15,7 @@ namespace {
 std::vector<Eigen::Vector3f>
 sampleOf(const PointView& points)
 {
-  constexpr std::size_t wanted = 1 << 14;
+  constexpr std::size_t wanted = 1 << 12;
   const PointSample chosen(points.size(), wanted);
   std::vector<Eigen::Vector3f> sample;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -104,7 +104,7 @@ ScaleLevel
 measureLevel(const VoxelMoments& voxels)
 {
   const VoxelWindows windows(voxels);
-  constexpr std::size_t enough_windows = 1 << 15;
+  constexpr std::size_t enough_windows = 1 << 13;
   const std::size_t step = windows.size() / enough_windows + 1;
   WindowFigures all = parallelReduceChunks(
       windows.size(),
@@ -179,6 +179,13 @@ struct Pyramid {
   }
 };
 
+/** What the rounding of the voxels' sums leaves of a flat surface, metres. */
+double
+roundingOf(const ScaleLevel& level)
+{
+  return 4 * level.edge / (1 << VoxelLattice::offset_bits);
+}
+
 /** Noise is as thick at the next scale; curved surfaces are four times as thick or no
  * longer plane, and what stereo matching smears over neighbours is in between. */
 bool
@@ -187,7 +194,8 @@ isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
   constexpr double largest_growth = 1.8;
   constexpr double least_share = 0.8;
   return holdsItsNoise(fine) && isMostlyPlanar(fine) &&
-         coarse.thickness <= largest_growth * fine.thickness &&
+         coarse.thickness <=
+             std::max(largest_growth * fine.thickness, roundingOf(coarse)) &&
          coarse.planar_share >= least_share * fine.planar_share;
 }
 
@@ -236,10 +244,8 @@ void
 setSigma(const ScaleLevel& fine, const ScaleLevel& coarse, NoiseScale& scale)
 {
   const double thickness = thicknessWithoutCurvature(fine, coarse);
-  // a fiftieth of the spacing, the ticks of the voxels: below, it is rounding
-  constexpr double ticks = 4.0 / (1 << VoxelLattice::offset_bits);
   scale.confidence = fine.planar_share;
-  if (thickness <= std::max(fine.spacing / 50, ticks * fine.edge)) {
+  if (thickness <= std::max(fine.spacing / 50, roundingOf(fine))) {
     scale.remarks.emplace_back("no noise: the points lie on their surface");
     return;
   }
@@ -276,7 +282,7 @@ concludeWithoutPlateau(const std::vector<ScaleLevel>& levels, NoiseScale& scale)
 double
 occupancyFor(std::size_t points)
 {
-  return std::clamp(static_cast<double>(points) / (1 << 18), 3.0, 64.0);
+  return std::clamp(static_cast<double>(points) / (1 << 14), 3.0, 64.0);
 }
 
 } // namespace

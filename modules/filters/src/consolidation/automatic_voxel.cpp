@@ -1,4 +1,4 @@
-#include "consolidation/automatic_voxel.h"
+#include <pcl/filters/consolidation_kernel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,13 @@ automaticVoxel(const NoiseScale& scale)
       std::sqrt(scale.sigma * scale.sparse_spacing / (window_width * residual_share));
   // the windows have to hold the noise on both sides of the surface
   return std::max({by_noise, 2 * scale.sparse_spacing, 4 * scale.sigma});
+}
+
+bool
+needsConsolidation(const NoiseScale& scale)
+{
+  constexpr double most_noise = 0.25; // of the spacing: faces 20 degrees off
+  return scale.sigma > most_noise * scale.spacing;
 }
 
 } // namespace pcl::acmap

@@ -1,4 +1,3 @@
-#include "consolidation/automatic_voxel.h"
 #include "consolidation/candidates.h"
 #include "consolidation/normal_signs.h"
 #include "consolidation/sources.h"
@@ -16,13 +15,12 @@ namespace {
 /** Asked for, or found; 0 with a remark where there is no telling. */
 double
 chooseVoxel(const PointView& points,
-            const SensorView& sensors,
             const ConsolidationSettings& settings,
             ConsolidationReport& report)
 {
   if (settings.voxel_size > 0)
     return settings.voxel_size;
-  const NoiseScale scale = measureNoiseScale(points, sensors, settings.threads);
+  const NoiseScale scale = measureNoiseScale(points, SensorView(), settings.threads);
   report.remarks.insert(
       report.remarks.end(), scale.remarks.begin(), scale.remarks.end());
   return automaticVoxel(scale);
@@ -77,7 +75,7 @@ consolidatePoints(const PointView& points,
     StepTimer timer(report);
     progress.tell(0.0, "noise scale");
     Consolidation result;
-    const double edge = chooseVoxel(points, sensors, settings, report);
+    const double edge = chooseVoxel(points, settings, report);
     timer.finish("noise scale");
     if (!(edge > 0)) {
       report.remarks.emplace_back(
@@ -107,7 +105,8 @@ consolidatePoints(const PointView& points,
         ++report.without_normal;
     }
     report.representatives = result.representatives.size();
-    if (!fitTheirSensors(result.representatives, sensors)) {
+    report.sensors_fit = fitTheirSensors(result.representatives, sensors);
+    if (!report.sensors_fit) {
       makeNormalsAgree(result.representatives, edge);
       report.remarks.emplace_back("where the sensors stood is unknown, or does not fit "
                                   "the surface: the normals "

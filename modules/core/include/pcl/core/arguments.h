@@ -2,9 +2,12 @@
 
 #include <pcl/exceptions.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -32,6 +35,16 @@ requireInRange(const std::string& name,
   std::ostringstream legal;
   legal << "within [" << least << ", " << most << "] " << unit;
   refuseArgument(name, value, legal.str());
+}
+
+/** \brief Lets places of sensors pass that are finite, in metres.
+ * \throws pcl::BadArgumentException otherwise */
+inline void
+requireViewpoints(const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  for (const Eigen::Vector3f& viewpoint : viewpoints)
+    for (const float coordinate : viewpoint)
+      requireInRange("viewpoint", coordinate, -1e9, 1e9, "m");
 }
 
 } // namespace pcl::acmap

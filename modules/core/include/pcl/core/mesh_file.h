@@ -30,8 +30,8 @@ saveTriangleMesh(const std::string& path,
                  const PCLPointCloud2& cloud,
                  const TriangleMesh& mesh);
 
-/** \brief Reads the faces of a PLY, polygons as fans of triangles; their corners count in
- * the cloud that \ref loadPointCloud gives for the same file.
+/** \brief Reads the faces of a PLY or OBJ, polygons as fans of triangles; their corners
+ * count in the cloud that \ref loadPointCloud gives for the same file.
  * \return no triangle where the file has no faces
  * \throws InputFileException as \ref loadPointCloud, and when a face has a corner outside
  * of the vertices. \ingroup core */

@@ -55,6 +55,33 @@ sensorsOf(const PointCloud<PointT>& cloud,
     return SensorView(Eigen::Vector3f(cloud.sensor_origin_.template head<3>()));
 }
 
+/** \brief The same for a whole cloud. */
+template <typename PointT>
+SensorView
+sensorsOf(const PointCloud<PointT>& cloud,
+          const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  if constexpr (has_view<PointT>)
+    return SensorView(
+        cloud.empty() ? nullptr : &cloud.front().view, sizeof(PointT), viewpoints);
+  else
+    return SensorView(Eigen::Vector3f(cloud.sensor_origin_.template head<3>()));
+}
+
+/** \brief As \ref sensorsOf for a whole cloud, but unknown where PointT has no field
+ * `view`: a mesh that has a right side of its own is not turned to a sensor that nobody
+ * named. */
+template <typename PointT>
+SensorView
+namedSensorsOf(const PointCloud<PointT>& cloud,
+               const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  if constexpr (has_view<PointT>)
+    if (!cloud.empty() && !viewpoints.empty())
+      return SensorView(&cloud.front().view, sizeof(PointT), viewpoints);
+  return {};
+}
+
 template <typename PointT>
 void
 setNormal(PointT& point, const Eigen::Vector3f& normal, float curvature)

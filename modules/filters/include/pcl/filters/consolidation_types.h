@@ -17,6 +17,10 @@ struct ConsolidationReport : Report {
   std::size_t narrowed_windows = 0; ///< at creases, fitted to the flattest 2 x 2 x 2
   std::size_t without_normal = 0;   ///< representatives with too few points around
 
+  /** Whether the surfaces can have been seen from where the sensors are said to stand;
+   * where not, the normals agree with their neighbours' instead. */
+  bool sensors_fit = false;
+
   double voxel_size = 0; ///< metres; that was used
   double sigma = 0;      ///< metres; median noise of the input across its surface
   double residual = 0;   ///< metres; median noise of a representative, estimated

@@ -37,6 +37,10 @@ struct SceneView {
   /** \brief Draws the edges with one triangle as thin lines. */
   bool show_boundary = false;
 
+  /** \brief Leaves out the faces that look away: one sees into rooms through their walls.
+   */
+  bool hide_backs = false;
+
   /** \brief Draws without the cloud's colours, which can hide the relief. */
   bool ignore_colors = false;
 };

@@ -15,8 +15,8 @@ struct SceneFile {
   TriangleMesh mesh;
 };
 
-/** \brief Reads what \ref showScene can show: a cloud (PCD, OBJ, XYZ, PLY without faces)
- * or a mesh (PLY with faces, legacy VTK of polygons or triangle strips).
+/** \brief Reads what \ref showScene can show: a cloud (PCD, XYZ, PLY or OBJ without
+ * faces) or a mesh (PLY or OBJ with faces, legacy VTK of polygons or triangle strips).
  * \throws InputFileException naming file and fault \ingroup visualization */
 ACMAP_EXPORT SceneFile
 loadScene(const std::string& path);

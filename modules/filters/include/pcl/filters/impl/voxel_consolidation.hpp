@@ -36,9 +36,7 @@ template <typename PointT>
 void
 VoxelConsolidation<PointT>::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 {
-  for (const Eigen::Vector3f& viewpoint : viewpoints)
-    for (const float coordinate : viewpoint)
-      acmap::requireInRange("viewpoint", coordinate, -1e9, 1e9, "m");
+  acmap::requireViewpoints(viewpoints);
   viewpoints_ = std::move(viewpoints);
 }
 

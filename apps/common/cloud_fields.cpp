@@ -1,0 +1,101 @@
+#include "cloud_fields.h"
+
+#include <pcl/common/io.h>
+
+#include <algorithm>
+#include <set>
+
+namespace pcl::acmap {
+
+const PCLPointField*
+findField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto found =
+      std::find_if(cloud.fields.begin(),
+                   cloud.fields.end(),
+                   [&](const PCLPointField& field) { return field.name == name; });
+  return found == cloud.fields.end() ? nullptr : &*found;
+}
+
+const PCLPointField*
+findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype)
+{
+  const PCLPointField* field = findField(cloud, name);
+  return field && field->datatype == datatype && field->count == 1 ? field : nullptr;
+}
+
+const PCLPointField*
+findColor(const PCLPointCloud2& cloud)
+{
+  const PCLPointField* rgb = findField(cloud, "rgb");
+  return rgb ? rgb : findField(cloud, "rgba");
+}
+
+PCLPointCloud2
+layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes)
+{
+  PCLPointCloud2 layout;
+  layout.header = cloud.header;
+  layout.fields = cloud.fields;
+  layout.point_step = cloud.point_step;
+  layout.is_dense = cloud.is_dense;
+  for (const FieldWish& wish : wishes) {
+    if (findField(layout, wish.name, wish.datatype))
+      continue;
+    if (const PCLPointField* other = findField(layout, wish.name))
+      layout.fields.erase(layout.fields.begin() + (other - layout.fields.data()));
+    PCLPointField added;
+    added.name = wish.name;
+    added.offset = layout.point_step;
+    added.datatype = wish.datatype;
+    added.count = 1;
+    layout.fields.push_back(added);
+    layout.point_step += static_cast<uindex_t>(getFieldSize(wish.datatype));
+  }
+  return layout;
+}
+
+PCLPointCloud2
+withFields(PCLPointCloud2 cloud, const std::vector<FieldWish>& wishes)
+{
+  PCLPointCloud2 wider = layoutWith(cloud, wishes);
+  if (wider.point_step == cloud.point_step)
+    return cloud;
+  const std::size_t rows = rowsOf(cloud);
+  resizeRows(wider, rows);
+  wider.width = cloud.width;
+  wider.height = cloud.height;
+  wider.row_step = wider.width * wider.point_step;
+  for (std::size_t row = 0; row < rows; ++row)
+    std::memcpy(&wider.data[row * wider.point_step],
+                &cloud.data[row * cloud.point_step],
+                cloud.point_step);
+  return wider;
+}
+
+void
+dropUnwritableFields(PCLPointCloud2& cloud)
+{
+  std::set<std::string> names;
+  std::vector<PCLPointField> kept;
+  for (const PCLPointField& field : cloud.fields) {
+    const bool is_word = !field.name.empty() &&
+                         std::all_of(field.name.begin(), field.name.end(), [](char c) {
+                           return c > ' ' && c < 127;
+                         });
+    if (is_word && names.insert(field.name).second)
+      kept.push_back(field);
+  }
+  cloud.fields = std::move(kept);
+}
+
+void
+resizeRows(PCLPointCloud2& cloud, std::size_t rows)
+{
+  cloud.height = 1;
+  cloud.width = static_cast<uindex_t>(rows);
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.data.resize(rows * cloud.point_step);
+}
+
+} // namespace pcl::acmap

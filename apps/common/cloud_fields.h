@@ -1,0 +1,63 @@
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief The field of that name; nullptr without one. */
+const PCLPointField*
+findField(const PCLPointCloud2& cloud, const std::string& name);
+
+/** \brief The same, but of one value of that type. */
+const PCLPointField*
+findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype);
+
+/** \brief The packed colour, `rgb` or `rgba`: bytes blue, green, red; nullptr without one.
+ */
+const PCLPointField*
+findColor(const PCLPointCloud2& cloud);
+
+/** \brief A field of one value. */
+struct FieldWish {
+  std::string name;
+  std::uint8_t datatype;
+};
+
+/** \brief A cloud with no rows, but with the fields of another one and with those wished
+ * for, behind; a field of a wished name and of another type goes. */
+PCLPointCloud2
+layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes);
+
+/** \brief The cloud in that layout; the values of new fields are zero. */
+PCLPointCloud2
+withFields(PCLPointCloud2 cloud, const std::vector<FieldWish>& wishes);
+
+/** \brief Drops the fields that a PCD cannot hold: a name that is no word of ASCII, or that
+ * an earlier field has. */
+void
+dropUnwritableFields(PCLPointCloud2& cloud);
+
+/** \brief Sets the number of rows of an unorganized cloud. */
+void
+resizeRows(PCLPointCloud2& cloud, std::size_t rows);
+
+inline std::size_t
+rowsOf(const PCLPointCloud2& cloud)
+{
+  return std::size_t{cloud.width} * cloud.height;
+}
+
+/** \brief Sets a value of a row. \param[in] offset of its field */
+template <typename Value>
+void
+setValue(PCLPointCloud2& cloud, std::size_t row, std::size_t offset, const Value& value)
+{
+  std::memcpy(&cloud.data[row * cloud.point_step + offset], &value, sizeof value);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "plane_options.h"
+#include "plane_stages.h"
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What is known at the end. */
+struct Extraction {
+  HypothesisMesh mesh;
+  PlaneClusters clusters;
+  std::vector<std::int32_t> input_labels; ///< one a point of the input
+  std::size_t finite_points = 0;          ///< of the input
+};
+
+/** \brief Takes the vertices of a mesh for hypotheses. */
+Extraction
+extractFromMesh(Tool& tool,
+                const PlaneOptions& options,
+                StepTimer& timer,
+                const PointCloudFile& file,
+                TriangleMesh triangles);
+
+/** \brief Consolidates and meshes a cloud first; its points are the source of the planes,
+ * unless the paper's thresholds are asked for.
+ * \throws InputFileException when the trajectory beside it cannot be read */
+Extraction
+extractFromCloud(Tool& tool,
+                 const PlaneOptions& options,
+                 StepTimer& timer,
+                 const PointCloudFile& file);
+
+} // namespace pcl::acmap

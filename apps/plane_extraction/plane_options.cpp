@@ -1,0 +1,93 @@
+#include "plane_options.h"
+
+#include "command_line.h"
+#include "output_target.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pcl::acmap {
+
+namespace {
+
+void
+addOutput(CLI::App& app,
+          const std::string& name,
+          std::string& path,
+          const std::string& type,
+          const std::string& purpose)
+{
+  app.add_option(name, path, purpose)->type_name(type);
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, PlaneOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "input",
+         options.input,
+         "Point cloud (.pcd, .ply, .obj, .xyz), or mesh (.ply or .obj with faces)")
+      ->type_name("IN")
+      ->required();
+  app.add_option("output", options.output, "Planes to write, in metres: .json")
+      ->type_name("PLANES.json")
+      ->required();
+  addOutput(app,
+            "--labels",
+            options.labels,
+            "OUT.pcd",
+            "Write the input's points with a field label: plane id + 1, 0 for none");
+  addOutput(app,
+            "--normals",
+            options.normals,
+            "OUT.ply",
+            "Write the mesh with its voted normals, creases and labels");
+  addOutput(app,
+            "--picture",
+            options.picture,
+            "OUT.png",
+            "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
+  tool.addLengthOrAuto("--consolidate",
+                       options.voxel_size,
+                       "The voxel's edge in metres to which a cloud is consolidated "
+                       "[default: automatic from noise and spacing]; given for a mesh, "
+                       "its vertices are taken as a cloud");
+  app.add_option(
+         "--min-area",
+         options.least_area,
+         "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
+         "surface where that is less]")
+      ->type_name("M2")
+      ->check(positiveNumber().description(""));
+  app.add_flag(
+      "--paper",
+      options.paper,
+      "The paper's fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
+      "points) instead of those of the noise");
+  tool.addThreads();
+  tool.addScale();
+}
+
+void
+checkPlaces(const Tool& tool, const PlaneOptions& options)
+{
+  std::vector<std::string> others = {options.input};
+  const auto check = [&](const std::string& path, const char* ending) {
+    if (path.empty())
+      return;
+    requireWritable(path, {ending}, others);
+    others.push_back(path);
+  };
+  check(options.output, ".json");
+  check(options.labels, ".pcd");
+  check(options.normals, ".ply");
+  check(options.picture, ".png");
+  tool.requireReportWritable(others);
+  if (options.paper && options.least_area)
+    throw UsageError("--min-area is not among the paper's thresholds, leave it out "
+                     "with --paper");
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,98 @@
+#include "plane_stages.h"
+
+#include "memory.h"
+#include "plane_reports.h"
+#include "stage_reports.h"
+
+#include <pcl/surface/dewall_kernel.h>
+
+namespace pcl::acmap {
+
+namespace {
+
+PointView
+normalsOf(const std::vector<Representative>& all)
+{
+  return all.empty() ? PointView()
+                     : PointView(all.front().normal.data(), sizeof all[0], all.size());
+}
+
+PlaneHypotheses
+hypothesesOf(const HypothesisMesh& mesh)
+{
+  PlaneHypotheses hypotheses;
+  hypotheses.points = mesh.vertices.points();
+  hypotheses.triangles = mesh.mesh.triangles;
+  for (const VotedNormal& voted : mesh.votes.normals) {
+    hypotheses.normals.push_back(voted.normal);
+    hypotheses.curvatures.push_back(1 - voted.saliency);
+    hypotheses.is_crease.push_back(voted.vertex_class >= VertexClass::Crease ? 1 : 0);
+  }
+  return hypotheses;
+}
+
+} // namespace
+
+HypothesisMesh
+meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size)
+{
+  const std::vector<Representative>& all = cloud.consolidation.representatives;
+  requireMemory(estimateDeWallMemory(all.size(), true), "triangulating this cloud");
+  DeWallSettings settings;
+  settings.maximum_edge_length = edges_of_voxel * voxel_size;
+  settings.threads = tool.threads();
+  settings.sensor_origin = cloud.file.sensor_origin.cast<double>();
+  settings.normals = normalsOf(all);
+  DeWallReport report;
+  HypothesisMesh result;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    result.mesh =
+        triangulateDeWall(cloud.file.points(), settings, Progress(progress), report);
+  });
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tool.details()["mesh"] = jsonOf(report);
+  result.vertices = std::move(cloud.file);
+  result.spacing = report.median_spacing;
+  return result;
+}
+
+void
+voteOnMesh(Tool& tool, HypothesisMesh& mesh)
+{
+  VotingSettings settings;
+  settings.threads = tool.threads();
+  VotingReport report;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    mesh.votes = voteNormals(mesh.vertices.points(),
+                             mesh.mesh.triangles,
+                             SensorView(),
+                             settings,
+                             Progress(progress),
+                             report);
+  });
+  if (mesh.spacing == 0)
+    mesh.spacing = report.mean_edge;
+  tool.details()["votes"] = jsonOf(report);
+}
+
+PlaneClusters
+findPlanes(Tool& tool,
+           const HypothesisMesh& mesh,
+           const PlaneSource& source,
+           PlaneClusteringSettings settings)
+{
+  settings.threads = tool.threads();
+  PlaneClusteringReport report;
+  PlaneClusters clusters;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    clusters =
+        clusterPlanes(hypothesesOf(mesh), source, settings, Progress(progress), report);
+  });
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tool.details()["report"] = jsonOf(report);
+  return clusters;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "consolidation_stage.h"
+
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/features/voting_kernel.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief A mesh whose vertices are hypotheses of planes, with what it votes. */
+struct HypothesisMesh {
+  PointCloudFile vertices;
+  TriangleMesh mesh;
+  VotedNormals votes;
+  double spacing = 0; ///< metres, between neighbouring vertices
+};
+
+/** \brief Makes the mesh of consolidated points, as a step of the tool.
+ * \throws MemoryRefused when this machine has too little */
+HypothesisMesh
+meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size);
+
+/** \brief Votes for the normals of a mesh, as a step of the tool. They look where its
+ * faces do: a mesh of consolidated points is turned to the sensors already. */
+void
+voteOnMesh(Tool& tool, HypothesisMesh& mesh);
+
+/** \brief Finds the planes, as a step of the tool.
+ * \param[in] source the points that the vertices stand for; may be empty */
+PlaneClusters
+findPlanes(Tool& tool,
+           const HypothesisMesh& mesh,
+           const PlaneSource& source,
+           PlaneClusteringSettings settings);
+
+} // namespace pcl::acmap

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/triangle_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief For each vertex of a mesh the vertices it shares an edge with, ascending.
+ * \ingroup core */
+class VertexNeighbours {
+public:
+  /** \brief A piece of the list, for range-based loops. */
+  struct Range {
+    const std::int32_t* first;
+    const std::int32_t* last;
+
+    const std::int32_t*
+    begin() const
+    {
+      return first;
+    }
+
+    const std::int32_t*
+    end() const
+    {
+      return last;
+    }
+
+    std::size_t
+    size() const
+    {
+      return static_cast<std::size_t>(last - first);
+    }
+  };
+
+  VertexNeighbours() = default;
+
+  /** \param[in] vertices of the mesh; all corners are below \throws nothing */
+  ACMAP_EXPORT
+  VertexNeighbours(std::size_t vertices,
+                   const std::vector<TriangleMesh::Triangle>& triangles);
+
+  /** \param[in] first place of each vertex's first neighbour, and their number
+   * \param[in] others the neighbours of all vertices */
+  VertexNeighbours(std::vector<std::size_t> first, std::vector<std::int32_t> others)
+  : first_(std::move(first))
+  , others_(std::move(others))
+  {}
+
+  std::size_t
+  vertices() const
+  {
+    return first_.empty() ? 0 : first_.size() - 1;
+  }
+
+  Range
+  operator[](std::size_t vertex) const
+  {
+    return {others_.data() + first_[vertex], others_.data() + first_[vertex + 1]};
+  }
+
+  /** \brief Place of a vertex's first neighbour among those of all. */
+  std::size_t
+  offset(std::size_t vertex) const
+  {
+    return first_[vertex];
+  }
+
+  /** \brief Neighbours of all vertices: twice the edges. */
+  std::size_t
+  size() const
+  {
+    return others_.size();
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<std::int32_t> others_;
+};
+
+} // namespace pcl::acmap

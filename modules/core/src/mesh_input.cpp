@@ -1,0 +1,31 @@
+#include <pcl/core/mesh_input.h>
+#include <pcl/exceptions.h>
+
+namespace pcl::acmap {
+
+std::vector<TriangleMesh::Triangle>
+trianglesOf(const std::vector<Vertices>& polygons)
+{
+  std::vector<TriangleMesh::Triangle> triangles;
+  triangles.reserve(polygons.size());
+  for (const Vertices& polygon : polygons)
+    for (std::size_t k = 2; k < polygon.vertices.size(); ++k)
+      triangles.push_back(
+          {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]});
+  return triangles;
+}
+
+void
+requireCornersInside(const std::vector<TriangleMesh::Triangle>& triangles,
+                     std::size_t points)
+{
+  for (const TriangleMesh::Triangle& triangle : triangles)
+    for (const std::int32_t corner : triangle)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= points)
+        PCL_THROW_EXCEPTION(InitFailedException,
+                            "the mesh has a corner "
+                                << corner << " outside of the input cloud of " << points
+                                << " points");
+}
+
+} // namespace pcl::acmap

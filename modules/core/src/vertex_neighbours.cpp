@@ -1,0 +1,42 @@
+#include <pcl/core/vertex_neighbours.h>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+VertexNeighbours::VertexNeighbours(std::size_t vertices,
+                                   const std::vector<TriangleMesh::Triangle>& triangles)
+{
+  // an edge comes once from each of its triangles: doubles are thrown out below
+  std::vector<std::size_t> begin(vertices + 1, 0);
+  for (const TriangleMesh::Triangle& triangle : triangles)
+    for (const std::int32_t corner : triangle)
+      begin[static_cast<std::size_t>(corner) + 1] += 2;
+  for (std::size_t v = 0; v < vertices; ++v)
+    begin[v + 1] += begin[v];
+  others_.resize(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (const TriangleMesh::Triangle& triangle : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t step : {1, 2})
+        others_[next[static_cast<std::size_t>(triangle[k])]++] =
+            triangle[(k + step) % 3];
+
+  first_.reserve(vertices + 1);
+  std::size_t end = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    first_.push_back(end);
+    const auto first = others_.begin() + static_cast<std::ptrdiff_t>(begin[v]);
+    auto last = others_.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
+    std::sort(first, last);
+    last = std::unique(first, last);
+    for (auto other = first; other != last; ++other)
+      if (*other != static_cast<std::int32_t>(v))
+        others_[end++] = *other;
+  }
+  first_.push_back(end);
+  others_.resize(end);
+  others_.shrink_to_fit();
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "voting/geodesic_disc.h"
+
+#include <pcl/features/voting_kernel.h>
+
+namespace pcl::acmap::voting {
+
+/** Page's second pass: the vertices of a disc vote for the curvature along their
+ * direction. NaN off surfaces. One a thread. */
+class CurvatureVoter {
+public:
+  CurvatureVoter(const PointView& points,
+                 const VertexRings& rings,
+                 const std::vector<VotedNormal>& normals,
+                 double radius);
+
+  VotedCurvature
+  vote(std::int32_t vertex);
+
+private:
+  const PointView& points_;
+  const std::vector<VotedNormal>& normals_;
+  float radius_;
+  GeodesicDisc disc_;
+};
+
+} // namespace pcl::acmap::voting

@@ -1,0 +1,58 @@
+#include "voting/vertex_rings.h"
+
+#include <algorithm>
+
+namespace pcl::acmap::voting {
+
+VertexRings::VertexRings(const PointView& points,
+                         const std::vector<TriangleMesh::Triangle>& triangles,
+                         const std::vector<Face>& faces)
+{
+  // each edge twice from each of its triangles: doubles are thrown out below
+  std::vector<std::size_t> next(points.size() + 1, 0);
+  first_owned_.assign(points.size() + 1, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (faces[t].area > 0) {
+      for (const std::int32_t corner : triangles[t])
+        next[static_cast<std::size_t>(corner) + 1] += 2;
+      ++first_owned_[static_cast<std::size_t>(triangles[t][0]) + 1];
+    }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    next[v + 1] += next[v];
+    first_owned_[v + 1] += first_owned_[v];
+  }
+  std::vector<std::int32_t> others(next.back());
+  owned_.resize(first_owned_.back());
+  std::vector<std::size_t> begin(next.begin(), next.end() - 1),
+      owner(first_owned_.begin(), first_owned_.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (faces[t].area > 0) {
+      for (int k = 0; k < 3; ++k)
+        for (const int step : {1, 2})
+          others[begin[static_cast<std::size_t>(triangles[t][k])]++] =
+              triangles[t][(k + step) % 3];
+      owned_[owner[static_cast<std::size_t>(triangles[t][0])]++] =
+          static_cast<std::int32_t>(t);
+    }
+
+  first_spoke_.reserve(points.size() + 1);
+  spokes_.reserve(others.size() / 2 + 1);
+  double sum = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    first_spoke_.push_back(spokes_.size());
+    const auto first = others.begin() + static_cast<std::ptrdiff_t>(next[v]);
+    auto last = others.begin() + static_cast<std::ptrdiff_t>(next[v + 1]);
+    std::sort(first, last);
+    last = std::unique(first, last);
+    const Eigen::Vector3f place = points[v];
+    for (auto other = first; other != last; ++other) {
+      const float length = (points[static_cast<std::size_t>(*other)] - place).norm();
+      spokes_.push_back({*other, length});
+      sum += length;
+    }
+  }
+  first_spoke_.push_back(spokes_.size());
+  mean_edge_ = spokes_.empty() ? 0 : sum / static_cast<double>(spokes_.size());
+}
+
+} // namespace pcl::acmap::voting

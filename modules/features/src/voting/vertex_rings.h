@@ -1,0 +1,81 @@
+#pragma once
+
+#include "voting/faces.h"
+
+#include <cstdint>
+
+namespace pcl::acmap::voting {
+
+/** An edge as one of its ends sees it. */
+struct Spoke {
+  std::int32_t vertex; ///< the other end
+  float length;        ///< metres
+};
+
+/** The edges at each vertex, and the triangles of which it is the first corner: each
+ * triangle stands in one list only. */
+class VertexRings {
+public:
+  VertexRings(const PointView& points,
+              const std::vector<TriangleMesh::Triangle>& triangles,
+              const std::vector<Face>& faces);
+
+  struct Spokes {
+    const Spoke* begin_;
+    const Spoke* end_;
+    const Spoke*
+    begin() const
+    {
+      return begin_;
+    }
+    const Spoke*
+    end() const
+    {
+      return end_;
+    }
+  };
+
+  struct Triangles {
+    const std::int32_t* begin_;
+    const std::int32_t* end_;
+    const std::int32_t*
+    begin() const
+    {
+      return begin_;
+    }
+    const std::int32_t*
+    end() const
+    {
+      return end_;
+    }
+  };
+
+  Spokes
+  spokes(std::int32_t vertex) const
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    return {spokes_.data() + first_spoke_[v], spokes_.data() + first_spoke_[v + 1]};
+  }
+
+  Triangles
+  triangles(std::int32_t vertex) const
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    return {owned_.data() + first_owned_[v], owned_.data() + first_owned_[v + 1]};
+  }
+
+  /** Metres, over all edges. */
+  double
+  meanEdge() const
+  {
+    return mean_edge_;
+  }
+
+private:
+  std::vector<std::size_t> first_spoke_, first_owned_;
+  std::vector<Spoke> spokes_;
+  std::vector<std::int32_t> owned_;
+  double mean_edge_ = 0;
+};
+
+} // namespace pcl::acmap::voting

@@ -1,0 +1,72 @@
+#include "voting/voter.h"
+
+#include <cmath>
+
+namespace pcl::acmap::voting {
+
+Voter::Voter(const Electorate& electorate,
+             double radius,
+             double nearest,
+             const VotingSettings& settings)
+: electorate_(electorate)
+, settings_(settings)
+, radius_(static_cast<float>(radius))
+, squared_nearest_(static_cast<float>(nearest * nearest))
+, disc_(electorate.rings, electorate.points.size())
+, shares_(electorate.points.size())
+{}
+
+VotedNormal
+Voter::vote(std::int32_t vertex)
+{
+  // at a rim, and where edges are long, the disc may hold too little: once more as wide
+  const VotedNormal voted = voteWithin(vertex, radius_);
+  return voted.vertex_class == VertexClass::Unknown ? voteWithin(vertex, 2 * radius_)
+                                                    : voted;
+}
+
+// The distance g of a centre is the mean of its corners', Page's sigma is g_max / 3: so
+// exp (-g / sigma) is a product of one share for each corner.
+void
+Voter::shareOut(float radius)
+{
+  for (const std::int32_t v : disc_.vertices())
+    shares_[static_cast<std::size_t>(v)] = std::exp(-disc_.distance(v) / radius);
+}
+
+VotedNormal
+Voter::voteWithin(std::int32_t vertex, float radius)
+{
+  disc_.fill(vertex, radius);
+  shareOut(radius);
+  const Eigen::Vector3f place = electorate_.points[static_cast<std::size_t>(vertex)];
+  const auto share = [&](std::int32_t corner) {
+    return shares_[static_cast<std::size_t>(corner)];
+  };
+  Ballot ballot;
+  Eigen::Vector3f front = Eigen::Vector3f::Zero();
+  for (const std::int32_t v : disc_.vertices()) {
+    const Eigen::Vector3f corner =
+        electorate_.points[static_cast<std::size_t>(v)] - place;
+    for (const std::int32_t t : electorate_.rings.triangles(v)) {
+      const TriangleMesh::Triangle& corners =
+          electorate_.triangles[static_cast<std::size_t>(t)];
+      if (!disc_.contains(corners[1]) || !disc_.contains(corners[2]))
+        continue;
+      const Face& face = electorate_.faces[static_cast<std::size_t>(t)];
+      const Eigen::Vector3f way = corner + face.center;
+      const float square = way.squaredNorm();
+      if (!(square > squared_nearest_))
+        continue;
+      const float along = face.normal.dot(way);
+      const float weight = face.area * share(v) * share(corners[1]) *
+                           share(corners[2]) * (1 - along * along / square);
+      ballot.add(face.normal - (2 * along / square) * way, weight); // Eq. 6
+      front += weight * face.normal;
+    }
+  }
+  constexpr std::size_t least_votes = 3;
+  return ballot.votes() < least_votes ? noNormal() : ballot.count(front, settings_);
+}
+
+} // namespace pcl::acmap::voting

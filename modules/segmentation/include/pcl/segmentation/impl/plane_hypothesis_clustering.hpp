@@ -1,0 +1,152 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/input_check.h>
+#include <pcl/core/mesh_input.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/plane_hypothesis_clustering.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setTriangles(const std::vector<Vertices>& polygons)
+{
+  triangles_ = acmap::trianglesOf(polygons);
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setClusterTolerance(double distance)
+{
+  acmap::requireInRange("cluster tolerance W_d", distance, 1e-9, 1e9, "m");
+  member_distance_ = distance;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setSmoothnessThreshold(double angle)
+{
+  acmap::requireInRange("smoothness threshold W_n", angle, 1e-6, M_PI / 2, "rad");
+  normal_angle_ = angle;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setDistanceThreshold(double distance)
+{
+  acmap::requireInRange("distance threshold W_t", distance, 1e-9, 1e9, "m");
+  plane_distance_ = distance;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setMinArea(double area)
+{
+  acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
+  least_area_ = area;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::requireInputs() const
+{
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  acmap::requireCornersInside(triangles_, input_->size());
+  const auto requireAsMany = [&](const char* what, std::size_t number) {
+    if (number != input_->size())
+      PCL_THROW_EXCEPTION(InitFailedException,
+                          "there are " << number << " " << what << " for "
+                                       << input_->size() << " points");
+  };
+  if (normals_)
+    requireAsMany("normals", normals_->size());
+  else if (!acmap::has_normal<PointT>)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "no normals: set some, or give points that have them");
+  if (classes_)
+    requireAsMany("vertex classes", classes_->size());
+}
+
+template <typename PointT>
+std::vector<Eigen::Vector3f>
+PlaneHypothesisClustering<PointT>::gatherNormals() const
+{
+  std::vector<Eigen::Vector3f> normals(
+      input_->size(),
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  for (const index_t index : *indices_) {
+    Eigen::Vector3f& normal = normals[static_cast<std::size_t>(index)];
+    if (normals_)
+      normal = (*normals_)[index].getNormalVector3fMap();
+    else if constexpr (acmap::has_normal<PointT>)
+      normal = (*input_)[index].getNormalVector3fMap();
+    normal /= normal.norm(); // zero normals are none
+  }
+  return normals;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
+{
+  requireInputs();
+  if (!this->initCompute())
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+  acmap::PlaneHypotheses hypotheses;
+  hypotheses.points = acmap::PointView(
+      input_->empty() ? nullptr : &input_->front().x, sizeof(PointT), input_->size());
+  hypotheses.normals = gatherNormals();
+  hypotheses.triangles = triangles_;
+  if (classes_)
+    for (const Label& label : *classes_)
+      hypotheses.is_crease.push_back(label.label >= 2 ? 1 : 0);
+  if (normals_)
+    for (const Normal& normal : *normals_)
+      hypotheses.curvatures.push_back(normal.curvature);
+  this->deinitCompute();
+
+  acmap::PlaneClusteringSettings settings;
+  settings.noise_driven = noise_driven_;
+  settings.member_distance = member_distance_;
+  settings.normal_angle = normal_angle_;
+  settings.plane_distance = getDistanceThreshold();
+  settings.least_support = least_support_;
+  settings.least_area = least_area_;
+  settings.threads = threads_;
+  PlaneClusteringReport report;
+  acmap::PlaneClusters clusters =
+      acmap::clusterPlanes(hypotheses,
+                           {source_points_, source_sensors_},
+                           settings,
+                           acmap::Progress(progress_),
+                           report);
+  patches = std::move(clusters.patches);
+  labels_ = std::move(clusters.labels);
+  source_labels_ = std::move(clusters.source_labels);
+  report_ = std::move(report);
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::extract(std::vector<PointIndices>& clusters)
+{
+  std::vector<PlanePatch> patches;
+  segment(patches);
+  std::vector<PointIndices> result(patches.size());
+  for (PointIndices& indices : result)
+    indices.header = input_->header;
+  for (std::size_t i = 0; i < labels_.size(); ++i)
+    if (labels_[i] >= 0)
+      result[static_cast<std::size_t>(labels_[i])].indices.push_back(
+          static_cast<index_t>(i));
+  clusters = std::move(result);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_PlaneHypothesisClustering(T) \
+  template class ACMAP_EXPORT pcl::PlaneHypothesisClustering<T>;

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/plane_patch.h>
+#include <pcl/core/point_view.h>
+#include <pcl/core/progress.h>
+#include <pcl/core/sensor_view.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/segmentation/plane_clustering_types.h>
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Settings of \ref clusterPlanes; see PlaneHypothesisClustering. */
+struct PlaneClusteringSettings {
+  bool noise_driven = false;
+  double member_distance = 0.8;     ///< W_d, metres; not used where there is a mesh
+  double normal_angle = 0.39269908; ///< W_n, radians
+  double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
+  std::size_t least_support = 50;   ///< W_h; unless noise-driven
+  double least_area = 0;            ///< square metres; noise-driven; 0 is automatic
+  unsigned threads = 0;             ///< 0: all
+};
+
+/** \brief The hypotheses (p_i, n_i), and the mesh between them. */
+struct PlaneHypotheses {
+  PointView points;
+  std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
+  std::vector<std::uint8_t> is_crease;  ///< no plane starts there; may be empty
+  std::vector<float> curvatures;        ///< flat ones start first; may be empty
+  std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
+};
+
+/** \brief The cloud from which the hypotheses were consolidated; may be empty. */
+struct PlaneSource {
+  PointView points;
+  SensorView sensors;
+};
+
+struct PlaneClusters {
+  std::vector<PlanePatch> patches;  ///< by falling area
+  std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
+  std::vector<std::int32_t> source_labels; ///< the same for each point of the source
+};
+
+/** \brief The kernel behind PlaneHypothesisClustering, free of PCL's point types.
+ * \param[out] report counts, seconds, remarks; begun anew
+ * \throws CancelledException when the progress was told to stop \ingroup segmentation */
+ACMAP_EXPORT PlaneClusters
+clusterPlanes(const PlaneHypotheses& hypotheses,
+              const PlaneSource& source,
+              const PlaneClusteringSettings& settings,
+              const Progress& progress,
+              PlaneClusteringReport& report);
+
+} // namespace pcl::acmap

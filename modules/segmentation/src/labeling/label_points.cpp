@@ -1,0 +1,170 @@
+#include "labeling/label_points.h"
+
+#include "labeling/plane_fits.h"
+#include "labeling/ray_labels.h"
+#include "labeling/stragglers.h"
+#include "labeling/verdicts.h"
+
+namespace pcl::acmap {
+
+namespace labeling {
+namespace {
+
+/** Which of the planes are large enough once their parts are joined. */
+std::vector<std::uint8_t>
+largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_area)
+{
+  std::vector<double> areas(known.planes.size(), 0);
+  for (std::size_t p = 0; p < areas.size(); ++p)
+    if (verdicts.kept_as[p] >= 0)
+      areas[static_cast<std::size_t>(verdicts.kept_as[p])] +=
+          known.planes[p].patch.area;
+  std::vector<std::uint8_t> is_large;
+  for (const double area : areas)
+    is_large.push_back(area >= least_area ? 1 : 0);
+  return is_large;
+}
+
+/** Renumbers what is left. \return for each old plane its new number, -1 for none */
+std::vector<std::int32_t>
+sift(const Verdicts& verdicts, double least_area, KnownPlanes& known)
+{
+  const std::vector<std::uint8_t> is_large = largeEnough(known, verdicts, least_area);
+  std::vector<std::int32_t> numbers(known.planes.size(), -1);
+  std::vector<KnownPlane> left;
+  for (std::size_t p = 0; p < known.planes.size(); ++p) {
+    const std::int32_t kept_as = verdicts.kept_as[p];
+    if (kept_as < 0 || !is_large[static_cast<std::size_t>(kept_as)])
+      continue;
+    if (kept_as == static_cast<std::int32_t>(p)) {
+      numbers[p] = static_cast<std::int32_t>(left.size());
+      left.push_back(known.planes[p]);
+      continue;
+    }
+    numbers[p] = numbers[static_cast<std::size_t>(kept_as)];
+    left[static_cast<std::size_t>(numbers[p])].patch.area += known.planes[p].patch.area;
+  }
+  known.planes = std::move(left);
+  for (std::int32_t& label : known.labels)
+    label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  return numbers;
+}
+
+std::vector<Eigen::Vector3d>
+normalsOf(const std::vector<KnownPlane>& planes)
+{
+  std::vector<Eigen::Vector3d> normals;
+  for (const KnownPlane& plane : planes)
+    normals.push_back(plane.patch.coefficients.head<3>());
+  return normals;
+}
+
+/** All that labels and fits need of a cloud. */
+struct Scenery {
+  CandidateGrid grid;
+  Survey survey;
+  RangeNoise noise;
+
+  Scenery(const PointView& points, const SensorView& sensors, const KnownPlanes& known)
+  : grid(known, 2 * known.spacing, 1)
+  , survey(points, sensors, grid)
+  , noise(survey, grid, known.planes)
+  {}
+};
+
+/** Rounds of labelling and fitting, then judgement; grid and guesses follow. */
+void
+settle(const LabelingLimits& limits,
+       const Progress& progress,
+       Scenery& scenery,
+       std::vector<Eigen::Vector3d>& guesses,
+       KnownPlanes& known,
+       PlaneClusteringReport& report)
+{
+  const auto& [grid, survey, noise] = scenery;
+  const Junctions junctions(known, grid);
+  std::vector<std::int32_t> labels;
+  std::vector<PlaneSums> sums;
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round) {
+    progress.tell(0.4 + 0.2 * round, "labels");
+    labels = RayLabels(grid, noise, junctions, known.planes).chooseAll(survey);
+    sums = sumPlanes(survey, labels, grid, noise, known.planes);
+    fitPlanes(sums, guesses, known.planes);
+  }
+  const Verdicts verdicts =
+      judge(sums,
+            findShadows(survey, labels, grid, noise, known.planes),
+            known.planes,
+            limits.distance,
+            limits.cosine);
+  report.merged += verdicts.merged;
+  report.refuted_regions = verdicts.refuted;
+  const std::vector<std::int32_t> numbers = sift(verdicts, limits.least_area, known);
+  std::vector<Eigen::Vector3d> left(known.planes.size());
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+    if (verdicts.kept_as[p] == static_cast<std::int32_t>(p) && numbers[p] >= 0)
+      left[static_cast<std::size_t>(numbers[p])] = guesses[p];
+  guesses = std::move(left);
+  scenery.grid.renumber(numbers);
+}
+
+void
+finish(const Scenery& scenery,
+       const std::vector<std::int32_t>& labels,
+       const std::vector<Eigen::Vector3d>& guesses,
+       int coarseness,
+       KnownPlanes& known)
+{
+  const auto& [grid, survey, noise] = scenery;
+  std::vector<PlaneSums> sums = sumPlanes(survey, labels, grid, noise, known.planes);
+  sumClusters(survey, labels, grid, noise, known.planes, coarseness, sums);
+  finishPlanes(sums, guesses, known.planes);
+}
+
+} // namespace
+} // namespace labeling
+
+std::vector<std::int32_t>
+labelPoints(const PointView& points,
+            const SensorView& sensors,
+            const LabelingLimits& limits,
+            const Progress& progress,
+            KnownPlanes& known,
+            PlaneClusteringReport& report)
+{
+  using namespace labeling;
+  if (known.planes.empty())
+    return std::vector<std::int32_t>(points.size(), -1);
+  StepTimer timer(report);
+  std::vector<Eigen::Vector3d> guesses = normalsOf(known.planes);
+  Scenery scenery(points, sensors, known);
+  timer.finish("survey");
+  settle(limits, progress, scenery, guesses, known, report);
+  timer.finish("labels");
+  progress.tell(0.8, "fits");
+  const Junctions junctions(known, scenery.grid);
+  std::vector<std::int32_t> labels =
+      RayLabels(scenery.grid, scenery.noise, junctions, known.planes)
+          .chooseAll(scenery.survey);
+  finish(scenery, labels, guesses, limits.coarseness, known);
+  gatherStragglers(limits.stray, scenery.grid, known);
+  timer.finish("fits");
+  return labels;
+}
+
+void
+fitLabeled(const PointView& points,
+           const SensorView& sensors,
+           const LabelingLimits& limits,
+           KnownPlanes& known)
+{
+  using namespace labeling;
+  if (known.planes.empty())
+    return;
+  const Scenery scenery(points, sensors, known);
+  finish(scenery, known.labels, normalsOf(known.planes), limits.coarseness, known);
+  gatherStragglers(limits.stray, scenery.grid, known);
+}
+
+} // namespace pcl::acmap

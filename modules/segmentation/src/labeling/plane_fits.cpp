@@ -1,0 +1,91 @@
+#include "labeling/plane_fits.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace pcl::acmap::labeling {
+namespace {
+
+constexpr std::size_t least_points = 3;
+
+/** Adds what a guessed normal knows of the slopes: one degree. */
+void
+addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
+{
+  constexpr double deviation = 0.0175; // radians
+  const double along = guess.dot(patch.coefficients.head<3>());
+  const Eigen::Vector2d slopes(-guess.dot(patch.axis_u) / along,
+                               -guess.dot(patch.axis_v) / along);
+  const double weight = 1 / (deviation * deviation);
+  sums.matrix.topLeftCorner<2, 2>() += weight * Eigen::Matrix2d::Identity();
+  sums.right.head<2>() += weight * slopes;
+}
+
+FitSums
+withGuess(const PlaneSums& sums, const KnownPlane& plane, const Eigen::Vector3d& guess)
+{
+  FitSums fit = sums.best();
+  if (plane.trust == PlaneTrust::Strip)
+    addGuess(guess, plane.patch, fit);
+  return fit;
+}
+
+/** A rectangle of half side h has the variance h^2 / 3. */
+Eigen::Vector2d
+halfSize(const FitSums& sums)
+{
+  const Eigen::Matrix3d mean = sums.matrix / sums.matrix(2, 2);
+  const Eigen::Array2d variances =
+      mean.diagonal().head<2>().array() - mean.col(2).head<2>().array().square();
+  return (3 * variances.max(0.0)).sqrt();
+}
+
+/** So many independent points would know the offset as well; of points without noise all
+ * are. */
+double
+effectiveSupport(const PlanePatch& patch, double count)
+{
+  const double square = patch.rms * patch.rms;
+  const double variance = patch.covariance(2, 2);
+  return count * variance <= square ? count : square / variance;
+}
+
+} // namespace
+
+void
+fitPlanes(const std::vector<PlaneSums>& sums,
+          const std::vector<Eigen::Vector3d>& guesses,
+          std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (sums[p].points < least_points)
+      continue;
+    const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
+    moveToFit(fit, planes[p].patch);
+    setFrame(sums[p].best(), planes[p].patch);
+  }
+}
+
+void
+finishPlanes(const std::vector<PlaneSums>& sums,
+             const std::vector<Eigen::Vector3d>& guesses,
+             std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    PlanePatch& patch = planes[p].patch;
+    patch.support = sums[p].points;
+    patch.covariance.setConstant(std::nan(""));
+    if (sums[p].points < least_points)
+      continue;
+    const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
+    const double count = static_cast<double>(sums[p].points);
+    planes[p].half_size = halfSize(sums[p].fit);
+    const Eigen::Vector3d solution = moveToFit(fit, patch);
+    patch.covariance = clusteredCovariance(fit, solution, sums[p].clusters);
+    patch.rms = std::sqrt(sums[p].squares / count);
+    patch.effective_support = effectiveSupport(patch, count);
+  }
+}
+
+} // namespace pcl::acmap::labeling

@@ -1,0 +1,165 @@
+#include "labeling/plane_sums.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace pcl::acmap::labeling {
+namespace {
+
+constexpr double squared_gate =
+    9; // points beyond three deviations may be of another plane
+
+VoxelKey
+clusterKey(VoxelKey key, int coarseness)
+{
+  VoxelPlace place = placeOf(key);
+  for (std::int32_t& coordinate : place)
+    coordinate /= coarseness;
+  return voxelKey(place);
+}
+
+} // namespace
+
+std::vector<PlaneSums>
+sumPlanes(const Survey& survey,
+          const std::vector<std::int32_t>& labels,
+          const CandidateGrid& grid,
+          const RangeNoise& noise,
+          const std::vector<KnownPlane>& planes)
+{
+  std::vector<PlaneSums> all(planes.size());
+  for (std::size_t i = 0; i < survey.size(); ++i) {
+    if (survey.entry(i) >= 0 && grid[survey.entry(i)].home >= 0)
+      ++all[static_cast<std::size_t>(grid[survey.entry(i)].home)].points_at_home;
+    if (labels[i] < 0 || survey.entry(i) < 0) // a member may be out of the grid's reach
+      continue;
+    const auto plane = static_cast<std::size_t>(labels[i]);
+    const PlanePatch& patch = planes[plane].patch;
+    const Crossing crossing(survey.sight(i), patch);
+    const double weight = 1 / noise.variance(crossing);
+    const double squared = crossing.off * crossing.off;
+    PlaneSums& sums = all[plane];
+    ++sums.points;
+    sums.squares += squared;
+    sums.chi += weight * squared;
+    if (weight * squared > squared_gate)
+      continue;
+    const bool is_clean = !grid.hasStrangersAt(crossing.foot, survey.entry(i));
+    (is_clean ? sums.clean : sums.fit).add(crossing, patch, weight);
+    sums.clean_points += is_clean ? 1 : 0;
+  }
+  for (PlaneSums& sums : all)
+    sums.fit += sums.clean;
+  return all;
+}
+
+std::vector<std::int32_t>
+findShadows(const Survey& survey,
+            const std::vector<std::int32_t>& labels,
+            const CandidateGrid& grid,
+            const RangeNoise& noise,
+            const std::vector<KnownPlane>& planes)
+{
+  constexpr double squared_reach = 20.25; // as far as points are given to a plane
+  std::vector<std::size_t> points(planes.size(), 0);
+  std::vector<std::map<std::int32_t, std::size_t>> shared(planes.size());
+  for (std::size_t i = 0; i < survey.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto own = static_cast<std::size_t>(labels[i]);
+    ++points[own];
+    const Candidates& candidates = grid[survey.entry(i)];
+    for (std::size_t k = 0; k < candidates.size; ++k) {
+      const std::int32_t other = candidates.planes[k];
+      if (other >= labels[i])
+        continue;
+      const Crossing crossing(survey.sight(i),
+                              planes[static_cast<std::size_t>(other)].patch);
+      if (crossing.off * crossing.off < squared_reach * noise.variance(crossing) &&
+          grid.homeAt(crossing.foot) == other)
+        ++shared[own][other];
+    }
+  }
+  std::vector<std::int32_t> casters(planes.size(), -1);
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (const auto& [other, count] : shared[p])
+      if (2 * count > points[p])
+        casters[p] = other;
+  return casters;
+}
+
+namespace {
+
+/** Numbers of the clusters of each plane, counted as they are met. */
+class ClusterNumbers {
+public:
+  ClusterNumbers(const CandidateGrid& grid, std::size_t planes, int coarseness)
+  : grid_(grid)
+  , coarseness_(coarseness)
+  , numbers_(planes)
+  , known_(grid.size() * Candidates::most, -1)
+  {}
+
+  std::size_t
+  operator()(std::int32_t entry, std::int32_t plane)
+  {
+    const Candidates& candidates = grid_[entry];
+    const auto begin = candidates.planes.begin();
+    const auto place = std::find(begin, begin + candidates.size, plane) - begin;
+    if (place == candidates.size) // too many planes are near for all to be listed
+      return lookUp(entry, plane);
+    std::int32_t& known = known_[static_cast<std::size_t>(entry) * Candidates::most +
+                                 static_cast<std::size_t>(place)];
+    if (known < 0)
+      known = static_cast<std::int32_t>(lookUp(entry, plane));
+    return static_cast<std::size_t>(known);
+  }
+
+private:
+  std::size_t
+  lookUp(std::int32_t entry, std::int32_t plane)
+  {
+    auto& numbers = numbers_[static_cast<std::size_t>(plane)];
+    return numbers
+        .try_emplace(clusterKey(grid_.key(entry), coarseness_), numbers.size())
+        .first->second;
+  }
+
+  const CandidateGrid& grid_;
+  int coarseness_;
+  std::vector<std::unordered_map<VoxelKey, std::size_t>> numbers_;
+  std::vector<std::int32_t> known_;
+};
+
+} // namespace
+
+void
+sumClusters(const Survey& survey,
+            const std::vector<std::int32_t>& labels,
+            const CandidateGrid& grid,
+            const RangeNoise& noise,
+            const std::vector<KnownPlane>& planes,
+            int coarseness,
+            std::vector<PlaneSums>& sums)
+{
+  ClusterNumbers numbers(grid, planes.size(), coarseness);
+  for (std::size_t i = 0; i < survey.size(); ++i) {
+    if (labels[i] < 0 || survey.entry(i) < 0)
+      continue;
+    const auto plane = static_cast<std::size_t>(labels[i]);
+    PlaneSums& own = sums[plane];
+    const PlanePatch& patch = planes[plane].patch;
+    const Crossing crossing(survey.sight(i), patch);
+    const double weight = 1 / noise.variance(crossing);
+    if (weight * crossing.off * crossing.off > squared_gate ||
+        (own.isClean() && grid.hasStrangersAt(crossing.foot, survey.entry(i))))
+      continue;
+    const std::size_t cluster = numbers(survey.entry(i), labels[i]);
+    if (cluster >= own.clusters.size())
+      own.clusters.resize(cluster + 1);
+    own.clusters[cluster].add(crossing, patch, weight);
+  }
+}
+
+} // namespace pcl::acmap::labeling

@@ -1,0 +1,75 @@
+#include "labeling/range_noise.h"
+
+#include <algorithm>
+
+namespace pcl::acmap::labeling {
+namespace {
+
+constexpr std::size_t most_samples = 40000;
+constexpr std::size_t least_in_bin = 50;
+
+double
+scaledMedian(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return 1.4826 * *middle;
+}
+
+} // namespace
+
+// Two bins an octave, from 6 cm to a megametre; 0 for the unknown.
+std::size_t
+RangeNoise::bin(double range)
+{
+  if (!(range > 0))
+    return 0;
+  constexpr double root_of_half = 0.70710678118654752;
+  int octave = 0;
+  const bool is_upper = std::frexp(range, &octave) >= root_of_half;
+  const int place = 2 * octave + (is_upper ? 8 : 7);
+  return static_cast<std::size_t>(std::clamp(place, 1, static_cast<int>(bins) - 1));
+}
+
+RangeNoise::RangeNoise(const Survey& survey,
+                       const CandidateGrid& grid,
+                       const std::vector<KnownPlane>& planes)
+{
+  constexpr double floor = 0.01; // of the grid's voxels
+  squared_floor_ = std::pow(floor * grid.lattice().edge(), 2);
+  std::array<std::vector<double>, bins> offs;
+  const std::size_t step = survey.size() / most_samples + 1;
+  for (std::size_t i = 0; i < survey.size(); i += step) {
+    if (survey.entry(i) < 0 || grid[survey.entry(i)].size != 1)
+      continue;
+    const std::int32_t plane = grid[survey.entry(i)].planes[0];
+    const Sight sight = survey.sight(i);
+    const Crossing crossing(sight, planes[static_cast<std::size_t>(plane)].patch);
+    constexpr double frontal = 0.2;
+    if (crossing.slant > frontal)
+      offs[bin(sight.range)].push_back(std::abs(crossing.off) / crossing.slant);
+  }
+  // a bin without enough points is as noisy as the nearest one that has them
+  std::vector<double> all;
+  for (std::size_t b = 0; b < bins; ++b) {
+    all.insert(all.end(), offs[b].begin(), offs[b].end());
+    sigmas_[b] = offs[b].size() >= least_in_bin ? scaledMedian(offs[b]) : -1;
+  }
+  const double overall = all.empty() ? 0 : scaledMedian(all);
+  const std::array<double, bins> measured = sigmas_;
+  for (std::size_t b = 0; b < bins; ++b) {
+    if (measured[b] >= 0)
+      continue;
+    sigmas_[b] = overall;
+    for (std::size_t away = 1; away < bins; ++away) {
+      const double below = b >= away ? measured[b - away] : -1;
+      const double above = b + away < bins ? measured[b + away] : -1;
+      if (below < 0 && above < 0)
+        continue;
+      sigmas_[b] = std::max(below, above);
+      break;
+    }
+  }
+}
+
+} // namespace pcl::acmap::labeling

@@ -1,0 +1,61 @@
+#include "labeling/ray_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <limits>
+
+namespace pcl::acmap::labeling {
+
+void
+setFrame(const FitSums& sums, PlanePatch& patch)
+{
+  const Eigen::Matrix3d& m = sums.matrix;
+  const Eigen::Vector2d mean = m.topRightCorner<2, 1>() / m(2, 2);
+  const Eigen::Matrix2d spread =
+      m.topLeftCorner<2, 2>() / m(2, 2) - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(spread);
+  const Eigen::Vector2d along = solver.eigenvectors().col(1);
+  patch.center += mean[0] * patch.axis_u + mean[1] * patch.axis_v;
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  patch.axis_u = (along[0] * patch.axis_u + along[1] * patch.axis_v).normalized();
+  patch.axis_v = normal.cross(patch.axis_u);
+}
+
+Eigen::Vector3d
+moveToFit(const FitSums& sums, PlanePatch& patch)
+{
+  const Eigen::Vector3d solution = sums.matrix.ldlt().solve(sums.right);
+  if (!solution.allFinite())
+    return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  const Eigen::Vector3d turned =
+      (normal - solution[0] * patch.axis_u - solution[1] * patch.axis_v).normalized();
+  patch.center += solution[2] * normal;
+  patch.axis_u = (patch.axis_u - patch.axis_u.dot(turned) * turned).normalized();
+  patch.axis_v = turned.cross(patch.axis_u);
+  patch.coefficients << turned, -turned.dot(patch.center);
+  return solution;
+}
+
+Eigen::Matrix3d
+clusteredCovariance(const FitSums& sums,
+                    const Eigen::Vector3d& solution,
+                    const std::vector<FitSums>& clusters)
+{
+  constexpr std::size_t least_clusters = 6;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  if (clusters.size() < least_clusters)
+    return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (const FitSums& cluster : clusters) {
+    const Eigen::Vector3d score = cluster.right - cluster.matrix * solution;
+    spread += score * score.transpose();
+  }
+  const Eigen::Matrix3d inverse = sums.matrix.inverse();
+  const double count = static_cast<double>(clusters.size());
+  return count / (count - 3) * inverse * spread * inverse; // three were fitted
+}
+
+} // namespace pcl::acmap::labeling

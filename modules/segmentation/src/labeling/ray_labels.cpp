@@ -1,0 +1,60 @@
+#include "labeling/ray_labels.h"
+
+#include <pcl/core/parallel.h>
+
+namespace pcl::acmap::labeling {
+
+std::vector<std::int32_t>
+RayLabels::chooseAll(const Survey& survey) const
+{
+  std::vector<std::int32_t> labels(survey.size(), -1);
+  parallelForChunks(survey.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (survey.entry(i) >= 0)
+        labels[i] = choose(survey.sight(i), grid_[survey.entry(i)]);
+  });
+  return labels;
+}
+
+/** Does the ray meet the plane on the side of the other planes on which it is seen? */
+bool
+RayLabels::isInFront(const Eigen::Vector3d& foot,
+                     std::size_t own,
+                     const Candidates& candidates) const
+{
+  for (std::size_t k = 0; k < candidates.size; ++k) {
+    const auto other = static_cast<std::size_t>(candidates.planes[k]);
+    const int side = other == own ? 0 : junctions_.side(own, other);
+    if (side == 0)
+      continue;
+    const Eigen::Vector4d& its = planes_[other].patch.coefficients;
+    if (side * (its.head<3>().dot(foot) + its[3]) < 0)
+      return false;
+  }
+  return true;
+}
+
+std::int32_t
+RayLabels::choose(const Sight& sight, const Candidates& candidates) const
+{
+  constexpr double most_sigmas = 4.5;
+  double least = most_sigmas * most_sigmas, least_seen = least;
+  std::int32_t nearest = -1, seen = -1;
+  for (std::size_t k = 0; k < candidates.size; ++k) {
+    const auto plane = static_cast<std::size_t>(candidates.planes[k]);
+    const Crossing crossing(sight, planes_[plane].patch);
+    const double square = crossing.off * crossing.off / noise_.variance(crossing);
+    if (square < least) {
+      least = square;
+      nearest = candidates.planes[k];
+    }
+    if (square < least_seen && candidates.size > 1 &&
+        isInFront(crossing.foot, plane, candidates)) {
+      least_seen = square;
+      seen = candidates.planes[k];
+    }
+  }
+  return seen >= 0 ? seen : nearest;
+}
+
+} // namespace pcl::acmap::labeling

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "labeling/junctions.h"
+#include "labeling/range_noise.h"
+
+namespace pcl::acmap::labeling {
+
+/** Decides which plane a point is of.
+ *
+ * What a sensor measures is wrong along the ray, hardly across it. So where planes meet
+ * the point is of that plane which its ray meets in front of the others, at an inner edge,
+ * or behind them, at an outer one; only then of the one it is nearest to. */
+class RayLabels {
+public:
+  RayLabels(const CandidateGrid& grid,
+            const RangeNoise& noise,
+            const Junctions& junctions,
+            const std::vector<KnownPlane>& planes)
+  : grid_(grid)
+  , noise_(noise)
+  , junctions_(junctions)
+  , planes_(planes)
+  {}
+
+  /** \return for each point its plane, -1 for none */
+  std::vector<std::int32_t>
+  chooseAll(const Survey& survey) const;
+
+private:
+  std::int32_t
+  choose(const Sight& sight, const Candidates& candidates) const;
+
+  bool
+  isInFront(const Eigen::Vector3d& foot,
+            std::size_t own,
+            const Candidates& candidates) const;
+
+  const CandidateGrid& grid_;
+  const RangeNoise& noise_;
+  const Junctions& junctions_;
+  const std::vector<KnownPlane>& planes_;
+};
+
+} // namespace pcl::acmap::labeling

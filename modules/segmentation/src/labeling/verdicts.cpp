@@ -1,0 +1,112 @@
+#include "labeling/verdicts.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace pcl::acmap::labeling {
+namespace {
+
+/** Of a fit whose weights are inverse variances: what it knows, were all points independent.
+ */
+Eigen::Matrix3d
+covarianceOf(const FitSums& sums)
+{
+  return sums.matrix.inverse();
+}
+
+bool
+isRefuted(const PlaneSums& sums, const KnownPlane& plane)
+{
+  constexpr std::size_t least_points = 20;
+  constexpr double most_chi = 1.5;    // noise that is as expected has 1
+  constexpr double most_tilt = 0.035; // radians, one standard deviation
+  constexpr double least_share = 0.2; // of the points where it should be
+  if (sums.points < 3 || static_cast<double>(sums.points) <
+                             least_share * static_cast<double>(sums.points_at_home))
+    return true;
+  const double chi = std::sqrt(sums.chi / static_cast<double>(sums.points));
+  if (plane.trust == PlaneTrust::Sure)
+    return chi > 2 * most_chi;
+  if (sums.points < least_points || chi > most_chi)
+    return true;
+  return plane.trust == PlaneTrust::Small &&
+         std::sqrt(covarianceOf(sums.best()).diagonal().head<2>().maxCoeff()) >
+             most_tilt;
+}
+
+/** Standard deviation of a plane's place at a point, metres. */
+double
+deviationAt(const PlaneSums& sums,
+            const PlanePatch& patch,
+            const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d from_center = point - patch.center;
+  const Eigen::Vector3d terms(
+      from_center.dot(patch.axis_u), from_center.dot(patch.axis_v), 1.0);
+  return std::sqrt(terms.dot(covarianceOf(sums.best()) * terms));
+}
+
+/** How far the points of a patch would be off another plane, beyond being off their own:
+ * root mean square. */
+double
+deviation(const PlaneSums& sums, const PlanePatch& patch, const PlanePatch& from)
+{
+  const Eigen::Vector3d normal = from.coefficients.head<3>();
+  const double offset = normal.dot(patch.center) + from.coefficients[3];
+  const FitSums& fit = sums.best();
+  const double u = normal.dot(patch.axis_u), v = normal.dot(patch.axis_v);
+  return std::sqrt(offset * offset +
+                   (u * u * fit.matrix(0, 0) + v * v * fit.matrix(1, 1)) /
+                       fit.matrix(2, 2));
+}
+
+bool
+isPartOf(std::size_t part,
+         std::size_t whole,
+         const std::vector<PlaneSums>& sums,
+         const std::vector<KnownPlane>& planes,
+         double distance,
+         double cosine)
+{
+  const PlanePatch& a = planes[part].patch;
+  const PlanePatch& b = planes[whole].patch;
+  if (a.coefficients.head<3>().dot(b.coefficients.head<3>()) < cosine)
+    return false;
+  const double unsure = deviationAt(sums[whole], b, a.center);
+  if (unsure > distance)
+    return false; // it may lie anywhere so far from its points
+  const double own = std::sqrt(covarianceOf(sums[part].best())(2, 2));
+  return deviation(sums[part], a, b) < distance + 2 * (own + unsure);
+}
+
+} // namespace
+
+Verdicts
+judge(const std::vector<PlaneSums>& sums,
+      const std::vector<std::int32_t>& shadows,
+      const std::vector<KnownPlane>& planes,
+      double distance,
+      double cosine)
+{
+  Verdicts verdicts;
+  verdicts.kept_as.assign(planes.size(), -1);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (isRefuted(sums[p], planes[p])) {
+      ++verdicts.refuted;
+      continue;
+    }
+    verdicts.kept_as[p] = static_cast<std::int32_t>(p);
+    for (std::size_t whole = 0; whole < p; ++whole)
+      if (verdicts.kept_as[whole] == static_cast<std::int32_t>(whole) &&
+          (shadows[p] == static_cast<std::int32_t>(whole) ||
+           isPartOf(p, whole, sums, planes, distance, cosine))) {
+        verdicts.kept_as[p] = static_cast<std::int32_t>(whole);
+        ++verdicts.merged;
+        break;
+      }
+  }
+  return verdicts;
+}
+
+} // namespace pcl::acmap::labeling

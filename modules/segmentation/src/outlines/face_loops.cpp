@@ -1,0 +1,84 @@
+#include "outlines/face_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::outlines {
+namespace {
+
+struct RimEdge {
+  std::int32_t from, to;
+  bool is_taken = false;
+};
+
+/** Edges with a triangle on their left only, by where they begin. */
+std::vector<RimEdge>
+rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
+{
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  for (const TriangleMesh::Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.emplace_back(t[k], t[(k + 1) % 3]);
+  std::sort(edges.begin(), edges.end());
+  std::vector<RimEdge> rim;
+  for (const auto& [from, to] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::make_pair(to, from)))
+      rim.push_back({from, to});
+  return rim;
+}
+
+/** The edge by which a rim goes on from the end of another: the first one clockwise from
+ * the way back. */
+RimEdge*
+nextEdge(std::vector<RimEdge>& rim,
+         const RimEdge& edge,
+         const std::vector<Eigen::Vector2d>& places)
+{
+  const auto place = [&](std::int32_t vertex) {
+    return places[static_cast<std::size_t>(vertex)];
+  };
+  const Eigen::Vector2d back = place(edge.from) - place(edge.to);
+  RimEdge* best = nullptr;
+  double least = 0;
+  auto candidate = std::lower_bound(
+      rim.begin(), rim.end(), edge.to, [](const RimEdge& e, std::int32_t vertex) {
+        return e.from < vertex;
+      });
+  for (; candidate != rim.end() && candidate->from == edge.to; ++candidate) {
+    if (candidate->is_taken)
+      continue;
+    const Eigen::Vector2d way = place(candidate->to) - place(edge.to);
+    double clockwise =
+        std::atan2(way.x() * back.y() - way.y() * back.x(), way.dot(back));
+    if (clockwise <= 0)
+      clockwise += 2 * M_PI;
+    if (!best || clockwise < least) {
+      least = clockwise;
+      best = &*candidate;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+std::vector<std::vector<std::int32_t>>
+faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
+          const std::vector<Eigen::Vector2d>& places)
+{
+  std::vector<RimEdge> rim = rimEdges(triangles);
+  std::vector<std::vector<std::int32_t>> loops;
+  for (RimEdge& first : rim) {
+    std::vector<std::int32_t> loop;
+    for (RimEdge* edge = &first; edge && !edge->is_taken;
+         edge = nextEdge(rim, *edge, places)) {
+      edge->is_taken = true;
+      loop.push_back(edge->from);
+    }
+    if (loop.size() >= 3)
+      loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+} // namespace pcl::acmap::outlines

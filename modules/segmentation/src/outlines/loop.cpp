@@ -1,0 +1,171 @@
+#include "outlines/loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::outlines {
+namespace {
+
+double
+cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double
+squaredDistance(const Eigen::Vector2d& point,
+                const Eigen::Vector2d& begin,
+                const Eigen::Vector2d& end)
+{
+  const Eigen::Vector2d way = end - begin;
+  const double square = way.squaredNorm();
+  const double along =
+      square > 0 ? std::clamp((point - begin).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (begin + along * way - point).squaredNorm();
+}
+
+std::size_t
+farthestFrom(const Loop& loop, const Eigen::Vector2d& point)
+{
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < loop.size(); ++i)
+    if ((loop[i] - point).squaredNorm() > (loop[best] - point).squaredNorm())
+      best = i;
+  return best;
+}
+
+/** Marks what is to be kept between two points that are kept. */
+void
+markKept(const Loop& loop,
+         std::size_t begin,
+         std::size_t end,
+         double tolerance,
+         std::vector<std::uint8_t>& is_kept)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> stretches{{begin, end}};
+  while (!stretches.empty()) {
+    const auto [first, last] = stretches.back();
+    stretches.pop_back();
+    double most = tolerance * tolerance;
+    std::size_t farthest = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double square =
+          squaredDistance(loop[i], loop[first], loop[last % loop.size()]);
+      if (square > most) {
+        most = square;
+        farthest = i;
+      }
+    }
+    if (farthest == first)
+      continue;
+    is_kept[farthest] = 1;
+    stretches.emplace_back(first, farthest);
+    stretches.emplace_back(farthest, last);
+  }
+}
+
+/** \param[out] place where segments ab and cd cross inside of both */
+bool
+cross(const Eigen::Vector2d& a,
+      const Eigen::Vector2d& b,
+      const Eigen::Vector2d& c,
+      const Eigen::Vector2d& d,
+      Eigen::Vector2d& place)
+{
+  const double c_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(c - a));
+  const double d_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(d - a));
+  const double a_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(a - c));
+  const double b_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(b - c));
+  if (!(c_side * d_side < 0 && a_side * b_side < 0))
+    return false;
+  place = c + c_side / (c_side - d_side) * (d - c);
+  return true;
+}
+
+/** The first crossing of the segment that begins at \a i with a later one. \return where
+ * that one begins, 0 for none */
+std::size_t
+firstCrossing(const Loop& loop, std::size_t i, Eigen::Vector2d& place)
+{
+  const std::size_t size = loop.size();
+  for (std::size_t j = i + 2; j < size; ++j)
+    if (cross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % size], place))
+      return j;
+  return 0;
+}
+
+} // namespace
+
+double
+signedArea(const Loop& loop)
+{
+  double twice = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    twice += cross(Eigen::Vector2d(loop[i] - loop[0]),
+                   Eigen::Vector2d(loop[(i + 1) % loop.size()] - loop[0]));
+  return twice / 2;
+}
+
+bool
+contains(const Loop& loop, const Eigen::Vector2d& point)
+{
+  bool is_inside = false;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    const Eigen::Vector2d &a = loop[i], &b = loop[j];
+    if ((a.y() > point.y()) != (b.y() > point.y()) &&
+        point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()))
+      is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+Loop
+simplified(const Loop& loop, double tolerance)
+{
+  if (loop.size() < 4)
+    return loop;
+  // from a point that is surely a corner to the one farthest from it and back
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : loop)
+    middle += point / static_cast<double>(loop.size());
+  Loop turned = loop;
+  std::rotate(turned.begin(),
+              turned.begin() + static_cast<std::ptrdiff_t>(farthestFrom(loop, middle)),
+              turned.end());
+  const std::size_t opposite = farthestFrom(turned, turned[0]);
+  std::vector<std::uint8_t> is_kept(turned.size(), 0);
+  is_kept[0] = is_kept[opposite] = 1;
+  markKept(turned, 0, opposite, tolerance, is_kept);
+  markKept(turned, opposite, turned.size(), tolerance, is_kept);
+  Loop kept;
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    if (is_kept[i])
+      kept.push_back(turned[i]);
+  return kept;
+}
+
+Loop
+uncrossed(Loop loop)
+{
+  for (std::size_t i = 0; i + 1 < loop.size();) {
+    Eigen::Vector2d place;
+    const std::size_t j = firstCrossing(loop, i, place);
+    if (j == 0) {
+      ++i;
+      continue;
+    }
+    const auto first = loop.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    const auto last = loop.begin() + static_cast<std::ptrdiff_t>(j) + 1;
+    Loop inner(first, last);
+    inner.push_back(place);
+    Loop outer(loop.begin(), first);
+    outer.push_back(place);
+    outer.insert(outer.end(), last, loop.end());
+    const bool keeps_outer = std::abs(signedArea(outer)) >= std::abs(signedArea(inner));
+    loop = std::move(keeps_outer ? outer : inner);
+    i = keeps_outer ? i : 0;
+  }
+  return loop;
+}
+
+} // namespace pcl::acmap::outlines

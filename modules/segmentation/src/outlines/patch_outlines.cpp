@@ -1,0 +1,182 @@
+#include "outlines/patch_outlines.h"
+
+#include "outlines/crease_snap.h"
+#include "outlines/face_loops.h"
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace outlines {
+namespace {
+
+using Triangles = std::vector<TriangleMesh::Triangle>;
+
+/** For each plane the triangles with all corners on it. */
+std::vector<Triangles>
+trianglesOfPlanes(const Triangles& triangles, const KnownPlanes& known)
+{
+  std::vector<Triangles> of_planes(known.planes.size());
+  const auto label = [&](std::int32_t corner) {
+    return known.labels[static_cast<std::size_t>(corner)];
+  };
+  for (const TriangleMesh::Triangle& t : triangles)
+    if (label(t[0]) >= 0 && label(t[0]) == label(t[1]) && label(t[0]) == label(t[2]))
+      of_planes[static_cast<std::size_t>(label(t[0]))].push_back(t);
+  return of_planes;
+}
+
+/** The corners in the plane, and the triangles with their numbers, counter-clockwise. */
+std::vector<Eigen::Vector2d>
+flatten(const PointView& points, const PatchFrame& frame, Triangles& triangles)
+{
+  std::vector<std::int32_t> corners;
+  for (const TriangleMesh::Triangle& t : triangles)
+    corners.insert(corners.end(), t.begin(), t.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<Eigen::Vector2d> places;
+  for (const std::int32_t corner : corners)
+    places.push_back(
+        frame.flat(points[static_cast<std::size_t>(corner)].cast<double>()));
+  for (TriangleMesh::Triangle& t : triangles) {
+    for (std::int32_t& corner : t)
+      corner = static_cast<std::int32_t>(
+          std::lower_bound(corners.begin(), corners.end(), corner) - corners.begin());
+    const auto place = [&](std::size_t k) {
+      return places[static_cast<std::size_t>(t[k])];
+    };
+    if (signedArea({place(0), place(1), place(2)}) < 0)
+      std::swap(t[1], t[2]);
+  }
+  return places;
+}
+
+/** A rim drawn to the creases and simplified. */
+Loop
+shaped(const Loop& loop, const CreaseSnap& snap, double tolerance)
+{
+  Loop snapped;
+  for (const Eigen::Vector2d& moved : snap(loop))
+    if (snapped.empty() || (moved - snapped.back()).norm() > 1e-9)
+      snapped.push_back(moved);
+  return uncrossed(simplified(snapped, tolerance));
+}
+
+std::vector<Eigen::Vector3f>
+lift(const Loop& loop, const PatchFrame& frame)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const Eigen::Vector2d& place : loop)
+    points.push_back(frame.lifted(place).cast<float>());
+  return points;
+}
+
+/** Loops as polygons: each hole in the least rim around it. Holes and islands of a few
+ * triangles are what the mesh happened to miss or to catch. */
+void
+setPolygons(const std::vector<Loop>& loops, double least_area, PlanePatch& patch)
+{
+  const PatchFrame frame{patch};
+  std::vector<const Loop*> rims;
+  for (const Loop& loop : loops)
+    if (signedArea(loop) >= least_area)
+      rims.push_back(&loop);
+  std::stable_sort(rims.begin(), rims.end(), [](const Loop* a, const Loop* b) {
+    return signedArea(*a) > signedArea(*b);
+  });
+  patch.polygons.clear();
+  patch.area = 0;
+  for (const Loop* rim : rims) {
+    patch.polygons.push_back({lift(*rim, frame), {}});
+    patch.area += signedArea(*rim);
+  }
+  for (const Loop& loop : loops) {
+    if (signedArea(loop) > -least_area)
+      continue;
+    for (std::size_t r = rims.size(); r-- > 0;)
+      if (contains(*rims[r], loop[0])) {
+        patch.polygons[r].holes.push_back(lift(loop, frame));
+        patch.area += signedArea(loop);
+        break;
+      }
+  }
+}
+
+std::vector<Loop>
+meshLoops(const PointView& points,
+          const CreaseSnap& snap,
+          double tolerance,
+          const PatchFrame& frame,
+          Triangles& triangles)
+{
+  const std::vector<Eigen::Vector2d> places = flatten(points, frame, triangles);
+  std::vector<Loop> loops;
+  for (const std::vector<std::int32_t>& rim : faceLoops(triangles, places)) {
+    Loop loop;
+    for (const std::int32_t corner : rim)
+      loop.push_back(places[static_cast<std::size_t>(corner)]);
+    loops.push_back(shaped(loop, snap, tolerance));
+    if (loops.back().size() < 3)
+      loops.pop_back();
+  }
+  return loops;
+}
+
+/** A strip, or what is too small for a rim, as rectangles: the mesh is too coarse to show
+ * its width, but shows where along its line there is some of it. */
+std::vector<Loop>
+rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
+{
+  const PatchFrame frame{known.planes[own].patch};
+  std::vector<double> along;
+  for (std::size_t i = 0; i < known.labels.size(); ++i)
+    if (known.labels[i] == static_cast<std::int32_t>(own))
+      along.push_back(frame.flat(known.points[i].cast<double>()).x());
+  std::sort(along.begin(), along.end());
+  constexpr double longest_gap = 4; // spacings
+  const double half_width = known.planes[own].half_size.y();
+  std::vector<Loop> loops;
+  for (std::size_t begin = 0, end = 0; begin < along.size(); begin = end) {
+    for (end = begin + 1; end < along.size() &&
+                          along[end] - along[end - 1] < longest_gap * known.spacing;)
+      ++end;
+    const double from = along[begin] - known.spacing / 2;
+    const double to = along[end - 1] + known.spacing / 2;
+    const Loop plain{
+        {from, -half_width}, {to, -half_width}, {to, half_width}, {from, half_width}};
+    Loop loop;
+    std::int32_t line;
+    for (const Eigen::Vector2d& corner : plain)
+      loop.push_back(snap.moved(corner, line));
+    if (signedArea(loop) < signedArea(plain) / 2)
+      loop = plain; // both sides went to one line
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+} // namespace
+} // namespace outlines
+
+void
+outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known)
+{
+  using namespace outlines;
+  const labeling::CandidateGrid grid(known, known.spacing, 0);
+  const double reach = 2 * known.spacing;
+  const double least_area = 4 * known.spacing * known.spacing;
+  std::vector<Triangles> of_planes = trianglesOfPlanes(triangles, known);
+  for (std::size_t p = 0; p < known.planes.size(); ++p) {
+    PlanePatch& patch = known.planes[p].patch;
+    const CreaseSnap snap(grid, known.planes, p, reach);
+    if (known.planes[p].trust != PlaneTrust::Strip)
+      setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
+                  least_area,
+                  patch);
+    if (patch.polygons.empty() && !triangles.empty())
+      setPolygons(rectangles(known, p, snap), 0, patch);
+  }
+}
+
+} // namespace pcl::acmap

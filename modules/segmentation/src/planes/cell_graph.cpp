@@ -1,0 +1,139 @@
+#include "planes/cell_graph.h"
+
+#include "planes/radius_grid.h"
+
+#include <pcl/core/noise_scale.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::planes {
+namespace {
+
+/** Corners of triangles that can be used: others would poison sums. */
+std::vector<TriangleMesh::Triangle>
+finiteTriangles(const PlaneHypotheses& hypotheses)
+{
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (const TriangleMesh::Triangle& triangle : hypotheses.triangles) {
+    const auto is_finite = [&](std::int32_t corner) {
+      return hypotheses.points[static_cast<std::size_t>(corner)].allFinite();
+    };
+    if (std::all_of(triangle.begin(), triangle.end(), is_finite))
+      triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+double
+medianOf(std::vector<double>& values)
+{
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Root of the mean squared length of the edges. */
+double
+meanEdge(const CellGraph& graph)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    for (const std::int32_t j : graph.neighbours[i])
+      sum += (graph.points[static_cast<std::size_t>(j)] - graph.points[i]).norm();
+  return graph.neighbours.size() == 0
+             ? 0
+             : sum / static_cast<double>(graph.neighbours.size());
+}
+
+/** How far the points lie off the middle of their neighbours along their normal: the
+ * median is that of flat surface, where a curved one would need strong curvature. */
+double
+localNoise(const CellGraph& graph)
+{
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const VertexNeighbours::Range others = graph.neighbours[i];
+    if (others.size() < 5 || !graph.hasNormal(i))
+      continue;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const std::int32_t j : others)
+      mean += graph.points[static_cast<std::size_t>(j)];
+    const double count = static_cast<double>(others.size());
+    mean /= count;
+    const double offset = (graph.points[i] - mean).dot(graph.normals[i].cast<double>());
+    offsets.push_back(std::abs(offset) / std::sqrt(1 + 1 / count));
+  }
+  constexpr double median_of_normal = 0.6745;
+  return medianOf(offsets) / median_of_normal;
+}
+
+} // namespace
+
+CellGraph::CellGraph(const PlaneHypotheses& hypotheses)
+: normals(hypotheses.normals)
+, areas(hypotheses.points.size(), 0.0)
+{
+  const std::size_t size = hypotheses.points.size();
+  points.reserve(size);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    points.push_back(hypotheses.points[i].cast<double>());
+    if (points.back().allFinite()) {
+      origin += points.back();
+      ++finite;
+    }
+    else
+      normals[i].setConstant(std::nanf(""));
+  }
+  origin /= std::max<double>(static_cast<double>(finite), 1);
+  for (Eigen::Vector3d& point : points)
+    point -= origin;
+
+  const std::vector<TriangleMesh::Triangle> triangles = finiteTriangles(hypotheses);
+  neighbours = VertexNeighbours(size, triangles);
+  for (const TriangleMesh::Triangle& t : triangles) {
+    const Eigen::Vector3d& a = points[static_cast<std::size_t>(t[0])];
+    const Eigen::Vector3d& b = points[static_cast<std::size_t>(t[1])];
+    const Eigen::Vector3d& c = points[static_cast<std::size_t>(t[2])];
+    const double third = (b - a).cross(c - a).norm() / 6;
+    for (const std::int32_t corner : t)
+      areas[static_cast<std::size_t>(corner)] += third;
+  }
+  if (triangles.empty())
+    connectNear(hypotheses.points);
+  else
+    spacing = meanEdge(*this);
+  sigma = localNoise(*this);
+}
+
+/** Without a mesh: whoever is within two spacings is a neighbour, and each point stands for
+ * as much surface as any. */
+void
+CellGraph::connectNear(const PointView& view)
+{
+  spacing = measureNoiseScale(view, SensorView()).spacing;
+  if (!(spacing > 0))
+    return;
+  const RadiusGrid grid(points, 2 * spacing);
+  std::vector<std::size_t> first;
+  std::vector<std::int32_t> others;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    first.push_back(others.size());
+    if (!hasNormal(i))
+      continue;
+    areas[i] = spacing * spacing;
+    grid.visitNear(points[i], [&](std::int32_t other) {
+      if (other != static_cast<std::int32_t>(i))
+        others.push_back(other);
+    });
+  }
+  first.push_back(others.size());
+  neighbours = VertexNeighbours(std::move(first), std::move(others));
+}
+
+} // namespace pcl::acmap::planes

@@ -1,0 +1,159 @@
+#include "planes/narrow_strips.h"
+
+#include "planes/plane_merge.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <map>
+
+namespace pcl::acmap::planes {
+namespace {
+
+std::vector<std::int32_t>
+ownersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
+{
+  std::vector<std::int32_t> owner(graph.size(), no_region);
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (const std::int32_t member : planes[p].members)
+      owner[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(p);
+  return owner;
+}
+
+/** Believed planes within two edges of the mesh, with how often. */
+std::map<std::int32_t, std::size_t>
+neighbouringPlanes(const CellGraph& graph,
+                   const std::vector<GrownPlane>& planes,
+                   const std::vector<std::int32_t>& owner,
+                   const GrownPlane& strip)
+{
+  std::map<std::int32_t, std::size_t> counts;
+  for (const std::int32_t member : strip.members)
+    for (const std::int32_t near : graph.neighbours[static_cast<std::size_t>(member)])
+      for (const std::int32_t far : graph.neighbours[static_cast<std::size_t>(near)]) {
+        const std::int32_t plane = owner[static_cast<std::size_t>(far)];
+        if (plane >= 0 &&
+            planes[static_cast<std::size_t>(plane)].trust == PlaneTrust::Sure)
+          ++counts[plane];
+      }
+  return counts;
+}
+
+Eigen::Vector3d
+longAxis(const Moments& m)
+{
+  const Eigen::Vector3d mean = m.mean();
+  Eigen::Matrix3d covariance;
+  covariance << m.xx, m.xy, m.xz, // symmetric
+      m.xy, m.yy, m.yz,           //
+      m.xz, m.yz, m.zz;
+  covariance = covariance / m.count - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  return solver.eigenvectors().col(2);
+}
+
+} // namespace
+
+bool
+isNarrow(const Moments& moments, double spacing)
+{
+  constexpr double least_width = 0.9; // standard deviation: three points abreast
+  return std::sqrt(fitPlane(moments).variances[1]) < least_width * spacing;
+}
+
+namespace {
+
+/** The guess for one strip; as it was where nothing larger is near. */
+void
+raise(const CellGraph& graph,
+      const std::vector<GrownPlane>& planes,
+      const std::vector<std::int32_t>& owner,
+      GrownPlane& strip)
+{
+  constexpr double across = 0.3; // cosine between strip and normal of its neighbour
+  const Eigen::Vector3d along = longAxis(strip.moments);
+  const Eigen::Vector3d before = strip.plane.normal;
+  std::size_t most = 0;
+  for (const auto& [neighbour, count] :
+       neighbouringPlanes(graph, planes, owner, strip)) {
+    const Eigen::Vector3d& wall =
+        planes[static_cast<std::size_t>(neighbour)].plane.normal;
+    if (count <= most || std::abs(wall.dot(along)) > across)
+      continue;
+    most = count;
+    const Eigen::Vector3d normal = along.cross(wall).normalized();
+    strip.plane.normal = normal.dot(before) < 0 ? Eigen::Vector3d(-normal) : normal;
+    strip.plane.offset = -strip.plane.normal.dot(strip.moments.mean());
+  }
+}
+
+/** Do two strips run along one line? Where their cells are is unsure by half a spacing. */
+bool
+areInLine(const GrownPlane& a, const GrownPlane& b, double spacing)
+{
+  constexpr double parallel = 0.97, aside = 2.5;
+  const Eigen::Vector3d along = longAxis(a.moments);
+  const Eigen::Vector3d way = b.moments.mean() - a.moments.mean();
+  return std::abs(along.dot(longAxis(b.moments))) > parallel &&
+         (way - along.dot(way) * along).norm() < aside * spacing &&
+         a.plane.normal.dot(b.plane.normal) > 0.5;
+}
+
+/** Does the strip run along the crease of two larger planes? Then it is the rounding of that
+ * crease, not a surface between them. */
+bool
+isRounding(const CellGraph& graph,
+           const std::vector<GrownPlane>& planes,
+           const std::vector<std::int32_t>& owner,
+           const GrownPlane& strip)
+{
+  constexpr double parallel = 0.9, along_crease = 0.9, near = 2.5;
+  const Eigen::Vector3d along = longAxis(strip.moments);
+  const Eigen::Vector3d middle = strip.moments.mean();
+  std::vector<const Plane*> beside;
+  for (const auto& [neighbour, count] :
+       neighbouringPlanes(graph, planes, owner, strip)) {
+    const Plane& plane = planes[static_cast<std::size_t>(neighbour)].plane;
+    if (std::abs(plane.distance(middle)) < near * graph.spacing)
+      beside.push_back(&plane);
+  }
+  for (const Plane* a : beside)
+    for (const Plane* b : beside)
+      if (std::abs(a->normal.dot(b->normal)) < parallel &&
+          std::abs(a->normal.cross(b->normal).normalized().dot(along)) > along_crease)
+        return true;
+  return false;
+}
+
+void
+joinStrips(double spacing, std::vector<GrownPlane>& planes)
+{
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j)
+      if (planes[i].trust == PlaneTrust::Strip && !planes[i].members.empty() &&
+          planes[j].trust == PlaneTrust::Strip && !planes[j].members.empty() &&
+          areInLine(planes[i], planes[j], spacing))
+        takeIn(planes[i], planes[j], planes[i].plane);
+  dropEmpty(planes);
+}
+
+} // namespace
+
+void
+raiseStrips(const CellGraph& graph, std::vector<GrownPlane>& planes)
+{
+  joinStrips(graph.spacing, planes);
+  const std::vector<std::int32_t> owner = ownersOf(graph, planes);
+  for (GrownPlane& strip : planes)
+    if (strip.trust != PlaneTrust::Strip)
+      continue;
+    else if (isRounding(graph, planes, owner, strip))
+      strip.members.clear();
+    else
+      raise(graph, planes, owner, strip);
+  dropEmpty(planes);
+}
+
+} // namespace pcl::acmap::planes

@@ -1,0 +1,38 @@
+#include "planes/paper_growth.h"
+
+#include "planes/neighbourhoods.h"
+
+namespace pcl::acmap::planes {
+
+std::vector<GrownPlane>
+growAsPaper(const CellGraph& graph,
+            const std::vector<std::int32_t>& seeds,
+            const PlaneLimits& limits,
+            double member_distance,
+            std::size_t least_support,
+            PlaneClusteringReport& report)
+{
+  const RadiusNeighbourhood neighbours(graph, member_distance);
+  std::vector<GrownPlane> grown;
+  std::vector<std::int32_t> owner(graph.size(), no_region);
+  growPlanes(graph,
+             neighbours,
+             limits,
+             seeds,
+             owner,
+             [&](const std::vector<std::int32_t>& members, const PlaneRegion& region) {
+               if (members.size() <= least_support) {
+                 ++report.small_regions;
+                 return false;
+               }
+               double area = 0;
+               for (const std::int32_t member : members)
+                 area += graph.areas[static_cast<std::size_t>(member)];
+               grown.push_back(
+                   {members, region.moments(), region.plane(), area, PlaneTrust::Sure});
+               return true;
+             });
+  return grown;
+}
+
+} // namespace pcl::acmap::planes

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "planes/known_planes.h"
+#include "planes/plane_region.h"
+#include "region_growing.h"
+
+namespace pcl::acmap::planes {
+
+/** A region that became a plane. */
+struct GrownPlane {
+  std::vector<std::int32_t> members;
+  Moments moments; ///< of the members, frame of the graph
+  Plane plane;
+  double area = 0; ///< square metres the members stand for
+  PlaneTrust trust = PlaneTrust::Sure;
+};
+
+/** Drops members that the plane of all of them refuses and grows on from the others,
+ * until nothing changes. */
+template <typename Neighbours>
+void
+settleRegion(const Neighbours& neighbours,
+             PlaneRegion& region,
+             std::vector<std::int32_t>& members,
+             std::vector<std::int32_t>& owner,
+             std::int32_t id)
+{
+  constexpr int most_rounds = 5;
+  for (int round = 0; round < most_rounds && !members.empty(); ++round) {
+    region.setMembers(members);
+    std::vector<std::int32_t> kept;
+    for (const std::int32_t member : members)
+      if (region.accepts(static_cast<std::size_t>(member)))
+        kept.push_back(member);
+      else
+        owner[static_cast<std::size_t>(member)] = no_region;
+    const bool has_dropped = kept.size() < members.size();
+    const std::size_t before = kept.size();
+    members = std::move(kept);
+    growRegion(neighbours, region, members, owner, id);
+    if (!has_dropped && members.size() == before)
+      break;
+  }
+  if (!members.empty())
+    region.setMembers(members);
+}
+
+/** Calls accept (members, region) for each grown region, in the order of the seeds; what
+ * it refuses (false) is free again, but is no seed any more. */
+template <typename Neighbours, typename Accept>
+void
+growPlanes(const CellGraph& graph,
+           const Neighbours& neighbours,
+           const PlaneLimits& limits,
+           const std::vector<std::int32_t>& seeds,
+           std::vector<std::int32_t>& owner,
+           const Accept& accept)
+{
+  std::vector<std::uint8_t> is_tried(graph.size(), 0);
+  std::int32_t id = 0;
+  for (const std::int32_t seed : seeds) {
+    if (owner[static_cast<std::size_t>(seed)] != no_region ||
+        is_tried[static_cast<std::size_t>(seed)])
+      continue;
+    PlaneRegion region(graph, limits, static_cast<std::size_t>(seed));
+    std::vector<std::int32_t> members{seed};
+    owner[static_cast<std::size_t>(seed)] = id;
+    region.add(static_cast<std::size_t>(seed));
+    growRegion(neighbours, region, members, owner, id);
+    settleRegion(neighbours, region, members, owner, id);
+    if (accept(members, region)) {
+      ++id;
+      continue;
+    }
+    for (const std::int32_t member : members) {
+      owner[static_cast<std::size_t>(member)] = no_region;
+      is_tried[static_cast<std::size_t>(member)] = 1;
+    }
+    is_tried[static_cast<std::size_t>(seed)] = 1;
+  }
+}
+
+} // namespace pcl::acmap::planes

@@ -1,0 +1,226 @@
+#include "labeling/label_points.h"
+#include "outlines/patch_outlines.h"
+#include "planes/narrow_strips.h"
+#include "planes/noise_driven.h"
+#include "planes/paper_growth.h"
+#include "planes/plane_merge.h"
+#include "planes/rims.h"
+
+#include <pcl/core/parallel.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl::acmap {
+namespace planes {
+namespace {
+
+/** Hypotheses off creases, the flattest first. */
+std::vector<std::int32_t>
+orderSeeds(const PlaneHypotheses& hypotheses, const CellGraph& graph)
+{
+  std::vector<std::int32_t> seeds;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    if (graph.hasNormal(i) &&
+        (hypotheses.is_crease.empty() || !hypotheses.is_crease[i]))
+      seeds.push_back(static_cast<std::int32_t>(i));
+  if (!hypotheses.curvatures.empty())
+    std::stable_sort(seeds.begin(), seeds.end(), [&](std::int32_t a, std::int32_t b) {
+      return hypotheses.curvatures[static_cast<std::size_t>(a)] <
+             hypotheses.curvatures[static_cast<std::size_t>(b)];
+    });
+  return seeds;
+}
+
+double
+automaticDistance(const CellGraph& graph)
+{
+  constexpr double sigmas = 5, spacings = 0.1;
+  return std::max(sigmas * graph.sigma, spacings * graph.spacing);
+}
+
+/** A tenth of a square metre in a building; a scan of a desk has planes too, and of all its
+ * surface a small part is enough. */
+double
+automaticArea(const CellGraph& graph)
+{
+  constexpr double of_buildings = 0.1, share = 0.003;
+  const double surface = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
+  return std::min(of_buildings, share * surface);
+}
+
+/** As the hypotheses grew them, in their frame. */
+KnownPlanes
+knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
+{
+  KnownPlanes known;
+  known.spacing = graph.spacing;
+  known.labels.assign(graph.size(), -1);
+  for (std::size_t p = 0; p < grown.size(); ++p) {
+    const Plane& plane = grown[p].plane;
+    PlanePatch patch;
+    patch.coefficients << plane.normal, plane.offset - plane.normal.dot(graph.origin);
+    patch.center = grown[p].moments.mean() + graph.origin;
+    patch.axis_u = plane.normal.unitOrthogonal();
+    patch.axis_v = plane.normal.cross(patch.axis_u);
+    patch.support = grown[p].members.size();
+    patch.area = grown[p].area;
+    known.planes.push_back({patch, grown[p].trust});
+    for (const std::int32_t member : grown[p].members)
+      known.labels[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(p);
+  }
+  return known;
+}
+
+/** Without a source nobody can judge small ones and strips. */
+void
+dropUnsure(KnownPlanes& known)
+{
+  std::vector<std::int32_t> numbers;
+  std::vector<KnownPlane> sure;
+  for (KnownPlane& plane : known.planes) {
+    const bool is_sure = plane.trust == PlaneTrust::Sure;
+    numbers.push_back(is_sure ? static_cast<std::int32_t>(sure.size()) : -1);
+    if (is_sure)
+      sure.push_back(std::move(plane));
+  }
+  known.planes = std::move(sure);
+  for (std::int32_t& label : known.labels)
+    label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+}
+
+void
+sortByArea(PlaneClusters& clusters)
+{
+  std::vector<std::int32_t> order(clusters.patches.size()), numbers(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return clusters.patches[static_cast<std::size_t>(a)].area >
+           clusters.patches[static_cast<std::size_t>(b)].area;
+  });
+  std::vector<PlanePatch> sorted;
+  for (const std::int32_t patch : order) {
+    numbers[static_cast<std::size_t>(patch)] = static_cast<std::int32_t>(sorted.size());
+    sorted.push_back(std::move(clusters.patches[static_cast<std::size_t>(patch)]));
+  }
+  clusters.patches = std::move(sorted);
+  for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
+    for (std::int32_t& label : *labels)
+      label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+}
+
+/** Counts, and the reason where nothing was found. */
+void
+describe(const PlaneClusters& clusters,
+         const PlaneHypotheses& hypotheses,
+         PlaneClusteringReport& report)
+{
+  report.planes = clusters.patches.size();
+  for (std::size_t i = 0; i < hypotheses.points.size(); ++i)
+    report.invalid_points += hypotheses.points[i].allFinite() ? 0 : 1;
+  for (const std::int32_t label : clusters.labels)
+    report.points_on_planes += label >= 0 ? 1 : 0;
+  if (hypotheses.triangles.empty())
+    report.remarks.emplace_back("without a mesh the planes have no outlines");
+  if (100 * report.points_on_curved > report.points)
+    report.remarks.push_back(std::to_string(report.points_on_curved) +
+                             " points lie on curved surfaces, which are no planes");
+  if (report.planes > 0)
+    return;
+  if (report.hypotheses == 0)
+    report.remarks.emplace_back("no planes: no point off creases has a normal");
+  else if (report.refuted_regions > 0)
+    report.remarks.push_back("no planes: the source's points lie on none of " +
+                             std::to_string(report.refuted_regions) + " regions");
+  else if (report.curved_regions == 0)
+    report.remarks.push_back(
+        "no planes: none of " + std::to_string(report.small_regions) +
+        " regions is large enough; the points may be too far apart, too noisy, or on "
+        "no plane");
+}
+
+} // namespace
+} // namespace planes
+
+PlaneClusters
+clusterPlanes(const PlaneHypotheses& hypotheses,
+              const PlaneSource& source,
+              const PlaneClusteringSettings& settings,
+              const Progress& progress,
+              PlaneClusteringReport& report)
+{
+  using namespace planes;
+  return withThreads(settings.threads, [&] {
+    report = {};
+    report.points = hypotheses.points.size();
+    StepTimer timer(report);
+    progress.tell(0.0, "growing");
+    const CellGraph graph(hypotheses);
+    PlaneLimits limits;
+    limits.distance = settings.plane_distance > 0 ? settings.plane_distance
+                                                  : automaticDistance(graph);
+    limits.cosine = std::cos(settings.normal_angle);
+    limits.refit_always = !settings.noise_driven;
+    report.spacing = graph.spacing;
+    report.sigma = graph.sigma;
+    if (settings.noise_driven && !(settings.plane_distance > 0)) {
+      limits.bow = 0.004;
+      limits.most_bow = 0.01;
+    }
+    report.plane_distance = limits.distance;
+    const std::vector<std::int32_t> seeds = orderSeeds(hypotheses, graph);
+    report.hypotheses = seeds.size();
+    timer.finish("cells");
+
+    const double least_area =
+        settings.least_area > 0 ? settings.least_area : automaticArea(graph);
+    std::vector<GrownPlane> grown =
+        settings.noise_driven
+            ? growNoiseDriven(graph, seeds, limits, least_area, report)
+            : growAsPaper(graph,
+                          seeds,
+                          limits,
+                          settings.member_distance,
+                          settings.least_support,
+                          report);
+    const double merge_cosine = std::cos(settings.normal_angle / 2);
+    report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
+    raiseStrips(graph, grown);
+    widenRims(graph, limits.distance, grown);
+    timer.finish("growing");
+
+    KnownPlanes known = knownPlanes(graph, grown);
+    known.points = hypotheses.points;
+    PlaneClusters clusters;
+    LabelingLimits labeling;
+    labeling.distance = limits.distance / 2;
+    labeling.cosine = merge_cosine;
+    labeling.least_area = least_area;
+    labeling.stray = std::max(limits.distance, 0.25 * graph.spacing);
+    if (settings.noise_driven && source.points.size() > 0)
+      clusters.source_labels =
+          labelPoints(source.points, source.sensors, labeling, progress, known, report);
+    else {
+      dropUnsure(known);
+      labeling.coarseness = 3; // consolidated points share windows with neighbours
+      fitLabeled(known.points, SensorView(), labeling, known);
+    }
+    progress.tell(0.9, "outlines");
+    StepTimer outlines(report);
+    outlinePlanes(hypotheses.triangles, known);
+    outlines.finish("outlines");
+    clusters.labels = std::move(known.labels);
+    for (KnownPlane& plane : known.planes)
+      clusters.patches.push_back(std::move(plane.patch));
+    sortByArea(clusters);
+    describe(clusters, hypotheses, report);
+    progress.tell(1.0, "done");
+    return clusters;
+  });
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "planes/cell_graph.h"
+
+#include <pcl/core/moments.h>
+
+namespace pcl::acmap::planes {
+
+/** A plane in the frame of the graph: normal . p + offset = 0. */
+struct Plane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double offset = 0;
+
+  double
+  distance(const Eigen::Vector3d& point) const
+  {
+    return normal.dot(point) + offset;
+  }
+};
+
+/** What may join a plane. */
+struct PlaneLimits {
+  double distance = 0; ///< W_t, metres
+  double cosine = 0;   ///< of W_n
+  bool refit_always = false;
+
+  /** What builders and sensors bend a surface by, as a share of its extent, and at most so
+   * much, metres. */
+  double bow = 0;
+  double most_bow = 0;
+};
+
+/** Region of a plane: members add to its moments, and the plane follows them. */
+class PlaneRegion {
+public:
+  PlaneRegion(const CellGraph& graph, const PlaneLimits& limits, std::size_t seed);
+
+  bool
+  accepts(std::size_t i) const
+  {
+    return graph_->normals[i].cast<double>().dot(plane_.normal) > limits_.cosine &&
+           std::abs(plane_.distance(graph_->points[i])) < distance_;
+  }
+
+  /** Metres; W_t, or more for a large region where noise decides. */
+  double
+  distance() const
+  {
+    return distance_;
+  }
+
+  void
+  add(std::size_t i);
+
+  /** Takes exactly these as members. */
+  void
+  setMembers(const std::vector<std::int32_t>& members);
+
+  /** Follows the members, unless they do not fix a plane. */
+  void
+  refit();
+
+  const Plane&
+  plane() const
+  {
+    return plane_;
+  }
+
+  const Moments&
+  moments() const
+  {
+    return moments_;
+  }
+
+private:
+  const CellGraph* graph_;
+  PlaneLimits limits_;
+  Plane plane_;
+  double distance_;
+  Moments moments_;
+  double refit_at_;
+};
+
+Moments
+momentsOf(const Eigen::Vector3d& point);
+
+/** The plane of least squares, to the side of \a front. */
+Plane
+planeThrough(const PlaneFit& fit, const Eigen::Vector3d& front);
+
+} // namespace pcl::acmap::planes

@@ -1,0 +1,55 @@
+#include "cloud_labels.h"
+
+#include "exit_code.h"
+
+#include <pcl/conversions.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+namespace pcl::acmap {
+namespace {
+
+PCLPointCloud2
+makeCloud(std::size_t size)
+{
+  PointCloud<PointXYZ> cloud;
+  cloud.resize(size);
+  PCLPointCloud2 bytes;
+  toPCLPointCloud2(cloud, bytes);
+  return bytes;
+}
+
+TEST(CloudLabels, NumbersAreThoseOfPlanesPlusOne)
+{
+  PointCloud<PointXYZL> labelled;
+  fromPCLPointCloud2(withLabels(makeCloud(3), {4, -1, 0}), labelled);
+  EXPECT_EQ(labelled[0].label, 5u);
+  EXPECT_EQ(labelled[1].label, 0u);
+  EXPECT_EQ(labelled[2].label, 1u);
+}
+
+TEST(CloudLabels, ColoursTellPlanesApart)
+{
+  constexpr std::int32_t planes = 40;
+  std::vector<std::int32_t> labels;
+  for (std::int32_t plane = -1; plane < planes; ++plane)
+    labels.push_back(plane);
+  PointCloud<PointXYZRGB> colored;
+  fromPCLPointCloud2(coloredByLabel(withLabels(makeCloud(labels.size()), labels)),
+                     colored);
+  EXPECT_TRUE(colored[0].r == colored[0].g && colored[0].g == colored[0].b);
+  for (std::size_t a = 0; a < colored.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_GT((colored[a].getRGBVector3i() - colored[b].getRGBVector3i()).norm(), 10)
+          << a << " " << b;
+}
+
+TEST(CloudLabels, WithoutLabelsThereIsNoColour)
+{
+  EXPECT_THROW(coloredByLabel(makeCloud(1)), UsageError);
+}
+
+} // namespace
+} // namespace pcl::acmap

@@ -1,0 +1,146 @@
+#include "plane_runs.h"
+#include "temporary_folder.h"
+#include "tool_cases.h"
+
+#include <pcl/core/point_cloud_file.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace pcl::acmap::test {
+namespace {
+
+/** Four views of the simulated corridor, merged, and their planes. */
+class PlaneCorridor : public testing::Test {
+protected:
+  static void
+  SetUpTestSuite()
+  {
+    folder_ = std::make_unique<TemporaryFolder>();
+    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
+                                {"-o",
+                                 path("session"),
+                                 "--clouds",
+                                 "--observations",
+                                 "4",
+                                 "--merged",
+                                 path("map.pcd")});
+    ASSERT_EQ(rig.exit_code, 0) << rig.err;
+    // the views are told apart by the trajectory beside the cloud
+    std::filesystem::rename(path("map.pcd"), path("session/map.pcd"));
+    run_ = runPlanes(
+        {path("session/map.pcd"), path("p.json"), "--labels", path("labels.pcd")});
+    ASSERT_EQ(run_.exit_code, 0) << run_.err;
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    folder_.reset();
+  }
+
+  static std::string
+  path(const std::string& name)
+  {
+    return folder_->path(name);
+  }
+
+  static nlohmann::json
+  truthOf(const std::string& name)
+  {
+    const auto truth = jsonOfFile(path("session/truth.json"));
+    for (const auto& plane : truth.at("planes"))
+      if (plane.at("name") == name)
+        return plane;
+    return {};
+  }
+
+  static inline std::unique_ptr<TemporaryFolder> folder_;
+  static inline ToolRun run_;
+};
+
+TEST_F(PlaneCorridor, WallsFloorAndCeilingAreWhereTheyAre)
+{
+  EXPECT_EQ(run_.err.find("sensors"), std::string::npos) << run_.err;
+  const auto planes = jsonOfFile(path("p.json")).at("planes");
+  for (const char* name : {"right wall", "left wall", "floor", "ceiling", "near end"}) {
+    const Eigen::Vector4d truth = coefficientsOf(truthOf(name));
+    const auto found = matchOf(planes, truth, 0.1, 0.001);
+    ASSERT_FALSE(found.is_null()) << name;
+    EXPECT_GT(found.at("area"), 4.0) << name;
+    EXPECT_GT(found.at("support"), 20000) << name;
+  }
+  const auto doors = coefficientsOf(truthOf("doors left"));
+  EXPECT_FALSE(matchOf(planes, doors, 0.2, 0.002).is_null());
+}
+
+TEST_F(PlaneCorridor, LabelsAreTheTruthsAndThePointsStay)
+{
+  const PointCloudFile input = loadPointCloud(path("session/map.pcd"));
+  const PointCloudFile output = loadPointCloud(path("labels.pcd"));
+  ASSERT_EQ(output.points().size(), input.points().size());
+  ASSERT_EQ(output.cloud.fields.size(), input.cloud.fields.size());
+  for (std::size_t i = 0; i < input.points().size(); ++i)
+    ASSERT_EQ(output.points()[i], input.points()[i]) << i;
+
+  const auto planes = jsonOfFile(path("p.json")).at("planes");
+  const auto found = labelsOfFile(path("labels.pcd"));
+  const auto truth = labelsOfFile(path("session/map.pcd"));
+  std::vector<std::size_t> points(planes.size() + 1, 0);
+  for (const std::uint32_t label : found)
+    ++points.at(label);
+  EXPECT_LT(points[0], found.size() / 50);
+  for (const char* name : {"right wall", "left wall", "floor", "ceiling"}) {
+    const auto plane = truthOf(name);
+    const auto match = matchOf(planes, coefficientsOf(plane), 0.1, 0.001);
+    ASSERT_FALSE(match.is_null());
+    const auto its_label = match.at("id").get<std::uint32_t>() + 1;
+    const auto true_label = plane.at("id").get<std::uint32_t>() + 1;
+    std::size_t both = 0, either = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      both += found[i] == its_label && truth[i] == true_label ? 1 : 0;
+      either += found[i] == its_label || truth[i] == true_label ? 1 : 0;
+    }
+    EXPECT_GT(static_cast<double>(both), 0.97 * static_cast<double>(either)) << name;
+  }
+}
+
+TEST_F(PlaneCorridor, TheMeshAloneDoesToo)
+{
+  const std::string mesh = path("mesh.ply");
+  ASSERT_EQ(runSurface({path("session/map.pcd"), mesh, "--consolidate"}).exit_code, 0);
+  const ToolRun run = runPlanes(
+      {mesh, path("m.json"), "--labels", path("m.pcd"), "--report", path("r.json")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(labelsOfFile(path("m.pcd")).size(), loadPointCloud(mesh).points().size());
+  EXPECT_FALSE(jsonOfFile(path("r.json")).contains("consolidation"));
+  const auto planes = jsonOfFile(path("m.json")).at("planes");
+  for (const char* name : {"right wall", "left wall", "floor", "ceiling", "near end"})
+    EXPECT_FALSE(matchOf(planes, coefficientsOf(truthOf(name)), 0.1, 0.001).is_null())
+        << name;
+}
+
+TEST_F(PlaneCorridor, ThePapersThresholdsFindTheWallsAndSwallowTheDoors)
+{
+  const ToolRun run = runPlanes({path("session/map.pcd"),
+                                 path("paper.json"),
+                                 "--paper",
+                                 "--labels",
+                                 path("paper.pcd")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto planes = jsonOfFile(path("paper.json")).at("planes");
+  for (const char* name : {"right wall", "left wall", "floor", "ceiling", "near end"})
+    EXPECT_FALSE(matchOf(planes, coefficientsOf(truthOf(name)), 0.2, 0.002).is_null())
+        << name;
+  EXPECT_TRUE(
+      matchOf(planes, coefficientsOf(truthOf("doors left")), 1, 0.01).is_null());
+  const auto labels = labelsOfFile(path("paper.pcd"));
+  EXPECT_EQ(labels.size(), labelsOfFile(path("session/map.pcd")).size());
+  EXPECT_LT(std::count(labels.begin(), labels.end(), 0u),
+            static_cast<std::ptrdiff_t>(labels.size() / 50));
+}
+
+} // namespace
+} // namespace pcl::acmap::test

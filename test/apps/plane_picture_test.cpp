@@ -1,0 +1,52 @@
+#include "plane_runs.h"
+#include "temporary_folder.h"
+#include "tool_cases.h"
+#include "virtual_display.h"
+
+#include <gtest/gtest.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+TEST(PlanePicture, NeedsAnXServerAndSaysSoAtOnce)
+{
+  const TemporaryFolder folder;
+  const std::string input = folder.write("room.pcd", roomPcd());
+  RunSettings blind;
+  blind.environment = {{"DISPLAY", std::nullopt}};
+  expectRefused(
+      runPlanes({input, folder.path("p.json"), "--picture", folder.path("p.png")},
+                blind),
+      1,
+      "xvfb-run");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(PlanePicture, ShowsThePlanesAsTheViewerDoes)
+{
+  const VirtualDisplay display;
+  if (!display.exists())
+    GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  const TemporaryFolder folder;
+  const std::string input = folder.write("room.pcd", roomPcd());
+  const std::string picture = folder.path("p.png");
+  const std::string mesh = folder.path("mesh.ply");
+  const ToolRun run = runPlanes(
+      {input, folder.path("p.json"), "--picture", picture, "--normals", mesh});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string png = contentOf(picture);
+  EXPECT_EQ(png.substr(0, 4), "\x89PNG");
+  const auto shoot = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {mesh, "--screenshot", folder.path("v.png")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(runViewer(arguments).exit_code, 0);
+    return contentOf(folder.path("v.png"));
+  };
+  EXPECT_EQ(shoot({"--labels", "--hide-backs"}), png);
+  EXPECT_NE(shoot({"--hide-backs"}), png);
+  expectRefused(
+      runViewer({input, "--labels", "--screenshot", folder.path("v.png")}), 2, "label");
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,93 @@
+#include "acmap_planes.h"
+
+#include "consolidated_mesh.h"
+
+#include <pcl/features/voting_kernel.h>
+#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/surface/dewall_kernel.h>
+
+namespace pcl::acmap::bench {
+namespace {
+
+PointView
+viewOf(const PlaneInput& input)
+{
+  return PointView(&input.points->front().x, sizeof(PointXYZ), input.points->size());
+}
+
+TriangleMesh
+meshAsItIs(const PlaneInput& input)
+{
+  DeWallSettings settings;
+  settings.threads = 1;
+  if (!input.origins.empty())
+    settings.sensor_origin = input.origins.front().cast<double>();
+  DeWallReport report;
+  return triangulateDeWall(viewOf(input), settings, Progress(), report);
+}
+
+void
+addVotes(PlaneHypotheses& hypotheses)
+{
+  VotingSettings voting;
+  voting.threads = 1;
+  VotingReport report;
+  const VotedNormals votes = voteNormals(hypotheses.points,
+                                         hypotheses.triangles,
+                                         SensorView(),
+                                         voting,
+                                         Progress(),
+                                         report);
+  for (const VotedNormal& voted : votes.normals) {
+    hypotheses.normals.push_back(voted.normal);
+    hypotheses.is_crease.push_back(voted.vertex_class >= VertexClass::Crease ? 1 : 0);
+    hypotheses.curvatures.push_back(1 - voted.saliency);
+  }
+}
+
+} // namespace
+
+FoundPlanes
+findAcmapPlanes(const PlaneInput& input)
+{
+  return timedPlanes([&] {
+    FoundPlanes found;
+    found.labels.assign(input.points->size(), -1);
+    const NoiseScale scale = measureNoiseScale(viewOf(input), SensorView(), 1);
+    const SensorView sensors = input.sensors();
+    PlaneHypotheses hypotheses;
+    Consolidation consolidation;
+    if (needsConsolidation(scale)) {
+      ConsolidationSettings settings;
+      settings.threads = 1;
+      settings.voxel_size = automaticVoxel(scale);
+      ConsolidationReport report;
+      consolidation = consolidatePoints(
+          viewOf(input), sensors, ColorView(), settings, Progress(), report);
+      const std::vector<Representative>& all = consolidation.representatives;
+      hypotheses.points =
+          PointView(all.front().point.data(), sizeof(Representative), all.size());
+      hypotheses.triangles = meshOf(consolidation, settings.voxel_size).triangles;
+    }
+    else {
+      hypotheses.points = viewOf(input);
+      hypotheses.triangles = meshAsItIs(input).triangles;
+    }
+    addVotes(hypotheses);
+    PlaneClusteringSettings clustering;
+    clustering.noise_driven = true;
+    clustering.plane_distance = 0;
+    clustering.threads = 1;
+    PlaneClusteringReport planes;
+    PlaneClusters clusters = clusterPlanes(
+        hypotheses, {viewOf(input), sensors}, clustering, Progress(), planes);
+    for (const PlanePatch& patch : clusters.patches)
+      found.planes.push_back(patch.coefficients);
+    if (!clusters.source_labels.empty())
+      found.labels = std::move(clusters.source_labels);
+    return found;
+  });
+}
+
+} // namespace pcl::acmap::bench

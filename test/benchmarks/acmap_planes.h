@@ -1,0 +1,11 @@
+#pragma once
+
+#include "plane_finders.h"
+
+namespace pcl::acmap::bench {
+
+/** \brief All of ours on one thread: consolidation, mesh, voting, clustering, labels. */
+FoundPlanes
+findAcmapPlanes(const PlaneInput& input);
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "plane_finders.h"
+
+namespace pcl::acmap::bench {
+
+/** \brief Region growing on points from the flattest ones on; each region is fitted by
+ * least squares. */
+FoundPlanes
+cgalRegionPlanes(const PlaneInput& input);
+
+/** \brief Efficient RANSAC (Schnabel 2007) for planes, from a fixed seed; what it assigns
+ * to a plane is fitted by least squares, as the plane itself is that of three points. */
+FoundPlanes
+cgalRansacPlanes(const PlaneInput& input);
+
+} // namespace pcl::acmap::bench

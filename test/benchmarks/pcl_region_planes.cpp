@@ -1,0 +1,76 @@
+#include "pcl_planes.h"
+
+#include "region_planes.h"
+
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/segmentation/region_growing.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace pcl::acmap::bench {
+namespace {
+
+using Tree = search::KdTree<PointXYZ>;
+
+/** A point with too few neighbours must not join anything; RegionGrowing lets NaN in. */
+void
+takeAwayInvalid(PointCloud<Normal>& normals)
+{
+  for (Normal& normal : normals)
+    if (!normal.getNormalVector3fMap().allFinite()) {
+      normal.getNormalVector3fMap().setZero();
+      normal.curvature = 1;
+    }
+}
+
+PointCloud<Normal>::Ptr
+estimateNormals(const PlaneInput& input, const Tree::Ptr& tree)
+{
+  // Smaller and noise tears regions; the corridor's views get 10 cm.
+  constexpr double spacings = 8;
+  NormalEstimation<PointXYZ, Normal> estimation;
+  estimation.setInputCloud(input.points);
+  estimation.setSearchMethod(tree);
+  estimation.setRadiusSearch(spacings * input.spacing);
+  const auto normals = std::make_shared<PointCloud<Normal>>();
+  estimation.compute(*normals);
+  takeAwayInvalid(*normals);
+  return normals;
+}
+
+std::vector<Indices>
+growRegions(const PlaneInput& input)
+{
+  constexpr unsigned neighbours = 30;
+  constexpr float most_angle = 3 * static_cast<float>(M_PI) / 180;
+  constexpr float most_curvature = 0.1f;
+  const auto tree = std::make_shared<Tree>();
+  RegionGrowing<PointXYZ, Normal> growing;
+  growing.setInputCloud(input.points);
+  growing.setInputNormals(estimateNormals(input, tree));
+  growing.setSearchMethod(tree);
+  growing.setNumberOfNeighbours(neighbours);
+  growing.setSmoothnessThreshold(most_angle);
+  growing.setCurvatureThreshold(most_curvature);
+  growing.setMinClusterSize(static_cast<int>(input.leastSupport()));
+  growing.setMaxClusterSize(std::numeric_limits<int>::max());
+  std::vector<PointIndices> clusters;
+  growing.extract(clusters);
+  std::vector<Indices> regions;
+  for (PointIndices& cluster : clusters)
+    regions.push_back(std::move(cluster.indices));
+  return regions;
+}
+
+} // namespace
+
+FoundPlanes
+pclRegionPlanes(const PlaneInput& input)
+{
+  return timedPlanes([&] { return planesOfRegions(input, growRegions(input)); });
+}
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "plane_finders.h"
+#include "plane_overlaps.h"
+#include "plane_truth.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap::bench {
+
+/** \brief A found plane that deviates more is not the true one. */
+inline constexpr double most_plane_angle = 2;     // degrees
+inline constexpr double most_plane_offset = 0.02; // metres
+
+/** \brief What a found plane deviates by from the true one. */
+struct PlaneDeviation {
+  double angle = 0;  ///< degrees, whatever the signs of the normals
+  double offset = 0; ///< metres, at the centroid of the true plane's points
+};
+
+/** \brief Which true plane is found by which found one. */
+struct PlaneMatches {
+  std::vector<std::int32_t> finder;      ///< for each true plane, -1 for none
+  std::vector<PlaneDeviation> deviation; ///< of these
+  std::size_t spurious = 0;   ///< less than half from one true plane, or too far off it
+  std::size_t duplicates = 0; ///< of true planes that others found with more points
+};
+
+PlaneMatches
+matchPlanes(const PlaneCase& plane_case,
+            const FoundPlanes& found,
+            const PlaneOverlaps& overlaps);
+
+} // namespace pcl::acmap::bench

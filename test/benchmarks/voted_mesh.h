@@ -1,0 +1,51 @@
+#pragma once
+
+#include "simulated_clouds.h"
+
+#include "mesh_checker.h"
+
+#include <pcl/features/voting_kernel.h>
+
+namespace pcl::acmap::bench {
+
+/** \brief CPU seconds of one thread on the way from points to normals. */
+struct VotingSeconds {
+  double consolidation = 0;
+  double mesh = 0;
+  double votes = 0;
+
+  double
+  sum() const
+  {
+    return consolidation + mesh + votes;
+  }
+};
+
+/** \brief A cloud as its representatives, their mesh and what that votes. */
+struct VotedMesh {
+  Consolidation consolidation;
+  ConsolidationReport report;
+  TriangleMesh mesh;
+  VotedNormals votes;
+  VotingSeconds seconds;
+
+  PointView
+  vertices() const;
+};
+
+/** \brief All three steps on one thread, automatic voxel and radius. */
+VotedMesh
+meshAndVote(const SimulatedCloud& cloud, const VotingSettings& settings = {});
+
+/** \brief Votes once more on the same mesh. */
+VotedNormals
+voteAgain(const VotedMesh& voted, VotingSettings settings);
+
+test::Points
+votedNormalsInScene(const SimulatedCloud& cloud, const VotedMesh& voted);
+
+/** \brief Which vertices are creases or corners. */
+std::vector<bool>
+creasesOf(const VotedNormals& votes);
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,134 @@
+#include "closed_meshes.h"
+#include "naive_voting.h"
+#include "voting_runs.h"
+
+#include <pcl/features/voting_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+VotedNormals
+voteByKernel(const VotingMesh& mesh,
+             const VotingSettings& settings,
+             VotingReport& report)
+{
+  return voteNormals(
+      PointView(&mesh.cloud.front().x, sizeof(PointXYZ), mesh.cloud.size()),
+      mesh.faces.triangles,
+      SensorView(),
+      settings,
+      Progress(),
+      report);
+}
+
+/** How far the strongest of the three cases is ahead of the next. */
+double
+leadOfClass(const NaiveVote& vote, const VotingSettings& settings)
+{
+  const Eigen::Vector3d& l = vote.eigenvalues;
+  Eigen::Vector3d cases(l[2] - l[1],
+                        settings.crease_weight * (l[1] - l[0]),
+                        settings.crease_weight * settings.corner_weight * l[0]);
+  std::sort(cases.begin(), cases.end());
+  return cases[2] - cases[1];
+}
+
+/** Compares what is well posed: directions of eigenvalues that lie apart. */
+void
+expectSame(const VotedNormal& found,
+           const NaiveVote& wanted,
+           double lead,
+           std::size_t v)
+{
+  constexpr double tolerance = 1e-4, apart = 0.02;
+  const Eigen::Vector3d& l = wanted.eigenvalues;
+  EXPECT_NEAR(found.saliency, l[2] - l[1], tolerance) << v;
+  if (lead > tolerance) {
+    EXPECT_EQ(found.vertex_class, wanted.vertex_class) << v;
+  }
+  if (l[2] - l[1] > apart) {
+    EXPECT_LT((found.normal.cast<double>() - wanted.normal).norm(), tolerance) << v;
+  }
+  if (l[1] - l[0] > apart) {
+    EXPECT_LT(found.direction.cast<double>().cross(wanted.direction).norm(), tolerance)
+        << v;
+  }
+}
+
+/** Who finds too few voters asks once more, twice as far. */
+NaiveVote
+voteTwice(const VotingMesh& mesh, std::size_t vertex, NaiveSettings settings)
+{
+  const NaiveVote vote = voteNaively(mesh, vertex, settings);
+  settings.radius *= 2;
+  return vote.vertex_class == VertexClass::Unknown ? voteNaively(mesh, vertex, settings)
+                                                   : vote;
+}
+
+void
+compareWithNaive(const VotingMesh& mesh, const VotingSettings& settings)
+{
+  VotingReport report;
+  const VotedNormals found = voteByKernel(mesh, settings, report);
+  NaiveSettings naive;
+  naive.radius = report.radius;
+  naive.nearest = std::min(2 * report.sigma, report.radius / 3);
+  naive.crease_weight = settings.crease_weight;
+  naive.corner_weight = settings.corner_weight;
+  std::size_t classes[4] = {};
+  for (std::size_t v = 0; v < mesh.cloud.size(); ++v) {
+    const NaiveVote wanted = voteTwice(mesh, v, naive);
+    ++classes[static_cast<std::size_t>(wanted.vertex_class)];
+    expectSame(found.normals[v], wanted, leadOfClass(wanted, settings), v);
+  }
+  EXPECT_EQ(classes[0], 0U);
+  EXPECT_EQ(classes[1], report.surface);
+  EXPECT_EQ(classes[2], report.crease);
+  EXPECT_EQ(classes[3], report.corner);
+}
+
+TEST(VotingOracle, gentleHills)
+{
+  for (const double radius : {0.0, 2.2, 4.0}) {
+    VotingSettings settings;
+    settings.radius = radius;
+    compareWithNaive(makeRoughMesh(18, 0.5, 1), settings);
+  }
+}
+
+TEST(VotingOracle, crumpledMesh)
+{
+  VotingSettings settings;
+  settings.radius = 3.7;
+  for (const double eps : {0.5, 2.0, 12.0}) {
+    settings.crease_weight = eps;
+    settings.corner_weight = eps;
+    compareWithNaive(makeRoughMesh(16, 2, 2), settings);
+  }
+}
+
+TEST(VotingOracle, closedSurfaces)
+{
+  for (const double radius : {0.0, 0.31, 0.83}) {
+    VotingSettings settings;
+    settings.radius = radius;
+    compareWithNaive(makeSphereMesh(2, 1), settings);
+  }
+}
+
+TEST(VotingOracle, pathsAreThoseOfALattice)
+{
+  const VotingMesh mesh = makePlaneMesh(7, 7, 1); // diagonals rise to the right
+  const std::vector<double> lengths = pathLengths(mesh, 0);
+  EXPECT_DOUBLE_EQ(lengths[6], 6);
+  EXPECT_DOUBLE_EQ(lengths[48], 6 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(lengths[10], 2 + std::sqrt(2.0)); // (3, 1)
+}
+
+} // namespace
+} // namespace pcl::acmap::test

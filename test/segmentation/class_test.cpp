@@ -1,0 +1,265 @@
+#include "clustering_runs.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <typename PointT>
+typename PointCloud<PointT>::Ptr
+copyOf(const Cloud& places)
+{
+  const auto cloud = std::make_shared<PointCloud<PointT>>();
+  for (const PointXYZ& place : places) {
+    PointT point;
+    point.getVector3fMap() = place.getVector3fMap();
+    cloud->push_back(point);
+  }
+  return cloud;
+}
+
+template <typename PointT>
+class AnyPointClusters : public testing::Test {};
+
+using PointTypes = testing::Types<PointXYZ,
+                                  PointXYZI,
+                                  PointXYZRGB,
+                                  PointXYZRGBA,
+                                  PointNormal,
+                                  PointXYZRGBNormal,
+                                  PointXYZRGBNormalView>;
+TYPED_TEST_SUITE(AnyPointClusters, PointTypes);
+
+TYPED_TEST(AnyPointClusters, theSame)
+{
+  const VotingMesh mesh = withNoise(makeDoor(0.2), {0, 0, 1}, 0.001);
+  const Voted voted = voteOn(mesh);
+  PlaneHypothesisClustering<TypeParam> clustering;
+  clustering.setInputCloud(copyOf<TypeParam>(mesh.cloud));
+  clustering.setInputNormals(voted.normals.makeShared());
+  clustering.setVertexClasses(voted.classes.makeShared());
+  clustering.setTriangles(mesh.faces);
+  clustering.setNoiseDriven(true);
+  const Clustered found = runClustering(clustering);
+  EXPECT_GE(found.patches.size(), 2U);
+  EXPECT_TRUE(areSame(found, clusterOn(mesh)));
+}
+
+TEST(ClusteringClass, takesTheNormalsOfThePoints)
+{
+  const VotingMesh mesh = withNoise(makeDoor(0.2), {0, 0, 1}, 0.001);
+  const Voted voted = voteOn(mesh);
+  const auto cloud = copyOf<PointNormal>(mesh.cloud);
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    (*cloud)[i].getNormalVector3fMap() = 3 * voted.normal(i); // of any length
+  PlaneHypothesisClustering<PointNormal> clustering;
+  clustering.setInputCloud(cloud);
+  clustering.setTriangles(mesh.faces);
+  clustering.setNoiseDriven(true);
+  const Clustered found = runClustering(clustering);
+  ASSERT_GE(found.patches.size(), 2U);
+  EXPECT_NEAR(distanceFrom(found.patches[0], {0, 0, 0}), 0, 0.001);
+  EXPECT_NEAR(distanceFrom(found.patches[1], {0, 0, -0.2}), 0, 0.001);
+}
+
+TEST(ClusteringClass, polygonsAreFans)
+{
+  const VotingMesh mesh = makeWall(2, 1.5);
+  std::vector<Vertices> polygons;
+  for (const TriangleMesh::Triangle& triangle : mesh.faces.triangles) {
+    polygons.emplace_back();
+    polygons.back().vertices.assign(triangle.begin(), triangle.end());
+  }
+  polygons.emplace_back(); // no face
+  const Clustered found = clusterOn(
+      mesh, [&](Clustering& clustering) { clustering.setTriangles(polygons); });
+  EXPECT_TRUE(areSame(found, clusterOn(mesh)));
+}
+
+TEST(ClusteringClass, indicesChooseHypotheses)
+{
+  const VotingMesh mesh = makeBoards(0.12);
+  const auto chosen = std::make_shared<Indices>();
+  for (std::size_t i = mesh.cloud.size() / 2; i < mesh.cloud.size(); ++i)
+    chosen->push_back(static_cast<index_t>(i));
+  const auto setIndices = [&](Clustering& clustering) {
+    clustering.setIndices(chosen);
+  };
+  const Clustered found = clusterOn(mesh, setIndices);
+  ASSERT_EQ(found.patches.size(), 1U);
+  EXPECT_NEAR(distanceFrom(found.patches[0], {0, 0, 0.12}), 0, 1e-6);
+  ASSERT_EQ(found.labels.size(), mesh.cloud.size()) << "of the whole cloud";
+  EXPECT_EQ(found.report.hypotheses, chosen->size());
+  for (std::size_t i = 0; i < found.labels.size(); ++i)
+    EXPECT_EQ(found.labels[i], i < mesh.cloud.size() / 2 ? -1 : 0) << i;
+}
+
+TEST(ClusteringClass, extractGivesThePointsOfEachPlane)
+{
+  const VotingMesh mesh = makeBoards(0.12);
+  Clustering clustering;
+  setMesh(clustering, mesh);
+  const Cloud::Ptr cloud = mesh.cloud.makeShared();
+  cloud->header.frame_id = "map";
+  clustering.setInputCloud(cloud);
+  clustering.setNoiseDriven(true);
+  std::vector<PointIndices> clusters;
+  clustering.extract(clusters);
+  ASSERT_EQ(clusters.size(), 2U);
+  for (std::size_t p = 0; p < 2; ++p) {
+    EXPECT_EQ(clusters[p].header.frame_id, "map");
+    EXPECT_EQ(clusters[p].indices.size(), mesh.cloud.size() / 2);
+    EXPECT_TRUE(std::is_sorted(clusters[p].indices.begin(), clusters[p].indices.end()));
+    for (const index_t index : clusters[p].indices)
+      EXPECT_EQ(clustering.getLabels()[static_cast<std::size_t>(index)],
+                static_cast<std::int32_t>(p));
+  }
+}
+
+TEST(ClusteringClass, wrongSettingsAreRefused)
+{
+  Clustering clustering;
+  for (const double wrong : {0.0, -0.1, 1e10, nan, infinity, -infinity}) {
+    EXPECT_THROW(clustering.setClusterTolerance(wrong), BadArgumentException) << wrong;
+    EXPECT_THROW(clustering.setSmoothnessThreshold(wrong), BadArgumentException)
+        << wrong;
+    EXPECT_THROW(clustering.setDistanceThreshold(wrong), BadArgumentException) << wrong;
+  }
+  EXPECT_THROW(clustering.setSmoothnessThreshold(1.6), BadArgumentException);
+  for (const double wrong : {-0.1, nan, infinity})
+    EXPECT_THROW(clustering.setMinArea(wrong), BadArgumentException) << wrong;
+  const Cloud::ConstPtr source = makeWall(1, 1).cloud.makeShared();
+  EXPECT_THROW(
+      clustering.setSourceCloud(source, {{static_cast<float>(infinity), 0, 0}}),
+      BadArgumentException);
+  EXPECT_EQ(clustering.getClusterTolerance(), 0.8);
+  EXPECT_EQ(clustering.getDistanceThreshold(), 0.25);
+}
+
+TEST(ClusteringClass, distanceThresholdIsAutomaticWhereNoiseDecides)
+{
+  Clustering clustering;
+  clustering.setNoiseDriven(true);
+  EXPECT_EQ(clustering.getDistanceThreshold(), 0) << "automatic";
+  clustering.setDistanceThreshold(0.07);
+  EXPECT_EQ(clustering.getDistanceThreshold(), 0.07);
+  clustering.setNoiseDriven(false);
+  EXPECT_EQ(clustering.getDistanceThreshold(), 0.07);
+}
+
+TEST(ClusteringClass, givenDistanceIsUsedInBothModes)
+{
+  for (const bool noise_driven : {true, false}) {
+    const Clustered found = clusterOn(makeBoards(0.12), [&](Clustering& clustering) {
+      clustering.setNoiseDriven(noise_driven);
+      clustering.setDistanceThreshold(0.07);
+    });
+    EXPECT_EQ(found.report.plane_distance, 0.07);
+    EXPECT_EQ(found.patches.size(), 2U);
+  }
+}
+
+void
+expectRefused(const std::function<void(Clustering&)>& spoil, const std::string& word)
+{
+  Clustering clustering;
+  setMesh(clustering, makeWall(1, 1));
+  spoil(clustering);
+  std::vector<PlanePatch> patches(3);
+  try {
+    clustering.segment(patches);
+    ADD_FAILURE() << word;
+  }
+  catch (const InitFailedException& error) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(patches.size(), 3U) << "untouched";
+  std::vector<PointIndices> clusters(2);
+  EXPECT_THROW(clustering.extract(clusters), InitFailedException);
+  EXPECT_EQ(clusters.size(), 2U);
+}
+
+TEST(ClusteringClass, wrongInputsAreRefused)
+{
+  expectRefused([](Clustering& c) { c = Clustering(); }, "no input cloud");
+  expectRefused([](Clustering& c) { c.setInputNormals(nullptr); }, "no normals");
+  expectRefused(
+      [](Clustering& c) {
+        c.setInputNormals(std::make_shared<PointCloud<Normal>>(3, 1));
+      },
+      "3 normals");
+  expectRefused(
+      [](Clustering& c) {
+        c.setVertexClasses(std::make_shared<PointCloud<Label>>(5, 1));
+      },
+      "5 vertex classes");
+  for (const index_t wrong : {-1, 441, 1 << 30}) {
+    expectRefused(
+        [&](Clustering& c) {
+          c.setIndices(std::make_shared<Indices>(Indices{0, wrong}));
+        },
+        "index");
+    TriangleMesh mesh;
+    mesh.triangles = {{0, 1, 2}, {3, 4, wrong}};
+    expectRefused([&](Clustering& c) { c.setTriangles(mesh); }, "corner");
+  }
+}
+
+TEST(ClusteringClass, cancelLeavesEverythingAsItWas)
+{
+  Clustering clustering;
+  setMesh(clustering, makeBoards(0.12));
+  clustering.setNoiseDriven(true);
+  const Cloud::ConstPtr source = makeBoards(0.12).cloud.makeShared();
+  clustering.setSourceCloud(source);
+  const Clustered before = runClustering(clustering);
+  for (int allowed = 0; allowed < 20; ++allowed) {
+    int calls = 0;
+    clustering.setProgressCallback(
+        [&](double, const std::string&) { return calls++ < allowed; });
+    std::vector<PlanePatch> patches(7);
+    try {
+      clustering.segment(patches);
+      EXPECT_EQ(patches.size(), 2U);
+      EXPECT_GE(allowed, 4) << "it is told now and then";
+      return;
+    }
+    catch (const CancelledException&) {
+      EXPECT_EQ(patches.size(), 7U);
+      EXPECT_EQ(clustering.getLabels(), before.labels);
+      EXPECT_EQ(clustering.getSourceLabels(), before.source_labels);
+      EXPECT_EQ(clustering.getReport().planes, before.report.planes);
+    }
+  }
+  ADD_FAILURE() << "never finished";
+}
+
+TEST(ClusteringClass, sourceMayBeForgotten)
+{
+  Clustering clustering;
+  setMesh(clustering, makeWall(1, 1));
+  clustering.setNoiseDriven(true);
+  {
+    const Cloud::ConstPtr source = makeWall(1, 1).cloud.makeShared();
+    clustering.setSourceCloud(source);
+  } // it is kept
+  EXPECT_EQ(runClustering(clustering).source_labels.size(), 441U);
+  clustering.setSourceCloud(Cloud::ConstPtr());
+  EXPECT_TRUE(runClustering(clustering).source_labels.empty());
+  const Cloud::ConstPtr empty(new Cloud);
+  clustering.setSourceCloud(empty);
+  EXPECT_EQ(runClustering(clustering).patches.size(), 1U);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "plane_meshes.h"
+#include "voting_runs.h"
+
+#include <pcl/segmentation/plane_hypothesis_clustering.h>
+
+namespace pcl::acmap::test {
+
+using Clustering = PlaneHypothesisClustering<PointXYZ>;
+using SetClustering = std::function<void(Clustering&)>;
+
+/** \brief All that a run gives. */
+struct Clustered {
+  std::vector<PlanePatch> patches;
+  std::vector<std::int32_t> labels;
+  std::vector<std::int32_t> source_labels;
+  PlaneClusteringReport report;
+};
+
+template <typename PointT>
+Clustered
+runClustering(PlaneHypothesisClustering<PointT>& clustering)
+{
+  Clustered result;
+  clustering.segment(result.patches);
+  result.labels = clustering.getLabels();
+  result.source_labels = clustering.getSourceLabels();
+  result.report = clustering.getReport();
+  return result;
+}
+
+/** \brief Gives an object the mesh, and the normals and classes that are voted on it. */
+void
+setMesh(Clustering& clustering, const VotingMesh& mesh);
+
+/** \brief Clusters a mesh by its noise.
+ * \param[in] set what is not to stay at its default */
+Clustered
+clusterOn(
+    const VotingMesh& mesh, const SetClustering& set = [](Clustering&) {});
+
+/** \brief Clusters points with normals as the paper does. */
+Clustered
+clusterAsPaper(
+    const PointCloud<PointNormal>& cloud,
+    const std::function<void(PlaneHypothesisClustering<PointNormal>&)>& set =
+        [](auto&) {});
+
+/** \brief Equal in every byte. */
+bool
+areSame(const Clustered& a, const Clustered& b);
+
+/** \brief Of a plane's normal from a direction, whatever its sign; radians. */
+double
+angleFrom(const PlanePatch& patch, const Eigen::Vector3d& direction);
+
+/** \brief Of a point from the plane along its normal, metres. */
+inline double
+distanceFrom(const PlanePatch& patch, const Eigen::Vector3d& point)
+{
+  return patch.coefficients.head<3>().dot(point) + patch.coefficients[3];
+}
+
+} // namespace pcl::acmap::test

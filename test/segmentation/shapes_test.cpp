@@ -1,0 +1,228 @@
+#include "closed_meshes.h"
+#include "clustering_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr double degree = M_PI / 180;
+
+void
+setPaperMode(Clustering& clustering)
+{
+  clustering.setNoiseDriven(false);
+}
+
+/** Points of the cloud that have no plane. */
+std::size_t
+leftOut(const Clustered& found)
+{
+  return static_cast<std::size_t>(
+      std::count(found.labels.begin(), found.labels.end(), -1));
+}
+
+void
+expectNoPlane(const VotingMesh& mesh)
+{
+  const Clustered found = clusterOn(mesh);
+  EXPECT_EQ(found.patches.size(), 0U);
+  EXPECT_EQ(found.report.planes, 0U);
+  EXPECT_EQ(leftOut(found), mesh.cloud.size());
+  EXPECT_GT(found.report.curved_regions, 0U);
+  EXPECT_GT(found.report.points_on_curved, 8 * mesh.cloud.size() / 10);
+  ASSERT_FALSE(found.report.remarks.empty());
+  EXPECT_NE(found.report.remarks.back().find("curved"), std::string::npos);
+}
+
+TEST(PlaneShapes, flatGridIsExact)
+{
+  const VotingMesh mesh = makeWall(2, 1.5);
+  for (const bool noise_driven : {true, false}) {
+    const Clustered found = clusterOn(
+        mesh, [&](Clustering& clustering) { clustering.setNoiseDriven(noise_driven); });
+    ASSERT_EQ(found.patches.size(), 1U);
+    EXPECT_EQ(leftOut(found), 0U);
+    const PlanePatch& patch = found.patches[0];
+    EXPECT_TRUE(patch.coefficients.isApprox(Eigen::Vector4d(0, 0, 1, 0), 1e-9))
+        << patch.coefficients.transpose();
+    EXPECT_LT(patch.center.norm(), 1e-6);
+    EXPECT_EQ(patch.support, mesh.cloud.size());
+    EXPECT_EQ(patch.rms, 0);
+    EXPECT_NEAR(patch.area, 3, 1e-6);
+    EXPECT_LT(patch.covariance.cwiseAbs().maxCoeff(), 1e-20) << "nothing is unsure";
+    EXPECT_NEAR(patch.effective_support, static_cast<double>(patch.support), 1e-9);
+  }
+}
+
+TEST(PlaneShapes, inclinedPlaneIsExact)
+{
+  const VotingMesh mesh = makeSheetMesh(41, 31, grid, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 3 + u / 4);
+  });
+  const Clustered found = clusterOn(mesh);
+  ASSERT_EQ(found.patches.size(), 1U);
+  const Eigen::Vector3d normal = Eigen::Vector3d(-0.25, 0, 1).normalized();
+  EXPECT_LT((found.patches[0].coefficients.head<3>() - normal).norm(), 1e-6);
+  EXPECT_NEAR(found.patches[0].coefficients[3], -3 * normal.z(), 1e-6);
+}
+
+TEST(PlaneShapes, frameOfThePatchIsRightHandedAndInThePlane)
+{
+  const VotingMesh mesh = makeSheetMesh(61, 31, grid, [](double u, double v) {
+    return Eigen::Vector3d(u, v, u / 4 - v);
+  });
+  const Clustered found = clusterOn(withNoise(mesh, {0, 0, 1}, 0.002));
+  ASSERT_EQ(found.patches.size(), 1U);
+  const PlanePatch& patch = found.patches[0];
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  EXPECT_NEAR(normal.norm(), 1, 1e-12);
+  EXPECT_NEAR(patch.axis_u.norm(), 1, 1e-9);
+  EXPECT_LT((patch.axis_u.cross(patch.axis_v) - normal).norm(), 1e-9);
+  EXPECT_NEAR(distanceFrom(patch, patch.center), 0, 1e-9);
+  EXPECT_LT(patch.center.norm(), 0.01);
+}
+
+TEST(PlaneShapes, boardsTwelveCentimetresApartAreTwo)
+{
+  for (const double noise : {0.0, 0.002, 0.005}) {
+    const Clustered found = clusterOn(withNoise(makeBoards(0.12), {0, 0, 1}, noise));
+    ASSERT_EQ(found.patches.size(), 2U) << noise;
+    EXPECT_EQ(leftOut(found), 0U);
+    const double apart = std::abs(distanceFrom(found.patches[0], {0, 0, 0}) -
+                                  distanceFrom(found.patches[1], {0, 0, 0}));
+    EXPECT_NEAR(apart, 0.12, 0.001 + noise / 5);
+    for (const PlanePatch& patch : found.patches) {
+      EXPECT_LT(angleFrom(patch, {0, 0, 1}), 0.1 * degree);
+      EXPECT_NEAR(patch.rms, noise, 0.1 * noise + 1e-9);
+      EXPECT_NEAR(patch.area, 3, 0.05);
+    }
+  }
+}
+
+TEST(PlaneShapes, gentlyCurvedWallIsNoPlane)
+{
+  for (const double noise : {0.0, 0.0005, 0.005})
+    expectNoPlane(makeCurvedWall(8, noise));
+}
+
+TEST(PlaneShapes, sphereIsNoPlane)
+{
+  expectNoPlane(makeSphereMesh(4, 1));
+  expectNoPlane(withNoise(makeSphereMesh(5, 1), {1, 0, 0}, 0.001));
+}
+
+TEST(PlaneShapes, noisyWallIsNotCurved)
+{
+  for (const double noise : {0.001, 0.005, 0.01}) {
+    const Clustered found = clusterOn(withNoise(makeWall(4, 2.5), {0, 0, 1}, noise));
+    ASSERT_EQ(found.patches.size(), 1U) << noise;
+    EXPECT_EQ(found.report.curved_regions, 0U);
+    EXPECT_NEAR(found.report.sigma, noise, 0.15 * noise);
+    EXPECT_NEAR(found.patches[0].rms, noise, 0.1 * noise);
+  }
+}
+
+TEST(PlaneShapes, cornerOfABoxHasThree)
+{
+  const Clustered found = clusterOn(withNoise(makeCornerMesh(), {1, 1, 1}, 0.0005));
+  ASSERT_EQ(found.patches.size(), 3U);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::size_t count = 0;
+    for (const PlanePatch& patch : found.patches) {
+      count += angleFrom(patch, Eigen::Vector3d::Unit(axis)) < 0.1 * degree;
+      EXPECT_GT(patch.coefficients.head<3>().sum(), 0.9)
+          << "to the side it is seen from";
+    }
+    EXPECT_EQ(count, 1U) << "along axis " << axis;
+  }
+}
+
+TEST(PlaneShapes, cubeHasSix)
+{
+  const Clustered found = clusterOn(makeCubeMesh(20, grid));
+  ASSERT_EQ(found.patches.size(), 6U);
+  EXPECT_EQ(leftOut(found), 0U);
+  for (const PlanePatch& patch : found.patches) {
+    EXPECT_NEAR(patch.coefficients[3], -0.5, 1e-6);
+    EXPECT_NEAR(patch.area, 1, 1e-5);
+  }
+}
+
+/** The paper's W_t of 0.25 m takes the door for wall; the noise tells them apart. */
+TEST(PlaneShapes, doorThatLiesTenCentimetresBack)
+{
+  const VotingMesh mesh = withNoise(makeDoor(0.1), {0, 0, 1}, 0.0005);
+  const Clustered found = clusterOn(mesh);
+  ASSERT_EQ(found.patches.size(), 2U);
+  EXPECT_EQ(found.patches[0].polygons.size(), 2U) << "wall on both sides of the door";
+  EXPECT_NEAR(found.patches[0].area, 6, 0.1);
+  EXPECT_NEAR(distanceFrom(found.patches[0], {0, 0, 0}), 0, 0.001);
+  EXPECT_EQ(found.patches[1].polygons.size(), 1U);
+  EXPECT_NEAR(found.patches[1].area, 1.8, 0.1);
+  EXPECT_NEAR(distanceFrom(found.patches[1], {0, 0, -0.1}), 0, 0.001);
+  EXPECT_EQ(clusterOn(mesh, setPaperMode).patches.size(), 1U);
+}
+
+/** Small boards do not know their tilt well enough: the wall's normal helps. */
+TEST(PlaneShapes, boardsFarApartInOnePlaneAreOne)
+{
+  const VotingMesh board = makeWall(1, 2);
+  const VotingMesh boards =
+      together(placedAt(board, -3, 0, -0.1), placedAt(board, 3, 0, -0.1));
+  for (const double noise : {0.0, 0.001, 0.003}) {
+    const VotingMesh mesh =
+        withNoise(together(makeWall(8, 2.5), boards), {0, 0, 1}, noise);
+    const Clustered found = clusterOn(mesh);
+    ASSERT_EQ(found.patches.size(), 2U) << noise;
+    EXPECT_EQ(found.report.merged, 1U);
+    EXPECT_EQ(found.patches[1].polygons.size(), 2U);
+    EXPECT_NEAR(found.patches[1].area, 4, 0.1);
+    EXPECT_NEAR(distanceFrom(found.patches[1], {0, 0, -0.1}), 0, 0.001);
+  }
+}
+
+TEST(PlaneShapes, sidesOfAThinWallAreTwo)
+{
+  for (const double noise : {0.0, 0.002})
+    for (const bool noise_driven : {true, false}) {
+      const VotingMesh mesh = withNoise(makeThinWall(0.12), {0, 0, 1}, noise);
+      const Clustered found = clusterOn(mesh, [&](Clustering& clustering) {
+        clustering.setNoiseDriven(noise_driven);
+      });
+      ASSERT_EQ(found.patches.size(), 2U) << noise << ", " << noise_driven;
+      const Eigen::Vector3d front = found.patches[0].coefficients.head<3>();
+      const Eigen::Vector3d back = found.patches[1].coefficients.head<3>();
+      EXPECT_LT(front.dot(back), -0.999) << "each looks to its side";
+      EXPECT_EQ(found.patches[0].support, found.patches[1].support);
+    }
+}
+
+TEST(PlaneShapes, leastAreaDecides)
+{
+  const VotingMesh mesh =
+      together(makeWall(1, 1), placedAt(makeWall(0.5, 0.5), 3, 0, 0.7));
+  const auto foundAbove = [&](double area) {
+    return clusterOn(mesh, [&](Clustering& clustering) { clustering.setMinArea(area); })
+        .patches.size();
+  };
+  EXPECT_EQ(foundAbove(0.1), 2U);
+  EXPECT_EQ(foundAbove(0.5), 1U);
+  EXPECT_EQ(foundAbove(1.5), 0U);
+}
+
+TEST(PlaneShapes, largestComesFirst)
+{
+  VotingMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh = together(mesh, placedAt(makeWall(0.5 + 0.2 * (k * 3 % 8), 1), 0, 0, k));
+  const Clustered found = clusterOn(mesh);
+  ASSERT_EQ(found.patches.size(), 8U);
+  for (std::size_t p = 1; p < found.patches.size(); ++p)
+    EXPECT_LE(found.patches[p].area, found.patches[p - 1].area);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
