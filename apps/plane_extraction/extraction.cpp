@@ -15,6 +15,7 @@ settingsOf(const PlaneOptions& options)
   if (!options.paper)
     settings.plane_distance = 0;
   settings.least_area = options.least_area.value_or(settings.least_area);
+  settings.regular = options.regular;
   return settings;
 }
 

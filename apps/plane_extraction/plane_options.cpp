@@ -61,6 +61,10 @@ addOptions(Tool& tool, PlaneOptions& options)
          "surface where that is less]")
       ->type_name("M2")
       ->check(positiveNumber().description(""));
+  app.add_flag("--regular",
+               options.regular,
+               "Turn planes to be exactly parallel or at right angles to larger ones, "
+               "within their own uncertainty and a degree");
   app.add_flag(
       "--paper",
       options.paper,

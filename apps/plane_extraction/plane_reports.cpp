@@ -60,6 +60,8 @@ jsonOf(const PlaneClusteringReport& report)
           {"points_on_curved", report.points_on_curved},
           {"refuted_regions", report.refuted_regions},
           {"merged", report.merged},
+          {"regular_planes", report.regular_planes},
+          {"largest_turn", report.largest_turn},
           {"spacing", report.spacing},
           {"sigma", report.sigma},
           {"plane_distance", report.plane_distance},

@@ -117,8 +117,8 @@ struct PlaneHypothesisClusteringTraits {
     words << "noise " << object.getNoiseDriven() << ", thresholds "
           << object.getClusterTolerance() << ' ' << object.getSmoothnessThreshold()
           << ' ' << object.getDistanceThreshold() << ' ' << object.getMinClusterSize()
-          << ", area " << object.getMinArea() << ", threads "
-          << object.getNumberOfThreads();
+          << ", area " << object.getMinArea() << ", regular " << object.getRegularize()
+          << ", threads " << object.getNumberOfThreads();
     return words.str();
   }
 

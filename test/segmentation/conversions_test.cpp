@@ -48,8 +48,8 @@ TEST(PlaneConversions, planarRegionHasWhatPclMeans)
   for (std::size_t i = 0; i < region.getContour().size(); ++i)
     EXPECT_EQ(region.getContour()[i].getVector3fMap(), patch.polygons[0].outer[i]);
 
-  Eigen::Matrix3f covariance;
-  Eigen::Vector4f centroid;
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+  Eigen::Vector4f centroid = Eigen::Vector4f::Zero();
   computeMeanAndCovarianceMatrix(wall.cloud, covariance, centroid);
   EXPECT_LT((region.getCentroid() - centroid.head<3>()).norm(), 0.02F);
   EXPECT_LT((region.getCovariance() - covariance).norm(), 0.05F * covariance.norm());

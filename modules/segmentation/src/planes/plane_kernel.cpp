@@ -4,6 +4,7 @@
 #include "planes/noise_driven.h"
 #include "planes/paper_growth.h"
 #include "planes/plane_merge.h"
+#include "planes/regular.h"
 #include "planes/rims.h"
 
 #include <pcl/core/parallel.h>
@@ -190,7 +191,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
     raiseStrips(graph, grown);
-    widenRims(graph, limits.distance, grown);
+    const double noise = automaticDistance(graph); // W_t may be far above it
+    widenRims(graph, std::min(limits.distance, noise), grown);
     timer.finish("growing");
 
     KnownPlanes known = knownPlanes(graph, grown);
@@ -200,7 +202,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     labeling.distance = limits.distance / 2;
     labeling.cosine = merge_cosine;
     labeling.least_area = least_area;
-    labeling.stray = std::max(limits.distance, 0.25 * graph.spacing);
+    labeling.stray = std::max(noise, 0.25 * graph.spacing);
     if (settings.noise_driven && source.points.size() > 0)
       clusters.source_labels =
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
@@ -208,6 +210,11 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
       dropUnsure(known);
       labeling.coarseness = 3; // consolidated points share windows with neighbours
       fitLabeled(known.points, SensorView(), labeling, known);
+    }
+    if (settings.regular) {
+      const Regularity regularity = makeRegular(known.planes);
+      report.regular_planes = regularity.turned;
+      report.largest_turn = regularity.largest_turn;
     }
     progress.tell(0.9, "outlines");
     StepTimer outlines(report);

@@ -20,6 +20,7 @@ struct PlaneClusteringSettings {
   double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
   std::size_t least_support = 50;   ///< W_h; unless noise-driven
   double least_area = 0;            ///< square metres; noise-driven; 0 is automatic
+  bool regular = false;             ///< turn planes to right angles
   unsigned threads = 0;             ///< 0: all
 };
 

@@ -21,6 +21,9 @@ struct PlaneClusteringReport : Report {
       0;                  ///< grown, but the source's points do not lie on them
   std::size_t merged = 0; ///< regions that are of the plane of another one
 
+  std::size_t regular_planes = 0; ///< turned to be parallel or upright to larger ones
+  double largest_turn = 0;        ///< radians; of these
+
   double spacing = 0;        ///< metres, between neighbouring points
   double sigma = 0;          ///< metres, noise of the points across their surface
   double plane_distance = 0; ///< metres; W_t that was used

@@ -90,6 +90,14 @@ public:
   setSourceCloud(const shared_ptr<const PointCloud<SourceT>>& cloud,
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
+  template <typename SourceT>
+  void
+  setSourceCloud(const shared_ptr<PointCloud<SourceT>>& cloud,
+                 const std::vector<Eigen::Vector3f>& viewpoints = {})
+  {
+    setSourceCloud(shared_ptr<const PointCloud<SourceT>>(cloud), viewpoints);
+  }
+
   /** \brief Lets noise and mesh decide instead of the paper's thresholds (default false).
    */
   void
@@ -159,6 +167,21 @@ public:
   getMinArea() const
   {
     return least_area_;
+  }
+
+  /** \brief Turns planes about their centres to be exactly parallel or at right angles to
+   * larger ones (default false), by at most three standard deviations of their tilt and a
+   * degree; the report says how many and how far. */
+  void
+  setRegularize(bool regularize)
+  {
+    regularize_ = regularize;
+  }
+
+  bool
+  getRegularize() const
+  {
+    return regularize_;
   }
 
   /** \brief Sets the number of threads (0 = all, default); the result is the same. */
@@ -241,6 +264,7 @@ private:
   std::optional<double> plane_distance_;
   std::size_t least_support_ = 50;
   double least_area_ = 0;
+  bool regularize_ = false;
   unsigned int threads_ = 0;
   ProgressCallback progress_;
   PlaneClusteringReport report_;

@@ -116,6 +116,7 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
   settings.plane_distance = getDistanceThreshold();
   settings.least_support = least_support_;
   settings.least_area = least_area_;
+  settings.regular = regularize_;
   settings.threads = threads_;
   PlaneClusteringReport report;
   acmap::PlaneClusters clusters =

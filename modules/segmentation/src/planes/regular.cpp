@@ -1,0 +1,89 @@
+#include "planes/regular.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl::acmap::planes {
+namespace {
+
+constexpr double deviations = 3;
+constexpr double least_turn =
+    1e-4; // radians; where the covariance is too sure of itself
+constexpr double most_turn = 0.0175; // a degree
+
+double
+allowedTurn(const PlanePatch& patch)
+{
+  const double tilt =
+      std::sqrt(patch.covariance.diagonal().head<2>().maxCoeff()); // NaN: unknown
+  return std::isfinite(tilt) ? std::clamp(deviations * tilt, least_turn, most_turn)
+                             : most_turn;
+}
+
+/** The nearest normal that is parallel to a direction, or else at right angles to those
+ * that are nearly so. */
+Eigen::Vector3d
+regularNormal(const Eigen::Vector3d& normal,
+              const std::vector<Eigen::Vector3d>& directions,
+              double turn)
+{
+  for (const Eigen::Vector3d& direction : directions)
+    if (normal.cross(direction).norm() < std::sin(turn))
+      return normal.dot(direction) < 0 ? Eigen::Vector3d(-direction) : direction;
+  Eigen::Vector3d turned = normal;
+  std::vector<Eigen::Vector3d> upright; // at right angles to one another
+  for (const Eigen::Vector3d& direction : directions) {
+    if (upright.size() == 2 || std::abs(normal.dot(direction)) > std::sin(turn))
+      continue;
+    Eigen::Vector3d rest = direction;
+    for (const Eigen::Vector3d& other : upright)
+      rest -= rest.dot(other) * other;
+    constexpr double of_its_own = 0.1;
+    if (rest.norm() < of_its_own)
+      continue;
+    upright.push_back(rest.normalized());
+    turned -= turned.dot(upright.back()) * upright.back();
+  }
+  return turned.normalized();
+}
+
+void
+turnTo(const Eigen::Vector3d& normal, PlanePatch& patch)
+{
+  patch.axis_u = (patch.axis_u - patch.axis_u.dot(normal) * normal).normalized();
+  patch.axis_v = normal.cross(patch.axis_u);
+  patch.coefficients << normal, -normal.dot(patch.center);
+}
+
+} // namespace
+
+Regularity
+makeRegular(std::vector<KnownPlane>& planes)
+{
+  std::vector<std::size_t> order(planes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return planes[a].patch.area > planes[b].patch.area;
+  });
+  Regularity regularity;
+  std::vector<Eigen::Vector3d> directions;
+  for (const std::size_t p : order) {
+    PlanePatch& patch = planes[p].patch;
+    const Eigen::Vector3d before = patch.coefficients.head<3>();
+    const Eigen::Vector3d after = regularNormal(before, directions, allowedTurn(patch));
+    const double turn = std::asin(std::min(before.cross(after).norm(), 1.0));
+    constexpr double rounding = 1e-9;
+    if (turn > rounding && turn <= most_turn) {
+      turnTo(after, patch);
+      ++regularity.turned;
+      regularity.largest_turn = std::max(regularity.largest_turn, turn);
+    }
+    directions.push_back(patch.coefficients.head<3>());
+  }
+  return regularity;
+}
+
+} // namespace pcl::acmap::planes
