@@ -1,5 +1,5 @@
 #include "clustering_runs.h"
-#include "simulated_rooms.h"
+#include "room_planes.h"
 
 #include <pcl/core/random.h>
 

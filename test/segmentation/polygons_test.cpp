@@ -1,7 +1,7 @@
 #include "closed_meshes.h"
 #include "clustering_runs.h"
 #include "polygon_checks.h"
-#include "simulated_rooms.h"
+#include "room_planes.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -58,6 +58,16 @@ TEST(PlanePolygons, windowStaysOpen)
     expectRectangle(patch.polygons[0].holes[0], 1.2, 1, 1.1 * grid);
     expectSound(patch);
   }
+}
+
+TEST(PlanePolygons, planesOfThePaperHaveThemToo)
+{
+  const Clustered found = clusterOn(makeWallWithWindow(), [](Clustering& clustering) {
+    clustering.setNoiseDriven(false);
+  });
+  ASSERT_EQ(found.patches.size(), 1U);
+  EXPECT_EQ(found.patches[0].polygons[0].holes.size(), 1U);
+  expectSound(found.patches[0]);
 }
 
 TEST(PlanePolygons, smallHolesAreClosed)
@@ -159,23 +169,6 @@ TEST(PlanePolygons, windowThatWasSeenStaysOpen)
         EXPECT_LT(distanceToLine(hole, flattened(patch, {Eigen::Vector3f(x, y, 3)})[0]),
                   1.5 * found.voxel);
   }
-}
-
-/** Metres from a vertex to the nearest rectangle of the truth. */
-double
-distanceTo(const TruthPlane& plane, const Eigen::Vector3d& place)
-{
-  double least = 1e9;
-  for (const SimulatedRectangle& rectangle : plane.rectangles) {
-    const Eigen::Vector3d off = place - rectangle.corner;
-    const double u = off.dot(rectangle.edge_u) / rectangle.edge_u.squaredNorm();
-    const double v = off.dot(rectangle.edge_v) / rectangle.edge_v.squaredNorm();
-    least = std::min(least,
-                     (off - std::clamp(u, 0.0, 1.0) * rectangle.edge_u -
-                      std::clamp(v, 0.0, 1.0) * rectangle.edge_v)
-                         .norm());
-  }
-  return least;
 }
 
 class SeenPolygons : public testing::TestWithParam<double> {};

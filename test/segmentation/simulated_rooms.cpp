@@ -1,47 +1,12 @@
 #include "simulated_rooms.h"
 
-#include <pcl/features/normal_vector_voting.h>
-#include <pcl/filters/voxel_consolidation.h>
 #include <pcl/simulation/simulated_observation.h>
-#include <pcl/surface/dewall_kernel.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl::acmap::test {
 namespace {
-
-using MapPoint = PointXYZRGBNormalView;
-
-/** For each patch the plane that most of its points are of. */
-std::vector<std::int32_t>
-truthOfPatches(const Clustered& found, const SeenRoom& room)
-{
-  std::vector<std::vector<std::size_t>> counts(
-      found.patches.size(), std::vector<std::size_t>(room.planes.size() + 1, 0));
-  for (std::size_t i = 0; i < found.source_labels.size(); ++i)
-    if (found.source_labels[i] >= 0)
-      ++counts[static_cast<std::size_t>(found.source_labels[i])]
-              [static_cast<std::size_t>(room.truth[i] + 1)];
-  std::vector<std::int32_t> truth;
-  for (const auto& count : counts)
-    truth.push_back(static_cast<std::int32_t>(
-        std::max_element(count.begin(), count.end()) - count.begin() - 1));
-  return truth;
-}
-
-/** The class is not compiled for points with a view. */
-TriangleMesh
-meshOf(const PointCloud<MapPoint>& cloud, double longest_edge)
-{
-  DeWallSettings settings;
-  settings.maximum_edge_length = longest_edge;
-  settings.normals = PointView(cloud.front().normal, sizeof(MapPoint), cloud.size());
-  DeWallReport report;
-  return triangulateDeWall(PointView(&cloud.front().x, sizeof(MapPoint), cloud.size()),
-                           settings,
-                           Progress(),
-                           report);
-}
 
 void
 addWall(SimulatedScene& scene,
@@ -102,9 +67,9 @@ see(const SimulatedScene& scene, std::uint64_t seed)
   const MergedObservations merged = mergeObservations(scene, 0, seed);
   SeenRoom room;
   room.planes = merged.planes;
-  room.cloud = std::make_shared<PointCloud<MapPoint>>();
+  room.cloud = std::make_shared<PointCloud<PointXYZRGBNormalView>>();
   for (std::size_t i = 0; i < merged.points.size(); ++i) {
-    MapPoint point;
+    PointXYZRGBNormalView point;
     point.getVector3fMap() = merged.points[i];
     point.view = merged.view[i];
     room.cloud->push_back(point);
@@ -115,40 +80,40 @@ see(const SimulatedScene& scene, std::uint64_t seed)
   return room;
 }
 
-RoomPlanes
-findPlanes(const SeenRoom& room,
-           const std::function<void(PlaneHypothesisClustering<MapPoint>&)>& set)
+SeenRoom
+seeSharply(SimulatedScene scene)
 {
-  VoxelConsolidation<MapPoint> consolidation;
-  consolidation.setInputCloud(room.cloud);
-  consolidation.setViewpoints(room.viewpoints);
-  const auto cloud = std::make_shared<PointCloud<MapPoint>>();
-  consolidation.filter(*cloud);
-  RoomPlanes result;
-  result.voxel = consolidation.getReport().voxel_size;
+  scene.rig.width *= 2;
+  scene.rig.height *= 2;
+  scene.rig.focal_length *= 2;
+  scene.rig.center_x = 2 * scene.rig.center_x + 0.5;
+  scene.rig.center_y = 2 * scene.rig.center_y + 0.5;
+  scene.sensor.points *= 4;
+  return see(scene, 1);
+}
 
-  const TriangleMesh mesh = meshOf(*cloud, 2.5 * result.voxel);
-  NormalVectorVoting<MapPoint> voting;
-  voting.setInputCloud(cloud);
-  voting.setTriangles(mesh);
-  voting.setViewpoints(room.viewpoints);
-  const auto normals = std::make_shared<PointCloud<Normal>>();
-  voting.compute(*normals);
-  const auto classes = std::make_shared<PointCloud<Label>>();
-  voting.getVertexClasses(*classes);
+std::int32_t
+planeNamed(const SeenRoom& room, const std::string& name)
+{
+  const auto plane = std::find_if(room.planes.begin(),
+                                  room.planes.end(),
+                                  [&](const TruthPlane& p) { return p.name == name; });
+  return static_cast<std::int32_t>(plane - room.planes.begin());
+}
 
-  PlaneHypothesisClustering<MapPoint> clustering;
-  clustering.setInputCloud(cloud);
-  clustering.setInputNormals(normals);
-  clustering.setVertexClasses(classes);
-  clustering.setTriangles(mesh);
-  clustering.setNoiseDriven(true);
-  const PointCloud<MapPoint>::ConstPtr source = room.cloud;
-  clustering.setSourceCloud(source, room.viewpoints);
-  set(clustering);
-  static_cast<Clustered&>(result) = runClustering(clustering);
-  result.truth = truthOfPatches(result, room);
-  return result;
+double
+distanceTo(const TruthPlane& plane, const Eigen::Vector3d& place)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SimulatedRectangle& rectangle : plane.rectangles) {
+    const Eigen::Vector3d off = place - rectangle.corner;
+    const auto along = [&](const Eigen::Vector3d& edge) {
+      return std::clamp(off.dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge;
+    };
+    least = std::min(least,
+                     (off - along(rectangle.edge_u) - along(rectangle.edge_v)).norm());
+  }
+  return least;
 }
 
 } // namespace pcl::acmap::test

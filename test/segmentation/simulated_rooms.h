@@ -1,9 +1,11 @@
 #pragma once
 
-#include "clustering_runs.h"
-
 #include <pcl/core/point_types.h>
+#include <pcl/point_cloud.h>
 #include <pcl/simulation/simulated_scene.h>
+
+#include <string>
+#include <vector>
 
 namespace pcl::acmap::test {
 
@@ -34,17 +36,16 @@ makeRoomWithDoor(double noise, double depth);
 SeenRoom
 see(const SimulatedScene& scene, std::uint64_t seed);
 
-/** \brief What came out of the whole way: consolidation, mesh, votes, planes. */
-struct RoomPlanes : Clustered {
-  std::vector<std::int32_t> truth; ///< of each patch, where most of its points are of
-  double voxel = 0;                ///< metres
-};
+/** \brief All views with four times the pixels: as many points as a real view has. */
+SeenRoom
+seeSharply(SimulatedScene scene);
 
-/** \param[in] set what is not to stay at its default */
-RoomPlanes
-findPlanes(
-    const SeenRoom& room,
-    const std::function<void(PlaneHypothesisClustering<PointXYZRGBNormalView>&)>& set =
-        [](auto&) {});
+/** \brief The true plane of that name; the number of planes where there is none. */
+std::int32_t
+planeNamed(const SeenRoom& room, const std::string& name);
+
+/** \brief Metres from a place to the nearest rectangle of a plane. */
+double
+distanceTo(const TruthPlane& plane, const Eigen::Vector3d& place);
 
 } // namespace pcl::acmap::test

@@ -162,9 +162,8 @@ TEST(ClusteringUgly, invalidSourcePointsHaveNoPlane)
 {
   const VotingMesh wall = makeWall(3, 2);
   const Cloud::Ptr source = lacedWithNan(wall.cloud, 4).makeShared();
-  const Cloud::ConstPtr constant = source;
   const Clustered found = clusterOn(
-      wall, [&](Clustering& clustering) { clustering.setSourceCloud(constant); });
+      wall, [&](Clustering& clustering) { clustering.setSourceCloud(source); });
   ASSERT_EQ(found.patches.size(), 1U);
   EXPECT_EQ(found.patches[0].support, wall.cloud.size());
   std::size_t wrong = 0;

@@ -1,0 +1,91 @@
+#include "planes/regular.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr double degree = M_PI / 180;
+
+/** \param[in] deviation of its tilt, radians */
+KnownPlane
+makePlane(const Eigen::Vector3d& normal, double area, double deviation)
+{
+  KnownPlane plane;
+  PlanePatch& patch = plane.patch;
+  const Eigen::Vector3d n = normal.normalized();
+  patch.center = {1, 2, 3};
+  patch.coefficients << n, -n.dot(patch.center);
+  patch.axis_u = n.unitOrthogonal();
+  patch.axis_v = n.cross(patch.axis_u);
+  patch.covariance = deviation * deviation * Eigen::Matrix3d::Identity();
+  patch.area = area;
+  return plane;
+}
+
+Eigen::Vector3d
+normalOf(const KnownPlane& plane)
+{
+  return plane.patch.coefficients.head<3>();
+}
+
+/** A direction that leaves an axis by so many radians towards another one. */
+Eigen::Vector3d
+leaning(const Eigen::Vector3d& axis, const Eigen::Vector3d& towards, double angle)
+{
+  return std::cos(angle) * axis + std::sin(angle) * towards;
+}
+
+const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+
+TEST(RegularPlanes, areParallelOrUprightToLargerOnes)
+{
+  std::vector<KnownPlane> planes{
+      makePlane(z, 10, 0.5 * degree),
+      makePlane(leaning(x, z, 0.6 * degree), 8, 0.5 * degree),
+      makePlane(leaning(-z, x, 0.5 * degree), 6, 0.5 * degree),
+      makePlane(leaning(y, x + z, 0.3 * degree), 4, 0.5 * degree)};
+  const planes::Regularity regularity = planes::makeRegular(planes);
+  EXPECT_EQ(regularity.turned, 3U);
+  EXPECT_NEAR(regularity.largest_turn, 0.6 * degree, 0.05 * degree);
+  EXPECT_EQ(normalOf(planes[0]), z) << "the largest one stays";
+  EXPECT_NEAR(normalOf(planes[1]).dot(z), 0, 1e-12);
+  EXPECT_TRUE(normalOf(planes[2]).isApprox(-z, 1e-12)) << "it keeps its side";
+  EXPECT_NEAR(normalOf(planes[3]).dot(normalOf(planes[0])), 0, 1e-12);
+  EXPECT_NEAR(normalOf(planes[3]).dot(normalOf(planes[1])), 0, 1e-12);
+  for (const KnownPlane& plane : planes) {
+    const PlanePatch& patch = plane.patch;
+    EXPECT_NEAR(normalOf(plane).dot(patch.center) + patch.coefficients[3], 0, 1e-12);
+    EXPECT_NEAR(patch.axis_u.cross(patch.axis_v).dot(normalOf(plane)), 1, 1e-12);
+  }
+}
+
+TEST(RegularPlanes, stayWhereTheyAreSureToBeAskew)
+{
+  std::vector<KnownPlane> planes{
+      makePlane(z, 10, 0.05 * degree),
+      makePlane(leaning(x, z, 0.6 * degree), 8, 0.05 * degree)};
+  const Eigen::Vector3d before = normalOf(planes[1]);
+  EXPECT_EQ(planes::makeRegular(planes).turned, 0U);
+  EXPECT_EQ(normalOf(planes[1]), before);
+}
+
+TEST(RegularPlanes, turnByADegreeAtMost)
+{
+  for (const double angle : {0.9, 1.1}) {
+    std::vector<KnownPlane> planes{
+        makePlane(z, 10, std::nan("")),
+        makePlane(leaning(x, z, angle * degree), 8, std::nan(""))};
+    EXPECT_EQ(planes::makeRegular(planes).turned, angle < 1 ? 1U : 0U) << angle;
+  }
+  std::vector<KnownPlane> none;
+  EXPECT_EQ(planes::makeRegular(none).turned, 0U);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
