@@ -46,10 +46,9 @@ addVotes(PlaneHypotheses& hypotheses)
   }
 }
 
-} // namespace
-
+/** \param[in] distance metres; 0 for the automatic one */
 FoundPlanes
-findAcmapPlanes(const PlaneInput& input)
+findPlanesAt(const PlaneInput& input, double distance)
 {
   return timedPlanes([&] {
     FoundPlanes found;
@@ -77,7 +76,7 @@ findAcmapPlanes(const PlaneInput& input)
     addVotes(hypotheses);
     PlaneClusteringSettings clustering;
     clustering.noise_driven = true;
-    clustering.plane_distance = 0;
+    clustering.plane_distance = distance;
     clustering.threads = 1;
     PlaneClusteringReport planes;
     PlaneClusters clusters = clusterPlanes(
@@ -88,6 +87,20 @@ findAcmapPlanes(const PlaneInput& input)
       found.labels = std::move(clusters.source_labels);
     return found;
   });
+}
+
+} // namespace
+
+FoundPlanes
+findAcmapPlanes(const PlaneInput& input)
+{
+  return findPlanesAt(input, 0);
+}
+
+FoundPlanes
+findAcmapPlanesWithin(const PlaneInput& input)
+{
+  return findPlanesAt(input, input.tolerance);
 }
 
 } // namespace pcl::acmap::bench

@@ -8,4 +8,8 @@ namespace pcl::acmap::bench {
 FoundPlanes
 findAcmapPlanes(const PlaneInput& input);
 
+/** \brief Given the tolerance that the peers are given. */
+FoundPlanes
+findAcmapPlanesWithin(const PlaneInput& input);
+
 } // namespace pcl::acmap::bench

@@ -45,7 +45,10 @@ main(int argc, char** argv)
     printWholePlanes(corridor, finders);
   if (sections.isWanted("shapes"))
     printShapePlanes(finders);
-  if (sections.isWanted("real"))
+  if (sections.isWanted("real")) {
+    finders.insert(finders.begin() + 1,
+                   {"acmap, tolerance given", findAcmapPlanesWithin});
     printRealPlanes(finders);
+  }
   return 0;
 }

@@ -65,11 +65,13 @@ struct Scenery {
   Survey survey;
   RangeNoise noise;
 
-  Scenery(const PointView& points, const SensorView& sensors, const KnownPlanes& known)
+  Scenery(const PointView& points, const SensorView& sensors, KnownPlanes& known)
   : grid(known, 2 * known.spacing, 1)
   , survey(points, sensors, grid)
   , noise(survey, grid, known.planes)
-  {}
+  {
+    measureWarps(survey, grid, noise, known.planes);
+  }
 };
 
 /** Rounds of labelling and fitting, then judgement; grid and guesses follow. */

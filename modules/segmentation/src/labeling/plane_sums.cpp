@@ -37,7 +37,7 @@ sumPlanes(const Survey& survey,
     const auto plane = static_cast<std::size_t>(labels[i]);
     const PlanePatch& patch = planes[plane].patch;
     const Crossing crossing(survey.sight(i), patch);
-    const double weight = 1 / noise.variance(crossing);
+    const double weight = 1 / noise.variance(crossing, planes[plane]);
     const double squared = crossing.off * crossing.off;
     PlaneSums& sums = all[plane];
     ++sums.points;
@@ -74,9 +74,10 @@ findShadows(const Survey& survey,
       const std::int32_t other = candidates.planes[k];
       if (other >= labels[i])
         continue;
-      const Crossing crossing(survey.sight(i),
-                              planes[static_cast<std::size_t>(other)].patch);
-      if (crossing.off * crossing.off < squared_reach * noise.variance(crossing) &&
+      const KnownPlane& caster = planes[static_cast<std::size_t>(other)];
+      const Crossing crossing(survey.sight(i), caster.patch);
+      if (crossing.off * crossing.off <
+              squared_reach * noise.variance(crossing, caster) &&
           grid.homeAt(crossing.foot) == other)
         ++shared[own][other];
     }
@@ -151,7 +152,7 @@ sumClusters(const Survey& survey,
     PlaneSums& own = sums[plane];
     const PlanePatch& patch = planes[plane].patch;
     const Crossing crossing(survey.sight(i), patch);
-    const double weight = 1 / noise.variance(crossing);
+    const double weight = 1 / noise.variance(crossing, planes[plane]);
     if (weight * crossing.off * crossing.off > squared_gate ||
         (own.isClean() && grid.hasStrangersAt(crossing.foot, survey.entry(i))))
       continue;

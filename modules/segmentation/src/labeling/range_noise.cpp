@@ -9,11 +9,18 @@ constexpr std::size_t most_samples = 40000;
 constexpr std::size_t least_in_bin = 50;
 
 double
-scaledMedian(std::vector<double>& values)
+median(std::vector<double>& values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return 1.4826 * *middle;
+  return *middle;
+}
+
+/** Of absolute values: the standard deviation, were they normal. */
+double
+scaledMedian(std::vector<double>& values)
+{
+  return 1.4826 * median(values);
 }
 
 } // namespace
@@ -42,9 +49,10 @@ RangeNoise::RangeNoise(const Survey& survey,
   for (std::size_t i = 0; i < survey.size(); i += step) {
     if (survey.entry(i) < 0 || grid[survey.entry(i)].size != 1)
       continue;
-    const std::int32_t plane = grid[survey.entry(i)].planes[0];
+    const KnownPlane& plane =
+        planes[static_cast<std::size_t>(grid[survey.entry(i)].planes[0])];
     const Sight sight = survey.sight(i);
-    const Crossing crossing(sight, planes[static_cast<std::size_t>(plane)].patch);
+    const Crossing crossing(sight, plane.patch);
     constexpr double frontal = 0.2;
     if (crossing.slant > frontal)
       offs[bin(sight.range)].push_back(std::abs(crossing.off) / crossing.slant);
@@ -69,6 +77,33 @@ RangeNoise::RangeNoise(const Survey& survey,
       sigmas_[b] = std::max(below, above);
       break;
     }
+  }
+}
+
+void
+measureWarps(const Survey& survey,
+             const CandidateGrid& grid,
+             const RangeNoise& noise,
+             std::vector<KnownPlane>& planes)
+{
+  std::vector<std::vector<double>> offs(planes.size()), expected(planes.size());
+  const std::size_t step = survey.size() / most_samples + 1;
+  for (std::size_t i = 0; i < survey.size(); i += step) {
+    if (survey.entry(i) < 0 || grid[survey.entry(i)].size != 1)
+      continue;
+    const auto p = static_cast<std::size_t>(grid[survey.entry(i)].planes[0]);
+    const Crossing crossing(survey.sight(i), planes[p].patch);
+    offs[p].push_back(std::abs(crossing.off));
+    expected[p].push_back(noise.variance(crossing, planes[p]));
+  }
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (planes[p].trust != PlaneTrust::Sure || offs[p].size() < least_in_bin)
+      continue;
+    const double measured = std::pow(scaledMedian(offs[p]), 2);
+    const double known = median(expected[p]);
+    constexpr double significant = 1.5;
+    if (measured > significant * known)
+      planes[p].warp = std::hypot(planes[p].warp, std::sqrt(measured - known));
   }
 }
 

@@ -21,10 +21,10 @@ public:
 
   /** Variance of a point's distance from a plane, square metres. */
   double
-  variance(const Crossing& crossing) const
+  variance(const Crossing& crossing, const KnownPlane& plane) const
   {
     const double across = sigma(crossing.range) * crossing.slant;
-    return across * across + squared_floor_;
+    return across * across + plane.warp * plane.warp + squared_floor_;
   }
 
 private:
@@ -36,5 +36,13 @@ private:
   std::array<double, bins> sigmas_{};
   double squared_floor_ = 0; ///< what no surface is flatter than, square metres
 };
+
+/** What the points of large planes are off them beyond the noise of their ranges: walls are
+ * warped, clouds laid double, and not every sensor errs along its rays only. */
+void
+measureWarps(const Survey& survey,
+             const CandidateGrid& grid,
+             const RangeNoise& noise,
+             std::vector<KnownPlane>& planes);
 
 } // namespace pcl::acmap::labeling

@@ -43,7 +43,8 @@ RayLabels::choose(const Sight& sight, const Candidates& candidates) const
   for (std::size_t k = 0; k < candidates.size; ++k) {
     const auto plane = static_cast<std::size_t>(candidates.planes[k]);
     const Crossing crossing(sight, planes_[plane].patch);
-    const double square = crossing.off * crossing.off / noise_.variance(crossing);
+    const double square =
+        crossing.off * crossing.off / noise_.variance(crossing, planes_[plane]);
     if (square < least) {
       least = square;
       nearest = candidates.planes[k];

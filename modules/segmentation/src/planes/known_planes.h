@@ -19,6 +19,9 @@ struct KnownPlane {
   PlanePatch patch;
   PlaneTrust trust = PlaneTrust::Sure;
 
+  /** What its surface is off the plane beyond noise, root mean square, metres; 0 for most. */
+  double warp = 0;
+
   /** Half the sides of the rectangle along the patch's axes that spreads as its points do,
    * metres. */
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();

@@ -11,16 +11,6 @@
 namespace pcl::acmap::planes {
 namespace {
 
-std::vector<std::int32_t>
-ownersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
-{
-  std::vector<std::int32_t> owner(graph.size(), no_region);
-  for (std::size_t p = 0; p < planes.size(); ++p)
-    for (const std::int32_t member : planes[p].members)
-      owner[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(p);
-  return owner;
-}
-
 /** Believed planes within two edges of the mesh, with how often. */
 std::map<std::int32_t, std::size_t>
 neighbouringPlanes(const CellGraph& graph,

@@ -4,6 +4,9 @@
 #include "planes/narrow_strips.h"
 #include "planes/neighbourhoods.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap::planes {
 namespace {
 
@@ -18,6 +21,120 @@ areaOf(const CellGraph& graph, const Members& members)
   return area;
 }
 
+/** One run: who owns which hypothesis, and the planes so far. */
+class NoiseDrivenGrowth {
+public:
+  NoiseDrivenGrowth(const CellGraph& graph,
+                    double least_area,
+                    PlaneClusteringReport& report)
+  : graph_(graph)
+  , neighbours_(graph)
+  , least_area_(least_area)
+  , report_(report)
+  , owner_(graph.size(), no_region)
+  {}
+
+  void
+  growLarge(const std::vector<std::int32_t>& seeds, const PlaneLimits& limits)
+  {
+    grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
+      const double area = areaOf(graph_, members);
+      if (area < least_area_ || isNarrow(region.moments(), graph_.spacing))
+        return false;
+      return isBent(members, region, limits) ||
+             keep(members, region, area, PlaneTrust::Sure);
+    });
+  }
+
+  void
+  growRest(const std::vector<std::int32_t>& seeds, const PlaneLimits& limits)
+  {
+    grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
+      constexpr std::size_t least_members = 8;
+      if (members.size() < least_members) {
+        ++report_.small_regions;
+        return false;
+      }
+      const bool is_narrow = isNarrow(region.moments(), graph_.spacing);
+      return isBent(members, region, limits) ||
+             keep(members,
+                  region,
+                  areaOf(graph_, members),
+                  is_narrow ? PlaneTrust::Strip : PlaneTrust::Small);
+    });
+  }
+
+  /** Walls are warped, and registered clouds laid double, by more than noise. Unlike a
+   * curved surface, which goes on smoothly beyond any band, such a wall ends at its own
+   * edges once the band is wide enough. */
+  void
+  growWarped(const std::vector<std::int32_t>& seeds, PlaneLimits limits)
+  {
+    constexpr double widening = 1.4142;
+    is_wide_ = true;
+    while (report_.curved_regions > 0 &&
+           limits.distance * widening < limits.most_warp) {
+      limits.distance *= widening;
+      freeCurved();
+      growLarge(seeds, limits);
+    }
+    is_wide_ = false;
+  }
+
+  std::vector<GrownPlane>
+  take()
+  {
+    return std::move(grown_);
+  }
+
+private:
+  template <typename Accept>
+  void
+  grow(const std::vector<std::int32_t>& seeds,
+       const PlaneLimits& limits,
+       const Accept& accept)
+  {
+    growPlanes(graph_, neighbours_, limits, seeds, next_, owner_, accept);
+  }
+
+  bool
+  keep(const Members& members, const PlaneRegion& region, double area, PlaneTrust trust)
+  {
+    const double warp =
+        is_wide_ ? std::sqrt(fitPlane(region.moments()).variances[0]) : 0;
+    grown_.push_back({members, region.moments(), region.plane(), area, trust, warp});
+    return true;
+  }
+
+  bool
+  isBent(const Members& members, const PlaneRegion& region, const PlaneLimits& limits)
+  {
+    if (!isCurved(graph_, members, owner_, region, limits.cosine))
+      return false;
+    ++report_.curved_regions;
+    report_.points_on_curved += members.size();
+    for (const std::int32_t member : members)
+      owner_[static_cast<std::size_t>(member)] = curved_surface;
+    return true;
+  }
+
+  void
+  freeCurved()
+  {
+    std::replace(owner_.begin(), owner_.end(), curved_surface, no_region);
+    report_.curved_regions = report_.points_on_curved = 0;
+  }
+
+  const CellGraph& graph_;
+  GraphNeighbourhood neighbours_;
+  double least_area_;
+  PlaneClusteringReport& report_;
+  std::vector<std::int32_t> owner_;
+  std::vector<GrownPlane> grown_;
+  std::int32_t next_ = 0; ///< number of the next region
+  bool is_wide_ = false;  ///< is the band wider than noise alone would have it?
+};
+
 } // namespace
 
 std::vector<GrownPlane>
@@ -27,47 +144,12 @@ growNoiseDriven(const CellGraph& graph,
                 double least_area,
                 PlaneClusteringReport& report)
 {
-  const GraphNeighbourhood neighbours(graph);
-  std::vector<GrownPlane> grown;
-  std::vector<std::int32_t> owner(graph.size(), no_region);
-  const auto keep = [&](const Members& members,
-                        const PlaneRegion& region,
-                        double area,
-                        PlaneTrust trust) {
-    grown.push_back({members, region.moments(), region.plane(), area, trust});
-    return true;
-  };
-  const auto isBent = [&](const Members& members, const PlaneRegion& region) {
-    if (!isCurved(graph, members, owner, region, limits.cosine))
-      return false;
-    ++report.curved_regions;
-    report.points_on_curved += members.size();
-    for (const std::int32_t member : members)
-      owner[static_cast<std::size_t>(member)] = curved_surface;
-    return true;
-  };
-  const auto keepLarge = [&](const Members& members, const PlaneRegion& region) {
-    const double area = areaOf(graph, members);
-    if (area < least_area || isNarrow(region.moments(), graph.spacing))
-      return false;
-    return isBent(members, region) || keep(members, region, area, PlaneTrust::Sure);
-  };
-  const auto keepRest = [&](const Members& members, const PlaneRegion& region) {
-    constexpr std::size_t least_members = 8;
-    if (members.size() < least_members) {
-      ++report.small_regions;
-      return false;
-    }
-    const bool is_narrow = isNarrow(region.moments(), graph.spacing);
-    return isBent(members, region) ||
-           keep(members,
-                region,
-                areaOf(graph, members),
-                is_narrow ? PlaneTrust::Strip : PlaneTrust::Small);
-  };
-  growPlanes(graph, neighbours, limits, seeds, owner, keepLarge);
-  growPlanes(graph, neighbours, limits, seeds, owner, keepRest);
-  return grown;
+  NoiseDrivenGrowth growth(graph, least_area, report);
+  growth.growLarge(seeds, limits);
+  if (limits.bow > 0)
+    growth.growWarped(seeds, limits);
+  growth.growRest(seeds, limits);
+  return growth.take();
 }
 
 } // namespace pcl::acmap::planes

@@ -15,10 +15,12 @@ growAsPaper(const CellGraph& graph,
   const RadiusNeighbourhood neighbours(graph, member_distance);
   std::vector<GrownPlane> grown;
   std::vector<std::int32_t> owner(graph.size(), no_region);
+  std::int32_t next = 0;
   growPlanes(graph,
              neighbours,
              limits,
              seeds,
+             next,
              owner,
              [&](const std::vector<std::int32_t>& members, const PlaneRegion& region) {
                if (members.size() <= least_support) {

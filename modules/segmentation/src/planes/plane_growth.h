@@ -13,6 +13,7 @@ struct GrownPlane {
   Plane plane;
   double area = 0; ///< square metres the members stand for
   PlaneTrust trust = PlaneTrust::Sure;
+  double warp = 0; ///< metres, see KnownPlane
 };
 
 /** Drops members that the plane of all of them refuses and grows on from the others,
@@ -46,30 +47,31 @@ settleRegion(const Neighbours& neighbours,
 }
 
 /** Calls accept (members, region) for each grown region, in the order of the seeds; what
- * it refuses (false) is free again, but is no seed any more. */
+ * it refuses (false) is free again, but is no seed any more.
+ * \param[in,out] next number of the next region */
 template <typename Neighbours, typename Accept>
 void
 growPlanes(const CellGraph& graph,
            const Neighbours& neighbours,
            const PlaneLimits& limits,
            const std::vector<std::int32_t>& seeds,
+           std::int32_t& next,
            std::vector<std::int32_t>& owner,
            const Accept& accept)
 {
   std::vector<std::uint8_t> is_tried(graph.size(), 0);
-  std::int32_t id = 0;
   for (const std::int32_t seed : seeds) {
     if (owner[static_cast<std::size_t>(seed)] != no_region ||
         is_tried[static_cast<std::size_t>(seed)])
       continue;
     PlaneRegion region(graph, limits, static_cast<std::size_t>(seed));
     std::vector<std::int32_t> members{seed};
-    owner[static_cast<std::size_t>(seed)] = id;
+    owner[static_cast<std::size_t>(seed)] = next;
     region.add(static_cast<std::size_t>(seed));
-    growRegion(neighbours, region, members, owner, id);
-    settleRegion(neighbours, region, members, owner, id);
+    growRegion(neighbours, region, members, owner, next);
+    settleRegion(neighbours, region, members, owner, next);
     if (accept(members, region)) {
-      ++id;
+      ++next;
       continue;
     }
     for (const std::int32_t member : members) {

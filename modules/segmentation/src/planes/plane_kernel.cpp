@@ -1,5 +1,6 @@
 #include "labeling/label_points.h"
 #include "outlines/patch_outlines.h"
+#include "planes/continued.h"
 #include "planes/narrow_strips.h"
 #include "planes/noise_driven.h"
 #include "planes/paper_growth.h"
@@ -70,7 +71,7 @@ knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
     patch.axis_v = plane.normal.cross(patch.axis_u);
     patch.support = grown[p].members.size();
     patch.area = grown[p].area;
-    known.planes.push_back({patch, grown[p].trust});
+    known.planes.push_back({patch, grown[p].trust, grown[p].warp});
     for (const std::int32_t member : grown[p].members)
       known.labels[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(p);
   }
@@ -171,6 +172,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     if (settings.noise_driven && !(settings.plane_distance > 0)) {
       limits.bow = 0.004;
       limits.most_bow = 0.01;
+      limits.most_warp = 0.025;
     }
     report.plane_distance = limits.distance;
     const std::vector<std::int32_t> seeds = orderSeeds(hypotheses, graph);
@@ -190,6 +192,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
                           report);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
+    if (limits.bow > 0)
+      report.merged += joinContinued(graph, limits, merge_cosine, grown);
     raiseStrips(graph, grown);
     const double noise = automaticDistance(graph); // W_t may be far above it
     widenRims(graph, std::min(limits.distance, noise), grown);

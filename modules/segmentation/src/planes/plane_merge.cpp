@@ -27,7 +27,8 @@ throughMiddle(const Moments& moments, const Eigen::Vector3d& normal)
   return {normal, -normal.dot(moments.mean())};
 }
 
-/** How much worse a plane fits the points than their own one, metres. */
+} // namespace
+
 double
 excess(const GrownPlane& grown, const Plane& plane)
 {
@@ -35,6 +36,18 @@ excess(const GrownPlane& grown, const Plane& plane)
       meanSquare(grown.moments, plane) - meanSquare(grown.moments, grown.plane);
   return std::sqrt(std::max(more, 0.0));
 }
+
+std::vector<std::int32_t>
+ownersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
+{
+  std::vector<std::int32_t> owner(graph.size(), no_region);
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (const std::int32_t member : planes[p].members)
+      owner[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(p);
+  return owner;
+}
+
+namespace {
 
 /** The normal of the largest plane that is as good as parallel: a small patch cannot tell
  * where its plane lies ten metres on, but a wall beside it knows the direction. */
@@ -91,6 +104,7 @@ takeIn(GrownPlane& into, GrownPlane& other, const Plane& common)
   into.members.insert(into.members.end(), other.members.begin(), other.members.end());
   into.moments += other.moments;
   into.area += other.area;
+  into.warp = std::max(into.warp, other.warp);
   into.plane = common;
   other.members.clear();
 }

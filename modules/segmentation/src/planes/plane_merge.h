@@ -11,6 +11,14 @@ namespace pcl::acmap::planes {
 std::size_t
 mergePlanes(std::vector<GrownPlane>& planes, double cosine, double distance);
 
+/** How much worse a plane fits a region than its own one, metres. */
+double
+excess(const GrownPlane& grown, const Plane& plane);
+
+/** For each hypothesis the number of its region, or no_region. */
+std::vector<std::int32_t>
+ownersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes);
+
 /** Moves the members of another plane into one; the other one is left empty. */
 void
 takeIn(GrownPlane& into, GrownPlane& other, const Plane& common);

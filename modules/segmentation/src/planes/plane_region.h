@@ -28,6 +28,8 @@ struct PlaneLimits {
    * much, metres. */
   double bow = 0;
   double most_bow = 0;
+
+  double most_warp = 0; ///< what a surface without a step may be off its plane, metres
 };
 
 /** Region of a plane: members add to its moments, and the plane follows them. */

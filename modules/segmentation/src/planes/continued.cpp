@@ -1,0 +1,94 @@
+#include "planes/continued.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcl::acmap::planes {
+namespace {
+
+/** Where two regions meet. */
+struct Border {
+  std::size_t pairs = 0; ///< of hypotheses across it
+  double step = 0;       ///< metres, sum over the pairs
+};
+
+using Borders = std::map<std::pair<std::int32_t, std::int32_t>, Border>;
+
+/** Of regions within two edges of the mesh: hypotheses between them may be of neither. */
+Borders
+bordersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
+{
+  const std::vector<std::int32_t> owner = ownersOf(graph, planes);
+  Borders borders;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (owner[i] < 0)
+      continue;
+    for (const std::int32_t near : graph.neighbours[i])
+      for (const std::int32_t far : graph.neighbours[static_cast<std::size_t>(near)]) {
+        const auto f = static_cast<std::size_t>(far);
+        if (owner[f] <= owner[i])
+          continue;
+        Border& border = borders[{owner[i], owner[f]}];
+        ++border.pairs;
+        border.step += planes[static_cast<std::size_t>(owner[i])].plane.normal.dot(
+            graph.points[f] - graph.points[i]);
+      }
+  }
+  return borders;
+}
+
+bool
+goesOn(const Border& border, const GrownPlane& a, const GrownPlane& b, double distance)
+{
+  const std::size_t smaller = std::min(a.members.size(), b.members.size());
+  // a border of a quarter of a square's rim has about as many edges as a side has points
+  return static_cast<double>(border.pairs) > std::sqrt(static_cast<double>(smaller)) &&
+         std::abs(border.step) < distance / 2 * static_cast<double>(border.pairs);
+}
+
+/** \return whether one plane takes both */
+bool
+joinWhereBent(const PlaneLimits& limits, double cosine, GrownPlane& a, GrownPlane& b)
+{
+  if (a.plane.normal.dot(b.plane.normal) < cosine)
+    return false;
+  Moments both = a.moments;
+  both += b.moments;
+  const PlaneFit fit = fitPlane(both);
+  const Plane common = planeThrough(fit, a.plane.normal);
+  const double extent = std::sqrt(12 * fit.variances[2]);
+  const double most = std::min(limits.bow * extent, limits.most_warp);
+  const double off = std::max(excess(a, common), excess(b, common));
+  if (off > most)
+    return false;
+  takeIn(a, b, common);
+  a.warp = std::max(a.warp, off);
+  return true;
+}
+
+} // namespace
+
+std::size_t
+joinContinued(const CellGraph& graph,
+              const PlaneLimits& limits,
+              double cosine,
+              std::vector<GrownPlane>& planes)
+{
+  std::size_t joined = 0;
+  for (std::size_t before = joined + 1; before != joined;) {
+    before = joined;
+    for (const auto& [pair, border] : bordersOf(graph, planes)) {
+      GrownPlane& a = planes[static_cast<std::size_t>(pair.first)];
+      GrownPlane& b = planes[static_cast<std::size_t>(pair.second)];
+      if (a.trust == PlaneTrust::Sure && b.trust == PlaneTrust::Sure &&
+          !a.members.empty() && !b.members.empty() &&
+          goesOn(border, a, b, limits.distance))
+        joined += joinWhereBent(limits, cosine, a, b) ? 1 : 0;
+    }
+    dropEmpty(planes);
+  }
+  return joined;
+}
+
+} // namespace pcl::acmap::planes
