@@ -104,7 +104,7 @@ ScaleLevel
 measureLevel(const VoxelMoments& voxels)
 {
   const VoxelWindows windows(voxels);
-  constexpr std::size_t enough_windows = 1 << 13;
+  constexpr std::size_t enough_windows = 1 << 11;
   const std::size_t step = windows.size() / enough_windows + 1;
   WindowFigures all = parallelReduceChunks(
       windows.size(),

@@ -21,7 +21,7 @@ struct Sample {
 std::vector<Sample>
 samplesByVoxel(const PointView& points, const VoxelLattice& lattice)
 {
-  constexpr std::size_t enough = 1 << 16;
+  constexpr std::size_t enough = 1 << 14;
   const PointSample chosen(points.size(), enough);
   std::vector<Sample> samples;
   VoxelHit hit;

@@ -48,6 +48,8 @@ public:
   {
     Batch batch;
     CellTable near;
+    near.cells.reserve(points_of_near_cells);
+    stretch.table.cells.reserve(2 * points_of_near_cells);
     for (std::size_t next; begin < end; begin = next) {
       next = std::min(begin + points_of_near_cells, end);
       for (std::size_t first = begin; first < next; first += Batch::capacity) {

@@ -83,7 +83,9 @@ settle(const LabelingLimits& limits,
        KnownPlanes& known,
        PlaneClusteringReport& report)
 {
-  const auto& [grid, survey, noise] = scenery;
+  const auto& [grid, all, noise] = scenery;
+  constexpr std::size_t most_of_a_voxel = 24;
+  const Survey survey = all.thinned(most_of_a_voxel, grid);
   const Junctions junctions(known, grid);
   std::vector<std::int32_t> labels;
   std::vector<PlaneSums> sums;

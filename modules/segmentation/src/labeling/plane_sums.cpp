@@ -30,24 +30,26 @@ sumPlanes(const Survey& survey,
 {
   std::vector<PlaneSums> all(planes.size());
   for (std::size_t i = 0; i < survey.size(); ++i) {
+    const std::size_t count = survey.count(i);
     if (survey.entry(i) >= 0 && grid[survey.entry(i)].home >= 0)
-      ++all[static_cast<std::size_t>(grid[survey.entry(i)].home)].points_at_home;
+      all[static_cast<std::size_t>(grid[survey.entry(i)].home)].points_at_home += count;
     if (labels[i] < 0 || survey.entry(i) < 0) // a member may be out of the grid's reach
       continue;
     const auto plane = static_cast<std::size_t>(labels[i]);
     const PlanePatch& patch = planes[plane].patch;
     const Crossing crossing(survey.sight(i), patch);
     const double weight = 1 / noise.variance(crossing, planes[plane]);
+    const double times = static_cast<double>(count);
     const double squared = crossing.off * crossing.off;
     PlaneSums& sums = all[plane];
-    ++sums.points;
-    sums.squares += squared;
-    sums.chi += weight * squared;
+    sums.points += count;
+    sums.squares += times * squared;
+    sums.chi += times * weight * squared;
     if (weight * squared > squared_gate)
       continue;
     const bool is_clean = !grid.hasStrangersAt(crossing.foot, survey.entry(i));
-    (is_clean ? sums.clean : sums.fit).add(crossing, patch, weight);
-    sums.clean_points += is_clean ? 1 : 0;
+    (is_clean ? sums.clean : sums.fit).add(crossing, patch, times * weight);
+    sums.clean_points += is_clean ? count : 0;
   }
   for (PlaneSums& sums : all)
     sums.fit += sums.clean;
@@ -68,7 +70,7 @@ findShadows(const Survey& survey,
     if (labels[i] < 0)
       continue;
     const auto own = static_cast<std::size_t>(labels[i]);
-    ++points[own];
+    points[own] += survey.count(i);
     const Candidates& candidates = grid[survey.entry(i)];
     for (std::size_t k = 0; k < candidates.size; ++k) {
       const std::int32_t other = candidates.planes[k];
@@ -79,7 +81,7 @@ findShadows(const Survey& survey,
       if (crossing.off * crossing.off <
               squared_reach * noise.variance(crossing, caster) &&
           grid.homeAt(crossing.foot) == other)
-        ++shared[own][other];
+        shared[own][other] += survey.count(i);
     }
   }
   std::vector<std::int32_t> casters(planes.size(), -1);

@@ -1,6 +1,7 @@
 #include "labeling/range_noise.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace pcl::acmap::labeling {
 namespace {
@@ -25,15 +26,19 @@ scaledMedian(std::vector<double>& values)
 
 } // namespace
 
-// Two bins an octave, from 6 cm to a megametre; 0 for the unknown.
+// Two bins an octave, from 6 cm to a megametre; 0 for the unknown. Their borders are read
+// off the bits of the number: half an octave is the fraction 0x6a09e667f3bcd.
 std::size_t
 RangeNoise::bin(double range)
 {
   if (!(range > 0))
     return 0;
-  constexpr double root_of_half = 0.70710678118654752;
-  int octave = 0;
-  const bool is_upper = std::frexp(range, &octave) >= root_of_half;
+  std::uint64_t bits;
+  std::memcpy(&bits, &range, sizeof bits);
+  constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << 52) - 1;
+  constexpr std::uint64_t root_of_two = 0x6a09e667f3bcd;
+  const int octave = static_cast<int>(bits >> 52) - 1022;
+  const bool is_upper = (bits & fraction_mask) >= root_of_two;
   const int place = 2 * octave + (is_upper ? 8 : 7);
   return static_cast<std::size_t>(std::clamp(place, 1, static_cast<int>(bins) - 1));
 }

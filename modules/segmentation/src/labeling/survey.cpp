@@ -20,4 +20,26 @@ Survey::Survey(const PointView& points,
   });
 }
 
+Survey
+Survey::thinned(std::size_t most, const CandidateGrid& grid) const
+{
+  std::vector<std::size_t> counts(grid.size(), 0);
+  for (const std::int32_t entry : entries_)
+    if (entry >= 0)
+      ++counts[static_cast<std::size_t>(entry)];
+  Survey few(points_, sensors_);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i] < 0)
+      continue;
+    // by a hash: every n-th point could be a column of the view
+    const std::size_t step = counts[static_cast<std::size_t>(entries_[i])] / most + 1;
+    if ((i * 0x9e3779b97f4a7c15u >> 32) % step != 0)
+      continue;
+    few.entries_.push_back(entries_[i]);
+    few.places_.push_back(i);
+    few.counts_.push_back(step);
+  }
+  return few;
+}
+
 } // namespace pcl::acmap::labeling

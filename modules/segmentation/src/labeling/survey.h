@@ -10,6 +10,11 @@ class Survey {
 public:
   Survey(const PointView& points, const SensorView& sensors, const CandidateGrid& grid);
 
+  /** At most about so many points of each voxel, enough to judge by; each stands for as many
+   * as were left out. */
+  Survey
+  thinned(std::size_t most, const CandidateGrid& grid) const;
+
   std::size_t
   size() const
   {
@@ -26,13 +31,28 @@ public:
   Sight
   sight(std::size_t i) const
   {
-    return Sight(points_[i], sensors_[i]);
+    const std::size_t place = places_.empty() ? i : places_[i];
+    return Sight(points_[place], sensors_[place]);
+  }
+
+  /** How many points it stands for. */
+  std::size_t
+  count(std::size_t i) const
+  {
+    return counts_.empty() ? 1 : counts_[i];
   }
 
 private:
+  Survey(const PointView& points, const SensorView& sensors)
+  : points_(points)
+  , sensors_(sensors)
+  {}
+
   const PointView& points_;
   const SensorView& sensors_;
   std::vector<std::int32_t> entries_;
+  std::vector<std::size_t> places_; ///< of the points, empty for all of them
+  std::vector<std::size_t> counts_; ///< of points they stand for, empty for one each
 };
 
 } // namespace pcl::acmap::labeling

@@ -19,7 +19,9 @@ bool
 isRefuted(const PlaneSums& sums, const KnownPlane& plane)
 {
   constexpr std::size_t least_points = 20;
-  constexpr double most_chi = 1.5;    // noise that is as expected has 1
+  constexpr double most_chi = 1.5; // noise that is as expected has 1
+  constexpr double most_strip_chi =
+      2;                              // the roundings of its edges are among its points
   constexpr double most_tilt = 0.035; // radians, one standard deviation
   constexpr double least_share = 0.2; // of the points where it should be
   if (sums.points < 3 || static_cast<double>(sums.points) <
@@ -28,7 +30,8 @@ isRefuted(const PlaneSums& sums, const KnownPlane& plane)
   const double chi = std::sqrt(sums.chi / static_cast<double>(sums.points));
   if (plane.trust == PlaneTrust::Sure)
     return chi > 2 * most_chi;
-  if (sums.points < least_points || chi > most_chi)
+  const double most = plane.trust == PlaneTrust::Strip ? most_strip_chi : most_chi;
+  if (sums.points < least_points || chi > most)
     return true;
   return plane.trust == PlaneTrust::Small &&
          std::sqrt(covarianceOf(sums.best()).diagonal().head<2>().maxCoeff()) >

@@ -49,7 +49,7 @@ longAxis(const Moments& m)
 bool
 isNarrow(const Moments& moments, double spacing)
 {
-  constexpr double least_width = 0.9; // standard deviation: three points abreast
+  constexpr double least_width = 1.2; // standard deviation: three points abreast
   return std::sqrt(fitPlane(moments).variances[1]) < least_width * spacing;
 }
 
