@@ -11,8 +11,8 @@
 namespace {
 
 constexpr char usage[] =
-    "Usage: acmap_bench_plane_figures [view] [noisy] [million] [whole] [shapes] "
-    "[real]\n"
+    "Usage: acmap_bench_plane_figures [view] [views] [noisy] [million] [whole] "
+    "[shapes] [real]\n"
     "Prints how well planes are found, ours beside the methods of PCL and CGAL, as\n"
     "Markdown tables; without a name all of them. Real clouds are read from the "
     "folder\n"
@@ -25,7 +25,7 @@ main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
   const std::set<std::string> known{
-      "view", "noisy", "million", "whole", "shapes", "real"};
+      "view", "views", "noisy", "million", "whole", "shapes", "real"};
   Sections sections;
   if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
     return *exit_code;
@@ -37,6 +37,8 @@ main(int argc, char** argv)
   SceneData corridor("corridor");
   if (sections.isWanted("view"))
     printViewPlanes(corridor, finders);
+  if (sections.isWanted("views"))
+    printAllViewsPlanes(corridor, finders);
   if (sections.isWanted("noisy"))
     printNoisyViewPlanes(corridor, finders);
   if (sections.isWanted("million"))

@@ -11,6 +11,10 @@ using NamedFinders = std::vector<NamedFinder>;
 void
 printViewPlanes(const SceneData& corridor, const NamedFinders& finders);
 
+/** \brief Views all along the corridor, summed up. */
+void
+printAllViewsPlanes(const SceneData& corridor, const NamedFinders& finders);
+
 /** \brief The same view as a camera sees it whose disparities are off by half a pixel. */
 void
 printNoisyViewPlanes(const SceneData& corridor, const NamedFinders& finders);
