@@ -3,6 +3,8 @@
 #include "cloud_sensors.h"
 #include "length_check.h"
 
+#include <pcl/core/noise_scale.h>
+
 namespace pcl::acmap {
 
 namespace {
@@ -13,7 +15,7 @@ settingsOf(const PlaneOptions& options)
   PlaneClusteringSettings settings;
   settings.noise_driven = !options.paper;
   if (!options.paper)
-    settings.plane_distance = 0;
+    settings.plane_distance = options.tolerance.value_or(0);
   settings.least_area = options.least_area.value_or(settings.least_area);
   settings.regular = options.regular;
   return settings;
@@ -34,6 +36,65 @@ extractFrom(Tool& tool,
   result.clusters = findPlanes(tool, result.mesh, source, settingsOf(options));
   timer.finish("planes");
   return result;
+}
+
+/** A mesh of a cloud, and what its vertices stand for. */
+struct CloudMesh {
+  HypothesisMesh mesh;
+  SensorView sensors;
+  std::vector<std::int32_t> vertex_of; ///< a point; empty where points are vertices
+};
+
+CloudMesh
+consolidateAndMesh(Tool& tool,
+                   const PlaneOptions& options,
+                   double voxel_size,
+                   StepTimer& timer,
+                   const PointCloudFile& file,
+                   const SensorView& sensors)
+{
+  ConsolidationSettings settings;
+  settings.voxel_size = voxel_size;
+  settings.keep_sources = options.paper;
+  ConsolidationReport report;
+  ConsolidatedCloud cloud = consolidateInput(tool, file, sensors, settings, report);
+  timer.finish("consolidate");
+  CloudMesh result;
+  result.sensors = report.sensors_fit ? sensors : SensorView();
+  result.vertex_of = std::move(cloud.consolidation.representative_of);
+  result.mesh = meshConsolidated(tool, std::move(cloud), report.voxel_size);
+  return result;
+}
+
+/** As it is, where its noise is small beside its spacing. */
+CloudMesh
+meshCloud(Tool& tool,
+          const PlaneOptions& options,
+          StepTimer& timer,
+          const PointCloudFile& file,
+          const SensorView& sensors)
+{
+  if (options.voxel_size)
+    return consolidateAndMesh(tool, options, *options.voxel_size, timer, file, sensors);
+  const NoiseScale scale = measureNoiseScale(file.points(), sensors, tool.threads());
+  timer.finish("noise scale");
+  if (needsConsolidation(scale))
+    return consolidateAndMesh(
+        tool, options, automaticVoxel(scale), timer, file, sensors);
+  tool.tell("consolidated", "no, the points lie close enough to their surface");
+  return {meshAsItIs(tool, file), sensors, {}};
+}
+
+std::vector<std::int32_t>
+labelsOfPoints(const std::vector<std::int32_t>& of_vertices,
+               const std::vector<std::int32_t>& vertex_of)
+{
+  if (vertex_of.empty())
+    return of_vertices;
+  std::vector<std::int32_t> labels;
+  for (const std::int32_t vertex : vertex_of)
+    labels.push_back(vertex < 0 ? -1 : of_vertices[static_cast<std::size_t>(vertex)]);
+  return labels;
 }
 
 } // namespace
@@ -64,29 +125,16 @@ extractFromCloud(Tool& tool,
   const SensorView sensors = sensorsOfFile(file, options.input, tool.scale(), remarks);
   for (const std::string& remark : remarks)
     tool.warn(remark);
-  ConsolidationSettings settings;
-  settings.voxel_size = options.voxel_size.value_or(0);
-  settings.keep_sources = options.paper;
-  ConsolidationReport report;
-  ConsolidatedCloud cloud = consolidateInput(tool, file, sensors, settings, report);
-  timer.finish("consolidate");
-  const std::vector<std::int32_t> representative_of =
-      std::move(cloud.consolidation.representative_of);
-  HypothesisMesh mesh = meshConsolidated(tool, std::move(cloud), report.voxel_size);
+  CloudMesh cloud = meshCloud(tool, options, timer, file, sensors);
   timer.finish("triangulate");
-
   PlaneSource source;
   if (!options.paper)
-    source = {file.points(), report.sensors_fit ? sensors : SensorView()};
-  Extraction result = extractFrom(tool, options, timer, std::move(mesh), source);
-  result.finite_points = report.points - report.invalid_points;
-  result.input_labels = result.clusters.source_labels;
-  if (options.paper)
-    for (const std::int32_t representative : representative_of)
-      result.input_labels.push_back(
-          representative < 0
-              ? -1
-              : result.clusters.labels[static_cast<std::size_t>(representative)]);
+    source = {file.points(), cloud.sensors};
+  Extraction result = extractFrom(tool, options, timer, std::move(cloud.mesh), source);
+  result.finite_points = cloudExtent(file.points()).finite_points;
+  result.input_labels = options.paper
+                            ? labelsOfPoints(result.clusters.labels, cloud.vertex_of)
+                            : result.clusters.source_labels;
   return result;
 }
 

@@ -23,8 +23,9 @@ extractFromMesh(Tool& tool,
                 const PointCloudFile& file,
                 TriangleMesh triangles);
 
-/** \brief Consolidates and meshes a cloud first; its points are the source of the planes,
- * unless the paper's thresholds are asked for.
+/** \brief Meshes a cloud first, and consolidates it before that where it is noisy or the
+ * options ask for it; its points are the source of the planes, unless the paper's
+ * thresholds are asked for.
  * \throws InputFileException when the trajectory beside it cannot be read */
 Extraction
 extractFromCloud(Tool& tool,

@@ -52,14 +52,21 @@ addOptions(Tool& tool, PlaneOptions& options)
   tool.addLengthOrAuto("--consolidate",
                        options.voxel_size,
                        "The voxel's edge in metres to which a cloud is consolidated "
-                       "[default: automatic from noise and spacing]; given for a mesh, "
-                       "its vertices are taken as a cloud");
+                       "[default: by its noise and spacing, and not at all where that "
+                       "is small]; given for a mesh, its vertices are taken as a "
+                       "cloud");
   app.add_option(
          "--min-area",
          options.least_area,
          "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
          "surface where that is less]")
       ->type_name("M2")
+      ->check(positiveNumber().description(""));
+  app.add_option("--tolerance",
+                 options.tolerance,
+                 "How far off a plane in metres points and bumps are still of it "
+                 "[default: by the noise, warped walls up to 0.025]")
+      ->type_name("M")
       ->check(positiveNumber().description(""));
   app.add_flag("--regular",
                options.regular,
@@ -89,9 +96,13 @@ checkPlaces(const Tool& tool, const PlaneOptions& options)
   check(options.normals, ".ply");
   check(options.picture, ".png");
   tool.requireReportWritable(others);
-  if (options.paper && options.least_area)
-    throw UsageError("--min-area is not among the paper's thresholds, leave it out "
-                     "with --paper");
+  const auto refuse = [&](bool is_given, const std::string& option) {
+    if (options.paper && is_given)
+      throw UsageError(option + " is not among the paper's thresholds, leave it out "
+                                "with --paper");
+  };
+  refuse(options.least_area.has_value(), "--min-area");
+  refuse(options.tolerance.has_value(), "--tolerance");
 }
 
 } // namespace pcl::acmap

@@ -16,6 +16,7 @@ struct PlaneOptions {
   std::string picture;
   std::optional<double> voxel_size; ///< metres; 0: automatic
   std::optional<double> least_area; ///< square metres
+  std::optional<double> tolerance;  ///< metres
   bool regular = false;
   bool paper = false;
 };

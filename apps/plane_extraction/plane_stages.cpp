@@ -31,30 +31,42 @@ hypothesesOf(const HypothesisMesh& mesh)
   return hypotheses;
 }
 
-} // namespace
-
 HypothesisMesh
-meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size)
+triangulate(Tool& tool, PointCloudFile file, DeWallSettings settings)
 {
-  const std::vector<Representative>& all = cloud.consolidation.representatives;
-  requireMemory(estimateDeWallMemory(all.size(), true), "triangulating this cloud");
-  DeWallSettings settings;
-  settings.maximum_edge_length = edges_of_voxel * voxel_size;
+  requireMemory(estimateDeWallMemory(file.points().size(), true),
+                "triangulating this cloud");
   settings.threads = tool.threads();
-  settings.sensor_origin = cloud.file.sensor_origin.cast<double>();
-  settings.normals = normalsOf(all);
+  settings.sensor_origin = file.sensor_origin.cast<double>();
   DeWallReport report;
   HypothesisMesh result;
   tool.withProgress([&](const ProgressCallback& progress) {
     result.mesh =
-        triangulateDeWall(cloud.file.points(), settings, Progress(progress), report);
+        triangulateDeWall(file.points(), settings, Progress(progress), report);
   });
   for (const std::string& remark : report.remarks)
     tool.warn(remark);
   tool.details()["mesh"] = jsonOf(report);
-  result.vertices = std::move(cloud.file);
+  result.vertices = std::move(file);
   result.spacing = report.median_spacing;
   return result;
+}
+
+} // namespace
+
+HypothesisMesh
+meshAsItIs(Tool& tool, const PointCloudFile& file)
+{
+  return triangulate(tool, file, {});
+}
+
+HypothesisMesh
+meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size)
+{
+  DeWallSettings settings;
+  settings.maximum_edge_length = edges_of_voxel * voxel_size;
+  settings.normals = normalsOf(cloud.consolidation.representatives);
+  return triangulate(tool, std::move(cloud.file), settings);
 }
 
 void

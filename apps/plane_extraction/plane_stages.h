@@ -18,6 +18,11 @@ struct HypothesisMesh {
   double spacing = 0; ///< metres, between neighbouring vertices
 };
 
+/** \brief Makes the mesh of all points, as a step of the tool.
+ * \throws MemoryRefused when this machine has too little */
+HypothesisMesh
+meshAsItIs(Tool& tool, const PointCloudFile& file);
+
 /** \brief Makes the mesh of consolidated points, as a step of the tool.
  * \throws MemoryRefused when this machine has too little */
 HypothesisMesh

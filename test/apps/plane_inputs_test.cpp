@@ -51,6 +51,40 @@ TEST_F(PlaneInputs, ACloudIsConsolidatedAutomaticallyOrAsTold)
   EXPECT_EQ(voxelOf({"--consolidate=0.15"}), 0.15);
 }
 
+TEST_F(PlaneInputs, ACloudWithoutNoiseIsMeshedAsItIs)
+{
+  const Cloud room = makeRoom(0.05, 0, 1);
+  const std::string exact = folder_.write("exact.pcd", pcdText(room));
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, std::vector<std::string>{"--paper"}}) {
+    const auto planes = planesOf(exact, more);
+    EXPECT_FALSE(hasConsolidated());
+    EXPECT_NE(run_.out.find("consolidated: no"), std::string::npos) << run_.out;
+    ASSERT_EQ(planes.size(), 5U);
+    for (const Eigen::Vector4d& truth : roomPlanes())
+      EXPECT_FALSE(matchOf(planes, truth, 0.01, 1e-4).is_null());
+    const auto labels = labelsOfFile(labels_);
+    ASSERT_EQ(labels.size(), room.size());
+    EXPECT_EQ(std::count(labels.begin(), labels.end(), 0U), 0);
+  }
+  EXPECT_EQ(planesOf(exact, {"--consolidate", "auto"}).size(), 5U);
+  EXPECT_TRUE(hasConsolidated());
+}
+
+TEST_F(PlaneInputs, ToleranceJoinsWhatItIsToldTo)
+{
+  std::string rows;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 40; ++j)
+      rows += std::to_string(0.05 * i) + " " + std::to_string(0.05 * j) + " " +
+              (i < 30 ? "1\n" : "1.03\n");
+  const std::string step = folder_.write("step.xyz", rows);
+  EXPECT_EQ(planesOf(step).size(), 2U);
+  EXPECT_EQ(planesOf(step, {"--tolerance", "0.1"}).size(), 1U);
+  expectRefused(runPlanes({step, json_, "--tolerance", "0"}), 2, "--tolerance");
+  expectRefused(runPlanes({step, json_, "--tolerance", "1", "--paper"}), 2, "--paper");
+}
+
 TEST_F(PlaneInputs, EveryFormatGivesTheRoom)
 {
   const Cloud room = makeRoom(0.03, 0.2, 1);

@@ -20,7 +20,7 @@ automaticVoxel(const NoiseScale& scale)
 bool
 needsConsolidation(const NoiseScale& scale)
 {
-  constexpr double most_noise = 0.25; // of the spacing: faces 20 degrees off
+  constexpr double most_noise = 0.125; // of the spacing: faces ten degrees off
   return scale.sigma > most_noise * scale.spacing;
 }
 
