@@ -79,7 +79,7 @@ printAllViewsPlanes(const SceneData& corridor, const NamedFinders& finders)
   constexpr std::size_t first = 0, last = 105, step = 7;
   std::vector<ViewsScore> all;
   for (const NamedFinder& finder : finders)
-    all.push_back({finder.name});
+    all.push_back({finder.name, {}, {}});
   std::size_t views = 0;
   for (std::size_t view = first; view <= last; view += step, ++views) {
     const PlaneCase plane_case = makePlaneCase(makeViewCloud(corridor.scene(), view));

@@ -98,6 +98,40 @@ TEST(ClusteringClass, indicesChooseHypotheses)
     EXPECT_EQ(found.labels[i], i < mesh.cloud.size() / 2 ? -1 : 0) << i;
 }
 
+/** The others lie on the same wall, but nobody asked for them. */
+TEST(ClusteringClass, indicesPartAWall)
+{
+  const VotingMesh mesh = withNoise(makeWall(3, 2), {0, 0, 1}, 0.002);
+  const auto chosen = std::make_shared<Indices>();
+  for (std::size_t i = mesh.cloud.size(); i-- > 0;)
+    if (mesh.cloud[i].x < 0)
+      chosen->insert(chosen->end(), 2, static_cast<index_t>(i)); // in any order, twice
+  for (const bool has_mesh : {true, false})
+    for (const bool noise_driven : {true, false}) {
+      const Clustered found = clusterOn(mesh, [&](Clustering& clustering) {
+        clustering.setIndices(chosen);
+        clustering.setNoiseDriven(noise_driven);
+        if (!has_mesh)
+          clustering.setTriangles(TriangleMesh());
+      });
+      ASSERT_EQ(found.patches.size(), 1U);
+      EXPECT_EQ(found.report.points, chosen->size() / 2);
+      EXPECT_NEAR(found.patches[0].area, has_mesh ? 3 : 0, 0.25);
+      EXPECT_NEAR(found.patches[0].center.x(), -0.75, 0.06);
+      for (std::size_t i = 0; i < mesh.cloud.size(); ++i)
+        EXPECT_TRUE(mesh.cloud[i].x < 0 || found.labels[i] < 0) << i;
+    }
+}
+
+TEST(ClusteringClass, noIndicesChooseNothing)
+{
+  const Clustered found = clusterOn(makeWall(1, 1), [](Clustering& clustering) {
+    clustering.setIndices(std::make_shared<Indices>());
+  });
+  EXPECT_TRUE(found.patches.empty());
+  EXPECT_EQ(found.labels, std::vector<std::int32_t>(441, -1));
+}
+
 TEST(ClusteringClass, extractGivesThePointsOfEachPlane)
 {
   const VotingMesh mesh = makeBoards(0.12);

@@ -89,6 +89,23 @@ TEST(FaceLoops, rimsStayWithTheirSideWhereTheyTouch)
       << "the holes hang together, as the surface between does not";
 }
 
+/** The vertex in which they touch is the first of both rims. */
+TEST(FaceLoops, rimsThatBeginWhereTheyTouchAreTwo)
+{
+  const std::vector<Eigen::Vector2d> places{
+      {0, 0}, {1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}};
+  const Triangles squares{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
+  const auto loops = outlines::faceLoops(squares, places);
+  ASSERT_EQ(loops.size(), 2U);
+  for (const auto& loop : loops) {
+    ASSERT_EQ(loop.size(), 4U);
+    FlatLoop flat;
+    for (const std::int32_t vertex : loop)
+      flat.push_back(places[static_cast<std::size_t>(vertex)]);
+    EXPECT_DOUBLE_EQ(areaOf(flat), 1);
+  }
+}
+
 TEST(FaceLoops, nothingHasNone)
 {
   EXPECT_TRUE(outlines::faceLoops({}, {}).empty());

@@ -78,7 +78,7 @@ growByKernel(const NaiveHypotheses& all, const NaiveThresholds& limits)
   for (const Eigen::Vector3d& normal : all.normals)
     hypotheses.normals.emplace_back(normal.cast<float>());
   hypotheses.points = PointView(points.data(), sizeof(Eigen::Vector3f), points.size());
-  const planes::CellGraph graph(hypotheses);
+  const planes::CellGraph graph(hypotheses, 1);
   std::vector<std::int32_t> seeds(points.size());
   std::iota(seeds.begin(), seeds.end(), 0);
   planes::PlaneLimits kernel_limits;

@@ -87,5 +87,22 @@ TEST(RegularPlanes, turnByADegreeAtMost)
   EXPECT_EQ(planes::makeRegular(none).turned, 0U);
 }
 
+/** Upright to two planes that are 60 degrees apart it would turn by twice as much. */
+TEST(RegularPlanes, turnByTheirOwnUncertaintyAtMost)
+{
+  const double deviation = 0.1 * degree, part = 2.9 * deviation;
+  const Eigen::Vector3d aside = leaning(z, x, 60 * degree);
+  // off z by one part, off the other one by the opposite
+  const Eigen::Vector3d skew = y + part * z - 1.5 * part / std::sin(60 * degree) * x;
+  std::vector<KnownPlane> planes{makePlane(z, 10, deviation),
+                                 makePlane(aside, 8, deviation),
+                                 makePlane(skew, 6, deviation)};
+  const Eigen::Vector3d before = normalOf(planes[2]);
+  EXPECT_LT(std::abs(before.dot(aside)), 3 * deviation);
+  EXPECT_EQ(planes::makeRegular(planes).turned, 1U);
+  EXPECT_NEAR(normalOf(planes[2]).dot(z), 0, 1e-12) << "to the larger one";
+  EXPECT_LE(normalOf(planes[2]).cross(before).norm(), 3 * deviation);
+}
+
 } // namespace
 } // namespace pcl::acmap::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace pcl::acmap::test {
 namespace {
@@ -126,6 +127,22 @@ TEST(PlaneShapes, largestComesFirst)
   ASSERT_EQ(found.patches.size(), 8U);
   for (std::size_t p = 1; p < found.patches.size(); ++p)
     EXPECT_LE(found.patches[p].area, found.patches[p - 1].area);
+}
+
+/** Though it has less than a hundredth of the points. */
+TEST(PlaneShapes, smallCurvedSurfaceIsTheReason)
+{
+  VotingMesh ball = makeSphereMesh(4, 1);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  ball.cloud.resize(110 * ball.cloud.size(), PointXYZ(nan, nan, nan));
+  const Clustered found = clusterOn(ball);
+  EXPECT_TRUE(found.patches.empty());
+  EXPECT_GT(found.report.curved_regions, 0U);
+  ASSERT_FALSE(found.report.remarks.empty());
+  const std::string curved =
+      " " + std::to_string(found.report.curved_regions) + " are curved";
+  EXPECT_NE(found.report.remarks.back().find(curved), std::string::npos)
+      << found.report.remarks.back();
 }
 
 } // namespace

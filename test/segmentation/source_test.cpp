@@ -1,5 +1,7 @@
 #include "room_planes.h"
 
+#include <pcl/core/random.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,6 +80,46 @@ TEST(SourceLabels, sourceWithNothingNearRefutesAll)
   ASSERT_EQ(found.source_labels.size(), far->size());
   EXPECT_EQ(*std::max_element(found.source_labels.begin(), found.source_labels.end()),
             -1);
+}
+
+/** Such as one sweep of a line laser has: along it the points know the tilt, across it the
+ * hypotheses do. */
+TEST(SourceLabels, lineOfPointsDoesNotTiltItsWall)
+{
+  Random random(5);
+  const auto line = std::make_shared<Cloud>();
+  for (int i = 0; i < 3000; ++i)
+    line->push_back(toPoint({random.uniform(-1.4, 1.4),
+                             1e-4 * random.normal(),
+                             2 + 0.002 * random.normal()}));
+  const Clustered found =
+      clusterOn(placedAt(makeWall(3, 2), 0, 0, 2),
+                [&](Clustering& clustering) { clustering.setSourceCloud(line); });
+  ASSERT_EQ(found.patches.size(), 1U);
+  const PlanePatch& patch = found.patches[0];
+  EXPECT_LT(angleFrom(patch, {0, 0, 1}), 0.5 * degree);
+  EXPECT_NEAR(distanceFrom(patch, {0, 0, 2}), 0, 0.001);
+  EXPECT_LT(std::sqrt(patch.covariance(0, 0)), 0.001);
+  EXPECT_NEAR(std::sqrt(patch.covariance(1, 1)), 1 * degree, 0.3 * degree)
+      << "what was guessed is no knowledge";
+}
+
+/** The reason for an empty result counts what was dropped on the way. */
+TEST(SourceLabels, smallRegionsAreCounted)
+{
+  const VotingMesh board = makeWall(0.5, 0.5);
+  const Cloud::ConstPtr source = board.cloud.makeShared();
+  for (const Cloud::ConstPtr& judge : {Cloud::ConstPtr(), source}) {
+    const Clustered found = clusterOn(board, [&](Clustering& clustering) {
+      clustering.setMinArea(1);
+      clustering.setSourceCloud(judge);
+    });
+    EXPECT_TRUE(found.patches.empty());
+    EXPECT_EQ(found.report.small_regions, 1U);
+    ASSERT_FALSE(found.report.remarks.empty());
+    EXPECT_NE(found.report.remarks.back().find("1 regions"), std::string::npos)
+        << found.report.remarks.back();
+  }
 }
 
 /** What noise beside a narrow recess makes up is no plane. */

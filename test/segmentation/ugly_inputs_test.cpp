@@ -80,12 +80,12 @@ TEST(ClusteringUgly, nothingToFind)
   Cloud invalid;
   invalid.resize(100, PointXYZ(nan, nan, infinity));
   expectNothing(invalid);
+  expectNothing(makeCoincident(200));
 }
 
 TEST(ClusteringUgly, degenerateCloudsEndWell)
 {
   expectSane(makeCollinear(200));
-  expectSane(makeCoincident(200));
   expectSane(makeRandomBox(500, 2));
   expectSane(withOutlier(makeWall(1, 1).cloud, 1e9F));
   for (const float factor : {1e-30F, 1e-15F, 1e15F, 1e19F, 1e30F})
@@ -143,6 +143,26 @@ TEST(ClusteringUgly, invalidNormalsAreNoHypotheses)
   EXPECT_TRUE(none.patches.empty());
   EXPECT_EQ(none.report.hypotheses, 0U);
   EXPECT_NE(none.report.remarks.back().find("normal"), std::string::npos);
+}
+
+/** Each of them would end up anywhere, and those beside it with it. */
+TEST(ClusteringUgly, unknownCurvaturesComeLast)
+{
+  const VotingMesh wall = makeCurvedWall(1.5, 0.003);
+  const Voted voted = voteOn(wall);
+  const auto clusterWith = [&](float unknown) {
+    const auto normals = voted.normals.makeShared();
+    for (std::size_t i = 0; i < normals->size(); i += 3)
+      (*normals)[i].curvature = unknown;
+    return clusterOn(wall, [&](Clustering& clustering) {
+      clustering.setInputNormals(normals);
+      clustering.setNoiseDriven(false);
+      clustering.setDistanceThreshold(0.03);
+    });
+  };
+  const Clustered found = clusterWith(nan);
+  EXPECT_GT(found.patches.size(), 1U);
+  EXPECT_TRUE(areSame(found, clusterWith(infinity)));
 }
 
 TEST(ClusteringUgly, wrongTrianglesEndWell)

@@ -19,6 +19,7 @@ fitPlane(const Moments& moments)
   solver.computeDirect(covariance);
   fit.variances = solver.eigenvalues().cwiseMax(0.0);
   fit.normal = solver.eigenvectors().col(0);
+  fit.long_axis = solver.eigenvectors().col(2);
   return fit;
 }
 

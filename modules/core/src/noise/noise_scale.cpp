@@ -192,7 +192,7 @@ bool
 isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
 {
   constexpr double largest_growth = 1.8;
-  constexpr double least_share = 0.8;
+  constexpr double least_share = 0.75;
   return holdsItsNoise(fine) && isMostlyPlanar(fine) &&
          coarse.thickness <=
              std::max(largest_growth * fine.thickness, roundingOf(coarse)) &&

@@ -32,7 +32,7 @@ VertexRings::VertexRings(const PointView& points,
           others[begin[static_cast<std::size_t>(triangles[t][k])]++] =
               triangles[t][(k + step) % 3];
       owned_[owner[static_cast<std::size_t>(triangles[t][0])]++] =
-          static_cast<std::int32_t>(t);
+          static_cast<std::uint32_t>(t);
     }
 
   first_spoke_.reserve(points.size() + 1);

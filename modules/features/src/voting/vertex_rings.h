@@ -36,14 +36,14 @@ public:
   };
 
   struct Triangles {
-    const std::int32_t* begin_;
-    const std::int32_t* end_;
-    const std::int32_t*
+    const std::uint32_t* begin_;
+    const std::uint32_t* end_;
+    const std::uint32_t*
     begin() const
     {
       return begin_;
     }
-    const std::int32_t*
+    const std::uint32_t*
     end() const
     {
       return end_;
@@ -74,7 +74,7 @@ public:
 private:
   std::vector<std::size_t> first_spoke_, first_owned_;
   std::vector<Spoke> spokes_;
-  std::vector<std::int32_t> owned_;
+  std::vector<std::uint32_t> owned_;
   double mean_edge_ = 0;
 };
 

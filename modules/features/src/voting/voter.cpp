@@ -48,12 +48,11 @@ Voter::voteWithin(std::int32_t vertex, float radius)
   for (const std::int32_t v : disc_.vertices()) {
     const Eigen::Vector3f corner =
         electorate_.points[static_cast<std::size_t>(v)] - place;
-    for (const std::int32_t t : electorate_.rings.triangles(v)) {
-      const TriangleMesh::Triangle& corners =
-          electorate_.triangles[static_cast<std::size_t>(t)];
+    for (const std::uint32_t t : electorate_.rings.triangles(v)) {
+      const TriangleMesh::Triangle& corners = electorate_.triangles[t];
       if (!disc_.contains(corners[1]) || !disc_.contains(corners[2]))
         continue;
-      const Face& face = electorate_.faces[static_cast<std::size_t>(t)];
+      const Face& face = electorate_.faces[t];
       const Eigen::Vector3f way = corner + face.center;
       const float square = way.squaredNorm();
       if (!(square > squared_nearest_))

@@ -42,12 +42,17 @@ CandidateGrid::CandidateGrid(const KnownPlanes& known, double edge, int reach)
 , places_(1024, -1)
 , mask_(1023)
 {
-  for (const auto& [key, label] : labeledVoxels(known, lattice_)) {
+  const auto voxels = labeledVoxels(known, lattice_);
+  for (const auto& [key, label] : voxels) {
     Candidates& own = entry(key);
+    own.has_strangers |= label < 0;
     if (label < 0)
-      own.has_strangers = true;
-    else if (own.home < 0)
+      continue;
+    own.add(label);
+    if (own.home < 0)
       own.home = label;
+  }
+  for (const auto& [key, label] : voxels) {
     const VoxelPlace place = placeOf(key);
     for (std::int32_t dx = -reach; dx <= reach; ++dx)
       for (std::int32_t dy = -reach; dy <= reach; ++dy)

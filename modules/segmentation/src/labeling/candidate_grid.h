@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::labeling {
 
-/** Planes near a place; at most so many, the nearest cells' first. */
+/** Planes near a place; at most so many, those of the voxel itself first. */
 struct Candidates {
   static constexpr std::size_t most = 6;
   std::array<std::int32_t, most> planes;

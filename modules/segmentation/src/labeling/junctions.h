@@ -15,12 +15,26 @@ public:
   int
   side(std::size_t a, std::size_t b) const
   {
-    return sides_[a * planes_ + b];
+    const auto end = neighbours_.begin() + first_[a + 1];
+    const auto found =
+        std::lower_bound(neighbours_.begin() + first_[a],
+                         end,
+                         b,
+                         [](const Neighbour& neighbour, std::size_t plane) {
+                           return neighbour.plane < plane;
+                         });
+    return found != end && found->plane == b ? found->side : 0;
   }
 
 private:
-  std::size_t planes_;
-  std::vector<std::int8_t> sides_;
+  /** What a plane has on one side. */
+  struct Neighbour {
+    std::uint32_t plane;
+    std::int8_t side;
+  };
+
+  std::vector<std::ptrdiff_t> first_; ///< of each plane's neighbours, and their number
+  std::vector<Neighbour> neighbours_; ///< ascending for each plane
 };
 
 } // namespace pcl::acmap::labeling

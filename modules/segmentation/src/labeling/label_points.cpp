@@ -27,15 +27,22 @@ largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_are
 
 /** Renumbers what is left. \return for each old plane its new number, -1 for none */
 std::vector<std::int32_t>
-sift(const Verdicts& verdicts, double least_area, KnownPlanes& known)
+sift(const Verdicts& verdicts,
+     double least_area,
+     KnownPlanes& known,
+     PlaneClusteringReport& report)
 {
   const std::vector<std::uint8_t> is_large = largeEnough(known, verdicts, least_area);
   std::vector<std::int32_t> numbers(known.planes.size(), -1);
   std::vector<KnownPlane> left;
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
     const std::int32_t kept_as = verdicts.kept_as[p];
-    if (kept_as < 0 || !is_large[static_cast<std::size_t>(kept_as)])
+    if (kept_as < 0)
       continue;
+    if (!is_large[static_cast<std::size_t>(kept_as)]) {
+      ++report.small_regions;
+      continue;
+    }
     if (kept_as == static_cast<std::int32_t>(p)) {
       numbers[p] = static_cast<std::int32_t>(left.size());
       left.push_back(known.planes[p]);
@@ -104,7 +111,8 @@ settle(const LabelingLimits& limits,
             limits.cosine);
   report.merged += verdicts.merged;
   report.refuted_regions = verdicts.refuted;
-  const std::vector<std::int32_t> numbers = sift(verdicts, limits.least_area, known);
+  const std::vector<std::int32_t> numbers =
+      sift(verdicts, limits.least_area, known, report);
   std::vector<Eigen::Vector3d> left(known.planes.size());
   for (std::size_t p = 0; p < numbers.size(); ++p)
     if (verdicts.kept_as[p] == static_cast<std::int32_t>(p) && numbers[p] >= 0)
@@ -122,6 +130,7 @@ finish(const Scenery& scenery,
 {
   const auto& [grid, survey, noise] = scenery;
   std::vector<PlaneSums> sums = sumPlanes(survey, labels, grid, noise, known.planes);
+  centerFrames(sums, known.planes); // parts may have been joined since the last fit
   sumClusters(survey, labels, grid, noise, known.planes, coarseness, sums);
   finishPlanes(sums, guesses, known.planes);
 }

@@ -7,7 +7,13 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-constexpr std::size_t least_points = 3;
+/** Are there points to fit to? All may be beyond the gate. */
+bool
+canBeFitted(const PlaneSums& sums)
+{
+  constexpr std::size_t least_points = 3;
+  return sums.points >= least_points && sums.best().matrix(2, 2) > 0;
+}
 
 /** Adds what a guessed normal knows of the slopes: one degree. */
 void
@@ -25,8 +31,10 @@ addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
 FitSums
 withGuess(const PlaneSums& sums, const KnownPlane& plane, const Eigen::Vector3d& guess)
 {
+  constexpr double most_tilt =
+      0.1; // radians; beyond it the points as good as know none
   FitSums fit = sums.best();
-  if (plane.trust == PlaneTrust::Strip)
+  if (plane.trust == PlaneTrust::Strip || !knowsTilt(fit, most_tilt))
     addGuess(guess, plane.patch, fit);
   return fit;
 }
@@ -59,11 +67,24 @@ fitPlanes(const std::vector<PlaneSums>& sums,
           std::vector<KnownPlane>& planes)
 {
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (sums[p].points < least_points)
+    if (!canBeFitted(sums[p]))
       continue;
     const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
     moveToFit(fit, planes[p].patch);
     setFrame(sums[p].best(), planes[p].patch);
+  }
+}
+
+void
+centerFrames(std::vector<PlaneSums>& sums, std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (!canBeFitted(sums[p]))
+      continue;
+    const PlanePatch before = planes[p].patch;
+    setFrame(sums[p].best(), planes[p].patch);
+    for (FitSums* fit : {&sums[p].fit, &sums[p].clean})
+      *fit = movedSums(*fit, before, planes[p].patch);
   }
 }
 
@@ -76,13 +97,14 @@ finishPlanes(const std::vector<PlaneSums>& sums,
     PlanePatch& patch = planes[p].patch;
     patch.support = sums[p].points;
     patch.covariance.setConstant(std::nan(""));
-    if (sums[p].points < least_points)
+    if (!canBeFitted(sums[p]))
       continue;
     const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
+    const Eigen::Matrix3d guess = fit.matrix - sums[p].best().matrix;
     const double count = static_cast<double>(sums[p].points);
     planes[p].half_size = halfSize(sums[p].fit);
     const Eigen::Vector3d solution = moveToFit(fit, patch);
-    patch.covariance = clusteredCovariance(fit, solution, sums[p].clusters);
+    patch.covariance = clusteredCovariance(fit, guess, solution, sums[p].clusters);
     patch.rms = std::sqrt(sums[p].squares / count);
     patch.effective_support = effectiveSupport(patch, count);
   }

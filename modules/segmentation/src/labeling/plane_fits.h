@@ -4,14 +4,19 @@
 
 namespace pcl::acmap::labeling {
 
-/** Moves each plane to its points, and its frame with them. Strips keep the tilt that was
- * guessed for them where the points do not know better. */
+/** Moves each plane to its points, and its frame with them. Strips, and planes whose points
+ * are on one line, keep the tilt that was guessed for them where the points do not know
+ * better. */
 void
 fitPlanes(const std::vector<PlaneSums>& sums,
           const std::vector<Eigen::Vector3d>& guesses,
           std::vector<KnownPlane>& planes);
 
-/** The same, with support, rms and covariance. */
+/** Puts the frame of each plane where its points are; the sums follow. */
+void
+centerFrames(std::vector<PlaneSums>& sums, std::vector<KnownPlane>& planes);
+
+/** As \ref fitPlanes without the frames, with support, rms and covariance. */
 void
 finishPlanes(const std::vector<PlaneSums>& sums,
              const std::vector<Eigen::Vector3d>& guesses,

@@ -1,5 +1,7 @@
 #include "labeling/range_noise.h"
 
+#include "median.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -9,19 +11,11 @@ namespace {
 constexpr std::size_t most_samples = 40000;
 constexpr std::size_t least_in_bin = 50;
 
-double
-median(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** Of absolute values: the standard deviation, were they normal. */
 double
 scaledMedian(std::vector<double>& values)
 {
-  return 1.4826 * median(values);
+  return 1.4826 * medianOf(values);
 }
 
 } // namespace
@@ -105,7 +99,7 @@ measureWarps(const Survey& survey,
     if (planes[p].trust != PlaneTrust::Sure || offs[p].size() < least_in_bin)
       continue;
     const double measured = std::pow(scaledMedian(offs[p]), 2);
-    const double known = median(expected[p]);
+    const double known = medianOf(expected[p]);
     constexpr double significant = 1.5;
     if (measured > significant * known)
       planes[p].warp = std::hypot(planes[p].warp, std::sqrt(measured - known));

@@ -3,10 +3,33 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <limits>
 
 namespace pcl::acmap::labeling {
+
+FitSums
+movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to)
+{
+  const Eigen::Vector3d way = from.center - to.center;
+  Eigen::Matrix3d terms = Eigen::Matrix3d::Identity(); // of the new frame from the old
+  terms.row(0) << to.axis_u.dot(from.axis_u), to.axis_u.dot(from.axis_v),
+      to.axis_u.dot(way);
+  terms.row(1) << to.axis_v.dot(from.axis_u), to.axis_v.dot(from.axis_v),
+      to.axis_v.dot(way);
+  return {terms * sums.matrix * terms.transpose(), terms * sums.right};
+}
+
+bool
+knowsTilt(const FitSums& sums, double most)
+{
+  const Eigen::Matrix3d covariance = sums.matrix.inverse();
+  const auto isKnown = [&](double variance) { // NaN and rounding below 0 are not
+    return variance >= 0 && variance <= most * most;
+  };
+  return isKnown(covariance(0, 0)) && isKnown(covariance(1, 1));
+}
 
 void
 setFrame(const FitSums& sums, PlanePatch& patch)
@@ -42,6 +65,7 @@ moveToFit(const FitSums& sums, PlanePatch& patch)
 
 Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
+                    const Eigen::Matrix3d& guess,
                     const Eigen::Vector3d& solution,
                     const std::vector<FitSums>& clusters)
 {
@@ -55,7 +79,8 @@ clusteredCovariance(const FitSums& sums,
   }
   const Eigen::Matrix3d inverse = sums.matrix.inverse();
   const double count = static_cast<double>(clusters.size());
-  return count / (count - 3) * inverse * spread * inverse; // three were fitted
+  spread *= count / (count - 3); // three were fitted
+  return inverse * (spread + guess) * inverse;
 }
 
 } // namespace pcl::acmap::labeling

@@ -35,8 +35,17 @@ struct FitSums {
   }
 };
 
+/** The same sums in another frame of the same plane. */
+FitSums
+movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to);
+
+/** Does the fit know both slopes to so many radians, one standard deviation? Not where its
+ * points are on one line. */
+bool
+knowsTilt(const FitSums& sums, double most);
+
 /** Middle and axes of a patch from where its points are; axis_u along the largest spread.
- */
+ * \param[in] sums of one point at least */
 void
 setFrame(const FitSums& sums, PlanePatch& patch);
 
@@ -47,10 +56,12 @@ moveToFit(const FitSums& sums, PlanePatch& patch);
 
 /** Covariance of the fit from how the residuals of clusters vary: noise that points of a
  * cluster share does not average out.
+ * \param[in] guess what the sums hold beside the clusters: inverse covariance
  * \param[in] solution what \ref moveToFit gave
  * \return NaN where there are too few clusters to tell */
 Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
+                    const Eigen::Matrix3d& guess,
                     const Eigen::Vector3d& solution,
                     const std::vector<FitSums>& clusters);
 

@@ -29,13 +29,11 @@ isRefuted(const PlaneSums& sums, const KnownPlane& plane)
     return true;
   const double chi = std::sqrt(sums.chi / static_cast<double>(sums.points));
   if (plane.trust == PlaneTrust::Sure)
-    return chi > 2 * most_chi;
+    return !(chi <= 2 * most_chi);
   const double most = plane.trust == PlaneTrust::Strip ? most_strip_chi : most_chi;
-  if (sums.points < least_points || chi > most)
+  if (sums.points < least_points || !(chi <= most))
     return true;
-  return plane.trust == PlaneTrust::Small &&
-         std::sqrt(covarianceOf(sums.best()).diagonal().head<2>().maxCoeff()) >
-             most_tilt;
+  return plane.trust == PlaneTrust::Small && !knowsTilt(sums.best(), most_tilt);
 }
 
 /** Standard deviation of a plane's place at a point, metres. */
@@ -77,7 +75,7 @@ isPartOf(std::size_t part,
   if (a.coefficients.head<3>().dot(b.coefficients.head<3>()) < cosine)
     return false;
   const double unsure = deviationAt(sums[whole], b, a.center);
-  if (unsure > distance)
+  if (!(unsure <= distance))
     return false; // it may lie anywhere so far from its points
   const double own = std::sqrt(covarianceOf(sums[part].best())(2, 2));
   return deviation(sums[part], a, b) < distance + 2 * (own + unsure);

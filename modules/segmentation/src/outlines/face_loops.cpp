@@ -28,9 +28,10 @@ rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
 }
 
 /** The edge by which a rim goes on from the end of another: the first one clockwise from
- * the way back. */
+ * the way back, be it the one that the rim began with. */
 RimEdge*
 nextEdge(std::vector<RimEdge>& rim,
+         const RimEdge& first,
          const RimEdge& edge,
          const std::vector<Eigen::Vector2d>& places)
 {
@@ -45,7 +46,7 @@ nextEdge(std::vector<RimEdge>& rim,
         return e.from < vertex;
       });
   for (; candidate != rim.end() && candidate->from == edge.to; ++candidate) {
-    if (candidate->is_taken)
+    if (candidate->is_taken && &*candidate != &first)
       continue;
     const Eigen::Vector2d way = place(candidate->to) - place(edge.to);
     double clockwise =
@@ -71,7 +72,7 @@ faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
   for (RimEdge& first : rim) {
     std::vector<std::int32_t> loop;
     for (RimEdge* edge = &first; edge && !edge->is_taken;
-         edge = nextEdge(rim, *edge, places)) {
+         edge = nextEdge(rim, first, *edge, places)) {
       edge->is_taken = true;
       loop.push_back(edge->from);
     }

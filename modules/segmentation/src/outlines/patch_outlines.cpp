@@ -163,6 +163,8 @@ void
 outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known)
 {
   using namespace outlines;
+  if (known.planes.empty())
+    return; // there may be no spacing either
   const labeling::CandidateGrid grid(known, known.spacing, 0);
   const double reach = 2 * known.spacing;
   const double least_area = 4 * known.spacing * known.spacing;

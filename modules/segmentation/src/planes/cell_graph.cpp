@@ -1,5 +1,6 @@
 #include "planes/cell_graph.h"
 
+#include "median.h"
 #include "planes/radius_grid.h"
 
 #include <pcl/core/noise_scale.h>
@@ -27,17 +28,7 @@ finiteTriangles(const PlaneHypotheses& hypotheses)
   return triangles;
 }
 
-double
-medianOf(std::vector<double>& values)
-{
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/** Root of the mean squared length of the edges. */
+/** Of the lengths of the edges. */
 double
 meanEdge(const CellGraph& graph)
 {
@@ -74,7 +65,7 @@ localNoise(const CellGraph& graph)
 
 } // namespace
 
-CellGraph::CellGraph(const PlaneHypotheses& hypotheses)
+CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
 : normals(hypotheses.normals)
 , areas(hypotheses.points.size(), 0.0)
 {
@@ -105,18 +96,27 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses)
       areas[static_cast<std::size_t>(corner)] += third;
   }
   if (triangles.empty())
-    connectNear(hypotheses.points);
+    connectNear(hypotheses.points, threads);
   else
     spacing = meanEdge(*this);
   sigma = localNoise(*this);
 }
 
+double
+CellGraph::areaOf(const std::vector<std::int32_t>& members) const
+{
+  double area = 0;
+  for (const std::int32_t member : members)
+    area += areas[static_cast<std::size_t>(member)];
+  return area;
+}
+
 /** Without a mesh: whoever is within two spacings is a neighbour, and each point stands for
  * as much surface as any. */
 void
-CellGraph::connectNear(const PointView& view)
+CellGraph::connectNear(const PointView& view, unsigned threads)
 {
-  spacing = measureNoiseScale(view, SensorView()).spacing;
+  spacing = measureNoiseScale(view, SensorView(), threads).spacing;
   if (!(spacing > 0))
     return;
   const RadiusGrid grid(points, 2 * spacing);

@@ -7,7 +7,8 @@ namespace pcl::acmap::planes {
 
 /** The hypotheses as doubles about their middle, with what the mesh says of them. */
 struct CellGraph {
-  explicit CellGraph(const PlaneHypotheses& hypotheses);
+  /** \param[in] threads 0: all */
+  CellGraph(const PlaneHypotheses& hypotheses, unsigned threads);
 
   std::vector<Eigen::Vector3d> points;  ///< from the origin
   std::vector<Eigen::Vector3f> normals; ///< NaN where there is none
@@ -29,9 +30,13 @@ struct CellGraph {
     return normals[i].x() == normals[i].x();
   }
 
+  /** Square metres that they stand for together. */
+  double
+  areaOf(const std::vector<std::int32_t>& members) const;
+
 private:
   void
-  connectNear(const PointView& view);
+  connectNear(const PointView& view, unsigned threads);
 };
 
 } // namespace pcl::acmap::planes

@@ -2,7 +2,6 @@
 
 #include "planes/plane_merge.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -31,17 +30,9 @@ neighbouringPlanes(const CellGraph& graph,
 }
 
 Eigen::Vector3d
-longAxis(const Moments& m)
+longAxis(const GrownPlane& strip)
 {
-  const Eigen::Vector3d mean = m.mean();
-  Eigen::Matrix3d covariance;
-  covariance << m.xx, m.xy, m.xz, // symmetric
-      m.xy, m.yy, m.yz,           //
-      m.xz, m.yz, m.zz;
-  covariance = covariance / m.count - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  return solver.eigenvectors().col(2);
+  return fitPlane(strip.moments).long_axis;
 }
 
 } // namespace
@@ -63,7 +54,7 @@ raise(const CellGraph& graph,
       GrownPlane& strip)
 {
   constexpr double across = 0.3; // cosine between strip and normal of its neighbour
-  const Eigen::Vector3d along = longAxis(strip.moments);
+  const Eigen::Vector3d along = longAxis(strip);
   const Eigen::Vector3d before = strip.plane.normal;
   std::size_t most = 0;
   for (const auto& [neighbour, count] :
@@ -84,9 +75,9 @@ bool
 areInLine(const GrownPlane& a, const GrownPlane& b, double spacing)
 {
   constexpr double parallel = 0.97, aside = 2.5;
-  const Eigen::Vector3d along = longAxis(a.moments);
+  const Eigen::Vector3d along = longAxis(a);
   const Eigen::Vector3d way = b.moments.mean() - a.moments.mean();
-  return std::abs(along.dot(longAxis(b.moments))) > parallel &&
+  return std::abs(along.dot(longAxis(b))) > parallel &&
          (way - along.dot(way) * along).norm() < aside * spacing &&
          a.plane.normal.dot(b.plane.normal) > 0.5;
 }
@@ -100,7 +91,7 @@ isRounding(const CellGraph& graph,
            const GrownPlane& strip)
 {
   constexpr double parallel = 0.9, along_crease = 0.9, near = 2.5;
-  const Eigen::Vector3d along = longAxis(strip.moments);
+  const Eigen::Vector3d along = longAxis(strip);
   const Eigen::Vector3d middle = strip.moments.mean();
   std::vector<const Plane*> beside;
   for (const auto& [neighbour, count] :

@@ -12,15 +12,6 @@ namespace {
 
 using Members = std::vector<std::int32_t>;
 
-double
-areaOf(const CellGraph& graph, const Members& members)
-{
-  double area = 0;
-  for (const std::int32_t member : members)
-    area += graph.areas[static_cast<std::size_t>(member)];
-  return area;
-}
-
 /** One run: who owns which hypothesis, and the planes so far. */
 class NoiseDrivenGrowth {
 public:
@@ -38,7 +29,7 @@ public:
   growLarge(const std::vector<std::int32_t>& seeds, const PlaneLimits& limits)
   {
     grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
-      const double area = areaOf(graph_, members);
+      const double area = graph_.areaOf(members);
       if (area < least_area_ || isNarrow(region.moments(), graph_.spacing))
         return false;
       return isBent(members, region, limits) ||
@@ -59,7 +50,7 @@ public:
       return isBent(members, region, limits) ||
              keep(members,
                   region,
-                  areaOf(graph_, members),
+                  graph_.areaOf(members),
                   is_narrow ? PlaneTrust::Strip : PlaneTrust::Small);
     });
   }

@@ -27,11 +27,11 @@ growAsPaper(const CellGraph& graph,
                  ++report.small_regions;
                  return false;
                }
-               double area = 0;
-               for (const std::int32_t member : members)
-                 area += graph.areas[static_cast<std::size_t>(member)];
-               grown.push_back(
-                   {members, region.moments(), region.plane(), area, PlaneTrust::Sure});
+               grown.push_back({members,
+                                region.moments(),
+                                region.plane(),
+                                graph.areaOf(members),
+                                PlaneTrust::Sure});
                return true;
              });
   return grown;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pcl::acmap {
@@ -30,10 +31,13 @@ orderSeeds(const PlaneHypotheses& hypotheses, const CellGraph& graph)
     if (graph.hasNormal(i) &&
         (hypotheses.is_crease.empty() || !hypotheses.is_crease[i]))
       seeds.push_back(static_cast<std::int32_t>(i));
+  const auto curvature = [&](std::int32_t seed) {
+    const float known = hypotheses.curvatures[static_cast<std::size_t>(seed)];
+    return std::isnan(known) ? std::numeric_limits<float>::infinity() : known;
+  };
   if (!hypotheses.curvatures.empty())
     std::stable_sort(seeds.begin(), seeds.end(), [&](std::int32_t a, std::int32_t b) {
-      return hypotheses.curvatures[static_cast<std::size_t>(a)] <
-             hypotheses.curvatures[static_cast<std::size_t>(b)];
+      return curvature(a) < curvature(b);
     });
   return seeds;
 }
@@ -53,6 +57,33 @@ automaticArea(const CellGraph& graph)
   constexpr double of_buildings = 0.1, share = 0.003;
   const double surface = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
   return std::min(of_buildings, share * surface);
+}
+
+/** All regions, those of one plane joined. */
+std::vector<GrownPlane>
+growAll(const CellGraph& graph,
+        const std::vector<std::int32_t>& seeds,
+        const PlaneClusteringSettings& settings,
+        const PlaneLimits& limits,
+        double least_area,
+        double merge_cosine,
+        PlaneClusteringReport& report)
+{
+  std::vector<GrownPlane> grown =
+      settings.noise_driven ? growNoiseDriven(graph, seeds, limits, least_area, report)
+                            : growAsPaper(graph,
+                                          seeds,
+                                          limits,
+                                          settings.member_distance,
+                                          settings.least_support,
+                                          report);
+  report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
+  if (limits.bow > 0)
+    report.merged += joinContinued(graph, limits, merge_cosine, grown);
+  raiseStrips(graph, grown);
+  const double noise = automaticDistance(graph); // W_t may be far above it
+  widenRims(graph, std::min(limits.distance, noise), grown);
+  return grown;
 }
 
 /** As the hypotheses grew them, in their frame. */
@@ -80,7 +111,7 @@ knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
 
 /** Without a source nobody can judge small ones and strips. */
 void
-dropUnsure(KnownPlanes& known)
+dropUnsure(KnownPlanes& known, PlaneClusteringReport& report)
 {
   std::vector<std::int32_t> numbers;
   std::vector<KnownPlane> sure;
@@ -90,6 +121,7 @@ dropUnsure(KnownPlanes& known)
     if (is_sure)
       sure.push_back(std::move(plane));
   }
+  report.small_regions += known.planes.size() - sure.size();
   known.planes = std::move(sure);
   for (std::int32_t& label : known.labels)
     label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
@@ -138,11 +170,13 @@ describe(const PlaneClusters& clusters,
   else if (report.refuted_regions > 0)
     report.remarks.push_back("no planes: the source's points lie on none of " +
                              std::to_string(report.refuted_regions) + " regions");
-  else if (report.curved_regions == 0)
+  else if (!(report.spacing > 0))
+    report.remarks.emplace_back("no planes: the points are on no surface");
+  else
     report.remarks.push_back(
-        "no planes: none of " + std::to_string(report.small_regions) +
-        " regions is large enough; the points may be too far apart, too noisy, or on "
-        "no plane");
+        "no planes: " + std::to_string(report.small_regions) +
+        " regions are too small or narrow, " + std::to_string(report.curved_regions) +
+        " are curved; the points may be too far apart, too noisy, or on no plane");
 }
 
 } // namespace
@@ -161,7 +195,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.points = hypotheses.points.size();
     StepTimer timer(report);
     progress.tell(0.0, "growing");
-    const CellGraph graph(hypotheses);
+    const CellGraph graph(hypotheses, settings.threads);
     PlaneLimits limits;
     limits.distance = settings.plane_distance > 0 ? settings.plane_distance
                                                   : automaticDistance(graph);
@@ -181,22 +215,10 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
 
     const double least_area =
         settings.least_area > 0 ? settings.least_area : automaticArea(graph);
-    std::vector<GrownPlane> grown =
-        settings.noise_driven
-            ? growNoiseDriven(graph, seeds, limits, least_area, report)
-            : growAsPaper(graph,
-                          seeds,
-                          limits,
-                          settings.member_distance,
-                          settings.least_support,
-                          report);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
-    report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
-    if (limits.bow > 0)
-      report.merged += joinContinued(graph, limits, merge_cosine, grown);
-    raiseStrips(graph, grown);
-    const double noise = automaticDistance(graph); // W_t may be far above it
-    widenRims(graph, std::min(limits.distance, noise), grown);
+    std::vector<GrownPlane> grown;
+    if (graph.spacing > 0)
+      grown = growAll(graph, seeds, settings, limits, least_area, merge_cosine, report);
     timer.finish("growing");
 
     KnownPlanes known = knownPlanes(graph, grown);
@@ -206,12 +228,12 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     labeling.distance = limits.distance / 2;
     labeling.cosine = merge_cosine;
     labeling.least_area = least_area;
-    labeling.stray = std::max(noise, 0.25 * graph.spacing);
+    labeling.stray = std::max(automaticDistance(graph), 0.25 * graph.spacing);
     if (settings.noise_driven && source.points.size() > 0)
       clusters.source_labels =
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
     else {
-      dropUnsure(known);
+      dropUnsure(known, report);
       labeling.coarseness = 3; // consolidated points share windows with neighbours
       fitLabeled(known.points, SensorView(), labeling, known);
     }

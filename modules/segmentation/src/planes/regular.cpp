@@ -23,8 +23,14 @@ allowedTurn(const PlanePatch& patch)
                              : most_turn;
 }
 
+double
+angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 /** The nearest normal that is parallel to a direction, or else at right angles to those
- * that are nearly so. */
+ * that are nearly so; turned by no more than \a turn in all. */
 Eigen::Vector3d
 regularNormal(const Eigen::Vector3d& normal,
               const std::vector<Eigen::Vector3d>& directions,
@@ -44,10 +50,14 @@ regularNormal(const Eigen::Vector3d& normal,
     constexpr double of_its_own = 0.1;
     if (rest.norm() < of_its_own)
       continue;
-    upright.push_back(rest.normalized());
-    turned -= turned.dot(upright.back()) * upright.back();
+    rest.normalize();
+    const Eigen::Vector3d further = (turned - turned.dot(rest) * rest).normalized();
+    if (angleBetween(normal, further) > turn)
+      continue;
+    upright.push_back(rest);
+    turned = further;
   }
-  return turned.normalized();
+  return turned;
 }
 
 void
@@ -74,9 +84,9 @@ makeRegular(std::vector<KnownPlane>& planes)
     PlanePatch& patch = planes[p].patch;
     const Eigen::Vector3d before = patch.coefficients.head<3>();
     const Eigen::Vector3d after = regularNormal(before, directions, allowedTurn(patch));
-    const double turn = std::asin(std::min(before.cross(after).norm(), 1.0));
+    const double turn = angleBetween(before, after);
     constexpr double rounding = 1e-9;
-    if (turn > rounding && turn <= most_turn) {
+    if (turn > rounding) {
       turnTo(after, patch);
       ++regularity.turned;
       regularity.largest_turn = std::max(regularity.largest_turn, turn);

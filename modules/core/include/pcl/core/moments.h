@@ -68,7 +68,8 @@ struct Moments {
 /** \brief The plane of least squares through some points. */
 struct PlaneFit {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit; its sign means nothing
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit; its sign means nothing
+  Eigen::Vector3d long_axis = Eigen::Vector3d::Zero(); ///< unit, of the most variance
 
   /** \brief Variances along the principal axes, ascending: the first one is that across
    * the plane. */

@@ -64,13 +64,6 @@ public:
     return {others_.data() + first_[vertex], others_.data() + first_[vertex + 1]};
   }
 
-  /** \brief Place of a vertex's first neighbour among those of all. */
-  std::size_t
-  offset(std::size_t vertex) const
-  {
-    return first_[vertex];
-  }
-
   /** \brief Neighbours of all vertices: twice the edges. */
   std::size_t
   size() const

@@ -29,9 +29,16 @@ struct PlaneHypotheses {
   PointView points;
   std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
   std::vector<std::uint8_t> is_crease;  ///< no plane starts there; may be empty
-  std::vector<float> curvatures;        ///< flat ones start first; may be empty
+  std::vector<float> curvatures; ///< flat ones start first, NaN last; may be empty
   std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
 };
+
+/** \brief Leaves the chosen ones of the hypotheses, and the triangles between them.
+ * \param[in] chosen ascending, each once
+ * \param[in,out] hypotheses in: of a whole array; out: of a view of it through \a chosen,
+ * which the caller sets as their points \ingroup segmentation */
+ACMAP_EXPORT void
+keepChosen(const std::vector<std::int32_t>& chosen, PlaneHypotheses& hypotheses);
 
 /** \brief The cloud from which the hypotheses were consolidated; may be empty. */
 struct PlaneSource {
@@ -40,7 +47,7 @@ struct PlaneSource {
 };
 
 struct PlaneClusters {
-  std::vector<PlanePatch> patches;  ///< by falling area
+  std::vector<PlanePatch> patches;  ///< by falling area; without a mesh it is 0
   std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
   std::vector<std::int32_t> source_labels; ///< the same for each point of the source
 };

@@ -14,7 +14,7 @@ struct PlaneClusteringReport : Report {
   std::size_t hypotheses = 0;     ///< points with a normal, off creases
   std::size_t planes = 0;
   std::size_t points_on_planes = 0;
-  std::size_t small_regions = 0;  ///< of a few points
+  std::size_t small_regions = 0;  ///< too small, or nobody to judge them
   std::size_t curved_regions = 0; ///< grown, but no plane
   std::size_t points_on_curved = 0;
   std::size_t refuted_regions =

@@ -20,8 +20,9 @@ namespace pcl {
 /** \brief All planes of a cloud with normals, in one call and without chance.
  *
  * The clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point is a
- * hypothesis (p_i, n_i). From the flattest one on, a plane takes in whoever is nearer than
- * W_d to one of its points, than W_n to its normal and than W_t to the plane, and is
+ * hypothesis (p_i, n_i). From the flattest one on (by the curvature of the normals that
+ * \ref setInputNormals gives; those of PointT go in their order), a plane takes in whoever
+ * is nearer than W_d to one of its points, than W_n to its normal and than W_t to the plane, and is
  * estimated again with its supporters; above W_h of them it is accepted. These are the
  * defaults.
  *
@@ -212,8 +213,8 @@ public:
   }
 
   /** \brief Finds all planes of the input cloud (of its indices, where set).
-   * \param[out] patches the planes by falling area; none, with the reason in the report,
-   * where there are none
+   * \param[out] patches the planes by falling area, without a mesh, where it is 0, those
+   * grown larger first; none, with the reason in the report, where there are none
    * \throws InitFailedException without a cloud or normals, with normals or classes of
    * another number, with indices or corners outside of the cloud
    * \throws CancelledException when the progress callback stopped it */

@@ -6,6 +6,7 @@
 #include <pcl/segmentation/plane_clustering_kernel.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -96,9 +97,9 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
   requireInputs();
   if (!this->initCompute())
     PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+  const void* const first = input_->empty() ? nullptr : &input_->front().x;
   acmap::PlaneHypotheses hypotheses;
-  hypotheses.points = acmap::PointView(
-      input_->empty() ? nullptr : &input_->front().x, sizeof(PointT), input_->size());
+  hypotheses.points = acmap::PointView(first, sizeof(PointT), input_->size());
   hypotheses.normals = gatherNormals();
   hypotheses.triangles = triangles_;
   if (classes_)
@@ -107,6 +108,16 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
   if (normals_)
     for (const Normal& normal : *normals_)
       hypotheses.curvatures.push_back(normal.curvature);
+  const bool are_all = this->fake_indices_;
+  std::vector<std::int32_t> chosen;
+  if (!are_all) {
+    chosen.assign(indices_->begin(), indices_->end());
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    acmap::keepChosen(chosen, hypotheses);
+    hypotheses.points =
+        acmap::PointView(first, sizeof(PointT), chosen.size(), chosen.data());
+  }
   this->deinitCompute();
 
   acmap::PlaneClusteringSettings settings;
@@ -126,7 +137,12 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
                            acmap::Progress(progress_),
                            report);
   patches = std::move(clusters.patches);
-  labels_ = std::move(clusters.labels);
+  if (are_all)
+    labels_ = std::move(clusters.labels);
+  else
+    labels_.assign(input_->size(), -1);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    labels_[static_cast<std::size_t>(chosen[i])] = clusters.labels[i];
   source_labels_ = std::move(clusters.source_labels);
   report_ = std::move(report);
 }

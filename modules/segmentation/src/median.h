@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** The upper one of two in the middle; 0 of none.
+ * \param[in,out] values get another order */
+inline double
+medianOf(std::vector<double>& values)
+{
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace pcl::acmap

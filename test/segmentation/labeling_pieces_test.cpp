@@ -1,0 +1,150 @@
+#include "known_boards.h"
+
+#include "labeling/junctions.h"
+#include "labeling/label_points.h"
+#include "labeling/ray_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+
+/** Inner and outer edges by the thousand: a table of all pairs would not fit in memory. */
+TEST(Junctions, knowTheirSidesOfManyPlanes)
+{
+  constexpr double spacing = 0.1;
+  constexpr int edges = 30000;
+  KnownBoards boards(spacing);
+  for (int edge = 0; edge < edges; ++edge) {
+    const Eigen::Vector3d corner((edge % 200) * 2.0, edge / 200 * 2.0, 0);
+    const double first = edge % 2 == 0 ? spacing : -3 * spacing; // before it or behind
+    boards.add(corner + first * x, spacing * x, 3, spacing * y, 3);
+    boards.add(corner + first * z, spacing * y, 3, spacing * z, 3);
+  }
+  KnownPlanes known = boards.known();
+  const labeling::CandidateGrid grid(known, 2 * spacing, 1);
+  const labeling::Junctions junctions(known, grid);
+  for (std::size_t edge = 0; edge < edges; ++edge) {
+    const std::size_t floor = 2 * edge, wall = floor + 1;
+    EXPECT_EQ(junctions.side(floor, wall), edge % 2 == 0 ? 1 : -1) << edge;
+    EXPECT_EQ(junctions.side(wall, floor), edge % 2 == 0 ? 1 : -1) << edge;
+    EXPECT_EQ(junctions.side(floor, floor), 0);
+    EXPECT_EQ(junctions.side(floor, (wall + 1) % (2 * edges)), 0);
+  }
+}
+
+/** The last one of nine: the other eight come before it along the keys. */
+TEST(CandidateGrid, holdsTheVoxelsOwnPlaneWhereManyAreNear)
+{
+  KnownBoards boards(1);
+  for (int plane = 0; plane < 8; ++plane)
+    boards.add({0.5, plane % 3 + 0.5, plane / 3 + 0.5}, x / 8, 1, y / 8, 1);
+  const Eigen::Vector3d own(1.5, 1.5, 1.5);
+  boards.add(own, x / 8, 1, y / 8, 1);
+  KnownPlanes known = boards.known();
+  const labeling::CandidateGrid grid(known, 1, 1);
+  VoxelHit hit;
+  ASSERT_TRUE(grid.lattice().locate(own.cast<float>(), hit));
+  const labeling::Candidates& there = grid[grid.find(voxelKey(hit.place))];
+  EXPECT_EQ(there.size, labeling::Candidates::most);
+  EXPECT_EQ(there.home, 8);
+  EXPECT_TRUE(there.holds(8));
+  EXPECT_EQ(there.planes[0], 8) << "before its neighbours'";
+}
+
+LabelingLimits
+makeLimits()
+{
+  LabelingLimits limits;
+  limits.distance = 0.02;
+  limits.cosine = std::cos(0.2);
+  return limits;
+}
+
+void
+expectCentered(const PlanePatch& patch, const Eigen::Vector3d& middle)
+{
+  EXPECT_LT((patch.center - middle).norm(), 0.01) << patch.center.transpose();
+  EXPECT_NEAR(std::abs(patch.axis_u.x()), 1, 1e-3) << "the longer one";
+  EXPECT_NEAR(
+      patch.coefficients.head<3>().dot(patch.center) + patch.coefficients[3], 0, 1e-9);
+  EXPECT_NEAR(
+      patch.axis_u.cross(patch.axis_v).dot(patch.coefficients.head<3>()), 1, 1e-9);
+}
+
+TEST(LabelPoints, joinedPartsHaveOneMiddle)
+{
+  KnownBoards boards(0.05);
+  for (const double left : {-3.0, 1.0}) // 2 m by 1 m each, 2 m apart
+    boards.add({left, 0, 2}, 0.05 * x, 41, 0.05 * y, 21);
+  KnownPlanes known = boards.known();
+  PlaneClusteringReport report;
+  const std::vector<std::int32_t> labels = labelPoints(
+      boards.points(), SensorView(), makeLimits(), Progress(), known, report);
+  ASSERT_EQ(known.planes.size(), 1U);
+  EXPECT_EQ(report.merged, 1U);
+  EXPECT_EQ(labels, std::vector<std::int32_t>(2 * 41 * 21, 0));
+  EXPECT_EQ(known.planes[0].patch.support, labels.size());
+  expectCentered(known.planes[0].patch, {0, 0.5, 2});
+}
+
+TEST(LabelPoints, frameIsThatOfTheSupportWithoutASourceToo)
+{
+  KnownBoards boards(0.05);
+  boards.add({0, 0, 2}, 0.05 * x, 41, 0.05 * y, 21);
+  KnownPlanes known = boards.known();
+  known.planes[0].patch.center += 0.7 * x;
+  fitLabeled(boards.points(), SensorView(), makeLimits(), known);
+  ASSERT_EQ(known.planes.size(), 1U);
+  expectCentered(known.planes[0].patch, {1, 0.5, 2});
+}
+
+/** Sums about one frame, moved to another one, are those about the other one. */
+TEST(FitSums, followTheirFrame)
+{
+  KnownBoards boards(0.1);
+  boards.add({1, 2, 3}, 0.1 * (x + z), 12, 0.1 * y, 7);
+  const PlanePatch patch = boards.known().planes[0].patch;
+  PlanePatch other = patch;
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  other.center += 0.3 * patch.axis_u - 1.1 * patch.axis_v;
+  other.axis_u = Eigen::AngleAxisd(0.6, normal) * patch.axis_u;
+  other.axis_v = normal.cross(other.axis_u);
+  labeling::FitSums sums, expected;
+  for (std::size_t i = 0; i < boards.points().size(); ++i) {
+    const Eigen::Vector3f off =
+        boards.points()[i] + (0.01F * static_cast<float>(i % 5)) * normal.cast<float>();
+    const labeling::Crossing crossing(labeling::Sight(off, nullptr), patch);
+    sums.add(crossing, patch, 2.5);
+    expected.add(crossing, other, 2.5);
+  }
+  const labeling::FitSums moved = labeling::movedSums(sums, patch, other);
+  EXPECT_TRUE(moved.matrix.isApprox(expected.matrix, 1e-9));
+  EXPECT_TRUE(moved.right.isApprox(expected.right, 1e-9));
+}
+
+TEST(FitSums, knowNoTiltOfALine)
+{
+  labeling::FitSums sums;
+  EXPECT_FALSE(labeling::knowsTilt(sums, 0.1)) << "of nothing";
+  KnownBoards board(0.1);
+  board.add({0, 0, 0}, 0.1 * x, 30, 0.1 * y, 1);
+  const PlanePatch patch = board.known().planes[0].patch;
+  const auto add = [&](const Eigen::Vector3f& point) {
+    sums.add(labeling::Crossing(labeling::Sight(point, nullptr), patch), patch, 1e4);
+  };
+  for (std::size_t i = 0; i < board.points().size(); ++i)
+    add(board.points()[i]);
+  EXPECT_FALSE(labeling::knowsTilt(sums, 0.1));
+  add({0, 1, 0});
+  EXPECT_TRUE(labeling::knowsTilt(sums, 0.1));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
