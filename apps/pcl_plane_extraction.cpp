@@ -4,9 +4,9 @@
 #include "plane_extraction/extraction.h"
 #include "plane_extraction/plane_outputs.h"
 #include "plane_extraction/plane_reports.h"
-#include "plane_file.h"
 #include "scaled_cloud.h"
 
+#include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/visualization/display_connection.h>
 
@@ -43,7 +43,9 @@ writeOutputs(const Tool& tool,
   };
   const std::vector<std::int32_t>& labels = extraction.clusters.labels;
   write(options.output, [&](const std::string& place) {
-    savePlanes(place, extraction.clusters.patches);
+    pcl::CompactMap map;
+    map.planes = extraction.clusters.patches;
+    pcl::saveMapFile(place, map);
   });
   write(options.normals,
         [&](const std::string& place) { saveNormals(place, extraction.mesh, labels); });

@@ -1,5 +1,5 @@
 #include "memory.h"
-#include "output_folder.h"
+#include "observation_folder.h"
 #include "output_target.h"
 #include "tool.h"
 
@@ -22,7 +22,6 @@ namespace {
 using namespace pcl::acmap;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* trajectory_name = "trajectory.txt";
 constexpr const char* rig_name = "rig.yaml";
 constexpr const char* truth_name = "truth.json";
 
@@ -98,17 +97,13 @@ openScene(const std::string& name)
 bool
 isSessionName(const std::string& name)
 {
-  return name.rfind("observation_", 0) == 0 || name == trajectory_name ||
-         name == rig_name || name == truth_name;
+  return isSequenceName(name) || name == rig_name || name == truth_name;
 }
 
 void
 checkPlaces(const Tool& tool, const Options& options, const OutputFolder& folder)
 {
-  for (const std::string& name : folder.names())
-    if (isSessionName(name))
-      throw pcl::OutputFileException(options.output + ": already holds " + name +
-                                     "; name an empty or a new folder");
+  requireNoSequence(folder, {rig_name, truth_name});
   std::vector<std::string> others = {options.scene};
   const std::string own_truth = options.output + "/" + truth_name;
   tool.requireReportWritable({options.scene, options.merged, own_truth});
@@ -118,28 +113,6 @@ checkPlaces(const Tool& tool, const Options& options, const OutputFolder& folder
   if (folder.holds(options.merged) &&
       isSessionName(std::filesystem::path(options.merged).filename().string()))
     throw UsageError(options.merged + ": would be one of the session's own files");
-}
-
-std::string
-observationName(std::size_t view)
-{
-  constexpr std::size_t digits = 4;
-  const std::string number = std::to_string(view);
-  return "observation_" + std::string(digits - std::min(digits, number.size()), '0') +
-         number + ".pcd";
-}
-
-void
-saveObservation(const std::string& path,
-                const pcl::SimulatedObservation& observation,
-                const Eigen::Isometry3d& T_map_camera)
-{
-  const Eigen::Vector3d origin = T_map_camera.translation();
-  const Eigen::Quaterniond orientation(T_map_camera.linear());
-  pcl::savePointCloud(path,
-                      pcl::cloudOf(observation),
-                      origin.cast<float>(),
-                      orientation.cast<float>().normalized());
 }
 
 void
@@ -175,7 +148,7 @@ writeObservations(Tool& tool,
       const pcl::SimulatedObservation observation = withThreads(
           tool.threads(), [&] { return pcl::observe(scene, view, options.seed); });
       saveObservation(folder.path(observationName(view)),
-                      observation,
+                      pcl::cloudOf(observation),
                       merged.trajectory.poses[view]);
       if (!options.merged.empty())
         pcl::appendObservation(observation, view, merged);

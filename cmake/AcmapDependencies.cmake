@@ -8,6 +8,7 @@ find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(yaml-cpp REQUIRED)
+find_package(PNG REQUIRED)
 
 # liblzf comes without a package file.
 find_path(LZF_INCLUDE_DIR liblzf/lzf.h REQUIRED)
@@ -16,6 +17,15 @@ mark_as_advanced(LZF_INCLUDE_DIR LZF_LIBRARY)
 add_library(lzf UNKNOWN IMPORTED)
 set_target_properties(lzf PROPERTIES IMPORTED_LOCATION "${LZF_LIBRARY}"
                                      INTERFACE_INCLUDE_DIRECTORIES "${LZF_INCLUDE_DIR}")
+
+# TurboJPEG has one since 2.1 only.
+find_path(TURBOJPEG_INCLUDE_DIR turbojpeg.h REQUIRED)
+find_library(TURBOJPEG_LIBRARY turbojpeg REQUIRED)
+mark_as_advanced(TURBOJPEG_INCLUDE_DIR TURBOJPEG_LIBRARY)
+add_library(turbojpeg UNKNOWN IMPORTED)
+set_target_properties(
+  turbojpeg PROPERTIES IMPORTED_LOCATION "${TURBOJPEG_LIBRARY}"
+                       INTERFACE_INCLUDE_DIRECTORIES "${TURBOJPEG_INCLUDE_DIR}")
 
 # FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
 find_library(LZ4_LIBRARY lz4 REQUIRED)

@@ -27,8 +27,12 @@ findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t dat
 const PCLPointField*
 findColor(const PCLPointCloud2& cloud)
 {
-  const PCLPointField* rgb = findField(cloud, "rgb");
-  return rgb ? rgb : findField(cloud, "rgba");
+  for (const char* name : {"rgb", "rgba"}) {
+    const PCLPointField* field = findField(cloud, name);
+    if (field && field->count == 1 && getFieldSize(field->datatype) == 4)
+      return field;
+  }
+  return nullptr;
 }
 
 PCLPointCloud2
@@ -42,8 +46,12 @@ layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes)
   for (const FieldWish& wish : wishes) {
     if (findField(layout, wish.name, wish.datatype))
       continue;
-    if (const PCLPointField* other = findField(layout, wish.name))
-      layout.fields.erase(layout.fields.begin() + (other - layout.fields.data()));
+    layout.fields.erase(std::remove_if(layout.fields.begin(),
+                                       layout.fields.end(),
+                                       [&](const PCLPointField& field) {
+                                         return field.name == wish.name;
+                                       }),
+                        layout.fields.end());
     PCLPointField added;
     added.name = wish.name;
     added.offset = layout.point_step;

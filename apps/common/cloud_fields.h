@@ -17,8 +17,8 @@ findField(const PCLPointCloud2& cloud, const std::string& name);
 const PCLPointField*
 findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype);
 
-/** \brief The packed colour, `rgb` or `rgba`: bytes blue, green, red; nullptr without one.
- */
+/** \brief The packed colour, `rgb` or `rgba`: one value of four bytes, the first of them
+ * blue, green, red; nullptr without one. */
 const PCLPointField*
 findColor(const PCLPointCloud2& cloud);
 
@@ -29,7 +29,8 @@ struct FieldWish {
 };
 
 /** \brief A cloud with no rows, but with the fields of another one and with those wished
- * for, behind; a field of a wished name and of another type goes. */
+ * for, behind; all fields of a wished name go where the first of them is of another type.
+ */
 PCLPointCloud2
 layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes);
 

@@ -73,6 +73,14 @@ public:
   void
   requireReportWritable(const std::vector<std::string>& others) const;
 
+  /** \brief Where the report goes when the user asked for no other place. */
+  void
+  setReportPlace(const std::string& path)
+  {
+    if (report_path_.empty())
+      report_path_ = path;
+  }
+
   /** \brief Calls the work with a callback that draws the bar and tells interruptions. */
   void
   withProgress(const std::function<void(const ProgressCallback&)>& work);

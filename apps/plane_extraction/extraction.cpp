@@ -1,5 +1,6 @@
 #include "extraction.h"
 
+#include "cloud_fields.h"
 #include "cloud_sensors.h"
 #include "length_check.h"
 
@@ -21,17 +22,19 @@ settingsOf(const PlaneOptions& options)
   return settings;
 }
 
-/** Votes and clusters; a source is used where the paper's thresholds are not. */
+/** Votes and clusters; a source is used where the paper's thresholds are not.
+ * \param[in] sensors of the vertices, unknown where the faces know better */
 Extraction
 extractFrom(Tool& tool,
             const PlaneOptions& options,
             StepTimer& timer,
             HypothesisMesh mesh,
+            const SensorView& sensors,
             const PlaneSource& source)
 {
   Extraction result;
   result.mesh = std::move(mesh);
-  voteOnMesh(tool, result.mesh);
+  voteOnMesh(tool, result.mesh, sensors);
   timer.finish("votes");
   result.clusters = findPlanes(tool, result.mesh, source, settingsOf(options));
   timer.finish("planes");
@@ -41,7 +44,8 @@ extractFrom(Tool& tool,
 /** A mesh of a cloud, and what its vertices stand for. */
 struct CloudMesh {
   HypothesisMesh mesh;
-  SensorView sensors;
+  SensorView sensors;                  ///< of the points
+  SensorView vertex_sensors;           ///< unknown where the faces know better
   std::vector<std::int32_t> vertex_of; ///< a point; empty where points are vertices
 };
 
@@ -82,7 +86,9 @@ meshCloud(Tool& tool,
     return consolidateAndMesh(
         tool, options, automaticVoxel(scale), timer, file, sensors);
   tool.tell("consolidated", "no, the points lie close enough to their surface");
-  return {meshAsItIs(tool, file), sensors, {}};
+  // its faces look to the file's sensor; the points' own ones know better
+  const bool names_views = findField(file.cloud, "view", PCLPointField::INT32);
+  return {meshAsItIs(tool, file), sensors, names_views ? sensors : SensorView(), {}};
 }
 
 std::vector<std::int32_t>
@@ -109,7 +115,7 @@ extractFromMesh(Tool& tool,
   HypothesisMesh mesh;
   mesh.vertices = file;
   mesh.mesh = std::move(triangles);
-  Extraction result = extractFrom(tool, options, timer, std::move(mesh), {});
+  Extraction result = extractFrom(tool, options, timer, std::move(mesh), {}, {});
   result.input_labels = result.clusters.labels;
   result.finite_points = cloudExtent(file.points()).finite_points;
   return result;
@@ -125,12 +131,23 @@ extractFromCloud(Tool& tool,
   const SensorView sensors = sensorsOfFile(file, options.input, tool.scale(), remarks);
   for (const std::string& remark : remarks)
     tool.warn(remark);
+  return extractFromCloud(tool, options, timer, file, sensors);
+}
+
+Extraction
+extractFromCloud(Tool& tool,
+                 const PlaneOptions& options,
+                 StepTimer& timer,
+                 const PointCloudFile& file,
+                 const SensorView& sensors)
+{
   CloudMesh cloud = meshCloud(tool, options, timer, file, sensors);
   timer.finish("triangulate");
   PlaneSource source;
   if (!options.paper)
     source = {file.points(), cloud.sensors};
-  Extraction result = extractFrom(tool, options, timer, std::move(cloud.mesh), source);
+  Extraction result = extractFrom(
+      tool, options, timer, std::move(cloud.mesh), cloud.vertex_sensors, source);
   result.finite_points = cloudExtent(file.points()).finite_points;
   result.input_labels = options.paper
                             ? labelsOfPoints(result.clusters.labels, cloud.vertex_of)

@@ -23,6 +23,14 @@ extractFromMesh(Tool& tool,
                 const PointCloudFile& file,
                 TriangleMesh triangles);
 
+/** \brief As below, where it is known who saw the points. */
+Extraction
+extractFromCloud(Tool& tool,
+                 const PlaneOptions& options,
+                 StepTimer& timer,
+                 const PointCloudFile& file,
+                 const SensorView& sensors);
+
 /** \brief Meshes a cloud first, and consolidates it before that where it is noisy or the
  * options ask for it; its points are the source of the planes, unless the paper's
  * thresholds are asked for.

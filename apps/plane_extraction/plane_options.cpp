@@ -22,33 +22,9 @@ addOutput(CLI::App& app,
 } // namespace
 
 void
-addOptions(Tool& tool, PlaneOptions& options)
+addPlaneChoices(Tool& tool, PlaneOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option(
-         "input",
-         options.input,
-         "Point cloud (.pcd, .ply, .obj, .xyz), or mesh (.ply or .obj with faces)")
-      ->type_name("IN")
-      ->required();
-  app.add_option("output", options.output, "Planes to write, in metres: .json")
-      ->type_name("PLANES.json")
-      ->required();
-  addOutput(app,
-            "--labels",
-            options.labels,
-            "OUT.pcd",
-            "Write the input's points with a field label: plane id + 1, 0 for none");
-  addOutput(app,
-            "--normals",
-            options.normals,
-            "OUT.ply",
-            "Write the mesh with its voted normals, creases and labels");
-  addOutput(app,
-            "--picture",
-            options.picture,
-            "OUT.png",
-            "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
   tool.addLengthOrAuto("--consolidate",
                        options.voxel_size,
                        "The voxel's edge in metres to which a cloud is consolidated "
@@ -77,8 +53,51 @@ addOptions(Tool& tool, PlaneOptions& options)
       options.paper,
       "The paper's fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
       "points) instead of those of the noise");
+}
+
+void
+addOptions(Tool& tool, PlaneOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "input",
+         options.input,
+         "Point cloud (.pcd, .ply, .obj, .xyz), or mesh (.ply or .obj with faces)")
+      ->type_name("IN")
+      ->required();
+  app.add_option("output", options.output, "Planes to write, in metres: .json")
+      ->type_name("PLANES.json")
+      ->required();
+  addOutput(app,
+            "--labels",
+            options.labels,
+            "OUT.pcd",
+            "Write the input's points with a field label: plane id + 1, 0 for none");
+  addOutput(app,
+            "--normals",
+            options.normals,
+            "OUT.ply",
+            "Write the mesh with its voted normals, creases and labels");
+  addOutput(app,
+            "--picture",
+            options.picture,
+            "OUT.png",
+            "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
+  addPlaneChoices(tool, options);
   tool.addThreads();
   tool.addScale();
+}
+
+void
+checkChoices(const PlaneOptions& options)
+{
+  const auto refuse = [&](bool is_given, const std::string& option) {
+    if (options.paper && is_given)
+      throw UsageError(option + " is not among the paper's thresholds, leave it out "
+                                "with --paper");
+  };
+  refuse(options.least_area.has_value(), "--min-area");
+  refuse(options.tolerance.has_value(), "--tolerance");
 }
 
 void
@@ -96,13 +115,7 @@ checkPlaces(const Tool& tool, const PlaneOptions& options)
   check(options.normals, ".ply");
   check(options.picture, ".png");
   tool.requireReportWritable(others);
-  const auto refuse = [&](bool is_given, const std::string& option) {
-    if (options.paper && is_given)
-      throw UsageError(option + " is not among the paper's thresholds, leave it out "
-                                "with --paper");
-  };
-  refuse(options.least_area.has_value(), "--min-area");
-  refuse(options.tolerance.has_value(), "--tolerance");
+  checkChoices(options);
 }
 
 } // namespace pcl::acmap

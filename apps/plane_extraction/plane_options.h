@@ -21,9 +21,17 @@ struct PlaneOptions {
   bool paper = false;
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds what decides which planes are found. */
+void
+addPlaneChoices(Tool& tool, PlaneOptions& options);
+
+/** \brief Adds all of them to the command line. */
 void
 addOptions(Tool& tool, PlaneOptions& options);
+
+/** \brief Checks that these choices go together. \throws UsageError */
+void
+checkChoices(const PlaneOptions& options);
 
 /** \brief Checks before the work that all outputs can be written, and that the options go
  * together. \throws OutputFileException, UsageError */

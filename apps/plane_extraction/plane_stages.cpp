@@ -70,7 +70,7 @@ meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size)
 }
 
 void
-voteOnMesh(Tool& tool, HypothesisMesh& mesh)
+voteOnMesh(Tool& tool, HypothesisMesh& mesh, const SensorView& sensors)
 {
   VotingSettings settings;
   settings.threads = tool.threads();
@@ -78,7 +78,7 @@ voteOnMesh(Tool& tool, HypothesisMesh& mesh)
   tool.withProgress([&](const ProgressCallback& progress) {
     mesh.votes = voteNormals(mesh.vertices.points(),
                              mesh.mesh.triangles,
-                             SensorView(),
+                             sensors,
                              settings,
                              Progress(progress),
                              report);

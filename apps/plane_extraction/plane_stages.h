@@ -28,10 +28,11 @@ meshAsItIs(Tool& tool, const PointCloudFile& file);
 HypothesisMesh
 meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size);
 
-/** \brief Votes for the normals of a mesh, as a step of the tool. They look where its
- * faces do: a mesh of consolidated points is turned to the sensors already. */
+/** \brief Votes for the normals of a mesh, as a step of the tool.
+ * \param[in] sensors who saw the vertices, and where the normals look; unknown: they look
+ * where the faces do, as those of consolidated points are turned to the sensors already */
 void
-voteOnMesh(Tool& tool, HypothesisMesh& mesh);
+voteOnMesh(Tool& tool, HypothesisMesh& mesh, const SensorView& sensors);
 
 /** \brief Finds the planes, as a step of the tool.
  * \param[in] source the points that the vertices stand for; may be empty */

@@ -57,3 +57,7 @@ picture few_raw corridor_raw 432x288 $ahead
 picture few corridor_consolidated 432x288 $ahead
 picture many corridor_inside 900x600 0 -0.1 1 0 0.15 8
 picture many corridor_door 900x600 -0.4 -0.1 1.9 1.2 0.25 3.1
+
+xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/many" -o "$scratch/map"
+cp "$scratch/map/inside.png" "$pictures/map_inside.png"
+cp "$scratch/map/floor_plan.png" "$pictures/map_plan.png"

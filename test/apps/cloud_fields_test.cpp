@@ -72,6 +72,45 @@ TEST(CloudFields, AnotherTypeIsReplaced)
   EXPECT_NE(findField(cloud, "label", PCLPointField::UINT8), nullptr);
 }
 
+/** \brief Adds a field of that name over bytes that are there. */
+void
+addField(PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype)
+{
+  PCLPointField field = cloud.fields.back();
+  field.name = name;
+  field.datatype = datatype;
+  field.count = 1;
+  cloud.fields.push_back(field);
+}
+
+TEST(CloudFields, DoubledNamesAreReplacedTogether)
+{
+  PCLPointCloud2 cloud = makeCloud();
+  cloud.fields.back().datatype = PCLPointField::INT8;
+  addField(cloud, "label", PCLPointField::UINT8);
+  const PCLPointCloud2 wide = withFields(cloud, {{"label", PCLPointField::UINT32}});
+  const PCLPointField* label = findField(wide, "label");
+  ASSERT_NE(label, nullptr);
+  EXPECT_EQ(label->datatype, PCLPointField::UINT32);
+  EXPECT_EQ(label->offset + 4, wide.point_step);
+  EXPECT_EQ(wide.fields.size(), makeCloud().fields.size());
+}
+
+TEST(CloudFields, ColourIsOneValueOfFourBytes)
+{
+  PCLPointCloud2 cloud = makeCloud();
+  addField(cloud, "rgb", PCLPointField::UINT8);
+  EXPECT_EQ(findColor(cloud), nullptr);
+  addField(cloud, "rgba", PCLPointField::UINT32);
+  ASSERT_NE(findColor(cloud), nullptr);
+  EXPECT_EQ(findColor(cloud)->name, "rgba");
+  cloud.fields.back().count = 3;
+  EXPECT_EQ(findColor(cloud), nullptr);
+  cloud = makeCloud();
+  addField(cloud, "rgb", PCLPointField::FLOAT32);
+  EXPECT_EQ(findColor(cloud), &cloud.fields.back());
+}
+
 TEST(CloudFields, WhatNoPcdHoldsIsDropped)
 {
   PCLPointCloud2 cloud = makeCloud();

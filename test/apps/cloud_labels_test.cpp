@@ -46,6 +46,27 @@ TEST(CloudLabels, ColoursTellPlanesApart)
           << a << " " << b;
 }
 
+/** Four bytes at its place would be the neighbours' too, or behind the last row. */
+TEST(CloudLabels, ANarrowColourIsReplaced)
+{
+  PCLPointCloud2 cloud = withLabels(makeCloud(2), {0, -1});
+  PCLPointField narrow;
+  narrow.name = "rgb";
+  narrow.datatype = PCLPointField::UINT8;
+  narrow.count = 1;
+  narrow.offset = cloud.point_step - 1; // the highest byte of the label
+  cloud.fields.push_back(narrow);
+  const PCLPointCloud2 colored = coloredByLabel(cloud);
+  EXPECT_EQ(colored.data.size(), cloud.data.size() + 2 * sizeof(std::uint32_t));
+  PointCloud<PointXYZL> labelled;
+  fromPCLPointCloud2(colored, labelled);
+  EXPECT_EQ(labelled[0].label, 1u);
+  EXPECT_EQ(labelled[1].label, 0u);
+  PointCloud<PointXYZRGB> colors;
+  fromPCLPointCloud2(colored, colors);
+  EXPECT_FALSE(colors[0].r == colors[0].g && colors[0].g == colors[0].b);
+}
+
 TEST(CloudLabels, WithoutLabelsThereIsNoColour)
 {
   EXPECT_THROW(coloredByLabel(makeCloud(1)), UsageError);

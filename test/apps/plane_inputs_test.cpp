@@ -198,5 +198,29 @@ TEST_F(PlaneInputs, ViewsWithoutATrajectoryAreTold)
   EXPECT_EQ(run_.err.find("trajectory.txt"), std::string::npos) << run_.err;
 }
 
+/** Two floors without noise, one above the other: the second was seen from below. */
+TEST_F(PlaneInputs, PlanesOfACloudMeshedAsItIsLookToTheirViews)
+{
+  std::string rows;
+  for (const int view : {0, 1})
+    for (int i = 0; i < 40; ++i)
+      for (int j = 0; j < 40; ++j)
+        rows += std::to_string(0.05 * i) + " " + std::to_string(0.05 * j) + " " +
+                std::to_string(4 + 4 * view) + " " + std::to_string(view) + "\n";
+  const std::string map =
+      folder_.write("map.pcd",
+                    "VERSION 0.7\nFIELDS x y z view\nSIZE 4 4 4 4\nTYPE F F F I\nWIDTH "
+                    "3200\nHEIGHT 1\nPOINTS 3200\nDATA ascii\n" +
+                        rows);
+  folder_.write("trajectory.txt", "0 1 1 6 0 0 0 1\n1 1 1 6 0 0 0 1\n");
+  const auto planes = planesOf(map);
+  EXPECT_FALSE(hasConsolidated());
+  ASSERT_EQ(planes.size(), 2u);
+  for (const auto& plane : planes) {
+    const double height = pointOf(plane.at("center")).z();
+    EXPECT_NEAR(coefficientsOf(plane)[2], height < 6 ? 1 : -1, 1e-6) << height;
+  }
+}
+
 } // namespace
 } // namespace pcl::acmap::test

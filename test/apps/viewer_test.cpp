@@ -132,10 +132,5 @@ TEST_F(Viewer, AsksForAnXServer)
   EXPECT_EQ(folder_.count(), 1);
 }
 
-TEST_F(Viewer, FoldersAreNotYetShown)
-{
-  expectRefused(runViewer({folder_.path("."), "-screenshot", picture_}), 3, "folder");
-}
-
 } // namespace
 } // namespace pcl::acmap::test

@@ -1,4 +1,5 @@
 #include "clouds.h"
+#include "shown_picture.h"
 #include "temporary_folder.h"
 #include "virtual_display.h"
 
@@ -6,58 +7,11 @@
 #include <pcl/visualization/mesh_snapshot.h>
 
 #include <gtest/gtest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
-#include <set>
+#include <cmath>
 
 namespace pcl::acmap::test {
 namespace {
-
-/** \brief A picture, read back. */
-struct Picture {
-  explicit Picture(const std::string& path)
-  {
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    int size[3];
-    reader->GetOutput()->GetDimensions(size);
-    width = size[0];
-    height = size[1];
-    const auto* bytes =
-        static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer());
-    for (int i = 0; i < width * height; ++i)
-      pixels.push_back({bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]});
-  }
-
-  /** \brief Share of the pixels that differ from the background at the left border. */
-  double
-  covered() const
-  {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const auto& border = pixels[i - i % static_cast<std::size_t>(width)];
-      for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(pixels[i][c] - border[c]) > 8) {
-          ++count;
-          break;
-        }
-    }
-    return static_cast<double>(count) / static_cast<double>(pixels.size());
-  }
-
-  std::size_t
-  differentColors() const
-  {
-    return std::set<std::array<int, 3>>(pixels.begin(), pixels.end()).size();
-  }
-
-  int width = 0;
-  int height = 0;
-  std::vector<std::array<int, 3>> pixels;
-};
 
 class Snapshot : public testing::Test {
 protected:
@@ -92,7 +46,7 @@ TEST_F(Snapshot, MeshFillsThePictureAndShowsItsRelief)
   view.width = 400;
   view.height = 300;
   saveSnapshot(path_, cloud_, mesh_, view);
-  const Picture picture(path_);
+  const ShownPicture picture(path_);
   EXPECT_EQ(picture.width, 400);
   EXPECT_EQ(picture.height, 300);
   EXPECT_GT(picture.covered(), 0.3);
@@ -102,7 +56,7 @@ TEST_F(Snapshot, MeshFillsThePictureAndShowsItsRelief)
 TEST_F(Snapshot, PointsAreSeen)
 {
   saveSnapshot(path_, cloud_, {});
-  EXPECT_GT(Picture(path_).covered(), 0.001);
+  EXPECT_GT(ShownPicture(path_).covered(), 0.001);
 }
 
 TEST_F(Snapshot, PclsMeshLooksTheSame)
@@ -124,13 +78,13 @@ TEST_F(Snapshot, BackFacesHaveATint)
   SceneView view;
   view.from = Eigen::Vector3f(1, 1, 0);
   saveSnapshot(path_, cloud_, mesh_, view);
-  const Picture front(path_);
+  const ShownPicture front(path_);
   for (TriangleMesh::Triangle& triangle : mesh_.triangles)
     std::swap(triangle[1], triangle[2]);
   saveSnapshot(path_, cloud_, mesh_, view);
-  const Picture back(path_);
+  const ShownPicture back(path_);
   const std::size_t center = front.pixels.size() / 2 + 640;
-  const auto blueness = [&](const Picture& picture) {
+  const auto blueness = [&](const ShownPicture& picture) {
     return picture.pixels[center][2] - picture.pixels[center][0];
   };
   EXPECT_GT(std::abs(blueness(front) - blueness(back)), 20);

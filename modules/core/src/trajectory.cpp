@@ -3,6 +3,7 @@
 #include "byte_source.h"
 #include "number_text.h"
 #include "text_number.h"
+#include "trajectory_checks.h"
 
 #include <pcl/core/output_file.h>
 
@@ -98,20 +99,26 @@ loadTrajectory(const std::string& path)
 }
 
 void
-saveTrajectory(const std::string& path, const Trajectory& trajectory)
+acmap::requireTrajectory(const Trajectory& trajectory)
 {
   if (trajectory.stamps.size() != trajectory.poses.size())
     throw BadArgumentException("a trajectory of " +
                                std::to_string(trajectory.poses.size()) + " poses has " +
                                std::to_string(trajectory.stamps.size()) + " stamps");
-  std::string text = "# stamp tx ty tz qx qy qz qw (T_map_camera; seconds, metres)\n";
-  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i)
     if (!std::isfinite(trajectory.stamps[i]) || !isRigid(trajectory.poses[i]))
       throw BadArgumentException("pose " + std::to_string(i) +
                                  " of a trajectory is no rigid motion, or its stamp "
                                  "is not finite");
+}
+
+void
+saveTrajectory(const std::string& path, const Trajectory& trajectory)
+{
+  acmap::requireTrajectory(trajectory);
+  std::string text = "# stamp tx ty tz qx qy qz qw (T_map_camera; seconds, metres)\n";
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i)
     text += textOfRow(trajectory.stamps[i], trajectory.poses[i]);
-  }
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

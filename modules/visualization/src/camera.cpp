@@ -64,17 +64,6 @@ upOf(const SceneView& view,
   return box.half.y() < box.half.z() ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitZ();
 }
 
-/** \brief A direction turned about the vertical and then downwards. */
-Vector3d
-turned(const Vector3d& direction, const Vector3d& up, double yaw, double pitch)
-{
-  const Vector3d level = AngleAxisd(yaw, up) * direction;
-  const Vector3d right = level.cross(up);
-  if (right.norm() < 1e-6)
-    return level;
-  return AngleAxisd(-pitch, right.normalized()) * level;
-}
-
 /** \brief Direction in which the eye looks when nobody says so. */
 Vector3d
 obliqueDirection(const SceneView& view,
@@ -103,6 +92,18 @@ uprightUp(const Vector3d& up, const Vector3d& direction)
                                : direction.unitOrthogonal();
 }
 
+} // namespace
+
+Vector3d
+turned(const Vector3d& direction, const Vector3d& up, double yaw, double pitch)
+{
+  const Vector3d level = AngleAxisd(yaw, up) * direction;
+  const Vector3d right = level.cross(up);
+  if (right.norm() < 1e-6)
+    return level;
+  return AngleAxisd(-pitch, right.normalized()) * level;
+}
+
 void
 requireSound(const SceneView& view)
 {
@@ -115,7 +116,31 @@ requireSound(const SceneView& view)
     throw BadArgumentException("up of the view is refused: it has no length");
 }
 
-} // namespace
+Camera
+lookAlong(const std::vector<Eigen::Vector3f>& points,
+          const Vector3d& direction,
+          const Vector3d& up,
+          const SceneView& view)
+{
+  const RobustBox box(points);
+  Camera camera;
+  camera.view_angle = view_angle;
+  camera.focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
+  if (view.from) {
+    camera.position = view.from->cast<double>();
+    const Vector3d ahead = camera.focus - camera.position;
+    if (ahead.norm() == 0)
+      throw BadArgumentException("the view looks from a point to the same point");
+    camera.up = uprightUp(up, ahead.normalized());
+  }
+  else {
+    const double aspect = static_cast<double>(view.width) / view.height;
+    camera.up = uprightUp(up, direction);
+    fitCamera(camera, direction, points, box, aspect, !view.look);
+  }
+  setDepths(camera, points, box);
+  return camera;
+}
 
 Camera
 placeCamera(const std::vector<Eigen::Vector3f>& points,
@@ -126,26 +151,10 @@ placeCamera(const std::vector<Eigen::Vector3f>& points,
   const RobustBox box(points);
   const auto sensor = seeingSensor(view, points);
   const Vector3d up = upOf(view, sensor, box);
-  Camera camera;
-  camera.view_angle = view_angle;
-  camera.focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
-
-  if (view.from) {
-    camera.position = view.from->cast<double>();
-    const Vector3d ahead = camera.focus - camera.position;
-    if (ahead.norm() == 0)
-      throw BadArgumentException("the view looks from a point to the same point");
-    camera.up = uprightUp(up, ahead.normalized());
-  }
-  else {
-    const Vector3d direction =
-        obliqueDirection(view, sensor.has_value(), camera.focus, facing, up);
-    const double aspect = static_cast<double>(view.width) / view.height;
-    camera.up = uprightUp(up, direction);
-    fitCamera(camera, direction, points, box, aspect, !view.look);
-  }
-  setDepths(camera, points, box);
-  return camera;
+  const Vector3d focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
+  const Vector3d direction =
+      obliqueDirection(view, sensor.has_value(), focus, facing, up);
+  return lookAlong(points, direction, up, view);
 }
 
 } // namespace pcl::acmap

@@ -1,10 +1,13 @@
 #include "scene.h"
 
+#include "camera_fit.h"
+
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -179,6 +182,29 @@ trianglesOf(const PolygonMesh& mesh)
       triangles.triangles.push_back({corners[0], corners[i - 1], corners[i]});
   }
   return triangles;
+}
+
+std::vector<std::array<Eigen::Vector3f, 2>>
+normalLines(const Scene& scene)
+{
+  constexpr std::size_t most_lines = 3000;
+  constexpr float length_share = 0.03F;
+  std::vector<Eigen::Vector3f> normals(scene.points.size(), Eigen::Vector3f::Zero());
+  for (const auto& [a, b, c] : scene.triangles) {
+    const Eigen::Vector3f normal =
+        (scene.points[b] - scene.points[a]).cross(scene.points[c] - scene.points[a]);
+    for (const std::int32_t corner : {a, b, c})
+      normals[static_cast<std::size_t>(corner)] += normal;
+  }
+  const auto length =
+      static_cast<float>(RobustBox(scene.points).half.norm()) * length_share;
+  std::vector<std::array<Eigen::Vector3f, 2>> lines;
+  const std::size_t step = (normals.size() + most_lines - 1) / most_lines;
+  for (std::size_t i = 0; i < normals.size(); i += step)
+    if (const float norm = normals[i].norm(); norm > 0 && std::isfinite(norm))
+      lines.push_back(
+          {scene.points[i], scene.points[i] + normals[i] * (length / norm)});
+  return lines;
 }
 
 std::vector<std::array<std::int32_t, 2>>

@@ -44,4 +44,10 @@ trianglesOf(const PolygonMesh& mesh);
 std::vector<std::array<std::int32_t, 2>>
 boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles);
 
+/** \brief Lines from foot to tip along the mean normals, by area, of the faces at a
+ * vertex: of every nth vertex, so that there are 3000 at most. Their length is a share of
+ * the scene's box. */
+std::vector<std::array<Eigen::Vector3f, 2>>
+normalLines(const Scene& scene);
+
 } // namespace pcl::acmap

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "plane_extraction/extraction.h"
+
+#include <pcl/core/compact_map.h>
+#include <pcl/core/output_folder.h>
+
+namespace pcl::acmap {
+
+/** \brief Draws mesh.png, planes.png, outside.png, inside.png and floor_plan.png.
+ * \throws OutputFileException when one could not be written */
+void
+savePictures(const OutputFolder& folder,
+             const Extraction& extraction,
+             const CompactMap& map);
+
+} // namespace pcl::acmap

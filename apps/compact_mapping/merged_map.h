@@ -1,0 +1,31 @@
+#pragma once
+
+#include "texturing/posed_folder.h"
+#include "tool.h"
+
+#include <pcl/core/sensor_view.h>
+
+#include <memory>
+
+namespace pcl::acmap {
+
+/** \brief All points of a sequence in the map's frame, each with the observation that saw
+ * it. */
+struct MergedMap {
+  PointCloudFile file; ///< x y z rgb view; metres
+  std::vector<Eigen::Vector3f> viewpoints;
+  std::size_t observations = 0; ///< that could be read
+
+  SensorView
+  sensors() const;
+};
+
+/** \brief Merges the finite points of a sequence, as a step of the tool.
+ * \param[in] skip_broken observations that cannot be read are left out and named
+ * \throws InputFileException when one cannot be read and none may be skipped, or all poses
+ * are the same though there are several
+ * \throws MemoryRefused when this machine has too little */
+MergedMap
+mergeObservations(Tool& tool, const PosedFolder& folder, bool skip_broken);
+
+} // namespace pcl::acmap

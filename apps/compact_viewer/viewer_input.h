@@ -1,0 +1,31 @@
+#pragma once
+
+#include <pcl/visualization/layered_scene.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What was found to be shown. */
+struct ViewerInput {
+  LayeredScene scene;
+  Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero(); ///< metres
+  Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
+  std::vector<std::string> remarks; ///< what was odd
+};
+
+/** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json and, where they
+ * are there, mesh.ply, map.pcd and trajectory.txt.
+ * \param[in] scale metres in a unit of a cloud or mesh
+ * \throws InputFileException naming file and fault
+ * \throws UsageError for a scale of a map
+ * \throws NothingFound when no point is finite and there is no plane */
+ViewerInput
+loadViewerInput(const std::string& path, double scale);
+
+/** \brief Number of points: of the cloud, else of the mesh. */
+std::size_t
+pointsIn(const LayeredScene& scene);
+
+} // namespace pcl::acmap

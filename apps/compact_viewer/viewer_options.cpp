@@ -1,0 +1,134 @@
+#include "viewer_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <map>
+#include <optional>
+
+namespace pcl::acmap {
+
+namespace {
+
+const std::map<std::string, SceneLayer> layer_names = {
+    {"points", SceneLayer::Points},
+    {"mesh", SceneLayer::Mesh},
+    {"normals", SceneLayer::Normals},
+    {"planes", SceneLayer::Planes},
+    {"texture", SceneLayer::Texture},
+    {"trajectory", SceneLayer::Trajectory}};
+
+const std::map<std::string, MapView::Place> place_names = {
+    {"outside", MapView::Place::Outside},
+    {"inside", MapView::Place::Inside},
+    {"plan", MapView::Place::Plan}};
+
+void
+addVector(CLI::App& app,
+          const std::string& name,
+          std::vector<float>& value,
+          const std::string& purpose)
+{
+  app.add_option(name, value, purpose)
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->default_str("");
+}
+
+void
+addPlaces(CLI::App& app, ViewerOptions& options)
+{
+  app.add_option("--view",
+                 options.place,
+                 "Of a map: outside (oblique), inside (wide) or plan (from above)")
+      ->type_name("PLACE");
+  addVector(app, "--from", options.from, "Place of the eye, metres [default: oblique]");
+  addVector(
+      app, "--look", options.look, "Middle of the picture, metres [default: scene]");
+  addVector(app, "--up", options.up, "Upward direction [default: from the scene]");
+  app.add_option("--size", options.size, "Width and height of the picture, pixels")
+      ->type_name("WxH");
+}
+
+std::optional<Eigen::Vector3f>
+vectorOf(const std::vector<float>& values)
+{
+  if (values.empty())
+    return {};
+  return Eigen::Vector3f(values[0], values[1], values[2]);
+}
+
+template <typename Value>
+Value
+named(const std::map<std::string, Value>& names,
+      const std::string& name,
+      const std::string& option)
+{
+  const auto place = names.find(name);
+  if (place != names.end())
+    return place->second;
+  std::string known;
+  for (const auto& entry : names)
+    known += (known.empty() ? "" : ", ") + entry.first;
+  throw UsageError(option + ": \"" + name + "\" is none of " + known);
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, ViewerOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "input",
+         options.input,
+         "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz), planes (.json) "
+         "or folder with a map.json")
+      ->type_name("FILE|DIR")
+      ->required();
+  app.add_option("--screenshot",
+                 options.screenshot,
+                 "Write a picture there instead of opening a window")
+      ->type_name("OUT.png");
+  app.add_option("--layers",
+                 options.layers,
+                 "What is shown: points, mesh, normals, planes, texture, trajectory "
+                 "[default: texture, else planes, mesh, points]")
+      ->delimiter(',')
+      ->type_name("LAYER,..")
+      ->default_str("");
+  addPlaces(app, options);
+  app.add_flag("--boundary", options.boundary, "Draw the boundary of a mesh as lines");
+  app.add_flag("--hide-backs",
+               options.hide_backs,
+               "Leave out the faces that look away, to see into rooms");
+  app.add_flag("--labels",
+               options.labels,
+               "Colour by the field label of the points, as planes leave it");
+  app.add_flag("--grey", options.grey, "Draw without the colours of the file");
+  tool.addScale();
+}
+
+LayeredView
+viewOf(const ViewerOptions& options)
+{
+  LayeredView view;
+  char end = 0;
+  if (std::sscanf(options.size.c_str(), "%dx%d%c", &view.width, &view.height, &end) !=
+      2)
+    throw UsageError("--size: " + options.size + " is not of the form WxH");
+  view.place = named(place_names, options.place, "--view");
+  for (const std::string& layer : options.layers)
+    view.layers.insert(named(layer_names, layer, "--layers"));
+  if (view.place == MapView::Place::Plan && !options.from.empty())
+    throw UsageError("--from has no meaning for a plan, which is seen from above");
+  view.from = vectorOf(options.from);
+  view.look = vectorOf(options.look);
+  view.up = vectorOf(options.up);
+  view.show_boundary = options.boundary;
+  view.hide_backs = options.hide_backs;
+  view.ignore_colors = options.grey;
+  return view;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "tool.h"
+
+#include <pcl/visualization/layered_scene.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+struct ViewerOptions {
+  std::string input;
+  std::string screenshot;
+  std::vector<float> from;
+  std::vector<float> look;
+  std::vector<float> up;
+  std::string size = "1280x960";
+  std::vector<std::string> layers;
+  std::string place = "outside";
+  bool boundary = false;
+  bool hide_backs = false;
+  bool grey = false;
+  bool labels = false;
+};
+
+void
+addOptions(Tool& tool, ViewerOptions& options);
+
+/** \throws UsageError for options that make no sense */
+LayeredView
+viewOf(const ViewerOptions& options);
+
+} // namespace pcl::acmap

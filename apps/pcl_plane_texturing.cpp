@@ -1,0 +1,87 @@
+#include "output_target.h"
+#include "scaled_cloud.h"
+#include "texturing/texture_stage.h"
+
+#include <pcl/core/map_file.h>
+#include <pcl/texture/compact_map_folder.h>
+
+#include <CLI/CLI.hpp>
+
+namespace {
+
+using namespace pcl::acmap;
+
+struct Options {
+  std::string planes;
+  std::string observations;
+  std::string output;
+  TextureOptions texture;
+};
+
+void
+addOptions(Tool& tool, Options& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("planes",
+                 options.planes,
+                 "Planes in the frame of the poses, of pcl_plane_extraction")
+      ->type_name("PLANES.json")
+      ->required();
+  app.add_option("observations",
+                 options.observations,
+                 "Folder of observation PCDs with their poses, or one coloured cloud "
+                 "(.pcd, .ply, .obj) in the frame of the planes")
+      ->type_name("POSED_DIR")
+      ->required();
+  app.add_option("-o,--output", options.output, "Folder for the compact map")
+      ->type_name("OUT_DIR")
+      ->required();
+  addTextureOptions(tool, options.texture);
+  tool.addThreads();
+  tool.addScale();
+}
+
+pcl::CompactMap
+paint(Tool& tool, const Options& options, const std::vector<pcl::PlanePatch>& planes)
+{
+  const std::string ending = endingOf(options.observations);
+  if (ending == ".pcd" || ending == ".ply" || ending == ".obj")
+    return paintPlanes(tool,
+                       planes,
+                       loadScaledCloud(options.observations, tool.scale()),
+                       options.texture);
+  return paintPlanes(
+      tool, planes, PosedFolder(options.observations, tool.scale()), options.texture);
+}
+
+void
+run(Tool& tool, const Options& options)
+{
+  tool.requireReportWritable({options.planes});
+  StepTimer timer(tool.report());
+  const std::vector<pcl::PlanePatch> planes = pcl::loadMapFile(options.planes).planes;
+  if (planes.empty())
+    throw NothingFound(options.planes + ": holds no plane");
+  timer.finish("read");
+  pcl::CompactMap map = paint(tool, options, planes);
+  timer.finish("paint");
+  tool.stopIfInterrupted();
+  for (const std::string& name :
+       pcl::saveCompactMap(options.output, map, options.texture.outputs))
+    if (name.rfind("texture_", 0) != 0)
+      tool.tell("file", options.output + "/" + name);
+  timer.finish("write");
+  tool.details()["planes"] = planes.size();
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Tool tool("pcl_plane_texturing",
+            "Paints planes with what was seen of them: a compact map.");
+  Options options;
+  addOptions(tool, options);
+  return tool.run(argc, argv, [&] { run(tool, options); });
+}

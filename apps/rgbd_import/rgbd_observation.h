@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pinhole.h"
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/image_file.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief How numbers of a depth image become metres. */
+struct DepthMeaning {
+  double scale = 1000.0; ///< numbers in a metre
+  double most = 0.0;     ///< metres; points beyond are left out; 0 for no limit
+
+  /** \brief Metres of a number; 0 where nothing was measured. */
+  double
+  metres(std::uint16_t number) const
+  {
+    constexpr std::uint16_t saturated = 65535;
+    const double z = number == saturated ? 0.0 : number / scale;
+    return most > 0.0 && z > most ? 0.0 : z;
+  }
+};
+
+/** \brief One standard deviation of a depth that a Kinect measured, along z, metres:
+ * Nguyen, Izadi, Lovell: Modeling Kinect Sensor Noise for Improved 3D Reconstruction and
+ * Tracking, 3DIMPVT 2012, their axial noise of surfaces that are not seen at a slant. */
+inline double
+kinectDepthSigma(double z)
+{
+  return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);
+}
+
+/** \brief An organized cloud of x y z rgb sigma in the camera's frame, a point a pixel.
+ *
+ * x y z and sigma are NaN where nothing was measured; rgb is there at every pixel. sigma
+ * is along the ray, which is longer than z by the ray's slant.
+ * \param[in] color as large as depth */
+PCLPointCloud2
+observationCloud(const RgbImage& color,
+                 const GrayImage16& depth,
+                 const Pinhole& camera,
+                 const DepthMeaning& meaning);
+
+} // namespace pcl::acmap

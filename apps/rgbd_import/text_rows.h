@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief A line of a text file, cut at its blanks. */
+struct TextRow {
+  std::size_t line; ///< from 1
+  std::vector<std::string> words;
+};
+
+/** \brief Reads a text file without its comments (#) and blank lines. At most 64 MB.
+ * \throws InputFileException when it is missing, empty, unreadable or too long */
+std::vector<TextRow>
+loadTextRows(const std::string& path);
+
+/** \brief A word as a number.
+ * \throws InputFileException naming file, line and word when it is no finite number */
+double
+numberOf(const std::string& path, const TextRow& row, std::size_t word);
+
+/** \brief Reads a square matrix, row by row.
+ * \throws InputFileException naming file and fault: other than size rows of size finite
+ * numbers */
+std::vector<double>
+loadSquareMatrix(const std::string& path, std::size_t size);
+
+} // namespace pcl::acmap

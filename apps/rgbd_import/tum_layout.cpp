@@ -1,0 +1,175 @@
+#include "exit_code.h"
+#include "rgbd_sequence.h"
+#include "stamp_matching.h"
+#include "text_rows.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/trajectory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* color_list = "rgb.txt";
+constexpr const char* depth_list = "depth.txt";
+constexpr const char* pose_list = "groundtruth.txt";
+constexpr Pinhole tum_camera = {525.0, 525.0, 319.5, 239.5};
+constexpr double tum_depth_scale = 5000.0;
+
+/** \brief Images and when they were taken, rising. */
+struct ImageList {
+  std::vector<double> stamps;
+  std::vector<std::string> paths;
+};
+
+/** \brief The order in which stamps rise; equal ones keep theirs. */
+std::vector<std::size_t>
+risingOrder(const std::vector<double>& stamps)
+{
+  std::vector<std::size_t> order(stamps.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return stamps[a] < stamps[b];
+  });
+  return order;
+}
+
+ImageList
+loadImageList(const fs::path& folder, const char* name)
+{
+  const std::string path = (folder / name).string();
+  ImageList listed;
+  for (const TextRow& row : loadTextRows(path)) {
+    if (row.words.size() != 2)
+      throw InputFileException(path + ": line " + std::to_string(row.line) + ": has " +
+                               std::to_string(row.words.size()) +
+                               " words, a stamp and a file are needed");
+    listed.stamps.push_back(numberOf(path, row, 0));
+    listed.paths.push_back((folder / row.words[1]).string());
+  }
+  ImageList rising;
+  for (const std::size_t i : risingOrder(listed.stamps)) {
+    rising.stamps.push_back(listed.stamps[i]);
+    rising.paths.push_back(listed.paths[i]);
+  }
+  if (rising.paths.empty())
+    throw InputFileException(path + ": names no image");
+  return rising;
+}
+
+/** \brief Where the camera was, at any time near enough to known poses. */
+class CameraPath {
+public:
+  CameraPath(const Trajectory& trajectory, double gap)
+  : gap_(gap)
+  {
+    for (const std::size_t i : risingOrder(trajectory.stamps)) {
+      stamps_.push_back(trajectory.stamps[i]);
+      poses_.push_back(trajectory.poses[i]);
+    }
+  }
+
+  /** \brief Between the poses before and after where both are near enough, else the
+   * near one of them. */
+  std::optional<Eigen::Isometry3d>
+  at(double stamp) const
+  {
+    const auto next = std::lower_bound(stamps_.begin(), stamps_.end(), stamp);
+    const auto after = static_cast<std::size_t>(next - stamps_.begin());
+    const bool has_after = next != stamps_.end() && *next - stamp <= gap_;
+    const bool has_before = after > 0 && stamp - stamps_[after - 1] <= gap_;
+    if (has_before && has_after)
+      return between(after, stamp);
+    if (has_after)
+      return poses_[after];
+    if (has_before)
+      return poses_[after - 1];
+    return {};
+  }
+
+private:
+  Eigen::Isometry3d
+  between(std::size_t after, double stamp) const
+  {
+    const double begin = stamps_[after - 1];
+    const double share = (stamp - begin) / (stamps_[after] - begin);
+    const Eigen::Isometry3d& a = poses_[after - 1];
+    const Eigen::Isometry3d& b = poses_[after];
+    const Eigen::Quaterniond turn(a.linear());
+    Eigen::Isometry3d pose(turn.slerp(share, Eigen::Quaterniond(b.linear())));
+    pose.translation() = (1.0 - share) * a.translation() + share * b.translation();
+    return pose;
+  }
+
+  double gap_;
+  std::vector<double> stamps_;
+  std::vector<Eigen::Isometry3d> poses_;
+};
+
+void
+findPoses(const fs::path& folder, double gap, RgbdSequence& sequence)
+{
+  const std::string path = (folder / pose_list).string();
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw InputFileException(path + ": is missing; --no-poses does without it");
+  const CameraPath camera_path(loadTrajectory(path), gap);
+  std::vector<RgbdFrame> posed;
+  for (RgbdFrame& frame : sequence.frames) {
+    frame.T_world_camera = camera_path.at(frame.stamp);
+    if (frame.T_world_camera)
+      posed.push_back(frame);
+  }
+  sequence.unposed = sequence.frames.size() - posed.size();
+  sequence.frames = std::move(posed);
+}
+
+} // namespace
+
+bool
+isTumSequence(const std::string& folder)
+{
+  std::error_code error;
+  return fs::exists(fs::path(folder) / color_list, error) ||
+         fs::exists(fs::path(folder) / depth_list, error);
+}
+
+RgbdSequence
+openTumSequence(const std::string& folder, const SequenceSettings& settings)
+{
+  const ImageList colors = loadImageList(folder, color_list);
+  const ImageList depths = loadImageList(folder, depth_list);
+  RgbdSequence sequence;
+  sequence.layout = "TUM";
+  sequence.camera = tum_camera;
+  sequence.depth_scale = tum_depth_scale;
+  for (const auto& [depth, color] :
+       matchStamps(depths.stamps, colors.stamps, settings.most_stamp_gap)) {
+    RgbdFrame frame;
+    frame.color = colors.paths[color];
+    frame.depth = depths.paths[depth];
+    frame.stamp = depths.stamps[depth];
+    sequence.frames.push_back(frame);
+  }
+  sequence.unmatched = depths.paths.size() - sequence.frames.size();
+  if (sequence.frames.empty())
+    throw NothingFound(folder + ": no colour image was taken near a depth image");
+  if (settings.has_poses)
+    findPoses(folder, settings.most_stamp_gap, sequence);
+  if (sequence.frames.empty())
+    throw NothingFound(folder + ": " + pose_list + " has no pose near an image");
+  if (!settings.has_camera)
+    sequence.remarks.push_back(
+        "the folder does not tell its camera: took TUM's fx = fy = 525, cx = 319.5, "
+        "cy = 239.5; --intrinsics names another");
+  return sequence;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,224 @@
+#include "texture_stage.h"
+
+#include "cloud_fields.h"
+#include "command_line.h"
+#include "memory.h"
+#include "stage_reports.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pcl::acmap {
+
+namespace {
+
+TexturingSettings
+settingsOf(const Tool& tool, const TextureOptions& options)
+{
+  TexturingSettings settings = options.settings;
+  settings.threads = tool.threads();
+  settings.correct_exposure = !options.keep_exposure;
+  return settings;
+}
+
+void
+requireRoom(const std::vector<PlanePatch>& planes, const TexturingSettings& settings)
+{
+  constexpr double most = 1e18; // what fits an integer, and no machine
+  requireMemory(
+      static_cast<std::size_t>(std::min(texturingMemory(planes, settings), most)),
+      "painting the planes");
+}
+
+ColoredView
+viewOf(const PointCloudFile& file, const Eigen::Isometry3d& T_map_camera)
+{
+  ColoredView view;
+  view.points = file.points();
+  if (const PCLPointField* color = findColor(file.cloud))
+    view.colors = {&file.cloud.data[color->offset], file.cloud.point_step};
+  view.width = file.cloud.height > 1 ? static_cast<int>(file.cloud.width) : 0;
+  view.T_map_camera = T_map_camera;
+  return view;
+}
+
+nlohmann::ordered_json
+jsonOf(const TexturingReport& report)
+{
+  return {{"observations", report.observations},
+          {"pinholes", report.pinholes},
+          {"splatted", report.splatted},
+          {"colorless", report.colorless},
+          {"invalid_points", report.invalid_points},
+          {"charts", report.charts},
+          {"texels", report.texels},
+          {"seen", report.seen},
+          {"filled", report.filled},
+          {"texel_size", report.texel_size},
+          {"gains", report.gains},
+          {"seconds", secondsOf(report)}};
+}
+
+CompactMap
+finish(Tool& tool, const TextureBuilder& builder)
+{
+  TexturingReport report;
+  CompactMap map;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    map = builder.finish(Progress(progress), report);
+  });
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tool.details()["texture"] = jsonOf(report);
+  tool.tell("painted",
+            std::to_string(report.charts) + " charts, " +
+                std::to_string(report.texels) + " texels of " +
+                shortNumber(1000 * report.texel_size) + " mm, " +
+                percent(report.seen, report.texels) + " seen, " +
+                percent(report.filled, report.texels) + " filled");
+  return map;
+}
+
+} // namespace
+
+void
+addTextureOptions(Tool& tool, TextureOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("--texel", options.settings.texel_size, "Edge of a texel, metres")
+      ->type_name("M")
+      ->check(CLI::Range(1e-4, 10.0).description(""));
+  app.add_option("--max-distance",
+                 options.settings.maximum_distance,
+                 "How far a point may be from the plane it colours, metres")
+      ->type_name("M")
+      ->check(CLI::Range(1e-6, 1e3).description(""));
+  app.add_option("--max-texture",
+                 options.settings.maximum_texture_size,
+                 "Texels a side; larger polygons get several textures")
+      ->type_name("N")
+      ->check(CLI::Range(16, 65500).description(""));
+  app.add_option("--fill",
+                 options.settings.fill_distance,
+                 "How far holes are filled from their rims, texels")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000).description(""));
+  app.add_flag("--keep-exposure",
+               options.keep_exposure,
+               "Take the colours as they are, without a gain for each view");
+  app.add_flag(
+      "--jpeg", options.outputs.jpeg_images, "Write the images as JPEG instead of PNG");
+  app.add_option("--quality", options.outputs.jpeg_quality, "Of JPEG images, 1 to 100")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100).description(""));
+  app.add_flag("--ply",
+               options.outputs.vertex_ply,
+               "Write map.ply too, with a coloured vertex for each texel");
+  app.add_flag("--skip-broken",
+               options.skip_broken,
+               "Leave observations out that cannot be read, instead of stopping");
+}
+
+CompactMap
+paintPlanes(Tool& tool,
+            const std::vector<PlanePatch>& planes,
+            const PosedFolder& folder,
+            const TextureOptions& options)
+{
+  const TexturingSettings settings = settingsOf(tool, options);
+  requireRoom(planes, settings);
+  TextureBuilder builder(planes, settings);
+  Trajectory trajectory;
+  std::vector<std::string> remarks;
+  tool.withProgress([&](const ProgressCallback& callback) {
+    const Progress progress(callback);
+    for (std::size_t i = 0; i < folder.size(); ++i) {
+      progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
+                    "painting");
+      try {
+        const PosedObservation seen = folder.load(i, remarks);
+        builder.add(viewOf(seen.file, seen.T_map_camera));
+        trajectory.stamps.push_back(folder.stamp(i));
+        trajectory.poses.push_back(seen.T_map_camera);
+      }
+      catch (const InputFileException& error) {
+        if (!options.skip_broken)
+          throw;
+        remarks.push_back("left out: " + std::string(error.what()));
+      }
+    }
+  });
+  for (const std::string& remark : remarks)
+    tool.warn(remark);
+  if (trajectory.poses.empty())
+    throw InputFileException("none of the observations can be read");
+  folder.requireDifferent(trajectory.poses);
+  CompactMap map = finish(tool, builder);
+  map.trajectory = std::move(trajectory);
+  return map;
+}
+
+CompactMap
+paintPlanes(Tool& tool,
+            const std::vector<PlanePatch>& planes,
+            const PointCloudFile& cloud,
+            const TextureOptions& options)
+{
+  const TexturingSettings settings = settingsOf(tool, options);
+  requireRoom(planes, settings);
+  TextureBuilder builder(planes, settings);
+  ColoredView view = viewOf(cloud, Eigen::Isometry3d::Identity());
+  view.width = 0; // its sensor is not the origin of its frame
+  builder.add(view);
+  CompactMap map = finish(tool, builder);
+  for (std::vector<std::int32_t>& observations : map.observations)
+    observations.clear(); // they number poses, and there are none
+  return map;
+}
+
+namespace {
+
+std::size_t
+geometryBytes(const CompactMap& map)
+{
+  constexpr std::size_t bytes_of_plane = 16, bytes_of_corner = 12;
+  std::size_t bytes = bytes_of_plane * map.planes.size();
+  for (const PlanePatch& plane : map.planes)
+    for (const PlanePolygon& polygon : plane.polygons) {
+      bytes += bytes_of_corner * polygon.outer.size();
+      for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+        bytes += bytes_of_corner * hole.size();
+    }
+  return bytes;
+}
+
+} // namespace
+
+void
+tellCompactness(Tool& tool,
+                std::size_t points,
+                const CompactMap& map,
+                const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  constexpr std::size_t bytes_of_point = 16; // x y z rgb
+  const std::size_t raw = bytes_of_point * points;
+  nlohmann::ordered_json bytes = {{"raw", raw}, {"geometry", geometryBytes(map)}};
+  for (const char* name : {"map.glb", "map.json"}) {
+    std::error_code error;
+    const auto size = fs::file_size(fs::path(folder) / name, error);
+    bytes[name] = error ? 0 : size;
+  }
+  const auto ratio = [&](const char* of) {
+    const auto size = bytes[of].get<std::size_t>();
+    return std::to_string(raw / std::max<std::size_t>(size, 1)) + " : 1";
+  };
+  tool.tell("compactness",
+            ratio("map.glb") + " with texture, " + ratio("geometry") +
+                " geometry alone, " + ratio("map.json") + " map.json");
+  tool.details()["bytes"] = std::move(bytes);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "posed_folder.h"
+#include "tool.h"
+
+#include <pcl/core/compact_map.h>
+#include <pcl/texture/compact_map_folder.h>
+#include <pcl/texture/texturing_kernel.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What tools that paint planes let the user choose. */
+struct TextureOptions {
+  TexturingSettings settings;
+  CompactMapOutputs outputs;
+  bool keep_exposure = false;
+  bool skip_broken = false;
+};
+
+/** \brief Adds them to the command line. */
+void
+addTextureOptions(Tool& tool, TextureOptions& options);
+
+/** \brief Paints planes with the observations of a folder, as a step of the tool.
+ * \throws InputFileException when an observation cannot be read and none may be skipped */
+CompactMap
+paintPlanes(Tool& tool,
+            const std::vector<PlanePatch>& planes,
+            const PosedFolder& folder,
+            const TextureOptions& options);
+
+/** \brief Paints planes with the colours of one cloud in their frame. */
+CompactMap
+paintPlanes(Tool& tool,
+            const std::vector<PlanePatch>& planes,
+            const PointCloudFile& cloud,
+            const TextureOptions& options);
+
+/** \brief Raw bytes (16 a finite point) beside those of the map, for summary and report:
+ * map.glb, map.json, and geometry alone, 16 bytes a plane and 12 a corner.
+ * \param[in] points finite ones of the input
+ * \param[in] folder of the map, written */
+void
+tellCompactness(Tool& tool,
+                std::size_t points,
+                const CompactMap& map,
+                const std::string& folder);
+
+} // namespace pcl::acmap

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Rows from the top, each from the left; red, green, blue. \ingroup core */
+struct RgbImage {
+  std::int32_t width = 0; ///< pixels
+  std::int32_t height = 0;
+  std::vector<std::uint8_t> values; ///< 3 * width * height
+
+  std::uint8_t*
+  at(std::int32_t column, std::int32_t row)
+  {
+    return &values[3 *
+                   (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(column))];
+  }
+
+  const std::uint8_t*
+  at(std::int32_t column, std::int32_t row) const
+  {
+    return const_cast<RgbImage*>(this)->at(column, row);
+  }
+};
+
+/** \brief One number a pixel, as depth images hold millimetres. \ingroup core */
+struct GrayImage16 {
+  std::int32_t width = 0; ///< pixels
+  std::int32_t height = 0;
+  std::vector<std::uint16_t> values; ///< width * height, rows from the top
+};
+
+/** \brief Reads a PNG or JPEG; its first bytes tell which, not its name. Grey ones become
+ * colour, transparency is dropped.
+ * \throws InputFileException when it is missing, neither, truncated, damaged, or has more
+ * than 2^28 pixels */
+ACMAP_EXPORT RgbImage
+loadRgbImage(const std::string& path);
+
+/** \brief Reads a PNG of one channel, of 8 or 16 bits, as it is stored.
+ * \throws InputFileException as above, and when it has colours */
+ACMAP_EXPORT GrayImage16
+loadGrayImage16(const std::string& path);
+
+/** \brief The bytes of a PNG file.
+ * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
+ * all its values */
+ACMAP_EXPORT std::vector<std::uint8_t>
+encodePng(const RgbImage& image);
+
+/** \brief The same of a grey image: 8 bits a pixel, rows from the top.
+ * \throws BadArgumentException as above */
+ACMAP_EXPORT std::vector<std::uint8_t>
+encodePng(std::int32_t width,
+          std::int32_t height,
+          const std::vector<std::uint8_t>& values);
+
+/** \brief The bytes of a JPEG file.
+ * \param[in] quality 1 to 100
+ * \throws BadArgumentException as above, when the quality is none, or a side is above
+ * 65,500 pixels */
+ACMAP_EXPORT std::vector<std::uint8_t>
+encodeJpeg(const RgbImage& image, int quality);
+
+} // namespace pcl

@@ -1,0 +1,174 @@
+#include <pcl/core/map_file.h>
+
+#include "map_format.h"
+
+#include <pcl/core/build_config.h>
+#include <pcl/core/output_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <charconv>
+#include <functional>
+
+namespace pcl {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** The double of the same shortest text, so that no digits appear that a float has not. */
+double
+shortest(float value)
+{
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double same = 0;
+  std::from_chars(text.data(), end, same);
+  return static_cast<float>(same) == value ? same : value;
+}
+
+Json
+jsonOf(const Eigen::Vector3d& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json
+jsonOf(const Eigen::Matrix3d& matrix)
+{
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row)
+    rows.push_back(jsonOf(Eigen::Vector3d(matrix.row(row))));
+  return rows;
+}
+
+Json
+jsonOf(const std::vector<Eigen::Vector3f>& loop)
+{
+  Json points = Json::array();
+  for (const Eigen::Vector3f& p : loop)
+    points.push_back({shortest(p.x()), shortest(p.y()), shortest(p.z())});
+  return points;
+}
+
+Json
+jsonOf(const PlanePolygon& polygon)
+{
+  Json holes = Json::array();
+  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+    holes.push_back(jsonOf(hole));
+  return {{"outer", jsonOf(polygon.outer)}, {"holes", std::move(holes)}};
+}
+
+Json
+jsonOf(const PlanePatch& plane, std::size_t id)
+{
+  const Eigen::Vector4d& c = plane.coefficients;
+  Json polygons = Json::array();
+  for (const PlanePolygon& polygon : plane.polygons)
+    polygons.push_back(jsonOf(polygon));
+  return {{"id", id},
+          {"coefficients", {c[0], c[1], c[2], c[3]}},
+          {"center", jsonOf(plane.center)},
+          {"axes", {jsonOf(plane.axis_u), jsonOf(plane.axis_v)}},
+          {"covariance", jsonOf(plane.covariance)},
+          {"support", plane.support},
+          {"effective_support", plane.effective_support},
+          {"rmse", plane.rms},
+          {"area", plane.area},
+          {"polygons", std::move(polygons)}};
+}
+
+Json
+jsonOf(const TextureChart& chart)
+{
+  Json json = {{"polygon", chart.polygon},
+               {"image", chart.image},
+               {"origin", jsonOf(chart.origin)},
+               {"texel_u", jsonOf(chart.texel_u)},
+               {"texel_v", jsonOf(chart.texel_v)},
+               {"width", chart.colors.width},
+               {"height", chart.colors.height}};
+  if (!chart.kinds_image.empty())
+    json["kinds"] = chart.kinds_image;
+  return json;
+}
+
+Json
+jsonOf(double stamp, const Eigen::Isometry3d& pose)
+{
+  Eigen::Quaterniond rotation(pose.linear());
+  rotation.normalize();
+  if (rotation.w() < 0.0)
+    rotation.coeffs() = -rotation.coeffs();
+  return {{"stamp", stamp},
+          {"position", jsonOf(Eigen::Vector3d(pose.translation()))},
+          {"orientation", {rotation.x(), rotation.y(), rotation.z(), rotation.w()}}};
+}
+
+/** Charts of each plane, in their order. */
+std::vector<Json>
+chartsOfPlanes(const CompactMap& map)
+{
+  std::vector<Json> charts(map.planes.size());
+  for (const TextureChart& chart : map.charts)
+    charts[chart.plane].push_back(jsonOf(chart));
+  return charts;
+}
+
+/** One element a line. */
+void
+writeLines(acmap::OutputFile& file,
+           std::size_t count,
+           const std::function<Json(std::size_t)>& line)
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string text = (i ? ",\n" : "\n") + line(i).dump();
+    file.write(text.data(), text.size());
+  }
+}
+
+bool
+hasPlanesAlone(const CompactMap& map)
+{
+  bool alone = map.charts.empty() && map.trajectory.poses.empty();
+  for (const std::vector<std::int32_t>& seen_from : map.observations)
+    alone = alone && seen_from.empty();
+  return alone;
+}
+
+} // namespace
+
+void
+saveMapFile(const std::string& path, const CompactMap& map)
+{
+  acmap::requireConsistent(map);
+  const std::vector<Json> charts = chartsOfPlanes(map);
+  acmap::OutputFile file(path);
+  const auto write = [&](const std::string& text) {
+    file.write(text.data(), text.size());
+  };
+  write("{\"version\":" + Json(ACMAP_VERSION).dump());
+  if (!hasPlanesAlone(map)) // files of planes are older than the formats' numbers
+    write(",\"format\":" + std::to_string(acmap::map_format));
+  write(",\"unit\":\"m\",\"frame\":\"of the input\",\"planes\":[");
+  writeLines(file, map.planes.size(), [&](std::size_t id) {
+    Json plane = jsonOf(map.planes[id], id);
+    if (!map.observations.empty() && !map.observations[id].empty())
+      plane["observations"] = map.observations[id];
+    if (!charts[id].empty())
+      plane["charts"] = charts[id];
+    return plane;
+  });
+  if (!map.trajectory.poses.empty()) {
+    write("\n],\"trajectory\":[");
+    writeLines(file, map.trajectory.poses.size(), [&](std::size_t i) {
+      return jsonOf(map.trajectory.stamps[i], map.trajectory.poses[i]);
+    });
+  }
+  write("\n]}\n");
+  file.commit();
+}
+
+} // namespace pcl

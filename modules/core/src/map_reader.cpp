@@ -1,0 +1,201 @@
+#include "byte_source.h"
+#include "json_cursor.h"
+#include "map_format.h"
+
+#include <pcl/core/map_file.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+
+namespace {
+
+using acmap::JsonCursor;
+
+constexpr double length_slack = 1e-6; // of a normal; that of a quaternion below
+constexpr double rotation_slack = 0.01;
+
+nlohmann::json
+parseFile(const std::string& path)
+{
+  acmap::ByteSource source(path);
+  std::string text(source.remaining(), '\0');
+  source.read(text.data(), text.size());
+  try {
+    return nlohmann::json::parse(text);
+  }
+  catch (const nlohmann::json::exception& error) {
+    source.fail(std::string("is no JSON: ") + error.what());
+  }
+}
+
+void
+requireKnownFormat(const JsonCursor& file)
+{
+  if (file.has("format")) {
+    const JsonCursor format = file.at("format");
+    const auto number = format.integer(1, std::numeric_limits<std::int64_t>::max());
+    if (number > acmap::map_format)
+      format.fail("is " + std::to_string(number) + ", this acmap knows up to " +
+                  std::to_string(acmap::map_format));
+  }
+  if (file.has("unit") && file.at("unit").text() != "m")
+    file.at("unit").fail("is not \"m\"");
+}
+
+std::vector<Eigen::Vector3f>
+loopOf(const JsonCursor& points)
+{
+  if (points.size() < 3)
+    points.fail("has " + std::to_string(points.size()) + " points, 3 are needed");
+  std::vector<Eigen::Vector3f> loop;
+  loop.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const JsonCursor point = points[i];
+    point.requireSize(3);
+    loop.emplace_back(
+        point[0].floatNumber(), point[1].floatNumber(), point[2].floatNumber());
+  }
+  return loop;
+}
+
+PlanePolygon
+polygonOf(const JsonCursor& json)
+{
+  PlanePolygon polygon;
+  polygon.outer = loopOf(json.at("outer"));
+  const JsonCursor holes = json.at("holes");
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    polygon.holes.push_back(loopOf(holes[i]));
+  return polygon;
+}
+
+Eigen::Matrix3d
+covarianceOf(const JsonCursor& json)
+{
+  Eigen::Matrix3d matrix;
+  json.requireSize(3);
+  for (int row = 0; row < 3; ++row) {
+    const JsonCursor values = json[static_cast<std::size_t>(row)];
+    values.requireSize(3);
+    for (int column = 0; column < 3; ++column)
+      matrix(row, column) = values[static_cast<std::size_t>(column)].numberOrNan();
+  }
+  return matrix;
+}
+
+PlanePatch
+planeOf(const JsonCursor& json, std::size_t number)
+{
+  PlanePatch plane;
+  const JsonCursor coefficients = json.at("coefficients");
+  plane.coefficients = coefficients.vector<4>();
+  if (!(std::abs(plane.coefficients.head<3>().norm() - 1) <= length_slack))
+    coefficients.fail("have a normal whose length is not 1");
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  if (json.at("id").integer(0, most) != static_cast<std::int64_t>(number))
+    json.at("id").fail("is not " + std::to_string(number) +
+                       ": planes are numbered in their order");
+  plane.center = json.at("center").vector<3>();
+  const JsonCursor axes = json.at("axes");
+  axes.requireSize(2);
+  plane.axis_u = axes[0].vector<3>();
+  plane.axis_v = axes[1].vector<3>();
+  plane.covariance = covarianceOf(json.at("covariance"));
+  plane.support = static_cast<std::size_t>(json.at("support").integer(0, most));
+  plane.effective_support = json.at("effective_support").numberOrNan();
+  plane.rms = json.at("rmse").numberOrNan();
+  plane.area = json.at("area").number();
+  const JsonCursor polygons = json.at("polygons");
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    plane.polygons.push_back(polygonOf(polygons[i]));
+  return plane;
+}
+
+TextureChart
+chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
+{
+  TextureChart chart;
+  chart.plane = plane;
+  const auto polygon =
+      json.at("polygon").integer(0, std::numeric_limits<std::int64_t>::max());
+  chart.polygon = static_cast<std::size_t>(polygon);
+  if (chart.polygon >= polygons)
+    json.at("polygon").fail("is " + std::to_string(polygon) + ", the plane has " +
+                            std::to_string(polygons));
+  chart.image = json.at("image").text();
+  if (json.has("kinds"))
+    chart.kinds_image = json.at("kinds").text();
+  chart.origin = json.at("origin").vector<3>();
+  chart.texel_u = json.at("texel_u").vector<3>();
+  chart.texel_v = json.at("texel_v").vector<3>();
+  for (const auto& [key, side] :
+       {std::pair{"width", &chart.colors.width}, {"height", &chart.colors.height}})
+    *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
+  const std::string fault = acmap::faultOfFrame(chart);
+  if (!fault.empty())
+    json.fail(fault);
+  return chart;
+}
+
+std::vector<std::int32_t>
+observationsOf(const JsonCursor& json, std::size_t poses)
+{
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  const std::int64_t last = poses ? static_cast<std::int64_t>(poses) - 1 : most;
+  std::vector<std::int32_t> numbers;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const auto number = static_cast<std::int32_t>(json[i].integer(0, last));
+    if (!numbers.empty() && number <= numbers.back())
+      json[i].fail("is not above the one before");
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+void
+appendPose(const JsonCursor& json, Trajectory& trajectory)
+{
+  const JsonCursor orientation = json.at("orientation");
+  const Eigen::Quaterniond rotation(orientation.vector<4>());
+  if (!(std::abs(rotation.norm() - 1.0) <= rotation_slack))
+    orientation.fail("is no rotation: its length is not 1");
+  Eigen::Isometry3d pose(rotation.normalized());
+  pose.translation() = json.at("position").vector<3>();
+  trajectory.stamps.push_back(json.at("stamp").number());
+  trajectory.poses.push_back(pose);
+}
+
+} // namespace
+
+CompactMap
+loadMapFile(const std::string& path)
+{
+  const nlohmann::json json = parseFile(path);
+  const JsonCursor file(json, path);
+  requireKnownFormat(file);
+  const JsonCursor planes = file.at("planes");
+  CompactMap map;
+  if (file.has("trajectory")) {
+    const JsonCursor poses = file.at("trajectory");
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      appendPose(poses[i], map.trajectory);
+  }
+  map.observations.resize(planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const JsonCursor plane = planes[i];
+    map.planes.push_back(planeOf(plane, i));
+    if (plane.has("observations"))
+      map.observations[i] =
+          observationsOf(plane.at("observations"), map.trajectory.poses.size());
+    if (!plane.has("charts"))
+      continue;
+    const JsonCursor charts = plane.at("charts");
+    for (std::size_t k = 0; k < charts.size(); ++k)
+      map.charts.push_back(chartOf(charts[k], i, map.planes[i].polygons.size()));
+  }
+  return map;
+}
+
+} // namespace pcl

@@ -1,0 +1,88 @@
+#include <pcl/core/chart_clip.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+// Points of a polygon are floats, the chart's frame is not: what lies out of it by less
+// than this, in texels, is rounding.
+constexpr double slack = 0.01;
+
+/** One of the four sides: what it holds has sign * (place[axis] - limit) <= 0. */
+struct Side {
+  int axis;
+  double sign;
+  double limit;
+
+  double
+  excess(const ChartCorner& corner) const
+  {
+    return sign * (corner.place[axis] - limit);
+  }
+};
+
+/** Where an edge meets a side; the same for both triangles that share the edge. */
+ChartCorner
+meeting(ChartCorner a, ChartCorner b, const Side& side)
+{
+  const auto& p = a.point;
+  const auto& q = b.point;
+  if (std::lexicographical_compare(q.data(), q.data() + 3, p.data(), p.data() + 3))
+    std::swap(a, b);
+  const double share = side.excess(a) / (side.excess(a) - side.excess(b));
+  ChartCorner corner{a.point + share * (b.point - a.point),
+                     a.place + share * (b.place - a.place)};
+  corner.place[side.axis] = side.limit;
+  return corner;
+}
+
+std::vector<ChartCorner>
+cutOff(const std::vector<ChartCorner>& polygon, const Side& side)
+{
+  if (std::none_of(polygon.begin(), polygon.end(), [&](const ChartCorner& corner) {
+        return side.excess(corner) > slack;
+      }))
+    return polygon;
+  std::vector<ChartCorner> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ChartCorner& here = polygon[i];
+    const ChartCorner& next = polygon[(i + 1) % polygon.size()];
+    const bool is_in = side.excess(here) <= 0;
+    if (is_in)
+      kept.push_back(here);
+    if (is_in != (side.excess(next) <= 0))
+      kept.push_back(meeting(here, next, side));
+  }
+  return kept;
+}
+
+} // namespace
+
+ChartClip::ChartClip(const TextureChart& chart)
+: origin_(chart.origin)
+, size_(chart.colors.width, chart.colors.height)
+{
+  Eigen::Matrix<double, 3, 2> axes;
+  axes << chart.texel_u, chart.texel_v;
+  to_place_ = (axes.transpose() * axes).inverse() * axes.transpose();
+}
+
+std::vector<ChartCorner>
+ChartClip::clipped(const std::array<Eigen::Vector3d, 3>& triangle) const
+{
+  std::vector<ChartCorner> polygon;
+  for (const Eigen::Vector3d& point : triangle)
+    polygon.push_back({point, to_place_ * (point - origin_)});
+  for (const Side& side :
+       {Side{0, -1, 0}, Side{0, 1, size_.x()}, Side{1, -1, 0}, Side{1, 1, size_.y()}})
+    polygon = cutOff(polygon, side);
+  for (ChartCorner& corner : polygon)
+    corner.place = corner.place.cwiseMax(0).cwiseMin(size_);
+  return polygon;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,278 @@
+#include <pcl/core/polygon_triangles.h>
+
+#include "polygons/polygon_ring.h"
+
+#include <algorithm>
+
+namespace pcl {
+
+namespace {
+
+using acmap::GridPoint;
+using acmap::RingNode;
+using acmap::RingNodes;
+using acmap::turn;
+
+/** \brief Cuts ears off a ring until nothing is left of it. */
+class EarClipping {
+public:
+  EarClipping(RingNodes& nodes, std::int32_t ring)
+  : nodes_(nodes)
+  , ring_(ring)
+  {
+    do {
+      ++size_;
+      ring = node(ring).next;
+    } while (ring != ring_);
+  }
+
+  std::vector<TriangleMesh::Triangle>
+  run()
+  {
+    // A corner stays blocked until a neighbour goes; touching rims may prove that wrong,
+    // hence a few second looks. Then rims cross, and the smallest corner goes.
+    constexpr int second_looks = 4;
+    int looks = 0;
+    dropFlat();
+    while (size_ >= 3) {
+      if (clipEars())
+        continue;
+      if (looks++ < second_looks)
+        unblockAll();
+      else
+        clipSmallest();
+    }
+    return std::move(triangles_);
+  }
+
+private:
+  struct Ear {
+    Ear(const GridPoint& a, const GridPoint& b, const GridPoint& c)
+    : corners{a, b, c}
+    , least{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})}
+    , most{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}
+    {}
+
+    bool
+    mayHold(const GridPoint& p) const
+    {
+      return p.x >= least.x && p.x <= most.x && p.y >= least.y && p.y <= most.y;
+    }
+
+    std::int64_t
+    side(int edge, const GridPoint& p) const
+    {
+      return turn(corners[edge], corners[(edge + 1) % 3], p);
+    }
+
+    GridPoint corners[3];
+    GridPoint least;
+    GridPoint most;
+  };
+
+  RingNode&
+  node(std::int32_t number)
+  {
+    return nodes_[static_cast<std::size_t>(number)];
+  }
+
+  const RingNode&
+  node(std::int32_t number) const
+  {
+    return nodes_[static_cast<std::size_t>(number)];
+  }
+
+  std::int64_t
+  turnAt(std::int32_t b) const
+  {
+    return turn(node(node(b).previous).point, node(b).point, node(node(b).next).point);
+  }
+
+  /** Goes round until a whole turn brought nothing; whether any ear was found. */
+  bool
+  clipEars()
+  {
+    bool found = false;
+    std::int32_t b = ring_;
+    for (std::size_t idle = 0; idle <= size_ && size_ >= 3; ++idle) {
+      if (!node(b).blocked) {
+        if (isEar(b)) {
+          clip(b);
+          found = true;
+          idle = 0;
+          b = node(ring_).next; // not the very next: long fans have thin triangles
+          continue;
+        }
+        node(b).blocked = true;
+      }
+      b = node(b).next;
+    }
+    return found;
+  }
+
+  bool
+  isEar(std::int32_t b) const
+  {
+    if (turnAt(b) <= 0)
+      return false;
+    const std::int32_t a = node(b).previous;
+    const std::int32_t c = node(b).next;
+    const Ear ear(node(a).point, node(b).point, node(c).point);
+    bool is_touched = false;
+    for (std::int32_t v = node(c).next; v != a; v = node(v).next)
+      if (ear.mayHold(node(v).point)) {
+        if (blocks(ear, v))
+          return false;
+        is_touched = is_touched || node(v).point == node(b).point;
+      }
+    // A rim may come back along both edges: is the ear then, or what is between, inside?
+    return !is_touched || windsRound(ear);
+  }
+
+  /** Whether the ring goes round the middle of an ear that it does not lead into. */
+  bool
+  windsRound(const Ear& ear) const
+  {
+    __extension__ using Wide = __int128;
+    const auto& [a, b, c] = ear.corners;
+    const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y}; // three times
+    int windings = 0;
+    std::int32_t v = ring_;
+    do {
+      const GridPoint& from = node(v).point;
+      v = node(v).next;
+      const GridPoint& to = node(v).point;
+      const bool is_above = 3 * to.y > middle.y;
+      if ((3 * from.y > middle.y) == is_above)
+        continue;
+      const Wide side = Wide(to.x - from.x) * (middle.y - 3 * from.y) -
+                        Wide(to.y - from.y) * (middle.x - 3 * from.x);
+      if (side != 0 && (side > 0) == is_above)
+        windings += is_above ? 1 : -1;
+    } while (v != ring_);
+    return windings > 0;
+  }
+
+  /** Whether a corner lies inside, or on the edge with a rim that leads inside. */
+  bool
+  blocks(const Ear& ear, std::int32_t v) const
+  {
+    bool on_edge[3];
+    for (int edge = 0; edge < 3; ++edge) {
+      const std::int64_t side = ear.side(edge, node(v).point);
+      if (side < 0)
+        return false;
+      on_edge[edge] = side == 0;
+    }
+    const auto leads_inside = [&](const GridPoint& to) {
+      for (int edge = 0; edge < 3; ++edge)
+        if (on_edge[edge] && ear.side(edge, to) <= 0)
+          return false;
+      return true;
+    };
+    return leads_inside(node(node(v).previous).point) ||
+           leads_inside(node(node(v).next).point);
+  }
+
+  void
+  clip(std::int32_t b)
+  {
+    const std::int32_t a = node(b).previous;
+    const std::int32_t c = node(b).next;
+    triangles_.push_back({node(a).index, node(b).index, node(c).index});
+    unlink(b);
+    dropFlatAt(a);
+    dropFlatAt(ring_);
+  }
+
+  void
+  unlink(std::int32_t b)
+  {
+    RingNode& before = node(node(b).previous);
+    RingNode& behind = node(node(b).next);
+    before.next = node(b).next;
+    behind.previous = node(b).previous;
+    before.blocked = false;
+    behind.blocked = false;
+    ring_ = node(b).next;
+    --size_;
+  }
+
+  /** Corners without a turn go before anything else: round the tip of a spike, what is
+   * inside and what is outside look alike. */
+  void
+  dropFlatAt(std::int32_t b)
+  {
+    while (size_ >= 3 && turnAt(b) == 0) {
+      const std::int32_t a = node(b).previous;
+      unlink(b);
+      // Either neighbour may be flat now; the one behind follows in its turn.
+      if (size_ >= 3 && turnAt(ring_) == 0)
+        b = ring_;
+      else
+        b = a;
+    }
+  }
+
+  void
+  dropFlat()
+  {
+    std::int32_t b = ring_;
+    for (std::size_t left = size_; left > 0 && size_ >= 3; --left) {
+      const bool is_flat = turnAt(b) == 0;
+      dropFlatAt(b);
+      b = is_flat ? ring_ : node(b).next;
+    }
+  }
+
+  void
+  unblockAll()
+  {
+    std::int32_t v = ring_;
+    do {
+      node(v).blocked = false;
+      v = node(v).next;
+    } while (v != ring_);
+  }
+
+  void
+  clipSmallest()
+  {
+    std::int32_t best = ring_;
+    std::int64_t least = 0;
+    std::int32_t v = ring_;
+    do {
+      const std::int64_t area = turnAt(v);
+      if (area > 0 && (least == 0 || area < least)) {
+        least = area;
+        best = v;
+      }
+      v = node(v).next;
+    } while (v != ring_);
+    if (least > 0)
+      clip(best);
+    else
+      unlink(best);
+  }
+
+  RingNodes& nodes_;
+  std::int32_t ring_;
+  std::size_t size_ = 0;
+  std::vector<TriangleMesh::Triangle> triangles_;
+};
+
+} // namespace
+
+std::vector<TriangleMesh::Triangle>
+trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
+{
+  if (!normal.allFinite() || normal.isZero(0))
+    throw BadArgumentException("the normal of a polygon is zero or not finite");
+  acmap::PolygonRings rings = acmap::ringsOf(polygon, normal);
+  if (rings.rim < 0)
+    return {};
+  acmap::bridgeHoles(rings);
+  return EarClipping(rings.nodes, rings.rim).run();
+}
+
+} // namespace pcl

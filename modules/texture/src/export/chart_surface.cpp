@@ -1,0 +1,117 @@
+#include "export/chart_surface.h"
+
+#include <pcl/core/chart_clip.h>
+#include <pcl/core/polygon_triangles.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <map>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Collects triangles; corners that are equal become one. */
+class SurfaceBuilder {
+public:
+  explicit SurfaceBuilder(ChartSurface& surface)
+  : surface_(surface)
+  {}
+
+  void
+  append(const ChartCorner& a, const ChartCorner& b, const ChartCorner& c)
+  {
+    const Eigen::Vector3d turn = (b.point - a.point).cross(c.point - a.point);
+    if (turn.squaredNorm() > 0)
+      surface_.triangles.push_back({indexOf(a), indexOf(b), indexOf(c)});
+  }
+
+private:
+  std::int32_t
+  indexOf(const ChartCorner& corner)
+  {
+    const Eigen::Vector3d& p = corner.point;
+    const auto next = static_cast<std::int32_t>(surface_.points.size());
+    const auto [place, is_new] = indices_.try_emplace({p.x(), p.y(), p.z()}, next);
+    if (is_new) {
+      surface_.points.push_back(p);
+      surface_.places.push_back(corner.place);
+    }
+    return place->second;
+  }
+
+  ChartSurface& surface_;
+  std::map<std::array<double, 3>, std::int32_t> indices_;
+};
+
+/** A polygon in triangles, each of three points. */
+std::vector<std::array<Eigen::Vector3d, 3>>
+trianglesOf(const PlanePatch& plane, const PlanePolygon& polygon)
+{
+  std::vector<Eigen::Vector3f> points = polygon.outer;
+  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+    points.insert(points.end(), hole.begin(), hole.end());
+  std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+  for (const auto& triangle : trianglesOfPolygon(polygon, plane.coefficients.head<3>()))
+    triangles.push_back({points[static_cast<std::size_t>(triangle[0])].cast<double>(),
+                         points[static_cast<std::size_t>(triangle[1])].cast<double>(),
+                         points[static_cast<std::size_t>(triangle[2])].cast<double>()});
+  return triangles;
+}
+
+using Triangles = std::vector<std::array<Eigen::Vector3d, 3>>;
+
+ChartSurface
+surfaceOfChart(const TextureChart& chart, const Triangles& triangles)
+{
+  ChartSurface surface;
+  surface.plane = chart.plane;
+  SurfaceBuilder builder(surface);
+  const ChartClip clip(chart);
+  for (const auto& triangle : triangles) {
+    const std::vector<ChartCorner> piece = clip.clipped(triangle);
+    for (std::size_t i = 2; i < piece.size(); ++i)
+      builder.append(piece[0], piece[i - 1], piece[i]);
+  }
+  return surface;
+}
+
+ChartSurface
+surfaceOfPolygon(std::size_t plane, const Triangles& triangles)
+{
+  ChartSurface surface;
+  surface.plane = plane;
+  SurfaceBuilder builder(surface);
+  for (const auto& [a, b, c] : triangles)
+    builder.append({a, {0, 0}}, {b, {0, 0}}, {c, {0, 0}});
+  return surface;
+}
+
+} // namespace
+
+std::vector<ChartSurface>
+surfacesOf(const CompactMap& map)
+{
+  std::map<std::pair<std::size_t, std::size_t>, Triangles> cut;
+  std::vector<ChartSurface> surfaces;
+  for (std::size_t i = 0; i < map.charts.size(); ++i) {
+    const TextureChart& chart = map.charts[i];
+    const PlanePatch& plane = map.planes[chart.plane];
+    const auto [place, is_new] =
+        cut.try_emplace({chart.plane, chart.polygon}, Triangles());
+    if (is_new)
+      place->second = trianglesOf(plane, plane.polygons[chart.polygon]);
+    surfaces.push_back(surfaceOfChart(chart, place->second));
+    surfaces.back().chart = i;
+  }
+  for (std::size_t i = 0; i < map.planes.size(); ++i)
+    for (std::size_t k = 0; k < map.planes[i].polygons.size(); ++k)
+      if (cut.count({i, k}) == 0)
+        surfaces.push_back(
+            surfaceOfPolygon(i, trianglesOf(map.planes[i], map.planes[i].polygons[k])));
+  return surfaces;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,97 @@
+#include <pcl/core/image_file.h>
+#include <pcl/core/map_file.h>
+#include <pcl/texture/compact_map_folder.h>
+
+#include <filesystem>
+
+namespace pcl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** \brief Reads the images that a map names. */
+class ImageReader {
+public:
+  explicit ImageReader(const std::string& folder)
+  : folder_(folder)
+  , map_path_((fs::path(folder) / "map.json").string())
+  {}
+
+  const std::string&
+  mapPath() const
+  {
+    return map_path_;
+  }
+
+  void
+  read(TextureChart& chart) const
+  {
+    const std::string path = pathOf(chart.image);
+    RgbImage image = loadRgbImage(path);
+    requireSize(path, image.width, image.height, chart);
+    chart.colors = std::move(image);
+    const std::size_t texels = chart.colors.values.size() / 3;
+    chart.kinds.assign(texels, TexelKind::Seen);
+    if (!chart.kinds_image.empty())
+      readKinds(chart);
+  }
+
+private:
+  void
+  readKinds(TextureChart& chart) const
+  {
+    const std::string path = pathOf(chart.kinds_image);
+    const GrayImage16 kinds = loadGrayImage16(path);
+    requireSize(path, kinds.width, kinds.height, chart);
+    for (std::size_t i = 0; i < kinds.values.size(); ++i) {
+      if (kinds.values[i] > static_cast<std::uint16_t>(TexelKind::Filled))
+        throw InputFileException(path + ": " + std::to_string(kinds.values[i]) +
+                                 " is no kind of a texel");
+      chart.kinds[i] = static_cast<TexelKind>(kinds.values[i]);
+    }
+  }
+
+  /** Images lie right in the folder: a map may come from anyone. */
+  std::string
+  pathOf(const std::string& name) const
+  {
+    if (name.empty() || name == "." || name == ".." ||
+        name.find_first_of(std::string("/\\\0", 3)) != std::string::npos)
+      throw InputFileException(map_path_ + ": \"" + name +
+                               "\" is no name of an image in the folder");
+    return (fs::path(folder_) / name).string();
+  }
+
+  static void
+  requireSize(const std::string& path,
+              std::int32_t width,
+              std::int32_t height,
+              const TextureChart& chart)
+  {
+    const auto text = [](std::int32_t columns, std::int32_t rows) {
+      return std::to_string(columns) + " x " + std::to_string(rows);
+    };
+    if (width != chart.colors.width || height != chart.colors.height)
+      throw InputFileException(path + ": has " + text(width, height) +
+                               " pixels, the map says " +
+                               text(chart.colors.width, chart.colors.height));
+  }
+
+  std::string folder_;
+  std::string map_path_;
+};
+
+} // namespace
+
+CompactMap
+loadCompactMap(const std::string& folder)
+{
+  const ImageReader images(folder);
+  CompactMap map = loadMapFile(images.mapPath());
+  for (TextureChart& chart : map.charts)
+    images.read(chart);
+  return map;
+}
+
+} // namespace pcl

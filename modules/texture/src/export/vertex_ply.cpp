@@ -1,0 +1,155 @@
+#include "export/map_writers.h"
+
+#include <pcl/PCLPointField.h>
+#include <pcl/core/mesh_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr std::int32_t none = -1;
+
+/** For each texel whether its middle lies in a surface's triangles. */
+std::vector<bool>
+coverOf(const ChartSurface& surface, const RgbImage& image)
+{
+  constexpr double slack = 1e-9; // no gaps along the edges of triangles
+  std::vector<bool> cover(image.values.size() / 3);
+  for (const TriangleMesh::Triangle& triangle : surface.triangles) {
+    const auto corner = [&](std::size_t i) {
+      return surface.places[static_cast<std::size_t>(triangle[i % 3])];
+    };
+    const auto [least, most] =
+        std::minmax({corner(0).y(), corner(1).y(), corner(2).y()});
+    const auto last = std::min<std::int32_t>(
+        image.height - 1, static_cast<std::int32_t>(std::floor(most - 0.5 + slack)));
+    for (auto row = static_cast<std::int32_t>(std::ceil(least - 0.5 - slack));
+         row <= last;
+         ++row) {
+      const double y = std::clamp(row + 0.5, least, most);
+      double from = std::numeric_limits<double>::infinity();
+      double to = -from;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d a = corner(i);
+        const Eigen::Vector2d b = corner(i + 1);
+        if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y)
+          continue;
+        const double share = a.y() == b.y() ? 0.0 : (y - a.y()) / (b.y() - a.y());
+        const double x = a.x() + share * (b.x() - a.x());
+        from = std::min({from, x, a.y() == b.y() ? b.x() : x});
+        to = std::max({to, x, a.y() == b.y() ? b.x() : x});
+      }
+      const auto first = static_cast<std::int32_t>(std::ceil(from - 0.5 - slack));
+      const auto end = static_cast<std::int32_t>(std::floor(to - 0.5 + slack));
+      for (std::int32_t i = std::max(first, 0); i <= std::min(end, image.width - 1);
+           ++i)
+        cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+              static_cast<std::size_t>(i)] = true;
+    }
+  }
+  return cover;
+}
+
+/** \brief The vertices and faces of all charts. */
+struct VertexGrid {
+  std::vector<std::uint8_t> data; ///< x y z rgb
+  std::size_t vertices = 0;
+  TriangleMesh mesh;
+
+  static constexpr std::size_t step = 16;
+
+  std::int32_t
+  appendVertex(const Eigen::Vector3f& place, const std::uint8_t* color)
+  {
+    if (vertices == static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+      throw BadArgumentException("a map has more than 2^31 texels for map.ply");
+    const std::uint8_t packed[4] = {color[2], color[1], color[0], 255};
+    data.resize(data.size() + step);
+    std::memcpy(&data[vertices * step], place.data(), 12);
+    std::memcpy(&data[vertices * step + 12], packed, 4);
+    return static_cast<std::int32_t>(vertices++);
+  }
+
+  void
+  append(const TextureChart& chart, const ChartSurface& surface);
+};
+
+void
+VertexGrid::append(const TextureChart& chart, const ChartSurface& surface)
+{
+  const RgbImage& image = chart.colors;
+  const std::vector<bool> cover = coverOf(surface, image);
+  const auto width = static_cast<std::size_t>(image.width);
+  // Seen along the normal, rows run to one side of columns or to the other.
+  std::vector<std::int32_t> above(width, none);
+  std::vector<std::int32_t> row_vertices(width, none);
+  for (std::int32_t row = 0; row < image.height; ++row) {
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::size_t texel = static_cast<std::size_t>(row) * width + i;
+      row_vertices[i] = none;
+      if (cover[texel] && chart.kinds[texel] != TexelKind::None)
+        row_vertices[i] = appendVertex((chart.origin +
+                                        (static_cast<double>(i) + 0.5) * chart.texel_u +
+                                        (row + 0.5) * chart.texel_v)
+                                           .cast<float>(),
+                                       &image.values[3 * texel]);
+      if (i == 0)
+        continue;
+      const std::int32_t quad[4] = {
+          above[i - 1], above[i], row_vertices[i], row_vertices[i - 1]};
+      if (std::find(quad, quad + 4, none) != quad + 4)
+        continue;
+      mesh.triangles.push_back({quad[0], quad[1], quad[2]});
+      mesh.triangles.push_back({quad[0], quad[2], quad[3]});
+    }
+    above.swap(row_vertices);
+  }
+}
+
+PCLPointField
+fieldOf(const std::string& name, std::uint32_t offset)
+{
+  PCLPointField field;
+  field.name = name;
+  field.offset = offset;
+  field.datatype = PCLPointField::FLOAT32;
+  field.count = 1;
+  return field;
+}
+
+} // namespace
+
+void
+writeVertexPly(const std::string& path,
+               const CompactMap& map,
+               const std::vector<ChartSurface>& surfaces)
+{
+  VertexGrid grid;
+  for (const ChartSurface& surface : surfaces) {
+    if (surface.chart == ChartSurface::no_chart)
+      continue;
+    const TextureChart& chart = map.charts[surface.chart];
+    const std::size_t first = grid.mesh.triangles.size();
+    grid.append(chart, surface);
+    const Eigen::Vector3d normal = map.planes[chart.plane].coefficients.head<3>();
+    if (chart.texel_u.cross(chart.texel_v).dot(normal) < 0)
+      for (std::size_t i = first; i < grid.mesh.triangles.size(); ++i)
+        std::swap(grid.mesh.triangles[i][1], grid.mesh.triangles[i][2]);
+  }
+  PCLPointCloud2 cloud;
+  cloud.fields = {
+      fieldOf("x", 0), fieldOf("y", 4), fieldOf("z", 8), fieldOf("rgb", 12)};
+  cloud.point_step = VertexGrid::step;
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>(grid.vertices);
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.data = std::move(grid.data);
+  saveTriangleMesh(path, cloud, grid.mesh);
+}
+
+} // namespace pcl::acmap

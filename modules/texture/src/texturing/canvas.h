@@ -1,0 +1,67 @@
+#pragma once
+
+#include "texturing/chart_frame.h"
+#include "texturing/polygon_mask.h"
+
+#include <array>
+#include <vector>
+
+namespace pcl::acmap::texturing {
+
+/** What one view says of a texel. */
+struct Sample {
+  float weight = 0; ///< 0 for none
+  std::int32_t view = -1;
+  std::array<std::uint8_t, 3> color{};
+};
+
+/** A chart while it is painted. */
+struct Canvas {
+  static constexpr std::size_t most_samples = 4;
+  using Samples = std::array<Sample, most_samples>;
+
+  TextureChart chart; ///< without colours yet
+  std::vector<TexelPlace> mask;
+  std::vector<Samples> samples; ///< best first
+
+  std::size_t
+  index(std::int32_t column, std::int32_t row) const
+  {
+    return static_cast<std::size_t>(row) *
+               static_cast<std::size_t>(chart.colors.width) +
+           static_cast<std::size_t>(column);
+  }
+
+  bool
+  holds(const Eigen::Vector2d& place) const
+  {
+    return place.x() >= 0 && place.y() >= 0 && place.x() < chart.colors.width &&
+           place.y() < chart.colors.height &&
+           mask[index(static_cast<std::int32_t>(place.x()),
+                      static_cast<std::int32_t>(place.y()))] != TexelPlace::Outside;
+  }
+
+  /** Keeps the sample where it is among the best of its texel. */
+  void
+  offer(std::size_t texel, Sample sample)
+  {
+    for (Sample& kept : samples[texel])
+      if (sample.weight > kept.weight)
+        std::swap(sample, kept);
+  }
+};
+
+/** The polygons' canvases, in the order of the planes.
+ * \param[in,out] left_out is increased by the polygons that can have none
+ * \throws BadArgumentException when they have more than 2^28 texels */
+std::vector<Canvas>
+canvasesOf(const std::vector<PlanePatch>& planes,
+           double texel_size,
+           int most,
+           std::size_t& left_out);
+
+/** Memory that canvases and their charts will take. */
+double
+canvasBytes(const std::vector<PlanePatch>& planes, double texel_size);
+
+} // namespace pcl::acmap::texturing

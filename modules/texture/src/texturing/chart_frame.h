@@ -1,0 +1,46 @@
+#pragma once
+
+#include <pcl/core/compact_map.h>
+
+#include <optional>
+
+namespace pcl::acmap::texturing {
+
+/** Texels over a polygon: the smallest rectangle along one of its edges. Seen from the side
+ * of the normal, u runs to the right and v down. */
+struct ChartGrid {
+  Eigen::Vector3d origin, texel_u, texel_v; ///< as in \ref TextureChart
+  double columns, rows;                     ///< whole, however many
+};
+
+/** \return nothing where the polygon has no area, or it or its plane makes no sense */
+std::optional<ChartGrid>
+gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size);
+
+/** Charts of a polygon, without colours: tiles where it has more texels than a texture may
+ * have.
+ * \param[in] most texels a side */
+std::vector<TextureChart>
+chartsOf(const ChartGrid& grid,
+         std::size_t plane_number,
+         std::size_t polygon,
+         int most);
+
+/** Place on a chart in texels, of a point's foot on the plane: (0, 0) is the outer corner of
+ * the first texel. */
+inline Eigen::Vector2d
+placeOn(const TextureChart& chart, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d way = point - chart.origin;
+  return {way.dot(chart.texel_u) / chart.texel_u.squaredNorm(),
+          way.dot(chart.texel_v) / chart.texel_v.squaredNorm()};
+}
+
+/** Middle of a texel, map frame. */
+inline Eigen::Vector3d
+middleOf(const TextureChart& chart, double column, double row)
+{
+  return chart.origin + (column + 0.5) * chart.texel_u + (row + 0.5) * chart.texel_v;
+}
+
+} // namespace pcl::acmap::texturing

@@ -1,0 +1,92 @@
+#include "texturing/exposure.h"
+
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcl::acmap::texturing {
+namespace {
+
+/** What two views say of their ratio. */
+struct Overlap {
+  double count = 0;
+  double sum = 0; ///< of log (brightness of the first / of the second)
+};
+
+using Overlaps = std::map<std::pair<std::int32_t, std::int32_t>, Overlap>;
+
+double
+brightness(const Sample& sample)
+{
+  return sample.color[0] + sample.color[1] + sample.color[2];
+}
+
+bool
+tells(const Sample& sample)
+{
+  constexpr int dark = 12, bright = 245;
+  const auto [least, most] =
+      std::minmax_element(sample.color.begin(), sample.color.end());
+  return sample.weight > 0 && *most > dark && *most<bright&& * least> 0;
+}
+
+void
+addPairs(const std::array<Sample, Canvas::most_samples>& samples, Overlaps& overlaps)
+{
+  constexpr double most_ratio = 0.7; // a factor of two: other things differ
+  for (std::size_t a = 0; a < samples.size(); ++a)
+    for (std::size_t b = a + 1; b < samples.size(); ++b) {
+      if (!tells(samples[a]) || !tells(samples[b]))
+        continue;
+      const bool is_ordered = samples[a].view < samples[b].view;
+      const Sample& first = is_ordered ? samples[a] : samples[b];
+      const Sample& second = is_ordered ? samples[b] : samples[a];
+      const double ratio = std::log(brightness(first) / brightness(second));
+      if (std::abs(ratio) > most_ratio)
+        continue;
+      Overlap& overlap = overlaps[{first.view, second.view}];
+      ++overlap.count;
+      overlap.sum += ratio;
+    }
+}
+
+} // namespace
+
+std::vector<double>
+exposureGains(const std::vector<Canvas>& canvases, std::size_t views)
+{
+  Overlaps overlaps;
+  for (const Canvas& canvas : canvases)
+    for (const auto& samples : canvas.samples)
+      addPairs(samples, overlaps);
+
+  // log g_first - log g_second = - mean log ratio, as sure as the root of the texels
+  const auto size = static_cast<Eigen::Index>(views);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+  constexpr double prior = 1; // weight of a gain of 1
+  for (Eigen::Index view = 0; view < size; ++view)
+    entries.emplace_back(view, view, prior);
+  for (const auto& [pair, overlap] : overlaps) {
+    const double weight = std::sqrt(overlap.count);
+    const double ratio = weight * overlap.sum / overlap.count;
+    entries.emplace_back(pair.first, pair.first, weight);
+    entries.emplace_back(pair.second, pair.second, weight);
+    entries.emplace_back(pair.first, pair.second, -weight);
+    entries.emplace_back(pair.second, pair.first, -weight);
+    right[pair.first] -= ratio;
+    right[pair.second] += ratio;
+  }
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd logs =
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+  std::vector<double> gains;
+  for (Eigen::Index view = 0; view < size; ++view)
+    gains.push_back(std::isfinite(logs[view]) ? std::exp(logs[view]) : 1.0);
+  return gains;
+}
+
+} // namespace pcl::acmap::texturing

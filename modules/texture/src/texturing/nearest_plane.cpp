@@ -1,0 +1,87 @@
+#include "texturing/nearest_plane.h"
+
+#include <pcl/core/parallel.h>
+
+#include <Eigen/Geometry>
+
+namespace pcl::acmap::texturing {
+namespace {
+
+/** Round the points of a view, map frame. */
+Eigen::AlignedBox3d
+boxOf(const ColoredView& view)
+{
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < view.points.size(); ++i) {
+    const Eigen::Vector3f point = view.points[i];
+    if (point.allFinite())
+      box.extend(view.T_map_camera * point.cast<double>());
+  }
+  return box;
+}
+
+Eigen::AlignedBox3d
+boxOf(const TextureChart& chart)
+{
+  Eigen::AlignedBox3d box(chart.origin);
+  const Eigen::Vector3d u = chart.colors.width * chart.texel_u;
+  const Eigen::Vector3d v = chart.colors.height * chart.texel_v;
+  box.extend(chart.origin + u);
+  box.extend(chart.origin + v);
+  box.extend(chart.origin + u + v);
+  return box;
+}
+
+/** The canvases that points of a view can be on. */
+std::vector<std::int32_t>
+canvasesNear(const ColoredView& view,
+             const std::vector<PlanePatch>& planes,
+             const std::vector<Canvas>& canvases,
+             double maximum_distance)
+{
+  std::vector<std::int32_t> near;
+  const Eigen::AlignedBox3d seen = boxOf(view);
+  if (seen.isEmpty())
+    return near;
+  const Eigen::Vector3d eye = view.T_map_camera.translation();
+  for (std::size_t c = 0; c < canvases.size(); ++c) {
+    const TextureChart& chart = canvases[c].chart;
+    const Eigen::Vector4d& plane = planes[chart.plane].coefficients;
+    const bool is_front = view.width == 0 || plane.head<3>().dot(eye) + plane[3] > 0;
+    if (is_front && seen.exteriorDistance(boxOf(chart).center()) <
+                        boxOf(chart).diagonal().norm() / 2 + maximum_distance)
+      near.push_back(static_cast<std::int32_t>(c));
+  }
+  return near;
+}
+
+} // namespace
+
+std::vector<std::int32_t>
+nearestCanvases(const ColoredView& view,
+                const std::vector<PlanePatch>& planes,
+                const std::vector<Canvas>& canvases,
+                double maximum_distance)
+{
+  const std::vector<std::int32_t> near =
+      canvasesNear(view, planes, canvases, maximum_distance);
+  std::vector<std::int32_t> nearest(view.points.size(), -1);
+  parallelForChunks(nearest.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
+      double least = maximum_distance;
+      for (const std::int32_t c : near) {
+        const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
+        const Eigen::Vector4d& plane = planes[canvas.chart.plane].coefficients;
+        const double distance = std::abs(plane.head<3>().dot(point) + plane[3]);
+        if (distance < least && canvas.holds(placeOn(canvas.chart, point))) {
+          least = distance;
+          nearest[i] = c;
+        }
+      }
+    }
+  });
+  return nearest;
+}
+
+} // namespace pcl::acmap::texturing

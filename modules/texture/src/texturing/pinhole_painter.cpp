@@ -1,0 +1,202 @@
+#include "texturing/pinhole_painter.h"
+
+#include "texturing/view_colors.h"
+
+#include <pcl/core/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::texturing {
+namespace {
+
+/** Paints one canvas with one view. */
+class Painter {
+public:
+  Painter(const ColoredView& view,
+          const Pinhole& camera,
+          std::int32_t number,
+          const std::vector<std::int32_t>& nearest,
+          const PlanePatch& plane,
+          Canvas& canvas)
+  : view_(view)
+  , camera_(camera)
+  , number_(number)
+  , nearest_(nearest)
+  , plane_(plane)
+  , canvas_(canvas)
+  , T_camera_map_(view.T_map_camera.inverse())
+  {}
+
+  void
+  paintRow(std::int32_t row)
+  {
+    const TextureChart& chart = canvas_.chart;
+    for (std::int32_t column = 0; column < chart.colors.width; ++column) {
+      const std::size_t texel = canvas_.index(column, row);
+      if (canvas_.mask[texel] != TexelPlace::Inside)
+        continue;
+      const Eigen::Vector3d middle = middleOf(chart, column, row);
+      const Eigen::Vector3d point = T_camera_map_ * middle;
+      if (!(point.z() > least_depth))
+        continue;
+      const Eigen::Vector2d pixel = camera_.pixelOf(point);
+      if (!isInside(pixel))
+        continue;
+      const double visible = visibility(pixel);
+      if (visible > 0)
+        canvas_.offer(texel,
+                      {static_cast<float>(visible * quality(middle, point, pixel)),
+                       number_,
+                       meanColor(column, row, point)});
+    }
+  }
+
+private:
+  static constexpr double least_depth = 0.05; // metres
+
+  bool
+  isInside(const Eigen::Vector2d& pixel) const
+  {
+    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera_.width - 1 &&
+           pixel.y() <= camera_.height - 1;
+  }
+
+  std::size_t
+  pixelAt(int column, int row) const
+  {
+    const int c = std::clamp(column, 0, camera_.width - 1);
+    const int r = std::clamp(row, 0, camera_.height - 1);
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(camera_.width) +
+           static_cast<std::size_t>(c);
+  }
+
+  /** 1 where the depth around a pixel is of this plane, less where it was not measured; 0
+   * at depth edges and where it is of something else: what is left unknown there is better
+   * filled from the inside. */
+  double
+  visibility(const Eigen::Vector2d& pixel) const
+  {
+    constexpr double unmeasured = 0.3;
+    const int column = static_cast<int>(std::lround(pixel.x()));
+    const int row = static_cast<int>(std::lround(pixel.y()));
+    for (const int reach : {2, 4}) {
+      int own = 0, others = 0;
+      for (int r = -reach; r <= reach; r += reach)
+        for (int c = -reach; c <= reach; c += reach)
+          count(pixelAt(column + c, row + r), own, others);
+      if (others > 0)
+        return 0;
+      if (own > 0)
+        return reach > 2 ? unmeasured : 1;
+    }
+    return 0;
+  }
+
+  void
+  count(std::size_t pixel, int& own, int& others) const
+  {
+    if (nearest_[pixel] == static_cast<std::int32_t>(canvas_.chart.plane))
+      ++own;
+    else if (view_.points[pixel].allFinite())
+      ++others;
+  }
+
+  /** Square of a texel's size in pixels, and less towards the image's rim. */
+  double
+  quality(const Eigen::Vector3d& middle,
+          const Eigen::Vector3d& point,
+          const Eigen::Vector2d& pixel) const
+  {
+    const Eigen::Vector3d ray = middle - view_.T_map_camera.translation();
+    const double range = ray.norm();
+    const double slant = std::abs(plane_.coefficients.head<3>().dot(ray)) / range;
+    constexpr double fade = 0.1; // of the image's width
+    const double from_rim = std::min({pixel.x(),
+                                      pixel.y(),
+                                      camera_.width - 1 - pixel.x(),
+                                      camera_.height - 1 - pixel.y()});
+    const double rim = std::clamp(from_rim / (fade * camera_.width), 0.01, 1.0);
+    return slant * rim / (point.z() * point.z());
+  }
+
+  /** Mean over the texel's pixels: a texel may be as large as many of them. */
+  Rgb
+  meanColor(std::int32_t column, std::int32_t row, const Eigen::Vector3d& point) const
+  {
+    const double texel = canvas_.chart.texel_u.norm();
+    const double pixels = texel * camera_.fx / point.z();
+    const int side = std::clamp(static_cast<int>(std::ceil(pixels)), 1, 5);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int v = 0; v < side; ++v)
+      for (int u = 0; u < side; ++u) {
+        const Eigen::Vector3d place =
+            T_camera_map_ * middleOf(canvas_.chart,
+                                     column + (u + 0.5) / side - 0.5,
+                                     row + (v + 0.5) / side - 0.5);
+        sum += interpolated(camera_.pixelOf(place));
+      }
+    Rgb color;
+    for (int k = 0; k < 3; ++k)
+      color[static_cast<std::size_t>(k)] =
+          static_cast<std::uint8_t>(std::lround(sum[k] / (side * side)));
+    return color;
+  }
+
+  Eigen::Vector3d
+  interpolated(const Eigen::Vector2d& pixel) const
+  {
+    const double x = std::floor(pixel.x()), y = std::floor(pixel.y());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c) {
+        const double share = (c ? pixel.x() - x : 1 - (pixel.x() - x)) *
+                             (r ? pixel.y() - y : 1 - (pixel.y() - y));
+        const Rgb color =
+            colorOf(view_, pixelAt(static_cast<int>(x) + c, static_cast<int>(y) + r));
+        sum += share * Eigen::Vector3d(color[0], color[1], color[2]);
+      }
+    return sum;
+  }
+
+  const ColoredView& view_;
+  const Pinhole& camera_;
+  std::int32_t number_;
+  const std::vector<std::int32_t>& nearest_;
+  const PlanePatch& plane_;
+  Canvas& canvas_;
+  Eigen::Isometry3d T_camera_map_;
+};
+
+} // namespace
+
+void
+paintPinhole(const ColoredView& view,
+             const Pinhole& camera,
+             std::int32_t number,
+             const std::vector<std::int32_t>& nearest,
+             const std::vector<PlanePatch>& planes,
+             std::vector<Canvas>& canvases)
+{
+  // planes, for a texel at the border of a tile has neighbours on another one
+  std::vector<std::int32_t> nearest_planes(nearest.size(), -1);
+  std::vector<bool> is_seen(planes.size(), false);
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    if (nearest[i] >= 0) {
+      const std::size_t plane =
+          canvases[static_cast<std::size_t>(nearest[i])].chart.plane;
+      nearest_planes[i] = static_cast<std::int32_t>(plane);
+      is_seen[plane] = true;
+    }
+  for (Canvas& canvas : canvases) {
+    if (!is_seen[canvas.chart.plane])
+      continue;
+    Painter painter(
+        view, camera, number, nearest_planes, planes[canvas.chart.plane], canvas);
+    oneapi::tbb::parallel_for(std::int32_t{0},
+                              canvas.chart.colors.height,
+                              [&](std::int32_t row) { painter.paintRow(row); });
+  }
+}
+
+} // namespace pcl::acmap::texturing

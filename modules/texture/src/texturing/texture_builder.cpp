@@ -1,0 +1,167 @@
+#include "texturing/blend.h"
+#include "texturing/exposure.h"
+#include "texturing/nearest_plane.h"
+#include "texturing/pinhole_painter.h"
+#include "texturing/splatter.h"
+
+#include <pcl/core/parallel.h>
+#include <pcl/texture/texturing_kernel.h>
+
+#include <set>
+
+namespace pcl::acmap {
+
+using namespace texturing;
+
+struct TextureBuilder::State {
+  std::vector<PlanePatch> planes;
+  TexturingSettings settings;
+  std::vector<Canvas> canvases;
+  std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
+  std::size_t invalid_points = 0, left_out = 0;
+};
+
+TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
+                               const TexturingSettings& settings)
+: state_(std::make_unique<State>())
+{
+  state_->planes = planes;
+  state_->settings = settings;
+  state_->canvases = canvasesOf(planes,
+                                settings.texel_size,
+                                settings.maximum_texture_size,
+                                state_->left_out);
+}
+
+double
+texturingMemory(const std::vector<PlanePatch>& planes,
+                const TexturingSettings& settings)
+{
+  return canvasBytes(planes, settings.texel_size);
+}
+
+TextureBuilder::~TextureBuilder() = default;
+
+void
+TextureBuilder::add(const ColoredView& view)
+{
+  State& state = *state_;
+  const auto number = static_cast<std::int32_t>(state.views++);
+  for (std::size_t i = 0; i < view.points.size(); ++i)
+    state.invalid_points += view.points[i].allFinite() ? 0 : 1;
+  if (!view.colors) {
+    ++state.colorless;
+    return;
+  }
+  withThreads(state.settings.threads, [&] {
+    const std::vector<std::int32_t> nearest = nearestCanvases(
+        view, state.planes, state.canvases, state.settings.maximum_distance);
+    if (const std::optional<Pinhole> camera = pinholeOf(view)) {
+      ++state.pinholes;
+      paintPinhole(view, *camera, number, nearest, state.planes, state.canvases);
+    }
+    else {
+      ++state.splatted;
+      splat(view, number, nearest, state.canvases);
+    }
+  });
+}
+
+namespace {
+
+/** For each plane the views whose samples its texels have. */
+std::vector<std::vector<std::int32_t>>
+observationsOf(const std::vector<Canvas>& canvases, std::size_t planes)
+{
+  std::vector<std::set<std::int32_t>> seen(planes);
+  for (const Canvas& canvas : canvases) {
+    std::set<std::int32_t>& views = seen[canvas.chart.plane];
+    std::int32_t last = -1;
+    for (const auto& samples : canvas.samples)
+      for (const Sample& sample : samples)
+        if (sample.weight > 0 && sample.view != last) {
+          views.insert(sample.view);
+          last = sample.view;
+        }
+  }
+  std::vector<std::vector<std::int32_t>> observations;
+  for (const std::set<std::int32_t>& views : seen)
+    observations.emplace_back(views.begin(), views.end());
+  return observations;
+}
+
+void
+count(const Canvas& canvas, const TextureChart& chart, TexturingReport& report)
+{
+  for (std::size_t t = 0; t < canvas.mask.size(); ++t) {
+    if (canvas.mask[t] != TexelPlace::Inside)
+      continue;
+    ++report.texels;
+    report.seen += chart.kinds[t] == TexelKind::Seen ? 1 : 0;
+    report.filled += chart.kinds[t] == TexelKind::Filled ? 1 : 0;
+  }
+}
+
+void
+remark(std::size_t left_out, TexturingReport& report)
+{
+  if (left_out > 0)
+    report.remarks.push_back("polygons left out: " + std::to_string(left_out) +
+                             "; they have no area, or they or their planes are not "
+                             "finite");
+  if (report.charts == 0)
+    report.remarks.emplace_back("nothing to paint: no plane has a polygon");
+  else if (report.observations == 0)
+    report.remarks.emplace_back("no observation was given: all texels are grey");
+  else if (report.colorless == report.observations)
+    report.remarks.emplace_back("no observation has colour: all texels are grey");
+  else if (report.colorless > 0)
+    report.remarks.push_back(std::to_string(report.colorless) +
+                             " observations have no colour");
+  if (report.charts > 0 && report.observations > report.colorless && report.seen == 0)
+    report.remarks.emplace_back("no observation saw a plane: do the poses belong to "
+                                "these planes?");
+}
+
+} // namespace
+
+CompactMap
+TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
+{
+  const State& state = *state_;
+  return withThreads(state.settings.threads, [&] {
+    report = {};
+    StepTimer timer(report);
+    report.observations = state.views;
+    report.pinholes = state.pinholes;
+    report.splatted = state.splatted;
+    report.colorless = state.colorless;
+    report.invalid_points = state.invalid_points;
+    report.charts = state.canvases.size();
+    report.texel_size = state.settings.texel_size;
+    progress.tell(0.0, "exposure");
+    report.gains = state.settings.correct_exposure
+                       ? exposureGains(state.canvases, state.views)
+                       : std::vector<double>(state.views, 1.0);
+    timer.finish("exposure");
+
+    progress.tell(0.3, "blending");
+    CompactMap map;
+    map.planes = state.planes;
+    map.observations = observationsOf(state.canvases, state.planes.size());
+    map.charts.resize(state.canvases.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, map.charts.size(), [&](std::size_t c) {
+      map.charts[c] = state.canvases[c].chart;
+      blend(report.gains, state.canvases[c], map.charts[c]);
+      fillHoles(state.settings.fill_distance, state.canvases[c].mask, map.charts[c]);
+    });
+    for (std::size_t c = 0; c < map.charts.size(); ++c)
+      count(state.canvases[c], map.charts[c], report);
+    timer.finish("blending");
+    remark(state.left_out, report);
+    progress.tell(1.0, "done");
+    return map;
+  });
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "map_faces.h"
+#include "map_lines.h"
+#include "scene_renderer.h"
+#include "vtk_pieces.h"
+
+namespace pcl::acmap {
+
+/** \brief Faces with the colours of their charts, without light; the others grey under it.
+ */
+Actors
+actorsOfTextures(const std::vector<MapFaces>& faces, bool hide_backs);
+
+/** \brief Faces in a colour of their plane.
+ * \param[in] opacity 0 to 1 */
+Actors
+actorsOfPlanes(const std::vector<MapFaces>& faces, bool hide_backs, double opacity);
+
+/** \brief Lines in the colours of their planes. */
+vtkSmartPointer<vtkActor>
+actorOfOutlines(const std::vector<MapLine>& lines);
+
+/** \brief Lines in one colour. */
+vtkSmartPointer<vtkActor>
+actorOfLines(const std::vector<MapLine>& lines, const Color& color, double pixels);
+
+/** \brief A line through the poses. */
+MapLine
+lineOf(const Trajectory& trajectory);
+
+/** \brief A line through the poses and, at 50 of them at most, the axes x (red), y (green)
+ * and z (blue) of the camera.
+ * \param[in] length of the axes, metres */
+Actors
+actorsOfTrajectory(const Trajectory& trajectory, double length);
+
+constexpr Color trajectory_color = {0.90, 0.10, 0.45};
+
+} // namespace pcl::acmap

@@ -1,0 +1,116 @@
+#include "map_camera.h"
+
+#include "camera_fit.h"
+#include "sight.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::Vector3d;
+using Points = std::vector<Eigen::Vector3f>;
+
+constexpr double degree = M_PI / 180;
+constexpr double outside_yaw = 25 * degree;
+constexpr double outside_pitch = 45 * degree;
+constexpr double outside_margin = 0.08;
+constexpr double inside_angle = 70;         // degrees
+constexpr double inside_pitch = 6 * degree; // floors are nearer than ceilings are tall
+constexpr double plan_margin = 1.15;        // the bar of the scale wants its place
+
+/** \brief Ends of what is not far off, along a direction. */
+std::pair<double, double>
+endsAlong(const Points& samples, const RobustBox& box, const Vector3d& direction)
+{
+  constexpr double stray_factor = 3;
+  double least = INFINITY, most = -INFINITY;
+  for (const Eigen::Vector3f& sample : samples)
+    if (box.contains(sample.cast<double>(), stray_factor)) {
+      least = std::min(least, sample.cast<double>().dot(direction));
+      most = std::max(most, sample.cast<double>().dot(direction));
+    }
+  return {least, most};
+}
+
+Camera
+planCamera(const Points& samples, const MapFrame& frame, const MapView& view)
+{
+  const RobustBox box(samples);
+  Camera camera{};
+  camera.up = frame.up.cross(frame.along);
+  const auto [left, right] = endsAlong(samples, box, frame.along);
+  const auto [bottom, top] = endsAlong(samples, box, camera.up);
+  const auto [low, high] = endsAlong(samples, box, frame.up);
+  camera.focus = (left + right) / 2 * frame.along + (bottom + top) / 2 * camera.up +
+                 (low + high) / 2 * frame.up;
+  if (view.look)
+    camera.focus = view.look->cast<double>();
+  const double aspect = static_cast<double>(view.width) / view.height;
+  camera.parallel_height =
+      std::max({top - bottom, (right - left) / aspect, 1e-3}) * plan_margin;
+  camera.position = camera.focus + frame.up * (high - low + camera.parallel_height);
+  camera.view_angle = inside_angle;
+  setDepths(camera, samples, box);
+  return camera;
+}
+
+Camera
+insideCamera(const CompactMap& map,
+             const std::vector<MapFaces>& faces,
+             const Points& samples,
+             const MapFrame& frame,
+             const MapView& view)
+{
+  const Sight sight =
+      longestSight(map.trajectory, faces, RobustBox(samples).middle, frame);
+  SceneView there = view;
+  if (!there.from)
+    there.from = sight.eye.cast<float>();
+  if (!there.look)
+    there.look =
+        *there.from + turned(sight.direction, frame.up, 0, inside_pitch).cast<float>();
+  Camera camera = lookAlong(samples, sight.direction, frame.up, there);
+  camera.view_angle = inside_angle;
+  return camera;
+}
+
+Camera
+outsideCamera(const Points& samples, const MapFrame& frame, const MapView& view)
+{
+  const Vector3d across = frame.up.cross(frame.along);
+  Camera camera = lookAlong(
+      samples, turned(across, frame.up, outside_yaw, outside_pitch), frame.up, view);
+  if (!view.from) {
+    // what the fit may cut off is noise of points, but here it is corners of rooms
+    camera.position += outside_margin * (camera.position - camera.focus);
+    setDepths(camera, samples, RobustBox(samples));
+  }
+  return camera;
+}
+
+} // namespace
+
+Camera
+placeMapCamera(const CompactMap& map,
+               const std::vector<MapFaces>& faces,
+               const Points& samples,
+               const MapFrame& frame,
+               const MapView& view)
+{
+  requireSound(view);
+  switch (view.place) {
+  case MapView::Place::Plan:
+    return planCamera(samples, frame, view);
+  case MapView::Place::Inside:
+    return insideCamera(map, faces, samples, frame, view);
+  case MapView::Place::Outside:
+    break;
+  }
+  return outsideCamera(samples, frame, view);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "map_actors.h"
+#include "map_camera.h"
+
+#include <pcl/visualization/map_snapshot.h>
+
+#include <vtkRenderer.h>
+
+namespace pcl::acmap {
+
+/** \brief A map and how it is looked at; makes what is drawn of it. */
+class MapDrawing {
+public:
+  /** \param[in] map lives as long
+   * \throws BadArgumentException for a view that cannot be
+   * \throws InitFailedException when the map has no face */
+  MapDrawing(const CompactMap& map, const MapView& view);
+
+  const Camera&
+  camera() const
+  {
+    return camera_;
+  }
+
+  /** \brief Without pictures, and without what a plan leaves out. */
+  std::vector<MapFaces>
+  drawnFaces() const;
+
+  bool
+  hidesBacks() const
+  {
+    return hides_backs_;
+  }
+
+  /** \throws BadArgumentException for charts that do not fit the map */
+  Actors
+  textures() const;
+
+  /** \param[in] opacity 0 to 1 */
+  Actors
+  planes(double opacity) const;
+
+  Actors
+  outlines() const;
+
+  /** \brief What only a plan has: walls, trajectory, scale; nothing elsewhere. */
+  void
+  addPlanTo(vtkRenderer* renderer) const;
+
+private:
+  bool
+  isDrawn(std::size_t plane) const;
+
+  std::vector<MapFaces>
+  drawn(std::vector<MapFaces> faces) const;
+
+  const CompactMap& map_;
+  MapView view_;
+  bool hides_backs_;
+  std::vector<MapFaces> faces_;
+  std::vector<Eigen::Vector3f> samples_;
+  MapFrame frame_;
+  Camera camera_;
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,193 @@
+#include "map_faces.h"
+
+#include <pcl/core/chart_clip.h>
+#include <pcl/core/polygon_triangles.h>
+#include <pcl/exceptions.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::Vector3d;
+using Polygon = std::pair<std::size_t, std::size_t>; // of a plane
+
+void
+requireSound(const CompactMap& map, const TextureChart& chart)
+{
+  const auto refuse = [](const std::string& fault) {
+    throw BadArgumentException("a chart of the map " + fault);
+  };
+  if (chart.plane >= map.planes.size())
+    refuse("is of plane " + std::to_string(chart.plane) + ", which is not there");
+  if (chart.polygon >= map.planes[chart.plane].polygons.size())
+    refuse("is of polygon " + std::to_string(chart.polygon) + " of plane " +
+           std::to_string(chart.plane) + ", which is not there");
+  const RgbImage& image = chart.colors;
+  if (image.width <= 0 || image.height <= 0)
+    refuse("has colours without a size");
+  const auto texels =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.values.size() != 3 * texels ||
+      !(chart.kinds.empty() || chart.kinds.size() == texels))
+    refuse("has not as many colours or kinds as texels");
+  if (!chart.origin.allFinite() || !(chart.texel_u.cross(chart.texel_v).norm() > 0))
+    refuse("has axes that span no rectangle");
+}
+
+/** \brief The charts with colours of each polygon. */
+std::map<Polygon, std::vector<const TextureChart*>>
+chartsByPolygon(const CompactMap& map)
+{
+  std::map<Polygon, std::vector<const TextureChart*>> charts;
+  for (const TextureChart& chart : map.charts) {
+    if (chart.colors.values.empty())
+      continue;
+    requireSound(map, chart);
+    charts[{chart.plane, chart.polygon}].push_back(&chart);
+  }
+  return charts;
+}
+
+std::vector<Eigen::Vector3f>
+pointsOf(const PlanePolygon& polygon)
+{
+  std::vector<Eigen::Vector3f> points = polygon.outer;
+  for (const auto& hole : polygon.holes)
+    points.insert(points.end(), hole.begin(), hole.end());
+  return points;
+}
+
+MapFaces
+cutAt(const TextureChart& chart, const MapFaces& whole)
+{
+  MapFaces faces;
+  faces.plane = whole.plane;
+  faces.polygon = whole.polygon;
+  faces.chart = &chart;
+  const ChartClip clip(chart);
+  const Eigen::Array2d size(chart.colors.width, chart.colors.height);
+  for (const auto& triangle : whole.faces) {
+    std::array<Vector3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = whole.points[static_cast<std::size_t>(triangle[i])].cast<double>();
+    const std::vector<ChartCorner> part = clip.clipped(corners);
+    if (part.size() < 3)
+      continue;
+    std::vector<std::int32_t>& face = faces.faces.emplace_back();
+    for (const ChartCorner& corner : part) {
+      face.push_back(static_cast<std::int32_t>(faces.points.size()));
+      faces.points.push_back(corner.point.cast<float>());
+      faces.places.emplace_back((corner.place.array() / size).cast<float>());
+    }
+  }
+  return faces;
+}
+
+double
+areaOf(const MapFaces& faces)
+{
+  double area = 0;
+  for (const auto& face : faces.faces)
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      const Eigen::Vector3f& a = faces.points[face[0]];
+      area += (faces.points[face[i - 1]] - a)
+                  .cross(faces.points[face[i]] - a)
+                  .cast<double>()
+                  .norm() /
+              2;
+    }
+  return area;
+}
+
+/** \brief A lattice of points inside a triangle. */
+void
+addLattice(const Eigen::Vector3f& a,
+           const Eigen::Vector3f& b,
+           const Eigen::Vector3f& c,
+           double spacing,
+           std::vector<Eigen::Vector3f>& samples)
+{
+  const double area = (b - a).cross(c - a).cast<double>().norm() / 2;
+  const int rows = std::max(1, static_cast<int>(std::sqrt(area) / spacing));
+  const auto step = 1.0F / static_cast<float>(rows);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; i + j < rows; ++j)
+      samples.push_back(a + (static_cast<float>(i) + 1.0F / 3) * step * (b - a) +
+                        (static_cast<float>(j) + 1.0F / 3) * step * (c - a));
+}
+
+} // namespace
+
+std::vector<MapFaces>
+facesOf(const CompactMap& map)
+{
+  std::vector<MapFaces> all;
+  for (std::size_t plane = 0; plane < map.planes.size(); ++plane) {
+    const PlanePatch& patch = map.planes[plane];
+    const Vector3d normal = patch.coefficients.head<3>();
+    if (!normal.allFinite() || normal.norm() == 0)
+      continue;
+    for (std::size_t polygon = 0; polygon < patch.polygons.size(); ++polygon) {
+      const auto triangles = trianglesOfPolygon(patch.polygons[polygon], normal);
+      if (triangles.empty())
+        continue;
+      MapFaces& faces = all.emplace_back();
+      faces.plane = plane;
+      faces.polygon = polygon;
+      faces.points = pointsOf(patch.polygons[polygon]);
+      for (const TriangleMesh::Triangle& triangle : triangles)
+        faces.faces.emplace_back(triangle.begin(), triangle.end());
+    }
+  }
+  return all;
+}
+
+std::vector<MapFaces>
+cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces)
+{
+  const auto charts = chartsByPolygon(map);
+  std::vector<MapFaces> cut;
+  for (const MapFaces& whole : faces) {
+    const auto found = charts.find({whole.plane, whole.polygon});
+    if (found == charts.end())
+      cut.push_back(whole);
+    else
+      for (const TextureChart* const chart : found->second)
+        cut.push_back(cutAt(*chart, whole));
+  }
+  return cut;
+}
+
+std::vector<Eigen::Vector3f>
+samplesOf(const std::vector<MapFaces>& faces)
+{
+  constexpr double wanted = 20000;
+  double area = 0;
+  for (const MapFaces& part : faces)
+    area += areaOf(part);
+  if (!(area > 0) || !std::isfinite(area))
+    throw InitFailedException("nothing to show: no plane of the map has an area");
+  // a lattice of n rows has n^2 / 2 points
+  const double spacing = std::sqrt(area / wanted / 2);
+  std::vector<Eigen::Vector3f> samples;
+  for (const MapFaces& part : faces)
+    for (const auto& face : part.faces) {
+      for (const std::int32_t corner : face)
+        samples.push_back(part.points[corner]);
+      for (std::size_t i = 2; i < face.size(); ++i)
+        addLattice(part.points[face[0]],
+                   part.points[face[i - 1]],
+                   part.points[face[i]],
+                   spacing,
+                   samples);
+    }
+  return samples;
+}
+
+} // namespace pcl::acmap

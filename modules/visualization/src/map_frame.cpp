@@ -1,0 +1,109 @@
+#include "camera_fit.h"
+#include "map_camera.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::Vector3d;
+
+/** \brief What the cameras take for up, as the nearest axis; zero without cameras. */
+Vector3d
+upOfCameras(const Trajectory& trajectory)
+{
+  Vector3d sum = Vector3d::Zero();
+  for (const Eigen::Isometry3d& pose : trajectory.poses)
+    if (pose.matrix().allFinite())
+      sum -= pose.linear().col(1);
+  int axis = 0;
+  if (!(sum.cwiseAbs().maxCoeff(&axis) > 0))
+    return Vector3d::Zero();
+  return std::copysign(1.0, sum[axis]) * Vector3d::Unit(axis);
+}
+
+/** \brief Area of the planes that look along an axis. */
+double
+areaAlong(const CompactMap& map, int axis)
+{
+  constexpr double nearly = 0.97;
+  double area = 0;
+  for (const PlanePatch& plane : map.planes)
+    if (std::abs(plane.coefficients[axis]) > nearly && std::isfinite(plane.area))
+      area += plane.area;
+  return area;
+}
+
+Vector3d
+upOf(const CompactMap& map, const RobustBox& box, const SceneView& view)
+{
+  if (view.up)
+    return view.up->cast<double>().normalized();
+  const Vector3d up = upOfCameras(map.trajectory);
+  if (up.norm() > 0)
+    return up;
+  const bool z_is_level =
+      box.half.z() < box.half.y() && areaAlong(map, 2) > areaAlong(map, 1);
+  return z_is_level ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY());
+}
+
+/** \brief Direction of the walls, which are square to each other on the whole; any where
+ * there are none. */
+Vector3d
+wallDirection(const CompactMap& map, const Vector3d& up)
+{
+  const Vector3d e = up.unitOrthogonal(), f = up.cross(e);
+  // four times an angle is the same for directions a quarter turn apart
+  std::complex<double> sum;
+  for (const PlanePatch& plane : map.planes) {
+    const Vector3d normal = plane.coefficients.head<3>();
+    const std::complex<double> level(normal.dot(e), normal.dot(f));
+    if (std::abs(level) > 0.9 && std::isfinite(plane.area))
+      sum += plane.area * std::polar(1.0, 4 * std::arg(level));
+  }
+  const double angle = std::abs(sum) > 0 ? std::arg(sum) / 4 : 0;
+  return std::cos(angle) * e + std::sin(angle) * f;
+}
+
+double
+extentAlong(const std::vector<Eigen::Vector3f>& samples, const Vector3d& direction)
+{
+  double least = INFINITY, most = -INFINITY;
+  for (const Eigen::Vector3f& sample : samples) {
+    const double place = sample.cast<double>().dot(direction);
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return most - least;
+}
+
+/** \brief The one of two opposite directions whose largest number is positive. */
+Vector3d
+forwards(const Vector3d& direction)
+{
+  int axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return direction[axis] < 0 ? Vector3d(-direction) : direction;
+}
+
+} // namespace
+
+MapFrame
+frameOf(const CompactMap& map,
+        const std::vector<Eigen::Vector3f>& samples,
+        const SceneView& view)
+{
+  MapFrame frame;
+  frame.up = upOf(map, RobustBox(samples), view);
+  const Vector3d one = wallDirection(map, frame.up);
+  const Vector3d other = frame.up.cross(one);
+  frame.along =
+      forwards(extentAlong(samples, one) >= extentAlong(samples, other) ? one : other);
+  return frame;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,83 @@
+#include "plan_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double way_pixels = 3;
+constexpr double wall_pixels = 3;
+constexpr double low_wall_pixels = 1;
+constexpr Color wall_color = {0.12, 0.12, 0.14};
+constexpr Color low_wall_color = {0.62, 0.62, 0.64};
+
+/** Of a normal, along up. */
+constexpr double steep = 0.3;
+
+double
+slopeOf(const PlanePatch& plane, const Vector3d& up)
+{
+  return plane.coefficients.head<3>().dot(up);
+}
+
+/** \brief Puts lines to a level; seen from above they stay where they are. */
+void
+lift(std::vector<MapLine>& lines, const Vector3d& up, double level)
+{
+  for (MapLine& line : lines)
+    for (Eigen::Vector3f& point : line.points)
+      point += ((level - point.cast<double>().dot(up)) * up).cast<float>();
+}
+
+/** \brief Height at which walls are cut: that of the cameras, else the middle. */
+double
+sectionLevel(const MapLine& way, const Vector3d& up, double low, double high)
+{
+  std::vector<double> levels;
+  for (const Eigen::Vector3f& eye : way.points)
+    levels.push_back(eye.cast<double>().dot(up));
+  if (levels.empty())
+    return (low + high) / 2;
+  const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+  std::nth_element(levels.begin(), middle, levels.end());
+  return *middle;
+}
+
+} // namespace
+
+bool
+looksDown(const PlanePatch& plane, const Vector3d& up)
+{
+  return slopeOf(plane, up) < -steep;
+}
+
+Actors
+actorsOfPlan(const CompactMap& map,
+             const Vector3d& up,
+             const std::vector<Eigen::Vector3f>& samples)
+{
+  double low = INFINITY, high = -INFINITY;
+  for (const Eigen::Vector3f& sample : samples) {
+    low = std::min(low, sample.cast<double>().dot(up));
+    high = std::max(high, sample.cast<double>().dot(up));
+  }
+  std::vector<MapLine> cut, other, way = {lineOf(map.trajectory)};
+  const double level = sectionLevel(way[0], up, low, high);
+  for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
+    if (std::abs(slopeOf(map.planes[plane], up)) <= steep) {
+      append(cut, sectionOf(map, plane, up, level));
+      append(other, outlinesOf(map, plane));
+    }
+  const double step = 0.004 * (high - low);
+  lift(other, up, high);
+  lift(cut, up, high + step);
+  lift(way, up, high + 2 * step);
+  return {actorOfLines(other, low_wall_color, low_wall_pixels),
+          actorOfLines(cut, wall_color, wall_pixels),
+          actorOfLines(way, trajectory_color, way_pixels)};
+}
+
+} // namespace pcl::acmap

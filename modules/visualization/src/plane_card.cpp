@@ -1,0 +1,71 @@
+#include <pcl/visualization/plane_card.h>
+
+#include "ray.h"
+
+#include <pcl/exceptions.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl {
+namespace {
+
+template <typename... Values>
+std::string
+format(const char* form, Values... values)
+{
+  std::array<char, 200> text;
+  std::snprintf(text.data(), text.size(), form, values...);
+  return text.data();
+}
+
+/** \brief A number with its unit, or that it is not known. */
+std::string
+known(const char* form, double value)
+{
+  return std::isfinite(value) ? format(form, value) : "unknown";
+}
+
+std::string
+deviations(const Eigen::Matrix3d& covariance)
+{
+  constexpr double degrees = 180 / M_PI;
+  const Eigen::Vector3d deviation = covariance.diagonal().cwiseSqrt();
+  return "slopes " + known("%.3g deg", deviation[0] * degrees) + " and " +
+         known("%.3g deg", deviation[1] * degrees) + ", offset " +
+         known("%.3g mm", deviation[2] * 1000);
+}
+
+} // namespace
+
+std::string
+planeCard(const PlanePatch& plane, std::size_t number)
+{
+  const Eigen::Vector4d& c = plane.coefficients;
+  std::string support = format("%zu points", plane.support);
+  if (plane.effective_support > 0 && std::isfinite(plane.effective_support))
+    support += format(", %.4g of them independent", plane.effective_support);
+  return format("plane %zu\n", number) +
+         format(
+             "equation   %.5f x %+.5f y %+.5f z %+.4f = 0\n", c[0], c[1], c[2], c[3]) +
+         "deviation  " + deviations(plane.covariance) + "\nsupport    " + support +
+         "\narea       " + known("%.4g m2", plane.area) + "\nrms        " +
+         known("%.3g mm", plane.rms * 1000) + "\n";
+}
+
+std::optional<std::size_t>
+planeOnRay(const CompactMap& map,
+           const Eigen::Vector3d& eye,
+           const Eigen::Vector3d& direction,
+           bool fronts_only)
+{
+  if (!eye.allFinite() || !direction.allFinite() || direction.norm() == 0)
+    throw BadArgumentException("a ray has to begin somewhere and lead somewhere");
+  const auto hit = acmap::firstHit(acmap::facesOf(map), eye, direction, fronts_only);
+  if (!hit)
+    return {};
+  return hit->plane;
+}
+
+} // namespace pcl

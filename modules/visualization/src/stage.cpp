@@ -1,0 +1,67 @@
+#include "stage.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+
+namespace pcl::acmap {
+namespace {
+
+/** \brief Light behind surfaces, dark behind points, which would drown in light. */
+void
+setBackground(bool light, vtkRenderer* renderer)
+{
+  if (light) {
+    renderer->SetBackground(0.97, 0.97, 0.96);
+    renderer->SetBackground2(0.80, 0.84, 0.89);
+  }
+  else {
+    renderer->SetBackground(0.10, 0.11, 0.13);
+    renderer->SetBackground2(0.20, 0.23, 0.27);
+  }
+  renderer->GradientBackgroundOn();
+}
+
+/** \brief A key light from above the eye's left shoulder, a weak one from the eye. */
+void
+addLights(vtkRenderer* renderer)
+{
+  struct Lamp {
+    double x, y, z, intensity;
+  };
+  for (const Lamp& lamp : {Lamp{-0.7, 0.9, 1.0, 0.75}, Lamp{0.3, 0.0, 1.0, 0.35}}) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(lamp.x, lamp.y, lamp.z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(lamp.intensity);
+    renderer->AddLight(light);
+  }
+}
+
+void
+setCamera(const Camera& camera, vtkRenderer* renderer)
+{
+  vtkCamera* const active = renderer->GetActiveCamera();
+  active->SetPosition(camera.position.data());
+  active->SetFocalPoint(camera.focus.data());
+  active->SetViewUp(camera.up.data());
+  active->SetViewAngle(camera.view_angle);
+  active->SetClippingRange(camera.near, camera.far);
+  active->SetParallelProjection(camera.parallel_height > 0);
+  active->SetParallelScale(camera.parallel_height / 2);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkRenderer>
+makeStage(const Camera& camera, bool light)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  setBackground(light, renderer);
+  addLights(renderer);
+  setCamera(camera, renderer);
+  return renderer;
+}
+
+} // namespace pcl::acmap

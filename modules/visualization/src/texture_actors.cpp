@@ -1,0 +1,87 @@
+#include "map_actors.h"
+#include "surface_colors.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkTexture.h>
+
+#include <cstring>
+
+namespace pcl::acmap {
+namespace {
+
+constexpr std::uint8_t unseen_grey = 150;
+constexpr float anisotropy = 8;
+
+vtkSmartPointer<vtkTexture>
+textureOf(const TextureChart& chart)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(chart.colors.width, chart.colors.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* const bytes = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  std::memcpy(bytes, chart.colors.values.data(), chart.colors.values.size());
+  for (std::size_t i = 0; i < chart.kinds.size(); ++i)
+    if (chart.kinds[i] == TexelKind::None)
+      std::memset(bytes + 3 * i, unseen_grey, 3);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->SetMaximumAnisotropicFiltering(anisotropy);
+  texture->RepeatOff();
+  texture->EdgeClampOn();
+  return texture;
+}
+
+vtkSmartPointer<vtkFloatArray>
+placesOf(const MapFaces& part)
+{
+  auto places = vtkSmartPointer<vtkFloatArray>::New();
+  places->SetNumberOfComponents(2);
+  for (const Eigen::Vector2f& place : part.places)
+    places->InsertNextTuple2(place.x(), place.y());
+  return places;
+}
+
+vtkSmartPointer<vtkActor>
+frontOf(const MapFaces& part, vtkPolyData* data)
+{
+  auto front = actorOf(data, front_color, false);
+  front->GetProperty()->SetInterpolationToFlat();
+  front->GetProperty()->BackfaceCullingOn();
+  if (part.chart) {
+    data->GetPointData()->SetTCoords(placesOf(part));
+    front->GetProperty()->SetColor(1, 1, 1);
+    front->GetProperty()->LightingOff();
+    front->SetTexture(textureOf(*part.chart));
+  }
+  return front;
+}
+
+} // namespace
+
+Actors
+actorsOfTextures(const std::vector<MapFaces>& faces, bool hide_backs)
+{
+  Actors actors;
+  for (const MapFaces& part : faces) {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(pointsOf(part.points));
+    data->SetPolys(cellsOf(part.faces));
+    actors.push_back(frontOf(part, data));
+    if (hide_backs)
+      continue;
+    const auto back = actorOf(data, back_color, false);
+    back->GetProperty()->SetInterpolationToFlat();
+    back->GetProperty()->FrontfaceCullingOn();
+    actors.push_back(back);
+  }
+  return actors;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap {
+
+using Color = std::array<double, 3>; ///< 0 to 1
+using ByteColor = std::array<std::uint8_t, 3>;
+
+vtkSmartPointer<vtkPoints>
+pointsOf(const std::vector<Eigen::Vector3f>& places);
+
+vtkSmartPointer<vtkUnsignedCharArray>
+colorsOf(const std::vector<ByteColor>& values);
+
+/** \brief Cells that are lists of corners, of a fixed or of any number. */
+template <typename Corners>
+vtkSmartPointer<vtkCellArray>
+cellsOf(const std::vector<Corners>& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  for (const Corners& corners : cells) {
+    array->InsertNextCell(static_cast<int>(corners.size()));
+    for (const std::int32_t corner : corners)
+      array->InsertCellPoint(corner);
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray>
+singlePoints(std::size_t count);
+
+vtkSmartPointer<vtkActor>
+actorOf(vtkPolyData* data, const Color& color, bool use_point_colors);
+
+/** \brief Lines without light, in front of the facets they lie in. */
+vtkSmartPointer<vtkActor>
+linesOf(vtkPolyData* data, const Color& color, bool use_point_colors, double pixels);
+
+} // namespace pcl::acmap

@@ -1,0 +1,188 @@
+#include "run_tool.h"
+#include "temporary_folder.h"
+#include "test_data.h"
+
+#include <pcl/core/image_file.h>
+#include <pcl/core/trajectory.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+const std::string kitchen = "C_sequence/redkitchen_000_495";
+
+using Cloud = PointCloud<PointXYZRGB>;
+
+/** The kitchen, imported once for all tests. */
+class RealRgbd : public testing::Test {
+protected:
+  static void
+  SetUpTestSuite()
+  {
+    if (!hasTestData(kitchen + "/camera-intrinsics.txt"))
+      return;
+    folder_ = new TemporaryFolder;
+    run_ = runTool(ACMAP_RGBD_IMPORT,
+                   {testDataPath(kitchen).string(), "-o", folder_->path("kitchen")});
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  void
+  SetUp() override
+  {
+    if (!folder_)
+      GTEST_SKIP() << kitchen << " is not in the folder that ACMAP_TEST_DATA names";
+    ASSERT_EQ(run_.exit_code, 0) << run_.err;
+  }
+
+  static std::string
+  outputFile(const std::string& name)
+  {
+    return folder_->path("kitchen") + "/" + name;
+  }
+
+  static Cloud
+  observation(int index)
+  {
+    const std::string digits = std::to_string(index);
+    Cloud cloud;
+    EXPECT_EQ(io::loadPCDFile(outputFile("observation_" +
+                                         std::string(4 - digits.size(), '0') + digits +
+                                         ".pcd"),
+                              cloud),
+              0);
+    return cloud;
+  }
+
+  static TemporaryFolder* folder_;
+  static ToolRun run_;
+};
+
+TemporaryFolder* RealRgbd::folder_ = nullptr;
+ToolRun RealRgbd::run_;
+
+TEST_F(RealRgbd, AllObservationsAreThere)
+{
+  EXPECT_EQ(run_.err, "");
+  const Trajectory trajectory = loadTrajectory(outputFile("trajectory.txt"));
+  ASSERT_EQ(trajectory.poses.size(), 50u);
+  for (int index = 0; index < 50; ++index) {
+    const Cloud cloud = observation(index);
+    ASSERT_EQ(cloud.width, 640u);
+    ASSERT_EQ(cloud.height, 480u);
+    const auto finite = std::count_if(
+        cloud.begin(), cloud.end(), [](const PointXYZRGB& p) { return p.z > 0.3F; });
+    EXPECT_GT(finite, 640 * 480 / 2);
+    const Eigen::Vector3d origin = cloud.sensor_origin_.head<3>().cast<double>();
+    const auto& pose = trajectory.poses[static_cast<std::size_t>(index)];
+    EXPECT_LT((origin - pose.translation()).norm(), 1e-5);
+  }
+}
+
+TEST_F(RealRgbd, ColoursAreThoseOfTheImage)
+{
+  const RgbImage image =
+      loadRgbImage(testDataPath(kitchen + "/frame-000490.color.jpg").string());
+  const Cloud cloud = observation(49);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    ASSERT_EQ(cloud[i].r, image.values[3 * i]);
+    ASSERT_EQ(cloud[i].g, image.values[3 * i + 1]);
+    ASSERT_EQ(cloud[i].b, image.values[3 * i + 2]);
+  }
+}
+
+/** How far, as one standard deviation, points of a window are off their best plane;
+ * negative where the window has too few of them. */
+double
+unevenness(const Cloud& cloud, std::uint32_t column, std::uint32_t row)
+{
+  constexpr std::uint32_t size = 15;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (std::uint32_t v = row; v < row + size; ++v)
+    for (std::uint32_t u = column; u < column + size; ++u)
+      if (const auto& p = cloud.at(static_cast<int>(u), static_cast<int>(v)); p.z > 0) {
+        const Eigen::Vector3d point = p.getVector3fMap().cast<double>();
+        moments += point * point.transpose();
+        sum += point;
+        ++count;
+      }
+  if (count < 0.9 * size * size)
+    return -1;
+  const Eigen::Vector3d mean = sum / count;
+  const Eigen::Matrix3d covariance = moments / count - mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance,
+                                                              Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+}
+
+TEST_F(RealRgbd, MostSurfacesArePlaneInTheSmall)
+{
+  const Cloud cloud = observation(0);
+  std::vector<double> windows;
+  for (std::uint32_t row = 0; row + 15 <= cloud.height; row += 15)
+    for (std::uint32_t column = 0; column + 15 <= cloud.width; column += 15)
+      if (const double off = unevenness(cloud, column, row); off >= 0)
+        windows.push_back(off);
+  ASSERT_GT(windows.size(), 500u);
+  std::sort(windows.begin(), windows.end());
+  EXPECT_LT(windows[windows.size() / 2], 0.005);
+}
+
+/** Median of what one view's depths differ by from those of another, both in the frame of
+ * the latter, metres. */
+double
+disagreement(const Cloud& from, const Cloud& to, const Eigen::Isometry3d& T_to_from)
+{
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < from.size(); i += 7) {
+    if (!(from[i].z > 0))
+      continue;
+    const Eigen::Vector3d p = T_to_from * from[i].getVector3fMap().cast<double>();
+    const double column = std::round(585 * p.x() / p.z() + 320);
+    const double row = std::round(585 * p.y() / p.z() + 240);
+    if (!(p.z() > 0) || column < 0 || column >= 640 || row < 0 || row >= 480)
+      continue;
+    const float seen = to.at(static_cast<int>(column), static_cast<int>(row)).z;
+    if (seen > 0)
+      differences.push_back(std::abs(seen - p.z()));
+  }
+  EXPECT_GT(differences.size(), 5000u);
+  std::sort(differences.begin(), differences.end());
+  return differences[differences.size() / 2];
+}
+
+TEST_F(RealRgbd, ViewsAgreeByTheirPoses)
+{
+  const Trajectory trajectory = loadTrajectory(outputFile("trajectory.txt"));
+  const auto between = [&](std::size_t to, std::size_t from) {
+    return trajectory.poses[to].inverse() * trajectory.poses[from];
+  };
+  for (const int view : {10, 20, 30, 40}) {
+    const auto index = static_cast<std::size_t>(view);
+    const Cloud from = observation(view);
+    const Cloud to = observation(view - 5);
+    const double posed = disagreement(from, to, between(index - 5, index));
+    EXPECT_LT(posed, 0.03) << view;
+    // the other way round, or not at all, they do not
+    EXPECT_LT(posed, 0.5 * disagreement(from, to, Eigen::Isometry3d::Identity()));
+    EXPECT_LT(posed, 0.5 * disagreement(from, to, between(index, index - 5)));
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,217 @@
+#include "room_map.h"
+#include "shown_picture.h"
+#include "temporary_folder.h"
+#include "tool_cases.h"
+#include "virtual_display.h"
+
+#include <pcl/core/map_file.h>
+#include <pcl/texture/compact_map_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ViewerOfMaps : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (!display_.exists())
+      GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+    CompactMap map = makeRoomMap();
+    map.trajectory = makeRoomWay();
+    saveCompactMap(room_, map);
+  }
+
+  ToolRun
+  run(const std::string& input, std::vector<std::string> more = {})
+  {
+    fs::remove(picture_);
+    std::vector<std::string> arguments = {
+        input, "--screenshot", picture_, "--size", "320x240"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runViewer(arguments);
+  }
+
+  ShownPicture
+  shoot(const std::string& input, const std::vector<std::string>& more = {})
+  {
+    const ToolRun done = run(input, more);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return ShownPicture(picture_);
+  }
+
+  /** \brief A carpet above the floor, beside the map. */
+  void
+  addMeshAndCloud()
+  {
+    PointCloud<PointXYZ> carpet;
+    for (int row = 0; row < 20; ++row)
+      for (int column = 0; column < 20; ++column)
+        carpet.emplace_back(0.1F * static_cast<float>(column) - 1,
+                            1 + 0.02F * static_cast<float>((row * 7 + column * 3) % 5),
+                            0.1F * static_cast<float>(row) - 1);
+    const std::string cloud = folder_.write("room/map.pcd", pcdText(carpet));
+    ASSERT_EQ(runSurface({cloud, folder_.path("room/mesh.ply")}).exit_code, 0);
+  }
+
+  /** \brief Replaces a part of map.json. */
+  void
+  edit(const std::string& part, const std::string& by)
+  {
+    std::string text = contentOf(folder_.path("room/map.json"));
+    const std::size_t place = text.find(part);
+    ASSERT_NE(place, std::string::npos) << text.substr(0, 200);
+    folder_.write("room/map.json", text.replace(place, part.size(), by));
+  }
+
+  void
+  expectNoPicture(const ToolRun& run, int exit_code, const std::string& word)
+  {
+    expectRefused(run, exit_code, word);
+    EXPECT_FALSE(fs::exists(picture_));
+  }
+
+  VirtualDisplay display_;
+  TemporaryFolder folder_;
+  std::string room_ = folder_.path("room");
+  std::string picture_ = folder_.path("out.png");
+};
+
+bool
+isRed(const ShownPicture::Pixel& p)
+{
+  return p[0] > 2 * p[1] && p[0] > 2 * p[2] && p[0] > 90;
+}
+
+TEST_F(ViewerOfMaps, ShowsFoldersWithTheirColours)
+{
+  EXPECT_GT(shoot(room_).share(isRed), 0.05);
+  EXPECT_LT(shoot(room_, {"--layers", "planes"}).share(isRed), 0.01);
+}
+
+TEST_F(ViewerOfMaps, ShowsPlanesOfAFileWithoutColours)
+{
+  const ShownPicture planes = shoot(folder_.path("room/map.json"));
+  EXPECT_GT(planes.covered(), 0.2);
+  EXPECT_LT(planes.share(isRed), 0.01);
+  const std::string bare = folder_.path("planes.json");
+  CompactMap map = makeRoomMap();
+  map.charts.clear();
+  saveMapFile(bare, map);
+  EXPECT_GT(shoot(bare).covered(), 0.2);
+}
+
+TEST_F(ViewerOfMaps, LayersAreChosenOneByOne)
+{
+  addMeshAndCloud();
+  const ShownPicture bare = shoot(room_, {"--layers", "trajectory"});
+  std::vector<std::vector<ShownPicture::Pixel>> seen = {bare.pixels};
+  for (const char* layers :
+       {"points", "mesh", "normals", "planes", "texture", "mesh,texture"}) {
+    const ShownPicture picture = shoot(room_, {"--layers", layers});
+    EXPECT_GT(picture.covered(), 0.002) << layers;
+    for (const auto& other : seen)
+      EXPECT_NE(picture.pixels, other) << layers;
+    seen.push_back(picture.pixels);
+  }
+}
+
+TEST_F(ViewerOfMaps, ViewsDiffer)
+{
+  const auto from = [&](const std::string& place) {
+    return shoot(room_, {"--layers", "texture", "--view", place});
+  };
+  const ShownPicture outside = from("outside");
+  const ShownPicture inside = from("inside");
+  const ShownPicture plan = from("plan");
+  EXPECT_EQ(shoot(room_, {"--layers", "texture"}).pixels, outside.pixels);
+  EXPECT_LT(plan.share(isRed), 0.004) << "the way, as the wall stands on its edge";
+  EXPECT_GT(inside.share(isRed), 0.02);
+  const auto is_cyan = [](const ShownPicture::Pixel& p) {
+    return p[1] > 2 * p[0] && p[2] > 2 * p[0];
+  };
+  EXPECT_EQ(outside.share(is_cyan), 0);
+  EXPECT_GT(inside.share(is_cyan), 0.05) << "only from inside there is a ceiling";
+}
+
+TEST_F(ViewerOfMaps, TellsWhatItFound)
+{
+  addMeshAndCloud();
+  const ToolRun done = run(room_);
+  for (const char* line : {"points:      400", "planes:      6"})
+    EXPECT_NE(done.out.find(line), std::string::npos) << done.out;
+}
+
+TEST_F(ViewerOfMaps, TrajectoryOfAFileStandsInForThatOfTheMap)
+{
+  CompactMap map = makeRoomMap();
+  saveCompactMap(room_, map);
+  expectNoPicture(run(room_, {"--layers", "trajectory"}), 2, "trajectory");
+  saveTrajectory(folder_.path("room/trajectory.txt"), makeRoomWay());
+  EXPECT_EQ(run(room_, {"--layers", "trajectory"}).exit_code, 0);
+}
+
+TEST_F(ViewerOfMaps, RefusesOptionsThatMakeNoSense)
+{
+  const std::string cloud = folder_.write("in.pcd", planePcd());
+  expectNoPicture(run(room_, {"--layers", "planes,walls"}), 2, "walls");
+  expectNoPicture(run(room_, {"--view", "below"}), 2, "below");
+  expectNoPicture(run(room_, {"--layers", "mesh"}), 2, "mesh");
+  expectNoPicture(run(cloud, {"--layers", "planes"}), 2, "planes");
+  expectNoPicture(run(cloud, {"--view", "plan"}), 2, "plan");
+  expectNoPicture(run(room_, {"--view", "plan", "--from", "0", "0", "0"}), 2, "--from");
+  expectNoPicture(run(room_, {"--scale", "0.001"}), 2, "--scale");
+  expectNoPicture(run(room_, {"--labels"}), 2, "label");
+}
+
+TEST_F(ViewerOfMaps, RefusesFoldersAndMapsThatAreNone)
+{
+  fs::create_directory(folder_.path("empty"));
+  expectNoPicture(run(folder_.path("empty")), 3, "map.json");
+  expectNoPicture(run(folder_.path("none")), 3, "none");
+  expectNoPicture(run(folder_.write("bad.json", "{\"planes\":[")), 3, "bad.json");
+  expectNoPicture(run(folder_.write("other.json", "{}")), 3, "other.json");
+}
+
+TEST_F(ViewerOfMaps, RefusesAnImageThatIsMissing)
+{
+  fs::remove(folder_.path("room/texture_0002.png"));
+  expectNoPicture(run(room_), 3, "texture_0002.png");
+  EXPECT_EQ(run(folder_.path("room/map.json")).exit_code, 0) << "needs no image";
+}
+
+TEST_F(ViewerOfMaps, RefusesAVersionItDoesNotKnow)
+{
+  edit("\"format\":1", "\"format\":99");
+  expectNoPicture(run(room_), 3, "99");
+}
+
+TEST_F(ViewerOfMaps, SaysWhenThereIsNoPlane)
+{
+  const std::string none = folder_.path("none.json");
+  saveMapFile(none, {});
+  expectNoPicture(run(none), 4, "no plane");
+}
+
+TEST_F(ViewerOfMaps, RefusesADamagedMeshBesideTheMap)
+{
+  folder_.write("room/mesh.ply", "ply\nformat ascii 1.0\n");
+  expectNoPicture(run(room_), 3, "mesh.ply");
+}
+
+TEST_F(ViewerOfMaps, AsksForAnXServer)
+{
+  RunSettings blind;
+  blind.environment = {{"DISPLAY", std::nullopt}};
+  expectRefused(runViewer({room_, "--screenshot", picture_}, blind), 1, "xvfb-run");
+  expectRefused(runViewer({room_}, blind), 1, "xvfb-run");
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,257 @@
+#include "image_similarity.h"
+#include "map_raycast.h"
+#include "markdown_row.h"
+#include "sections.h"
+#include "simulated_clouds.h"
+#include "texture_seams.h"
+#include "timing.h"
+#include "voted_mesh.h"
+
+#include "texturing/blend.h"
+#include "texturing/exposure.h"
+#include "texturing/nearest_plane.h"
+#include "texturing/pinhole_painter.h"
+
+#include <pcl/core/random.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
+
+#include <cmath>
+#include <iostream>
+#include <set>
+
+namespace pcl::acmap::bench {
+namespace {
+
+constexpr char usage[] =
+    "Usage: acmap_bench_texture_figures [views] [exposure]\n"
+    "Prints how well the views of the corridor are drawn again from its compact map,\n"
+    "and what is seen of the borders between views, as Markdown tables. With exposure "
+    "the\n"
+    "views are brighter and darker by up to a quarter.\n";
+
+constexpr std::uint64_t seed = 1;
+
+std::vector<PlanePatch>
+planesOf(const SimulatedCloud& cloud)
+{
+  const VotedMesh voted = meshAndVote(cloud);
+  PlaneHypotheses hypotheses;
+  hypotheses.points = voted.vertices();
+  hypotheses.triangles = voted.mesh.triangles;
+  for (const VotedNormal& normal : voted.votes.normals) {
+    hypotheses.normals.push_back(normal.normal);
+    hypotheses.is_crease.push_back(normal.vertex_class >= VertexClass::Crease ? 1 : 0);
+    hypotheses.curvatures.push_back(1 - normal.saliency);
+  }
+  PlaneClusteringSettings settings;
+  settings.noise_driven = true;
+  settings.plane_distance = 0;
+  settings.threads = 1;
+  PlaneClusteringReport report;
+  return clusterPlanes(hypotheses,
+                       {cloud.points(), cloud.sensors()},
+                       settings,
+                       Progress(),
+                       report)
+      .patches;
+}
+
+std::uint32_t
+brightened(std::uint32_t rgb, double gain)
+{
+  std::uint32_t result = 0;
+  for (const int shift : {0, 8, 16}) {
+    const double value = gain * ((rgb >> shift) & 0xff);
+    result |= static_cast<std::uint32_t>(std::lround(std::min(value, 255.0))) << shift;
+  }
+  return result;
+}
+
+/** What the camera saw, brighter or darker. */
+SimulatedObservation
+observeWith(const SimulatedScene& scene, std::size_t view, double gain)
+{
+  SimulatedObservation observation = observe(scene, view, seed);
+  for (ObservationPixel& pixel : observation.pixels)
+    pixel.rgb = brightened(pixel.rgb, gain);
+  return observation;
+}
+
+ColoredView
+viewOf(const SimulatedObservation& observation, const Eigen::Isometry3d& pose)
+{
+  ColoredView view;
+  view.points = PointView(&observation.pixels.front().x,
+                          sizeof(ObservationPixel),
+                          observation.pixels.size());
+  view.colors = {&observation.pixels.front().rgb, sizeof(ObservationPixel)};
+  view.width = observation.width;
+  view.T_map_camera = pose;
+  return view;
+}
+
+/** The map with what it was painted from. */
+struct Painted {
+  std::vector<texturing::Canvas> canvases;
+  CompactMap map;
+  std::vector<double> gains;
+  double seconds = 0; ///< CPU, without what the simulation takes
+};
+
+Painted
+paint(const SimulatedScene& scene,
+      const Trajectory& trajectory,
+      const std::vector<PlanePatch>& planes,
+      const std::vector<double>& exposures)
+{
+  const TexturingSettings settings;
+  Painted painted;
+  painted.canvases =
+      texturing::canvasesOf(planes, settings.texel_size, settings.maximum_texture_size);
+  for (std::size_t v = 0; v < trajectory.poses.size(); ++v) {
+    const SimulatedObservation seen = observeWith(scene, v, exposures[v]);
+    const ColoredView view = viewOf(seen, trajectory.poses[v]);
+    painted.seconds += measureCost([&] {
+                         const auto nearest = texturing::nearestCanvases(
+                             view, planes, painted.canvases, settings.maximum_distance);
+                         texturing::paintPinhole(view,
+                                                 *texturing::pinholeOf(view),
+                                                 static_cast<std::int32_t>(v),
+                                                 nearest,
+                                                 planes,
+                                                 painted.canvases);
+                       }).cpu;
+  }
+  painted.seconds +=
+      measureCost([&] {
+        painted.gains =
+            texturing::exposureGains(painted.canvases, trajectory.poses.size());
+        for (const texturing::Canvas& canvas : painted.canvases) {
+          TextureChart& chart = painted.map.charts.emplace_back(canvas.chart);
+          texturing::blend(painted.gains, canvas, chart);
+          texturing::fillHoles(settings.fill_distance, canvas.mask, chart);
+        }
+      }).cpu;
+  painted.map.planes = planes;
+  return painted;
+}
+
+/** Mean similarity of some views with the map seen from the same places. */
+Similarity
+redraw(const SimulatedScene& scene,
+       const Trajectory& trajectory,
+       const Painted& painted,
+       const std::vector<double>& exposures)
+{
+  Similarity all;
+  constexpr std::size_t step = 15;
+  double views = 0;
+  for (std::size_t v = 0; v < trajectory.poses.size(); v += step, ++views) {
+    const SimulatedObservation seen =
+        observeWith(scene, v, exposures[v] * painted.gains[v]);
+    const MapView drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
+    std::vector<std::uint8_t> rgb;
+    for (const ObservationPixel& pixel : seen.pixels)
+      for (const int shift : {16, 8, 0})
+        rgb.push_back(static_cast<std::uint8_t>(pixel.rgb >> shift));
+    const Similarity one = structuralSimilarity(
+        rgb, drawn.rgb, drawn.is_known, static_cast<std::size_t>(seen.width));
+    all.mean += one.mean;
+    all.windows += one.windows;
+  }
+  all.mean /= views;
+  return all;
+}
+
+/** Root mean square of what gains and exposures do not cancel, as a share; one common
+ * factor is nobody's. */
+double
+unbalanced(const std::vector<double>& gains, const std::vector<double>& exposures)
+{
+  double sum = 0, squares = 0;
+  const auto count = static_cast<double>(gains.size());
+  for (std::size_t v = 0; v < gains.size(); ++v) {
+    const double rest = std::log(gains[v] * exposures[v]);
+    sum += rest;
+    squares += rest * rest;
+  }
+  return std::sqrt(squares / count - sum / count * (sum / count));
+}
+
+void
+printRow(const std::string& name,
+         const SimulatedScene& scene,
+         const Trajectory& trajectory,
+         const std::vector<PlanePatch>& planes,
+         const std::vector<double>& exposures)
+{
+  constexpr double least_similarity = 0.9, most_steps = 1.5;
+  const Painted painted = paint(scene, trajectory, planes, exposures);
+  const Similarity similarity = redraw(scene, trajectory, painted, exposures);
+  const SeamSteps steps = measureSeams(painted.canvases, painted.map.charts);
+  std::size_t texels = 0;
+  for (const TextureChart& chart : painted.map.charts)
+    texels += chart.kinds.size();
+  MarkdownRow()
+      .text(name)
+      .count(trajectory.poses.size())
+      .count(painted.map.charts.size())
+      .count(texels)
+      .atLeast(similarity.mean, least_similarity, 3)
+      .number(steps.across, 2)
+      .number(steps.inside, 2)
+      .atMost(steps.across / steps.inside, most_steps, 2)
+      .number(100 * unbalanced(painted.gains, exposures), 2)
+      .number(painted.seconds, 1)
+      .print();
+}
+
+std::vector<double>
+randomExposures(std::size_t views)
+{
+  Random random(seed);
+  std::vector<double> exposures;
+  for (std::size_t v = 0; v < views; ++v)
+    exposures.push_back(std::exp(random.uniform(-0.22, 0.22)));
+  return exposures;
+}
+
+} // namespace
+} // namespace pcl::acmap::bench
+
+int
+main(int argc, char** argv)
+{
+  using namespace pcl::acmap::bench;
+  Sections sections;
+  if (const auto exit_code =
+          Sections::read(argc, argv, {"views", "exposure"}, usage, sections))
+    return *exit_code;
+  SceneData corridor("corridor");
+  const SimulatedCloud& whole = corridor.whole();
+  const std::vector<pcl::PlanePatch> planes = planesOf(whole);
+  const pcl::Trajectory& trajectory = whole.merged.trajectory;
+  printHead({"views",
+             "number",
+             "charts",
+             "texels",
+             "SSIM of views drawn again",
+             "step across borders of views",
+             "inside",
+             "ratio",
+             "exposure left, %",
+             "CPU s"});
+  if (sections.isWanted("views"))
+    printRow("as they are",
+             corridor.scene(),
+             trajectory,
+             planes,
+             std::vector<double>(trajectory.poses.size(), 1.0));
+  if (sections.isWanted("exposure"))
+    printRow("brighter and darker",
+             corridor.scene(),
+             trajectory,
+             planes,
+             randomExposures(trajectory.poses.size()));
+  return 0;
+}

@@ -1,0 +1,260 @@
+#include "sample_map.h"
+#include "temporary_folder.h"
+
+#include <pcl/core/build_config.h>
+#include <pcl/core/map_file.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::HasSubstr;
+
+/** Planes alone, as an older acmap wrote them. */
+constexpr const char* old_file =
+    R"({"version":"0.1.0","unit":"m","frame":"of the input","planes":[
+{"id":0,"coefficients":[0.0,0.6,-0.8,1.5],"center":[0.1,0.2,2.0],"axes":[[1.0,0.0,0.0],[0.0,0.8,0.6]],"covariance":[[null,null,null],[null,null,null],[null,null,null]],"support":7,"effective_support":0.5,"rmse":null,"area":0.5,"polygons":[{"outer":[[0.1,0.2,1e-08],[1.0,0.0,0.0],[16777217.0,3.3333333,0.0]],"holes":[[[0.25,0.1,0.0],[0.0,0.0,0.0],[1.0,1.0,1.0]]]}]},
+{"id":1,"coefficients":[0.0,0.0,1.0,0.0],"center":[0.0,0.0,0.0],"axes":[[1.0,0.0,0.0],[0.0,1.0,0.0]],"covariance":[[0.0,0.0,0.0],[0.0,0.0,0.0],[0.0,0.0,0.0]],"support":0,"effective_support":0.0,"rmse":0.0,"area":0.0,"polygons":[]}
+]}
+)";
+
+class MapFile : public testing::Test {
+protected:
+  CompactMap
+  load(const std::string& text) const
+  {
+    return loadMapFile(folder_.write("map.json", text));
+  }
+
+  CompactMap
+  reloaded(const CompactMap& map) const
+  {
+    saveMapFile(folder_.path("map.json"), map);
+    return loadMapFile(folder_.path("map.json"));
+  }
+
+  std::string
+  faultOf(const std::string& text) const
+  {
+    try {
+      load(text);
+    }
+    catch (const InputFileException& exception) {
+      EXPECT_THAT(exception.what(), HasSubstr(folder_.path("map.json") + ": "));
+      return exception.what();
+    }
+    return "no fault";
+  }
+
+  /** What is said when a value of the sample's file is replaced. */
+  std::string
+  faultAt(const std::string& pointer, const nlohmann::json& value) const
+  {
+    saveMapFile(folder_.path("map.json"), makeSampleMap());
+    auto json = nlohmann::json::parse(contentOf(folder_.path("map.json")));
+    json.at(nlohmann::json::json_pointer(pointer)) = value;
+    return faultOf(json.dump());
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(MapFile, EverythingComesBack)
+{
+  const CompactMap map = makeSampleMap();
+  const CompactMap back = reloaded(map);
+  expectSamePlanes(back, map);
+  expectSameCharts(back, map, false);
+  EXPECT_EQ(back.observations, map.observations);
+  EXPECT_EQ(back.trajectory.stamps, map.trajectory.stamps);
+  ASSERT_EQ(back.trajectory.poses.size(), map.trajectory.poses.size());
+  for (std::size_t i = 0; i < map.trajectory.poses.size(); ++i) {
+    EXPECT_EQ(back.trajectory.poses[i].translation(),
+              map.trajectory.poses[i].translation());
+    EXPECT_TRUE(back.trajectory.poses[i].isApprox(map.trajectory.poses[i], 1e-15));
+  }
+}
+
+TEST_F(MapFile, FloatsComeBackToTheBit)
+{
+  CompactMap map = makeSampleMap();
+  Random random(9);
+  std::vector<Eigen::Vector3f>& loop = map.planes[0].polygons[0].outer;
+  while (loop.size() < 3000) {
+    const auto bits = static_cast<std::uint32_t>(random.bits());
+    Eigen::Vector3f point(0, -0.0F, 1);
+    std::memcpy(point.data(), &bits, sizeof(bits));
+    if (point.allFinite())
+      loop.push_back(point);
+  }
+  expectSamePlanes(reloaded(map), map);
+}
+
+TEST_F(MapFile, PlanesAloneAreWrittenAsEver)
+{
+  CompactMap map = load(old_file);
+  ASSERT_EQ(map.planes.size(), 2u);
+  EXPECT_EQ(map.planes[0].coefficients, Eigen::Vector4d(0, 0.6, -0.8, 1.5));
+  EXPECT_TRUE(map.planes[0].covariance.array().isNaN().all());
+  EXPECT_TRUE(std::isnan(map.planes[0].rms));
+  EXPECT_EQ(map.planes[0].polygons.at(0).outer.at(2).x(), 16777217.0F);
+  EXPECT_TRUE(map.charts.empty());
+  EXPECT_EQ(map.observations.size(), 2u);
+  saveMapFile(folder_.path("again.json"), map);
+  std::string wanted = old_file;
+  wanted.replace(wanted.find("0.1.0"), 5, ACMAP_VERSION);
+  EXPECT_EQ(contentOf(folder_.path("again.json")), [&] {
+    // The float nearest to 16777217 is 16777216.
+    return wanted.replace(wanted.find("16777217"), 8, "16777216");
+  }());
+}
+
+TEST_F(MapFile, EmptyMap)
+{
+  const CompactMap back = reloaded({});
+  EXPECT_TRUE(back.planes.empty());
+  EXPECT_TRUE(back.charts.empty());
+  EXPECT_TRUE(back.trajectory.poses.empty());
+}
+
+TEST_F(MapFile, FaultsAreNamed)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using Json = nlohmann::json;
+  for (const auto& [pointer, value, word] :
+       std::vector<std::tuple<std::string, Json, std::string>>{
+           {"/format", 2, "format is 2, this acmap knows up to 1"},
+           {"/format", "one", "format is no whole number"},
+           {"/unit", "mm", "unit is not \"m\""},
+           {"/planes", 3, "planes is no array"},
+           {"/planes/1", 3, "planes[1] is no object"},
+           {"/planes/1/id", 7, "planes[1].id is not 1"},
+           {"/planes/1/coefficients", {1, 0, 0}, "planes[1].coefficients has 3"},
+           {"/planes/1/coefficients/0", 0.5, "length is not 1"},
+           {"/planes/1/coefficients/3", nullptr, "coefficients[3] is no number"},
+           {"/planes/0/center/1", "x", "planes[0].center[1] is no number"},
+           {"/planes/0/axes/1", nan, "planes[0].axes[1] is no array"},
+           {"/planes/0/covariance/2", {1, 2}, "planes[0].covariance[2] has 2"},
+           {"/planes/0/covariance/2/1", "x", "planes[0].covariance[2][1] is no number"},
+           {"/planes/0/support", -1, "planes[0].support is outside"},
+           {"/planes/0/support", 1.5, "planes[0].support is no whole number"},
+           {"/planes/0/support", 18446744073709551615u, "planes[0].support is outside"},
+           {"/planes/0/effective_support", "x", "effective_support is no number"},
+           {"/planes/0/rmse", true, "planes[0].rmse is no number"},
+           {"/planes/0/area", nullptr, "planes[0].area is no number"},
+           {"/planes/0/polygons/0/outer", {{1, 2, 3}}, "outer has 1 points"},
+           {"/planes/0/polygons/0/outer/2", {1, 2}, "outer[2] has 2 elements"},
+           {"/planes/0/polygons/0/outer/2/0", 1e39, "outer[2][0] is too large"},
+           {"/planes/0/polygons/0/holes/0/0/1", nullptr, "holes[0][0][1] is no number"},
+           {"/planes/0/observations/1", 0, "observations[1] is not above"},
+           {"/planes/0/observations/1", 2, "observations[1] is outside of 0 to 1"},
+           {"/planes/0/charts/0/polygon", 2, "charts[0].polygon is 2, the plane has 2"},
+           {"/planes/0/charts/0/image", 2, "charts[0].image is no text"},
+           {"/planes/0/charts/1/kinds", 2, "charts[1].kinds is no text"},
+           {"/planes/0/charts/0/origin/0", nullptr, "origin[0] is no number"},
+           {"/planes/0/charts/0/texel_u", {0, 0, 0}, "charts[0] has texels without an"},
+           {"/planes/0/charts/0/width", 0, "charts[0].width is outside"},
+           {"/planes/0/charts/0/height", 200000000, "at most"},
+           {"/trajectory", 1, "trajectory is no array"},
+           {"/trajectory/1/stamp", nullptr, "trajectory[1].stamp is no number"},
+           {"/trajectory/1/position", {1, 2}, "trajectory[1].position has 2"},
+           {"/trajectory/1/orientation", {0, 0, 0, 2}, "orientation is no rotation"}}) {
+    const std::string wanted = word == "at most" ? "1 to 2^28 are legal" : word;
+    EXPECT_THAT(faultAt(pointer, value), HasSubstr(wanted)) << pointer;
+  }
+}
+
+TEST_F(MapFile, KeysThatAreMissingAreNamed)
+{
+  saveMapFile(folder_.path("map.json"), makeSampleMap());
+  const auto whole = nlohmann::json::parse(contentOf(folder_.path("map.json")));
+  for (const std::string place : {"",
+                                  "/planes/0",
+                                  "/planes/0/polygons/0",
+                                  "/planes/0/charts/0",
+                                  "/trajectory/0"}) {
+    const nlohmann::json::json_pointer pointer(place);
+    for (const auto& item : whole.at(pointer).items()) {
+      auto json = whole;
+      json.at(pointer).erase(item.key());
+      const bool is_optional =
+          place.empty() ? item.key() != "planes"
+                        : item.key() == "charts" || item.key() == "observations";
+      EXPECT_THAT(faultOf(json.dump()),
+                  HasSubstr(is_optional ? "no fault" : "has no \"" + item.key() + "\""))
+          << place;
+    }
+  }
+}
+
+TEST_F(MapFile, WhatIsNoMapIsRefused)
+{
+  EXPECT_THAT(faultOf(""), HasSubstr("is empty"));
+  EXPECT_THAT(faultOf("{\"planes\":["), HasSubstr("is no JSON"));
+  EXPECT_THAT(faultOf("[]"), HasSubstr("the file is no object"));
+  EXPECT_THAT(faultOf("{\"planes\":[1e999]}"), HasSubstr("is no JSON"));
+  EXPECT_THAT(faultOf("\xff\xfe{}"), HasSubstr("is no JSON"));
+  EXPECT_THAT(faultOf(std::string(1000000, '[')), HasSubstr("is no JSON"));
+  EXPECT_THAT(faultOf(std::string(300000, '[') + std::string(300000, ']')),
+              HasSubstr("the file is no object"));
+  EXPECT_THROW(loadMapFile(folder_.path("none.json")), InputFileException);
+  EXPECT_THROW(loadMapFile(folder_.path("")), InputFileException);
+}
+
+TEST_F(MapFile, MutationsNeverCrash)
+{
+  saveMapFile(folder_.path("map.json"), makeSampleMap());
+  const std::string whole = contentOf(folder_.path("map.json"));
+  Random random(4);
+  const auto below = [&](std::size_t most) {
+    return static_cast<std::size_t>(random.bits() % most);
+  };
+  int refused = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = whole;
+    if (round % 4 == 0)
+      text.resize(1 + below(whole.size() - 4));
+    else if (round % 4 == 1)
+      text[below(text.size())] = "0123456789{}[],:\"-e.nul"[below(23)];
+    else if (round % 4 == 2)
+      text.erase(below(text.size()), 1 + below(20));
+    else
+      text[below(text.size())] = static_cast<char>(random.bits());
+    refused += faultOf(text) != "no fault";
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+TEST_F(MapFile, NonsenseIsNotWritten)
+{
+  const auto expectRefused = [&](const auto& spoil) {
+    CompactMap map = makeSampleMap();
+    spoil(map);
+    EXPECT_THROW(saveMapFile(folder_.path("none.json"), map), BadArgumentException);
+  };
+  expectRefused([](CompactMap& map) { map.charts[1].plane = 2; });
+  expectRefused([](CompactMap& map) { map.charts[1].polygon = 2; });
+  expectRefused([](CompactMap& map) { map.charts[1].colors.width = 0; });
+  expectRefused([](CompactMap& map) { map.charts[1].colors.height = 1 << 30; });
+  expectRefused([](CompactMap& map) { map.charts[0].texel_u.setZero(); });
+  expectRefused([](CompactMap& map) { map.charts[0].origin.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.charts[0].image = "\xff.png"; });
+  expectRefused([](CompactMap& map) { map.observations.pop_back(); });
+  expectRefused([](CompactMap& map) { map.observations[0] = {1, 0}; });
+  expectRefused([](CompactMap& map) { map.observations[0] = {-1}; });
+  expectRefused([](CompactMap& map) { map.observations[0] = {2}; });
+  expectRefused([](CompactMap& map) { map.trajectory.stamps.pop_back(); });
+  expectRefused([](CompactMap& map) { map.trajectory.poses[0].linear() *= 2; });
+  EXPECT_EQ(folder_.count(), 0);
+  EXPECT_THROW(saveMapFile(folder_.path("none/p.json"), {}), OutputFileException);
+  EXPECT_THROW(saveMapFile("/dev/full", makeSampleMap()), OutputFileException);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

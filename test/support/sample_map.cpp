@@ -1,0 +1,130 @@
+#include "sample_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace pcl::acmap::test {
+
+namespace {
+
+PlanePatch
+makePlane()
+{
+  PlanePatch plane;
+  plane.coefficients = {1.0 / 3, -2.0 / 3, 2.0 / 3, 1e-17};
+  plane.center = {0.1, 1e6 + 0.1, -1.0 / 7};
+  plane.covariance << 1e-9, 2, 3, 4, 5, 6, 7, 8, 9;
+  plane.covariance(0, 2) = std::numeric_limits<double>::quiet_NaN();
+  plane.support = 12345678901u;
+  plane.effective_support = 0.3;
+  plane.rms = 0.0123;
+  plane.area = 4.5;
+  plane.polygons = {{{{0.1F, 0.2F, 1e-8F}, {1, 0, 0}, {16777216.0F, 3.3333333F, 0}},
+                     {{{0.25F, 0.1F, 0}, {0, -0.0F, 0}, {1, 1, 1}}}},
+                    {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {}}};
+  return plane;
+}
+
+TextureChart
+makeChart(std::size_t polygon, std::int32_t width, std::int32_t height)
+{
+  TextureChart chart;
+  chart.polygon = polygon;
+  chart.origin = {1.0 / 3, -1e-300, 5};
+  chart.texel_u = {0.1, 0, 1.0 / 7};
+  chart.texel_v = {0, 0.1, 0};
+  chart.colors.width = width;
+  chart.colors.height = height;
+  chart.image = "texture " + std::to_string(polygon) + ".png";
+  return chart;
+}
+
+template <typename Matrix>
+bool
+sameBits(const Matrix& a, const Matrix& b)
+{
+  return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
+}
+
+void
+expectSameLoop(const std::vector<Eigen::Vector3f>& loop,
+               const std::vector<Eigen::Vector3f>& wanted)
+{
+  ASSERT_EQ(loop.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_TRUE(sameBits(loop[i], wanted[i])) << i << ": " << wanted[i].transpose();
+}
+
+void
+expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
+{
+  EXPECT_TRUE(sameBits(plane.coefficients, wanted.coefficients));
+  EXPECT_TRUE(sameBits(plane.center, wanted.center));
+  EXPECT_TRUE(sameBits(plane.axis_u, wanted.axis_u));
+  EXPECT_TRUE(sameBits(plane.axis_v, wanted.axis_v));
+  EXPECT_TRUE(sameBits(plane.covariance, wanted.covariance));
+  EXPECT_EQ(plane.support, wanted.support);
+  EXPECT_EQ(plane.effective_support, wanted.effective_support);
+  EXPECT_EQ(plane.rms, wanted.rms);
+  EXPECT_EQ(plane.area, wanted.area);
+  ASSERT_EQ(plane.polygons.size(), wanted.polygons.size());
+  for (std::size_t i = 0; i < wanted.polygons.size(); ++i) {
+    expectSameLoop(plane.polygons[i].outer, wanted.polygons[i].outer);
+    ASSERT_EQ(plane.polygons[i].holes.size(), wanted.polygons[i].holes.size());
+    for (std::size_t k = 0; k < wanted.polygons[i].holes.size(); ++k)
+      expectSameLoop(plane.polygons[i].holes[k], wanted.polygons[i].holes[k]);
+  }
+}
+
+} // namespace
+
+CompactMap
+makeSampleMap()
+{
+  CompactMap map;
+  map.planes = {makePlane(), PlanePatch()};
+  map.planes[1].coefficients = {0, 1, 0, -0.5};
+  map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
+  map.charts[1].kinds_image = "kinds.png";
+  map.observations = {{0, 1}, {}};
+  map.trajectory.stamps = {0.1, 1e9 + 1.0 / 3};
+  Eigen::Isometry3d pose(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));
+  pose.translation() = Eigen::Vector3d(0.1, -0.2, 1e5 / 3);
+  map.trajectory.poses = {Eigen::Isometry3d::Identity(), pose};
+  return map;
+}
+
+void
+expectSamePlanes(const CompactMap& map, const CompactMap& wanted)
+{
+  ASSERT_EQ(map.planes.size(), wanted.planes.size());
+  for (std::size_t i = 0; i < wanted.planes.size(); ++i)
+    expectSamePlane(map.planes[i], wanted.planes[i]);
+}
+
+void
+expectSameCharts(const CompactMap& map, const CompactMap& wanted, bool with_images)
+{
+  ASSERT_EQ(map.charts.size(), wanted.charts.size());
+  for (std::size_t i = 0; i < wanted.charts.size(); ++i) {
+    const TextureChart& chart = map.charts[i];
+    const TextureChart& other = wanted.charts[i];
+    EXPECT_EQ(chart.plane, other.plane);
+    EXPECT_EQ(chart.polygon, other.polygon);
+    EXPECT_TRUE(sameBits(chart.origin, other.origin));
+    EXPECT_TRUE(sameBits(chart.texel_u, other.texel_u));
+    EXPECT_TRUE(sameBits(chart.texel_v, other.texel_v));
+    EXPECT_EQ(chart.image, other.image);
+    EXPECT_EQ(chart.kinds_image, other.kinds_image);
+    EXPECT_EQ(chart.colors.width, other.colors.width);
+    EXPECT_EQ(chart.colors.height, other.colors.height);
+    if (with_images) {
+      EXPECT_EQ(chart.colors.values, other.colors.values);
+      EXPECT_EQ(chart.kinds, other.kinds);
+    }
+  }
+}
+
+} // namespace pcl::acmap::test

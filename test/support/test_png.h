@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief A PNG as libpng writes it, of kinds that the library itself does not write. */
+struct TestPng {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  int bits = 8;       ///< a channel
+  int color_type = 0; ///< libpng's PNG_COLOR_TYPE_*; 0 is grey
+  bool is_interlaced = false;
+  std::optional<double> gamma;
+
+  /** \brief Rows as they stand in the file, numbers of 16 bits with their high byte
+   * first. */
+  std::vector<std::uint8_t> rows;
+
+  bool has_transparent_value = false; ///< the value 0
+};
+
+/** \brief The bytes of the file. A palette, where one is needed, is of shades of red. */
+std::string
+pngBytes(const TestPng& png);
+
+/** \brief A grey PNG of 16 bits. \param[in] values row by row */
+std::string
+depthPngBytes(std::uint32_t width,
+              std::uint32_t height,
+              const std::vector<std::uint16_t>& values);
+
+} // namespace pcl::acmap::test

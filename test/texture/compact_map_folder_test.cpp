@@ -1,0 +1,216 @@
+#include "sample_map.h"
+#include "temporary_folder.h"
+#include "textured_map.h"
+
+#include <pcl/texture/compact_map_folder.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::HasSubstr;
+
+class CompactMapFolder : public testing::Test {
+protected:
+  std::string
+  path(const std::string& name = "") const
+  {
+    return folder_.path("map" + (name.empty() ? "" : "/" + name));
+  }
+
+  std::ptrdiff_t
+  count() const
+  {
+    return std::distance(std::filesystem::directory_iterator(path()), {});
+  }
+
+  /** Replaces words in map.json and tells what the reader says. */
+  std::string
+  faultAfter(const std::string& words, const std::string& others)
+  {
+    saveCompactMap(path(), map_);
+    std::string text = contentOf(path("map.json"));
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words;
+    folder_.write("map/map.json", text.replace(at, words.size(), others));
+    return fault();
+  }
+
+  std::string
+  fault() const
+  {
+    try {
+      loadCompactMap(path());
+    }
+    catch (const InputFileException& error) {
+      return error.what();
+    }
+    return "no fault";
+  }
+
+  std::string
+  faultOfSaving(const std::string& folder)
+  {
+    const CompactMap before = map_;
+    try {
+      saveCompactMap(folder, map_);
+    }
+    catch (const OutputFileException& error) {
+      expectSameCharts(map_, before, true); // not even the names
+      return error.what();
+    }
+    return "no fault";
+  }
+
+  const TemporaryFolder folder_;
+  CompactMap map_ = makeTexturedMap();
+};
+
+TEST_F(CompactMapFolder, WhatWasSavedIsLoaded)
+{
+  const std::vector<std::string> names = saveCompactMap(path(), map_);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"map.json",
+                                      "texture_0000.png",
+                                      "texture_0001.png",
+                                      "texture_0001_kinds.png",
+                                      "texture_0002.png",
+                                      "map.obj",
+                                      "map.mtl",
+                                      "map.glb"}));
+  EXPECT_EQ(count(), 8);
+  EXPECT_EQ(map_.charts[1].image, "texture_0001.png");
+  const CompactMap back = loadCompactMap(path());
+  expectSamePlanes(back, map_);
+  expectSameCharts(back, map_, true);
+  EXPECT_EQ(back.observations, map_.observations);
+  EXPECT_EQ(back.trajectory.stamps, map_.trajectory.stamps);
+}
+
+TEST_F(CompactMapFolder, SameBytesAndOldFilesAreReplaced)
+{
+  const std::vector<std::string> names = saveCompactMap(path(), map_);
+  std::vector<std::string> before;
+  for (const std::string& name : names)
+    before.push_back(contentOf(path(name)));
+  folder_.write("map/map.glb", "old");
+  saveCompactMap(path() + "/", map_);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_TRUE(contentOf(path(names[i])) == before[i]) << names[i];
+  EXPECT_EQ(count(), 8);
+}
+
+TEST_F(CompactMapFolder, UnknownTexelsAreGrey)
+{
+  map_.charts[0].kinds.assign(map_.charts[0].kinds.size(), TexelKind::None);
+  saveCompactMap(path(), map_);
+  const CompactMap back = loadCompactMap(path());
+  EXPECT_THAT(back.charts[0].colors.values, testing::Each(128));
+  EXPECT_THAT(back.charts[0].kinds, testing::Each(TexelKind::None));
+}
+
+TEST_F(CompactMapFolder, NamesThatClimbOutAreRefused)
+{
+  saveCompactMap(path(), map_);
+  std::filesystem::copy_file(path("texture_0000.png"), folder_.path("x.png"));
+  for (const std::string& name : {std::string("../x.png"),
+                                  folder_.path("x.png"),
+                                  std::string("..\\\\x.png"),
+                                  std::string(".."),
+                                  std::string("a/../../x.png"),
+                                  std::string()})
+    EXPECT_THAT(faultAfter("texture_0000.png", name),
+                HasSubstr("is no name of an image in the folder"));
+  EXPECT_THAT(faultAfter("texture_0001_kinds.png", "../x.png"), HasSubstr("no name"));
+}
+
+TEST_F(CompactMapFolder, FaultyImagesAreNamed)
+{
+  EXPECT_THAT(faultAfter("texture_0000.png", "none.png"),
+              HasSubstr("none.png: No such"));
+  EXPECT_THAT(faultAfter("texture_0000.png", "texture_0001.png"),
+              HasSubstr("texture_0001.png: has 30 x 25 pixels, the map says 30 x 20"));
+  EXPECT_THAT(faultAfter("texture_0000.png", "map.obj"), HasSubstr("is no PNG"));
+  EXPECT_THAT(faultAfter("texture_0001_kinds.png", "texture_0001.png"),
+              HasSubstr("texture_0001.png"));
+  saveCompactMap(path(), map_);
+  const std::vector<std::uint8_t> bytes =
+      encodePng(30, 25, std::vector<std::uint8_t>(750, 3));
+  folder_.write("map/texture_0001_kinds.png", {bytes.begin(), bytes.end()});
+  EXPECT_THAT(fault(), HasSubstr("3 is no kind of a texel"));
+  EXPECT_THROW(loadCompactMap(folder_.path("nowhere")), InputFileException);
+}
+
+TEST_F(CompactMapFolder, NonsenseIsRefused)
+{
+  const auto expectRefused = [&](const auto& spoil) {
+    CompactMap map = makeTexturedMap();
+    CompactMapOutputs outputs;
+    spoil(map, outputs);
+    EXPECT_THROW(saveCompactMap(path(), map, outputs), BadArgumentException);
+    EXPECT_FALSE(std::filesystem::exists(path()));
+  };
+  using Outputs = CompactMapOutputs;
+  expectRefused([](CompactMap&, Outputs& outputs) { outputs.jpeg_quality = 0; });
+  expectRefused([](CompactMap&, Outputs& outputs) { outputs.jpeg_quality = 101; });
+  expectRefused([](CompactMap& map, Outputs&) { map.charts[0].kinds.pop_back(); });
+  expectRefused([](CompactMap& map, Outputs&) { map.charts[0].plane = 9; });
+  expectRefused([](CompactMap& map, Outputs&) { map.charts[0].texel_u.setZero(); });
+  expectRefused([](CompactMap& map, Outputs&) { map.charts[0].colors.width = 31; });
+  expectRefused(
+      [](CompactMap& map, Outputs&) { map.planes[0].coefficients.setZero(); });
+}
+
+TEST_F(CompactMapFolder, PlacesThatCannotBeAreNamed)
+{
+  EXPECT_THAT(faultOfSaving(folder_.path("no/map")), HasSubstr("no/map: No such"));
+  EXPECT_THAT(faultOfSaving(folder_.write("file", "x")), HasSubstr("is a file"));
+  EXPECT_THAT(faultOfSaving(""), HasSubstr("names no folder"));
+  EXPECT_EQ(folder_.count(), 1);
+  std::filesystem::create_directories(path("map.glb"));
+  EXPECT_THAT(faultOfSaving(path()), HasSubstr("map.glb: is a folder"));
+  EXPECT_EQ(count(), 1);
+}
+
+TEST_F(CompactMapFolder, ReadOnlyFolder)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "the superuser may write everywhere";
+  std::filesystem::create_directory(path());
+  ::chmod(path().c_str(), 0500);
+  EXPECT_THAT(faultOfSaving(path()), HasSubstr("Permission denied"));
+  ::chmod(path().c_str(), 0700);
+  EXPECT_EQ(count(), 0);
+}
+
+TEST_F(CompactMapFolder, FullDiskLeavesTheFolderAsItWas)
+{
+  std::filesystem::create_directory(path());
+  folder_.write("map/map.json", "old");
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  for (const rlim_t bytes : {0U, 100U, 1500U, 2500U}) {
+    const rlimit limit{bytes, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string text = faultOfSaving(path());
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_THAT(text, HasSubstr(path("")));
+    EXPECT_THAT(text, HasSubstr("File too large"));
+    EXPECT_THAT(text, testing::Not(HasSubstr(".acmap")));
+    EXPECT_EQ(contentOf(path("map.json")), "old");
+    EXPECT_EQ(count(), 1);
+  }
+  std::signal(SIGXFSZ, SIG_DFL);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

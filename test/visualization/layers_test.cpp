@@ -1,0 +1,265 @@
+#include "clouds.h"
+#include "layer_keys.h"
+#include "layer_stage.h"
+#include "room_map.h"
+#include "shown_picture.h"
+#include "temporary_folder.h"
+#include "virtual_display.h"
+
+#include <pcl/conversions.h>
+#include <pcl/visualization/display_connection.h>
+#include <pcl/visualization/layered_scene.h>
+#include <pcl/visualization/map_layers.h>
+
+#include <gtest/gtest.h>
+#include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+using Layers = std::set<SceneLayer>;
+
+/** \brief A wavy mesh that stands in the room, its points as a cloud, and the room. */
+LayeredScene
+makeScene()
+{
+  LayeredScene scene;
+  Cloud wavy = makeGrid(20, 20, 0.125, ExactPlane::Level);
+  for (PointXYZ& p : wavy)
+    p.z = 0.1F * std::sin(5 * p.x);
+  toPCLPointCloud2(wavy, scene.vertices);
+  scene.points = scene.vertices;
+  for (int row = 0; row < 19; ++row)
+    for (int column = 0; column < 19; ++column) {
+      const int a = row * 20 + column;
+      scene.mesh.triangles.push_back({a, a + 20, a + 1});
+      scene.mesh.triangles.push_back({a + 1, a + 20, a + 21});
+    }
+  scene.map = makeRoomMap();
+  scene.map.trajectory = makeRoomWay();
+  return scene;
+}
+
+class LayersOfScene : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (!display_.exists())
+      GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+    view_.width = 320;
+    view_.height = 240;
+  }
+
+  ShownPicture
+  shoot(const Layers& layers)
+  {
+    view_.layers = layers;
+    saveSnapshot(path_, scene_, view_);
+    return ShownPicture(path_);
+  }
+
+  VirtualDisplay display_;
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path("out.png");
+  LayeredScene scene_ = makeScene();
+  LayeredView view_;
+};
+
+TEST(Layers, AreThoseThereIsSomethingFor)
+{
+  LayeredScene scene = makeScene();
+  EXPECT_EQ(layersOf(scene).size(), 6u);
+  EXPECT_EQ(usualLayers(scene), (Layers{SceneLayer::Texture, SceneLayer::Trajectory}));
+  for (TextureChart& chart : scene.map.charts)
+    chart.colors.values.clear();
+  EXPECT_EQ(usualLayers(scene), (Layers{SceneLayer::Planes, SceneLayer::Trajectory}));
+  scene.map = {};
+  EXPECT_EQ(usualLayers(scene), Layers{SceneLayer::Mesh});
+  scene.mesh = {};
+  EXPECT_EQ(layersOf(scene), Layers{SceneLayer::Points});
+  EXPECT_EQ(usualLayers(scene), Layers{SceneLayer::Points});
+  EXPECT_TRUE(layersOf({}).empty());
+}
+
+TEST_F(LayersOfScene, EachDrawsSomethingOfItsOwn)
+{
+  const auto is_blue = [](const ShownPicture::Pixel& p) { return p[2] > 2 * p[0]; };
+  const auto is_grey = [](const ShownPicture::Pixel& p) {
+    return p[0] < 190 && std::abs(p[0] - p[1]) < 6 && std::abs(p[1] - p[2]) < 12;
+  };
+  const auto is_green = [](const ShownPicture::Pixel& p) {
+    return p[1] > p[0] + 60 && p[1] > p[2] + 40;
+  };
+  const auto is_orange = [](const ShownPicture::Pixel& p) { return p[0] > p[2] + 60; };
+  const auto is_red = [](const ShownPicture::Pixel& p) {
+    return p[0] > 2 * p[1] && p[0] > 2 * p[2];
+  };
+  const auto is_pink = [](const ShownPicture::Pixel& p) {
+    return p[0] > 200 && p[1] < 90 && p[2] > 80 && p[2] < 160;
+  };
+  EXPECT_GT(shoot({SceneLayer::Points}).share(is_blue), 0.005);
+  EXPECT_GT(shoot({SceneLayer::Mesh}).share(is_grey), 0.02);
+  EXPECT_GT(shoot({SceneLayer::Normals}).share(is_green), 0.001);
+  EXPECT_GT(shoot({SceneLayer::Planes}).share(is_orange), 0.2) << "the floor";
+  EXPECT_GT(shoot({SceneLayer::Texture}).share(is_red), 0.03) << "a wall";
+  EXPECT_GT(shoot({SceneLayer::Trajectory}).share(is_pink), 0.001);
+}
+
+TEST_F(LayersOfScene, LieUponEachOther)
+{
+  Layers layers;
+  std::vector<ShownPicture::Pixel> before;
+  for (const SceneLayer layer : layersOf(scene_)) {
+    layers.insert(layer);
+    const ShownPicture next = shoot(layers);
+    EXPECT_NE(next.pixels, before) << static_cast<int>(layer);
+    before = next.pixels;
+  }
+}
+
+TEST_F(LayersOfScene, OfAMeshAloneLookAsItsSnapshotDoes)
+{
+  scene_.map = {};
+  view_.layers = {};
+  saveSnapshot(path_, scene_, view_);
+  const std::string layered = contentOf(path_);
+  saveSnapshot(path_, scene_.vertices, scene_.mesh, view_);
+  EXPECT_EQ(contentOf(path_), layered);
+  scene_.mesh = {};
+  saveSnapshot(path_, scene_, view_);
+  const std::string points = contentOf(path_);
+  saveSnapshot(path_, scene_.points, {}, view_);
+  EXPECT_EQ(contentOf(path_), points);
+}
+
+TEST_F(LayersOfScene, OfWhichThereIsNothingAreRefused)
+{
+  scene_.map.trajectory = {};
+  view_.layers = {SceneLayer::Trajectory};
+  EXPECT_THROW(saveSnapshot(path_, scene_, view_), BadArgumentException);
+  scene_.map = {};
+  view_.layers = {};
+  view_.place = MapView::Place::Plan;
+  EXPECT_THROW(saveSnapshot(path_, scene_, view_), BadArgumentException);
+  EXPECT_THROW(saveSnapshot(path_, LayeredScene(), view_), InitFailedException);
+  scene_.mesh = {};
+  scene_.points = scene_.vertices = {};
+  scene_.map.trajectory = makeRoomWay();
+  EXPECT_THROW(saveSnapshot(path_, scene_, view_), InitFailedException);
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+/** \brief A window nobody sees. */
+class LayersInAWindow : public LayersOfScene {
+protected:
+  void
+  open()
+  {
+    view_.layers = {SceneLayer::Texture};
+    connection_.emplace();
+    stage_.emplace(scene_, view_);
+    window_->SetOffScreenRendering(1);
+    window_->SetSize(view_.width, view_.height);
+    window_->AddRenderer(stage_->renderer());
+    interactor_->SetRenderWindow(window_);
+    interactor_->SetInteractorStyle(keys_);
+    keys_->attach(*stage_, scene_, [&](const std::string& text) { told_ = text; });
+    window_->Render();
+  }
+
+  void
+  press(char key, int column = 0, int row = 0)
+  {
+    told_.clear();
+    interactor_->SetEventInformation(column, row, 0, 0, key);
+    interactor_->InvokeEvent(vtkCommand::CharEvent);
+  }
+
+  std::optional<DisplayConnection> connection_;
+  std::optional<LayerStage> stage_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderWindowInteractor> interactor_;
+  vtkNew<LayerKeys> keys_;
+  std::string told_;
+};
+
+TEST_F(LayersInAWindow, KeysTurnLayersOnAndOff)
+{
+  open();
+  EXPECT_TRUE(stage_->isShown(SceneLayer::Texture));
+  for (const SceneLayer layer : layersOf(scene_)) {
+    const bool before = stage_->isShown(layer);
+    const char key = static_cast<char>('0' + static_cast<int>(layer));
+    press(key);
+    EXPECT_NE(stage_->isShown(layer), before) << key;
+    press(key);
+    EXPECT_EQ(stage_->isShown(layer), before) << key;
+    EXPECT_EQ(told_, "");
+  }
+}
+
+TEST_F(LayersInAWindow, AKeyWithoutALayerSaysSo)
+{
+  scene_.map.trajectory = {};
+  open();
+  press('6');
+  EXPECT_NE(told_.find("trajectory"), std::string::npos);
+  EXPECT_FALSE(stage_->isShown(SceneLayer::Trajectory));
+}
+
+TEST_F(LayersInAWindow, HelpNamesAllKeys)
+{
+  open();
+  press('h');
+  for (const char* word : {"1 points", "6 trajectory", "p or shift", "q: end"})
+    EXPECT_NE(told_.find(word), std::string::npos) << word;
+}
+
+TEST_F(LayersInAWindow, TheCardIsThatOfThePlaneUnderTheMouse)
+{
+  view_.place = MapView::Place::Inside;
+  view_.from = Eigen::Vector3f(0, 0, 0);
+  view_.look = Eigen::Vector3f(0, 0, 1);
+  open();
+  press('p', 160, 120);
+  EXPECT_EQ(told_.substr(0, 8), "plane 0\n");
+  press('p', 160, 2);
+  EXPECT_EQ(told_.substr(0, 8), "plane 4\n") << "the floor is below";
+  press('p', 160, 237);
+  EXPECT_EQ(told_.substr(0, 8), "plane 5\n");
+  press('p', 288, 100);
+  EXPECT_EQ(told_, "no plane there\n") << "the door";
+}
+
+TEST_F(LayersInAWindow, AClickWithShiftGivesTheCardToo)
+{
+  open();
+  interactor_->SetEventInformation(160, 100, 0, 1, 0);
+  interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  EXPECT_EQ(told_.substr(0, 8), "plane 4\n") << "the ceiling is not there from above";
+}
+
+TEST_F(LayersInAWindow, AreAddedToARendererOfOnesOwn)
+{
+  open();
+  const vtkSmartPointer<vtkRenderer> mine = vtkSmartPointer<vtkRenderer>::New();
+  EXPECT_TRUE(addPointLayer(*mine, scene_.points));
+  EXPECT_TRUE(addMeshLayer(*mine, scene_.vertices, scene_.mesh));
+  EXPECT_TRUE(addNormalLayer(*mine, scene_.vertices, scene_.mesh));
+  EXPECT_TRUE(addPlaneLayer(*mine, scene_.map));
+  EXPECT_TRUE(addTextureLayer(*mine, scene_.map));
+  EXPECT_TRUE(addTrajectoryLayer(*mine, scene_.map.trajectory));
+  EXPECT_EQ(mine->VisibleActorCount(), 6);
+  EXPECT_THROW(addTrajectoryLayer(*mine, scene_.map.trajectory, 0),
+               BadArgumentException);
+  EXPECT_THROW(addPointLayer(*mine, {}), BadArgumentException);
+  scene_.map.charts[0].plane = 99;
+  EXPECT_THROW(addTextureLayer(*mine, scene_.map), BadArgumentException);
+  EXPECT_EQ(mine->VisibleActorCount(), 6);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

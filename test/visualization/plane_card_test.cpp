@@ -1,0 +1,84 @@
+#include "room_map.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/visualization/plane_card.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+using Eigen::Vector3d;
+
+void
+expectLine(const std::string& card, const std::string& line)
+{
+  EXPECT_NE(card.find(line + "\n"), std::string::npos) << line << " in\n" << card;
+}
+
+TEST(PlaneCard, TellsWhatIsKnown)
+{
+  PlanePatch plane = makeRoomMap().planes[0];
+  plane.effective_support = 250;
+  const std::string card = planeCard(plane, 17);
+  expectLine(card, "plane 17");
+  expectLine(card, "equation   0.00000 x +0.00000 y -1.00000 z +2.0000 = 0");
+  expectLine(card, "deviation  slopes 0.0573 deg and 0.115 deg, offset 3 mm");
+  expectLine(card, "support    1000 points, 250 of them independent");
+  expectLine(card, "area       15 m2");
+  expectLine(card, "rms        4 mm");
+}
+
+TEST(PlaneCard, SaysWhatIsNotKnown)
+{
+  PlanePatch plane;
+  plane.covariance.setConstant(NAN);
+  plane.covariance(1, 1) = -1; // no variance
+  plane.area = NAN;
+  plane.rms = INFINITY;
+  const std::string card = planeCard(plane, 0);
+  expectLine(card, "deviation  slopes unknown and unknown, offset unknown");
+  expectLine(card, "support    0 points");
+  expectLine(card, "area       unknown");
+  expectLine(card, "rms        unknown");
+}
+
+TEST(PlaneOnRay, MeetsTheFirstPlane)
+{
+  const CompactMap map = makeRoomMap();
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), z), 0u);
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), 1e-3 * x), 1u);
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), -z), 2u);
+  EXPECT_EQ(planeOnRay(map, Vector3d(0, 1, 1.8), -x), 3u);
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), y), 4u);
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), -y), 5u);
+}
+
+TEST(PlaneOnRay, PassesThroughDoorsWindowsAndBacks)
+{
+  const CompactMap map = makeRoomMap();
+  EXPECT_EQ(planeOnRay(map, {1.5, 0, 0}, Vector3d::UnitZ()), std::nullopt) << "door";
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), -Vector3d::UnitX()), std::nullopt)
+      << "window";
+  const Vector3d above(0, -10, 0);
+  EXPECT_EQ(planeOnRay(map, above, Vector3d::UnitY()), 5u);
+  EXPECT_EQ(planeOnRay(map, above, Vector3d::UnitY(), true), 4u);
+  EXPECT_EQ(planeOnRay(map, above, -Vector3d::UnitY()), std::nullopt);
+  EXPECT_EQ(planeOnRay({}, above, Vector3d::UnitY()), std::nullopt);
+}
+
+TEST(PlaneOnRay, RefusesRaysThatAreNone)
+{
+  const CompactMap map = makeRoomMap();
+  const Vector3d nan = Vector3d::Constant(NAN);
+  EXPECT_THROW(planeOnRay(map, nan, Vector3d::UnitX()), BadArgumentException);
+  EXPECT_THROW(planeOnRay(map, Vector3d::Zero(), nan), BadArgumentException);
+  EXPECT_THROW(planeOnRay(map, Vector3d::Zero(), Vector3d::Zero()),
+               BadArgumentException);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

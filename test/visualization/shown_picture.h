@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief A picture, read back; rows from the bottom. */
+struct ShownPicture {
+  using Pixel = std::array<int, 3>;
+
+  explicit ShownPicture(const std::string& path);
+
+  /** \brief Share of the pixels that differ from the background at the left border. */
+  double
+  covered() const;
+
+  std::size_t
+  differentColors() const;
+
+  /** \brief Share of the pixels for which a question is answered with yes. */
+  double
+  share(const std::function<bool(const Pixel&)>& is_meant) const;
+
+  /** \brief Middle of such pixels, 0 to 1 from the left and from the top.
+   * \return nothing sensible where there is none */
+  std::array<double, 2>
+  middle(const std::function<bool(const Pixel&)>& is_meant) const;
+
+  int width = 0;
+  int height = 0;
+  std::vector<Pixel> pixels;
+};
+
+} // namespace pcl::acmap::test
