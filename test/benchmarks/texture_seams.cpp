@@ -14,11 +14,28 @@ step(const TextureChart& chart, std::size_t a, std::size_t b)
   return std::abs(sum) / 3;
 }
 
+bool
+isDeep(const texturing::Canvas& canvas, std::size_t texel, std::int32_t from_rim)
+{
+  const std::int32_t width = canvas.chart.colors.width;
+  const auto column = static_cast<std::int32_t>(texel) % width;
+  const auto row = static_cast<std::int32_t>(texel) / width;
+  for (const std::int32_t way : {-from_rim, 0, from_rim})
+    for (const std::int32_t aside : {-from_rim, 0, from_rim}) {
+      const std::int32_t c = column + way, r = row + aside;
+      if (c < 0 || r < 0 || c >= width || r >= canvas.chart.colors.height ||
+          canvas.mask[canvas.index(c, r)] != texturing::TexelPlace::Inside)
+        return false;
+    }
+  return true;
+}
+
 } // namespace
 
 SeamSteps
 measureSeams(const std::vector<texturing::Canvas>& canvases,
-             const std::vector<TextureChart>& charts)
+             const std::vector<TextureChart>& charts,
+             std::int32_t from_rim)
 {
   SeamSteps steps;
   std::size_t pairs = 0;
@@ -29,7 +46,8 @@ measureSeams(const std::vector<texturing::Canvas>& canvases,
       for (const std::size_t next : {texel + 1, texel + width}) {
         if (next >= chart.kinds.size() || (next == texel + 1 && next % width == 0) ||
             chart.kinds[texel] != TexelKind::Seen ||
-            chart.kinds[next] != TexelKind::Seen)
+            chart.kinds[next] != TexelKind::Seen ||
+            !isDeep(canvases[c], texel, from_rim))
           continue;
         const bool is_border = canvases[c].samples[texel].front().view !=
                                canvases[c].samples[next].front().view;

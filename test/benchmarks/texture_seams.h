@@ -13,8 +13,11 @@ struct SeamSteps {
   std::size_t borders = 0; ///< pairs of texels of two views
 };
 
+/** \param[in] from_rim only texels that are so many from the polygon's rim: at creases and
+ * depth edges views differ in what they take for the plane */
 SeamSteps
 measureSeams(const std::vector<texturing::Canvas>& canvases,
-             const std::vector<TextureChart>& charts);
+             const std::vector<TextureChart>& charts,
+             std::int32_t from_rim);
 
 } // namespace pcl::acmap::bench
