@@ -123,12 +123,28 @@ mapCloud(Tool& tool, const Options& options, StepTimer& timer)
   return result;
 }
 
+/** \brief A picture that cannot be drawn costs the pictures, not the map. */
+void
+drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
+{
+  try {
+    savePictures(folder, mapped.extraction, mapped.map);
+  }
+  catch (const pcl::InitFailedException& error) {
+    tool.warn("not all pictures could be drawn: " + std::string(error.what()));
+  }
+}
+
 void
 run(Tool& tool, const Options& options)
 {
   checkChoices(options.planes);
   const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
   OutputFolder folder(options.output);
+  tool.requireReportWritable({options.planes.input});
+  if (folder.holds(options.planes.input))
+    throw UsageError(options.planes.input + ": lies in the folder that is to hold the "
+                                            "map; name another one");
   StepTimer timer(tool.report());
   Mapped mapped = isCloudFile(options.planes.input) ? mapCloud(tool, options, timer)
                                                     : mapFolder(tool, options, timer);
@@ -142,7 +158,7 @@ run(Tool& tool, const Options& options)
               mapped.extraction.clusters.labels);
   timer.finish("write");
   if (display)
-    savePictures(folder, mapped.extraction, mapped.map);
+    drawPictures(tool, folder, mapped);
   timer.finish("pictures");
   tool.stopIfInterrupted();
   folder.commit();

@@ -3,6 +3,7 @@
 #include "texturing/texture_stage.h"
 
 #include <pcl/core/map_file.h>
+#include <pcl/core/output_folder.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <CLI/CLI.hpp>
@@ -57,6 +58,13 @@ paint(Tool& tool, const Options& options, const std::vector<pcl::PlanePatch>& pl
 void
 run(Tool& tool, const Options& options)
 {
+  {
+    const OutputFolder folder(options.output); // fails now rather than after the work
+    if (folder.holds(options.planes) || folder.holds(options.observations))
+      throw UsageError(options.output +
+                       ": holds an input, which the map could replace; "
+                       "name another folder");
+  }
   tool.requireReportWritable({options.planes});
   StepTimer timer(tool.report());
   const std::vector<pcl::PlanePatch> planes = pcl::loadMapFile(options.planes).planes;

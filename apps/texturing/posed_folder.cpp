@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -23,7 +26,7 @@ pcdNames(const std::string& folder)
     throw InputFileException(folder + ": is no folder");
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (endingOf(entry.path().string()) == ".pcd" && !fs::is_directory(entry.path()))
+    if (endingOf(entry.path().string()) == ".pcd" && !entry.is_directory(error))
       names.push_back(entry.path().filename().string());
   if (error)
     throw InputFileException(folder + ": cannot be read (" + error.message() + ")");
@@ -31,30 +34,39 @@ pcdNames(const std::string& folder)
   return names;
 }
 
+/** The number in observation_0012.pcd; nothing in other names. */
+std::optional<std::size_t>
+numberOf(const std::string& name)
+{
+  constexpr std::string_view prefix = "observation_", ending = ".pcd";
+  if (name.size() <= prefix.size() + ending.size() ||
+      name.compare(0, prefix.size(), prefix) != 0)
+    return std::nullopt;
+  const char* const end = name.data() + name.size() - ending.size();
+  std::size_t number = 0;
+  const auto result = std::from_chars(name.data() + prefix.size(), end, number);
+  if (result.ec != std::errc() || result.ptr != end)
+    return std::nullopt;
+  return number;
+}
+
 std::vector<std::string>
 observationNames(const std::string& folder)
 {
-  std::vector<std::string> names = pcdNames(folder);
-  const auto strangers =
-      std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
-        return isSequenceName(name);
+  std::vector<std::string> names = pcdNames(folder), numbered;
+  for (const std::string& name : names)
+    if (numberOf(name))
+      numbered.push_back(name);
+  // as text, observation_10000 would stand before observation_9999
+  std::sort(
+      numbered.begin(), numbered.end(), [](const std::string& a, const std::string& b) {
+        return std::pair(*numberOf(a), a) < std::pair(*numberOf(b), b);
       });
-  if (strangers != names.begin())
-    names.erase(strangers, names.end());
+  if (!numbered.empty())
+    return numbered;
   if (names.empty())
     throw InputFileException(folder + ": holds no .pcd file");
   return names;
-}
-
-/** The number in observation_0012.pcd. */
-bool
-readNumber(const std::string& name, std::size_t& number)
-{
-  const std::size_t begin = name.find('_') + 1;
-  const char* const end = name.data() + name.size();
-  const auto result = std::from_chars(name.data() + begin, end, number);
-  return isSequenceName(name) && result.ec == std::errc() &&
-         std::string(result.ptr, end) == ".pcd";
 }
 
 /** Rows of the trajectory: by number where the names have one, else one after the other. */
@@ -65,8 +77,7 @@ rowsOf(const std::string& folder,
 {
   std::vector<std::size_t> rows;
   for (const std::string& name : names) {
-    std::size_t row = rows.size();
-    readNumber(name, row);
+    const std::size_t row = numberOf(name).value_or(rows.size());
     if (row >= poses)
       throw InputFileException(folder + ": " + trajectory_name + " has " +
                                std::to_string(poses) + " poses, none for " + name);
@@ -99,7 +110,8 @@ PosedFolder::PosedFolder(const std::string& path, double scale)
 , names_(observationNames(path))
 {
   const fs::path trajectory = fs::path(path) / trajectory_name;
-  if (!fs::exists(trajectory))
+  std::error_code error;
+  if (!fs::exists(trajectory, error))
     return;
   trajectory_ = loadTrajectory(trajectory.string());
   rows_ = rowsOf(path, names_, trajectory_.poses.size());

@@ -37,7 +37,8 @@ viewOf(const PointCloudFile& file, const Eigen::Isometry3d& T_map_camera)
 {
   ColoredView view;
   view.points = file.points();
-  if (const PCLPointField* color = findColor(file.cloud))
+  const PCLPointField* const color = findColor(file.cloud);
+  if (color && view.points.size() > 0)
     view.colors = {&file.cloud.data[color->offset], file.cloud.point_step};
   view.width = file.cloud.height > 1 ? static_cast<int>(file.cloud.width) : 0;
   view.T_map_camera = T_map_camera;
@@ -150,8 +151,11 @@ paintPlanes(Tool& tool,
       }
     }
   });
+  const std::vector<std::string> told =
+      tool.warnings(); // who merged them read them too
   for (const std::string& remark : remarks)
-    tool.warn(remark);
+    if (std::find(told.begin(), told.end(), remark) == told.end())
+      tool.warn(remark);
   if (trajectory.poses.empty())
     throw InputFileException("none of the observations can be read");
   folder.requireDifferent(trajectory.poses);
@@ -171,6 +175,7 @@ paintPlanes(Tool& tool,
   TextureBuilder builder(planes, settings);
   ColoredView view = viewOf(cloud, Eigen::Isometry3d::Identity());
   view.width = 0; // its sensor is not the origin of its frame
+  view.has_eye = false;
   builder.add(view);
   CompactMap map = finish(tool, builder);
   for (std::vector<std::int32_t>& observations : map.observations)

@@ -1,6 +1,7 @@
 #include "dewall_traits.h"
 #include "normal_vector_voting_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
+#include "plane_texturing_traits.h"
 #include "voxel_consolidation_traits.h"
 
 namespace pcl::acmap::test {
@@ -9,6 +10,7 @@ namespace pcl::acmap::test {
 using PublicClasses = testing::Types<DeWallTraits,
                                      NormalVectorVotingTraits,
                                      PlaneHypothesisClusteringTraits,
+                                     PlaneTexturingTraits,
                                      VoxelConsolidationTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ClassContract, PublicClasses);

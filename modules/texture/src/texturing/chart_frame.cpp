@@ -129,10 +129,7 @@ gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size)
 }
 
 std::vector<TextureChart>
-chartsOf(const ChartGrid& grid,
-         std::size_t plane_number,
-         std::size_t polygon,
-         int most)
+chartsOf(const ChartGrid& grid, std::size_t plane_number, std::size_t polygon, int most)
 {
   const auto columns = static_cast<std::int64_t>(grid.columns);
   const auto rows = static_cast<std::int64_t>(grid.rows);

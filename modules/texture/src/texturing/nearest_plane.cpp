@@ -47,7 +47,7 @@ canvasesNear(const ColoredView& view,
   for (std::size_t c = 0; c < canvases.size(); ++c) {
     const TextureChart& chart = canvases[c].chart;
     const Eigen::Vector4d& plane = planes[chart.plane].coefficients;
-    const bool is_front = view.width == 0 || plane.head<3>().dot(eye) + plane[3] > 0;
+    const bool is_front = !view.has_eye || plane.head<3>().dot(eye) + plane[3] > 0;
     if (is_front && seen.exteriorDistance(boxOf(chart).center()) <
                         boxOf(chart).diagonal().norm() / 2 + maximum_distance)
       near.push_back(static_cast<std::int32_t>(c));

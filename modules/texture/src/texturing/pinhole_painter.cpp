@@ -120,27 +120,50 @@ private:
     return slant * rim / (point.z() * point.z());
   }
 
-  /** Mean over the texel's pixels: a texel may be as large as many of them. */
+  /** Mean over the texel's pixels, for a texel may be as large as many of them; without
+   * those that see something else. */
   Rgb
   meanColor(std::int32_t column, std::int32_t row, const Eigen::Vector3d& point) const
   {
     const double texel = canvas_.chart.texel_u.norm();
     const double pixels = texel * camera_.fx / point.z();
-    const int side = std::clamp(static_cast<int>(std::ceil(pixels)), 1, 5);
+    const int side = static_cast<int>(std::clamp(std::ceil(pixels), 1.0, 5.0));
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
     for (int v = 0; v < side; ++v)
       for (int u = 0; u < side; ++u) {
         const Eigen::Vector3d place =
             T_camera_map_ * middleOf(canvas_.chart,
                                      column + (u + 0.5) / side - 0.5,
                                      row + (v + 0.5) / side - 0.5);
-        sum += interpolated(camera_.pixelOf(place));
+        const Eigen::Vector2d pixel = camera_.pixelOf(place);
+        if (!(place.z() > least_depth) || !isInside(pixel) || seesOthers(pixel))
+          continue;
+        sum += interpolated(pixel);
+        ++count;
       }
+    if (count > 0)
+      sum /= count;
+    else
+      sum = interpolated(camera_.pixelOf(point));
     Rgb color;
     for (int k = 0; k < 3; ++k)
       color[static_cast<std::size_t>(k)] =
-          static_cast<std::uint8_t>(std::lround(sum[k] / (side * side)));
+          static_cast<std::uint8_t>(std::lround(sum[k]));
     return color;
+  }
+
+  /** Whether one of the four pixels round a place does. */
+  bool
+  seesOthers(const Eigen::Vector2d& pixel) const
+  {
+    int own = 0, others = 0;
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c)
+        count(pixelAt(static_cast<int>(pixel.x()) + c, static_cast<int>(pixel.y()) + r),
+              own,
+              others);
+    return others > 0;
   }
 
   Eigen::Vector3d

@@ -27,10 +27,8 @@ TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
 {
   state_->planes = planes;
   state_->settings = settings;
-  state_->canvases = canvasesOf(planes,
-                                settings.texel_size,
-                                settings.maximum_texture_size,
-                                state_->left_out);
+  state_->canvases = canvasesOf(
+      planes, settings.texel_size, settings.maximum_texture_size, state_->left_out);
 }
 
 double
@@ -49,7 +47,7 @@ TextureBuilder::add(const ColoredView& view)
   const auto number = static_cast<std::int32_t>(state.views++);
   for (std::size_t i = 0; i < view.points.size(); ++i)
     state.invalid_points += view.points[i].allFinite() ? 0 : 1;
-  if (!view.colors) {
+  if (!view.colors && view.points.size() > 0) {
     ++state.colorless;
     return;
   }

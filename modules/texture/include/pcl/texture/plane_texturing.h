@@ -14,8 +14,8 @@
 
 namespace pcl {
 
-/** \brief Paints planes with the colours of the observations: the last step of "Active
- * Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
+/** \brief Paints planes with the colours of the observations: the last step of
+ * "Active Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
  *
  * Each polygon of a plane gets a rectangular chart of texels. A point colours the closest
  * plane whose polygon its foot is in, within 0.3 m, as in the paper. An organized cloud as a
@@ -62,7 +62,8 @@ public:
     return planes_;
   }
 
-  /** \brief Adds what was seen from one pose.
+  /** \brief Adds what was seen from one pose. An organized cloud is one that was seen from
+   * the origin of its frame: it colours no plane that looks away from there.
    * \param[in] cloud organized or not; its points may be NaN, its colours are valid at each
    * of them
    * \param[in] T_map_camera from the frame of the cloud to that of the planes
@@ -116,7 +117,8 @@ public:
     return maximum_texture_size_;
   }
 
-  /** \brief Sets how far holes are filled from their rims (default 5 texels; 0: not at all).
+  /** \brief Sets how far holes are filled from their rims (default 5 texels; 0: only the rim
+   * that interpolation needs).
    * \throws BadArgumentException unless within [0, 1000] */
   void
   setFillDistance(int texels);

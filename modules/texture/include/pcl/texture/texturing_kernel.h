@@ -27,6 +27,10 @@ struct ColoredView {
   ColorView colors; ///< valid at every pixel; nothing for none
   int width = 0;    ///< px, of an organized cloud: rows one after the other; else 0
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+
+  /** \brief Were the points seen from the origin of their frame? Then planes that look
+   * away from there get nothing. */
+  bool has_eye = true;
 };
 
 /** \brief Bytes that painting these planes will take, however many. */

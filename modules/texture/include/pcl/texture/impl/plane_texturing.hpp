@@ -19,7 +19,11 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
       !T_map_camera.linear().isUnitary(rounding) ||
       T_map_camera.linear().determinant() < 0)
     throw BadArgumentException("the pose of an observation is no rigid motion");
-  observations_.push_back({cloud, T_map_camera});
+  // poses that were multiplied in float are no rotation to the digit that files ask for
+  Eigen::Isometry3d pose = T_map_camera;
+  pose.linear() =
+      Eigen::Quaterniond(T_map_camera.linear()).normalized().toRotationMatrix();
+  observations_.push_back({cloud, pose});
 }
 
 template <typename PointT>
@@ -79,15 +83,17 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
         cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
     view.colors = acmap::colorsOf(cloud);
     view.width = cloud.height > 1 ? static_cast<int>(cloud.width) : 0;
+    view.has_eye = cloud.height > 1;
     view.T_map_camera = observations_[i].T_map_camera;
     builder.add(view);
   }
   TexturingReport report;
-  CompactMap result = builder.finish(acmap::Progress([&](double share, const std::string& step) {
-                            progress.tell(0.9 + 0.1 * share, step);
-                            return true;
-                          }),
-                          report);
+  CompactMap result =
+      builder.finish(acmap::Progress([&](double share, const std::string& step) {
+                       progress.tell(0.9 + 0.1 * share, step);
+                       return true;
+                     }),
+                     report);
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     result.trajectory.stamps.push_back(static_cast<double>(i));
     result.trajectory.poses.push_back(observations_[i].T_map_camera);

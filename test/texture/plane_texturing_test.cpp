@@ -1,0 +1,313 @@
+#include "painted_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+/** Three views of the wall, one of them down to the floor too. */
+std::vector<View>
+views()
+{
+  const auto screens = wallAndFloor();
+  return {lookAt(screens, {{0, 0, 0.3}}),
+          lookAt(screens, {{0.5, 0, 0.6}, -0.15}),
+          lookAt(screens, {{-0.4, -0.5, 0.4}, 0.1, -0.6})};
+}
+
+TEST(PlaneTexturing, TexelsHaveTheColoursOfTheirPlaces)
+{
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), views());
+  CompactMap map;
+  texturing.texture(map);
+  EXPECT_GT(expectSquares(map, 3), 2500u);
+  const TexturingReport& report = texturing.getReport();
+  EXPECT_EQ(report.observations, 3u);
+  EXPECT_EQ(report.pinholes, 3u);
+  EXPECT_EQ(report.splatted, 0u);
+  EXPECT_EQ(report.charts, 2u);
+  EXPECT_NEAR(static_cast<double>(report.texels), (3 * 2.4 + 3 * 2) / 4e-4, 400);
+  EXPECT_EQ(report.seen, countOf(map, TexelKind::Seen));
+  EXPECT_GT(report.seen, report.texels * 8 / 10);
+  EXPECT_EQ(report.texel_size, 0.02);
+  EXPECT_TRUE(report.remarks.empty()) << report.remarks.front();
+  for (const double gain : report.gains)
+    EXPECT_NEAR(gain, 1, 0.01);
+}
+
+TEST(PlaneTexturing, ChartsStandUprightAndLookAtTheOneWhoSees)
+{
+  const CompactMap map = painted(texturingOf(planesOfWallAndFloor(), views()));
+  ASSERT_EQ(map.charts.size(), 2u);
+  for (const TextureChart& chart : map.charts) {
+    const Eigen::Vector3d normal = map.planes[chart.plane].coefficients.head<3>();
+    const Eigen::Vector3d away = chart.texel_u.cross(chart.texel_v);
+    EXPECT_NEAR(away.dot(normal), -4e-4, 1e-9);
+    EXPECT_NEAR(chart.texel_u.norm(), 0.02, 1e-12);
+    EXPECT_NEAR(chart.texel_v.norm(), 0.02, 1e-12);
+    EXPECT_NEAR(
+        map.planes[chart.plane].coefficients[3] + normal.dot(chart.origin), 0, 1e-6);
+  }
+  EXPECT_LT((map.charts[0].texel_v - Eigen::Vector3d(0, 0.02, 0)).norm(), 1e-8);
+  EXPECT_LT((map.charts[1].texel_u - Eigen::Vector3d(0.02, 0, 0)).norm(), 1e-8);
+  EXPECT_LT((map.charts[0].origin - Eigen::Vector3d(-1.5, -1.2, 3)).norm(), 1e-6);
+  EXPECT_NEAR(map.charts[0].colors.width, 150, 1);
+  EXPECT_NEAR(map.charts[0].colors.height, 120, 1);
+}
+
+TEST(PlaneTexturing, TurnedPolygonsGetTheSmallestRectangle)
+{
+  PlanePatch diamond =
+      makePlane({0, 0, -1}, {{0, -1, 3}, {-1, 0, 3}, {0, 1, 3}, {1, 0, 3}});
+  const CompactMap map = painted(texturingOf({diamond}, {}));
+  ASSERT_EQ(map.charts.size(), 1u);
+  EXPECT_NEAR(map.charts[0].colors.width, std::sqrt(2) / 0.02, 1.1);
+  EXPECT_NEAR(map.charts[0].colors.height, std::sqrt(2) / 0.02, 1.1);
+}
+
+TEST(PlaneTexturing, WhoSawWhichPlaneIsTold)
+{
+  auto planes = planesOfWallAndFloor();
+  planes.push_back(makePlane(
+      {0, 0, -1}, {{40, 0, 50}, {40, 3, 50}, {43, 3, 50}, {43, 0, 50}})); // far away
+  const CompactMap map = painted(texturingOf(planes, views()));
+  ASSERT_EQ(map.observations.size(), 3u);
+  EXPECT_EQ(map.observations[0], (std::vector<std::int32_t>{0, 1, 2}));
+  // the others are too close to the wall to see the floor
+  EXPECT_EQ(map.observations[1], (std::vector<std::int32_t>{2}));
+  EXPECT_TRUE(map.observations[2].empty());
+  for (const TexelKind kind : map.charts[2].kinds)
+    ASSERT_EQ(kind, TexelKind::None);
+  EXPECT_EQ(map.trajectory.poses.size(), 3u);
+  EXPECT_TRUE(map.trajectory.poses[1].isApprox(views()[1].T_map_camera, 1e-12));
+}
+
+/** The wall behind a magenta screen that stands 1 m before it. */
+std::vector<Screen>
+screensWithBox()
+{
+  auto screens = wallAndFloor();
+  screens.push_back({{-0.3, -0.3, 2}, {0.6, 0, 0}, {0, 0.6, 0}, [](const auto&) {
+                       return Rgb{255, 0, 255};
+                     }});
+  return screens;
+}
+
+TEST(PlaneTexturing, WhatStandsBeforeAWallIsNotPaintedOnIt)
+{
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), {lookAt(screensWithBox())});
+  texturing.setFillDistance(0);
+  const CompactMap map = painted(texturing);
+  EXPECT_GT(expectSquares(map, 3), 1000u);
+  std::size_t hidden = 0;
+  for (const TexelKind kind : {TexelKind::Seen, TexelKind::Filled, TexelKind::None})
+    forTexels(map, kind, [&](const auto& chart, const auto*, const auto& place) {
+      if (chart.plane == 0 && std::abs(place.x()) < 0.44 &&
+          std::abs(place.y()) < 0.44) {
+        EXPECT_EQ(kind, TexelKind::None) << place.transpose();
+        ++hidden;
+      }
+    });
+  EXPECT_GT(hidden, 1800u);
+}
+
+/** A piece of the wall about its middle. */
+PlanePatch
+middleOfWall()
+{
+  return makePlane({0, 0, -1},
+                   {{-1, -0.9F, 3}, {-1, 0.9F, 3}, {1, 0.9F, 3}, {1, -0.9F, 3}});
+}
+
+TEST(PlaneTexturing, AnotherViewSeesBehind)
+{
+  const auto screens = screensWithBox();
+  const CompactMap map = painted(texturingOf(
+      planesOfWallAndFloor(), {lookAt(screens), lookAt(screens, {{1, 0, 0.8}, -0.4})}));
+  std::size_t behind = 0;
+  expectSquares(map, 3);
+  forTexels(map,
+            TexelKind::Seen,
+            [&](const auto& chart, const auto* color, const auto& place) {
+              EXPECT_FALSE(color[1] < 60) << "magenta at " << place.transpose();
+              behind += chart.plane == 0 && std::abs(place.x()) < 0.4 &&
+                                std::abs(place.y()) < 0.4
+                            ? 1
+                            : 0;
+            });
+  EXPECT_GT(behind, 500u);
+}
+
+TEST(PlaneTexturing, CoarseTexelsTakeNothingFromBeyondDepthEdges)
+{
+  for (const double aside : {0.0, 0.02, 0.04, 0.06}) { // edges wander over the texels
+    Texturing texturing = texturingOf({planesOfWallAndFloor()[0]},
+                                      {lookAt(screensWithBox(), {{aside, 0, 1.2}})});
+    texturing.setTexelSize(0.1); // some 12 pixels
+    const CompactMap map = painted(texturing);
+    EXPECT_GT(countOf(map, TexelKind::Seen), 100u);
+    forTexels(map, TexelKind::Seen, [](const auto&, const auto* color, const auto& at) {
+      EXPECT_GE(color[1], 105) << at.transpose();
+    });
+  }
+}
+
+double
+meanRed(const CompactMap& map, double from, double to)
+{
+  double sum = 0, count = 0;
+  forTexels(
+      map, TexelKind::Seen, [&](const auto&, const auto* color, const auto& place) {
+        if (place.x() < from || place.x() > to)
+          return;
+        sum += color[0];
+        ++count;
+      });
+  EXPECT_GT(count, 100);
+  return sum / count;
+}
+
+/** A plain wall in two views that overlap in the middle, the right one darker. */
+Texturing
+twoExposures()
+{
+  std::vector<Screen> wall = wallAndFloor();
+  wall[0].color = [](const auto&) { return Rgb{150, 140, 130}; };
+  return texturingOf(
+      {planesOfWallAndFloor()[0]},
+      {lookAt(wall, {{-0.9, 0, 1}}), lookAt(wall, {{0.9, 0, 1}, 0, 0, 0.8})});
+}
+
+TEST(PlaneTexturing, ExposuresAreBalancedWithoutAStep)
+{
+  Texturing texturing = twoExposures();
+  CompactMap map;
+  texturing.texture(map);
+  const std::vector<double>& gains = texturing.getReport().gains;
+  ASSERT_EQ(gains.size(), 2u);
+  EXPECT_NEAR(gains[1] / gains[0], 1 / 0.8, 0.02 / 0.8);
+  EXPECT_NEAR(gains[1] * gains[0], 1, 0.02);
+  int least = 255, most = 0;
+  forTexels(map, TexelKind::Seen, [&](const auto&, const auto* color, const auto&) {
+    least = std::min<int>(least, color[0]);
+    most = std::max<int>(most, color[0]);
+  });
+  EXPECT_LE(most - least, 4);
+  EXPECT_NEAR((most + least) / 2.0, 150 * std::sqrt(0.8), 3);
+}
+
+TEST(PlaneTexturing, ExposuresAreKeptOnDemand)
+{
+  Texturing texturing = twoExposures();
+  texturing.setCorrectExposure(false);
+  CompactMap map;
+  texturing.texture(map);
+  EXPECT_EQ(texturing.getReport().gains, (std::vector<double>{1, 1}));
+  EXPECT_NEAR(meanRed(map, -1.5, -0.5), 150, 0.5);
+  EXPECT_NEAR(meanRed(map, 0.5, 1.5), 120, 0.5);
+}
+
+TEST(PlaneTexturing, HolesAreFilledSoFarAndNoFurther)
+{
+  const auto screens = screensWithBox();
+  const auto count = [&](int distance) {
+    Texturing texturing = texturingOf({middleOfWall()}, {lookAt(screens)});
+    texturing.setFillDistance(distance);
+    CompactMap map;
+    texturing.texture(map);
+    const TexturingReport& report = texturing.getReport();
+    EXPECT_GE(countOf(map, TexelKind::Filled), report.filled); // rims of polygons too
+    return std::pair(report.filled, report.texels - report.seen - report.filled);
+  };
+  const auto none = count(0), two = count(2), five = count(5), all = count(1000);
+  EXPECT_EQ(none.first, 0u);
+  EXPECT_GT(two.first, 0u);
+  // three rings of a hole with sides of some 44 texels
+  EXPECT_NEAR(static_cast<double>(five.first - two.first), 3 * 4 * 44, 80);
+  EXPECT_EQ(none.second, two.first + two.second);
+  EXPECT_EQ(none.second, five.first + five.second);
+  EXPECT_EQ(all.second, 0u);
+}
+
+TEST(PlaneTexturing, FilledTexelsTakeTheirNeighboursColours)
+{
+  std::vector<Screen> screens = screensWithBox();
+  screens[0].color = [](const auto&) { return Rgb{90, 140, 30}; };
+  const CompactMap map = painted(texturingOf({middleOfWall()}, {lookAt(screens)}));
+  EXPECT_GT(countOf(map, TexelKind::Filled), 500u);
+  forTexels(map, TexelKind::Filled, [&](const auto&, const auto* color, const auto&) {
+    EXPECT_EQ(color[0], 90);
+    EXPECT_EQ(color[1], 140);
+    EXPECT_EQ(color[2], 30);
+  });
+  forTexels(map, TexelKind::None, [&](const auto&, const auto* color, const auto&) {
+    EXPECT_EQ(color[0], 128);
+  });
+}
+
+TEST(PlaneTexturing, HolesOfAPolygonStayUnknown)
+{
+  auto planes = planesOfWallAndFloor();
+  planes[0].polygons[0].holes = {
+      {{-0.5F, -0.5F, 3}, {0.5F, -0.5F, 3}, {0.5F, 0.5F, 3}, {-0.5F, 0.5F, 3}}};
+  Texturing texturing = texturingOf(planes, views());
+  CompactMap map;
+  texturing.texture(map);
+  EXPECT_NEAR(static_cast<double>(texturing.getReport().texels),
+              (3 * 2.4 - 1 + 3 * 2) / 4e-4,
+              400);
+  for (const TexelKind kind : {TexelKind::Seen, TexelKind::Filled})
+    forTexels(map, kind, [&](const auto& chart, const auto*, const auto& place) {
+      const double depth = 0.5 - place.template head<2>().cwiseAbs().maxCoeff();
+      if (chart.plane == 0) {
+        EXPECT_LT(depth, kind == TexelKind::Seen ? 1e-6 : 0.02 + 1e-6);
+      }
+    });
+  expectSquares(map, 3);
+}
+
+TEST(PlaneTexturing, TilesHaveTheColoursOfTheWhole)
+{
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), views());
+  texturing.setFillDistance(0);
+  const CompactMap whole = painted(texturing);
+  for (const int size : {16, 33, 64}) {
+    texturing.setMaximumTextureSize(size);
+    const CompactMap tiled = painted(texturing);
+    EXPECT_GT(tiled.charts.size(), 6u);
+    EXPECT_EQ(countOf(tiled, TexelKind::Seen), countOf(whole, TexelKind::Seen));
+    std::size_t differing = 0;
+    forTexels(tiled,
+              TexelKind::Seen,
+              [&](const auto& chart, const auto* color, const auto& place) {
+                EXPECT_LE(std::max(chart.colors.width, chart.colors.height), size);
+                const TextureChart& all = whole.charts[chart.plane];
+                const Eigen::Vector3d way = place - all.origin;
+                const auto column = static_cast<int>(way.dot(all.texel_u) / 4e-4);
+                const auto row = static_cast<int>(way.dot(all.texel_v) / 4e-4);
+                ASSERT_EQ(kindOf(all, column, row), TexelKind::Seen);
+                for (int k = 0; k < 3; ++k)
+                  differing +=
+                      std::abs(color[k] - all.colors.at(column, row)[k]) > 1 ? 1 : 0;
+              });
+    EXPECT_EQ(differing, 0u);
+  }
+}
+
+TEST(PlaneTexturing, SameBytesForAnyThreadsAndAgain)
+{
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), views());
+  texturing.setNumberOfThreads(1);
+  const CompactMap once = painted(texturing);
+  EXPECT_GT(countOf(once, TexelKind::Seen), 1000u);
+  expectSame(painted(texturing), once);
+  for (const unsigned threads : {2U, 8U, 0U}) {
+    texturing.setNumberOfThreads(threads);
+    expectSame(painted(texturing), once);
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test
