@@ -17,6 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/** What cannot be told is not there; who reads it says why. */
+bool
+isThere(const fs::path& path)
+{
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
 void
 note(const PointCloudFile& file, double scale, std::vector<std::string>& remarks)
 {
@@ -46,25 +54,25 @@ loadFile(const std::string& path, double scale)
 ViewerInput
 loadFolder(const fs::path& folder)
 {
-  if (!fs::exists(folder / "map.json"))
+  if (!isThere(folder / "map.json"))
     throw InputFileException(folder.string() +
                              ": is a folder without a map.json; of other folders only "
                              "single files can be shown");
   ViewerInput input;
   LayeredScene& scene = input.scene;
   scene.map = loadCompactMap(folder.string());
-  if (fs::exists(folder / "mesh.ply")) {
+  if (isThere(folder / "mesh.ply")) {
     SceneFile mesh = loadScene((folder / "mesh.ply").string());
     note(mesh.points, 1, input.remarks);
     scene.vertices = std::move(mesh.points.cloud);
     scene.mesh = std::move(mesh.mesh);
   }
-  if (fs::exists(folder / "map.pcd")) {
+  if (isThere(folder / "map.pcd")) {
     PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
     note(cloud, 1, input.remarks);
     scene.points = std::move(cloud.cloud);
   }
-  if (scene.map.trajectory.poses.empty() && fs::exists(folder / "trajectory.txt"))
+  if (scene.map.trajectory.poses.empty() && isThere(folder / "trajectory.txt"))
     scene.map.trajectory = loadTrajectory((folder / "trajectory.txt").string());
   return input;
 }
@@ -74,7 +82,8 @@ loadFolder(const fs::path& folder)
 ViewerInput
 loadViewerInput(const std::string& path, double scale)
 {
-  const bool is_folder = fs::is_directory(path);
+  std::error_code error;
+  const bool is_folder = fs::is_directory(path, error);
   const bool is_map = is_folder || endingOf(path) == ".json";
   if (!is_map)
     return loadFile(path, scale);

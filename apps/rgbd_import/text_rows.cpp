@@ -80,6 +80,15 @@ loadTextRows(const std::string& path)
   return rows;
 }
 
+void
+refuseWord(const std::string& path,
+           const TextRow& row,
+           std::size_t word,
+           const std::string& fault)
+{
+  fail(path, placeOf(row) + quoted(row.words[word]) + " " + fault);
+}
+
 double
 numberOf(const std::string& path, const TextRow& row, std::size_t word)
 {
@@ -89,7 +98,7 @@ numberOf(const std::string& path, const TextRow& row, std::size_t word)
   double value = 0;
   const auto result = std::from_chars(begin, end, value);
   if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))
-    fail(path, placeOf(row) + quoted(text) + " is no finite number");
+    refuseWord(path, row, word, "is no finite number");
   return value;
 }
 

@@ -16,6 +16,14 @@ struct TextRow {
 std::vector<TextRow>
 loadTextRows(const std::string& path);
 
+/** \brief Throws an InputFileException that names file, line and word.
+ * \param[in] fault what follows the word, as "is no finite number" */
+[[noreturn]] void
+refuseWord(const std::string& path,
+           const TextRow& row,
+           std::size_t word,
+           const std::string& fault);
+
 /** \brief A word as a number.
  * \throws InputFileException naming file, line and word when it is no finite number */
 double

@@ -41,6 +41,13 @@ risingOrder(const std::vector<double>& stamps)
   return order;
 }
 
+/** A list may come from anyone: what it names lies in the folder. */
+bool
+isInside(const fs::path& image)
+{
+  return image.is_relative() && *image.lexically_normal().begin() != "..";
+}
+
 ImageList
 loadImageList(const fs::path& folder, const char* name)
 {
@@ -52,6 +59,8 @@ loadImageList(const fs::path& folder, const char* name)
                                std::to_string(row.words.size()) +
                                " words, a stamp and a file are needed");
     listed.stamps.push_back(numberOf(path, row, 0));
+    if (!isInside(row.words[1]))
+      refuseWord(path, row, 1, "does not lie in the folder");
     listed.paths.push_back((folder / row.words[1]).string());
   }
   ImageList rising;

@@ -217,6 +217,38 @@ TEST_F(UglyRgbd, ListsOfTumNameFileAndLine)
   expectRefused(run(), 4, "groundtruth.txt has no pose near");
 }
 
+TEST_F(UglyRgbd, ListsOfTumStayInTheFolder)
+{
+  writeTum(input_, 3);
+  const std::string image = textOfBytes(encodePng(tellingColors(0)));
+  const TemporaryFolder other;
+  const std::string absolute = other.write("x.png", image);
+  for (const char* list : {"rgb.txt", "depth.txt"}) {
+    const std::string good = contentOf(input_.path(list));
+    for (const std::string& name : {absolute,
+                                    input_.path("rgb/0.png"),
+                                    std::string("../x.png"),
+                                    std::string(".."),
+                                    std::string("rgb/../../x.png"),
+                                    std::string("./../x.png")}) {
+      input_.write(list, "# made\n0 " + name + "\n");
+      for (const std::vector<std::string>& more :
+           {std::vector<std::string>{}, {"--skip-broken"}}) {
+        const ToolRun refused = run(more);
+        expectRefused(
+            refused, 3, std::string(list) + ": line 2: '" + name.substr(0, 8));
+        EXPECT_THAT(refused.err, HasSubstr("does not lie in the folder"));
+      }
+    }
+    input_.write(list, good);
+  }
+  std::string colors = contentOf(input_.path("rgb.txt"));
+  const std::size_t at = colors.find("rgb/0.png");
+  ASSERT_NE(at, std::string::npos);
+  input_.write("rgb.txt", colors.replace(at, 9, "./depth/../rgb/0.png"));
+  EXPECT_EQ(run().exit_code, 0);
+}
+
 TEST_F(UglyRgbd, ImagesOfTumThatBreak)
 {
   writeTum(input_, 3);

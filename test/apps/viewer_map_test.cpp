@@ -175,6 +175,8 @@ TEST_F(ViewerOfMaps, RefusesFoldersAndMapsThatAreNone)
   fs::create_directory(folder_.path("empty"));
   expectNoPicture(run(folder_.path("empty")), 3, "map.json");
   expectNoPicture(run(folder_.path("none")), 3, "none");
+  expectNoPicture(run(folder_.path(std::string(300, 'x'))), 3, "xxx");
+  expectNoPicture(run(std::string(5000, 'y')), 3, "yyy");
   expectNoPicture(run(folder_.write("bad.json", "{\"planes\":[")), 3, "bad.json");
   expectNoPicture(run(folder_.write("other.json", "{}")), 3, "other.json");
 }

@@ -101,5 +101,67 @@ TEST(ChartClip, TilesMakeUpTheWholeAndTurnAsTheTriangleDoes)
   }
 }
 
+/** \brief What is wrong with a chart of squares of 10 cm, once changed. */
+template <typename Change>
+std::string
+faultAfter(const Change& change)
+{
+  TextureChart chart;
+  chart.texel_u = {0.1, 0, 0};
+  chart.texel_v = {0, 0.1, 0};
+  chart.colors.width = 4;
+  chart.colors.height = 3;
+  change(chart);
+  return faultOfFrame(chart);
+}
+
+TEST(ChartFrame, ASoundOneHasNoFault)
+{
+  EXPECT_EQ(faultOfFrame(slantedChart()), "");
+  for (const double side : {1.1e-6, 1.0, 999.0})
+    EXPECT_EQ(faultAfter([&](TextureChart& chart) { chart.texel_u.x() = side; }), "");
+  EXPECT_EQ(faultAfter([](TextureChart& chart) {
+              chart.texel_u = {0.2e-3, 0.1, 0};
+            }),
+            "");
+  EXPECT_EQ(faultAfter([](TextureChart& chart) {
+              chart.colors.width = 1 << 14;
+              chart.colors.height = 1 << 14;
+            }),
+            "");
+}
+
+TEST(ChartFrame, SidesThatAreTooShortOrTooLongAreNamed)
+{
+  for (const double side : {0.0, 0.9e-6, 1001.0, 1e200, double(INFINITY), double(NAN)})
+    for (const auto vector : {&TextureChart::texel_u, &TextureChart::texel_v})
+      EXPECT_NE(faultAfter([&](TextureChart& chart) {
+                  (chart.*vector) *= 10 * side;
+                }).find("with a side"),
+                std::string::npos)
+          << side;
+}
+
+TEST(ChartFrame, TexelsThatAreThinAreNamed)
+{
+  for (const double across : {0.0, 1e-20, 0.09e-3, -0.09e-3})
+    EXPECT_EQ(faultAfter([&](TextureChart& chart) {
+                chart.texel_u = {across, 0.1, 0};
+              }),
+              "has texels without an area")
+        << across;
+}
+
+TEST(ChartFrame, OriginAndSizeAreChecked)
+{
+  EXPECT_EQ(faultAfter([](TextureChart& chart) { chart.origin.y() = NAN; }),
+            "has an origin that is not finite");
+  for (const std::int32_t width : {0, -1, 1 << 28})
+    EXPECT_NE(faultAfter([&](TextureChart& chart) {
+                chart.colors.width = width;
+              }).find("2^28 are legal"),
+              std::string::npos);
+}
+
 } // namespace
 } // namespace pcl::acmap::test

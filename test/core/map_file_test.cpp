@@ -158,7 +158,16 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/charts/0/image", 2, "charts[0].image is no text"},
            {"/planes/0/charts/1/kinds", 2, "charts[1].kinds is no text"},
            {"/planes/0/charts/0/origin/0", nullptr, "origin[0] is no number"},
-           {"/planes/0/charts/0/texel_u", {0, 0, 0}, "charts[0] has texels without an"},
+           {"/planes/0/charts/0/texel_u",
+            {0, 0, 0},
+            "charts[0] has texels with a side"},
+           {"/planes/0/charts/0/texel_v",
+            {0, 2e3, 0},
+            "charts[0] has texels with a side"},
+           {"/planes/0/charts/0/texel_u", {0, 1, 1e-5}, "has texels without an area"},
+           {"/planes/0/charts/0/width",
+            1 << 27,
+            "charts[1] brings the map to 268435460"},
            {"/planes/0/charts/0/width", 0, "charts[0].width is outside"},
            {"/planes/0/charts/0/height", 200000000, "at most"},
            {"/trajectory", 1, "trajectory is no array"},
@@ -207,6 +216,13 @@ TEST_F(MapFile, WhatIsNoMapIsRefused)
   EXPECT_THROW(loadMapFile(folder_.path("")), InputFileException);
 }
 
+TEST_F(MapFile, LongWordsAreNotRepeated)
+{
+  const std::string fault = faultOf("{\"" + std::string(1000000, 'y'));
+  EXPECT_THAT(fault, HasSubstr("is no JSON"));
+  EXPECT_LT(fault.size(), folder_.path("map.json").size() + 250);
+}
+
 TEST_F(MapFile, MutationsNeverCrash)
 {
   saveMapFile(folder_.path("map.json"), makeSampleMap());
@@ -251,9 +267,67 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.observations[0] = {2}; });
   expectRefused([](CompactMap& map) { map.trajectory.stamps.pop_back(); });
   expectRefused([](CompactMap& map) { map.trajectory.poses[0].linear() *= 2; });
+  expectRefused([](CompactMap& map) {
+    map.charts[0].colors.width = 1 << 27;
+    map.charts[0].colors.height = 2;
+  });
   EXPECT_EQ(folder_.count(), 0);
   EXPECT_THROW(saveMapFile(folder_.path("none/p.json"), {}), OutputFileException);
   EXPECT_THROW(saveMapFile("/dev/full", makeSampleMap()), OutputFileException);
+}
+
+TEST_F(MapFile, PlanesThatCouldNotBeReadAreNotWritten)
+{
+  const auto faultOfPlane = [&](const auto& spoil) -> std::string {
+    CompactMap map = makeSampleMap();
+    spoil(map.planes[0]);
+    try {
+      saveMapFile(folder_.path("none.json"), map);
+    }
+    catch (const BadArgumentException& exception) {
+      return exception.what();
+    }
+    return "no fault";
+  };
+  using Plane = PlanePatch;
+  const auto scale = [](double factor) {
+    return [factor](Plane& plane) { plane.coefficients.head<3>() *= factor; };
+  };
+  const std::string begin = "plane 0 of a map is unsound: ";
+  for (const double factor : {0.0, 2.0, 1 - 2e-6, 1 + 2e-6})
+    EXPECT_THAT(faultOfPlane(scale(factor)),
+                HasSubstr(begin + "coefficients have a normal whose length is not 1"));
+  EXPECT_EQ(faultOfPlane(scale(1 + 1e-7)), "no fault");
+  EXPECT_THAT(faultOfPlane(scale(NAN)),
+              HasSubstr(begin + "coefficients are not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.coefficients[3] = INFINITY; }),
+              HasSubstr(begin + "coefficients are not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.center.y() = NAN; }),
+              HasSubstr(begin + "center is not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.axis_v.z() = NAN; }),
+              HasSubstr(begin + "an axis is not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.area = NAN; }),
+              HasSubstr(begin + "area is not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.support = std::size_t(-1); }),
+              HasSubstr(begin + "support is above 2^63 - 1"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.polygons[1].outer.resize(2); }),
+              HasSubstr(begin + "polygons[1].outer has 2 points, 3 are needed"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.polygons[1].outer.clear(); }),
+              HasSubstr(begin + "polygons[1].outer has 0 points"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.polygons[1].outer[3].x() = NAN; }),
+              HasSubstr(begin + "polygons[1].outer has point 3, which is not finite"));
+  EXPECT_THAT(faultOfPlane([](Plane& plane) { plane.polygons[0].holes[0].resize(1); }),
+              HasSubstr(begin + "polygons[0].holes[0] has 1 points"));
+}
+
+TEST_F(MapFile, WhatIsNotKnownOfAPlaneIsWritten)
+{
+  CompactMap map = makeSampleMap();
+  map.planes[0].rms = map.planes[0].effective_support = NAN;
+  map.planes[0].covariance.setConstant(INFINITY);
+  const PlanePatch back = reloaded(map).planes[0];
+  EXPECT_TRUE(std::isnan(back.rms) && std::isnan(back.effective_support));
+  EXPECT_TRUE(back.covariance.array().isNaN().all());
 }
 
 } // namespace

@@ -125,11 +125,66 @@ TEST_F(CompactMapFolder, NamesThatClimbOutAreRefused)
                                   folder_.path("x.png"),
                                   std::string("..\\\\x.png"),
                                   std::string(".."),
-                                  std::string("a/../../x.png"),
-                                  std::string()})
+                                  std::string("a/../../x.png")})
     EXPECT_THAT(faultAfter("texture_0000.png", name),
                 HasSubstr("is no name of an image in the folder"));
   EXPECT_THAT(faultAfter("texture_0001_kinds.png", "../x.png"), HasSubstr("no name"));
+  const std::string fault = faultAfter("texture_0000.png", std::string(1000000, 'n'));
+  EXPECT_THAT(fault, HasSubstr("is no name of an image in the folder"));
+  EXPECT_LT(fault.size(), path().size() + 400);
+}
+
+TEST_F(CompactMapFolder, AChartWithoutAnImageHasNoColours)
+{
+  EXPECT_EQ(faultAfter("texture_0001.png", ""), "no fault");
+  const CompactMap back = loadCompactMap(path());
+  EXPECT_THAT(back.charts[1].colors.values, testing::IsEmpty());
+  EXPECT_THAT(back.charts[1].kinds, testing::IsEmpty());
+  EXPECT_EQ(back.charts[1].colors.width, 30);
+  EXPECT_EQ(back.charts[2].colors.values, map_.charts[2].colors.values);
+}
+
+TEST_F(CompactMapFolder, TooManyTexelsAreRefusedBeforeAnyImageIsRead)
+{
+  saveCompactMap(path(), map_);
+  for (const char* name : {"texture_0000.png", "texture_0001.png", "texture_0002.png"})
+    std::filesystem::remove(path(name));
+  EXPECT_THAT(fault(), HasSubstr("texture_0000.png: No such"));
+  std::string text = contentOf(path("map.json"));
+  for (const auto& [size, huge] :
+       {std::pair{R"("width":30,"height":25)", R"("width":16384,"height":8192)"},
+        {R"("width":30,"height":15)", R"("width":16384,"height":8192)"}}) {
+    const std::size_t at = text.find(size);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.replace(at, std::string(size).size(), huge);
+  }
+  folder_.write("map/map.json", text);
+  EXPECT_THAT(fault(),
+              HasSubstr("planes[1].charts[1] brings the map to 268436056 texels"));
+}
+
+TEST_F(CompactMapFolder, UnsoundPlanesAreNamed)
+{
+  const auto expectRefused = [&](const std::string& word, const auto& spoil) {
+    CompactMap map = makeTexturedMap();
+    spoil(map.planes[2]); // it has no chart
+    try {
+      saveCompactMap(path(), map);
+      ADD_FAILURE() << word;
+    }
+    catch (const BadArgumentException& error) {
+      EXPECT_THAT(error.what(), HasSubstr("plane 2 of a map is unsound: " + word));
+    }
+    EXPECT_FALSE(std::filesystem::exists(path()));
+  };
+  using Plane = PlanePatch;
+  expectRefused("coefficients", [](Plane& plane) { plane.coefficients[0] = NAN; });
+  expectRefused("coefficients", [](Plane& plane) { plane.coefficients.setZero(); });
+  expectRefused("area", [](Plane& plane) { plane.area = NAN; });
+  expectRefused("polygons[0].outer has point 1",
+                [](Plane& plane) { plane.polygons[0].outer[1].y() = NAN; });
+  expectRefused("polygons[0].outer has 2 points",
+                [](Plane& plane) { plane.polygons[0].outer.resize(2); });
 }
 
 TEST_F(CompactMapFolder, FaultyImagesAreNamed)
@@ -162,6 +217,10 @@ TEST_F(CompactMapFolder, NonsenseIsRefused)
   expectRefused([](CompactMap&, Outputs& outputs) { outputs.jpeg_quality = 0; });
   expectRefused([](CompactMap&, Outputs& outputs) { outputs.jpeg_quality = 101; });
   expectRefused([](CompactMap& map, Outputs&) { map.charts[0].kinds.pop_back(); });
+  expectRefused([](CompactMap& map, Outputs&) {
+    map.charts[0].colors.values.clear();
+    map.charts[0].kinds.clear();
+  });
   expectRefused([](CompactMap& map, Outputs&) { map.charts[0].plane = 9; });
   expectRefused([](CompactMap& map, Outputs&) { map.charts[0].texel_u.setZero(); });
   expectRefused([](CompactMap& map, Outputs&) { map.charts[0].colors.width = 31; });

@@ -136,9 +136,14 @@ TEST_F(MapSnapshot, UnseenTexelsAndPlanesWithoutAChartAreGrey)
   view_.look = Eigen::Vector3f(0, 0, 2);
   TextureChart& chart = map_.charts[0];
   chart.kinds.assign(chart.colors.values.size() / 3, TexelKind::Seen);
-  EXPECT_GT(shoot().share(isRed), 0.05);
+  const auto is_unknown = [](const Pixel& p) { return p == Pixel{128, 128, 128}; };
+  const ShownPicture seen = shoot();
+  EXPECT_GT(seen.share(isRed), 0.05);
+  EXPECT_LT(seen.share(is_unknown), 0.001);
   chart.kinds.assign(chart.kinds.size(), TexelKind::None);
-  EXPECT_EQ(shoot().share(isRed), 0);
+  const ShownPicture unseen = shoot();
+  EXPECT_EQ(unseen.share(isRed), 0);
+  EXPECT_GT(unseen.share(is_unknown), 0.05) << "the grey of the files of a map";
   chart.kinds.clear();
   chart.colors.values.clear();
   const ShownPicture bare = shoot();
@@ -232,6 +237,8 @@ TEST_F(MapSnapshot, RefusesMapsThatMakeNoSense)
   refuses([](TextureChart& chart) { chart.kinds.resize(3); });
   refuses([](TextureChart& chart) { chart.texel_u.setZero(); });
   refuses([](TextureChart& chart) { chart.texel_u[0] = NAN; });
+  refuses([](TextureChart& chart) { chart.texel_u *= 1e-7; });
+  refuses([](TextureChart& chart) { chart.texel_v = (1 + 1e-5) * chart.texel_u; });
   view_.up = Eigen::Vector3f::Zero();
   EXPECT_THROW(saveMapSnapshot(path_, map_, view_), BadArgumentException);
   EXPECT_EQ(folder_.count(), 0);

@@ -2,9 +2,11 @@
 
 #include "trajectory_checks.h"
 
+#include <pcl/core/chart_clip.h>
 #include <pcl/exceptions.h>
 
 #include <cmath>
+#include <limits>
 
 namespace pcl::acmap {
 
@@ -14,6 +16,31 @@ namespace {
 refuse(const std::string& what, std::size_t index, const std::string& fault)
 {
   throw BadArgumentException(what + " " + std::to_string(index) + " of a map " + fault);
+}
+
+void
+requirePlane(const PlanePatch& plane, std::size_t index)
+{
+  const auto require = [&](const std::string& name, const std::string& fault) {
+    if (!fault.empty())
+      refuse("plane", index, "is unsound: " + name + " " + fault);
+  };
+  const auto requireFinite = [&](const std::string& name, bool is_finite) {
+    require(name, is_finite ? "" : "is not finite");
+  };
+  require("coefficients", faultOfCoefficients(plane.coefficients));
+  requireFinite("center", plane.center.allFinite());
+  requireFinite("an axis", plane.axis_u.allFinite() && plane.axis_v.allFinite());
+  requireFinite("area", std::isfinite(plane.area));
+  if (plane.support > std::size_t{std::numeric_limits<std::int64_t>::max()})
+    require("support", "is above 2^63 - 1");
+  for (std::size_t i = 0; i < plane.polygons.size(); ++i) {
+    const PlanePolygon& polygon = plane.polygons[i];
+    const std::string name = "polygons[" + std::to_string(i) + "].";
+    require(name + "outer", faultOfLoop(polygon.outer));
+    for (std::size_t k = 0; k < polygon.holes.size(); ++k)
+      require(name + "holes[" + std::to_string(k) + "]", faultOfLoop(polygon.holes[k]));
+  }
 }
 
 void
@@ -59,24 +86,48 @@ requireObservations(const CompactMap& map, std::size_t plane)
 } // namespace
 
 std::string
-faultOfFrame(const TextureChart& chart)
+faultOfCoefficients(const Eigen::Vector4d& coefficients)
 {
-  const std::int64_t width = chart.colors.width;
-  const std::int64_t height = chart.colors.height;
-  if (width <= 0 || height <= 0 || width * height > maximum_texels)
-    return "has " + std::to_string(width) + " x " + std::to_string(height) +
-           " texels, 1 to 2^28 are legal";
-  const double area = chart.texel_u.cross(chart.texel_v).norm();
-  if (!chart.origin.allFinite() || !(area > 0) || !std::isfinite(area))
-    return "has texels without an area";
+  constexpr double slack = 1e-6;
+  if (!coefficients.allFinite())
+    return "are not finite";
+  if (!(std::abs(coefficients.head<3>().norm() - 1) <= slack))
+    return "have a normal whose length is not 1";
   return "";
+}
+
+std::string
+faultOfLoop(const std::vector<Eigen::Vector3f>& loop)
+{
+  if (loop.size() < 3)
+    return "has " + std::to_string(loop.size()) + " points, 3 are needed";
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (!loop[i].allFinite())
+      return "has point " + std::to_string(i) + ", which is not finite";
+  return "";
+}
+
+std::string
+faultOfTexels(std::int64_t texels)
+{
+  if (texels <= maximum_texels)
+    return "";
+  return "brings the map to " + std::to_string(texels) + " texels, 2^28 are legal";
 }
 
 void
 requireConsistent(const CompactMap& map)
 {
-  for (std::size_t i = 0; i < map.charts.size(); ++i)
+  for (std::size_t i = 0; i < map.planes.size(); ++i)
+    requirePlane(map.planes[i], i);
+  std::int64_t texels = 0;
+  for (std::size_t i = 0; i < map.charts.size(); ++i) {
     requireChart(map, i);
+    texels += std::int64_t{map.charts[i].colors.width} * map.charts[i].colors.height;
+    const std::string fault = faultOfTexels(texels);
+    if (!fault.empty())
+      refuse("chart", i, fault);
+  }
   if (!map.observations.empty() && map.observations.size() != map.planes.size())
     throw BadArgumentException("a map of " + std::to_string(map.planes.size()) +
                                " planes has observations of " +

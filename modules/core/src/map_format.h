@@ -3,22 +3,29 @@
 #include <pcl/core/compact_map.h>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
 /** \brief The newest format of map files that is known. */
 constexpr int map_format = 1;
 
-/** \brief Texels that a chart may have. */
-constexpr std::int64_t maximum_texels = std::int64_t{1} << 28;
-
-/** \brief What is wrong with the rectangle of a chart: its size or its frame; empty for
- * nothing. */
+/** \brief What is wrong with the equation of a plane, to follow the name of its
+ * coefficients; empty for nothing. */
 std::string
-faultOfFrame(const TextureChart& chart);
+faultOfCoefficients(const Eigen::Vector4d& coefficients);
 
-/** \brief Checks what else a map file says beside its planes.
- * \throws BadArgumentException when charts, observations or poses make no sense */
+/** \brief The same of a loop of a polygon. */
+std::string
+faultOfLoop(const std::vector<Eigen::Vector3f>& loop);
+
+/** \brief The same of the texels of all charts so far, to follow the name of the last. */
+std::string
+faultOfTexels(std::int64_t texels);
+
+/** \brief Lets maps pass that a map file can hold: those that the reader takes.
+ * \throws BadArgumentException when planes, charts, observations or poses make no sense */
 void
 requireConsistent(const CompactMap& map);
 

@@ -2,6 +2,7 @@
 #include "json_cursor.h"
 #include "map_format.h"
 
+#include <pcl/core/chart_clip.h>
 #include <pcl/core/map_file.h>
 
 #include <cmath>
@@ -13,8 +14,8 @@ namespace {
 
 using acmap::JsonCursor;
 
-constexpr double length_slack = 1e-6; // of a normal; that of a quaternion below
-constexpr double rotation_slack = 0.01;
+constexpr double rotation_slack = 0.01;   // of the length of a quaternion
+constexpr std::size_t longest_text = 200; // the parser quotes words of any length
 
 nlohmann::json
 parseFile(const std::string& path)
@@ -26,7 +27,7 @@ parseFile(const std::string& path)
     return nlohmann::json::parse(text);
   }
   catch (const nlohmann::json::exception& error) {
-    source.fail(std::string("is no JSON: ") + error.what());
+    source.fail("is no JSON: " + std::string(error.what()).substr(0, longest_text));
   }
 }
 
@@ -44,11 +45,16 @@ requireKnownFormat(const JsonCursor& file)
     file.at("unit").fail("is not \"m\"");
 }
 
+void
+requireNone(const std::string& fault, const JsonCursor& value)
+{
+  if (!fault.empty())
+    value.fail(fault);
+}
+
 std::vector<Eigen::Vector3f>
 loopOf(const JsonCursor& points)
 {
-  if (points.size() < 3)
-    points.fail("has " + std::to_string(points.size()) + " points, 3 are needed");
   std::vector<Eigen::Vector3f> loop;
   loop.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -57,6 +63,7 @@ loopOf(const JsonCursor& points)
     loop.emplace_back(
         point[0].floatNumber(), point[1].floatNumber(), point[2].floatNumber());
   }
+  requireNone(acmap::faultOfLoop(loop), points);
   return loop;
 }
 
@@ -91,8 +98,7 @@ planeOf(const JsonCursor& json, std::size_t number)
   PlanePatch plane;
   const JsonCursor coefficients = json.at("coefficients");
   plane.coefficients = coefficients.vector<4>();
-  if (!(std::abs(plane.coefficients.head<3>().norm() - 1) <= length_slack))
-    coefficients.fail("have a normal whose length is not 1");
+  requireNone(acmap::faultOfCoefficients(plane.coefficients), coefficients);
   constexpr auto most = std::numeric_limits<std::int64_t>::max();
   if (json.at("id").integer(0, most) != static_cast<std::int64_t>(number))
     json.at("id").fail("is not " + std::to_string(number) +
@@ -133,9 +139,7 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
   for (const auto& [key, side] :
        {std::pair{"width", &chart.colors.width}, {"height", &chart.colors.height}})
     *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
-  const std::string fault = acmap::faultOfFrame(chart);
-  if (!fault.empty())
-    json.fail(fault);
+  requireNone(acmap::faultOfFrame(chart), json);
   return chart;
 }
 
@@ -183,6 +187,7 @@ loadMapFile(const std::string& path)
       appendPose(poses[i], map.trajectory);
   }
   map.observations.resize(planes.size());
+  std::int64_t texels = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const JsonCursor plane = planes[i];
     map.planes.push_back(planeOf(plane, i));
@@ -192,8 +197,12 @@ loadMapFile(const std::string& path)
     if (!plane.has("charts"))
       continue;
     const JsonCursor charts = plane.at("charts");
-    for (std::size_t k = 0; k < charts.size(); ++k)
+    for (std::size_t k = 0; k < charts.size(); ++k) {
       map.charts.push_back(chartOf(charts[k], i, map.planes[i].polygons.size()));
+      const RgbImage& size = map.charts.back().colors;
+      texels += std::int64_t{size.width} * size.height;
+      requireNone(acmap::faultOfTexels(texels), charts[k]);
+    }
   }
   return map;
 }

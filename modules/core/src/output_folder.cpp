@@ -5,14 +5,48 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace pcl::acmap {
 namespace fs = std::filesystem;
 
+namespace {
+
+/** A folder that was not there: what a killed run of the same number left is none. */
+fs::path
+makeHidden(const fs::path& folder, std::error_code& error)
+{
+  static std::atomic<std::uint64_t> counter{0};
+  for (;;) {
+    const fs::path hidden = folder / (".acmap.tmp-" + std::to_string(getpid()) + "-" +
+                                      std::to_string(counter++));
+    error.clear();
+    if (fs::create_directory(hidden, error))
+      return hidden;
+    if (error && error != std::errc::file_exists)
+      return {};
+  }
+}
+
+/** \throws OutputFileException when not all could be listed */
+std::vector<fs::path>
+entriesOf(const fs::path& folder, const std::string& name)
+{
+  std::vector<fs::path> entries;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    entries.push_back(entry->path());
+  if (error)
+    throw OutputFileException(name + ": " + error.message());
+  return entries;
+}
+
+} // namespace
+
 OutputFolder::OutputFolder(const std::string& path)
 : name_(path)
 , folder_(fs::path(path).lexically_normal())
-, hidden_(folder_ / (".acmap.tmp-" + std::to_string(getpid())))
 {
   const auto fail = [&](const std::string& fault) {
     throw OutputFileException(path + ": " + fault);
@@ -25,7 +59,8 @@ OutputFolder::OutputFolder(const std::string& path)
   made_ = fs::create_directory(folder_, error);
   if (error)
     fail(error.message());
-  if (!fs::create_directory(hidden_, error) && error) {
+  hidden_ = makeHidden(folder_, error);
+  if (error) {
     const std::string fault = error.message();
     if (made_)
       fs::remove(folder_, error);
@@ -52,10 +87,9 @@ std::vector<std::string>
 OutputFolder::names() const
 {
   std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_, error))
-    if (entry.path().filename() != hidden_.filename())
-      names.push_back(entry.path().filename().string());
+  for (const fs::path& entry : entriesOf(folder_, name_))
+    if (entry.filename() != hidden_.filename())
+      names.push_back(entry.filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -71,17 +105,13 @@ OutputFolder::holds(const std::string& path) const
 void
 OutputFolder::commit()
 {
-  std::vector<fs::path> files;
+  const std::vector<fs::path> files = entriesOf(hidden_, name_);
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(hidden_, error))
-    files.push_back(entry.path());
-  std::error_code absent;
   for (const fs::path& file : files) // all or none, where that can be foreseen
-    if (fs::is_directory(folder_ / file.filename(), absent))
+    if (fs::is_directory(folder_ / file.filename(), error))
       throw OutputFileException((folder_ / file.filename()).string() + ": is a folder");
   for (const fs::path& file : files) {
-    if (!error)
-      fs::rename(file, folder_ / file.filename(), error);
+    fs::rename(file, folder_ / file.filename(), error);
     if (error)
       throw OutputFileException((folder_ / file.filename()).string() + ": " +
                                 error.message());

@@ -28,16 +28,15 @@ requireSound(const CompactMap& map, const TextureChart& chart)
   if (chart.polygon >= map.planes[chart.plane].polygons.size())
     refuse("is of polygon " + std::to_string(chart.polygon) + " of plane " +
            std::to_string(chart.plane) + ", which is not there");
+  const std::string fault = faultOfFrame(chart);
+  if (!fault.empty())
+    refuse(fault);
   const RgbImage& image = chart.colors;
-  if (image.width <= 0 || image.height <= 0)
-    refuse("has colours without a size");
   const auto texels =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.values.size() != 3 * texels ||
       !(chart.kinds.empty() || chart.kinds.size() == texels))
     refuse("has not as many colours or kinds as texels");
-  if (!chart.origin.allFinite() || !(chart.texel_u.cross(chart.texel_v).norm() > 0))
-    refuse("has axes that span no rectangle");
 }
 
 /** \brief The charts with colours of each polygon. */

@@ -13,7 +13,7 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr std::uint8_t unseen_grey = 150;
+constexpr std::uint8_t unseen_grey = 128; // as in the files of a map
 constexpr float anisotropy = 8;
 
 vtkSmartPointer<vtkTexture>

@@ -1,5 +1,6 @@
 #include <pcl/core/chart_clip.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -61,6 +62,29 @@ cutOff(const std::vector<ChartCorner>& polygon, const Side& side)
 }
 
 } // namespace
+
+std::string
+faultOfFrame(const TextureChart& chart)
+{
+  constexpr double least_side = 1e-6;
+  constexpr double most_side = 1e3;
+  constexpr double least_sine = 1e-3; // else the way back to texels is lost in rounding
+  const std::int64_t width = chart.colors.width;
+  const std::int64_t height = chart.colors.height;
+  if (width <= 0 || height <= 0 || width * height > maximum_texels)
+    return "has " + std::to_string(width) + " x " + std::to_string(height) +
+           " texels, 1 to 2^28 are legal";
+  if (!chart.origin.allFinite())
+    return "has an origin that is not finite";
+  const double u = chart.texel_u.norm();
+  const double v = chart.texel_v.norm();
+  for (const double side : {u, v})
+    if (!(side >= least_side && side <= most_side))
+      return "has texels with a side that is not within 1e-6 m and 1e3 m";
+  if (!(chart.texel_u.cross(chart.texel_v).norm() > least_sine * u * v))
+    return "has texels without an area";
+  return "";
+}
 
 ChartClip::ChartClip(const TextureChart& chart)
 : origin_(chart.origin)

@@ -23,7 +23,9 @@ struct ChartSurface {
 };
 
 /** \brief The surfaces of all charts, in their order, then the polygons without a chart.
- * \param[in] map consistent, as what saveMapFile takes */
+ * Those without an area are there, without triangles.
+ * \param[in] map that saveMapFile took: no point of it is passed over
+ * \throws BadArgumentException when a normal is zero or not finite */
 std::vector<ChartSurface>
 surfacesOf(const CompactMap& map);
 

@@ -35,11 +35,15 @@ requireWholeCharts(const CompactMap& map)
 {
   for (std::size_t i = 0; i < map.charts.size(); ++i) {
     const TextureChart& chart = map.charts[i];
-    const std::size_t texels = chart.colors.values.size() / 3;
-    if (chart.kinds.size() != texels)
+    const auto texels = static_cast<std::uint64_t>(std::int64_t{chart.colors.width} *
+                                                   chart.colors.height);
+    if (chart.colors.values.size() != 3 * texels || chart.kinds.size() != texels)
       throw BadArgumentException("chart " + std::to_string(i) + " of a map has " +
+                                 std::to_string(chart.colors.values.size()) +
+                                 " values of colour and " +
                                  std::to_string(chart.kinds.size()) + " kinds for " +
-                                 std::to_string(texels) + " texels");
+                                 std::to_string(chart.colors.width) + " x " +
+                                 std::to_string(chart.colors.height) + " texels");
   }
 }
 

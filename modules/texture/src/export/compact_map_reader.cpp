@@ -27,6 +27,8 @@ public:
   void
   read(TextureChart& chart) const
   {
+    if (chart.image.empty())
+      return; // a chart without colours
     const std::string path = pathOf(chart.image);
     RgbImage image = loadRgbImage(path);
     requireSize(path, image.width, image.height, chart);
@@ -56,9 +58,10 @@ private:
   std::string
   pathOf(const std::string& name) const
   {
-    if (name.empty() || name == "." || name == ".." ||
+    constexpr std::size_t longest = 255; // of a file's name
+    if (name.empty() || name == "." || name == ".." || name.size() > longest ||
         name.find_first_of(std::string("/\\\0", 3)) != std::string::npos)
-      throw InputFileException(map_path_ + ": \"" + name +
+      throw InputFileException(map_path_ + ": \"" + name.substr(0, longest) +
                                "\" is no name of an image in the folder");
     return (fs::path(folder_) / name).string();
   }

@@ -62,7 +62,10 @@ public:
             std::numeric_limits<std::uint32_t>::max() - room_for_text)
       throw OutputFileException(path + ": a GLB cannot be longer than 4 GiB");
     std::ostringstream stream;
-    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true);
+    const bool is_written =
+        tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true);
+    if (!is_written || !stream) // a stream without memory is bad and throws nothing
+      throw OutputFileException(path + ": could not be composed");
     return stream.str();
   }
 

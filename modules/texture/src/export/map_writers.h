@@ -24,7 +24,8 @@ writeMtl(const std::string& path,
 
 /** \brief Writes binary glTF 2.0 with the images inside.
  * \param[in] quality of the JPEGs, 1 to 100
- * \throws OutputFileException also when it would be longer than 4 GiB */
+ * \throws OutputFileException also when it would be longer than 4 GiB or there is no
+ * memory for it */
 void
 writeGlb(const std::string& path,
          const CompactMap& map,
@@ -33,7 +34,7 @@ writeGlb(const std::string& path,
 
 /** \brief Writes a PLY with a coloured vertex for each texel that is known, at its
  * middle, and triangles between neighbours.
- * \throws BadArgumentException when there are more than 2^31 of them */
+ * \throws BadArgumentException when there are more than 2^28 - 1 of them */
 void
 writeVertexPly(const std::string& path,
                const CompactMap& map,

@@ -63,11 +63,14 @@ struct VertexGrid {
 
   static constexpr std::size_t step = 16;
 
+  /** All vertices are one row, whose bytes a cloud counts in 32 bits. */
+  static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / step;
+
   std::int32_t
   appendVertex(const Eigen::Vector3f& place, const std::uint8_t* color)
   {
-    if (vertices == static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-      throw BadArgumentException("a map has more than 2^31 texels for map.ply");
+    if (vertices == most)
+      throw BadArgumentException("a map has more than 2^28 - 1 texels for map.ply");
     const std::uint8_t packed[4] = {color[2], color[1], color[0], 255};
     data.resize(data.size() + step);
     std::memcpy(&data[vertices * step], place.data(), 12);

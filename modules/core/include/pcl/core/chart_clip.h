@@ -6,9 +6,20 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::acmap {
+
+/** \brief Texels that a chart may have, and all charts of a map together. \ingroup core */
+constexpr std::int64_t maximum_texels = std::int64_t{1} << 28;
+
+/** \brief What is wrong with the rectangle of a chart; empty for nothing. Sound ones have
+ * 1 to 2^28 texels, a finite origin, texels with sides of 1e-6 m to 1e3 m, and an area above
+ * a thousandth of the product of the sides. \ingroup core */
+ACMAP_EXPORT std::string
+faultOfFrame(const TextureChart& chart);
 
 /** \brief A point of a plane and where it lies in a chart. \ingroup core */
 struct ChartCorner {
@@ -20,8 +31,7 @@ struct ChartCorner {
 /** \brief Cuts triangles off at the rectangle of a chart. \ingroup core */
 class ACMAP_EXPORT ChartClip {
 public:
-  /** \param[in] chart with a size and axes that span a rectangle; its colours do not
-   * matter */
+  /** \param[in] chart without a \ref faultOfFrame; its colours do not matter */
   explicit ChartClip(const TextureChart& chart);
 
   /** \brief What of a triangle lies in the chart: a convex polygon that turns the same

@@ -9,8 +9,9 @@
 namespace pcl::acmap {
 
 /** \brief A folder of results that appear all together: files are written into a hidden
- * folder inside of it, and \ref commit renames them into place. A run that fails leaves
- * the folder as it was; a killed one leaves the hidden folder alone. \ingroup core */
+ * folder inside of it, and \ref commit renames them into place. A run that fails before
+ * leaves the folder as it was; a killed one leaves its hidden folder behind, which later
+ * runs do not touch. \ingroup core */
 class ACMAP_EXPORT OutputFolder {
 public:
   /** \brief Makes the folder where it is missing; what it lies in must be there.
@@ -35,7 +36,8 @@ public:
   std::string
   path(const std::string& name) const;
 
-  /** \brief Names of what lies in it, in order; of nothing that this run wrote. */
+  /** \brief Names of what lies in it, in order; of nothing that this run wrote.
+   * \throws OutputFileException when it cannot be listed */
   std::vector<std::string>
   names() const;
 
@@ -43,7 +45,10 @@ public:
   bool
   holds(const std::string& path) const;
 
-  /** \throws OutputFileException when a file could not be put into place */
+  /** \brief Renames what was written into place, file by file: where a rename fails
+   * midway, new files stand beside old ones, and the hidden ones that are left are removed.
+   * A name that belongs to a folder is foreseen: then nothing is put into place.
+   * \throws OutputFileException when a file could not be put into place */
   void
   commit();
 

@@ -19,18 +19,20 @@ struct CompactMapOutputs {
 
 /** \brief Writes a compact map into a folder, which is made where there is none: map.json,
  * an image a chart, and what the outputs ask for. Texels of which nothing is known are grey
- * in images that have no transparency. All files appear together once all are whole.
+ * in images that have no transparency. All files appear together once all are whole; a
+ * rename that fails midway, after all were written, can leave new files beside old ones.
  * \param[in,out] map its charts get the names of their images
  * \return names of the files that were written, beside the folder
- * \throws BadArgumentException when map or outputs make no sense
+ * \throws BadArgumentException when outputs make no sense, a chart has not all its colours
+ * and kinds, or \ref loadCompactMap would refuse the map, as \ref saveMapFile tells
  * \throws OutputFileException when a file could not be written whole; the folder is then as
- * it was. \ingroup texture */
+ * it was, but for such a rename. \ingroup texture */
 ACMAP_EXPORT std::vector<std::string>
 saveCompactMap(const std::string& folder,
                CompactMap& map,
                const CompactMapOutputs& outputs = {});
 
-/** \brief Reads map.json and its images.
+/** \brief Reads map.json and its images. Charts that name no image have no colours.
  * \throws InputFileException as \ref loadMapFile and \ref loadRgbImage, and when an image
  * is not of its chart's size or its name climbs out of the folder. \ingroup texture */
 ACMAP_EXPORT CompactMap
