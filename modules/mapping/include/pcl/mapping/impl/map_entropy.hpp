@@ -1,0 +1,206 @@
+#pragma once
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/parallel.h>
+#include <pcl/core/point_fields.h>
+#include <pcl/mapping/map_entropy.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+namespace pcl {
+namespace acmap {
+
+inline void
+requirePlanarPose(const Eigen::Vector3d& pose)
+{
+  requireInRange("x of the pose", pose[0], -1e9, 1e9, "m");
+  requireInRange("z of the pose", pose[1], -1e9, 1e9, "m");
+  requireInRange("theta of the pose", pose[2], -1e3, 1e3, "rad");
+}
+
+} // namespace acmap
+
+template <typename PointT>
+std::size_t
+MapEntropy<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
+                                  const Eigen::Vector3d& pose)
+{
+  if (!cloud)
+    throw BadArgumentException("an observation needs a cloud");
+  acmap::requirePlanarPose(pose);
+  clouds_.push_back(cloud);
+  poses_.push_back(pose);
+  return poses_.size() - 1;
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::requireNumber(std::size_t number) const
+{
+  if (number >= poses_.size())
+    throw BadArgumentException("there is no observation " + std::to_string(number) +
+                               ", only " + std::to_string(poses_.size()));
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::setPose(std::size_t number, const Eigen::Vector3d& pose)
+{
+  requireNumber(number);
+  acmap::requirePlanarPose(pose);
+  poses_[number] = pose;
+}
+
+template <typename PointT>
+const Eigen::Vector3d&
+MapEntropy<PointT>::getPose(std::size_t number) const
+{
+  requireNumber(number);
+  return poses_[number];
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::clear()
+{
+  clouds_.clear();
+  poses_.clear();
+  cells_.clear();
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::setBinSize(double metres)
+{
+  acmap::requireInRange("bin size", metres, 0.001, 100, "m");
+  if (metres != settings_.bin_size)
+    cells_.clear();
+  settings_.bin_size = metres;
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::setSmoothing(double metres)
+{
+  acmap::requireInRange("smoothing sigma_XZ", metres, 0, 1000, "m");
+  settings_.smoothing = metres;
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::setProjectionWeight(double mu)
+{
+  acmap::requireInRange("projection weight mu", mu, 0, 1000, "(no unit)");
+  settings_.projection_weight = mu;
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::setDirectionAware(bool aware)
+{
+  if (aware != settings_.direction_aware)
+    cells_.clear();
+  settings_.direction_aware = aware;
+}
+
+template <typename PointT>
+acmap::PosedPoints
+MapEntropy<PointT>::viewOf(std::size_t number) const
+{
+  const PointCloud<PointT>& cloud = *clouds_[number];
+  acmap::PosedPoints view;
+  view.pose = poses_[number];
+  if (cloud.empty())
+    return view;
+  view.points = acmap::PointView(&cloud.front().x, sizeof(PointT), cloud.size());
+  if constexpr (acmap::has_normal<PointT>)
+    view.normals =
+        acmap::PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
+  return view;
+}
+
+template <typename PointT>
+void
+MapEntropy<PointT>::makeCells(const acmap::Progress& progress)
+{
+  constexpr std::size_t batch = 16; // between two looks at the progress
+  while (cells_.size() < clouds_.size()) {
+    progress.tell(0.9 * static_cast<double>(cells_.size()) /
+                      static_cast<double>(clouds_.size()),
+                  "cells");
+    const std::size_t first = cells_.size();
+    std::vector<acmap::EntropyCells> more(std::min(batch, clouds_.size() - first));
+    acmap::withThreads(threads_, [&] {
+      oneapi::tbb::parallel_for(std::size_t{0}, more.size(), [&](std::size_t i) {
+        const acmap::PosedPoints view = viewOf(first + i);
+        more[i] = acmap::aggregateCells(view.points, view.normals, settings_);
+      });
+    });
+    std::move(more.begin(), more.end(), std::back_inserter(cells_));
+  }
+}
+
+template <typename PointT>
+MapEntropyTerms
+MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
+{
+  if (clouds_.empty())
+    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+  const acmap::Progress progress(progress_);
+  MapEntropyReport report;
+  acmap::StepTimer timer(report);
+  makeCells(progress);
+  timer.finish("cells");
+  progress.tell(0.9, "entropy");
+  MapEntropyTerms terms;
+  acmap::withThreads(threads_, [&] {
+    terms = acmap::mapEntropy(cells_, poses_, settings_, report, gradient);
+  });
+  timer.finish("entropy");
+  report_ = std::move(report);
+  return terms;
+}
+
+template <typename PointT>
+MapEntropyTerms
+MapEntropy<PointT>::compute()
+{
+  return evaluate(nullptr);
+}
+
+template <typename PointT>
+MapEntropyTerms
+MapEntropy<PointT>::computeGradient(std::vector<Eigen::Vector3d>& gradient)
+{
+  std::vector<Eigen::Vector3d> result;
+  const MapEntropyTerms terms = evaluate(&result);
+  gradient = std::move(result);
+  return terms;
+}
+
+template <typename PointT>
+MapEntropyTerms
+MapEntropy<PointT>::computeExact()
+{
+  if (clouds_.empty())
+    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+  MapEntropyReport report;
+  acmap::StepTimer timer(report);
+  std::vector<acmap::PosedPoints> views;
+  for (std::size_t i = 0; i < clouds_.size(); ++i)
+    views.push_back(viewOf(i));
+  MapEntropyTerms terms;
+  acmap::withThreads(threads_, [&] {
+    terms =
+        acmap::exactMapEntropy(views, settings_, acmap::Progress(progress_), report);
+  });
+  timer.finish("entropy");
+  report_ = std::move(report);
+  return terms;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_MapEntropy(T) template class ACMAP_EXPORT pcl::MapEntropy<T>;

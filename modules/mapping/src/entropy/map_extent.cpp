@@ -1,0 +1,108 @@
+#include "map_extent.h"
+
+#include <pcl/core/arguments.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl::acmap {
+
+void
+MapExtent::add(const Eigen::Vector2d& place, double weight)
+{
+  if (weight_ == 0)
+    origin_ = place;
+  const Eigen::Vector2d way = place - origin_;
+  weight_ += weight;
+  sum_ += weight * way;
+  squares_ += weight * way * way.transpose();
+}
+
+int
+MapExtent::dimensions(double bin_size) const
+{
+  if (weight_ == 0)
+    return 0;
+  const Eigen::Vector2d mean = sum_ / weight_;
+  const Eigen::Matrix2d covariance = squares_ / weight_ - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  const double minor = std::sqrt(std::max(solver.eigenvalues()[0], 0.0));
+  const double major = std::sqrt(std::max(solver.eigenvalues()[1], 0.0));
+  const double least = std::max(1e-4 * bin_size, 1e-7 * major);
+  return (major > least) + (minor > least);
+}
+
+bool
+canHaveGrid(const std::vector<BinRange>& ranges,
+            const MapEntropySettings& settings,
+            MapEntropyReport& report)
+{
+  if (report.distant_points) {
+    std::ostringstream text;
+    text << report.distant_points
+         << " points are 1e+09 m or more from their sensor: no entropy, take them out";
+    report.remarks.push_back(text.str());
+    return false;
+  }
+  BinRange all;
+  std::size_t widest = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    all.add(ranges[i]);
+    const double bins =
+        ranges[i].isEmpty() ? 0 : EntropyGrid::binsOf(ranges[i], settings);
+    if (bins > most)
+      widest = i;
+    most = std::max(most, bins);
+  }
+  if (all.isEmpty()) {
+    report.remarks.emplace_back("no finite point: no entropy");
+    return false;
+  }
+  const double bins = EntropyGrid::binsOf(all, settings);
+  if (bins <= maximum_entropy_bins)
+    return true;
+  std::ostringstream text;
+  text << "the map takes " << bins << " bins of " << settings.bin_size
+       << " m, of which " << maximum_entropy_bins
+       << " are allowed: no entropy. The widest observation, " << widest << ", takes "
+       << most << " alone";
+  report.remarks.push_back(text.str());
+  return false;
+}
+
+void
+remarkOnMap(const MapEntropyTerms& terms,
+            const MapEntropySettings& settings,
+            MapEntropyReport& report)
+{
+  if (settings.direction_aware && report.directed_points == 0)
+    report.remarks.emplace_back("no point has the normal of a wall: directions, which "
+                                "were asked for, play no role");
+  if (report.observations == 1)
+    report.remarks.emplace_back(
+        "one observation: there is nothing that it could fit or not fit");
+  if (terms.dimensions == 0)
+    report.remarks.emplace_back("all points lie in one place of the XZ plane: the "
+                                "entropy tells nothing of how they are turned");
+  if (terms.dimensions == 1)
+    report.remarks.emplace_back(
+        "all points lie on one line of the XZ plane: the entropy "
+        "tells little of moves along it");
+}
+
+void
+requireSmoothing(const MapEntropySettings& settings)
+{
+  requireInRange("smoothing sigma_XZ",
+                 settings.smoothing,
+                 0,
+                 100 * settings.bin_size,
+                 "m (100 bins)");
+}
+
+} // namespace pcl::acmap
