@@ -77,17 +77,6 @@ struct Mapped {
   pcl::CompactMap map;
 };
 
-void
-requirePlanes(const Tool& tool, const Options& options, const Extraction& extraction)
-{
-  if (!extraction.clusters.patches.empty())
-    return;
-  std::string reason = options.planes.input + ": no plane was found";
-  for (const std::string& remark : tool.warnings())
-    reason += "; " + remark;
-  throw NothingFound(reason);
-}
-
 Mapped
 mapFolder(Tool& tool, const Options& options, StepTimer& timer)
 {
@@ -104,7 +93,7 @@ mapFolder(Tool& tool, const Options& options, StepTimer& timer)
     result.extraction =
         extractFromCloud(tool, options.planes, timer, merged.file, merged.sensors());
   }
-  requirePlanes(tool, options, result.extraction);
+  requirePlanes(tool, options.planes, result.extraction);
   result.map =
       paintPlanes(tool, result.extraction.clusters.patches, folder, options.texture);
   return result;
@@ -117,7 +106,7 @@ mapCloud(Tool& tool, const Options& options, StepTimer& timer)
   timer.finish("read");
   Mapped result;
   result.extraction = extractFromCloud(tool, options.planes, timer, file);
-  requirePlanes(tool, options, result.extraction);
+  requirePlanes(tool, options.planes, result.extraction);
   result.map =
       paintPlanes(tool, result.extraction.clusters.patches, file, options.texture);
   return result;
@@ -168,10 +157,7 @@ run(Tool& tool, const Options& options)
              mapped.extraction.finite_points);
   tool.details()["planes"] = mapped.map.planes.size();
   tellCompactness(tool, mapped.extraction.finite_points, mapped.map, options.output);
-  double seconds = 0;
-  for (const auto& step : tool.report().seconds)
-    seconds += step.second;
-  tool.tell("seconds", shortNumber(seconds));
+  tool.tellSeconds();
   tool.tell("folder", options.output);
   tool.setReportPlace(options.output + "/report.json");
 }

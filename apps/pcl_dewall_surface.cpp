@@ -156,22 +156,8 @@ collectWarnings(Tool& tool,
 }
 
 void
-requireTriangles(const Tool& tool, const Options& options, std::size_t triangles)
-{
-  if (triangles > 0)
-    return;
-  std::string reason = options.input + ": no triangle is possible";
-  for (const std::string& remark : tool.warnings())
-    reason += "; " + remark;
-  throw NothingFound(reason);
-}
-
-void
 summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
 {
-  double seconds = 0;
-  for (const auto& step : tool.report().seconds)
-    seconds += step.second;
   tool.tell("points", std::to_string(report.points));
   tool.tell(
       "used",
@@ -182,7 +168,7 @@ summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
   tool.tell("triangles", std::to_string(report.triangles));
   tool.tell("components", std::to_string(report.components));
   tool.tell("boundary", percent(report.boundary_edges, report.edges) + " of the edges");
-  tool.tell("seconds", shortNumber(seconds));
+  tool.tellSeconds();
   tool.tell("file", options.output);
 }
 
@@ -225,7 +211,8 @@ meshCloud(Tool& tool, const Options& options)
           : triangulate<pcl::PointXYZ>(tool, options, file, maximum_edge_length, mesh);
   timer.finish("triangulate");
   collectWarnings(tool, file, report);
-  requireTriangles(tool, options, mesh.triangles.size());
+  if (mesh.triangles.empty())
+    tool.failWithNothing(options.input + ": no triangle is possible");
 
   tool.stopIfInterrupted();
   pcl::saveTriangleMesh(options.output, file.cloud, mesh);

@@ -17,19 +17,6 @@ namespace {
 using namespace pcl::acmap;
 
 void
-requirePlanes(const Tool& tool,
-              const PlaneOptions& options,
-              const Extraction& extraction)
-{
-  if (!extraction.clusters.patches.empty())
-    return;
-  std::string reason = options.input + ": no plane was found";
-  for (const std::string& remark : tool.warnings())
-    reason += "; " + remark;
-  throw NothingFound(reason);
-}
-
-void
 writeOutputs(const Tool& tool,
              const PlaneOptions& options,
              const Extraction& extraction,
@@ -65,10 +52,7 @@ summarize(Tool& tool, const PlaneOptions& options, const Extraction& extraction)
              extraction.clusters.patches,
              extraction.input_labels,
              extraction.finite_points);
-  double seconds = 0;
-  for (const auto& step : tool.report().seconds)
-    seconds += step.second;
-  tool.tell("seconds", shortNumber(seconds));
+  tool.tellSeconds();
   tool.details()["input"] = options.input;
   tool.details()["output"] = options.output;
   for (const std::string& path :

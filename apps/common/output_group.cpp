@@ -1,6 +1,6 @@
 #include "output_group.h"
 
-#include <pcl/core/exceptions.h>
+#include <pcl/core/output_file.h>
 
 #include <unistd.h>
 
@@ -11,15 +11,6 @@
 namespace pcl::acmap {
 namespace fs = std::filesystem;
 namespace {
-
-// A link stays a link: what it points to is replaced.
-fs::path
-followLinks(const std::string& path)
-{
-  std::error_code error;
-  const fs::path target = fs::canonical(path, error);
-  return error ? fs::path(path) : target;
-}
 
 std::string
 placeBeside(const fs::path& target, std::size_t number)

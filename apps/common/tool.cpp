@@ -171,6 +171,23 @@ Tool::tell(const std::string& name, const std::string& value)
 }
 
 void
+Tool::tellSeconds()
+{
+  double seconds = 0;
+  for (const auto& step : report_.seconds)
+    seconds += step.second;
+  tell("seconds", shortNumber(seconds));
+}
+
+void
+Tool::failWithNothing(std::string reason) const
+{
+  for (const std::string& remark : report_.remarks)
+    reason += "; " + remark;
+  throw NothingFound(reason);
+}
+
+void
 Tool::writeReport() const
 {
   if (report_path_.empty())

@@ -93,16 +93,25 @@ public:
   void
   warn(const std::string& remark);
 
-  /** \brief The warnings so far, to be joined to the reason of a failure. */
+  /** \brief The warnings so far. */
   const std::vector<std::string>&
   warnings() const
   {
     return report_.remarks;
   }
 
+  /** \brief Refuses to go on: there is nothing to write. The warnings so far are joined to
+   * the reason. \throws NothingFound always */
+  [[noreturn]] void
+  failWithNothing(std::string reason) const;
+
   /** \brief A line of the summary on stdout. */
   void
   tell(const std::string& name, const std::string& value);
+
+  /** \brief The line with the seconds of all steps so far. */
+  void
+  tellSeconds();
 
   /** \brief What goes into the JSON report besides what the base knows. */
   nlohmann::ordered_json&

@@ -15,11 +15,8 @@ savePictures(const OutputFolder& folder,
              const CompactMap& map)
 {
   const HypothesisMesh& mesh = extraction.mesh;
-  SceneView view;
-  view.sensor_origin = mesh.vertices.sensor_origin;
-  view.sensor_orientation = mesh.vertices.sensor_orientation;
-  view.hide_backs = true;
-  saveSnapshot(folder.path("mesh.png"), mesh.vertices.cloud, mesh.mesh, view);
+  saveSnapshot(
+      folder.path("mesh.png"), mesh.vertices.cloud, mesh.mesh, sceneViewOf(mesh));
   savePicture(folder.path("planes.png"), mesh, extraction.clusters.labels);
   const std::pair<const char*, MapView::Place> places[] = {
       {"outside.png", MapView::Place::Outside},

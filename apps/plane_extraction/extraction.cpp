@@ -105,6 +105,15 @@ labelsOfPoints(const std::vector<std::int32_t>& of_vertices,
 
 } // namespace
 
+void
+requirePlanes(const Tool& tool,
+              const PlaneOptions& options,
+              const Extraction& extraction)
+{
+  if (extraction.clusters.patches.empty())
+    tool.failWithNothing(options.input + ": no plane was found");
+}
+
 Extraction
 extractFromMesh(Tool& tool,
                 const PlaneOptions& options,

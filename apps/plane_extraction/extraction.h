@@ -15,6 +15,12 @@ struct Extraction {
   std::size_t finite_points = 0;          ///< of the input
 };
 
+/** \throws NothingFound, with the reasons, when there is no plane */
+void
+requirePlanes(const Tool& tool,
+              const PlaneOptions& options,
+              const Extraction& extraction);
+
 /** \brief Takes the vertices of a mesh for hypotheses. */
 Extraction
 extractFromMesh(Tool& tool,

@@ -5,7 +5,6 @@
 
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_writer.h>
-#include <pcl/visualization/mesh_snapshot.h>
 
 namespace pcl::acmap {
 
@@ -59,17 +58,25 @@ saveNormals(const std::string& path,
       mesh.mesh);
 }
 
-void
-savePicture(const std::string& path,
-            const HypothesisMesh& mesh,
-            const std::vector<std::int32_t>& planes)
+SceneView
+sceneViewOf(const HypothesisMesh& mesh)
 {
   SceneView view;
   view.sensor_origin = mesh.vertices.sensor_origin;
   view.sensor_orientation = mesh.vertices.sensor_orientation;
   view.hide_backs = true;
-  saveSnapshot(
-      path, coloredByLabel(withLabels(mesh.vertices.cloud, planes)), mesh.mesh, view);
+  return view;
+}
+
+void
+savePicture(const std::string& path,
+            const HypothesisMesh& mesh,
+            const std::vector<std::int32_t>& planes)
+{
+  saveSnapshot(path,
+               coloredByLabel(withLabels(mesh.vertices.cloud, planes)),
+               mesh.mesh,
+               sceneViewOf(mesh));
 }
 
 } // namespace pcl::acmap

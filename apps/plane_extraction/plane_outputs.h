@@ -2,6 +2,8 @@
 
 #include "plane_stages.h"
 
+#include <pcl/visualization/mesh_snapshot.h>
+
 #include <string>
 
 namespace pcl::acmap {
@@ -19,6 +21,10 @@ void
 saveNormals(const std::string& path,
             const HypothesisMesh& mesh,
             const std::vector<std::int32_t>& planes);
+
+/** \brief From beside its sensor, without faces that look away. */
+SceneView
+sceneViewOf(const HypothesisMesh& mesh);
 
 /** \brief Draws the mesh as PNG, in colours by plane, without faces that look away. */
 void

@@ -1,10 +1,9 @@
 #include "acmap_planes.h"
 
 #include "consolidated_mesh.h"
+#include "voted_hypotheses.h"
 
-#include <pcl/features/voting_kernel.h>
 #include <pcl/filters/consolidation_kernel.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
 #include <pcl/surface/dewall_kernel.h>
 
 namespace pcl::acmap::bench {
@@ -27,23 +26,18 @@ meshAsItIs(const PlaneInput& input)
   return triangulateDeWall(viewOf(input), settings, Progress(), report);
 }
 
-void
-addVotes(PlaneHypotheses& hypotheses)
+VotedNormals
+voteOn(const PlaneHypotheses& hypotheses)
 {
   VotingSettings voting;
   voting.threads = 1;
   VotingReport report;
-  const VotedNormals votes = voteNormals(hypotheses.points,
-                                         hypotheses.triangles,
-                                         SensorView(),
-                                         voting,
-                                         Progress(),
-                                         report);
-  for (const VotedNormal& voted : votes.normals) {
-    hypotheses.normals.push_back(voted.normal);
-    hypotheses.is_crease.push_back(voted.vertex_class >= VertexClass::Crease ? 1 : 0);
-    hypotheses.curvatures.push_back(1 - voted.saliency);
-  }
+  return voteNormals(hypotheses.points,
+                     hypotheses.triangles,
+                     SensorView(),
+                     voting,
+                     Progress(),
+                     report);
 }
 
 /** \param[in] distance metres; 0 for the automatic one */
@@ -73,7 +67,7 @@ findPlanesAt(const PlaneInput& input, double distance)
       hypotheses.points = viewOf(input);
       hypotheses.triangles = meshAsItIs(input).triangles;
     }
-    addVotes(hypotheses);
+    addVotes(voteOn(hypotheses), hypotheses);
     PlaneClusteringSettings clustering;
     clustering.noise_driven = true;
     clustering.plane_distance = distance;

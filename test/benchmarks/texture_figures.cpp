@@ -5,6 +5,7 @@
 #include "simulated_clouds.h"
 #include "texture_seams.h"
 #include "timing.h"
+#include "voted_hypotheses.h"
 #include "voted_mesh.h"
 
 #include "texturing/blend.h"
@@ -13,7 +14,6 @@
 #include "texturing/pinhole_painter.h"
 
 #include <pcl/core/random.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
 
 #include <cmath>
 #include <iostream>
@@ -38,11 +38,7 @@ planesOf(const SimulatedCloud& cloud)
   PlaneHypotheses hypotheses;
   hypotheses.points = voted.vertices();
   hypotheses.triangles = voted.mesh.triangles;
-  for (const VotedNormal& normal : voted.votes.normals) {
-    hypotheses.normals.push_back(normal.normal);
-    hypotheses.is_crease.push_back(normal.vertex_class >= VertexClass::Crease ? 1 : 0);
-    hypotheses.curvatures.push_back(1 - normal.saliency);
-  }
+  addVotes(voted.votes, hypotheses);
   PlaneClusteringSettings settings;
   settings.noise_driven = true;
   settings.plane_distance = 0;

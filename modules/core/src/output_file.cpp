@@ -20,15 +20,6 @@ fail(const std::string& path, const std::string& fault)
   throw OutputFileException(path + ": " + fault);
 }
 
-// A link stays a link: what it points to is replaced.
-fs::path
-followLinks(const std::string& path)
-{
-  std::error_code error;
-  const fs::path target = fs::canonical(path, error);
-  return error ? fs::path(path) : target;
-}
-
 fs::path
 nameBeside(const fs::path& target)
 {
@@ -40,6 +31,14 @@ nameBeside(const fs::path& target)
 }
 
 } // namespace
+
+std::string
+followLinks(const std::string& path)
+{
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
 
 OutputFile::OutputFile(const std::string& path)
 : path_(path)

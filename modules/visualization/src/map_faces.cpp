@@ -53,15 +53,6 @@ chartsByPolygon(const CompactMap& map)
   return charts;
 }
 
-std::vector<Eigen::Vector3f>
-pointsOf(const PlanePolygon& polygon)
-{
-  std::vector<Eigen::Vector3f> points = polygon.outer;
-  for (const auto& hole : polygon.holes)
-    points.insert(points.end(), hole.begin(), hole.end());
-  return points;
-}
-
 MapFaces
 cutAt(const TextureChart& chart, const MapFaces& whole)
 {
@@ -139,7 +130,7 @@ facesOf(const CompactMap& map)
       MapFaces& faces = all.emplace_back();
       faces.plane = plane;
       faces.polygon = polygon;
-      faces.points = pointsOf(patch.polygons[polygon]);
+      faces.points = pointsOfPolygon(patch.polygons[polygon]);
       for (const TriangleMesh::Triangle& triangle : triangles)
         faces.faces.emplace_back(triangle.begin(), triangle.end());
     }

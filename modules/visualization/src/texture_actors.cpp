@@ -13,7 +13,6 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr std::uint8_t unseen_grey = 128; // as in the files of a map
 constexpr float anisotropy = 8;
 
 vtkSmartPointer<vtkTexture>
@@ -26,7 +25,7 @@ textureOf(const TextureChart& chart)
   std::memcpy(bytes, chart.colors.values.data(), chart.colors.values.size());
   for (std::size_t i = 0; i < chart.kinds.size(); ++i)
     if (chart.kinds[i] == TexelKind::None)
-      std::memset(bytes + 3 * i, unseen_grey, 3);
+      std::memset(bytes + 3 * i, unknown_grey, 3);
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   texture->SetColorModeToDirectScalars();

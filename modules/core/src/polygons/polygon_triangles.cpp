@@ -275,4 +275,13 @@ trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
   return EarClipping(rings.nodes, rings.rim).run();
 }
 
+std::vector<Eigen::Vector3f>
+pointsOfPolygon(const PlanePolygon& polygon)
+{
+  std::vector<Eigen::Vector3f> points = polygon.outer;
+  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+    points.insert(points.end(), hole.begin(), hole.end());
+  return points;
+}
+
 } // namespace pcl

@@ -18,6 +18,17 @@ scaledMedian(std::vector<double>& values)
   return 1.4826 * medianOf(values);
 }
 
+/** Calls visit (sight, plane) for a sample of the points that only one plane is near. */
+template <typename Visit>
+void
+visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& visit)
+{
+  const std::size_t step = survey.size() / most_samples + 1;
+  for (std::size_t i = 0; i < survey.size(); i += step)
+    if (survey.entry(i) >= 0 && grid[survey.entry(i)].size == 1)
+      visit(survey.sight(i), static_cast<std::size_t>(grid[survey.entry(i)].planes[0]));
+}
+
 } // namespace
 
 // Two bins an octave, from 6 cm to a megametre; 0 for the unknown. Their borders are read
@@ -44,18 +55,12 @@ RangeNoise::RangeNoise(const Survey& survey,
   constexpr double floor = 0.01; // of the grid's voxels
   squared_floor_ = std::pow(floor * grid.lattice().edge(), 2);
   std::array<std::vector<double>, bins> offs;
-  const std::size_t step = survey.size() / most_samples + 1;
-  for (std::size_t i = 0; i < survey.size(); i += step) {
-    if (survey.entry(i) < 0 || grid[survey.entry(i)].size != 1)
-      continue;
-    const KnownPlane& plane =
-        planes[static_cast<std::size_t>(grid[survey.entry(i)].planes[0])];
-    const Sight sight = survey.sight(i);
-    const Crossing crossing(sight, plane.patch);
+  visitSurePoints(survey, grid, [&](const Sight& sight, std::size_t plane) {
+    const Crossing crossing(sight, planes[plane].patch);
     constexpr double frontal = 0.2;
     if (crossing.slant > frontal)
       offs[bin(sight.range)].push_back(std::abs(crossing.off) / crossing.slant);
-  }
+  });
   // a bin without enough points is as noisy as the nearest one that has them
   std::vector<double> all;
   for (std::size_t b = 0; b < bins; ++b) {
@@ -86,15 +91,11 @@ measureWarps(const Survey& survey,
              std::vector<KnownPlane>& planes)
 {
   std::vector<std::vector<double>> offs(planes.size()), expected(planes.size());
-  const std::size_t step = survey.size() / most_samples + 1;
-  for (std::size_t i = 0; i < survey.size(); i += step) {
-    if (survey.entry(i) < 0 || grid[survey.entry(i)].size != 1)
-      continue;
-    const auto p = static_cast<std::size_t>(grid[survey.entry(i)].planes[0]);
-    const Crossing crossing(survey.sight(i), planes[p].patch);
+  visitSurePoints(survey, grid, [&](const Sight& sight, std::size_t p) {
+    const Crossing crossing(sight, planes[p].patch);
     offs[p].push_back(std::abs(crossing.off));
     expected[p].push_back(noise.variance(crossing, planes[p]));
-  }
+  });
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (planes[p].trust != PlaneTrust::Sure || offs[p].size() < least_in_bin)
       continue;

@@ -50,9 +50,7 @@ private:
 std::vector<std::array<Eigen::Vector3d, 3>>
 trianglesOf(const PlanePatch& plane, const PlanePolygon& polygon)
 {
-  std::vector<Eigen::Vector3f> points = polygon.outer;
-  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
-    points.insert(points.end(), hole.begin(), hole.end());
+  const std::vector<Eigen::Vector3f> points = pointsOfPolygon(polygon);
   std::vector<std::array<Eigen::Vector3d, 3>> triangles;
   for (const auto& triangle : trianglesOfPolygon(polygon, plane.coefficients.head<3>()))
     triangles.push_back({points[static_cast<std::size_t>(triangle[0])].cast<double>(),

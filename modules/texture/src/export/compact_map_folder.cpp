@@ -20,7 +20,6 @@ using acmap::ChartSurface;
 using acmap::OutputFolder;
 
 constexpr const char* map_name = "map.json";
-constexpr std::uint8_t grey = 128;
 
 std::string
 imageName(std::size_t chart, const char* end)
@@ -166,7 +165,7 @@ acmap::withGrey(const TextureChart& chart)
   RgbImage image = chart.colors;
   for (std::size_t i = 0; i < chart.kinds.size(); ++i)
     if (chart.kinds[i] == TexelKind::None)
-      std::fill_n(&image.values[3 * i], 3, grey);
+      std::fill_n(&image.values[3 * i], 3, unknown_grey);
   return image;
 }
 

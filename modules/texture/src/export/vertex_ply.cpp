@@ -1,4 +1,5 @@
 #include "export/map_writers.h"
+#include "texturing/chart_frame.h"
 
 #include <pcl/PCLPointField.h>
 #include <pcl/core/mesh_file.h>
@@ -96,11 +97,9 @@ VertexGrid::append(const TextureChart& chart, const ChartSurface& surface)
       const std::size_t texel = static_cast<std::size_t>(row) * width + i;
       row_vertices[i] = none;
       if (cover[texel] && chart.kinds[texel] != TexelKind::None)
-        row_vertices[i] = appendVertex((chart.origin +
-                                        (static_cast<double>(i) + 0.5) * chart.texel_u +
-                                        (row + 0.5) * chart.texel_v)
-                                           .cast<float>(),
-                                       &image.values[3 * texel]);
+        row_vertices[i] = appendVertex(
+            texturing::middleOf(chart, static_cast<double>(i), row).cast<float>(),
+            &image.values[3 * texel]);
       if (i == 0)
         continue;
       const std::int32_t quad[4] = {

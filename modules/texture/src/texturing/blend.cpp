@@ -111,8 +111,7 @@ meanOfNeighbours(const TextureChart& chart,
 void
 blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart)
 {
-  constexpr std::uint8_t grey = 128;
-  chart.colors.values.assign(3 * canvas.mask.size(), grey);
+  chart.colors.values.assign(3 * canvas.mask.size(), unknown_grey);
   chart.kinds.assign(canvas.mask.size(), TexelKind::None);
   for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel) {
     if (!(canvas.samples[texel].front().weight > 0))

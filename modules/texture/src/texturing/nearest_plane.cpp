@@ -48,8 +48,9 @@ canvasesNear(const ColoredView& view,
     const TextureChart& chart = canvases[c].chart;
     const Eigen::Vector4d& plane = planes[chart.plane].coefficients;
     const bool is_front = !view.has_eye || plane.head<3>().dot(eye) + plane[3] > 0;
-    if (is_front && seen.exteriorDistance(boxOf(chart).center()) <
-                        boxOf(chart).diagonal().norm() / 2 + maximum_distance)
+    const Eigen::AlignedBox3d box = boxOf(chart);
+    if (is_front && seen.exteriorDistance(box.center()) <
+                        box.diagonal().norm() / 2 + maximum_distance)
       near.push_back(static_cast<std::int32_t>(c));
   }
   return near;

@@ -19,6 +19,9 @@ enum class TexelKind : std::uint8_t {
   Filled = 2 ///< coloured after its neighbours
 };
 
+/** \brief All three channels of a texel of which nothing is known. \ingroup core */
+inline constexpr std::uint8_t unknown_grey = 128;
+
 /** \brief The texture of a rectangle on a plane that covers one of its polygons, or a part
  * of it where the polygon is larger than a texture may be.
  *

@@ -9,6 +9,11 @@
 
 namespace pcl::acmap {
 
+/** \brief What a link points to, through all links; the path itself where it is none. A
+ * link stays a link: what it points to is replaced. \ingroup core */
+ACMAP_EXPORT std::string
+followLinks(const std::string& path);
+
 /** \brief A file that is written beside its target and renamed into place by
  * \ref commit: a killed run, an exception or a full disk leaves the old file or none.
  *

@@ -30,4 +30,9 @@ namespace pcl {
 ACMAP_EXPORT std::vector<TriangleMesh::Triangle>
 trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal);
 
+/** \brief The points that those corners count: of the rim, then of the holes. \ingroup core
+ */
+ACMAP_EXPORT std::vector<Eigen::Vector3f>
+pointsOfPolygon(const PlanePolygon& polygon);
+
 } // namespace pcl
