@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # liblzf comes without a package file.
 find_path(LZF_INCLUDE_DIR liblzf/lzf.h REQUIRED)

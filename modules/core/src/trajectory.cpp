@@ -52,14 +52,6 @@ appendRow(const Row& row, const acmap::ByteSource& source, Trajectory& trajector
   trajectory.poses.push_back(pose);
 }
 
-bool
-isRigid(const Eigen::Isometry3d& pose)
-{
-  const Eigen::Matrix3d rotation = pose.linear();
-  return pose.matrix().allFinite() && rotation.isUnitary(motion_slack) &&
-         rotation.determinant() > 0.0;
-}
-
 std::string
 textOfRow(double stamp, const Eigen::Isometry3d& pose)
 {
@@ -81,6 +73,14 @@ textOfRow(double stamp, const Eigen::Isometry3d& pose)
 }
 
 } // namespace
+
+bool
+isRigid(const Eigen::Isometry3d& pose)
+{
+  const Eigen::Matrix3d rotation = pose.linear();
+  return pose.matrix().allFinite() && rotation.isUnitary(motion_slack) &&
+         rotation.determinant() > 0.0;
+}
 
 Trajectory
 loadTrajectory(const std::string& path)

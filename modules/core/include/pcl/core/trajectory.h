@@ -16,6 +16,11 @@ struct Trajectory {
   std::vector<Eigen::Isometry3d> poses; ///< T_map_camera, metres
 };
 
+/** \brief Is a pose a rigid motion: finite, its rotation orthonormal within 1e-6 and no
+ * mirror? \ingroup core */
+ACMAP_EXPORT bool
+isRigid(const Eigen::Isometry3d& pose);
+
 /** \brief Reads a trajectory in TUM's form: rows of `stamp tx ty tz qx qy qz qw`;
  * blank lines and comments behind # are left out. A quaternion within 1 % of length 1 is
  * normalised.

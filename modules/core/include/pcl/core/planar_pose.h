@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace pcl {
+
+/** \brief Where a robot stands on the floor: a frame's pose in the XZ plane of the map
+ * (x right, y down, z forward), theta about y. It takes (x, z) to
+ * X = cos theta x + sin theta z + p_x, Z = -sin theta x + cos theta z + p_z.
+ * \ingroup core */
+struct PlanarPose {
+  double x = 0, z = 0; ///< metres
+  double theta = 0;    ///< radians
+};
+
+/** \brief A motion on the floor (the paper's action): where the robot stands next, as
+ * seen from where it stood. \ingroup core */
+struct PlanarAction {
+  double dx = 0, dz = 0; ///< metres, in the frame before the motion
+  double dtheta = 0;     ///< radians
+};
+
+/** \brief The pose after an action: p_{t+1} = p_t (+) a_t. \ingroup core */
+inline PlanarPose
+moved(const PlanarPose& pose, const PlanarAction& action)
+{
+  const double c = std::cos(pose.theta);
+  const double s = std::sin(pose.theta);
+  return {pose.x + c * action.dx + s * action.dz,
+          pose.z - s * action.dx + c * action.dz,
+          pose.theta + action.dtheta};
+}
+
+/** \brief The action that leads from one pose to another, its turn in [-pi, pi].
+ * \ingroup core */
+inline PlanarAction
+actionBetween(const PlanarPose& from, const PlanarPose& to)
+{
+  const double c = std::cos(from.theta);
+  const double s = std::sin(from.theta);
+  const double x = to.x - from.x;
+  const double z = to.z - from.z;
+  return {c * x - s * z,
+          s * x + c * z,
+          std::remainder(to.theta - from.theta, 2 * 3.14159265358979323846)};
+}
+
+/** \brief T_map_robot of a planar pose. \ingroup core */
+inline Eigen::Isometry3d
+isometryOf(const PlanarPose& pose)
+{
+  Eigen::Isometry3d T_map_robot(
+      Eigen::AngleAxisd(pose.theta, Eigen::Vector3d::UnitY()));
+  T_map_robot.translation() << pose.x, 0, pose.z;
+  return T_map_robot;
+}
+
+/** \brief The planar pose nearest to a rigid motion: its x and z, and the turn about y
+ * nearest to its rotation; height and tilt are left. \ingroup core */
+inline PlanarPose
+planarPartOf(const Eigen::Isometry3d& T_map_camera)
+{
+  const Eigen::Matrix3d rotation = T_map_camera.linear();
+  return {T_map_camera.translation().x(),
+          T_map_camera.translation().z(),
+          std::atan2(rotation(0, 2) - rotation(2, 0), rotation(0, 0) + rotation(2, 2))};
+}
+
+} // namespace pcl

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/planar_pose.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+
+/** \brief One sweep of a planar laser. Beam i points along first_angle + i angle_step,
+ * from z (ahead, 0) towards x (right, pi / 2). \ingroup core */
+struct PlanarScan {
+  std::vector<float> ranges; ///< metres; none where not in (0, maximum_range)
+  double first_angle = 0;    ///< radians
+  double angle_step = 0;     ///< radians; its sign is the sense of the sweep
+  float maximum_range = 0;   ///< metres; what a beam without echo reads, or more
+  PlanarPose pose;           ///< of the laser in the map
+  double stamp = 0;          ///< seconds
+};
+
+/** \brief A scan as points of the XZ plane. \ingroup core */
+struct PlanarScanPoints {
+  /** In the laser's frame, y = 0; the normal, towards the laser, is that of the line
+   * through the neighbouring echoes, NaN where they do not lie on one. */
+  PointCloud<PointNormal>::Ptr cloud;
+  std::vector<float> weights;    ///< metres of wall that each point stands for
+  std::size_t missing_beams = 0; ///< without echo
+};
+
+/** \brief Turns echoes into points.
+ * \throws BadArgumentException when an angle is not finite */
+ACMAP_EXPORT PlanarScanPoints
+pointsOf(const PlanarScan& scan);
+
+} // namespace pcl

@@ -1,0 +1,165 @@
+#include <pcl/core/carmen_log.h>
+
+#include "byte_source.h"
+#include "gzip_text.h"
+#include "text_number.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+
+namespace {
+
+using acmap::ByteSource;
+using acmap::Words;
+
+constexpr double pi = 3.14159265358979323846;
+
+std::string_view
+nextWord(Words& words, std::uint64_t beams, const ByteSource& source)
+{
+  std::string_view word;
+  if (!words.next(word))
+    source.failAtLine("announces " + std::to_string(beams) +
+                      " beams, and has fewer numbers than these and what follows them");
+  return word;
+}
+
+template <typename Number>
+Number
+nextNumber(Words& words, std::uint64_t beams, const ByteSource& source)
+{
+  const std::string_view word = nextWord(words, beams, source);
+  Number value = 0;
+  if (!acmap::parseNumber(word, value))
+    source.failAtLine(acmap::quoted(word) + " is no number");
+  return value;
+}
+
+// From the right to the left; an even number of beams leaves out the last direction.
+void
+setSweep(PlanarScan& scan)
+{
+  const std::size_t beams = scan.ranges.size();
+  scan.first_angle = pi / 2;
+  scan.angle_step = -pi / static_cast<double>(beams % 2 == 1 ? beams - 1 : beams);
+}
+
+std::uint64_t
+readBeams(Words& words, const ByteSource& source)
+{
+  std::string_view word;
+  std::uint64_t beams = 0;
+  if (!words.next(word) || !acmap::parseCount(word, beams) || beams < 2)
+    source.failAtLine(acmap::quoted(word) + " is no number of beams (2 or more)");
+  return beams;
+}
+
+// Behind FLASER. The count is the line's claim: memory is taken for what is there.
+PlanarScan
+readScan(Words& words, const ByteSource& source)
+{
+  const std::uint64_t beams = readBeams(words, source);
+  PlanarScan scan;
+  for (std::uint64_t i = 0; i < beams; ++i)
+    scan.ranges.push_back(nextNumber<float>(words, beams, source));
+  std::array<double, 7> tail{}; // x y theta of the laser, the same of odometry, stamp
+  for (double& value : tail)
+    value = nextNumber<double>(words, beams, source);
+  if (!std::isfinite(tail[0]) || !std::isfinite(tail[1]) || !std::isfinite(tail[2]))
+    source.failAtLine("its pose is not finite");
+  if (!std::isfinite(tail[6]))
+    source.failAtLine("its stamp is not finite");
+  scan.pose = {0.0 - tail[1], tail[0], 0.0 - tail[2]}; // 0 - 0 is no -0
+  scan.stamp = tail[6];
+  setSweep(scan);
+  return scan;
+}
+
+std::size_t
+countBetween(const std::vector<float>& readings, double least, double below)
+{
+  return static_cast<std::size_t>(
+      std::count_if(readings.begin(), readings.end(), [=](float reading) {
+        return reading >= least && reading < below;
+      }));
+}
+
+/** \brief Where readings cease to be distances. Lasers say "no echo" by one large
+ * reading or a few close to each other (SICK: 81.83, 81.87, 81.91 m, or 32.759 to
+ * 32.767 m where they count millimetres), so that many beams read the same, and hardly
+ * any somewhat less.
+ * \param[in] readings metres, finite, positive; reordered */
+float
+rangeWithoutEcho(std::vector<float>& readings)
+{
+  constexpr double width = 0.01;           // of the reading
+  constexpr std::size_t clear_excess = 10; // over what reads somewhat less
+  constexpr std::size_t beams_to_a_wild_one = 10000;
+  if (readings.empty())
+    return 0.0F;
+  const auto top = readings.end() - 1 - readings.size() / beams_to_a_wild_one;
+  std::nth_element(readings.begin(), top, readings.end());
+  const double reading = *top;
+  const double least = (1.0 - width) * reading;
+  const std::size_t here =
+      countBetween(readings, least, std::numeric_limits<double>::infinity());
+  const std::size_t less = countBetween(readings, (1.0 - 2.0 * width) * reading, least);
+  if (here > clear_excess * (less + 1))
+    return static_cast<float>(least);
+  return std::nextafter(*std::max_element(top, readings.end()),
+                        std::numeric_limits<float>::infinity());
+}
+
+void
+setMaximumRange(std::vector<PlanarScan>& scans)
+{
+  std::vector<float> readings;
+  for (const PlanarScan& scan : scans)
+    std::copy_if(scan.ranges.begin(),
+                 scan.ranges.end(),
+                 std::back_inserter(readings),
+                 [](float range) { return std::isfinite(range) && range > 0.0F; });
+  const float maximum = rangeWithoutEcho(readings);
+  for (PlanarScan& scan : scans)
+    scan.maximum_range = maximum;
+}
+
+CarmenLog
+readLog(ByteSource& source)
+{
+  CarmenLog log;
+  for (std::string_view line; source.readLine(line);) {
+    Words words(line);
+    std::string_view kind;
+    if (!words.next(kind) || kind.front() == '#')
+      continue;
+    if (kind == "FLASER")
+      log.scans.push_back(readScan(words, source));
+    else
+      ++log.other_messages;
+  }
+  if (log.scans.empty())
+    source.fail("has no FLASER message");
+  setMaximumRange(log.scans);
+  return log;
+}
+
+} // namespace
+
+CarmenLog
+loadCarmenLog(const std::string& path)
+{
+  const bool packed = acmap::isGzip(path);
+  ByteSource file(path);
+  if (!packed)
+    return readLog(file);
+  const std::string text = acmap::unpackGzip(file);
+  ByteSource unpacked(path, text.data(), text.size());
+  return readLog(unpacked);
+}
+
+} // namespace pcl
