@@ -1,4 +1,5 @@
 #include "dewall_traits.h"
+#include "entropy_rectification_traits.h"
 #include "map_entropy_traits.h"
 #include "normal_vector_voting_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
@@ -9,6 +10,7 @@ namespace pcl::acmap::test {
 
 /** Every public class with a verb has its traits here. */
 using PublicClasses = testing::Types<DeWallTraits,
+                                     EntropyRectificationTraits,
                                      MapEntropyTraits,
                                      NormalVectorVotingTraits,
                                      PlaneHypothesisClusteringTraits,

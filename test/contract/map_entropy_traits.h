@@ -91,8 +91,10 @@ struct MapEntropyTraits {
     for (int axis = 0; axis < 3; ++axis)
       calls.push_back(
           {[axis](Class& object) {
-             Eigen::Vector3d pose = Eigen::Vector3d::Zero();
-             pose[axis] = std::numeric_limits<double>::quiet_NaN();
+             PlanarPose pose;
+             (axis == 0   ? pose.x
+              : axis == 1 ? pose.z
+                          : pose.theta) = std::numeric_limits<double>::quiet_NaN();
              object.addPointCloud(std::make_shared<PointCloud<PointNormal>>(), pose);
            },
            {axis < 2 ? "of the pose" : "theta", "nan", axis < 2 ? " m" : "rad"}});

@@ -36,6 +36,14 @@ cloudAt(const std::vector<Eigen::Vector2d>& places)
   return cloud;
 }
 
+/** \brief A pose with x (axis 0), z (1) or theta (2) changed. */
+inline PlanarPose
+shifted(PlanarPose pose, int axis, double by)
+{
+  (axis == 0 ? pose.x : axis == 1 ? pose.z : pose.theta) += by;
+  return pose;
+}
+
 /** \brief Bytes, not values. */
 inline bool
 areSame(const MapEntropyTerms& a, const MapEntropyTerms& b)

@@ -53,7 +53,7 @@ TEST(ExactEntropy, isTheNaiveOne)
     }
 }
 
-/** Keeps of each cloud at most one point in each cell of half a bin. */
+/** Keeps of each cloud at most one point in each cell of a bin. */
 PosedClouds
 oneACell(PosedClouds map, double bin)
 {
@@ -62,8 +62,8 @@ oneACell(PosedClouds map, double bin)
     PointCloud<PointNormal>::Ptr kept(new PointCloud<PointNormal>);
     for (const PointNormal& point : *cloud) {
       const std::pair<long, long> cell(
-          std::lround(std::floor(static_cast<double>(point.x) / (bin / 2))),
-          std::lround(std::floor(static_cast<double>(point.z) / (bin / 2))));
+          std::lround(std::floor(static_cast<double>(point.x) / bin)),
+          std::lround(std::floor(static_cast<double>(point.z) / bin)));
       if (std::find(taken.begin(), taken.end(), cell) != taken.end())
         continue;
       taken.push_back(cell);
@@ -103,8 +103,8 @@ TEST(FastEntropy, isNearTheNaiveSplineWithCellsOfManyPoints)
 double
 boundOf(const NaiveSettings& settings)
 {
-  return (settings.directions ? 3 + 2 * settings.mu : 2 + 2 * settings.mu) *
-         std::log2(5.0);
+  return (2 + 2 * settings.mu) * std::log2(7.0) +
+         (settings.directions ? std::log2(5.0) : 0);
 }
 
 TEST(FastEntropy, staysWithinItsBoundOfTheExactOne)

@@ -90,11 +90,11 @@ naiveEntropy(const PosedClouds& map, const NaiveSettings& settings)
   Histogram q;
   MapEntropyTerms terms;
   for (std::size_t i = 0; i < map.clouds.size(); ++i) {
-    const Eigen::Vector3d& pose = map.poses[i];
-    const Eigen::AngleAxisd turn(pose[2], Eigen::Vector3d::UnitY());
+    const PlanarPose& pose = map.poses[i];
+    const Eigen::AngleAxisd turn(pose.theta, Eigen::Vector3d::UnitY());
     for (const PointNormal& point : *map.clouds[i]) {
       const Eigen::Vector3d place = turn * point.getVector3fMap().cast<double>() +
-                                    Eigen::Vector3d(pose[0], 0, pose[1]);
+                                    Eigen::Vector3d(pose.x, 0, pose.z);
       const Eigen::Vector3d normal = turn * point.getNormalVector3fMap().cast<double>();
       add(q, place, normal, settings);
       ++terms.points;
@@ -158,9 +158,9 @@ makeRoomViews(std::size_t views, std::size_t points, std::uint64_t seed)
   PosedClouds map;
   for (std::size_t i = 0; i < views; ++i) {
     const double t = static_cast<double>(i);
-    map.poses.emplace_back(1.03 + 0.31 * t, 1.21 + 0.17 * t, 0.23 * t - 0.4);
-    const Eigen::AngleAxisd back(-map.poses[i][2], Eigen::Vector3d::UnitY());
-    const Eigen::Vector3d origin(map.poses[i][0], 0, map.poses[i][1]);
+    map.poses.push_back({1.03 + 0.31 * t, 1.21 + 0.17 * t, 0.23 * t - 0.4});
+    const Eigen::AngleAxisd back(-map.poses[i].theta, Eigen::Vector3d::UnitY());
+    const Eigen::Vector3d origin(map.poses[i].x, 0, map.poses[i].z);
     map.clouds.emplace_back(new PointCloud<PointNormal>);
     for (std::size_t p = 0; p < points; ++p) {
       const PointNormal point = roomPoint(random);
@@ -178,7 +178,7 @@ makeThinWall(double thickness)
   PosedClouds map;
   Random random(3);
   for (const double side : {-1.0, 1.0}) {
-    map.poses.emplace_back(0, 0.04 + 2 * side, 0);
+    map.poses.push_back({0, 0.04 + 2 * side, 0});
     map.clouds.emplace_back(new PointCloud<PointNormal>);
     for (int i = 0; i < 2000; ++i)
       map.clouds.back()->push_back(toPoint(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/planar_pose.h>
 #include <pcl/mapping/map_entropy_types.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -14,7 +15,7 @@ namespace pcl::acmap::test {
 /** \brief Observations with their poses (x, z, theta). */
 struct PosedClouds {
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
-  std::vector<Eigen::Vector3d> poses;
+  std::vector<PlanarPose> poses;
 };
 
 /** \brief How the naive entropy goes. */

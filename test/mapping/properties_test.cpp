@@ -57,7 +57,7 @@ makeExactMap()
       places.emplace_back(std::floor(random.uniform(0, 4096)) / 1024,
                           std::floor(random.uniform(0, 2048)) / 1024);
     map.clouds.push_back(cloudAt(places));
-    map.poses.emplace_back(i / 64.0, -i / 32.0, 0);
+    map.poses.push_back({i / 64.0, -i / 32.0, 0});
   }
   return map;
 }
@@ -70,10 +70,10 @@ TEST(MapEntropyProperties, translationByWholeBinsChangesNothing)
   const MapEntropyTerms exact = entropyOf(map, settings).computeExact();
   const MapEntropyTerms fast = entropyOf(map, settings).compute();
   for (auto& pose : map.poses)
-    pose += Eigen::Vector3d(37 * 0.125, -1013 * 0.125, 0);
+    pose = {pose.x + 37 * 0.125, pose.z - 1013 * 0.125, pose.theta};
   EXPECT_TRUE(areSame(entropyOf(map, settings).computeExact(), exact));
   EXPECT_NEAR(entropyOf(map, settings).compute().total, fast.total, 1e-9);
-  map.poses[0][0] += 0.03;
+  map.poses[0].x += 0.03;
   EXPECT_GT(std::abs(entropyOf(map, settings).compute().total - fast.total), 1e-6);
 }
 
@@ -83,7 +83,7 @@ TEST(MapEntropyProperties, quarterTurnsSwapTheAxes)
     PosedClouds map = makeRoomViews(3, 2000, 24);
     const MapEntropyTerms terms = entropyOf(map, settingsFor(directions)).compute();
     for (auto& pose : map.poses) // about the origin: X, Z become Z, -X
-      pose = Eigen::Vector3d(pose[1], -pose[0], pose[2] + M_PI / 2);
+      pose = {pose.z, -pose.x, pose.theta + M_PI / 2};
     const MapEntropyTerms turned = entropyOf(map, settingsFor(directions)).compute();
     EXPECT_NEAR(turned.joint, terms.joint, 1e-9);
     EXPECT_NEAR(turned.along_x, terms.along_z, 1e-9);
@@ -145,10 +145,10 @@ TEST(MapEntropyProperties, wallsAlongAnAxisHaveTheLeastProjections)
   NaiveSettings settings;
   PosedClouds map = makeThinWall(0);
   for (auto& pose : map.poses)
-    pose = Eigen::Vector3d(0, 0, 0);
+    pose = {};
   const MapEntropyTerms along = entropyOf(map, settings).compute();
   for (auto& pose : map.poses)
-    pose[2] = 0.1;
+    pose.theta = 0.1;
   const MapEntropyTerms slanted = entropyOf(map, settings).compute();
   EXPECT_LT(along.along_x + along.along_z, slanted.along_x + slanted.along_z);
 }

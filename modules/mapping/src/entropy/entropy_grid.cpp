@@ -6,17 +6,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl::acmap {
 namespace {
 
-std::vector<double>
-gaussian(double sigma)
+constexpr std::int64_t block = BinArray::block;
+
+std::int64_t
+radiusOf(const MapEntropySettings& settings)
 {
-  const auto radius = static_cast<std::size_t>(std::ceil(3 * sigma));
-  std::vector<double> kernel(radius + 1, 1);
+  return static_cast<std::int64_t>(
+      std::ceil(3 * (settings.smoothing / settings.bin_size)));
+}
+
+/** What the grid has around the range: one bin more than the Gaussian reaches, as
+ * rounding may move a cell there. */
+std::int64_t
+marginOf(const MapEntropySettings& settings)
+{
+  return radiusOf(settings) + 1;
+}
+
+std::int64_t
+wholeBlocks(std::int64_t bins)
+{
+  return (bins + block - 1) / block * block;
+}
+
+std::size_t
+sizeOf(std::int64_t bins)
+{
+  return static_cast<std::size_t>(bins);
+}
+
+std::vector<double>
+gaussian(const MapEntropySettings& settings)
+{
+  const double sigma = settings.smoothing / settings.bin_size;
+  std::vector<double> kernel(sizeOf(radiusOf(settings)) + 1, 1);
   double sum = 1;
-  for (std::size_t i = 1; i <= radius; ++i) {
+  for (std::size_t i = 1; i < kernel.size(); ++i) {
     const double at = static_cast<double>(i) / sigma;
     kernel[i] = std::exp(-0.5 * at * at);
     sum += 2 * kernel[i];
@@ -26,28 +56,62 @@ gaussian(double sigma)
   return kernel;
 }
 
+std::vector<double>
+convolve(const std::vector<double>& values, const std::vector<double>& kernel)
+{
+  std::vector<double> sums(values.size(), 0);
+  const auto radius = static_cast<std::ptrdiff_t>(kernel.size()) - 1;
+  const auto size = static_cast<std::ptrdiff_t>(values.size());
+  for (std::ptrdiff_t i = -radius; i <= radius; ++i) {
+    const double weight = kernel[static_cast<std::size_t>(std::abs(i))];
+    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, -i);
+         j < std::min(size, size - i);
+         ++j)
+      sums[static_cast<std::size_t>(j)] +=
+          weight * values[static_cast<std::size_t>(j + i)];
+  }
+  return sums;
+}
+
+double
+log2Of(double value)
+{
+  double values[block] = {value};
+  entropyBins().takeLogarithms(values, block);
+  return values[0];
+}
+
+/** H of bins that sum up to \a weight, of the sum of q log2 q. */
+double
+entropyOf(double sum, double weight)
+{
+  return std::max(0.0, log2Of(weight) - sum / weight);
+}
+
 std::int64_t
-marginOf(const MapEntropySettings& settings)
+lengthOf(const FilledRun& run)
 {
-  return static_cast<std::int64_t>(
-      std::ceil(3 * settings.smoothing / settings.bin_size));
+  return std::int64_t{run.end - run.begin} * block;
 }
 
-double
-minusEntropySum(const double* first, std::size_t size)
+constexpr std::size_t chunk_length = 64;
+
+std::size_t
+chunksOf(const std::vector<FilledRun>& runs)
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < size; ++i)
-    if (first[i] > 0)
-      sum += first[i] * std::log2(first[i]);
-  return sum;
+  return (runs.size() + chunk_length - 1) / chunk_length;
 }
 
-/** H of bins that sum up to \a points, of the sum of q log2 q. */
-double
-entropyOf(double sum, double points)
+/** Calls body (chunk, first, last) for chunks of fixed length, in any order. */
+template <typename Body>
+void
+forChunks(const std::vector<FilledRun>& runs, const Body& body)
 {
-  return std::max(0.0, std::log2(points) - sum / points);
+  oneapi::tbb::parallel_for(std::size_t{0}, chunksOf(runs), [&](std::size_t chunk) {
+    const std::size_t first = chunk * chunk_length;
+    const std::size_t last = std::min(first + chunk_length, runs.size());
+    body(chunk, runs.data() + first, runs.data() + last);
+  });
 }
 
 } // namespace
@@ -76,17 +140,12 @@ layersOf(const MapEntropySettings& settings)
   return settings.direction_aware ? wall_directions + 1 : 1;
 }
 
-EntropyGrid::EntropyGrid(const BinRange& range, const MapEntropySettings& settings)
+EntropyGrid::EntropyGrid(const MapEntropySettings& settings)
 : settings_(settings)
-, kernel_(gaussian(settings.smoothing / settings.bin_size))
-{
-  const std::int64_t margin = marginOf(settings);
-  first_x_ = range.least_x - margin;
-  first_z_ = range.least_z - margin;
-  width_ = static_cast<std::size_t>(range.most_x + margin - first_x_ + 1);
-  depth_ = static_cast<std::size_t>(range.most_z + margin - first_z_ + 1);
-  layers_ = static_cast<std::size_t>(layersOf(settings));
-}
+, kernel_(gaussian(settings))
+, radius_(radiusOf(settings))
+, layers_(layersOf(settings))
+{}
 
 double
 EntropyGrid::binsOf(const BinRange& range, const MapEntropySettings& settings)
@@ -98,114 +157,164 @@ EntropyGrid::binsOf(const BinRange& range, const MapEntropySettings& settings)
 }
 
 void
-EntropyGrid::allocate()
+EntropyGrid::Field::reserve(std::int64_t bins, std::int64_t room)
 {
-  bins_.assign(width_ * depth_ * layers_, 0);
+  constexpr std::size_t line = 64; // bytes
+  values_.resize(
+      std::max(values_.size(), sizeOf(bins + 2 * room) + line / sizeof(double)), 0);
+  const auto first = reinterpret_cast<std::uintptr_t>(values_.data() + room);
+  room_ = room + static_cast<std::int64_t>((line - first % line) / sizeof(double));
 }
 
 void
-EntropyGrid::convolveRow(std::size_t row, std::vector<double>& scratch)
+EntropyGrid::begin(const BinRange& range)
 {
-  // Across rows (x) into the scratch, then along it (z) into the spare bins.
-  const std::size_t x = row % width_;
-  const double* middle = &bins_[row * depth_];
-  const std::size_t radius = kernel_.size() - 1;
-  scratch.assign(depth_ + 2 * radius, 0);
-  double* sums = scratch.data() + radius;
-  for (std::size_t j = 0; j < depth_; ++j)
-    sums[j] = kernel_[0] * middle[j];
-  for (std::size_t i = 1; i <= radius; ++i) {
-    const double* before = i <= x ? middle - i * depth_ : nullptr;
-    const double* after = x + i < width_ ? middle + i * depth_ : nullptr;
-    for (std::size_t j = 0; before && j < depth_; ++j)
-      sums[j] += kernel_[i] * before[j];
-    for (std::size_t j = 0; after && j < depth_; ++j)
-      sums[j] += kernel_[i] * after[j];
-  }
-  double* out = &spare_[row * depth_];
-  for (std::size_t j = 0; j < depth_; ++j)
-    out[j] = kernel_[0] * sums[j];
-  for (std::size_t i = 1; i <= radius; ++i) {
-    const double* before = sums - i;
-    const double* after = sums + i;
-    for (std::size_t j = 0; j < depth_; ++j)
-      out[j] += kernel_[i] * (before[j] + after[j]);
-  }
+  clear();
+  const std::int64_t margin = marginOf(settings_);
+  first_x_ = range.least_x - margin;
+  first_z_ = range.least_z - margin;
+  width_ = range.most_x + margin - first_x_ + 1;
+  depth_ = wholeBlocks(range.most_z + margin - first_z_ + 1);
+  const std::int64_t bins = width_ * depth_ * layers_;
+  bins_.reserve(bins, wholeBlocks(radius_) + block);
+  half_smoothed_.reserve(radius_ > 0 ? bins : 0, wholeBlocks(radius_) + block);
+  empty_row_.assign(sizeOf(depth_), 0);
+  marks_.blocks = depth_ / block;
+  marks_.rows = width_;
+  marks_.marks.assign(sizeOf(bins / block), 0);
+  array_ = {bins_.begin(), depth_, width_ * depth_, marks_.marks.data()};
 }
 
 void
-EntropyGrid::smooth()
+EntropyGrid::clear()
 {
-  if (kernel_.size() == 1)
+  const auto clear_runs = [&](const std::vector<FilledRun>& runs, Field& field) {
+    for (const FilledRun& run : runs)
+      std::fill_n(field.begin() + firstOf(run), lengthOf(run), 0.0);
+  };
+  clear_runs(spread_, bins_);
+  clear_runs(widened_, half_smoothed_);
+  filled_.clear();
+  widened_.clear();
+  spread_.clear();
+}
+
+void
+EntropyGrid::smoothAcross(Field& from, const std::vector<FilledRun>& runs, Field& to)
+{
+  forChunks(runs, [&](std::size_t, const FilledRun* first, const FilledRun* last) {
+    std::vector<const double*> rows(2 * sizeOf(radius_) + 1);
+    for (const FilledRun* run = first; run < last; ++run) {
+      const std::int64_t layer = run->row / width_ * width_;
+      for (std::int64_t i = -radius_; i <= radius_; ++i)
+        rows[sizeOf(i + radius_)] =
+            run->row + i >= layer && run->row + i < layer + width_
+                ? from.begin() + firstOf(*run) + i * depth_
+                : empty_row_.data();
+      entropyBins().smoothAcross(rows.data(),
+                                 {kernel_.data(), radius_},
+                                 lengthOf(*run),
+                                 to.begin() + firstOf(*run));
+    }
+  });
+}
+
+void
+EntropyGrid::smoothAlong(Field& from,
+                         const FilledRun* first,
+                         const FilledRun* last,
+                         Field& to)
+{
+  // Over the end of a row lies the margin of the next: empty, or of no use to cells.
+  for (const FilledRun* run = first; run < last; ++run)
+    entropyBins().smoothAlong(from.begin() + firstOf(*run),
+                              {kernel_.data(), radius_},
+                              lengthOf(*run),
+                              to.begin() + firstOf(*run));
+}
+
+void
+EntropyGrid::project()
+{
+  on_x_.assign(sizeOf(wholeBlocks(width_)), 0);
+  on_z_.assign(sizeOf(depth_), 0);
+  for (const FilledRun& run : filled_)
+    on_x_[sizeOf(run.row % width_)] += entropyBins().sumUp(
+        bins_.begin() + firstOf(run), lengthOf(run), &on_z_[sizeOf(run.begin * block)]);
+  on_x_ = convolve(on_x_, kernel_);
+  on_z_ = convolve(on_z_, kernel_);
+}
+
+double
+EntropyGrid::takeLogarithms()
+{
+  std::vector<double> sums(chunksOf(spread_));
+  forChunks(spread_,
+            [&](std::size_t chunk, const FilledRun* first, const FilledRun* last) {
+              if (radius_ > 0)
+                smoothAlong(half_smoothed_, first, last, bins_);
+              for (const FilledRun* run = first; run < last; ++run)
+                sums[chunk] += entropyBins().takeLogarithms(
+                    bins_.begin() + firstOf(*run), lengthOf(*run));
+            });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+void
+EntropyGrid::takeSensitivities()
+{
+  // dH / dQ = -log2 Q - 1 / ln 2, whose constant cancels as the shares always sum to 1,
+  // and so does the weight's. Where Q = 0 the splines' derivatives are 0 too.
+  const double mu = settings_.projection_weight;
+  for (const FilledRun& run : spread_) {
+    double* bins = bins_.begin() + firstOf(run);
+    const double* on_z = &on_z_[sizeOf(run.begin * block)];
+    const double on_x = on_x_[sizeOf(run.row % width_)];
+    for (std::int64_t j = 0; j < lengthOf(run); ++j)
+      bins[j] = -bins[j] - mu * (on_x + on_z[j]);
+  }
+  if (radius_ == 0)
     return;
-  spare_.resize(bins_.size());
-  oneapi::tbb::parallel_for(
-      oneapi::tbb::blocked_range<std::size_t>(0, width_ * layers_, 16),
-      [&](const oneapi::tbb::blocked_range<std::size_t>& rows) {
-        std::vector<double> scratch;
-        for (std::size_t row = rows.begin(); row < rows.end(); ++row)
-          convolveRow(row, scratch);
-      });
-  bins_.swap(spare_);
+  forChunks(widened_, [&](std::size_t, const FilledRun* first, const FilledRun* last) {
+    smoothAlong(bins_, first, last, half_smoothed_);
+  });
+  smoothAcross(half_smoothed_, filled_, bins_);
 }
 
 MapEntropyTerms
-EntropyGrid::terms(double points)
+EntropyGrid::finish(double weight, bool sensitivities)
 {
-  const std::size_t rows = width_ * layers_;
-  std::vector<double> sums(rows), masses(rows);
-  oneapi::tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
-    const double* first = &bins_[row * depth_];
-    sums[row] = minusEntropySum(first, depth_);
-    for (std::size_t j = 0; j < depth_; ++j)
-      masses[row] += first[j];
-  });
-  on_x_.assign(width_, 0);
-  on_z_.assign(depth_, 0);
-  double sum = 0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    sum += sums[row];
-    on_x_[row % width_] += masses[row];
-    for (std::size_t j = 0; j < depth_; ++j)
-      on_z_[j] += bins_[row * depth_ + j];
+  findRuns(marks_, 0, 2, filled_); // a mark stands for three rows
+  project();
+  if (radius_ > 0) {
+    findRuns(marks_, radius_, radius_ + 2, widened_);
+    widenRuns(widened_,
+              static_cast<std::int32_t>(wholeBlocks(radius_) / block),
+              static_cast<std::int32_t>(marks_.blocks),
+              spread_);
+    smoothAcross(bins_, widened_, half_smoothed_);
   }
+  else
+    spread_ = filled_;
+  const EntropyBins& loops = entropyBins();
   MapEntropyTerms terms;
-  terms.points = static_cast<std::size_t>(points);
-  terms.joint = entropyOf(sum, points);
-  terms.along_x = entropyOf(minusEntropySum(on_x_.data(), width_), points);
-  terms.along_z = entropyOf(minusEntropySum(on_z_.data(), depth_), points);
+  terms.joint = entropyOf(takeLogarithms(), weight);
+  terms.along_x =
+      entropyOf(loops.takeLogarithms(on_x_.data(), wholeBlocks(width_)), weight);
+  terms.along_z = entropyOf(loops.takeLogarithms(on_z_.data(), depth_), weight);
   terms.total =
       terms.joint + settings_.projection_weight * (terms.along_x + terms.along_z);
+  if (sensitivities)
+    takeSensitivities();
   return terms;
-}
-
-void
-EntropyGrid::toSensitivities(double points)
-{
-  // dH / dQ = -log2 Q - 1 / ln 2, whose constant cancels as the shares always sum to 1.
-  // Where Q = 0 the splines' derivatives are 0 too.
-  const auto surprise = [points](double q) {
-    return q > 0 ? -std::log2(q / points) : 0;
-  };
-  const double weight = settings_.projection_weight;
-  std::vector<double> of_z(depth_);
-  for (std::size_t j = 0; j < depth_; ++j)
-    of_z[j] = weight * surprise(on_z_[j]);
-  oneapi::tbb::parallel_for(std::size_t{0}, width_ * layers_, [&](std::size_t row) {
-    const double of_x = weight * surprise(on_x_[row % width_]);
-    double* bins = &bins_[row * depth_];
-    for (std::size_t j = 0; j < depth_; ++j)
-      bins[j] = surprise(bins[j]) + of_x + of_z[j];
-  });
-  smooth();
 }
 
 void
 EntropyGrid::tell(MapEntropyReport& report) const
 {
-  report.bins_x = width_;
-  report.bins_z = depth_;
-  report.layers = layers_;
+  report.bins_x = sizeOf(width_);
+  report.bins_z = sizeOf(depth_);
+  report.layers = sizeOf(layers_);
 }
 
 } // namespace pcl::acmap

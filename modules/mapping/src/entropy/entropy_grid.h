@@ -1,11 +1,23 @@
 #pragma once
 
+#include "filled_runs.h"
+#include "simd/entropy_bins.h"
+
 #include <pcl/mapping/map_entropy_kernel.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace pcl::acmap {
+
+/** \brief The floor of a place in bins, without the call that it takes where SSE2 is
+ * all. */
+inline std::int64_t
+binOf(double place)
+{
+  const auto bin = static_cast<std::int64_t>(place);
+  return bin - (static_cast<double>(bin) > place ? 1 : 0);
+}
 
 /** \brief The bins that a map needs: bin (i, j) begins at (i, j) times the bin's edge,
  * whatever the map, so that entropies of different poses compare. */
@@ -27,57 +39,116 @@ struct BinRange {
 };
 
 /** \brief q(x, z) of Eq. 3, in one layer or in one for each direction of walls and one
- * for points without. Fill it, then \ref smooth, \ref terms, \ref toSensitivities. */
+ * for points without. Most bins are empty: only runs around what was filled in are
+ * worked on.
+ *
+ * Each time: \ref begin; fill \ref bins, marking the blocks, where a mark also stands for
+ * the two rows that follow; \ref finish, which leaves derivatives in the filled bins where
+ * these are wanted. */
 class EntropyGrid {
 public:
-  /** \param[in] range of the bins that will be filled; the grid adds what smoothing
-   * needs
-   */
-  EntropyGrid(const BinRange& range, const MapEntropySettings& settings);
+  explicit EntropyGrid(const MapEntropySettings& settings);
 
   /** \brief Bins of all layers, before anything is allocated. */
   static double
   binsOf(const BinRange& range, const MapEntropySettings& settings);
 
+  /** \brief Empties the grid and lets it cover a range.
+   * \param[in] range of the bins that will be filled; the grid adds what smoothing
+   * needs */
   void
-  allocate();
+  begin(const BinRange& range);
 
-  double&
-  at(int layer, std::int64_t x, std::int64_t z)
+  /** \brief To be filled: the range and, against rounding, one bin around it. */
+  const BinArray&
+  bins() const
   {
-    return bins_[(static_cast<std::size_t>(layer) * width_ +
-                  static_cast<std::size_t>(x - first_x_)) *
-                     depth_ +
-                 static_cast<std::size_t>(z - first_z_)];
+    return array_;
   }
 
-  /** \brief Convolves with the Gaussian, cut at 3 sigma. */
-  void
-  smooth();
+  /** \brief Index of the grid's first bin. */
+  std::int64_t
+  firstX() const
+  {
+    return first_x_;
+  }
 
-  /** \brief The entropies of smoothed bins.
-   * \param[in] points sum of what was filled in */
+  std::int64_t
+  firstZ() const
+  {
+    return first_z_;
+  }
+
+  /** \brief Smooths and takes the entropies.
+   * \param[in] weight sum of what was filled in
+   * \param[in] sensitivities whether each bin that was filled shall become d total / d Q,
+   * where Q is the share of the weight filled into it; constants, which cancel, are left
+   * out */
   MapEntropyTerms
-  terms(double points);
-
-  /** \brief After \ref terms: each bin becomes d total / d Q, where Q is the share of
-   * points filled into it; constants, which cancel, are left out. */
-  void
-  toSensitivities(double points);
+  finish(double weight, bool sensitivities);
 
   void
   tell(MapEntropyReport& report) const;
 
 private:
+  /** \brief Zeroes, aligned, with room before the first and behind the last, as loops
+   * reach over the ends of rows. */
+  class Field {
+  public:
+    void
+    reserve(std::int64_t bins, std::int64_t room);
+
+    double*
+    begin()
+    {
+      return values_.data() + room_;
+    }
+
+  private:
+    std::vector<double> values_;
+    std::int64_t room_ = 0;
+  };
+
   void
-  convolveRow(std::size_t row, std::vector<double>& scratch);
+  clear();
+
+  std::int64_t
+  firstOf(const FilledRun& run) const
+  {
+    return std::int64_t{run.row} * depth_ + std::int64_t{run.begin} * BinArray::block;
+  }
+
+  void
+  smoothAcross(Field& from, const std::vector<FilledRun>& runs, Field& to);
+
+  void
+  smoothAlong(Field& from, const FilledRun* first, const FilledRun* last, Field& to);
+
+  /** \brief Sums of what was filled in, smoothed: q_X and q_Z, not normalised. */
+  void
+  project();
+
+  /** \brief Smooths along rows what is smoothed across them.
+   * \return sum of q log2 q; each bin becomes its logarithm */
+  double
+  takeLogarithms();
+
+  /** \brief Logarithms become d total / d of what was filled in. */
+  void
+  takeSensitivities();
 
   MapEntropySettings settings_;
-  std::int64_t first_x_, first_z_;
-  std::size_t width_, depth_, layers_;
-  std::vector<double> kernel_; ///< from its middle outwards
-  std::vector<double> bins_, spare_;
-  std::vector<double> on_x_, on_z_; ///< q_X and q_Z, not normalised
+  std::vector<double> kernel_; ///< Gaussian, cut at 3 sigma; from its middle outwards
+  std::int64_t radius_, layers_;
+  std::int64_t first_x_ = 0, first_z_ = 0, width_ = 0, depth_ = 0;
+  BinArray array_;
+  BlockMarks marks_;
+  Field bins_, half_smoothed_; ///< 0 where no run says otherwise
+  std::vector<double> empty_row_;
+  std::vector<FilledRun> filled_;  ///< what was filled
+  std::vector<FilledRun> widened_; ///< and what smoothing along x reaches
+  std::vector<FilledRun> spread_;  ///< and along both axes
+  std::vector<double> on_x_, on_z_;
 };
 
 /** \brief Layers of a grid. */

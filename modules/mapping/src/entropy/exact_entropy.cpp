@@ -1,94 +1,115 @@
 #include "entropy_grid.h"
 #include "map_extent.h"
 #include "planar_motion.h"
+#include "point_weights.h"
 #include "wall_direction.h"
 
 #include <pcl/mapping/map_entropy_kernel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 namespace pcl::acmap {
 namespace {
 
-/** A bin of the map and the points in it. */
-struct FilledBin {
-  std::int64_t x, z;
-  int layer;
-  std::uint64_t points;
+/** Where a pose puts points, in bins of the map. */
+class PosedBins {
+public:
+  PosedBins(const PosedPoints& observation, const MapEntropySettings& settings)
+  : observation_(observation)
+  , settings_(settings)
+  , motion_(observation.pose)
+  {}
 
-  auto
-  key() const
+  /** Calls visit (index, x, z) for the points that are finite and not distant. */
+  template <typename Visit>
+  void
+  forEachPoint(const Visit& visit) const
   {
-    return std::tie(layer, x, z);
+    for (std::size_t i = 0; i < observation_.points.size(); ++i) {
+      const Eigen::Vector3f point = observation_.points[i];
+      if (!(point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= entropy_reach))
+        continue;
+      const Eigen::Vector2d place = motion_.place(point[0], point[2]);
+      visit(i, place[0] / settings_.bin_size, place[1] / settings_.bin_size);
+    }
   }
+
+  int
+  layerOf(std::size_t point) const
+  {
+    if (!settings_.direction_aware)
+      return 0;
+    const WallDirection normal =
+        wallDirection(observation_.points, observation_.normals, point);
+    if (!normal.isDirected())
+      return wall_directions;
+    const double turns = motion_.direction(normal.angle()) / (2 * M_PI);
+    const auto layer =
+        static_cast<int>(std::floor((turns - std::floor(turns)) * wall_directions));
+    return std::min(layer, wall_directions - 1);
+  }
+
+private:
+  const PosedPoints& observation_;
+  const MapEntropySettings& settings_;
+  PlanarMotion motion_;
 };
 
-/** Puts bins in order, and bins that are the same together. */
 void
-tidy(std::vector<FilledBin>& bins)
+count(const PosedPoints& observation,
+      const MapEntropySettings& settings,
+      MapEntropyReport& report)
 {
-  std::sort(bins.begin(), bins.end(), [](const FilledBin& a, const FilledBin& b) {
-    return a.key() < b.key();
-  });
-  std::size_t kept = 0;
-  for (const FilledBin& bin : bins)
-    if (kept && bins[kept - 1].key() == bin.key())
-      bins[kept - 1].points += bin.points;
-    else
-      bins[kept++] = bin;
-  bins.resize(kept);
-}
-
-int
-layerOf(double direction, const PlanarMotion& motion, bool direction_aware)
-{
-  if (!direction_aware)
-    return 0;
-  if (std::isnan(direction))
-    return wall_directions;
-  const double turns = motion.direction(direction) / (2 * M_PI);
-  const auto layer =
-      static_cast<int>(std::floor((turns - std::floor(turns)) * wall_directions));
-  return std::min(layer, wall_directions - 1);
-}
-
-/** The points of an observation in their bins. */
-std::vector<FilledBin>
-binsOf(const PosedPoints& observation,
-       const MapEntropySettings& settings,
-       MapExtent& extent,
-       MapEntropyReport& report)
-{
-  const PlanarMotion motion(observation.pose);
-  std::vector<FilledBin> bins;
-  bins.reserve(observation.points.size());
   report.points += observation.points.size();
   for (std::size_t i = 0; i < observation.points.size(); ++i) {
     const Eigen::Vector3f point = observation.points[i];
-    if (!point.allFinite()) {
+    if (!point.allFinite())
       ++report.invalid_points;
-      continue;
-    }
-    if (point.cwiseAbs().maxCoeff() > entropy_reach) {
+    else if (point.cwiseAbs().maxCoeff() > entropy_reach)
       ++report.distant_points;
-      continue;
-    }
-    const double direction =
-        settings.direction_aware
-            ? wallDirection(observation.points, observation.normals, i)
-            : std::nan("");
-    report.directed_points += !std::isnan(direction);
-    const Eigen::Vector2d place = motion.place(point[0], point[2]);
-    extent.add(place, 1);
-    bins.push_back({static_cast<std::int64_t>(std::floor(place[0] / settings.bin_size)),
-                    static_cast<std::int64_t>(std::floor(place[1] / settings.bin_size)),
-                    layerOf(direction, motion, settings.direction_aware),
-                    1});
+    else if (settings.direction_aware)
+      report.directed_points +=
+          wallDirection(observation.points, observation.normals, i).isDirected();
   }
-  tidy(bins);
-  return bins;
+}
+
+/** The bins of points that have a weight; their places in bins are added to \a extent. */
+BinRange
+rangeOf(const PosedBins& bins, const PointWeights& weights, MapExtent& extent)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Eigen::Array2d least(infinity, infinity), most = -least;
+  bins.forEachPoint([&](std::size_t i, double x, double z) {
+    const Eigen::Array2d place(x, z);
+    if (weights[i] == 0)
+      return;
+    extent.add(place, static_cast<double>(weights[i]));
+    least = least.min(place);
+    most = most.max(place);
+  });
+  BinRange range;
+  if (least[0] > most[0])
+    return range;
+  range.add(binOf(least[0]), binOf(least[1]));
+  range.add(binOf(most[0]), binOf(most[1]));
+  return range;
+}
+
+void
+fill(const PosedBins& bins, const PointWeights& weights, const EntropyGrid& grid)
+{
+  const BinArray& array = grid.bins();
+  bins.forEachPoint([&](std::size_t i, double x, double z) {
+    if (weights[i] == 0)
+      return;
+    const std::int64_t at = bins.layerOf(i) * array.layer +
+                            (binOf(x) - grid.firstX()) * array.row + binOf(z) -
+                            grid.firstZ();
+    array.bins[at] += static_cast<double>(weights[i]); // integers: any order will do
+    array.marks[at / BinArray::block] = 1;
+  });
 }
 
 } // namespace
@@ -100,38 +121,40 @@ exactMapEntropy(const std::vector<PosedPoints>& observations,
                 MapEntropyReport& report)
 {
   requireSmoothing(settings);
-  report.observations += observations.size();
+  const std::size_t size = observations.size();
+  float largest = 0;
+  for (const PosedPoints& observation : observations) {
+    requirePlanarPose(observation.pose);
+    largest = std::max(largest,
+                       largestWeight(observation.weights, observation.points.size()));
+  }
+  report.observations += size;
+  const std::size_t counted_before = report.points - report.invalid_points;
   MapExtent extent;
-  std::vector<BinRange> ranges(observations.size());
-  std::vector<FilledBin> bins;
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    progress.tell(0.9 * static_cast<double>(i) /
-                      static_cast<double>(observations.size()),
+  std::vector<BinRange> ranges;
+  BinRange all;
+  for (std::size_t i = 0; i < size; ++i) {
+    progress.tell(0.4 * static_cast<double>(i) / static_cast<double>(size), "extent");
+    count(observations[i], settings, report);
+    ranges.push_back(rangeOf(
+        {observations[i], settings}, {observations[i].weights, largest}, extent));
+    all.add(ranges[i]);
+  }
+  if (!canHaveGrid(ranges, extent.weight(), settings, report))
+    return {};
+
+  EntropyGrid grid(settings);
+  grid.begin(all);
+  grid.tell(report);
+  for (std::size_t i = 0; i < size; ++i) {
+    progress.tell(0.4 + 0.5 * static_cast<double>(i) / static_cast<double>(size),
                   "bins");
-    const std::vector<FilledBin> more =
-        binsOf(observations[i], settings, extent, report);
-    for (const FilledBin& bin : more)
-      ranges[i].add(bin.x, bin.z);
-    bins.insert(bins.end(), more.begin(), more.end());
+    fill({observations[i], settings}, {observations[i].weights, largest}, grid);
   }
   progress.tell(0.9, "entropy");
-  if (!canHaveGrid(ranges, settings, report))
-    return {};
-  tidy(bins);
-  BinRange all;
-  for (const BinRange& range : ranges)
-    all.add(range);
-  EntropyGrid grid(all, settings);
-  grid.allocate();
-  grid.tell(report);
-  double points = 0;
-  for (const FilledBin& bin : bins) {
-    grid.at(bin.layer, bin.x, bin.z) = static_cast<double>(bin.points);
-    points += static_cast<double>(bin.points);
-  }
-  grid.smooth();
-  MapEntropyTerms terms = grid.terms(points);
-  terms.dimensions = extent.dimensions(settings.bin_size);
+  MapEntropyTerms terms = grid.finish(extent.weight(), false);
+  terms.points = report.points - report.invalid_points - counted_before;
+  terms.dimensions = extent.dimensions(1);
   remarkOnMap(terms, settings, report);
   return terms;
 }

@@ -21,6 +21,20 @@ MapExtent::add(const Eigen::Vector2d& place, double weight)
   squares_ += weight * way * way.transpose();
 }
 
+void
+MapExtent::add(const MapExtent& observation, const PlanarMotion& motion)
+{
+  const double weight = observation.weight_;
+  if (weight == 0)
+    return;
+  const Eigen::Vector2d way = observation.sum_ / weight;
+  const Eigen::Vector2d mean = observation.origin_ + way;
+  add(motion.place(mean[0], mean[1]), weight);
+  const Eigen::Matrix2d scatter =
+      observation.squares_ - observation.sum_ * way.transpose();
+  squares_ += motion.rotation() * scatter * motion.rotation().transpose();
+}
+
 int
 MapExtent::dimensions(double bin_size) const
 {
@@ -38,6 +52,7 @@ MapExtent::dimensions(double bin_size) const
 
 bool
 canHaveGrid(const std::vector<BinRange>& ranges,
+            double weight,
             const MapEntropySettings& settings,
             MapEntropyReport& report)
 {
@@ -46,6 +61,10 @@ canHaveGrid(const std::vector<BinRange>& ranges,
     text << report.distant_points
          << " points are 1e+09 m or more from their sensor: no entropy, take them out";
     report.remarks.push_back(text.str());
+    return false;
+  }
+  if (weight == 0 && report.points > report.invalid_points) {
+    report.remarks.emplace_back("no point has a weight: no entropy");
     return false;
   }
   BinRange all;
@@ -93,6 +112,14 @@ remarkOnMap(const MapEntropyTerms& terms,
     report.remarks.emplace_back(
         "all points lie on one line of the XZ plane: the entropy "
         "tells little of moves along it");
+}
+
+void
+requirePlanarPose(const PlanarPose& pose)
+{
+  requireInRange("x of the pose", pose.x, -1e9, 1e9, "m");
+  requireInRange("z of the pose", pose.z, -1e9, 1e9, "m");
+  requireInRange("theta of the pose", pose.theta, -1e3, 1e3, "rad");
 }
 
 void

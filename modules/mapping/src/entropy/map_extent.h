@@ -1,6 +1,7 @@
 #pragma once
 
 #include "entropy_grid.h"
+#include "planar_motion.h"
 
 #include <pcl/mapping/map_entropy_types.h>
 
@@ -16,6 +17,17 @@ public:
   void
   add(const Eigen::Vector2d& place, double weight);
 
+  /** \brief Adds an observation, moved into the map. */
+  void
+  add(const MapExtent& observation, const PlanarMotion& motion);
+
+  /** \brief Sum over all that was added. */
+  double
+  weight() const
+  {
+    return weight_;
+  }
+
   /** \param[in] bin_size a ten thousandth of it counts as none */
   int
   dimensions(double bin_size) const;
@@ -28,9 +40,11 @@ private:
 };
 
 /** \brief Can the map have a grid? If not a remark says why.
- * \param[in] ranges of the observations, without margins */
+ * \param[in] ranges of the observations, without margins
+ * \param[in] weight of all points together */
 bool
 canHaveGrid(const std::vector<BinRange>& ranges,
+            double weight,
             const MapEntropySettings& settings,
             MapEntropyReport& report);
 

@@ -1,3 +1,6 @@
+#include "cell_table.h"
+#include "entropy_grid.h"
+#include "point_weights.h"
 #include "wall_direction.h"
 
 #include <pcl/mapping/map_entropy_kernel.h>
@@ -5,67 +8,94 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 
 namespace pcl::acmap {
 namespace {
 
-/** Coordinates and directions are summed up as integers, so that no order matters. */
-constexpr double steps = 1 << 20;
+/** Places and normals are summed up as integers: so many steps along half a bin, or a
+ * unit. */
+constexpr double steps = 1 << 15;
 
-/** A point's cell, and where in it the point is. */
-struct Entry {
-  std::int64_t column, row;
-  int sector; ///< of the direction; -1: none
-  std::int64_t x, z, normal_x, normal_z;
+/** A point on one axis. */
+struct Step {
+  std::int64_t bin;
+  std::uint64_t place; ///< in the bin
+  int half;            ///< of the bin, 0 or 1
 
-  auto
-  key() const
+  Step(float coordinate, double bin_size)
   {
-    return std::tie(column, row, sector);
+    const double at = static_cast<double>(coordinate) / bin_size;
+    bin = binOf(at);
+    const double within = at - static_cast<double>(bin);
+    place = static_cast<std::uint64_t>(within * (2 * steps) + 0.5);
+    half = within >= 0.5;
   }
 };
 
-Entry
-entryOf(const Eigen::Vector3f& point, double direction, double cell)
+/** Cells of one bin and sector follow each other when ordered by their names: the bin's x;
+ * the bin's z, the sector, the quarter of the bin. */
+constexpr std::int64_t quarters = 4, sectors = 64;
+
+CellSums&
+cellOf(CellTable& table, const Step& x, const Step& z, const WallDirection& normal)
 {
-  Entry entry{};
-  const double u = point[0] / cell;
-  const double v = point[2] / cell;
-  entry.column = static_cast<std::int64_t>(std::floor(u));
-  entry.row = static_cast<std::int64_t>(std::floor(v));
-  entry.x = std::llround((u - std::floor(u)) * steps);
-  entry.z = std::llround((v - std::floor(v)) * steps);
-  entry.sector = -1;
-  if (std::isnan(direction))
-    return entry;
-  constexpr double sectors_per_radian = 4 * wall_directions / (2 * M_PI);
-  entry.sector = static_cast<int>(std::floor((direction + M_PI) * sectors_per_radian));
-  entry.normal_x = std::llround(std::cos(direction) * steps);
-  entry.normal_z = std::llround(std::sin(direction) * steps);
-  return entry;
+  const std::int64_t sector = normal.isDirected() ? 1 + normal.sector() : 0;
+  return table.at(x.bin, (z.bin * sectors + sector) * quarters + 2 * x.half + z.half);
 }
 
-/** Entries [first, last) are of one cell. */
-EntropyCell
-sumUp(const Entry* first, const Entry* last, double size)
+bool
+isBefore(const CellSums& a, const CellSums& b)
 {
-  Entry sum{};
-  for (const Entry* entry = first; entry != last; ++entry) {
-    sum.x += entry->x;
-    sum.z += entry->z;
-    sum.normal_x += entry->normal_x;
-    sum.normal_z += entry->normal_z;
-  }
+  return a.column != b.column ? a.column < b.column : a.row < b.row;
+}
+
+bool
+areOfOneBin(const CellSums& a, const CellSums& b)
+{
+  return a.column == b.column && (a.row & ~(quarters - 1)) == (b.row & ~(quarters - 1));
+}
+
+EntropyCell
+toCell(const CellSums& sums, double bin_size, double unit)
+{
+  const auto weight = static_cast<double>(sums.weight);
+  const double share = 1 / (2 * steps * weight);
+  const std::int64_t row =
+      (sums.row & ~(sectors * quarters - 1)) / (sectors * quarters);
   EntropyCell cell;
-  cell.weight = static_cast<double>(last - first);
-  const double share = 1 / (steps * cell.weight);
-  cell.x = size * (static_cast<double>(first->column) + share * double(sum.x));
-  cell.z = size * (static_cast<double>(first->row) + share * double(sum.z));
-  cell.direction = first->sector < 0 ? std::nan("")
-                                     : std::atan2(static_cast<double>(sum.normal_z),
-                                                  static_cast<double>(sum.normal_x));
+  cell.weight = weight * unit;
+  cell.x = bin_size *
+           (static_cast<double>(sums.column) + share * static_cast<double>(sums.x));
+  cell.z = bin_size * (static_cast<double>(row) + share * static_cast<double>(sums.z));
+  cell.direction = sums.normal_x == 0 && sums.normal_z == 0
+                       ? std::nan("")
+                       : std::atan2(static_cast<double>(sums.normal_z),
+                                    static_cast<double>(sums.normal_x));
   return cell;
+}
+
+/** Cells [first, last) are the quarters of one bin: where no one holds half of it they
+ * become one cell. */
+void
+addCells(
+    CellSums* first, CellSums* last, double bin_size, double unit, EntropyCells& to)
+{
+  CellSums all = *first;
+  std::uint64_t most = first->weight;
+  for (const CellSums* quarter = first + 1; quarter < last; ++quarter) {
+    most = std::max(most, quarter->weight);
+    all.weight += quarter->weight;
+    all.x += quarter->x;
+    all.z += quarter->z;
+    all.normal_x += quarter->normal_x;
+    all.normal_z += quarter->normal_z;
+  }
+  if (2 * most < all.weight) {
+    to.cells.push_back(toCell(all, bin_size, unit));
+    return;
+  }
+  for (const CellSums* quarter = first; quarter < last; ++quarter)
+    to.cells.push_back(toCell(*quarter, bin_size, unit));
 }
 
 } // namespace
@@ -73,13 +103,13 @@ sumUp(const Entry* first, const Entry* last, double size)
 EntropyCells
 aggregateCells(const PointView& points,
                const PointView& normals,
-               const MapEntropySettings& settings)
+               const MapEntropySettings& settings,
+               const float* weights)
 {
-  const double size = settings.bin_size / 2;
+  const PointWeights integers(weights, largestWeight(weights, points.size()));
   EntropyCells result;
   result.points = points.size();
-  std::vector<Entry> entries;
-  entries.reserve(points.size());
+  CellTable table;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
     if (!point.allFinite()) {
@@ -90,20 +120,32 @@ aggregateCells(const PointView& points,
       ++result.distant_points;
       continue;
     }
-    const double direction =
-        settings.direction_aware ? wallDirection(points, normals, i) : std::nan("");
-    result.directed_points += !std::isnan(direction);
-    entries.push_back(entryOf(point, direction, size));
+    const WallDirection normal =
+        settings.direction_aware ? wallDirection(points, normals, i) : WallDirection();
+    result.directed_points += normal.isDirected();
+    const std::uint64_t weight = integers[i];
+    if (weight == 0)
+      continue;
+    const Step x(point[0], settings.bin_size);
+    const Step z(point[2], settings.bin_size);
+    CellSums& cell = cellOf(table, x, z, normal);
+    cell.weight += weight;
+    cell.x += weight * x.place;
+    cell.z += weight * z.place;
+    if (!normal.isDirected())
+      continue;
+    const double factor = static_cast<double>(weight) * steps;
+    cell.normal_x += static_cast<std::int64_t>(factor * normal.x);
+    cell.normal_z += static_cast<std::int64_t>(factor * normal.z);
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.key() < b.key();
-  });
-  const Entry* const end = entries.data() + entries.size();
-  for (const Entry* first = entries.data(); first != end;) {
-    const Entry* last = first;
-    while (last != end && last->key() == first->key())
+  std::vector<CellSums>& cells = table.cells();
+  std::sort(cells.begin(), cells.end(), isBefore);
+  CellSums* const end = cells.data() + cells.size();
+  for (CellSums* first = cells.data(); first != end;) {
+    CellSums* last = first;
+    while (last != end && areOfOneBin(*first, *last))
       ++last;
-    result.cells.push_back(sumUp(first, last, size));
+    addCells(first, last, settings.bin_size, integers.unit(), result);
     first = last;
   }
   return result;

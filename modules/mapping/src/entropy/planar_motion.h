@@ -1,25 +1,39 @@
 #pragma once
 
+#include <pcl/core/planar_pose.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
 
 namespace pcl::acmap {
 
-/** \brief A pose (x, z, theta) at work: its sine and cosine are taken once. */
+/** \brief A pose at work: its sine and cosine are taken once. */
 class PlanarMotion {
 public:
-  explicit PlanarMotion(const Eigen::Vector3d& pose)
-  : cosine_(std::cos(pose[2]))
-  , sine_(std::sin(pose[2]))
+  explicit PlanarMotion(const PlanarPose& pose)
+  : cosine_(std::cos(pose.theta))
+  , sine_(std::sin(pose.theta))
   , pose_(pose)
   {}
+
+  double
+  cosine() const
+  {
+    return cosine_;
+  }
+
+  double
+  sine() const
+  {
+    return sine_;
+  }
 
   /** \brief (X, Z) in the map of (x, z). */
   Eigen::Vector2d
   place(double x, double z) const
   {
-    return {cosine_ * x + sine_ * z + pose_[0], cosine_ * z - sine_ * x + pose_[1]};
+    return {cosine_ * x + sine_ * z + pose_.x, cosine_ * z - sine_ * x + pose_.z};
   }
 
   /** \brief d (X, Z) / d theta. */
@@ -29,16 +43,24 @@ public:
     return {cosine_ * z - sine_ * x, -cosine_ * x - sine_ * z};
   }
 
+  Eigen::Matrix2d
+  rotation() const
+  {
+    Eigen::Matrix2d matrix;
+    matrix << cosine_, sine_, -sine_, cosine_;
+    return matrix;
+  }
+
   /** \brief A direction atan2 (n_z, n_x) in the map; it falls as theta grows. */
   double
   direction(double angle) const
   {
-    return angle - pose_[2];
+    return angle - pose_.theta;
   }
 
 private:
   double cosine_, sine_;
-  Eigen::Vector3d pose_;
+  PlanarPose pose_;
 };
 
 } // namespace pcl::acmap

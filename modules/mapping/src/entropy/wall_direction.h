@@ -11,11 +11,31 @@ inline constexpr int wall_directions = 8;
  * integer. */
 inline constexpr float entropy_reach = 1e9F;
 
-/** \brief Direction atan2 (n_z, n_x) of the wall that point \a i lies on, towards the
- * sensor at the origin; NaN where it has no normal, or one of a floor: farther than 45
- * degrees from level.
+/** \brief The direction of a wall: its normal in the XZ plane, unit, towards the
+ * sensor. */
+struct WallDirection {
+  double x = 0, z = 0;
+
+  /** \brief False: of no wall. */
+  bool
+  isDirected() const
+  {
+    return x != 0 || z != 0;
+  }
+
+  /** \brief atan2 (z, x) */
+  double
+  angle() const;
+
+  /** \brief Which of 32 sectors of 11.25 degrees, in no particular order. */
+  int
+  sector() const;
+};
+
+/** \brief The wall that point \a i lies on, seen from the sensor at the origin; undirected
+ * where the point has no normal, or one of a floor: farther than 45 degrees from level.
  * \param[in] normals empty: none */
-double
+WallDirection
 wallDirection(const PointView& points, const PointView& normals, std::size_t i);
 
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/planar_pose.h>
 #include <pcl/core/progress.h>
 #include <pcl/mapping/map_entropy_kernel.h>
 #include <pcl/mapping/map_entropy_types.h>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,11 +26,12 @@ namespace pcl {
  * The better the observations' walls coincide, and the more they agree with the
  * axes, the lower it is.
  *
- * \ref compute and \ref computeGradient sum the points up in cells of half a bin, which
- * move with their observation, and share each one among 3 x 3 bins by a quadratic
- * B-spline: E is continuously differentiable in every pose. \ref computeExact counts
- * points in bins, as the paper; it has steps. The two differ by at most (2 + 2 mu)
- * log2 5 bits, with directions (3 + 2 mu) log2 5, and by much less in practice.
+ * \ref compute and \ref computeGradient sum the points up in cells of half a bin, or of
+ * a bin that they fill evenly, which move with their observation, and share each one
+ * among 3 x 3 bins by a quadratic B-spline: E is continuously differentiable in every
+ * pose. \ref computeExact counts points in bins, as the paper; it has steps. The two
+ * differ by at most (2 + 2 mu) log2 7 bits, with directions by log2 5 more, and by much
+ * less in practice.
  *
  * With \ref setDirectionAware a point also counts in a layer for the direction of
  * the wall it lies on (eight of 45 degrees, by its normal, turned to the sensor at
@@ -36,16 +39,15 @@ namespace pcl {
  * not attract each other. Points without normal, and of floors and ceilings, share
  * one further layer.
  *
- * Metres, radians, entropies in bits. Poses are (x, z, theta), from the cloud's frame
- * (x right, y down, z forward) into the map's, theta about y: X = cos theta x + sin
- * theta z + p_x, Z = -sin theta x + cos theta z + p_z. Bins begin at multiples of
- * their edge, so that entropies under different poses compare. Time O(n log n) for n
- * points when cells are made, once; then O(c + b) for c cells and b bins (as fast,
- * again, for the gradient). The same bytes for every number of threads.
+ * Metres, radians, entropies in bits. Poses lead from the cloud's frame (x right, y
+ * down, z forward) into the map's. Bins begin at multiples of
+ * their edge, so that entropies under different poses compare. Time O(n) for n points
+ * when cells are made, once; then O(c + b) for c cells and the b bins around them (as
+ * much, again, for the gradient). The same bytes for every number of threads.
  * \code
  * pcl::MapEntropy<pcl::PointXYZ> entropy;
  * for (std::size_t i = 0; i < clouds.size (); ++i)
- *   entropy.addPointCloud (clouds[i], poses[i]);   // Eigen::Vector3d (x, z, theta)
+ *   entropy.addPointCloud (clouds[i], poses[i]);   // PlanarPose {x, z, theta}
  * std::vector<Eigen::Vector3d> gradient;
  * const double bits = entropy.computeGradient (gradient).total;
  * \endcode
@@ -61,21 +63,25 @@ public:
   /** \brief Adds an observation.
    * \param[in] cloud in the sensor's frame, not to be changed afterwards; points may
    * be NaN
-   * \param[in] pose (x, z, theta)
+   * \param[in] pose of the sensor in the map
+   * \param[in] weights how much each point counts, say the length of wall that a beam
+   * stands for; rounded to 2^-15 of the largest. Empty: 1 each
    * \return its number
    * \throws BadArgumentException when the cloud is missing, x or z is not within
-   * [-1e9, 1e9] m or theta not within [-1e3, 1e3] rad */
+   * [-1e9, 1e9] m or theta not within [-1e3, 1e3] rad, or weights are not as many as the
+   * points, not finite or negative */
   std::size_t
   addPointCloud(const PointCloudConstPtr& cloud,
-                const Eigen::Vector3d& pose = Eigen::Vector3d::Zero());
+                const PlanarPose& pose = {},
+                const std::vector<float>& weights = {});
 
   /** \brief Moves observation \a number; its cells stay.
    * \throws BadArgumentException as \ref addPointCloud, or when there is no such one */
   void
-  setPose(std::size_t number, const Eigen::Vector3d& pose);
+  setPose(std::size_t number, const PlanarPose& pose);
 
   /** \throws BadArgumentException when there is no such observation */
-  const Eigen::Vector3d&
+  const PlanarPose&
   getPose(std::size_t number) const;
 
   std::size_t
@@ -197,8 +203,10 @@ private:
 
   acmap::MapEntropySettings settings_;
   std::vector<PointCloudConstPtr> clouds_;
-  std::vector<Eigen::Vector3d> poses_;
+  std::vector<PlanarPose> poses_;
+  std::vector<std::vector<float>> weights_;
   std::vector<acmap::EntropyCells> cells_; ///< of the first observations; kept
+  std::optional<acmap::MapEntropyEvaluator> evaluator_; ///< of all of them; kept
   unsigned int threads_ = 0;
   ProgressCallback progress_;
   MapEntropyReport report_;

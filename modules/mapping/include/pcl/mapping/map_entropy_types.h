@@ -13,7 +13,8 @@ struct MapEntropyTerms {
   double along_x = 0;
   double along_z = 0;
 
-  std::size_t points = 0; ///< that were counted; 0: all terms are 0 and mean nothing
+  /** That were counted, whatever they weigh; 0: all terms are 0 and mean nothing. */
+  std::size_t points = 0;
 
   /** In how many directions of the XZ plane the points lie apart: 0 in one place, 1
    * on a line, 2. Below 2 no pose is determined. */

@@ -10,28 +10,25 @@
 #include <string>
 
 namespace pcl {
-namespace acmap {
-
-inline void
-requirePlanarPose(const Eigen::Vector3d& pose)
-{
-  requireInRange("x of the pose", pose[0], -1e9, 1e9, "m");
-  requireInRange("z of the pose", pose[1], -1e9, 1e9, "m");
-  requireInRange("theta of the pose", pose[2], -1e3, 1e3, "rad");
-}
-
-} // namespace acmap
 
 template <typename PointT>
 std::size_t
 MapEntropy<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
-                                  const Eigen::Vector3d& pose)
+                                  const PlanarPose& pose,
+                                  const std::vector<float>& weights)
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
   acmap::requirePlanarPose(pose);
+  if (!weights.empty() && weights.size() != cloud->size())
+    throw BadArgumentException("a cloud of " + std::to_string(cloud->size()) +
+                               " points needs as many weights or none, not " +
+                               std::to_string(weights.size()));
+  acmap::requirePointWeights(weights.data(), weights.size());
   clouds_.push_back(cloud);
   poses_.push_back(pose);
+  weights_.push_back(weights);
+  evaluator_.reset();
   return poses_.size() - 1;
 }
 
@@ -46,7 +43,7 @@ MapEntropy<PointT>::requireNumber(std::size_t number) const
 
 template <typename PointT>
 void
-MapEntropy<PointT>::setPose(std::size_t number, const Eigen::Vector3d& pose)
+MapEntropy<PointT>::setPose(std::size_t number, const PlanarPose& pose)
 {
   requireNumber(number);
   acmap::requirePlanarPose(pose);
@@ -54,7 +51,7 @@ MapEntropy<PointT>::setPose(std::size_t number, const Eigen::Vector3d& pose)
 }
 
 template <typename PointT>
-const Eigen::Vector3d&
+const PlanarPose&
 MapEntropy<PointT>::getPose(std::size_t number) const
 {
   requireNumber(number);
@@ -67,7 +64,9 @@ MapEntropy<PointT>::clear()
 {
   clouds_.clear();
   poses_.clear();
+  weights_.clear();
   cells_.clear();
+  evaluator_.reset();
 }
 
 template <typename PointT>
@@ -78,6 +77,7 @@ MapEntropy<PointT>::setBinSize(double metres)
   if (metres != settings_.bin_size)
     cells_.clear();
   settings_.bin_size = metres;
+  evaluator_.reset();
 }
 
 template <typename PointT>
@@ -86,6 +86,7 @@ MapEntropy<PointT>::setSmoothing(double metres)
 {
   acmap::requireInRange("smoothing sigma_XZ", metres, 0, 1000, "m");
   settings_.smoothing = metres;
+  evaluator_.reset();
 }
 
 template <typename PointT>
@@ -94,6 +95,7 @@ MapEntropy<PointT>::setProjectionWeight(double mu)
 {
   acmap::requireInRange("projection weight mu", mu, 0, 1000, "(no unit)");
   settings_.projection_weight = mu;
+  evaluator_.reset();
 }
 
 template <typename PointT>
@@ -103,6 +105,7 @@ MapEntropy<PointT>::setDirectionAware(bool aware)
   if (aware != settings_.direction_aware)
     cells_.clear();
   settings_.direction_aware = aware;
+  evaluator_.reset();
 }
 
 template <typename PointT>
@@ -118,6 +121,8 @@ MapEntropy<PointT>::viewOf(std::size_t number) const
   if constexpr (acmap::has_normal<PointT>)
     view.normals =
         acmap::PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
+  if (!weights_[number].empty())
+    view.weights = weights_[number].data();
   return view;
 }
 
@@ -135,7 +140,8 @@ MapEntropy<PointT>::makeCells(const acmap::Progress& progress)
     acmap::withThreads(threads_, [&] {
       oneapi::tbb::parallel_for(std::size_t{0}, more.size(), [&](std::size_t i) {
         const acmap::PosedPoints view = viewOf(first + i);
-        more[i] = acmap::aggregateCells(view.points, view.normals, settings_);
+        more[i] =
+            acmap::aggregateCells(view.points, view.normals, settings_, view.weights);
       });
     });
     std::move(more.begin(), more.end(), std::back_inserter(cells_));
@@ -152,12 +158,13 @@ MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
   MapEntropyReport report;
   acmap::StepTimer timer(report);
   makeCells(progress);
+  if (!evaluator_)
+    evaluator_.emplace(cells_, settings_);
   timer.finish("cells");
   progress.tell(0.9, "entropy");
   MapEntropyTerms terms;
-  acmap::withThreads(threads_, [&] {
-    terms = acmap::mapEntropy(cells_, poses_, settings_, report, gradient);
-  });
+  acmap::withThreads(threads_,
+                     [&] { terms = evaluator_->evaluate(poses_, report, gradient); });
   timer.finish("entropy");
   report_ = std::move(report);
   return terms;

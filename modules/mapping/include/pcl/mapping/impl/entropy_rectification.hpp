@@ -1,0 +1,209 @@
+#pragma once
+
+#include <pcl/common/transforms.h>
+#include <pcl/core/arguments.h>
+#include <pcl/core/parallel.h>
+#include <pcl/core/planar_pose.h>
+#include <pcl/core/point_fields.h>
+#include <pcl/core/trajectory.h>
+#include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/map_entropy_kernel.h>
+
+#include <string>
+
+namespace pcl {
+namespace acmap {
+
+/** \brief Height and tilt of a pose: from the sensor's frame into the levelled one. */
+inline Eigen::Isometry3d
+levelOf(const Eigen::Isometry3d& T_map_camera)
+{
+  return isometryOf(planarPartOf(T_map_camera)).inverse() * T_map_camera;
+}
+
+template <typename PointT>
+LevelledPoints
+levelled(const PointCloud<PointT>& cloud,
+         const Eigen::Isometry3d& T_map_camera,
+         const std::vector<float>& weights)
+{
+  const Eigen::Isometry3f level = levelOf(T_map_camera).cast<float>();
+  LevelledPoints seen;
+  seen.points.reserve(cloud.size());
+  for (const PointT& point : cloud) {
+    seen.points.push_back(level * point.getVector3fMap());
+    if constexpr (has_normal<PointT>)
+      seen.normals.push_back(level.linear() * point.getNormalVector3fMap());
+  }
+  seen.weights = weights;
+  seen.sensor_height = level.translation().y();
+  return seen;
+}
+
+} // namespace acmap
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::requirePose(const Eigen::Isometry3d& pose) const
+{
+  if (!isRigid(pose) || !(pose.translation().cwiseAbs().maxCoeff() <= 1e9))
+    throw BadArgumentException(
+        "a pose must be a rigid motion of at most 1e9 m along each axis");
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::requireNumber(std::size_t number) const
+{
+  if (number >= poses_.size())
+    throw BadArgumentException("there is no observation " + std::to_string(number) +
+                               ", only " + std::to_string(poses_.size()));
+}
+
+template <typename PointT>
+std::size_t
+EntropyRectification<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
+                                            const Eigen::Isometry3d& pose,
+                                            const std::vector<float>& weights)
+{
+  if (!cloud)
+    throw BadArgumentException("an observation needs a cloud");
+  requirePose(pose);
+  if (!weights.empty() && weights.size() != cloud->size())
+    throw BadArgumentException("a cloud of " + std::to_string(cloud->size()) +
+                               " points needs as many weights or none, not " +
+                               std::to_string(weights.size()));
+  acmap::requirePointWeights(weights.data(), weights.size());
+  clouds_.push_back(cloud);
+  weights_.push_back(weights);
+  given_.push_back(pose);
+  poses_.push_back(pose);
+  return poses_.size() - 1;
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::setPose(std::size_t number, const Eigen::Isometry3d& pose)
+{
+  requireNumber(number);
+  requirePose(pose);
+  given_[number] = pose;
+  poses_[number] = pose;
+}
+
+template <typename PointT>
+const Eigen::Isometry3d&
+EntropyRectification<PointT>::getPose(std::size_t number) const
+{
+  requireNumber(number);
+  return poses_[number];
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::clear()
+{
+  clouds_.clear();
+  weights_.clear();
+  given_.clear();
+  poses_.clear();
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::setBinSize(double metres)
+{
+  acmap::requireInRange("bin size", metres, 0.001, 25, "m");
+  settings_.bin_size = metres;
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::setEntropyWeight(double factor)
+{
+  acmap::requireInRange("entropy weight", factor, 1e-3, 1e3, "(no unit)");
+  settings_.entropy_weight = factor;
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::setProjectionWeight(double mu)
+{
+  acmap::requireInRange("projection weight mu", mu, 0, 1000, "(no unit)");
+  settings_.projection_weight = mu;
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
+{
+  acmap::requireInRange("odometry noise, length", noise.length, 1e-6, 1e3, "m");
+  acmap::requireInRange(
+      "odometry noise, length a metre", noise.length_per_metre, 0, 10, "m/m");
+  acmap::requireInRange("odometry noise, turn", noise.turn, 1e-6, 10, "rad");
+  acmap::requireInRange(
+      "odometry noise, turn a radian", noise.turn_per_radian, 0, 10, "rad/rad");
+  settings_.odometry = noise;
+}
+
+template <typename PointT>
+void
+EntropyRectification<PointT>::compute()
+{
+  if (clouds_.empty())
+    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+  EntropyRectificationReport report;
+  acmap::StepTimer timer(report);
+  std::vector<acmap::LevelledPoints> observations(clouds_.size());
+  std::vector<PlanarPose> poses;
+  for (const Eigen::Isometry3d& pose : given_)
+    poses.push_back(planarPartOf(pose));
+  acmap::withThreads(threads_, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, clouds_.size(), [&](std::size_t i) {
+      observations[i] = acmap::levelled(*clouds_[i], given_[i], weights_[i]);
+    });
+    timer.finish("level");
+    poses = acmap::rectify(
+        observations, poses, settings_, acmap::Progress(progress_), report);
+  });
+  timer.finish("search");
+  const bool is_new = report.outcome == RectificationOutcome::Rectified;
+  for (std::size_t i = 0; i < given_.size(); ++i)
+    poses_[i] = is_new ? isometryOf(poses[i]) * acmap::levelOf(given_[i]) : given_[i];
+  report_ = std::move(report);
+}
+
+template <typename PointT>
+Eigen::Affine3f
+EntropyRectification<PointT>::getTransformation(std::size_t number) const
+{
+  return Eigen::Affine3f(getPose(number).template cast<float>().matrix());
+}
+
+template <typename PointT>
+typename EntropyRectification<PointT>::PointCloudPtr
+EntropyRectification<PointT>::getTransformedCloud(std::size_t number) const
+{
+  const Eigen::Affine3f pose = getTransformation(number);
+  PointCloudPtr result(new PointCloud);
+  if constexpr (acmap::has_normal<PointT>)
+    transformPointCloudWithNormals(*clouds_[number], *result, pose);
+  else
+    transformPointCloud(*clouds_[number], *result, pose);
+  return result;
+}
+
+template <typename PointT>
+typename EntropyRectification<PointT>::PointCloudPtr
+EntropyRectification<PointT>::getConcatenatedCloud() const
+{
+  PointCloudPtr result(new PointCloud);
+  for (std::size_t i = 0; i < clouds_.size(); ++i)
+    *result += *getTransformedCloud(i);
+  return result;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_EntropyRectification(T) \
+  template class ACMAP_EXPORT pcl::EntropyRectification<T>;

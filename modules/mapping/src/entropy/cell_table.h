@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Sums over the points of a cell, as integers, so that no order matters. */
+struct CellSums {
+  std::int64_t column, row; ///< whatever the cells are called; equal: the same cell
+  std::uint64_t weight = 0;
+  std::uint64_t x = 0, z = 0;              ///< weight times place
+  std::int64_t normal_x = 0, normal_z = 0; ///< weight times normal
+};
+
+/** \brief Cells by their names. */
+class CellTable {
+public:
+  CellTable()
+  : places_(4096, none)
+  {}
+
+  CellSums&
+  at(std::int64_t column, std::int64_t row)
+  {
+    std::size_t place = placeOf(column, row);
+    while (places_[place] != none) {
+      CellSums& cell = cells_[places_[place]];
+      if (cell.column == column && cell.row == row)
+        return cell;
+      place = (place + 1) & (places_.size() - 1);
+    }
+    places_[place] = static_cast<std::uint32_t>(cells_.size());
+    cells_.push_back({column, row});
+    if (4 * cells_.size() > places_.size())
+      grow();
+    return cells_.back();
+  }
+
+  /** \brief All of them, as they came. */
+  std::vector<CellSums>&
+  cells()
+  {
+    return cells_;
+  }
+
+private:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  std::size_t
+  placeOf(std::int64_t column, std::int64_t row) const
+  {
+    std::uint64_t mixed = static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15u +
+                          static_cast<std::uint64_t>(row) * 0xc2b2ae3d27d4eb4fu;
+    mixed ^= mixed >> 32;
+    mixed *= 0xd6e8feb86659fd93u;
+    return static_cast<std::size_t>(mixed >> 32) & (places_.size() - 1);
+  }
+
+  void
+  grow()
+  {
+    places_.assign(2 * places_.size(), none);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      std::size_t place = placeOf(cells_[i].column, cells_[i].row);
+      while (places_[place] != none)
+        place = (place + 1) & (places_.size() - 1);
+      places_[place] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  std::vector<std::uint32_t> places_; ///< open addressing; a power of two
+  std::vector<CellSums> cells_;
+};
+
+} // namespace pcl::acmap

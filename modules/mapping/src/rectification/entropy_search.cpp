@@ -1,0 +1,197 @@
+#include "entropy_search.h"
+
+#include "descent.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl::acmap {
+namespace {
+
+constexpr double least_fall = 1e-5; ///< of F, for each observation
+
+PointView
+viewOf(const std::vector<Eigen::Vector3f>& values)
+{
+  return values.empty() ? PointView()
+                        : PointView(values.data(), sizeof(values[0]), values.size());
+}
+
+/** Windows of a pass: [first, last) with the last one taking in a short rest. */
+std::vector<std::pair<std::size_t, std::size_t>>
+windowsOf(std::size_t observations, std::size_t size, std::size_t first)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> windows;
+  for (; first + size / 2 <= observations; first += size) {
+    const std::size_t last = first + size;
+    const bool rest = last + size / 2 > observations;
+    windows.emplace_back(first, rest ? observations : last);
+  }
+  return windows;
+}
+
+/** The level whose entropy is taken off: what it cannot tell apart is no gain. */
+EntropyLevel
+widened(const EntropyLevel& level)
+{
+  return {4 * level.bin_size, level.weight, level.direction_aware};
+}
+
+double
+priorOf(const ActionChain& chain, const Eigen::VectorXd& u)
+{
+  return u.head(chain.residuals()).squaredNorm() / 2;
+}
+
+std::pair<double, bool>
+keyOf(const EntropyLevel& level)
+{
+  return {level.bin_size, level.direction_aware};
+}
+
+std::vector<EntropyCells>
+part(const std::vector<EntropyCells>& all, std::size_t first, std::size_t last)
+{
+  return {all.begin() + static_cast<std::ptrdiff_t>(first),
+          all.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+} // namespace
+
+MapEntropySettings
+EntropySearch::entropySettings(const EntropyLevel& level) const
+{
+  MapEntropySettings settings;
+  settings.bin_size = level.bin_size;
+  settings.smoothing = level.bin_size;
+  settings.projection_weight = settings_.projection_weight;
+  settings.direction_aware = level.direction_aware;
+  return settings;
+}
+
+const std::vector<EntropyCells>&
+EntropySearch::cells(const EntropyLevel& level)
+{
+  auto& cells = cells_[keyOf(level)];
+  if (!cells.empty())
+    return cells;
+  cells.resize(observations_.size());
+  const MapEntropySettings settings = entropySettings(level);
+  oneapi::tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
+    const LevelledPoints& seen = observations_[i];
+    cells[i] = aggregateCells(viewOf(seen.points),
+                              viewOf(seen.normals),
+                              settings,
+                              seen.weights.empty() ? nullptr : seen.weights.data());
+  });
+  return cells;
+}
+
+std::size_t
+EntropySearch::descendPart(const ActionChain& chain,
+                           const EntropyLevel& level,
+                           std::size_t first,
+                           std::size_t last,
+                           Eigen::VectorXd& u,
+                           const std::string* name)
+{
+  const auto size = static_cast<double>(last - first);
+  const EntropyLevel wide = widened(level);
+  MapEntropyEvaluator fine(part(cells_.at(keyOf(level)), first, last),
+                           entropySettings(level));
+  MapEntropyEvaluator coarse(part(cells_.at(keyOf(wide)), first, last),
+                             entropySettings(wide));
+  const double weight = level.weight * settings_.entropy_weight * size;
+  double entropy = 0;
+  std::vector<Eigen::Vector3d> by_pose, coarse_by_pose;
+  const Objective objective = [&](const Eigen::VectorXd& at,
+                                  Eigen::VectorXd& gradient) {
+    MapEntropyReport ignored;
+    const std::vector<PlanarPose> poses = chain.poses(at);
+    const MapEntropyTerms terms = fine.evaluate(poses, ignored, &by_pose);
+    const MapEntropyTerms spread = coarse.evaluate(poses, ignored, &coarse_by_pose);
+    if (terms.points == 0 ||
+        spread.points == 0) { // torn apart farther than a grid can be
+      gradient.setZero();
+      return std::numeric_limits<double>::infinity();
+    }
+    for (std::size_t i = 0; i < by_pose.size(); ++i)
+      by_pose[i] -= coarse_by_pose[i];
+    entropy = terms.total - spread.total;
+    gradient = weight * chain.gradient(poses, by_pose);
+    gradient.head(chain.residuals()) += at.head(chain.residuals());
+    return weight * entropy + priorOf(chain, at);
+  };
+  const DescentObserver observer = [&](const Eigen::VectorXd& at, double value) {
+    progress_.tell(fraction_, *name);
+    report_.steps.push_back(
+        {*name, level.bin_size, entropy, priorOf(chain, at), value});
+  };
+  return descend(objective, u, least_fall * size, name ? observer : DescentObserver{});
+}
+
+void
+EntropySearch::descendWhole(const ActionChain& chain,
+                            const EntropyLevel& level,
+                            const std::string& name,
+                            Eigen::VectorXd& u)
+{
+  cells(level);
+  cells(widened(level));
+  report_.evaluations += descendPart(chain, level, 0, observations_.size(), u, &name);
+}
+
+void
+EntropySearch::descendWindows(const ActionChain& chain,
+                              const EntropyLevel& level,
+                              std::size_t size,
+                              const std::string& name,
+                              Eigen::VectorXd& u)
+{
+  cells(level);
+  cells(widened(level));
+  const std::size_t all = observations_.size();
+  double work = 0;
+  for (const std::size_t first : {std::size_t{0}, size / 2}) {
+    const auto windows = windowsOf(all, size, first);
+    std::vector<std::size_t> evaluations(windows.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, windows.size(), [&](std::size_t i) {
+      const auto [begin, end] = windows[i];
+      const auto at = 3 * static_cast<Eigen::Index>(begin);
+      const ActionChain part = chain.part(begin, end);
+      Eigen::VectorXd v = Eigen::VectorXd::Zero(part.variables());
+      v.head(part.residuals()) = u.segment(at, part.residuals());
+      evaluations[i] = descendPart(part, level, begin, end, v, nullptr);
+      u.segment(at, part.residuals()) = v.head(part.residuals());
+    });
+    for (std::size_t i = 0; i < windows.size(); ++i)
+      work +=
+          static_cast<double>(evaluations[i] * (windows[i].second - windows[i].first)) /
+          static_cast<double>(all);
+    progress_.tell(fraction_, name);
+  }
+  report_.evaluations += static_cast<std::size_t>(work);
+  tellStep(chain, level, name, u);
+}
+
+void
+EntropySearch::tellStep(const ActionChain& chain,
+                        const EntropyLevel& level,
+                        const std::string& name,
+                        const Eigen::VectorXd& u)
+{
+  const auto entropyAt = [&](const EntropyLevel& at) {
+    MapEntropyReport ignored;
+    return mapEntropy(cells(at), chain.poses(u), entropySettings(at), ignored).total;
+  };
+  const double entropy = entropyAt(level) - entropyAt(widened(level));
+  const double prior = priorOf(chain, u);
+  const double weight = level.weight * settings_.entropy_weight *
+                        static_cast<double>(observations_.size());
+  report_.steps.push_back(
+      {name, level.bin_size, entropy, prior, weight * entropy + prior});
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,281 @@
+#include "guarded_search.h"
+
+#include "entropy_search.h"
+#include "ray_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl::acmap {
+namespace {
+
+constexpr std::size_t window = 16; ///< observations: what "near" is for the rays
+
+/** One search: how its windows grow, and on which entropy. */
+struct Plan {
+  const char* name;
+  bool direction_aware;
+  std::vector<std::size_t> windows; ///< then the whole map
+};
+
+const Plan directed{"directed", true, {4 * window}};
+const Plan undirected{"undirected", false, {4 * window}};
+const Plan gradual{"gradual", true, {2 * window, 4 * window, 8 * window}};
+
+/** A map that was found. */
+struct Candidate {
+  const char* name = "";
+  double scale = 1; ///< times the odometry's noise
+  Eigen::VectorXd u;
+  std::vector<PlanarPose> poses;
+  MapEvidence evidence;
+};
+
+double
+distanceBetween(const std::vector<PlanarPose>& a, const std::vector<PlanarPose>& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += std::pow(a[i].x - b[i].x, 2) + std::pow(a[i].z - b[i].z, 2);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/** Share of all rays that end on a wall which others have seen. */
+double
+confirmedShare(const MapEvidence& rays)
+{
+  return rays.near_rays * (1 - rays.near_contradictions) +
+         rays.far_rays * (1 - rays.far_contradictions);
+}
+
+double
+strongestAction(const Candidate& map)
+{
+  return map.u.head(map.u.size() - 1).cwiseAbs().maxCoeff();
+}
+
+double
+contradictionsOf(const MapEvidence& rays)
+{
+  return rays.near_contradictions + rays.far_contradictions;
+}
+
+/** Is a map clearly better than another? Where hardly any ray was contradicted before,
+ * walls must meet more often; in a map that was right already they do not. */
+bool
+isBetter(const MapEvidence& map, const MapEvidence& other)
+{
+  const double now = contradictionsOf(map);
+  const double before = contradictionsOf(other);
+  const bool fewer = now < std::min(0.9 * before, before - 0.03);
+  const bool met = confirmedShare(map) > confirmedShare(other) + 0.003;
+  return fewer || (met && now < before + 0.005);
+}
+
+/** Metres along a path. */
+double
+lengthOf(const std::vector<PlanarPose>& path)
+{
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    length += std::hypot(path[i].x - path[i - 1].x, path[i].z - path[i - 1].z);
+  return length;
+}
+
+class GuardedSearch {
+public:
+  GuardedSearch(const std::vector<LevelledPoints>& observations,
+                const std::vector<PlanarPose>& given,
+                const RectificationSettings& settings,
+                const Progress& progress,
+                EntropyRectificationReport& report)
+  : search_(observations, settings, progress, report)
+  , rays_(observations)
+  , chain_(given, settings.odometry)
+  , given_(given)
+  , settings_(settings)
+  , report_(report)
+  {}
+
+  std::vector<PlanarPose>
+  run()
+  {
+    rays_.judge(given_, report_.before);
+    if (report_.before.near_rays + report_.before.far_rays == 0)
+      return end(RectificationOutcome::Undetermined,
+                 "the observations see no wall in common: nothing tells how they lie");
+    fitWindows();
+    consider(directed, usual_);
+    consider(undirected, usual_);
+    if (!isConvincing(best()))
+      consider(gradual, usual_);
+    if (!isConvincing(best()))
+      consider(directed, usual_ == 0 ? 1 : usual_ - 1);
+    return decide();
+  }
+
+private:
+  std::vector<EntropyLevel>
+  levels(bool direction_aware) const
+  {
+    const double bin = settings_.bin_size;
+    return {{4 * bin, 1, direction_aware},
+            {2 * bin, 3, direction_aware},
+            {bin, 10, direction_aware}};
+  }
+
+  /** Windows of a few observations, under odometry that errs as told, twice and four
+   * times as much. The usual scale is the smallest with which the rays are content. */
+  void
+  fitWindows()
+  {
+    for (const double scale : {1.0, 2.0, 4.0}) {
+      Candidate local;
+      local.scale = scale;
+      const ActionChain chain = chain_.widened(scale);
+      local.u = Eigen::VectorXd::Zero(chain.variables());
+      for (const EntropyLevel& level : levels(true))
+        search_.descendWindows(chain, level, window, "windows", local.u);
+      rays_.judge(chain.path(local.u), local.evidence);
+      locals_.push_back(local);
+      search_.advanceTo(0.1 * static_cast<double>(locals_.size()));
+      if (locals_.size() > 1 &&
+          !(contradictionsIn(locals_.size() - 1) < 0.88 * contradictionsIn(usual_)))
+        break;
+      usual_ = locals_.size() - 1;
+    }
+  }
+
+  /** Share of contradicted rays within windows. */
+  double
+  contradictionsIn(std::size_t local) const
+  {
+    return locals_[local].evidence.near_contradictions;
+  }
+
+  void
+  consider(const Plan& plan, std::size_t local)
+  {
+    Candidate found = locals_[local];
+    found.name = plan.name;
+    const ActionChain chain = chain_.widened(found.scale);
+    for (const std::size_t size : plan.windows)
+      if (size < given_.size())
+        for (const EntropyLevel& level : levels(plan.direction_aware))
+          search_.descendWindows(chain, level, size, plan.name, found.u);
+    for (const EntropyLevel& level : levels(plan.direction_aware))
+      search_.descendWhole(chain, level, plan.name, found.u);
+    found.poses = chain.path(found.u);
+    rays_.judge(found.poses, found.evidence);
+    candidates_.push_back(found);
+    search_.advanceTo(0.3 + 0.17 * static_cast<double>(candidates_.size()));
+  }
+
+  /** Walls that lie right contradict no more than neighbours do among themselves; a little
+   * more for what is seen again at another time and from another side. */
+  bool
+  isGood(const Candidate& map) const
+  {
+    const MapEvidence& rays = map.evidence;
+    return rays.near_contradictions < contradictionsIn(usual_) + 0.08 &&
+           rays.far_contradictions < contradictionsIn(usual_) + 0.16 &&
+           rays.far_contradictions < 3 * rays.near_contradictions + 0.03 &&
+           std::max(rays.near_contradictions, rays.far_contradictions) <
+               most_contradicted &&
+           lengthOf(map.poses) > least_length * lengthOf(given_) &&
+           strongestAction(map) < most_sigmas;
+  }
+
+  /** Is there no need to look further? */
+  bool
+  isConvincing(const Candidate& map) const
+  {
+    const MapEvidence& rays = map.evidence;
+    return isGood(map) &&
+           rays.far_contradictions < 1.7 * rays.near_contradictions + 0.03;
+  }
+
+  /** The one with the fewest contradictions; the first, which is the most accurate where
+   * both are right, unless another has clearly fewer. */
+  const Candidate&
+  best() const
+  {
+    const auto cost = [this](const Candidate& map) {
+      return contradictionsOf(map.evidence) * (&map == candidates_.data() ? 0.9 : 1.0);
+    };
+    return *std::min_element(
+        candidates_.begin(),
+        candidates_.end(),
+        [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
+  }
+
+  std::vector<PlanarPose>
+  decide()
+  {
+    const Candidate& map = best();
+    for (const Candidate& other : candidates_)
+      if (&other != &map && (report_.disagreement == 0 || isGood(other)))
+        report_.disagreement = distanceBetween(map.poses, other.poses);
+    report_.after = map.evidence;
+    report_.odometry_scale = map.scale;
+    report_.strongest_action = strongestAction(map);
+    std::ostringstream text;
+    text.precision(3);
+    const MapEvidence& before = report_.before;
+    if (!isGood(map)) {
+      text << "rays contradict the best map found: " << map.evidence.near_contradictions
+           << " of what neighbours see and " << map.evidence.far_contradictions
+           << " of what others see, where short windows have "
+           << contradictionsIn(usual_) << "; strongest action "
+           << report_.strongest_action << " sigma; its path is "
+           << lengthOf(map.poses) / lengthOf(given_) << " of the odometry's";
+      return end(RectificationOutcome::Refused, text.str());
+    }
+    text << "contradicted rays " << contradictionsOf(before) << " before, "
+         << contradictionsOf(map.evidence) << " after (" << map.name
+         << " search); confirmed " << confirmedShare(before) << " before, "
+         << confirmedShare(map.evidence) << " after";
+    if (!isBetter(map.evidence, before))
+      return end(RectificationOutcome::Kept,
+                 "the given map is as good as the best found: " + text.str());
+    end(RectificationOutcome::Rectified, text.str());
+    return map.poses;
+  }
+
+  std::vector<PlanarPose>
+  end(RectificationOutcome outcome, const std::string& reason)
+  {
+    report_.outcome = outcome;
+    report_.reason = reason;
+    return given_;
+  }
+
+  static constexpr double most_contradicted = 0.5; ///< share: there is no building
+  static constexpr double least_length = 2.0 / 3;  ///< of the path: a collapse
+  static constexpr double most_sigmas = 6;         ///< of an action
+
+  EntropySearch search_;
+  RayEvidence rays_;
+  ActionChain chain_;
+  const std::vector<PlanarPose>& given_;
+  const RectificationSettings& settings_;
+  EntropyRectificationReport& report_;
+  std::vector<Candidate> locals_; ///< windows alone, by scale
+  std::size_t usual_ = 0;         ///< of them
+  std::vector<Candidate> candidates_;
+};
+
+} // namespace
+
+std::vector<PlanarPose>
+guardedSearch(const std::vector<LevelledPoints>& observations,
+              const std::vector<PlanarPose>& poses,
+              const RectificationSettings& settings,
+              const Progress& progress,
+              EntropyRectificationReport& report)
+{
+  return GuardedSearch(observations, poses, settings, progress, report).run();
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,142 @@
+#include "building_direction.h"
+#include "entropy_search.h"
+#include "guarded_search.h"
+#include "map_quality.h"
+#include "voting_search.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/mapping/rectification_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pcl::acmap {
+namespace {
+
+void
+count(const std::vector<LevelledPoints>& observations,
+      EntropyRectificationReport& report)
+{
+  report.observations = observations.size();
+  for (const LevelledPoints& seen : observations) {
+    report.points += seen.points.size();
+    for (const Eigen::Vector3f& point : seen.points)
+      report.invalid_points += !point.allFinite();
+  }
+}
+
+void
+tellMoves(const std::vector<PlanarPose>& before,
+          const std::vector<PlanarPose>& after,
+          EntropyRectificationReport& report)
+{
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    report.moved.push_back(
+        std::hypot(after[i].x - before[i].x, after[i].z - before[i].z));
+    report.turned.push_back(
+        std::abs(std::remainder(after[i].theta - before[i].theta, 2 * M_PI)));
+  }
+}
+
+/** The first observations: their walls lie as the first pose has them, free of drift. */
+template <typename Value>
+std::vector<Value>
+firstOf(const std::vector<Value>& values)
+{
+  constexpr std::size_t few = 16;
+  return {values.begin(),
+          values.begin() + static_cast<std::ptrdiff_t>(std::min(few, values.size()))};
+}
+
+/** Poses moved \a times the way from the origin to a place. */
+std::vector<PlanarPose>
+shifted(std::vector<PlanarPose> poses, double times, const PlanarPose& place)
+{
+  for (PlanarPose& pose : poses) {
+    pose.x += times * place.x;
+    pose.z += times * place.z;
+  }
+  return poses;
+}
+
+/** Where projections count, searches in a map whose building lies along the axes. */
+template <typename Search>
+std::vector<PlanarPose>
+searchAlongAxes(const Search& search,
+                const std::vector<LevelledPoints>& observations,
+                const std::vector<PlanarPose>& poses,
+                RectificationSettings settings,
+                const Progress& progress,
+                EntropyRectificationReport& report)
+{
+  if (settings.projection_weight < 0)
+    settings.projection_weight = settings.mode == RectificationMode::Paper ? 0.1 : 0;
+  double turn = 0;
+  if (settings.projection_weight > 0) {
+    const EntropyLevel level{settings.bin_size, 1, false}; // coarse bins: 1 degree off
+    EntropySearch fine(observations, settings, progress, report);
+    turn = buildingDirection(
+        firstOf(fine.cells(level)), firstOf(poses), fine.entropySettings(level));
+  }
+  const PlanarPose& first = poses.front(); // far from the origin nothing is lost
+  const std::vector<PlanarPose> found =
+      search(observations,
+             turnedMap(shifted(poses, -1, first), turn),
+             settings,
+             progress,
+             report);
+  return report.outcome == RectificationOutcome::Rectified
+             ? shifted(turnedMap(found, -turn), 1, first)
+             : poses;
+}
+
+/** Why observations tell nothing about their poses; empty where they do. */
+std::string
+whatHinders(const std::vector<LevelledPoints>& observations,
+            const std::vector<PlanarPose>& poses,
+            const RectificationSettings& settings,
+            const Progress& progress,
+            EntropyRectificationReport& report)
+{
+  if (poses.size() < 2)
+    return "one observation: there is nothing that it could fit or not fit";
+  const EntropyLevel level{4 * settings.bin_size, 1, false};
+  EntropySearch search(observations, settings, progress, report);
+  MapEntropyReport told;
+  const MapEntropyTerms terms =
+      mapEntropy(search.cells(level), poses, search.entropySettings(level), told);
+  return terms.points == 0 || terms.dimensions < 2 ? told.remarks.front() : "";
+}
+
+} // namespace
+
+std::vector<PlanarPose>
+rectify(const std::vector<LevelledPoints>& observations,
+        const std::vector<PlanarPose>& poses,
+        const RectificationSettings& settings,
+        const Progress& progress,
+        EntropyRectificationReport& report)
+{
+  if (poses.size() != observations.size())
+    throw BadArgumentException("each observation needs one pose");
+  count(observations, report);
+  std::vector<PlanarPose> result = poses;
+  report.reason = whatHinders(observations, poses, settings, progress, report);
+  const bool paper = settings.mode == RectificationMode::Paper;
+  if (report.reason.empty())
+    result = searchAlongAxes(paper ? votingSearch : guardedSearch,
+                             observations,
+                             poses,
+                             settings,
+                             progress,
+                             report);
+  if (report.outcome == RectificationOutcome::Undetermined)
+    report.remarks.push_back(report.reason);
+  tellMoves(poses, result, report);
+  measureQuality(observations, poses, report.before);
+  measureQuality(observations, result, report.after);
+  return result;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,14 @@
+#include "entropy_bins_kernel.h"
+
+namespace pcl::acmap {
+
+const EntropyBins entropy_bins_avx2{fillCells<false>,
+                                    fillCells<true>,
+                                    forcesOnCells<false>,
+                                    forcesOnCells<true>,
+                                    smoothAcross,
+                                    smoothAlong,
+                                    sumUp,
+                                    takeLogarithms};
+
+} // namespace pcl::acmap

@@ -1,0 +1,335 @@
+#include "entropy/filled_runs.h"
+#include "simd/entropy_bins.h"
+
+#include <pcl/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+namespace {
+
+struct Variant {
+  std::string name;
+  const EntropyBins* loops;
+};
+
+/** What this processor can run. */
+std::vector<Variant>
+variants()
+{
+  std::vector<Variant> all{{"base", &entropy_bins_base}};
+#ifdef ACMAP_SIMD_AVX2
+  if (__builtin_cpu_supports("avx2"))
+    all.push_back({"avx2", &entropy_bins_avx2});
+#endif
+  return all;
+}
+
+/** A grid of 40 x 40 bins in nine layers with cells in the middle of it. */
+struct Scene {
+  static constexpr std::int64_t row = 40, rows = 40, layers = 9;
+
+  std::vector<double> bins = std::vector<double>(row * rows * layers + 4, 0);
+  std::vector<std::uint8_t> marks = std::vector<std::uint8_t>(bins.size() / 4, 0);
+  std::vector<float> x, z, weight, direction;
+
+  Scene(std::uint64_t seed, std::size_t cells)
+  {
+    Random random(seed);
+    for (std::size_t i = 0; i < cells; ++i) {
+      x.push_back(static_cast<float>(random.uniform(-8, 8)));
+      z.push_back(static_cast<float>(random.uniform(-8, 8)));
+      weight.push_back(static_cast<float>(random.uniform(0, 100)));
+      direction.push_back(static_cast<float>(random.uniform(-4, 4)));
+    }
+    x[0] = z[0] = 0.5; // between bins
+  }
+
+  CellArrays
+  cells() const
+  {
+    return {x.data(),
+            z.data(),
+            weight.data(),
+            direction.data(),
+            static_cast<std::int64_t>(x.size())};
+  }
+
+  BinArray
+  grid()
+  {
+    return {bins.data(), row, row * rows, marks.data()};
+  }
+};
+
+constexpr CellMotion motion{0.8, 0.6, 19.5, 20.25, 13.7};
+
+double
+splineAt(double t)
+{
+  t = std::abs(t);
+  if (t >= 1.5)
+    return 0;
+  return t > 0.5 ? 0.5 * (1.5 - t) * (1.5 - t) : 0.75 - t * t;
+}
+
+/** Share of bin (i, j) of layer k in a cell, by the definition. */
+double
+shareOf(const Scene& scene, std::size_t cell, int i, int j, int k, bool directed)
+{
+  const double x = scene.x[cell], z = scene.z[cell];
+  const double u = motion.x0 + motion.cosine * x + motion.sine * z;
+  const double v = motion.z0 + motion.cosine * z - motion.sine * x;
+  const double share = splineAt(u - i - 0.5) * splineAt(v - j - 0.5);
+  if (!directed)
+    return k == 0 ? share : 0;
+  const double angle = static_cast<double>(scene.direction[cell]) + motion.turn;
+  return k < 8 ? share * splineAt(std::remainder(angle - k - 0.5, 8)) : 0;
+}
+
+TEST(EntropyBins, areFilledBySplines)
+{
+  for (const Variant& variant : variants())
+    for (const bool directed : {false, true}) {
+      SCOPED_TRACE(variant.name);
+      Scene scene(1, 12);
+      const auto fill = directed ? variant.loops->fillDirected : variant.loops->fill;
+      fill(scene.cells(), motion, scene.grid());
+      for (int k = 0; k < 9; ++k)
+        for (int i = 0; i < 40; ++i)
+          for (int j = 0; j < 40; ++j) {
+            double wanted = 0;
+            for (std::size_t cell = 0; cell < scene.x.size(); ++cell)
+              wanted += static_cast<double>(scene.weight[cell]) *
+                        shareOf(scene, cell, i, j, k, directed);
+            const std::size_t at = static_cast<std::size_t>((k * 40 + i) * 40 + j);
+            ASSERT_NEAR(scene.bins[at], wanted, 1e-10);
+            bool is_marked = false;
+            for (std::size_t up = 0; up < 3 && up * 10 <= at / 4; ++up)
+              is_marked |= scene.marks[at / 4 - up * 10] != 0;
+            if (scene.bins[at] != 0) {
+              ASSERT_TRUE(is_marked) << "three rows belong to a mark";
+            }
+          }
+    }
+}
+
+/** Energy of a field: sum of what cells are given times the field. */
+double
+energyOf(const Scene& scene, const Variant& variant, CellMotion moved, bool directed)
+{
+  Scene filled(scene);
+  std::fill(filled.bins.begin(), filled.bins.end(), 0);
+  (directed ? variant.loops->fillDirected
+            : variant.loops->fill)(filled.cells(), moved, filled.grid());
+  double sum = 0;
+  for (std::size_t i = 0; i < filled.bins.size(); ++i)
+    sum += filled.bins[i] * scene.bins[i];
+  return sum;
+}
+
+TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
+{
+  for (const Variant& variant : variants())
+    for (const bool directed : {false, true}) {
+      SCOPED_TRACE(variant.name);
+      Scene scene(2, 20);
+      Random random(3);
+      for (double& bin : scene.bins)
+        bin = random.uniform(-1, 1);
+      const CellForces forces =
+          (directed ? variant.loops->forcesDirected
+                    : variant.loops->forces)(scene.cells(), motion, scene.grid());
+      const auto differenceBy = [&](auto&& change) {
+        constexpr double step = 1e-6;
+        CellMotion before = motion, after = motion;
+        change(before, -step);
+        change(after, step);
+        return (energyOf(scene, variant, after, directed) -
+                energyOf(scene, variant, before, directed)) /
+               (2 * step);
+      };
+      const double rounding = 1e-4;
+      EXPECT_NEAR(forces.x,
+                  differenceBy([](CellMotion& m, double by) { m.x0 += by; }),
+                  rounding);
+      EXPECT_NEAR(forces.z,
+                  differenceBy([](CellMotion& m, double by) { m.z0 += by; }),
+                  rounding);
+      EXPECT_NEAR(forces.turn,
+                  differenceBy([](CellMotion& m, double by) {
+                    const double angle = std::atan2(motion.sine, motion.cosine) + by;
+                    m.cosine = std::cos(angle);
+                    m.sine = std::sin(angle);
+                  }),
+                  10 * rounding);
+      EXPECT_NEAR(forces.layers,
+                  differenceBy([](CellMotion& m, double by) { m.turn += by; }),
+                  rounding);
+      EXPECT_GT(std::abs(forces.x), 1);
+    }
+}
+
+TEST(EntropyBins, logarithmsAreExactToRounding)
+{
+  Random random(4);
+  std::vector<double> values{
+      0, 1, 2, 0.5, std::sqrt(0.5), std::sqrt(2.0), 1e-300, 1e300};
+  for (int i = 0; i < 100000; ++i)
+    values.push_back(std::exp(random.uniform(-40, 40)));
+  for (int i = 0; i < 1000; ++i)
+    values.push_back(1 + random.uniform(-1e-3, 1e-3));
+  for (const Variant& variant : variants()) {
+    std::vector<double> logarithms = values;
+    double wanted = 0;
+    variant.loops->takeLogarithms(logarithms.data(),
+                                  static_cast<std::int64_t>(values.size()));
+    EXPECT_EQ(logarithms[0], 0) << "nothing where there is nothing";
+    EXPECT_EQ(logarithms[1], 0);
+    EXPECT_EQ(logarithms[2], 1);
+    EXPECT_EQ(logarithms[3], -1);
+    for (std::size_t i = 1; i < values.size(); ++i)
+      ASSERT_NEAR(
+          logarithms[i], std::log2(values[i]), 1e-14 * (1 + std::abs(logarithms[i])));
+    std::vector<double> few(values.begin() + 8, values.begin() + 48);
+    for (const double value : few)
+      wanted += value * std::log2(value);
+    EXPECT_NEAR(variant.loops->takeLogarithms(few.data(), 40),
+                wanted,
+                1e-12 * std::abs(wanted));
+  }
+}
+
+/** What all variants make of the same input. */
+struct Bytes {
+  std::vector<double> values;
+
+  explicit Bytes(const EntropyBins& loops)
+  {
+    Scene scene(5, 400);
+    loops.fill(scene.cells(), motion, scene.grid());
+    loops.fillDirected(scene.cells(), motion, scene.grid());
+    keep(scene.bins);
+    values.insert(values.end(), scene.marks.begin(), scene.marks.end());
+    for (const auto& forces :
+         {loops.forces(scene.cells(), motion, scene.grid()),
+          loops.forcesDirected(scene.cells(), motion, scene.grid())})
+      keep({forces.x, forces.z, forces.turn, forces.layers});
+    std::vector<double> sums(400, 0.1);
+    keep({loops.sumUp(scene.bins.data(), 400, sums.data())});
+    keep(sums);
+    for (const std::int64_t radius : {1, 3, 5, 13})
+      smooth(loops, scene, radius);
+    keep({loops.takeLogarithms(scene.bins.data(), 40 * 40 * 9)});
+    keep(scene.bins);
+  }
+
+  void
+  keep(const std::vector<double>& more)
+  {
+    values.insert(values.end(), more.begin(), more.end());
+  }
+
+  void
+  smooth(const EntropyBins& loops, const Scene& scene, std::int64_t radius)
+  {
+    std::vector<double> weights, across(80, 0), out(40, 7);
+    std::vector<const double*> rows;
+    for (std::int64_t i = -radius; i <= radius; ++i)
+      rows.push_back(&scene.bins[static_cast<std::size_t>(20 + i) * 40]);
+    for (std::int64_t i = 0; i <= radius; ++i)
+      weights.push_back(1.0 / static_cast<double>(3 + i));
+    for (const std::int64_t size : {40, 8}) {
+      const SmoothingKernel kernel{weights.data(), radius};
+      loops.smoothAcross(rows.data(), kernel, size, &across[20]);
+      loops.smoothAlong(&across[20], kernel, size, out.data());
+      keep(out);
+    }
+  }
+};
+
+TEST(EntropyBins, allVariantsGiveTheSameBytes)
+{
+  const Bytes wanted(entropy_bins_base);
+  for (const Variant& variant : variants()) {
+    const Bytes found(*variant.loops);
+    ASSERT_EQ(found.values.size(), wanted.values.size());
+    EXPECT_EQ(std::memcmp(found.values.data(),
+                          wanted.values.data(),
+                          wanted.values.size() * sizeof(double)),
+              0)
+        << variant.name;
+  }
+}
+
+TEST(EntropyBins, smoothingIsConvolution)
+{
+  Scene scene(6, 100);
+  entropyBins().fill(scene.cells(), motion, scene.grid());
+  constexpr std::int64_t radius = 3, row = 22;
+  const std::vector<double> kernel{0.4, 0.2, 0.08, 0.02};
+  std::vector<const double*> rows;
+  for (std::int64_t i = -radius; i <= radius; ++i)
+    rows.push_back(&scene.bins[static_cast<std::size_t>(row + i) * 40]);
+  std::vector<double> across(48, 0), out(40, 0);
+  entropyBins().smoothAcross(rows.data(), {kernel.data(), radius}, 40, &across[4]);
+  entropyBins().smoothAlong(&across[4], {kernel.data(), radius}, 40, out.data());
+  double most = 0;
+  for (std::int64_t j = 0; j < 40; ++j) {
+    double wanted = 0;
+    for (std::int64_t a = -radius; a <= radius; ++a)
+      for (std::int64_t b = -radius; b <= radius; ++b)
+        if (j + b >= 0 && j + b < 40)
+          wanted += kernel[static_cast<std::size_t>(std::abs(a))] *
+                    kernel[static_cast<std::size_t>(std::abs(b))] *
+                    scene.bins[static_cast<std::size_t>((row + a) * 40 + j + b)];
+    EXPECT_NEAR(out[static_cast<std::size_t>(j)], wanted, 1e-12);
+    most = std::max(most, wanted);
+  }
+  EXPECT_GT(most, 1);
+}
+
+TEST(FilledRuns, areAllBlocksNearMarks)
+{
+  Random random(7);
+  for (int round = 0; round < 50; ++round) {
+    BlockMarks blocks;
+    blocks.blocks = 1 + static_cast<std::int64_t>(random.uniform(0, 12));
+    blocks.rows = 1 + static_cast<std::int64_t>(random.uniform(0, 9));
+    const std::int64_t rows = 3 * blocks.rows;
+    for (std::int64_t i = 0; i < rows * blocks.blocks; ++i)
+      blocks.marks.push_back(random.uniform() < 0.1);
+    const auto before = static_cast<std::int64_t>(random.uniform(0, 3));
+    const auto after = static_cast<std::int64_t>(random.uniform(0, 4));
+    const auto aside = static_cast<std::int32_t>(random.uniform(0, 3));
+    std::vector<int> found(blocks.marks.size(), 0), wanted = found;
+    std::int64_t last = -1;
+    std::vector<FilledRun> narrow(3), runs(5);
+    findRuns(blocks, before, after, narrow);
+    widenRuns(narrow, aside, static_cast<std::int32_t>(blocks.blocks), runs);
+    for (const FilledRun& run : runs) {
+      ASSERT_GT(run.row * (blocks.blocks + 1) + run.begin, last) << "in order, apart";
+      last = run.row * (blocks.blocks + 1) + run.end;
+      for (std::int64_t i = run.begin; i < run.end; ++i)
+        ++found[static_cast<std::size_t>(run.row * blocks.blocks + i)];
+    }
+    for (std::int64_t row = 0; row < rows; ++row)
+      for (std::int64_t i = 0; i < blocks.blocks; ++i)
+        for (std::int64_t r = 0; r < rows; ++r)
+          for (std::int64_t b = 0; b < blocks.blocks; ++b)
+            if (blocks.marks[static_cast<std::size_t>(r * blocks.blocks + b)] &&
+                r / blocks.rows == row / blocks.rows && row >= r - before &&
+                row <= r + after && std::abs(b - i) <= aside)
+              wanted[static_cast<std::size_t>(row * blocks.blocks + i)] = 1;
+    EXPECT_EQ(found, wanted);
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,255 @@
+#include "rectification_runs.h"
+
+#include <pcl/common/transforms.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/core/trajectory.h>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr Drift drift{0.06, 0.012, 0.004};
+
+/** A room that comes drifted and is rectified in a fraction of a second. */
+struct DriftedRoom {
+  explicit DriftedRoom(std::uint64_t seed)
+  : world(makeRoomWorld(seed))
+  , odometry(drifted(world.truth.poses, drift, seed))
+  {}
+
+  Rectification
+  rectification() const
+  {
+    return rectificationOf(world.truth, odometry);
+  }
+
+  World world;
+  std::vector<PlanarPose> odometry;
+};
+
+/** How a camera is held: height, tilt and roll, others at each observation. */
+Eigen::Isometry3d
+heldAt(std::size_t i)
+{
+  const double t = static_cast<double>(i);
+  Eigen::Isometry3d held(
+      Eigen::AngleAxisd(0.2 * std::sin(t), Eigen::Vector3d::UnitX()) *
+      Eigen::AngleAxisd(0.1 * std::cos(2 * t), Eigen::Vector3d::UnitZ()));
+  held.translation() << 0, -0.8 + 0.1 * std::sin(3 * t), 0;
+  return held;
+}
+
+/** The room seen by a camera that is held, at odd poses in space. */
+Rectification
+heldInSpace(const DriftedRoom& room)
+{
+  Rectification rectification;
+  for (std::size_t i = 0; i < room.odometry.size(); ++i) {
+    const Eigen::Isometry3d held = heldAt(i);
+    PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
+    transformPointCloudWithNormals(
+        *room.world.truth.clouds[i],
+        *cloud,
+        Eigen::Affine3f(held.inverse().cast<float>().matrix()));
+    rectification.addPointCloud(cloud, isometryOf(room.odometry[i]) * held);
+  }
+  return rectification;
+}
+
+TEST(EntropyRectification, heightsAndTiltsStay)
+{
+  const DriftedRoom room(21);
+  Rectification rectification = heldInSpace(room);
+  std::vector<Eigen::Isometry3d> given;
+  for (std::size_t i = 0; i < room.odometry.size(); ++i)
+    given.push_back(rectification.getPose(i));
+  rectification.compute();
+  ASSERT_EQ(rectification.getReport().outcome, RectificationOutcome::Rectified);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Eigen::Isometry3d& pose = rectification.getPose(i);
+    EXPECT_TRUE(isRigid(pose));
+    EXPECT_NEAR(pose.translation().y(), given[i].translation().y(), 1e-12);
+    // A turn about y leaves the vertical of the camera where it was.
+    EXPECT_LT((pose.linear().row(1) - given[i].linear().row(1)).norm(), 1e-12);
+  }
+  EXPECT_LT(rmsError(planarPosesOf(rectification), room.world.truth.poses),
+            0.5 * rmsError(room.odometry, room.world.truth.poses));
+}
+
+TEST(EntropyRectification, movesAndTurnsAreThoseOfThePoses)
+{
+  const DriftedRoom room(22);
+  Rectification rectification = room.rectification();
+  rectification.compute();
+  const auto poses = planarPosesOf(rectification);
+  const EntropyRectificationReport& report = rectification.getReport();
+  ASSERT_EQ(report.moved.size(), poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const PlanarPose& was = room.odometry[i];
+    EXPECT_NEAR(
+        report.moved[i], std::hypot(poses[i].x - was.x, poses[i].z - was.z), 1e-9);
+    EXPECT_NEAR(report.turned[i],
+                std::abs(std::remainder(poses[i].theta - was.theta, 2 * M_PI)),
+                1e-9);
+  }
+}
+
+TEST(EntropyRectification, cloudsAreWhereThePosesSay)
+{
+  const DriftedRoom room(23);
+  Rectification rectification = room.rectification();
+  rectification.compute();
+  std::size_t next = 0;
+  const auto all = rectification.getConcatenatedCloud();
+  for (std::size_t i = 0; i < room.odometry.size(); ++i) {
+    const Eigen::Isometry3d& pose = rectification.getPose(i);
+    EXPECT_TRUE(rectification.getTransformation(i).matrix().isApprox(
+        pose.cast<float>().matrix(), 1e-6F));
+    const PointCloud<PointNormal>& source = *room.world.truth.clouds[i];
+    const auto cloud = rectification.getTransformedCloud(i);
+    ASSERT_EQ(cloud->size(), source.size());
+    ASSERT_LE(next + source.size(), all->size());
+    for (std::size_t p = 0; p < source.size(); ++p, ++next) {
+      const Eigen::Vector3d place = pose * source[p].getVector3fMap().cast<double>();
+      const Eigen::Vector3d normal =
+          pose.linear() * source[p].getNormalVector3fMap().cast<double>();
+      EXPECT_LT(((*cloud)[p].getVector3fMap().cast<double>() - place).norm(), 1e-5);
+      EXPECT_LT(((*cloud)[p].getNormalVector3fMap().cast<double>() - normal).norm(),
+                1e-5);
+      EXPECT_EQ((*all)[next].getVector3fMap(), (*cloud)[p].getVector3fMap());
+    }
+  }
+  EXPECT_EQ(next, all->size());
+}
+
+TEST(EntropyRectification, setPoseStartsAgain)
+{
+  const DriftedRoom room(24);
+  Rectification fresh = room.rectification();
+  fresh.compute();
+  Rectification rectification =
+      rectificationOf(room.world.truth, room.world.truth.poses);
+  rectification.compute();
+  for (std::size_t i = 0; i < room.odometry.size(); ++i)
+    rectification.setPose(i, isometryOf(room.odometry[i]));
+  EXPECT_TRUE(isUntouched(rectification, room.odometry));
+  rectification.compute();
+  EXPECT_TRUE(haveSamePoses(rectification, fresh));
+}
+
+TEST(EntropyRectification, neitherRunsNorObjectsDifferInAByte)
+{
+  const DriftedRoom room(25);
+  for (const RectificationMode mode :
+       {RectificationMode::Guarded, RectificationMode::Paper}) {
+    Rectification wanted = room.rectification();
+    wanted.setMode(mode);
+    wanted.setNumberOfThreads(1);
+    wanted.compute();
+    for (const unsigned threads : {1U, 2U, 8U}) {
+      Rectification other = room.rectification();
+      other.setMode(mode);
+      other.setNumberOfThreads(threads);
+      other.compute();
+      EXPECT_TRUE(haveSamePoses(other, wanted)) << threads << " threads";
+      EXPECT_EQ(other.getReport().reason, wanted.getReport().reason);
+      EXPECT_EQ(other.getReport().moved, wanted.getReport().moved);
+    }
+    const Rectification before = wanted;
+    wanted.compute();
+    EXPECT_TRUE(haveSamePoses(wanted, before)) << "second run";
+  }
+}
+
+/** Bins and the cells of the rays begin at multiples of 0.1 to 0.4 m, so that 16 m are
+ * whole ones of each. */
+TEST(EntropyRectification, whereTheMapLiesDoesNotMatter)
+{
+  const DriftedRoom room(26);
+  Rectification here = room.rectification();
+  here.compute();
+  ASSERT_EQ(here.getReport().outcome, RectificationOutcome::Rectified);
+  auto away = room.odometry;
+  for (PlanarPose& pose : away)
+    pose = {pose.x + 16, pose.z - 48, pose.theta};
+  Rectification there = rectificationOf(room.world.truth, away);
+  there.compute();
+  EXPECT_EQ(there.getReport().outcome, RectificationOutcome::Rectified);
+  for (std::size_t i = 0; i < away.size(); ++i) {
+    EXPECT_NEAR(there.getReport().moved[i], here.getReport().moved[i], 1e-6);
+    EXPECT_NEAR(there.getReport().turned[i], here.getReport().turned[i], 1e-6);
+  }
+}
+
+TEST(EntropyRectification, weightsOfOneAreNone)
+{
+  const DriftedRoom room(27);
+  Rectification plain = room.rectification(), weighted, other;
+  for (std::size_t i = 0; i < room.odometry.size(); ++i) {
+    const auto& cloud = room.world.truth.clouds[i];
+    std::vector<float> weights(cloud->size(), 1.0F);
+    weighted.addPointCloud(cloud, isometryOf(room.odometry[i]), weights);
+    weights.assign(cloud->size() / 2, 0.1F);
+    weights.resize(cloud->size(), 1.0F);
+    other.addPointCloud(cloud, isometryOf(room.odometry[i]), weights);
+  }
+  for (Rectification* one : {&plain, &weighted, &other})
+    one->compute();
+  EXPECT_TRUE(haveSamePoses(plain, weighted));
+  EXPECT_FALSE(haveSamePoses(plain, other));
+}
+
+TEST(EntropyRectification, cancelledHalfWayChangesNothing)
+{
+  const DriftedRoom room(28);
+  for (const RectificationMode mode :
+       {RectificationMode::Guarded, RectificationMode::Paper}) {
+    Rectification fresh = room.rectification();
+    fresh.setMode(mode);
+    int calls = 0;
+    double last = 0;
+    fresh.setProgressCallback([&](double fraction, const std::string& step) {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1);
+      EXPECT_FALSE(step.empty());
+      last = fraction;
+      return ++calls > 0;
+    });
+    fresh.compute();
+    ASSERT_GT(calls, 4);
+
+    Rectification rectification = room.rectification();
+    rectification.setMode(mode);
+    rectification.setProgressCallback(
+        [half = calls / 2](double, const std::string&) mutable { return half-- > 0; });
+    EXPECT_THROW(rectification.compute(), CancelledException);
+    EXPECT_TRUE(isUntouched(rectification, room.odometry));
+    EXPECT_TRUE(rectification.getReport().reason.empty()) << "there was no earlier run";
+    rectification.setProgressCallback({});
+    rectification.compute();
+    EXPECT_TRUE(haveSamePoses(rectification, fresh));
+  }
+}
+
+TEST(EntropyRectification, clearBeginsAnew)
+{
+  const DriftedRoom room(29);
+  Rectification fresh = room.rectification();
+  fresh.compute();
+  Rectification rectification =
+      rectificationOf(room.world.truth, room.world.truth.poses);
+  rectification.compute();
+  rectification.clear();
+  EXPECT_EQ(rectification.getNumberOfPointClouds(), 0U);
+  EXPECT_TRUE(rectification.getConcatenatedCloud()->empty());
+  for (std::size_t i = 0; i < room.odometry.size(); ++i)
+    EXPECT_EQ(rectification.addPointCloud(room.world.truth.clouds[i],
+                                          isometryOf(room.odometry[i])),
+              i);
+  rectification.compute();
+  EXPECT_TRUE(haveSamePoses(rectification, fresh));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
