@@ -1,0 +1,67 @@
+#include "map_rows.h"
+
+#include "cloud_fields.h"
+#include "memory.h"
+
+#include <cstring>
+
+namespace pcl::acmap {
+
+namespace {
+
+std::vector<FieldWish>
+fieldsOf(bool colored)
+{
+  std::vector<FieldWish> fields = {{"x", PCLPointField::FLOAT32},
+                                   {"y", PCLPointField::FLOAT32},
+                                   {"z", PCLPointField::FLOAT32}};
+  if (colored)
+    fields.push_back({"rgb", PCLPointField::FLOAT32});
+  fields.push_back({"view", PCLPointField::INT32});
+  return fields;
+}
+
+} // namespace
+
+MapRows::MapRows(std::size_t points, bool colored)
+: cloud_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
+, colored_(colored)
+{
+  const std::size_t bytes = points * cloud_.point_step;
+  requireMemory(bytes, "merging the observations");
+  cloud_.data.reserve(bytes);
+}
+
+void
+MapRows::append(const PointCloudFile& observation,
+                const Eigen::Isometry3d& T_map_camera,
+                std::int32_t view)
+{
+  const PointView points = observation.points();
+  const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f point = points[i];
+    if (!point.allFinite())
+      continue;
+    const Eigen::Vector3f place = (T_map_camera * point.cast<double>()).cast<float>();
+    const std::size_t row = cloud_.data.size();
+    cloud_.data.resize(row + cloud_.point_step);
+    std::uint8_t* const to = &cloud_.data[row];
+    std::memcpy(to, place.data(), 3 * sizeof(float));
+    if (color)
+      std::memcpy(
+          to + 3 * sizeof(float),
+          &observation.cloud.data[i * observation.cloud.point_step + color->offset],
+          sizeof(std::uint32_t));
+    std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
+  }
+}
+
+const PCLPointCloud2&
+MapRows::finish()
+{
+  resizeRows(cloud_, cloud_.data.size() / cloud_.point_step);
+  return cloud_;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,90 @@
+#include "rectification_options.h"
+
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+namespace pcl::acmap {
+
+namespace {
+
+const std::map<std::string, RectificationMode> mode_names = {
+    {"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}};
+
+void
+addInputs(Tool& tool, RectificationOptions& options)
+{
+  CLI::App& app = tool.options();
+  CLI::Option* const folder =
+      app.add_option(
+             "posed", options.folder, "Folder of observation PCDs with their poses")
+          ->type_name("POSED_DIR");
+  CLI::Option* const log =
+      app.add_option(
+             "--carmen",
+             options.log,
+             "Laser log of CARMEN instead, also as .gz; its FLASER messages are "
+             "taken, in metres")
+          ->type_name("LOG")
+          ->excludes(folder);
+  app.add_option("-o,--output", options.output, "Folder for poses, map and pictures")
+      ->type_name("OUT_DIR")
+      ->required();
+  app.add_option("--every", options.every, "Take only each Nth scan of the log")
+      ->type_name("N")
+      ->needs(log)
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+  app.add_flag("--observations",
+               options.write_observations,
+               "Write the observations too, each with its new pose, so that OUT_DIR "
+               "goes into the next tool")
+      ->excludes(log);
+  tool.addScale();
+  app.get_option("--scale")->excludes(log);
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, RectificationOptions& options)
+{
+  addInputs(tool, options);
+  CLI::App& app = tool.options();
+  app.add_option_function<std::string>(
+         "--mode",
+         [&options](const std::string& name) {
+           options.settings.mode = mode_names.at(name);
+         },
+         "guarded: descent, taken only where independent evidence agrees; paper: the "
+         "paper's voting, taken as it comes")
+      ->type_name("MODE")
+      ->default_str("guarded")
+      ->check(CLI::IsMember({"guarded", "paper"}).description(""));
+  app.add_option(
+         "--bin", options.settings.bin_size, "Edge of the entropy's bins, metres")
+      ->type_name("M")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(1e-3, 1e3).description(""));
+  app.add_option(
+         "--seed", options.settings.seed, "Number that all randomness begins with")
+      ->type_name("N")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
+  tool.addThreads();
+}
+
+void
+requireInput(const RectificationOptions& options)
+{
+  if (options.input().empty())
+    throw UsageError("POSED_DIR or --carmen LOG is needed");
+}
+
+const char*
+nameOf(RectificationMode mode)
+{
+  return mode == RectificationMode::Guarded ? "guarded" : "paper";
+}
+
+} // namespace pcl::acmap

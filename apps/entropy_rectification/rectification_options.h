@@ -1,0 +1,41 @@
+#pragma once
+
+#include "tool.h"
+
+#include <pcl/mapping/rectification_kernel.h>
+
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief What the user asks for. */
+struct RectificationOptions {
+  std::string folder; ///< of posed observations; empty with a log
+  std::string log;    ///< CARMEN's; empty with a folder
+  std::string output;
+  std::size_t every = 1; ///< scan of the log
+  RectificationSettings settings;
+  bool write_observations = false;
+
+  /** \brief The folder or the log. */
+  const std::string&
+  input() const
+  {
+    return log.empty() ? folder : log;
+  }
+};
+
+/** \brief Adds them to the command line. */
+void
+addOptions(Tool& tool, RectificationOptions& options);
+
+/** \brief Checks that there is an input.
+ * \throws UsageError when there is none */
+void
+requireInput(const RectificationOptions& options);
+
+/** \brief Its name on the command line. */
+const char*
+nameOf(RectificationMode mode);
+
+} // namespace pcl::acmap

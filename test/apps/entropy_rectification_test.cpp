@@ -1,0 +1,268 @@
+#include "rectification_runs.h"
+#include "temporary_folder.h"
+#include "tool_cases.h"
+
+#include <pcl/core/image_file.h>
+#include <pcl/io/pcd_io.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <set>
+
+namespace pcl::acmap::test {
+
+/** \brief A row of a map. */
+struct MapPoint {
+  PCL_ADD_POINT4D
+  PCL_ADD_RGB
+  std::int32_t view;
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+} // namespace pcl::acmap::test
+
+POINT_CLOUD_REGISTER_POINT_STRUCT(
+    pcl::acmap::test::MapPoint,
+    (float, x, x)(float, y, y)(float, z, z)(float, rgb, rgb)(std::int32_t, view, view))
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AnyOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::set<std::string>
+namesIn(const std::string& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
+const std::set<std::string> all_outputs = {"trajectory.txt",
+                                           "map.pcd",
+                                           "report.json",
+                                           "plan_before.png",
+                                           "plan_after.png",
+                                           "plan.png",
+                                           "energy.png"};
+
+nlohmann::json
+reportOf(const std::string& folder)
+{
+  return nlohmann::json::parse(contentOf(folder + "/report.json"));
+}
+
+std::vector<std::string>
+fieldsOf(const std::string& pcd)
+{
+  PCLPointCloud2 cloud;
+  EXPECT_EQ(PCDReader().readHeader(pcd, cloud), 0);
+  std::vector<std::string> names;
+  for (const PCLPointField& field : cloud.fields)
+    names.push_back(field.name);
+  return names;
+}
+
+std::string
+observationOf(const std::string& folder, std::size_t i)
+{
+  return folder + "/observation_00" + (i < 10 ? "0" : "") + std::to_string(i) + ".pcd";
+}
+
+/** The map is that of the observations, at the poses of its trajectory. */
+void
+expectMap(const std::string& session, const std::string& output)
+{
+  const Trajectory trajectory = loadTrajectory(output + "/trajectory.txt");
+  PointCloud<MapPoint> map;
+  ASSERT_EQ(io::loadPCDFile(output + "/map.pcd", map), 0);
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+    PointCloud<PointXYZRGB> seen;
+    ASSERT_EQ(io::loadPCDFile(observationOf(session, i), seen), 0);
+    for (const PointXYZRGB& point : seen) {
+      if (!point.getVector3fMap().allFinite())
+        continue;
+      ASSERT_LT(row, map.size());
+      const MapPoint& in_map = map[row++];
+      const Eigen::Vector3d place =
+          trajectory.poses[i] * point.getVector3fMap().cast<double>();
+      ASSERT_LT((in_map.getVector3fMap().cast<double>() - place).norm(), 1e-5);
+      ASSERT_EQ(in_map.rgba & 0xffffffU, point.rgba & 0xffffffU);
+      ASSERT_EQ(in_map.view, static_cast<std::int32_t>(i));
+    }
+  }
+  EXPECT_EQ(row, map.size());
+}
+
+TEST(RectificationTool, StraightensAFolder)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out put");
+  const ToolRun run = runRectification({driftedRoom().session, "-o", output});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("rectified:"));
+  EXPECT_EQ(namesIn(output), all_outputs);
+  const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
+  EXPECT_EQ(rectified.stamps, driftedRoom().truth.stamps);
+  EXPECT_LT(meanError(rectified, driftedRoom().truth),
+            0.6 * meanError(driftedRoom().drifted, driftedRoom().truth));
+  expectMap(driftedRoom().session, output);
+  const nlohmann::json report = reportOf(output);
+  EXPECT_EQ(report.at("outcome"), "rectified");
+  EXPECT_EQ(report.at("observations"), 24);
+  EXPECT_EQ(report.at("moved").size(), 24U);
+  EXPECT_LT(report.at("after").at("far_contradictions"),
+            report.at("before").at("far_contradictions"));
+}
+
+TEST(RectificationTool, PlansHaveOneScaleAndExtent)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out");
+  ASSERT_EQ(runRectification({driftedRoom().session, "-o", output}).exit_code, 0);
+  const RgbImage before = loadRgbImage(output + "/plan_before.png");
+  const RgbImage after = loadRgbImage(output + "/plan_after.png");
+  const RgbImage both = loadRgbImage(output + "/plan.png");
+  EXPECT_EQ(before.width, after.width);
+  EXPECT_EQ(before.height, after.height);
+  EXPECT_NE(before.values, after.values);
+  EXPECT_EQ(both.height, before.height);
+  EXPECT_GE(both.width, 2 * before.width);
+  EXPECT_GT(loadRgbImage(output + "/energy.png").width, 100);
+}
+
+TEST(RectificationTool, ObservationsAreASequenceAgain)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out");
+  const ToolRun run =
+      runRectification({driftedRoom().session, "-o", output, "--observations"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
+  for (std::size_t i = 0; i < rectified.poses.size(); ++i) {
+    PCLPointCloud2 before, after;
+    Eigen::Vector4f origin;
+    Eigen::Quaternionf orientation;
+    int version = 0;
+    ASSERT_EQ(PCDReader().read(observationOf(driftedRoom().session, i), before), 0);
+    ASSERT_EQ(
+        PCDReader().read(observationOf(output, i), after, origin, orientation, version),
+        0);
+    EXPECT_EQ(before.data, after.data);
+    EXPECT_EQ(before.height, after.height);
+    EXPECT_LT(
+        (origin.head<3>().cast<double>() - rectified.poses[i].translation()).norm(),
+        1e-5);
+    EXPECT_TRUE(orientation.toRotationMatrix().cast<double>().isApprox(
+        rectified.poses[i].linear(), 1e-5));
+  }
+  // without a word about VIEWPOINTs, since they agree with the trajectory
+  const ToolRun again = runRectification({output, "-o", folder.path("again")});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, Not(HasSubstr("VIEWPOINT")));
+}
+
+TEST(RectificationTool, TheSameRunGivesTheSameFiles)
+{
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name, const std::string& threads) {
+    const ToolRun made = runRectification(
+        {driftedRoom().session, "-o", folder.path(name), "--threads", threads});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+  };
+  run("one", "1");
+  run("two", "3");
+  for (const std::string& name : all_outputs) {
+    if (name == "report.json") // has seconds
+      continue;
+    EXPECT_EQ(contentOf(folder.path("one/" + name)),
+              contentOf(folder.path("two/" + name)))
+        << name;
+  }
+}
+
+TEST(RectificationTool, StraightensALog)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out");
+  const ToolRun run = runRectification(
+      {"--carmen", folder.write("a log", roomLog(true)), "-o", output});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(namesIn(output), all_outputs);
+  EXPECT_THAT(run.out, HasSubstr("60 of 60 scans, 10680 echoes, 120 beams without"));
+  EXPECT_THAT(run.out, HasSubstr("rectified:"));
+  const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
+  const Trajectory truth = roomLogTruth();
+  EXPECT_EQ(rectified.stamps, truth.stamps);
+  EXPECT_LT(meanError(rectified, truth), 0.6 * meanError(withDrift(truth), truth));
+  EXPECT_THAT(fieldsOf(output + "/map.pcd"), ElementsAre("x", "y", "z", "view"));
+  PointCloud<PointXYZ> map;
+  ASSERT_EQ(io::loadPCDFile(output + "/map.pcd", map), 0);
+  EXPECT_EQ(map.size(), 10680U);
+  for (const PointXYZ& point : map)
+    ASSERT_EQ(point.y, 0);
+  EXPECT_EQ(reportOf(output).at("missing_beams"), 120);
+}
+
+TEST(RectificationTool, TakesEachNthScan)
+{
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log", roomLog(false));
+  const ToolRun run =
+      runRectification({"--carmen", log, "--every", "7", "-o", folder.path("out")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Trajectory rectified = loadTrajectory(folder.path("out/trajectory.txt"));
+  ASSERT_EQ(rectified.stamps.size(), 9U);
+  EXPECT_EQ(rectified.stamps[8], 10 + 56);
+}
+
+TEST(RectificationTool, ModesAndSeedsAreTold)
+{
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log", roomLog(true));
+  const ToolRun run = runRectification({"--carmen",
+                                        log,
+                                        "--every",
+                                        "6",
+                                        "-o",
+                                        folder.path("out"),
+                                        "-mode",
+                                        "paper",
+                                        "--seed",
+                                        "7",
+                                        "--bin",
+                                        "0.2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json report = reportOf(folder.path("out"));
+  EXPECT_EQ(report.at("mode"), "paper");
+  EXPECT_EQ(report.at("seed"), 7);
+  EXPECT_EQ(report.at("bin_size"), 0.2);
+}
+
+TEST(RectificationTool, AMapThatIsNotLevelIsTold)
+{
+  const TemporaryFolder folder;
+  const std::string session = copyOfRoom(folder.path("session"));
+  Trajectory tilted = driftedRoom().truth;
+  for (Eigen::Isometry3d& pose : tilted.poses)
+    pose = Eigen::AngleAxisd(0.35, Eigen::Vector3d::UnitX()) * pose;
+  saveTrajectory(session + "/trajectory.txt", tilted);
+  const ToolRun run = runRectification({session, "-o", folder.path("out")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("20 degrees off the xz plane"));
+  const ToolRun level =
+      runRectification({driftedRoom().session, "-o", folder.path("level"), "--quiet"});
+  EXPECT_EQ(level.err, "");
+  EXPECT_THAT(contentOf(folder.path("level/report.json")), Not(HasSubstr("xz plane")));
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,248 @@
+#include "entropy_rectification/energy_picture.h"
+#include "entropy_rectification/level_check.h"
+#include "entropy_rectification/plan_picture.h"
+
+#include <pcl/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+Color
+colorAt(const RgbImage& image, int column, int row)
+{
+  const std::uint8_t* const pixel = image.at(column, row);
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+std::size_t
+countOf(const RgbImage& image, const Color& color)
+{
+  std::size_t count = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      count += colorAt(image, column, row) == color ? 1 : 0;
+  return count;
+}
+
+/** A square of points, 10 m by 5 m, with a stray one far away. */
+PlanContents
+floorContents()
+{
+  PlanContents contents;
+  for (int i = 0; i <= 100; ++i)
+    for (int k = 0; k <= 50; ++k)
+      contents.addPoint({0.1 * i, 7, 100 + 0.1 * k});
+  contents.addPoint({1e9, 0, -1e9});
+  contents.addPoint({std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  return contents;
+}
+
+TEST(PlanExtent, HoldsThePointsButStraysAndAllPlaces)
+{
+  const PlanExtent extent = floorContents().extent();
+  EXPECT_NEAR(extent.pixel * extent.width, 10, 1);
+  EXPECT_NEAR(extent.pixel * extent.height, 5, 1);
+  EXPECT_LE(extent.least.x(), 0);
+  EXPECT_LE(extent.least.y(), 100);
+  PlanContents with_place = floorContents();
+  with_place.addPlace({5, 0, 80});
+  const PlanExtent higher = with_place.extent();
+  EXPECT_LT(higher.least.y(), 80);
+  EXPECT_NEAR(higher.pixel * higher.height, 25, 1.5);
+}
+
+TEST(PlanExtent, OfNothingOrOnePointCanBeDrawn)
+{
+  PlanContents contents;
+  contents.addPlace({1e300, 0, 0});
+  contents.addPoint({0, 0, -1e300});
+  contents.addPlace({0, 0, std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_GT(PlanPicture(contents.extent()).draw({}, red).width, 0);
+  contents.addPlace({1, 2, 3});
+  const PlanExtent extent = contents.extent();
+  PlanPicture plan(extent);
+  plan.add({1, 2, 3});
+  const RgbImage image = plan.draw({Eigen::Isometry3d::Identity()}, blue);
+  EXPECT_EQ(image.width, extent.width);
+  EXPECT_GT(image.width * image.height, 0);
+}
+
+TEST(PlanPicture, ShowsXToTheRightAndZUpwards)
+{
+  const PlanExtent extent = floorContents().extent();
+  PlanPicture plan(extent);
+  plan.add({2.5, 0, 104}); // left of the middle, above it
+  plan.add({std::numeric_limits<double>::quiet_NaN(), 0, 104});
+  plan.add({1e9, 0, 104});
+  const RgbImage image = plan.draw({}, red);
+  int dark = 0;
+  for (int row = 0; row < image.height / 2; ++row)
+    for (int column = 0; column < image.width; ++column)
+      if (colorAt(image, column, row) != Color{255, 255, 255}) {
+        ++dark;
+        EXPECT_NEAR(
+            extent.least.x() + (column + 0.5) * extent.pixel, 2.5, extent.pixel);
+        EXPECT_NEAR(extent.least.y() + (image.height - row - 0.5) * extent.pixel,
+                    104,
+                    2 * extent.pixel);
+      }
+  EXPECT_EQ(dark, 1);
+}
+
+TEST(PlanPicture, MorePointsAreDarkerAndTheWayIsALine)
+{
+  const PlanExtent extent = floorContents().extent();
+  PlanPicture plan(extent);
+  for (int i = 0; i < 100; ++i)
+    plan.add({2, 0, 104});
+  for (int i = 0; i < 10; ++i)
+    plan.add({5, 0, 104});
+  const RgbImage image = plan.draw({}, red);
+  const auto level = [&](double x) {
+    int least = 255;
+    const auto column = static_cast<int>((x - extent.least.x()) / extent.pixel);
+    for (int row = 0; row < image.height / 2; ++row)
+      least = std::min<int>(least, colorAt(image, column, row)[0]);
+    return least;
+  };
+  EXPECT_EQ(level(2), 0);
+  EXPECT_GT(level(5), 30);
+  EXPECT_LT(level(5), 240);
+  std::vector<Eigen::Isometry3d> poses(2, Eigen::Isometry3d::Identity());
+  poses[0].translation() << 1, 0, 101;
+  poses[1].translation() << 9, 0, 101;
+  EXPECT_GT(countOf(plan.draw(poses, blue), blue), 8 / extent.pixel);
+}
+
+TEST(PlanPicture, TwoStandBesideEachOther)
+{
+  PlanPicture plan(floorContents().extent());
+  plan.add({5, 0, 104});
+  const RgbImage image = plan.draw({}, red);
+  const RgbImage both = beside(image, image);
+  ASSERT_EQ(both.height, image.height);
+  ASSERT_GT(both.width, 2 * image.width);
+  const int shift = both.width - image.width;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      ASSERT_EQ(colorAt(both, column, row), colorAt(image, column, row));
+      ASSERT_EQ(colorAt(both, column + shift, row), colorAt(image, column, row));
+    }
+}
+
+TEST(Drawing, LinesThatLeaveThePictureAreCut)
+{
+  RgbImage image = whiteImage(20, 10);
+  drawLine(image, {-1e6, 5}, {1e6, 5}, 1, red);
+  EXPECT_EQ(countOf(image, red), 20U);
+  drawLine(image, {5, std::numeric_limits<double>::infinity()}, {5, 0}, 1, blue);
+  drawLine(image, {-50, -50}, {-60, 300}, 3, blue);
+  drawLine(image, {50, -50}, {60, 300}, 3, blue);
+  drawText(image, -3, -7, "left", blue);
+  EXPECT_EQ(countOf(image, red), 20U);
+  drawText(image, 18, 8, "right", black);
+  EXPECT_LE(countOf(image, black), 4U);
+}
+
+TEST(Drawing, RoundLengthsAreOneTwoOrFive)
+{
+  for (const auto& [most, length] :
+       {std::pair{1.0, 1.0}, {1.99, 1.0}, {2.0, 2.0}, {49.0, 20.0}, {0.07, 0.05}})
+    EXPECT_NEAR(roundLength(most), length, 1e-12 * length) << most;
+}
+
+std::vector<RectificationStep>
+descent(const std::string& search, double from, int count)
+{
+  std::vector<RectificationStep> steps;
+  for (int i = 0; i < count; ++i) {
+    RectificationStep step;
+    step.search = search;
+    step.bin_size = i < count / 2 ? 0.4 : 0.1;
+    step.energy = from + std::exp(-0.1 * i);
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+TEST(EnergyPicture, HasAColourForEachSearch)
+{
+  std::vector<RectificationStep> steps = descent("wide", 10, 80);
+  const std::size_t blue_of_one = countOf(energyPicture(steps), blue);
+  EXPECT_GT(blue_of_one, 300U);
+  EXPECT_EQ(countOf(energyPicture(steps), red), 0U);
+  const std::vector<RectificationStep> more = descent("fine", 10.5, 80);
+  steps.insert(steps.end(), more.begin(), more.end());
+  EXPECT_GT(countOf(energyPicture(steps), red), 200U);
+}
+
+TEST(EnergyPicture, OfWildEnergiesCanBeDrawn)
+{
+  const RgbImage none = energyPicture({});
+  EXPECT_GT(countOf(none, black), 100U);
+  std::vector<RectificationStep> steps = descent("s", 10, 80);
+  const std::size_t blue_before = countOf(energyPicture(steps), blue);
+  steps[20].energy = 1e300; // leaves the picture; the others stay readable
+  steps[60].energy = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_GT(countOf(energyPicture(steps), blue), blue_before / 2);
+  for (RectificationStep& step : steps)
+    step.energy = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(energyPicture(steps).width, none.width);
+}
+
+/** Points on a floor that is tilted about z, and twice as many on walls. */
+MapObservations
+tiltedRoom(double tilt, double floor_share)
+{
+  Random random(4);
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  MapObservations room;
+  room.clouds.emplace_back(new PointCloud<PointNormal>);
+  // The camera itself is turned, so that only its pose makes the map level.
+  Eigen::Isometry3d T_map_camera(
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  room.trajectory.poses.push_back(T_map_camera);
+  for (int i = 0; i < 3000; ++i) {
+    Eigen::Vector3d normal(random.normal(), 0, random.normal()); // of walls
+    if (random.uniform() < floor_share)
+      normal =
+          random.uniform() < 0.5 ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, -1, 0);
+    normal = normal.normalized() +
+             0.02 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    PointNormal point;
+    point.getVector3fMap().setZero();
+    point.getNormalVector3fMap() =
+        (T_map_camera.linear().transpose() * rotation * normal.normalized())
+            .cast<float>();
+    if (i % 50 == 0)
+      point.normal_y = std::numeric_limits<float>::quiet_NaN();
+    room.clouds.back()->push_back(point);
+  }
+  return room;
+}
+
+TEST(LevelCheck, TellsTheTiltOfTheFloor)
+{
+  for (const double tilt : {0.0, 5.0, 12.0, 30.0, -40.0}) {
+    const std::optional<double> told = tiltOf(tiltedRoom(tilt * degree, 0.3));
+    ASSERT_TRUE(told) << tilt;
+    EXPECT_NEAR(*told / degree, std::abs(tilt), 1.0);
+  }
+}
+
+TEST(LevelCheck, SaysNothingWithoutAFloor)
+{
+  EXPECT_FALSE(tiltOf(tiltedRoom(0, 0)));
+  EXPECT_FALSE(tiltOf(MapObservations()));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
