@@ -36,7 +36,7 @@ windowsOf(std::size_t observations, std::size_t size, std::size_t first)
 EntropyLevel
 widened(const EntropyLevel& level)
 {
-  return {4 * level.bin_size, level.weight, level.direction_aware};
+  return {4 * level.bin_size, level.weight, level.direction_aware, false};
 }
 
 double
@@ -111,15 +111,16 @@ EntropySearch::descendPart(const ActionChain& chain,
     MapEntropyReport ignored;
     const std::vector<PlanarPose> poses = chain.poses(at);
     const MapEntropyTerms terms = fine.evaluate(poses, ignored, &by_pose);
-    const MapEntropyTerms spread = coarse.evaluate(poses, ignored, &coarse_by_pose);
-    if (terms.points == 0 ||
-        spread.points == 0) { // torn apart farther than a grid can be
+    if (terms.points == 0) { // torn apart farther than a grid can be
       gradient.setZero();
       return std::numeric_limits<double>::infinity();
     }
-    for (std::size_t i = 0; i < by_pose.size(); ++i)
-      by_pose[i] -= coarse_by_pose[i];
-    entropy = terms.total - spread.total;
+    entropy = terms.total;
+    if (level.is_sharp) {
+      entropy -= coarse.evaluate(poses, ignored, &coarse_by_pose).total;
+      for (std::size_t i = 0; i < by_pose.size(); ++i)
+        by_pose[i] -= coarse_by_pose[i];
+    }
     gradient = weight * chain.gradient(poses, by_pose);
     gradient.head(chain.residuals()) += at.head(chain.residuals());
     return weight * entropy + priorOf(chain, at);
@@ -186,7 +187,8 @@ EntropySearch::tellStep(const ActionChain& chain,
     MapEntropyReport ignored;
     return mapEntropy(cells(at), chain.poses(u), entropySettings(at), ignored).total;
   };
-  const double entropy = entropyAt(level) - entropyAt(widened(level));
+  const double entropy =
+      entropyAt(level) - (level.is_sharp ? entropyAt(widened(level)) : 0);
   const double prior = priorOf(chain, u);
   const double weight = level.weight * settings_.entropy_weight *
                         static_cast<double>(observations_.size());

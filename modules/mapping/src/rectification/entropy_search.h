@@ -16,14 +16,16 @@ struct EntropyLevel {
   double bin_size;
   double weight; ///< kappa
   bool direction_aware;
+  bool is_sharp; ///< less the entropy in wide bins
 };
 
 /** \brief Minimises F(u) = kappa N (E - E_wide) + |u|^2 / 2 over N observations: the entropy
- * of their map against the odometry.
+ * of their map against the odometry; or kappa N E + |u|^2 / 2.
  *
  * E_wide is the same entropy in bins four times as wide. E alone falls when a map shrinks,
  * and when any walls are laid on each other, however far apart; both fall by as much in
- * wide bins. What is left is how sharp walls are that are near each other already. */
+ * wide bins. What is left is how sharp walls are that are near each other already; from farther away
+ * only E leads. */
 class EntropySearch {
 public:
   EntropySearch(const std::vector<LevelledPoints>& observations,

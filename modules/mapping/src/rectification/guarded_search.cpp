@@ -16,12 +16,15 @@ constexpr std::size_t window = 16; ///< observations: what "near" is for the ray
 struct Plan {
   const char* name;
   bool direction_aware;
+  bool is_sharp;
   std::vector<std::size_t> windows; ///< then the whole map
 };
 
-const Plan directed{"directed", true, {4 * window}};
-const Plan undirected{"undirected", false, {4 * window}};
-const Plan gradual{"gradual", true, {2 * window, 4 * window, 8 * window}};
+const Plan sharp{"sharp", true, true, {window, 4 * window}};
+const Plan directed{"directed", true, false, {window, 4 * window}};
+const Plan undirected{"undirected", false, false, {window, 4 * window}};
+const Plan gradual{
+    "gradual", true, false, {window, 2 * window, 4 * window, 8 * window}};
 
 /** A map that was found. */
 struct Candidate {
@@ -61,6 +64,14 @@ contradictionsOf(const MapEvidence& rays)
   return rays.near_contradictions + rays.far_contradictions;
 }
 
+/** Confirmed less contradicted rays, a share of all. */
+double
+balanceOf(const MapEvidence& rays)
+{
+  return confirmedShare(rays) - rays.near_rays * rays.near_contradictions -
+         rays.far_rays * rays.far_contradictions;
+}
+
 /** Is a map clearly better than another? Where hardly any ray was contradicted before,
  * walls must meet more often; in a map that was right already they do not. */
 bool
@@ -69,8 +80,8 @@ isBetter(const MapEvidence& map, const MapEvidence& other)
   const double now = contradictionsOf(map);
   const double before = contradictionsOf(other);
   const bool fewer = now < std::min(0.9 * before, before - 0.03);
-  const bool met = confirmedShare(map) > confirmedShare(other) + 0.003;
-  return fewer || (met && now < before + 0.005);
+  const bool met = balanceOf(map) > balanceOf(other) + 0.0025;
+  return fewer || (met && now < before + 0.02);
 }
 
 /** Metres along a path. */
@@ -106,23 +117,26 @@ public:
       return end(RectificationOutcome::Undetermined,
                  "the observations see no wall in common: nothing tells how they lie");
     fitWindows();
-    consider(directed, usual_);
-    consider(undirected, usual_);
+    const double scale = locals_[usual_].scale;
+    consider(sharp, scale);
+    consider(directed, scale);
     if (!isConvincing(best()))
-      consider(gradual, usual_);
+      consider(undirected, scale);
     if (!isConvincing(best()))
-      consider(directed, usual_ == 0 ? 1 : usual_ - 1);
+      consider(gradual, scale);
+    if (!isConvincing(best()))
+      consider(directed, usual_ == 0 ? 2 * scale : scale / 2);
     return decide();
   }
 
 private:
   std::vector<EntropyLevel>
-  levels(bool direction_aware) const
+  levels(const Plan& plan) const
   {
     const double bin = settings_.bin_size;
-    return {{4 * bin, 1, direction_aware},
-            {2 * bin, 3, direction_aware},
-            {bin, 10, direction_aware}};
+    return {{4 * bin, 1, plan.direction_aware, plan.is_sharp},
+            {2 * bin, 3, plan.direction_aware, plan.is_sharp},
+            {bin, 10, plan.direction_aware, plan.is_sharp}};
   }
 
   /** Windows of a few observations, under odometry that errs as told, twice and four
@@ -135,7 +149,7 @@ private:
       local.scale = scale;
       const ActionChain chain = chain_.widened(scale);
       local.u = Eigen::VectorXd::Zero(chain.variables());
-      for (const EntropyLevel& level : levels(true))
+      for (const EntropyLevel& level : levels(directed))
         search_.descendWindows(chain, level, window, "windows", local.u);
       rays_.judge(chain.path(local.u), local.evidence);
       locals_.push_back(local);
@@ -155,21 +169,23 @@ private:
   }
 
   void
-  consider(const Plan& plan, std::size_t local)
+  consider(const Plan& plan, double scale)
   {
-    Candidate found = locals_[local];
+    Candidate found;
     found.name = plan.name;
+    found.scale = scale;
+    found.u = Eigen::VectorXd::Zero(chain_.variables());
     const ActionChain chain = chain_.widened(found.scale);
     for (const std::size_t size : plan.windows)
       if (size < given_.size())
-        for (const EntropyLevel& level : levels(plan.direction_aware))
+        for (const EntropyLevel& level : levels(plan))
           search_.descendWindows(chain, level, size, plan.name, found.u);
-    for (const EntropyLevel& level : levels(plan.direction_aware))
+    for (const EntropyLevel& level : levels(plan))
       search_.descendWhole(chain, level, plan.name, found.u);
     found.poses = chain.path(found.u);
     rays_.judge(found.poses, found.evidence);
     candidates_.push_back(found);
-    search_.advanceTo(0.3 + 0.17 * static_cast<double>(candidates_.size()));
+    search_.advanceTo(0.3 + 0.14 * static_cast<double>(candidates_.size()));
   }
 
   /** Walls that lie right contradict no more than neighbours do among themselves; a little
@@ -196,18 +212,19 @@ private:
            rays.far_contradictions < 1.7 * rays.near_contradictions + 0.03;
   }
 
-  /** The one with the fewest contradictions; the first, which is the most accurate where
-   * both are right, unless another has clearly fewer. */
+  /** The one of which rays confirm most and contradict least; the first, which is the
+   * most accurate where both are right, unless another is clearly better. */
   const Candidate&
   best() const
   {
-    const auto cost = [this](const Candidate& map) {
-      return contradictionsOf(map.evidence) * (&map == candidates_.data() ? 0.9 : 1.0);
+    const auto merit = [this](const Candidate& map) {
+      return (isGood(map) ? 1 : 0) + balanceOf(map.evidence) +
+             (&map == candidates_.data() ? 0.01 : 0.0);
     };
-    return *std::min_element(
+    return *std::max_element(
         candidates_.begin(),
         candidates_.end(),
-        [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
+        [&](const Candidate& a, const Candidate& b) { return merit(a) < merit(b); });
   }
 
   std::vector<PlanarPose>

@@ -74,7 +74,8 @@ searchAlongAxes(const Search& search,
     settings.projection_weight = settings.mode == RectificationMode::Paper ? 0.1 : 0;
   double turn = 0;
   if (settings.projection_weight > 0) {
-    const EntropyLevel level{settings.bin_size, 1, false}; // coarse bins: 1 degree off
+    const EntropyLevel level{
+        settings.bin_size, 1, false, false}; // coarse bins: 1 degree off
     EntropySearch fine(observations, settings, progress, report);
     turn = buildingDirection(
         firstOf(fine.cells(level)), firstOf(poses), fine.entropySettings(level));
@@ -101,7 +102,7 @@ whatHinders(const std::vector<LevelledPoints>& observations,
 {
   if (poses.size() < 2)
     return "one observation: there is nothing that it could fit or not fit";
-  const EntropyLevel level{4 * settings.bin_size, 1, false};
+  const EntropyLevel level{4 * settings.bin_size, 1, false, false};
   EntropySearch search(observations, settings, progress, report);
   MapEntropyReport told;
   const MapEntropyTerms terms =

@@ -191,7 +191,7 @@ votingSearch(const std::vector<LevelledPoints>& observations,
   EntropySearch search(observations, settings, progress, report);
   VotingSearch voting(poses, settings.seed, progress, report);
   for (const double factor : {4.0, 2.0, 1.0}) {
-    const EntropyLevel level{factor * settings.bin_size, 1, false};
+    const EntropyLevel level{factor * settings.bin_size, 1, false, false};
     MapEntropyEvaluator evaluator(search.cells(level), search.entropySettings(level));
     voting.run(evaluator, level.bin_size, evaluations_a_pose * poses.size() / 3);
   }
