@@ -219,7 +219,7 @@ private:
   {
     const auto merit = [this](const Candidate& map) {
       return (isGood(map) ? 1 : 0) + balanceOf(map.evidence) +
-             (&map == candidates_.data() ? 0.01 : 0.0);
+             (&map == candidates_.data() ? 0.04 : 0.0);
     };
     return *std::max_element(
         candidates_.begin(),
