@@ -1,6 +1,7 @@
 #include "point_weights.h"
 
 #include <pcl/core/arguments.h>
+#include <pcl/exceptions.h>
 #include <pcl/mapping/map_entropy_kernel.h>
 
 #include <algorithm>
@@ -9,6 +10,20 @@
 #include <string>
 
 namespace pcl::acmap {
+namespace {
+
+void
+requireFiniteWeights(const float* weights, std::size_t size)
+{
+  constexpr float most = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < size; ++i)
+    if (!(weights[i] >= 0 && weights[i] <= most))
+      refuseArgument("weight of point " + std::to_string(i),
+                     static_cast<double>(weights[i]),
+                     "finite and not negative");
+}
+
+} // namespace
 
 PointWeights::PointWeights(const float* weights, float largest)
 : weights_(weights)
@@ -25,19 +40,26 @@ largestWeight(const float* weights, std::size_t size)
 {
   if (!weights)
     return 1;
-  requirePointWeights(weights, size);
+  requireFiniteWeights(weights, size);
   return size > 0 ? *std::max_element(weights, weights + size) : 0;
 }
 
 void
-requirePointWeights(const float* weights, std::size_t size)
+requirePointWeights(const std::vector<float>& weights, std::size_t points)
 {
-  constexpr float most = std::numeric_limits<float>::max();
-  for (std::size_t i = 0; i < size; ++i)
-    if (!(weights[i] >= 0 && weights[i] <= most))
-      refuseArgument("weight of point " + std::to_string(i),
-                     static_cast<double>(weights[i]),
-                     "finite and not negative");
+  if (!weights.empty() && weights.size() != points)
+    throw BadArgumentException("a cloud of " + std::to_string(points) +
+                               " points needs as many weights or none, not " +
+                               std::to_string(weights.size()));
+  requireFiniteWeights(weights.data(), weights.size());
+}
+
+void
+requireObservation(std::size_t number, std::size_t observations)
+{
+  if (number >= observations)
+    throw BadArgumentException("there is no observation " + std::to_string(number) +
+                               ", only " + std::to_string(observations));
 }
 
 } // namespace pcl::acmap

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace pcl::acmap {
 namespace {
@@ -66,7 +67,7 @@ EntropySearch::entropySettings(const EntropyLevel& level) const
   MapEntropySettings settings;
   settings.bin_size = level.bin_size;
   settings.smoothing = level.bin_size;
-  settings.projection_weight = settings_.projection_weight;
+  settings.projection_weight = task_.settings.projection_weight;
   settings.direction_aware = level.direction_aware;
   return settings;
 }
@@ -77,16 +78,24 @@ EntropySearch::cells(const EntropyLevel& level)
   auto& cells = cells_[keyOf(level)];
   if (!cells.empty())
     return cells;
-  cells.resize(observations_.size());
+  cells.resize(task_.observations.size());
   const MapEntropySettings settings = entropySettings(level);
   oneapi::tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
-    const LevelledPoints& seen = observations_[i];
+    const LevelledPoints& seen = task_.observations[i];
     cells[i] = aggregateCells(viewOf(seen.points),
                               viewOf(seen.normals),
                               settings,
                               seen.weights.empty() ? nullptr : seen.weights.data());
   });
   return cells;
+}
+
+void
+EntropySearch::makeCells(const EntropyLevel& level)
+{
+  cells(level);
+  if (level.is_sharp)
+    cells(widened(level));
 }
 
 std::size_t
@@ -98,12 +107,15 @@ EntropySearch::descendPart(const ActionChain& chain,
                            const std::string* name)
 {
   const auto size = static_cast<double>(last - first);
-  const EntropyLevel wide = widened(level);
-  MapEntropyEvaluator fine(part(cells_.at(keyOf(level)), first, last),
-                           entropySettings(level));
-  MapEntropyEvaluator coarse(part(cells_.at(keyOf(wide)), first, last),
-                             entropySettings(wide));
-  const double weight = level.weight * settings_.entropy_weight * size;
+  const auto evaluatorAt = [&](const EntropyLevel& at) {
+    return MapEntropyEvaluator(part(cells_.at(keyOf(at)), first, last),
+                               entropySettings(at));
+  };
+  MapEntropyEvaluator fine = evaluatorAt(level);
+  std::optional<MapEntropyEvaluator> coarse;
+  if (level.is_sharp)
+    coarse.emplace(evaluatorAt(widened(level)));
+  const double weight = level.weight * task_.settings.entropy_weight * size;
   double entropy = 0;
   std::vector<Eigen::Vector3d> by_pose, coarse_by_pose;
   const Objective objective = [&](const Eigen::VectorXd& at,
@@ -116,8 +128,8 @@ EntropySearch::descendPart(const ActionChain& chain,
       return std::numeric_limits<double>::infinity();
     }
     entropy = terms.total;
-    if (level.is_sharp) {
-      entropy -= coarse.evaluate(poses, ignored, &coarse_by_pose).total;
+    if (coarse) {
+      entropy -= coarse->evaluate(poses, ignored, &coarse_by_pose).total;
       for (std::size_t i = 0; i < by_pose.size(); ++i)
         by_pose[i] -= coarse_by_pose[i];
     }
@@ -126,8 +138,8 @@ EntropySearch::descendPart(const ActionChain& chain,
     return weight * entropy + priorOf(chain, at);
   };
   const DescentObserver observer = [&](const Eigen::VectorXd& at, double value) {
-    progress_.tell(fraction_, *name);
-    report_.steps.push_back(
+    task_.progress.tell(fraction_, *name);
+    task_.report.steps.push_back(
         {*name, level.bin_size, entropy, priorOf(chain, at), value});
   };
   return descend(objective, u, least_fall * size, name ? observer : DescentObserver{});
@@ -139,9 +151,9 @@ EntropySearch::descendWhole(const ActionChain& chain,
                             const std::string& name,
                             Eigen::VectorXd& u)
 {
-  cells(level);
-  cells(widened(level));
-  report_.evaluations += descendPart(chain, level, 0, observations_.size(), u, &name);
+  makeCells(level);
+  task_.report.evaluations +=
+      descendPart(chain, level, 0, task_.observations.size(), u, &name);
 }
 
 void
@@ -151,9 +163,8 @@ EntropySearch::descendWindows(const ActionChain& chain,
                               const std::string& name,
                               Eigen::VectorXd& u)
 {
-  cells(level);
-  cells(widened(level));
-  const std::size_t all = observations_.size();
+  makeCells(level);
+  const std::size_t all = task_.observations.size();
   double work = 0;
   for (const std::size_t first : {std::size_t{0}, size / 2}) {
     const auto windows = windowsOf(all, size, first);
@@ -171,9 +182,9 @@ EntropySearch::descendWindows(const ActionChain& chain,
       work +=
           static_cast<double>(evaluations[i] * (windows[i].second - windows[i].first)) /
           static_cast<double>(all);
-    progress_.tell(fraction_, name);
+    task_.progress.tell(fraction_, name);
   }
-  report_.evaluations += static_cast<std::size_t>(work);
+  task_.report.evaluations += static_cast<std::size_t>(work);
   tellStep(chain, level, name, u);
 }
 
@@ -190,9 +201,9 @@ EntropySearch::tellStep(const ActionChain& chain,
   const double entropy =
       entropyAt(level) - (level.is_sharp ? entropyAt(widened(level)) : 0);
   const double prior = priorOf(chain, u);
-  const double weight = level.weight * settings_.entropy_weight *
-                        static_cast<double>(observations_.size());
-  report_.steps.push_back(
+  const double weight = level.weight * task_.settings.entropy_weight *
+                        static_cast<double>(task_.observations.size());
+  task_.report.steps.push_back(
       {name, level.bin_size, entropy, prior, weight * entropy + prior});
 }
 

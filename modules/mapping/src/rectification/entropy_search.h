@@ -1,9 +1,9 @@
 #pragma once
 
 #include "action_chain.h"
+#include "rectification_task.h"
 
 #include <pcl/mapping/map_entropy_kernel.h>
-#include <pcl/mapping/rectification_kernel.h>
 
 #include <map>
 #include <utility>
@@ -28,14 +28,8 @@ struct EntropyLevel {
  * only E leads. */
 class EntropySearch {
 public:
-  EntropySearch(const std::vector<LevelledPoints>& observations,
-                const RectificationSettings& settings,
-                const Progress& progress,
-                EntropyRectificationReport& report)
-  : observations_(observations)
-  , settings_(settings)
-  , progress_(progress)
-  , report_(report)
+  explicit EntropySearch(const RectificationTask& task)
+  : task_(task)
   {}
 
   /** \brief The whole map. \param[in] name of the search, for the energy curve */
@@ -82,10 +76,10 @@ private:
            const std::string& name,
            const Eigen::VectorXd& u);
 
-  const std::vector<LevelledPoints>& observations_;
-  const RectificationSettings& settings_;
-  const Progress& progress_;
-  EntropyRectificationReport& report_;
+  void
+  makeCells(const EntropyLevel& level);
+
+  const RectificationTask& task_;
   double fraction_ = 0;
   std::map<std::pair<double, bool>, std::vector<EntropyCells>> cells_;
 };

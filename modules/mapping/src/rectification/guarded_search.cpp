@@ -1,6 +1,5 @@
 #include "guarded_search.h"
 
-#include "entropy_search.h"
 #include "ray_evidence.h"
 
 #include <algorithm>
@@ -10,8 +9,6 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr std::size_t window = 16; ///< observations: what "near" is for the rays
-
 /** One search: how its windows grow, and on which entropy. */
 struct Plan {
   const char* name;
@@ -20,11 +17,13 @@ struct Plan {
   std::vector<std::size_t> windows; ///< then the whole map
 };
 
-const Plan sharp{"sharp", true, true, {window, 4 * window}};
-const Plan directed{"directed", true, false, {window, 4 * window}};
-const Plan undirected{"undirected", false, false, {window, 4 * window}};
-const Plan gradual{
-    "gradual", true, false, {window, 2 * window, 4 * window, 8 * window}};
+const Plan sharp{"sharp", true, true, {neighbours, 4 * neighbours}};
+const Plan directed{"directed", true, false, {neighbours, 4 * neighbours}};
+const Plan undirected{"undirected", false, false, {neighbours, 4 * neighbours}};
+const Plan gradual{"gradual",
+                   true,
+                   false,
+                   {neighbours, 2 * neighbours, 4 * neighbours, 8 * neighbours}};
 
 /** A map that was found. */
 struct Candidate {
@@ -96,17 +95,15 @@ lengthOf(const std::vector<PlanarPose>& path)
 
 class GuardedSearch {
 public:
-  GuardedSearch(const std::vector<LevelledPoints>& observations,
-                const std::vector<PlanarPose>& given,
-                const RectificationSettings& settings,
-                const Progress& progress,
-                EntropyRectificationReport& report)
-  : search_(observations, settings, progress, report)
-  , rays_(observations)
-  , chain_(given, settings.odometry)
+  GuardedSearch(const RectificationTask& task,
+                EntropySearch& search,
+                const std::vector<PlanarPose>& given)
+  : search_(search)
+  , rays_(task.observations)
+  , chain_(given, task.settings.odometry)
   , given_(given)
-  , settings_(settings)
-  , report_(report)
+  , settings_(task.settings)
+  , report_(task.report)
   {}
 
   std::vector<PlanarPose>
@@ -117,15 +114,14 @@ public:
       return end(RectificationOutcome::Undetermined,
                  "the observations see no wall in common: nothing tells how they lie");
     fitWindows();
-    const double scale = locals_[usual_].scale;
-    consider(sharp, scale);
-    consider(directed, scale);
+    consider(sharp, usual_);
+    consider(directed, usual_);
     if (!isConvincing(best()))
-      consider(undirected, scale);
+      consider(undirected, usual_);
     if (!isConvincing(best()))
-      consider(gradual, scale);
+      consider(gradual, usual_);
     if (!isConvincing(best()))
-      consider(directed, usual_ == 0 ? 2 * scale : scale / 2);
+      consider(directed, usual_ == 0 ? 1 : usual_ - 1);
     return decide();
   }
 
@@ -150,7 +146,7 @@ private:
       const ActionChain chain = chain_.widened(scale);
       local.u = Eigen::VectorXd::Zero(chain.variables());
       for (const EntropyLevel& level : levels(directed))
-        search_.descendWindows(chain, level, window, "windows", local.u);
+        search_.descendWindows(chain, level, neighbours, "windows", local.u);
       rays_.judge(chain.path(local.u), local.evidence);
       locals_.push_back(local);
       search_.advanceTo(0.1 * static_cast<double>(locals_.size()));
@@ -168,16 +164,20 @@ private:
     return locals_[local].evidence.near_contradictions;
   }
 
+  /** \param[in] local whose scale is meant: its windows are the first of directed plans */
   void
-  consider(const Plan& plan, double scale)
+  consider(const Plan& plan, std::size_t local)
   {
     Candidate found;
     found.name = plan.name;
-    found.scale = scale;
+    found.scale = locals_[local].scale;
     found.u = Eigen::VectorXd::Zero(chain_.variables());
+    const bool is_begun = plan.direction_aware && !plan.is_sharp;
+    if (is_begun)
+      found.u = locals_[local].u;
     const ActionChain chain = chain_.widened(found.scale);
     for (const std::size_t size : plan.windows)
-      if (size < given_.size())
+      if (size < given_.size() && !(is_begun && size == neighbours))
         for (const EntropyLevel& level : levels(plan))
           search_.descendWindows(chain, level, size, plan.name, found.u);
     for (const EntropyLevel& level : levels(plan))
@@ -272,7 +272,7 @@ private:
   static constexpr double least_length = 2.0 / 3;  ///< of the path: a collapse
   static constexpr double most_sigmas = 6;         ///< of an action
 
-  EntropySearch search_;
+  EntropySearch& search_;
   RayEvidence rays_;
   ActionChain chain_;
   const std::vector<PlanarPose>& given_;
@@ -286,13 +286,11 @@ private:
 } // namespace
 
 std::vector<PlanarPose>
-guardedSearch(const std::vector<LevelledPoints>& observations,
-              const std::vector<PlanarPose>& poses,
-              const RectificationSettings& settings,
-              const Progress& progress,
-              EntropyRectificationReport& report)
+guardedSearch(const RectificationTask& task,
+              EntropySearch& search,
+              const std::vector<PlanarPose>& poses)
 {
-  return GuardedSearch(observations, poses, settings, progress, report).run();
+  return GuardedSearch(task, search, poses).run();
 }
 
 } // namespace pcl::acmap

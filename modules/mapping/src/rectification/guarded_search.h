@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/mapping/rectification_kernel.h>
+#include "entropy_search.h"
 
 #include <vector>
 
@@ -11,10 +11,8 @@ namespace pcl::acmap {
  * Several searches are made until the rays (\ref RayEvidence) agree with one; where they
  * agree with none the poses stay. */
 std::vector<PlanarPose>
-guardedSearch(const std::vector<LevelledPoints>& observations,
-              const std::vector<PlanarPose>& poses,
-              const RectificationSettings& settings,
-              const Progress& progress,
-              EntropyRectificationReport& report);
+guardedSearch(const RectificationTask& task,
+              EntropySearch& search,
+              const std::vector<PlanarPose>& poses);
 
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #include "ray_evidence.h"
 
 #include "../entropy/planar_motion.h"
+#include "rectification_task.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -15,7 +16,6 @@ constexpr double margin = 0.5;   ///< metres before a ray's end: the wall it mee
 constexpr double step = 0.7;     ///< cells
 constexpr double crossing = 0.7; ///< least cosine of ray and normal
 constexpr double agreeing = 0.9; ///< least cosine of two normals of a wall
-constexpr std::size_t near = 16; ///< observations apart
 constexpr std::size_t most_rays = 200000;
 constexpr std::size_t least_points = 2; ///< of others, that make a wall
 
@@ -88,7 +88,7 @@ RayEvidence::countWalls(const Ray& ray,
         std::max(other, ray.observation) - std::min(other, ray.observation);
     const double cosine = wall.normal_x * direction[0] + wall.normal_z * direction[1];
     if (apart > 0 && (!has_normals_ || counts(cosine)))
-      points[apart > near] += wall.points;
+      points[apart > neighbours] += wall.points;
   });
 }
 

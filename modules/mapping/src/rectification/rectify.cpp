@@ -1,5 +1,4 @@
 #include "building_direction.h"
-#include "entropy_search.h"
 #include "guarded_search.h"
 #include "map_quality.h"
 #include "voting_search.h"
@@ -44,9 +43,9 @@ template <typename Value>
 std::vector<Value>
 firstOf(const std::vector<Value>& values)
 {
-  constexpr std::size_t few = 16;
   return {values.begin(),
-          values.begin() + static_cast<std::ptrdiff_t>(std::min(few, values.size()))};
+          values.begin() +
+              static_cast<std::ptrdiff_t>(std::min(neighbours, values.size()))};
 }
 
 /** Poses moved \a times the way from the origin to a place. */
@@ -60,54 +59,50 @@ shifted(std::vector<PlanarPose> poses, double times, const PlanarPose& place)
   return poses;
 }
 
-/** Where projections count, searches in a map whose building lies along the axes. */
-template <typename Search>
+/** Searches in a map whose building lies along the axes, where projections count. */
 std::vector<PlanarPose>
-searchAlongAxes(const Search& search,
-                const std::vector<LevelledPoints>& observations,
-                const std::vector<PlanarPose>& poses,
-                RectificationSettings settings,
-                const Progress& progress,
-                EntropyRectificationReport& report)
+searchAlongAxes(const RectificationTask& task,
+                EntropySearch& search,
+                const std::vector<PlanarPose>& poses)
 {
-  if (settings.projection_weight < 0)
-    settings.projection_weight = settings.mode == RectificationMode::Paper ? 0.1 : 0;
+  const RectificationSettings& settings = task.settings;
   double turn = 0;
   if (settings.projection_weight > 0) {
     const EntropyLevel level{
         settings.bin_size, 1, false, false}; // coarse bins: 1 degree off
-    EntropySearch fine(observations, settings, progress, report);
     turn = buildingDirection(
-        firstOf(fine.cells(level)), firstOf(poses), fine.entropySettings(level));
+        firstOf(search.cells(level)), firstOf(poses), search.entropySettings(level));
   }
   const PlanarPose& first = poses.front(); // far from the origin nothing is lost
-  const std::vector<PlanarPose> found =
-      search(observations,
-             turnedMap(shifted(poses, -1, first), turn),
-             settings,
-             progress,
-             report);
-  return report.outcome == RectificationOutcome::Rectified
+  const bool paper = settings.mode == RectificationMode::Paper;
+  const std::vector<PlanarPose> found = (paper ? votingSearch : guardedSearch)(
+      task, search, turnedMap(shifted(poses, -1, first), turn));
+  return task.report.outcome == RectificationOutcome::Rectified
              ? shifted(turnedMap(found, -turn), 1, first)
              : poses;
 }
 
 /** Why observations tell nothing about their poses; empty where they do. */
 std::string
-whatHinders(const std::vector<LevelledPoints>& observations,
+whatHinders(EntropySearch& search,
             const std::vector<PlanarPose>& poses,
-            const RectificationSettings& settings,
-            const Progress& progress,
-            EntropyRectificationReport& report)
+            double bin_size)
 {
   if (poses.size() < 2)
     return "one observation: there is nothing that it could fit or not fit";
-  const EntropyLevel level{4 * settings.bin_size, 1, false, false};
-  EntropySearch search(observations, settings, progress, report);
+  const EntropyLevel level{4 * bin_size, 1, false, false};
   MapEntropyReport told;
   const MapEntropyTerms terms =
       mapEntropy(search.cells(level), poses, search.entropySettings(level), told);
   return terms.points == 0 || terms.dimensions < 2 ? told.remarks.front() : "";
+}
+
+RectificationSettings
+withWeightOfMode(RectificationSettings settings)
+{
+  if (settings.projection_weight < 0)
+    settings.projection_weight = settings.mode == RectificationMode::Paper ? 0.1 : 0;
+  return settings;
 }
 
 } // namespace
@@ -122,16 +117,13 @@ rectify(const std::vector<LevelledPoints>& observations,
   if (poses.size() != observations.size())
     throw BadArgumentException("each observation needs one pose");
   count(observations, report);
+  const RectificationSettings all_set = withWeightOfMode(settings);
+  const RectificationTask task{observations, all_set, progress, report};
+  EntropySearch search(task);
   std::vector<PlanarPose> result = poses;
-  report.reason = whatHinders(observations, poses, settings, progress, report);
-  const bool paper = settings.mode == RectificationMode::Paper;
+  report.reason = whatHinders(search, poses, settings.bin_size);
   if (report.reason.empty())
-    result = searchAlongAxes(paper ? votingSearch : guardedSearch,
-                             observations,
-                             poses,
-                             settings,
-                             progress,
-                             report);
+    result = searchAlongAxes(task, search, poses);
   if (report.outcome == RectificationOutcome::Undetermined)
     report.remarks.push_back(report.reason);
   tellMoves(poses, result, report);

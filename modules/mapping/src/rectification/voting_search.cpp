@@ -1,6 +1,5 @@
 #include "voting_search.h"
 
-#include "entropy_search.h"
 #include "ray_evidence.h"
 
 #include <pcl/core/random.h>
@@ -182,23 +181,21 @@ private:
 } // namespace
 
 std::vector<PlanarPose>
-votingSearch(const std::vector<LevelledPoints>& observations,
-             const std::vector<PlanarPose>& poses,
-             const RectificationSettings& settings,
-             const Progress& progress,
-             EntropyRectificationReport& report)
+votingSearch(const RectificationTask& task,
+             EntropySearch& search,
+             const std::vector<PlanarPose>& poses)
 {
-  EntropySearch search(observations, settings, progress, report);
-  VotingSearch voting(poses, settings.seed, progress, report);
+  EntropyRectificationReport& report = task.report;
+  VotingSearch voting(poses, task.settings.seed, task.progress, report);
   for (const double factor : {4.0, 2.0, 1.0}) {
-    const EntropyLevel level{factor * settings.bin_size, 1, false, false};
+    const EntropyLevel level{factor * task.settings.bin_size, 1, false, false};
     MapEntropyEvaluator evaluator(search.cells(level), search.entropySettings(level));
     voting.run(evaluator, level.bin_size, evaluations_a_pose * poses.size() / 3);
   }
   report.evaluations += voting.evaluations();
   report.outcome = RectificationOutcome::Rectified;
   report.reason = "the entropy fell; paper mode asks nothing else";
-  const RayEvidence rays(observations);
+  const RayEvidence rays(task.observations);
   rays.judge(poses, report.before);
   rays.judge(voting.poses(), report.after);
   return voting.poses();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/mapping/rectification_kernel.h>
+#include "entropy_search.h"
 
 #include <vector>
 
@@ -10,10 +10,8 @@ namespace pcl::acmap {
  * proportion to its vote, which is what changing it did to the energy before. Eq. 3
  * alone; the energy never rises at a bin size. */
 std::vector<PlanarPose>
-votingSearch(const std::vector<LevelledPoints>& observations,
-             const std::vector<PlanarPose>& poses,
-             const RectificationSettings& settings,
-             const Progress& progress,
-             EntropyRectificationReport& report);
+votingSearch(const RectificationTask& task,
+             EntropySearch& search,
+             const std::vector<PlanarPose>& poses);
 
 } // namespace pcl::acmap

@@ -210,9 +210,6 @@ private:
   void
   requirePose(const Eigen::Isometry3d& pose) const;
 
-  void
-  requireNumber(std::size_t number) const;
-
   acmap::RectificationSettings settings_;
   std::vector<PointCloudConstPtr> clouds_;
   std::vector<std::vector<float>> weights_;

@@ -195,9 +195,6 @@ private:
   void
   makeCells(const acmap::Progress& progress);
 
-  void
-  requireNumber(std::size_t number) const;
-
   acmap::PosedPoints
   viewOf(std::size_t number) const;
 

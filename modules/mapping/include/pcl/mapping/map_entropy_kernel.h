@@ -51,16 +51,21 @@ struct PosedPoints {
 ACMAP_EXPORT void
 requirePlanarPose(const PlanarPose& pose);
 
-/** \throws BadArgumentException naming the first that is negative or not finite */
+/** \throws BadArgumentException unless there are none or one for each point, and naming
+ * the first that is negative or not finite */
 ACMAP_EXPORT void
-requirePointWeights(const float* weights, std::size_t size);
+requirePointWeights(const std::vector<float>& weights, std::size_t points);
+
+/** \throws BadArgumentException unless \a number is less than \a observations */
+ACMAP_EXPORT void
+requireObservation(std::size_t number, std::size_t observations);
 
 /** \brief Sums the points of an observation up in cells of half a bin, and of 11.25
  * degrees where directions count. Cells of one bin and direction of which none holds half
  * of it become one.
  * \param[in] weights one a point, in their order; rounded to 2^-15 of the largest.
  * nullptr: 1 each
- * \throws BadArgumentException as \ref requirePointWeights */
+ * \throws BadArgumentException naming the first weight that is negative or not finite */
 ACMAP_EXPORT EntropyCells
 aggregateCells(const PointView& points,
                const PointView& normals,
@@ -108,7 +113,7 @@ mapEntropy(const std::vector<EntropyCells>& observations,
 
 /** \brief The entropy as the paper counts it, each point in the bin it lies in.
  * \param[out] report counts and remarks are added
- * \throws BadArgumentException as \ref requirePlanarPose, \ref requirePointWeights
+ * \throws BadArgumentException as \ref requirePlanarPose, \ref aggregateCells
  * \throws CancelledException when the progress was told to stop */
 ACMAP_EXPORT MapEntropyTerms
 exactMapEntropy(const std::vector<PosedPoints>& observations,

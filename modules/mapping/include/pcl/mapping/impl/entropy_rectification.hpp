@@ -9,8 +9,6 @@
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_entropy_kernel.h>
 
-#include <string>
-
 namespace pcl {
 namespace acmap {
 
@@ -52,15 +50,6 @@ EntropyRectification<PointT>::requirePose(const Eigen::Isometry3d& pose) const
 }
 
 template <typename PointT>
-void
-EntropyRectification<PointT>::requireNumber(std::size_t number) const
-{
-  if (number >= poses_.size())
-    throw BadArgumentException("there is no observation " + std::to_string(number) +
-                               ", only " + std::to_string(poses_.size()));
-}
-
-template <typename PointT>
 std::size_t
 EntropyRectification<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
                                             const Eigen::Isometry3d& pose,
@@ -69,11 +58,7 @@ EntropyRectification<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
   requirePose(pose);
-  if (!weights.empty() && weights.size() != cloud->size())
-    throw BadArgumentException("a cloud of " + std::to_string(cloud->size()) +
-                               " points needs as many weights or none, not " +
-                               std::to_string(weights.size()));
-  acmap::requirePointWeights(weights.data(), weights.size());
+  acmap::requirePointWeights(weights, cloud->size());
   clouds_.push_back(cloud);
   weights_.push_back(weights);
   given_.push_back(pose);
@@ -85,7 +70,7 @@ template <typename PointT>
 void
 EntropyRectification<PointT>::setPose(std::size_t number, const Eigen::Isometry3d& pose)
 {
-  requireNumber(number);
+  acmap::requireObservation(number, poses_.size());
   requirePose(pose);
   given_[number] = pose;
   poses_[number] = pose;
@@ -95,7 +80,7 @@ template <typename PointT>
 const Eigen::Isometry3d&
 EntropyRectification<PointT>::getPose(std::size_t number) const
 {
-  requireNumber(number);
+  acmap::requireObservation(number, poses_.size());
   return poses_[number];
 }
 

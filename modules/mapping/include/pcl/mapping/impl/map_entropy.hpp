@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 
 namespace pcl {
 
@@ -20,11 +19,7 @@ MapEntropy<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
   acmap::requirePlanarPose(pose);
-  if (!weights.empty() && weights.size() != cloud->size())
-    throw BadArgumentException("a cloud of " + std::to_string(cloud->size()) +
-                               " points needs as many weights or none, not " +
-                               std::to_string(weights.size()));
-  acmap::requirePointWeights(weights.data(), weights.size());
+  acmap::requirePointWeights(weights, cloud->size());
   clouds_.push_back(cloud);
   poses_.push_back(pose);
   weights_.push_back(weights);
@@ -34,18 +29,9 @@ MapEntropy<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
 
 template <typename PointT>
 void
-MapEntropy<PointT>::requireNumber(std::size_t number) const
-{
-  if (number >= poses_.size())
-    throw BadArgumentException("there is no observation " + std::to_string(number) +
-                               ", only " + std::to_string(poses_.size()));
-}
-
-template <typename PointT>
-void
 MapEntropy<PointT>::setPose(std::size_t number, const PlanarPose& pose)
 {
-  requireNumber(number);
+  acmap::requireObservation(number, poses_.size());
   acmap::requirePlanarPose(pose);
   poses_[number] = pose;
 }
@@ -54,7 +40,7 @@ template <typename PointT>
 const PlanarPose&
 MapEntropy<PointT>::getPose(std::size_t number) const
 {
-  requireNumber(number);
+  acmap::requireObservation(number, poses_.size());
   return poses_[number];
 }
 

@@ -3,7 +3,9 @@
 #include "cloud_fields.h"
 #include "memory.h"
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -27,9 +29,16 @@ MapRows::MapRows(std::size_t points, bool colored)
 : cloud_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
 , colored_(colored)
 {
-  const std::size_t bytes = points * cloud_.point_step;
+  reserve(points * cloud_.point_step);
+}
+
+void
+MapRows::reserve(std::size_t bytes)
+{
+  if (bytes <= cloud_.data.capacity())
+    return;
   requireMemory(bytes, "merging the observations");
-  cloud_.data.reserve(bytes);
+  cloud_.data.reserve(std::max(bytes, 2 * cloud_.data.size()));
 }
 
 void
@@ -38,6 +47,7 @@ MapRows::append(const PointCloudFile& observation,
                 std::int32_t view)
 {
   const PointView points = observation.points();
+  reserve(cloud_.data.size() + points.size() * cloud_.point_step);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
@@ -57,11 +67,11 @@ MapRows::append(const PointCloudFile& observation,
   }
 }
 
-const PCLPointCloud2&
+PCLPointCloud2
 MapRows::finish()
 {
   resizeRows(cloud_, cloud_.data.size() / cloud_.point_step);
-  return cloud_;
+  return std::move(cloud_);
 }
 
 } // namespace pcl::acmap

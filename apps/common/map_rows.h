@@ -12,21 +12,25 @@ namespace pcl::acmap {
  * somebody has colours, and `view`, the number of the observation. */
 class MapRows {
 public:
-  /** \param[in] points that it will hold at most
+  /** \param[in] points it is sure to hold, 0 when not known
    * \throws MemoryRefused when this machine has too little for them */
   MapRows(std::size_t points, bool colored);
 
-  /** \brief Appends the finite points of an observation, black without colours. */
+  /** \brief Appends the finite points of an observation, black without colours.
+   * \throws MemoryRefused when this machine has too little for them */
   void
   append(const PointCloudFile& observation,
          const Eigen::Isometry3d& T_map_camera,
          std::int32_t view);
 
   /** \brief The cloud of what was appended. Nothing can be appended afterwards. */
-  const PCLPointCloud2&
+  PCLPointCloud2
   finish();
 
 private:
+  void
+  reserve(std::size_t bytes);
+
   PCLPointCloud2 cloud_;
   bool colored_;
 };
