@@ -21,7 +21,7 @@ rectify(Tool& tool,
         Rectification& rectification)
 {
   rectification.setMode(options.settings.mode);
-  rectification.setBinSize(options.settings.bin_size);
+  rectification.setBinSize(options.binSize());
   rectification.setSeed(options.settings.seed);
   rectification.setNumberOfThreads(tool.threads());
   for (std::size_t i = 0; i < observations.clouds.size(); ++i)

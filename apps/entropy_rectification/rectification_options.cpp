@@ -63,8 +63,9 @@ addOptions(Tool& tool, RectificationOptions& options)
       ->default_str("guarded")
       ->check(CLI::IsMember({"guarded", "paper"}).description(""));
   app.add_option(
-         "--bin", options.settings.bin_size, "Edge of the entropy's bins, metres")
+         "--bin", options.asked_bin_size, "Edge of the entropy's finest bins, metres")
       ->type_name("M")
+      ->default_str("0.05, of a log 0.1")
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(1e-3, 1e3).description(""));
   app.add_option(

@@ -4,6 +4,7 @@
 
 #include <pcl/mapping/rectification_kernel.h>
 
+#include <optional>
 #include <string>
 
 namespace pcl::acmap {
@@ -15,7 +16,15 @@ struct RectificationOptions {
   std::string output;
   std::size_t every = 1; ///< scan of the log
   RectificationSettings settings;
+  std::optional<double> asked_bin_size; ///< metres
   bool write_observations = false;
+
+  /** \brief Metres: cameras see walls nearer and finer than laser scanners do. */
+  double
+  binSize() const
+  {
+    return asked_bin_size.value_or(log.empty() ? 0.05 : 0.1);
+  }
 
   /** \brief The folder or the log. */
   const std::string&

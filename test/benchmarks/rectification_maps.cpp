@@ -84,6 +84,7 @@ makeSceneMap(const SimulatedScene& scene)
   constexpr float weight = voxel * voxel / (usual * usual);
   RectificationMap map;
   map.name = scene.name;
+  map.bin_size = 0.05;
   for (std::size_t view = 0; view < scene.views.size(); ++view) {
     const SimulatedCloud seen = makeViewCloud(scene, view);
     Consolidation consolidation;

@@ -16,6 +16,7 @@ struct RectificationMap {
   std::vector<PointCloud<PointNormal>::Ptr> clouds; ///< metres, sensors' frames
   std::vector<std::vector<float>> weights;          ///< one a point
   std::vector<PlanarPose> truth;
+  double bin_size = 0.1; ///< metres, as the tool has it for such observations
   double consolidation_seconds = 0; ///< CPU, of all observations
 };
 

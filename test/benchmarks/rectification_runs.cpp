@@ -86,6 +86,7 @@ rectifyMap(const RectificationMap& map,
 {
   Rectification rectification;
   rectification.setNumberOfThreads(1);
+  rectification.setBinSize(map.bin_size);
   if (configure)
     configure(rectification);
   for (std::size_t i = 0; i < map.clouds.size(); ++i)

@@ -15,13 +15,12 @@ namespace {
 void
 printUnmoved(const RectificationMap& map)
 {
-  constexpr double half_bin = 0.05; // metres
   const RectificationRun run = rectifyMap(map, map.truth);
   const std::vector<double>& moved = run.report.moved;
   MarkdownRow()
       .text(map.name)
       .text(nameOf(run.report.outcome))
-      .atMost(*std::max_element(moved.begin(), moved.end()), half_bin, 3)
+      .atMost(*std::max_element(moved.begin(), moved.end()), map.bin_size / 2, 3)
       .number(run.after.from_first, 3)
       .number(run.after.aligned, 3)
       .number(run.report.odometry_scale, 0)

@@ -13,7 +13,7 @@ evidenceOf(const std::vector<LevelledPoints>& observations,
            const std::vector<PlanarPose>& poses)
 {
   MapEvidence evidence;
-  RayEvidence(observations).judge(poses, evidence);
+  RayEvidence(observations, 0.1).judge(poses, evidence);
   return evidence;
 }
 

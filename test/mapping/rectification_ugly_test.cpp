@@ -235,6 +235,22 @@ TEST(RectificationUgly, pointsFarOutOfTheBuildingAreNoReasonToHang)
     }
 }
 
+TEST(RectificationUgly, mapsTooWideForTheFinestBinsAreTold)
+{
+  PosedClouds map = makeRoomWorld(43).truth;
+  map.clouds.resize(3);
+  map.poses.resize(3);
+  Rectification rectification = rectificationOf(map, map.poses);
+  rectification.setBinSize(0.003);
+  rectification.compute();
+  expectWholeReport(rectification);
+  const std::vector<std::string>& remarks = rectification.getReport().remarks;
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_EQ(remarks.front(),
+            "the map is too wide for bins of 0.003 m: only parts of it were searched "
+            "with them");
+}
+
 TEST(RectificationUgly, theSameCloudOverAndOverStays)
 {
   const PosedClouds room = makeRoomWorld(41).truth;

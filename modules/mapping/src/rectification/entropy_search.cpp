@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace pcl::acmap {
 namespace {
 
-constexpr double least_fall = 1e-5; ///< of F, for each observation
+constexpr double least_fall = 1e-5;        ///< of F, for each observation
+constexpr double least_window_fall = 3e-5; ///< windows are but the beginning
 
 PointView
 viewOf(const std::vector<Eigen::Vector3f>& values)
@@ -57,6 +59,16 @@ part(const std::vector<EntropyCells>& all, std::size_t first, std::size_t last)
 {
   return {all.begin() + static_cast<std::ptrdiff_t>(first),
           all.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+void
+remarkTooWide(double bin_size, std::vector<std::string>& remarks)
+{
+  std::ostringstream text;
+  text << "the map is too wide for bins of " << bin_size
+       << " m: only parts of it were searched with them";
+  if (std::find(remarks.begin(), remarks.end(), text.str()) == remarks.end())
+    remarks.push_back(text.str());
 }
 
 } // namespace
@@ -142,7 +154,8 @@ EntropySearch::descendPart(const ActionChain& chain,
     task_.report.steps.push_back(
         {*name, level.bin_size, entropy, priorOf(chain, at), value});
   };
-  return descend(objective, u, least_fall * size, name ? observer : DescentObserver{});
+  return name ? descend(objective, u, least_fall * size, observer)
+              : descend(objective, u, least_window_fall * size);
 }
 
 void
@@ -194,12 +207,17 @@ EntropySearch::tellStep(const ActionChain& chain,
                         const std::string& name,
                         const Eigen::VectorXd& u)
 {
-  const auto entropyAt = [&](const EntropyLevel& at) {
+  const auto termsAt = [&](const EntropyLevel& at) {
     MapEntropyReport ignored;
-    return mapEntropy(cells(at), chain.poses(u), entropySettings(at), ignored).total;
+    return mapEntropy(cells(at), chain.poses(u), entropySettings(at), ignored);
   };
+  const MapEntropyTerms terms = termsAt(level);
+  if (terms.points == 0) {
+    remarkTooWide(level.bin_size, task_.report.remarks);
+    return;
+  }
   const double entropy =
-      entropyAt(level) - (level.is_sharp ? entropyAt(widened(level)) : 0);
+      terms.total - (level.is_sharp ? termsAt(widened(level)).total : 0);
   const double prior = priorOf(chain, u);
   const double weight = level.weight * task_.settings.entropy_weight *
                         static_cast<double>(task_.observations.size());

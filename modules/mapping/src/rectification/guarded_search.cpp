@@ -1,5 +1,6 @@
 #include "guarded_search.h"
 
+#include "map_quality.h"
 #include "ray_evidence.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** One search: how its windows grow, and on which entropy. */
+/** One search after that in windows of neighbours: how they grow, on which entropy. */
 struct Plan {
   const char* name;
   bool direction_aware;
@@ -17,13 +18,11 @@ struct Plan {
   std::vector<std::size_t> windows; ///< then the whole map
 };
 
-const Plan sharp{"sharp", true, true, {neighbours, 4 * neighbours}};
-const Plan directed{"directed", true, false, {neighbours, 4 * neighbours}};
-const Plan undirected{"undirected", false, false, {neighbours, 4 * neighbours}};
-const Plan gradual{"gradual",
-                   true,
-                   false,
-                   {neighbours, 2 * neighbours, 4 * neighbours, 8 * neighbours}};
+const Plan sharp{"sharp", true, true, {4 * neighbours}};
+const Plan directed{"directed", true, false, {4 * neighbours}};
+const Plan undirected{"undirected", false, false, {4 * neighbours}};
+const Plan gradual{
+    "gradual", true, false, {2 * neighbours, 4 * neighbours, 8 * neighbours}};
 
 /** A map that was found. */
 struct Candidate {
@@ -72,7 +71,8 @@ balanceOf(const MapEvidence& rays)
 }
 
 /** Is a map clearly better than another? Where hardly any ray was contradicted before,
- * walls must meet more often; in a map that was right already they do not. */
+ * walls must meet more often or be half as thick; in a map that was right already they
+ * are not. */
 bool
 isBetter(const MapEvidence& map, const MapEvidence& other)
 {
@@ -80,7 +80,8 @@ isBetter(const MapEvidence& map, const MapEvidence& other)
   const double before = contradictionsOf(other);
   const bool fewer = now < std::min(0.9 * before, before - 0.03);
   const bool met = balanceOf(map) > balanceOf(other) + 0.0025;
-  return fewer || (met && now < before + 0.02);
+  const bool thinner = map.orthogonal_variance < 0.5 * other.orthogonal_variance;
+  return fewer || ((met || thinner) && now < before + 0.02);
 }
 
 /** Metres along a path. */
@@ -98,18 +99,18 @@ public:
   GuardedSearch(const RectificationTask& task,
                 EntropySearch& search,
                 const std::vector<PlanarPose>& given)
-  : search_(search)
-  , rays_(task.observations)
+  : task_(task)
+  , search_(search)
+  , rays_(task.observations, task.settings.bin_size)
   , chain_(given, task.settings.odometry)
   , given_(given)
-  , settings_(task.settings)
   , report_(task.report)
   {}
 
   std::vector<PlanarPose>
   run()
   {
-    rays_.judge(given_, report_.before);
+    judge(given_, report_.before);
     if (report_.before.near_rays + report_.before.far_rays == 0)
       return end(RectificationOutcome::Undetermined,
                  "the observations see no wall in common: nothing tells how they lie");
@@ -126,10 +127,17 @@ public:
   }
 
 private:
+  void
+  judge(const std::vector<PlanarPose>& poses, MapEvidence& evidence) const
+  {
+    rays_.judge(poses, evidence);
+    measureQuality(task_.observations, poses, evidence);
+  }
+
   std::vector<EntropyLevel>
   levels(const Plan& plan) const
   {
-    const double bin = settings_.bin_size;
+    const double bin = task_.settings.bin_size;
     return {{4 * bin, 1, plan.direction_aware, plan.is_sharp},
             {2 * bin, 3, plan.direction_aware, plan.is_sharp},
             {bin, 10, plan.direction_aware, plan.is_sharp}};
@@ -164,26 +172,23 @@ private:
     return locals_[local].evidence.near_contradictions;
   }
 
-  /** \param[in] local whose scale is meant: its windows are the first of directed plans */
+  /** \param[in] local whose windows it begins with, and whose scale it takes */
   void
   consider(const Plan& plan, std::size_t local)
   {
     Candidate found;
     found.name = plan.name;
     found.scale = locals_[local].scale;
-    found.u = Eigen::VectorXd::Zero(chain_.variables());
-    const bool is_begun = plan.direction_aware && !plan.is_sharp;
-    if (is_begun)
-      found.u = locals_[local].u;
+    found.u = locals_[local].u;
     const ActionChain chain = chain_.widened(found.scale);
     for (const std::size_t size : plan.windows)
-      if (size < given_.size() && !(is_begun && size == neighbours))
+      if (size < given_.size())
         for (const EntropyLevel& level : levels(plan))
           search_.descendWindows(chain, level, size, plan.name, found.u);
     for (const EntropyLevel& level : levels(plan))
       search_.descendWhole(chain, level, plan.name, found.u);
     found.poses = chain.path(found.u);
-    rays_.judge(found.poses, found.evidence);
+    judge(found.poses, found.evidence);
     candidates_.push_back(found);
     search_.advanceTo(0.3 + 0.14 * static_cast<double>(candidates_.size()));
   }
@@ -272,11 +277,11 @@ private:
   static constexpr double least_length = 2.0 / 3;  ///< of the path: a collapse
   static constexpr double most_sigmas = 6;         ///< of an action
 
+  const RectificationTask& task_;
   EntropySearch& search_;
   RayEvidence rays_;
   ActionChain chain_;
   const std::vector<PlanarPose>& given_;
-  const RectificationSettings& settings_;
   EntropyRectificationReport& report_;
   std::vector<Candidate> locals_; ///< windows alone, by scale
   std::size_t usual_ = 0;         ///< of them

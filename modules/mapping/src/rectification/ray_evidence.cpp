@@ -11,10 +11,11 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double start = 0.3;    ///< metres from the sensor: the robot itself
-constexpr double margin = 0.5;   ///< metres before a ray's end: the wall it meets
-constexpr double step = 0.7;     ///< cells
-constexpr double crossing = 0.7; ///< least cosine of ray and normal
+constexpr double start = 0.3;  ///< metres from the sensor: the robot itself
+constexpr double margin = 0.5; ///< metres before a ray's end: the wall it meets
+constexpr double step = 0.7;   ///< cells
+constexpr double least_cell = 0.1, most_cell = 0.2; ///< metres
+constexpr double crossing = 0.7;                    ///< least cosine of ray and normal
 constexpr double agreeing = 0.9; ///< least cosine of two normals of a wall
 constexpr std::size_t most_rays = 200000;
 constexpr std::size_t least_points = 2; ///< of others, that make a wall
@@ -37,8 +38,10 @@ struct RayEvidence::Ray {
   Ray(std::size_t number,
       const Eigen::Vector3d& point,
       double height,
-      const PlanarMotion& motion)
+      const PlanarMotion& motion,
+      double edge)
   : observation(number)
+  , cell(edge)
   , end(motion.place(point[0], point[2]))
   , end_y(point[1])
   , range((point - Eigen::Vector3d(0, height, 0)).norm())
@@ -50,10 +53,11 @@ struct RayEvidence::Ray {
   std::uint64_t
   cellBefore(double left) const
   {
-    return wallCellOf(end - left * way, end_y - left * fall);
+    return wallCellOf(end - left * way, end_y - left * fall, cell);
   }
 
   std::size_t observation;
+  double cell; ///< metres, edge of cells
   Eigen::Vector2d end;
   double end_y;
   double range;        ///< metres
@@ -61,8 +65,10 @@ struct RayEvidence::Ray {
   double fall;         ///< in y, for each metre of the ray
 };
 
-RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations)
+RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,
+                         double bin_size)
 : observations_(observations)
+, cell_(std::clamp(2 * bin_size, least_cell, most_cell))
 {
   std::size_t points = 0;
   for (const LevelledPoints& seen : observations) {
@@ -105,10 +111,10 @@ RayEvidence::castRays(std::size_t observation,
     if (!(point.norm() <= longest_ray))
       continue;
     ++counts.rays;
-    const Ray ray(observation, point, seen.sensor_height, motion);
+    const Ray ray(observation, point, seen.sensor_height, motion, cell_);
     const Eigen::Vector2d way = ray.way.normalized();
     bool contradicted[2] = {false, false};
-    for (double t = start; t < ray.range - margin; t += step * wall_cell) {
+    for (double t = start; t < ray.range - margin; t += step * cell_) {
       std::size_t points[2] = {0, 0};
       const auto crosses = [](double cosine) { return std::abs(cosine) > crossing; };
       countWalls(ray, ray.cellBefore(ray.range - t), table, way, crosses, points);
@@ -136,7 +142,7 @@ RayEvidence::judge(const std::vector<PlanarPose>& poses, MapEvidence& evidence) 
 {
   std::vector<std::vector<SeenWall>> walls(poses.size());
   oneapi::tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
-    walls[i] = seenWalls(observations_[i], i, poses[i], has_normals_);
+    walls[i] = seenWalls(observations_[i], i, poses[i], cell_, has_normals_);
   });
   std::vector<SeenWall> all;
   for (const std::vector<SeenWall>& some : walls)

@@ -12,7 +12,8 @@ namespace pcl::acmap {
  * when it was seen, whatever the entropy says. */
 class RayEvidence {
 public:
-  explicit RayEvidence(const std::vector<LevelledPoints>& observations);
+  /** \param[in] bin_size of the finest level, metres: cells of walls are twice as wide */
+  RayEvidence(const std::vector<LevelledPoints>& observations, double bin_size);
 
   /** \brief The shares of \ref MapEvidence that rays tell. */
   void
@@ -39,6 +40,7 @@ private:
              std::size_t points[2]) const;
 
   const std::vector<LevelledPoints>& observations_;
+  double cell_;           ///< metres, edge
   std::size_t every_ = 1; ///< point is a ray
   bool has_normals_ = false;
 };

@@ -124,11 +124,13 @@ rectify(const std::vector<LevelledPoints>& observations,
   report.reason = whatHinders(search, poses, settings.bin_size);
   if (report.reason.empty())
     result = searchAlongAxes(task, search, poses);
-  if (report.outcome == RectificationOutcome::Undetermined)
+  else
+    measureQuality(observations, poses, report.before);
+  if (report.outcome == RectificationOutcome::Undetermined) {
+    report.after = report.before;
     report.remarks.push_back(report.reason);
+  }
   tellMoves(poses, result, report);
-  measureQuality(observations, poses, report.before);
-  measureQuality(observations, result, report.after);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "voting_search.h"
 
+#include "map_quality.h"
 #include "ray_evidence.h"
 
 #include <pcl/core/random.h>
@@ -195,9 +196,11 @@ votingSearch(const RectificationTask& task,
   report.evaluations += voting.evaluations();
   report.outcome = RectificationOutcome::Rectified;
   report.reason = "the entropy fell; paper mode asks nothing else";
-  const RayEvidence rays(task.observations);
+  const RayEvidence rays(task.observations, task.settings.bin_size);
   rays.judge(poses, report.before);
   rays.judge(voting.poses(), report.after);
+  measureQuality(task.observations, poses, report.before);
+  measureQuality(task.observations, voting.poses(), report.after);
   return voting.poses();
 }
 

@@ -52,11 +52,11 @@ merge(std::vector<SeenWall>& walls)
 } // namespace
 
 std::uint64_t
-wallCellOf(const Eigen::Vector2d& place, double y)
+wallCellOf(const Eigen::Vector2d& place, double y, double edge)
 {
-  const auto part = [](double value) {
+  const auto part = [edge](double value) {
     return static_cast<std::uint64_t>(
-               static_cast<std::int64_t>(std::floor(value / wall_cell))) &
+               static_cast<std::int64_t>(std::floor(value / edge))) &
            0x1fffff;
   };
   return part(place[0]) << 42 | part(y) << 21 | part(place[1]);
@@ -66,6 +66,7 @@ std::vector<SeenWall>
 seenWalls(const LevelledPoints& seen,
           std::size_t observation,
           const PlanarPose& pose,
+          double edge,
           bool has_normals)
 {
   const PlanarMotion motion(pose);
@@ -76,7 +77,7 @@ seenWalls(const LevelledPoints& seen,
                                     : std::make_optional<Eigen::Vector2d>(0, 0);
     if (!normal || !(point.norm() <= longest_ray))
       continue;
-    walls.push_back({wallCellOf(motion.place(point[0], point[2]), point[1]),
+    walls.push_back({wallCellOf(motion.place(point[0], point[2]), point[1], edge),
                      static_cast<std::uint32_t>(observation),
                      1,
                      static_cast<float>((*normal)[0]),

@@ -14,12 +14,9 @@ struct SeenWall {
   float normal_x, normal_z; ///< unit, in the map, towards the sensor; 0, 0: not known
 };
 
-/** \brief The cell, a cube of 0.2 m, of a place in the map. */
+/** \brief The cell, a cube, of a place in the map. \param[in] edge of a cell, metres */
 std::uint64_t
-wallCellOf(const Eigen::Vector2d& place, double y);
-
-/** \brief Edge of a cell, metres. */
-inline constexpr double wall_cell = 0.2;
+wallCellOf(const Eigen::Vector2d& place, double y, double edge);
 
 /** \brief Points farther than this from their sensor are of no building. */
 inline constexpr double longest_ray = 1000;
@@ -30,6 +27,7 @@ std::vector<SeenWall>
 seenWalls(const LevelledPoints& seen,
           std::size_t observation,
           const PlanarPose& pose,
+          double edge,
           bool has_normals);
 
 /** \brief Walls by their cell. */
