@@ -34,8 +34,8 @@ expectGradientIsThatOfDifferences(const NaiveSettings& settings)
   double largest = 0;
   for (std::size_t i = 0; i < gradient.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) {
-      const double wanted = differenceOf(entropy, i, axis, 1e-6);
-      EXPECT_NEAR(gradient[i][axis], wanted, 1e-5 * (1 + std::abs(wanted)))
+      const double wanted = differenceOf(entropy, i, axis, 5e-5);
+      EXPECT_NEAR(gradient[i][axis], wanted, 2e-3 * (1 + std::abs(wanted)))
           << "observation " << i << ", axis " << axis;
       largest = std::max(largest, std::abs(wanted));
     }

@@ -41,7 +41,7 @@ TEST(MapEntropyProperties, orderOfObservationsChangesNothing)
   const MapEntropyTerms exact = entropyOf(map, {}).computeExact();
   std::reverse(map.clouds.begin(), map.clouds.end());
   std::reverse(map.poses.begin(), map.poses.end());
-  EXPECT_NEAR(entropyOf(map, {}).compute().total, wanted, 1e-10);
+  EXPECT_NEAR(entropyOf(map, {}).compute().total, wanted, 1e-6);
   EXPECT_NEAR(entropyOf(map, {}).computeExact().total, exact.total, 1e-10);
 }
 
@@ -85,9 +85,9 @@ TEST(MapEntropyProperties, quarterTurnsSwapTheAxes)
     for (auto& pose : map.poses) // about the origin: X, Z become Z, -X
       pose = {pose.z, -pose.x, pose.theta + M_PI / 2};
     const MapEntropyTerms turned = entropyOf(map, settingsFor(directions)).compute();
-    EXPECT_NEAR(turned.joint, terms.joint, 1e-9);
-    EXPECT_NEAR(turned.along_x, terms.along_z, 1e-9);
-    EXPECT_NEAR(turned.along_z, terms.along_x, 1e-9);
+    EXPECT_NEAR(turned.joint, terms.joint, 1e-6);
+    EXPECT_NEAR(turned.along_x, terms.along_z, 1e-6);
+    EXPECT_NEAR(turned.along_z, terms.along_x, 1e-6);
   }
 }
 

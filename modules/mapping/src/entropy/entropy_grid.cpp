@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 namespace pcl::acmap {
@@ -20,19 +21,22 @@ radiusOf(const MapEntropySettings& settings)
       std::ceil(3 * (settings.smoothing / settings.bin_size)));
 }
 
-/** What the grid has around the range: one bin more than the Gaussian reaches, as
- * rounding may move a cell there. */
-std::int64_t
-marginOf(const MapEntropySettings& settings)
-{
-  return radiusOf(settings) + 1;
-}
-
 std::int64_t
 wholeBlocks(std::int64_t bins)
 {
   return (bins + block - 1) / block * block;
 }
+
+/** What the grid has around the range: one bin more than smoothing reaches, as rounding
+ * may move a cell there. */
+struct Margin {
+  std::int64_t x, z;
+
+  explicit Margin(const MapEntropySettings& settings)
+  : x(radiusOf(settings) + 1)
+  , z(wholeBlocks(radiusOf(settings)) + 1)
+  {}
+};
 
 std::size_t
 sizeOf(std::int64_t bins)
@@ -77,7 +81,7 @@ double
 log2Of(double value)
 {
   double values[block] = {value};
-  entropyBins().takeLogarithms(values, block);
+  entropyBins().takeExactLogarithms(values, block);
   return values[0];
 }
 
@@ -92,6 +96,14 @@ std::int64_t
 lengthOf(const FilledRun& run)
 {
   return std::int64_t{run.end - run.begin} * block;
+}
+
+/** To a place that may be near others'. */
+void
+copyBlocks(const float* from, std::int64_t size, float* to)
+{
+  for (std::int64_t j = 0; j < size; j += block)
+    std::memcpy(to + j, from + j, sizeof(float) * block);
 }
 
 constexpr std::size_t chunk_length = 64;
@@ -143,95 +155,94 @@ layersOf(const MapEntropySettings& settings)
 EntropyGrid::EntropyGrid(const MapEntropySettings& settings)
 : settings_(settings)
 , kernel_(gaussian(settings))
+, float_kernel_(kernel_.begin(), kernel_.end())
 , radius_(radiusOf(settings))
 , layers_(layersOf(settings))
-{}
+, aside_(wholeBlocks(radius_))
+{
+  double sum = -static_cast<double>(float_kernel_[0]);
+  for (const float weight : float_kernel_)
+    sum += 2 * static_cast<double>(weight);
+  smoothed_weight_ = sum * sum;
+}
 
 double
 EntropyGrid::binsOf(const BinRange& range, const MapEntropySettings& settings)
 {
-  const double margins = 2 * static_cast<double>(marginOf(settings)) + 1;
-  return (static_cast<double>(range.most_x - range.least_x) + margins) *
-         (static_cast<double>(range.most_z - range.least_z) + margins) *
+  const Margin margin(settings);
+  return static_cast<double>(range.most_x - range.least_x + 2 * margin.x + 1) *
+         static_cast<double>(range.most_z - range.least_z + 2 * margin.z + 1) *
          layersOf(settings);
+}
+
+double
+unitFor(double weight)
+{
+  constexpr int bits_of_map = 14;
+  return weight > 0 ? std::ldexp(1.0, bits_of_map - std::ilogb(weight)) : 1;
 }
 
 void
 EntropyGrid::Field::reserve(std::int64_t bins, std::int64_t room)
 {
-  constexpr std::size_t line = 64; // bytes
-  values_.resize(
-      std::max(values_.size(), sizeOf(bins + 2 * room) + line / sizeof(double)), 0);
-  const auto first = reinterpret_cast<std::uintptr_t>(values_.data() + room);
-  room_ = room + static_cast<std::int64_t>((line - first % line) / sizeof(double));
+  values_.resize(std::max(values_.size(), sizeOf(bins + 2 * room)), 0);
+  room_ = room;
 }
 
 void
 EntropyGrid::begin(const BinRange& range)
 {
-  clear();
-  const std::int64_t margin = marginOf(settings_);
-  first_x_ = range.least_x - margin;
-  first_z_ = range.least_z - margin;
-  width_ = range.most_x + margin - first_x_ + 1;
-  depth_ = wholeBlocks(range.most_z + margin - first_z_ + 1);
+  for (const FilledRun& run : filled_)
+    std::fill_n(bins_.begin() + firstOf(run), lengthOf(run), 0.0F);
+  filled_.clear();
+  const Margin margin(settings_);
+  first_x_ = range.least_x - margin.x;
+  first_z_ = range.least_z - margin.z;
+  width_ = range.most_x + margin.x - first_x_ + 1;
+  depth_ = wholeBlocks(range.most_z + margin.z - first_z_ + 1);
   const std::int64_t bins = width_ * depth_ * layers_;
-  bins_.reserve(bins, wholeBlocks(radius_) + block);
-  half_smoothed_.reserve(radius_ > 0 ? bins : 0, wholeBlocks(radius_) + block);
-  empty_row_.assign(sizeOf(depth_), 0);
+  bins_.reserve(bins, radius_ * depth_ + block);
+  logarithms_.reserve(bins, block);
   marks_.blocks = depth_ / block;
   marks_.rows = width_;
   marks_.marks.assign(sizeOf(bins / block), 0);
   array_ = {bins_.begin(), depth_, width_ * depth_, marks_.marks.data()};
 }
 
-void
-EntropyGrid::clear()
-{
-  const auto clear_runs = [&](const std::vector<FilledRun>& runs, Field& field) {
-    for (const FilledRun& run : runs)
-      std::fill_n(field.begin() + firstOf(run), lengthOf(run), 0.0);
-  };
-  clear_runs(spread_, bins_);
-  clear_runs(widened_, half_smoothed_);
-  filled_.clear();
-  widened_.clear();
-  spread_.clear();
-}
+/** Runs one behind the other. */
+class EntropyGrid::Strips {
+public:
+  /** \param[in] room zeroes before the first and behind the last */
+  Strips(const FilledRun* first,
+         const FilledRun* last,
+         std::int64_t aside,
+         std::int64_t room)
+  : size_(std::accumulate(first,
+                          last,
+                          std::int64_t{0},
+                          [=](std::int64_t sum, const FilledRun& run) {
+                            return sum + lengthOf(run) + 2 * aside;
+                          }))
+  , room_(room)
+  , values_(sizeOf(size_ + 2 * room), 0)
+  {}
 
-void
-EntropyGrid::smoothAcross(Field& from, const std::vector<FilledRun>& runs, Field& to)
-{
-  forChunks(runs, [&](std::size_t, const FilledRun* first, const FilledRun* last) {
-    std::vector<const double*> rows(2 * sizeOf(radius_) + 1);
-    for (const FilledRun* run = first; run < last; ++run) {
-      const std::int64_t layer = run->row / width_ * width_;
-      for (std::int64_t i = -radius_; i <= radius_; ++i)
-        rows[sizeOf(i + radius_)] =
-            run->row + i >= layer && run->row + i < layer + width_
-                ? from.begin() + firstOf(*run) + i * depth_
-                : empty_row_.data();
-      entropyBins().smoothAcross(rows.data(),
-                                 {kernel_.data(), radius_},
-                                 lengthOf(*run),
-                                 to.begin() + firstOf(*run));
-    }
-  });
-}
+  float*
+  begin()
+  {
+    return values_.data() + room_;
+  }
 
-void
-EntropyGrid::smoothAlong(Field& from,
-                         const FilledRun* first,
-                         const FilledRun* last,
-                         Field& to)
-{
-  // Over the end of a row lies the margin of the next: empty, or of no use to cells.
-  for (const FilledRun* run = first; run < last; ++run)
-    entropyBins().smoothAlong(from.begin() + firstOf(*run),
-                              {kernel_.data(), radius_},
-                              lengthOf(*run),
-                              to.begin() + firstOf(*run));
-}
+  std::int64_t
+  size() const
+  {
+    return size_;
+  }
+
+private:
+  std::int64_t size_, room_;
+  std::vector<float> values_;
+};
 
 void
 EntropyGrid::project()
@@ -248,14 +259,25 @@ EntropyGrid::project()
 double
 EntropyGrid::takeLogarithms()
 {
+  const SmoothingKernel kernel{float_kernel_.data(), radius_};
   std::vector<double> sums(chunksOf(spread_));
   forChunks(spread_,
             [&](std::size_t chunk, const FilledRun* first, const FilledRun* last) {
-              if (radius_ > 0)
-                smoothAlong(half_smoothed_, first, last, bins_);
-              for (const FilledRun* run = first; run < last; ++run)
-                sums[chunk] += entropyBins().takeLogarithms(
-                    bins_.begin() + firstOf(*run), lengthOf(*run));
+              // Each run ends with zeroes that smoothing along x does not reach.
+              Strips smoothed(first, last, 0, aside_);
+              float* strip = smoothed.begin();
+              for (const FilledRun* run = first; run < last; strip += lengthOf(*run++))
+                entropyBins().smoothAcross(bins_.begin() + firstOf(*run) + aside_,
+                                           depth_,
+                                           kernel,
+                                           lengthOf(*run) - 2 * aside_,
+                                           strip + aside_);
+              Strips logarithms(first, last, 0, 0);
+              sums[chunk] = entropyBins().takeLogarithms(
+                  smoothed.begin(), kernel, smoothed.size(), logarithms.begin());
+              strip = logarithms.begin();
+              for (const FilledRun* run = first; run < last; strip += lengthOf(*run++))
+                copyBlocks(strip, lengthOf(*run), logarithms_.begin() + firstOf(*run));
             });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -265,43 +287,56 @@ EntropyGrid::takeSensitivities()
 {
   // dH / dQ = -log2 Q - 1 / ln 2, whose constant cancels as the shares always sum to 1,
   // and so does the weight's. Where Q = 0 the splines' derivatives are 0 too.
-  const double mu = settings_.projection_weight;
-  for (const FilledRun& run : spread_) {
-    double* bins = bins_.begin() + firstOf(run);
-    const double* on_z = &on_z_[sizeOf(run.begin * block)];
-    const double on_x = on_x_[sizeOf(run.row % width_)];
-    for (std::int64_t j = 0; j < lengthOf(run); ++j)
-      bins[j] = -bins[j] - mu * (on_x + on_z[j]);
-  }
-  if (radius_ == 0)
-    return;
-  forChunks(widened_, [&](std::size_t, const FilledRun* first, const FilledRun* last) {
-    smoothAlong(bins_, first, last, half_smoothed_);
+  const SmoothingKernel kernel{float_kernel_.data(), radius_};
+  const std::vector<float> on_x = sensitivitiesOf(on_x_);
+  const std::vector<float> on_z = sensitivitiesOf(on_z_);
+  forChunks(filled_, [&](std::size_t, const FilledRun* first, const FilledRun* last) {
+    Strips smoothed(first, last, aside_, 0);
+    float* strip = smoothed.begin();
+    for (const FilledRun* run = first; run < last; ++run) {
+      const std::int64_t length = lengthOf(*run) + 2 * aside_;
+      entropyBins().smoothAcross(
+          logarithms_.begin() + firstOf(*run) - aside_, depth_, kernel, length, strip);
+      strip += length;
+    }
+    strip = smoothed.begin();
+    for (const FilledRun* run = first; run < last; ++run) {
+      entropyBins().takeFromLevels(
+          strip + aside_,
+          kernel,
+          {on_x[sizeOf(run->row % width_)], &on_z[sizeOf(run->begin * block)]},
+          lengthOf(*run),
+          bins_.begin() + firstOf(*run));
+      strip += lengthOf(*run) + 2 * aside_;
+    }
   });
-  smoothAcross(half_smoothed_, filled_, bins_);
+}
+
+std::vector<float>
+EntropyGrid::sensitivitiesOf(const std::vector<double>& logarithms) const
+{
+  const std::vector<double> smoothed = convolve(logarithms, kernel_);
+  std::vector<float> sensitivities(smoothed.size());
+  std::transform(
+      smoothed.begin(), smoothed.end(), sensitivities.begin(), [&](double logarithm) {
+        return static_cast<float>(-settings_.projection_weight * logarithm);
+      });
+  return sensitivities;
 }
 
 MapEntropyTerms
 EntropyGrid::finish(double weight, bool sensitivities)
 {
-  findRuns(marks_, 0, 2, filled_); // a mark stands for three rows
+  const BlockBits bits(marks_); // a mark stands for three rows
+  bits.findRuns(0, 2, 0, filled_);
+  bits.findRuns(radius_, radius_ + 2, aside_ / block, spread_);
   project();
-  if (radius_ > 0) {
-    findRuns(marks_, radius_, radius_ + 2, widened_);
-    widenRuns(widened_,
-              static_cast<std::int32_t>(wholeBlocks(radius_) / block),
-              static_cast<std::int32_t>(marks_.blocks),
-              spread_);
-    smoothAcross(bins_, widened_, half_smoothed_);
-  }
-  else
-    spread_ = filled_;
   const EntropyBins& loops = entropyBins();
   MapEntropyTerms terms;
-  terms.joint = entropyOf(takeLogarithms(), weight);
+  terms.joint = entropyOf(takeLogarithms(), weight * smoothed_weight_);
   terms.along_x =
-      entropyOf(loops.takeLogarithms(on_x_.data(), wholeBlocks(width_)), weight);
-  terms.along_z = entropyOf(loops.takeLogarithms(on_z_.data(), depth_), weight);
+      entropyOf(loops.takeExactLogarithms(on_x_.data(), wholeBlocks(width_)), weight);
+  terms.along_z = entropyOf(loops.takeExactLogarithms(on_z_.data(), depth_), weight);
   terms.total =
       terms.joint + settings_.projection_weight * (terms.along_x + terms.along_z);
   if (sensitivities)

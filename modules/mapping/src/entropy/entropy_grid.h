@@ -91,26 +91,25 @@ public:
   tell(MapEntropyReport& report) const;
 
 private:
-  /** \brief Zeroes, aligned, with room before the first and behind the last, as loops
-   * reach over the ends of rows. */
+  /** \brief Bins with room before the first and behind the last, as loops reach over the
+   * ends. */
   class Field {
   public:
     void
     reserve(std::int64_t bins, std::int64_t room);
 
-    double*
+    float*
     begin()
     {
       return values_.data() + room_;
     }
 
   private:
-    std::vector<double> values_;
+    std::vector<float> values_;
     std::int64_t room_ = 0;
   };
 
-  void
-  clear();
+  class Strips;
 
   std::int64_t
   firstOf(const FilledRun& run) const
@@ -118,18 +117,11 @@ private:
     return std::int64_t{run.row} * depth_ + std::int64_t{run.begin} * BinArray::block;
   }
 
-  void
-  smoothAcross(Field& from, const std::vector<FilledRun>& runs, Field& to);
-
-  void
-  smoothAlong(Field& from, const FilledRun* first, const FilledRun* last, Field& to);
-
   /** \brief Sums of what was filled in, smoothed: q_X and q_Z, not normalised. */
   void
   project();
 
-  /** \brief Smooths along rows what is smoothed across them.
-   * \return sum of q log2 q; each bin becomes its logarithm */
+  /** \brief Smooths and takes logarithms. \return sum of q log2 q */
   double
   takeLogarithms();
 
@@ -137,19 +129,31 @@ private:
   void
   takeSensitivities();
 
+  /** \brief What logarithms of projections add to these. */
+  std::vector<float>
+  sensitivitiesOf(const std::vector<double>& logarithms) const;
+
   MapEntropySettings settings_;
   std::vector<double> kernel_; ///< Gaussian, cut at 3 sigma; from its middle outwards
+  std::vector<float> float_kernel_;
+  double smoothed_weight_; ///< what floats make of a weight of 1, nearly that
   std::int64_t radius_, layers_;
+  std::int64_t aside_; ///< the radius in whole blocks, as bins
   std::int64_t first_x_ = 0, first_z_ = 0, width_ = 0, depth_ = 0;
   BinArray array_;
   BlockMarks marks_;
-  Field bins_, half_smoothed_; ///< 0 where no run says otherwise
-  std::vector<double> empty_row_;
-  std::vector<FilledRun> filled_;  ///< what was filled
-  std::vector<FilledRun> widened_; ///< and what smoothing along x reaches
-  std::vector<FilledRun> spread_;  ///< and along both axes
+  Field bins_;                    ///< 0 where no run of filled_ says otherwise
+  Field logarithms_;              ///< those in spread_ are of use
+  std::vector<FilledRun> filled_; ///< what was filled
+  std::vector<FilledRun> spread_; ///< and what smoothing reaches
   std::vector<double> on_x_, on_z_;
 };
+
+/** \brief A power of two by which the weights of a map are multiplied, so that floats
+ * can hold all their sums and logarithms are small.
+ * \param[in] weight of the whole map */
+double
+unitFor(double weight);
 
 /** \brief Layers of a grid. */
 int

@@ -97,8 +97,12 @@ rangeOf(const PosedBins& bins, const PointWeights& weights, MapExtent& extent)
   return range;
 }
 
+/** Adds integers, so that any order will do. */
 void
-fill(const PosedBins& bins, const PointWeights& weights, const EntropyGrid& grid)
+fill(const PosedBins& bins,
+     const PointWeights& weights,
+     const EntropyGrid& grid,
+     std::vector<double>& sums)
 {
   const BinArray& array = grid.bins();
   bins.forEachPoint([&](std::size_t i, double x, double z) {
@@ -107,7 +111,7 @@ fill(const PosedBins& bins, const PointWeights& weights, const EntropyGrid& grid
     const std::int64_t at = bins.layerOf(i) * array.layer +
                             (binOf(x) - grid.firstX()) * array.row + binOf(z) -
                             grid.firstZ();
-    array.bins[at] += static_cast<double>(weights[i]); // integers: any order will do
+    sums[static_cast<std::size_t>(at)] += static_cast<double>(weights[i]);
     array.marks[at / BinArray::block] = 1;
   });
 }
@@ -146,13 +150,19 @@ exactMapEntropy(const std::vector<PosedPoints>& observations,
   EntropyGrid grid(settings);
   grid.begin(all);
   grid.tell(report);
+  std::vector<double> sums(
+      static_cast<std::size_t>(layersOf(settings) * grid.bins().layer), 0);
   for (std::size_t i = 0; i < size; ++i) {
     progress.tell(0.4 + 0.5 * static_cast<double>(i) / static_cast<double>(size),
                   "bins");
-    fill({observations[i], settings}, {observations[i].weights, largest}, grid);
+    fill({observations[i], settings}, {observations[i].weights, largest}, grid, sums);
   }
+  const double unit = unitFor(extent.weight());
+  std::transform(sums.begin(), sums.end(), grid.bins().bins, [=](double sum) {
+    return static_cast<float>(sum * unit);
+  });
   progress.tell(0.9, "entropy");
-  MapEntropyTerms terms = grid.finish(extent.weight(), false);
+  MapEntropyTerms terms = grid.finish(extent.weight() * unit, false);
   terms.points = report.points - report.invalid_points - counted_before;
   terms.dimensions = extent.dimensions(1);
   remarkOnMap(terms, settings, report);

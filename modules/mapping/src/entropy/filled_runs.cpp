@@ -6,79 +6,103 @@
 namespace pcl::acmap {
 namespace {
 
-/** The next block from \a at on that is marked or, with \a mark 0, that is not. */
-std::int64_t
-findMark(const std::uint8_t* row, std::int64_t at, std::int64_t size, int mark)
+constexpr std::int64_t word_bits = 64;
+
+/** Eight marks, the first in the lowest byte: none of the product's sums carries into its
+ * highest byte. */
+std::uint64_t
+bitsOf(std::uint64_t marks)
 {
-  const void* found =
-      at < size ? std::memchr(row + at, mark, static_cast<std::size_t>(size - at))
-                : nullptr;
-  return found ? static_cast<const std::uint8_t*>(found) - row : size;
+  return (marks * 0x0102040810204080U) >> 56;
 }
 
-/** Runs of one row. */
 void
-addRuns(const std::uint8_t* marks,
-        std::int64_t row,
-        std::int64_t blocks,
-        std::vector<FilledRun>& runs)
+addBits(const std::uint8_t* marks, std::int64_t size, std::uint64_t* bits)
 {
-  for (std::int64_t end = 0; end < blocks;) {
-    const std::int64_t begin = findMark(marks, end, blocks, 1);
-    end = findMark(marks, begin, blocks, 0);
-    if (begin < end)
-      runs.push_back({static_cast<std::int32_t>(row),
-                      static_cast<std::int32_t>(begin),
-                      static_cast<std::int32_t>(end)});
+  constexpr std::int64_t bytes = 8;
+  for (std::int64_t at = 0; at < size; at += bytes) {
+    std::uint64_t eight = 0;
+    if (at + bytes <= size)
+      std::memcpy(&eight, marks + at, bytes);
+    else
+      std::memcpy(&eight, marks + at, static_cast<std::size_t>(size - at));
+    bits[at / word_bits] |= bitsOf(eight) << (at % word_bits);
   }
 }
 
+/** Runs of one word. \param[in] at block of its first bit */
 void
-addMarks(const std::uint8_t* marks, std::int64_t size, std::uint8_t* sum)
+addRuns(std::uint64_t word,
+        std::int32_t row,
+        std::int32_t at,
+        std::vector<FilledRun>& runs)
 {
-  for (std::int64_t i = 0; i < size; ++i)
-    sum[i] |= marks[i];
+  while (word != 0) {
+    const int first = __builtin_ctzll(word);
+    const std::uint64_t beyond = ~(word >> first);
+    const int length = beyond ? __builtin_ctzll(beyond) : word_bits;
+    if (first == 0 && !runs.empty() && runs.back().row == row && runs.back().end == at)
+      runs.back().end += length;
+    else
+      runs.push_back({row, at + first, at + first + length});
+    word &= word + (std::uint64_t{1} << first); // which carries to where the run ends
+  }
 }
 
 } // namespace
 
+BlockBits::BlockBits(const BlockMarks& blocks)
+: blocks_(blocks.blocks)
+, rows_(blocks.rows)
+, all_rows_(static_cast<std::int64_t>(blocks.marks.size()) / blocks.blocks)
+, words_((blocks.blocks + word_bits - 1) / word_bits)
+, bits_(static_cast<std::size_t>(all_rows_ * words_), 0)
+{
+  for (std::int64_t row = 0; row < all_rows_; ++row)
+    addBits(blocks.marks.data() + row * blocks_, blocks_, bits_.data() + row * words_);
+}
+
 void
-findRuns(const BlockMarks& blocks,
-         std::int64_t before,
-         std::int64_t after,
-         std::vector<FilledRun>& runs)
+BlockBits::findRuns(std::int64_t before,
+                    std::int64_t after,
+                    std::int64_t aside,
+                    std::vector<FilledRun>& runs) const
 {
   runs.clear();
-  const std::int64_t size = blocks.blocks;
-  const auto all_rows = static_cast<std::int64_t>(blocks.marks.size()) / size;
-  std::vector<std::uint8_t> around(static_cast<std::size_t>(size));
-  for (std::int64_t row = 0; row < all_rows; ++row) {
-    const std::int64_t layer = row / blocks.rows * blocks.rows;
+  std::vector<std::uint64_t> around(static_cast<std::size_t>(words_));
+  for (std::int64_t row = 0; row < all_rows_; ++row) {
+    const std::int64_t layer = row / rows_ * rows_;
     const std::int64_t first = std::max(row - after, layer);
-    const std::int64_t last = std::min(row + before, layer + blocks.rows - 1);
-    std::fill(around.begin(), around.end(), std::uint8_t{0});
-    for (std::int64_t near = first; near <= last; ++near)
-      addMarks(
-          &blocks.marks[static_cast<std::size_t>(near * size)], size, around.data());
-    addRuns(around.data(), row, size, runs);
+    const std::int64_t last = std::min(row + before, layer + rows_ - 1);
+    for (std::int64_t word = 0; word < words_; ++word) {
+      std::uint64_t sum = 0;
+      for (std::int64_t near = first; near <= last; ++near)
+        sum |= bits_[static_cast<std::size_t>(near * words_ + word)];
+      around[static_cast<std::size_t>(word)] = sum;
+    }
+    widen(around, aside);
+    for (std::int64_t word = 0; word < words_; ++word)
+      addRuns(around[static_cast<std::size_t>(word)],
+              static_cast<std::int32_t>(row),
+              static_cast<std::int32_t>(word * word_bits),
+              runs);
   }
 }
 
 void
-widenRuns(const std::vector<FilledRun>& runs,
-          std::int32_t aside,
-          std::int32_t blocks,
-          std::vector<FilledRun>& wide)
+BlockBits::widen(std::vector<std::uint64_t>& row, std::int64_t aside) const
 {
-  wide.clear();
-  for (const FilledRun& run : runs) {
-    const std::int32_t begin = std::max(run.begin - aside, 0);
-    const std::int32_t end = std::min(run.end + aside, blocks);
-    if (!wide.empty() && wide.back().row == run.row && wide.back().end >= begin)
-      wide.back().end = end;
-    else
-      wide.push_back({run.row, begin, end});
+  for (std::int64_t i = 0; i < aside; ++i) {
+    std::uint64_t before = 0;
+    for (std::size_t word = 0; word < row.size(); ++word) {
+      const std::uint64_t bits = row[word];
+      const std::uint64_t after = word + 1 < row.size() ? row[word + 1] : 0;
+      row[word] |= bits << 1 | before >> 63 | bits >> 1 | after << 63;
+      before = bits;
+    }
   }
+  if (blocks_ % word_bits != 0)
+    row.back() &= (std::uint64_t{1} << (blocks_ % word_bits)) - 1;
 }
 
 } // namespace pcl::acmap

@@ -18,22 +18,29 @@ struct BlockMarks {
   std::int64_t rows = 0;   ///< of a layer
 };
 
-/** \brief The marked blocks and those near them, in the order of rows.
- * \param[in] before, after how many rows of the same layer they reach beyond marks
- * \param[out] runs keep their memory, here and below */
-void
-findRuns(const BlockMarks& blocks,
-         std::int64_t before,
-         std::int64_t after,
-         std::vector<FilledRun>& runs);
+/** \brief The same as bits. */
+class BlockBits {
+public:
+  /** \param[in] blocks marks of 0 or 1 */
+  explicit BlockBits(const BlockMarks& blocks);
 
-/** \brief Runs that reach some blocks farther to both sides, within their rows; those
- * that meet become one.
- * \param[in] blocks of a row */
-void
-widenRuns(const std::vector<FilledRun>& runs,
-          std::int32_t aside,
-          std::int32_t blocks,
-          std::vector<FilledRun>& wide);
+  /** \brief The marked blocks and those near them, in the order of rows.
+   * \param[in] before, after how many rows of the same layer they reach beyond marks
+   * \param[in] aside how many blocks of the same row they reach farther to both sides
+   * \param[out] runs keep their memory */
+  void
+  findRuns(std::int64_t before,
+           std::int64_t after,
+           std::int64_t aside,
+           std::vector<FilledRun>& runs) const;
+
+private:
+  void
+  widen(std::vector<std::uint64_t>& row, std::int64_t aside) const;
+
+  std::int64_t blocks_, rows_, all_rows_;
+  std::int64_t words_;              ///< of a row
+  std::vector<std::uint64_t> bits_; ///< the lowest is the first block
+};
 
 } // namespace pcl::acmap

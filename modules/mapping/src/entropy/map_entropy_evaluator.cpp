@@ -40,6 +40,16 @@ add(const MapEntropyReport& counts, MapEntropyReport& report)
   report.cells += counts.cells;
 }
 
+double
+weightOf(const std::vector<EntropyCells>& observations)
+{
+  double sum = 0;
+  for (const EntropyCells& observation : observations)
+    for (const EntropyCell& cell : observation.cells)
+      sum += cell.weight;
+  return sum;
+}
+
 } // namespace
 
 MapEntropyEvaluator::MapEntropyEvaluator(const std::vector<EntropyCells>& observations,
@@ -47,9 +57,10 @@ MapEntropyEvaluator::MapEntropyEvaluator(const std::vector<EntropyCells>& observ
 {
   requireSmoothing(settings);
   state_.reset(new State{settings, {}, {}, EntropyGrid(settings)});
+  const double unit = unitFor(weightOf(observations));
   for (const EntropyCells& observation : observations) {
     count(observation, state_->counts);
-    state_->observations.emplace_back(observation, settings);
+    state_->observations.emplace_back(observation, settings, unit);
   }
 }
 

@@ -59,8 +59,10 @@ MovingCells::Arrays::view() const
 }
 
 MovingCells::MovingCells(const EntropyCells& observation,
-                         const MapEntropySettings& settings)
+                         const MapEntropySettings& settings,
+                         double unit)
 : bin_size_(settings.bin_size)
+, unit_(unit)
 , direction_aware_(settings.direction_aware)
 {
   const std::vector<EntropyCell>& cells = observation.cells;
@@ -85,7 +87,7 @@ MovingCells::MovingCells(const EntropyCells& observation,
 void
 MovingCells::add(const EntropyCell& cell, Arrays& arrays)
 {
-  const auto weight = static_cast<float>(cell.weight);
+  const auto weight = static_cast<float>(cell.weight * unit_);
   arrays.x.push_back(static_cast<float>((cell.x - reference_[0]) / bin_size_));
   arrays.z.push_back(static_cast<float>((cell.z - reference_[1]) / bin_size_));
   arrays.weight.push_back(weight);

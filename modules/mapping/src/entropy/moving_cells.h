@@ -20,11 +20,14 @@ namespace pcl::acmap {
  * a bin that it has just written. */
 class MovingCells {
 public:
-  /** \throws BadArgumentException where a cell is not finite, has a negative weight or is
+  /** \param[in] unit what weights are multiplied by
+   * \throws BadArgumentException where a cell is not finite, has a negative weight or is
    * farther than 2e9 m */
-  MovingCells(const EntropyCells& observation, const MapEntropySettings& settings);
+  MovingCells(const EntropyCells& observation,
+              const MapEntropySettings& settings,
+              double unit);
 
-  /** \brief Sum over the cells. */
+  /** \brief Sum over the cells, times the unit. */
   double
   weight() const
   {
@@ -68,6 +71,7 @@ private:
   motionUnder(const PlanarPose& pose) const;
 
   double bin_size_;
+  double unit_;
   bool direction_aware_;
   Eigen::Vector2d reference_ = Eigen::Vector2d::Zero(); ///< metres
   Arrays plain_, directed_;

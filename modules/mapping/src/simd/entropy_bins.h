@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 /** \brief Bins of a grid, by layer, then x, then z. */
 struct BinArray {
-  double* bins = nullptr;
+  float* bins = nullptr;
   std::int64_t row = 0;   ///< bins from one x to the next, a multiple of block
   std::int64_t layer = 0; ///< bins from one layer to the next
 
@@ -41,8 +41,14 @@ struct CellForces {
 
 /** \brief A symmetric kernel, weights from its middle outwards: radius + 1. */
 struct SmoothingKernel {
-  const double* weights;
+  const float* weights;
   std::int64_t radius;
+};
+
+/** \brief What smoothing is taken from: everywhere level + levels[j]. */
+struct SmoothingLevels {
+  float level;
+  const float* levels;
 };
 
 /** \brief Loops that take most of the time, in variants for processors; all give the same
@@ -58,25 +64,35 @@ struct EntropyBins {
   CellForces (*forces)(const CellArrays&, const CellMotion&, const BinArray&);
   CellForces (*forcesDirected)(const CellArrays&, const CellMotion&, const BinArray&);
 
-  /** Smooths along x. \param[in] rows first bins of the run and of those beside it, 2
-   * radius + 1; \a size a multiple of four, here and below */
-  void (*smoothAcross)(const double* const* rows,
+  /** Smooths along x. \param[in] bins the first of a run; also as many rows on each
+   * side as the radius are read \param[in] row bins from one x to the next; \a size a
+   * multiple of four, here and below */
+  void (*smoothAcross)(const float* bins,
+                       std::int64_t row,
                        const SmoothingKernel&,
                        std::int64_t size,
-                       double* out);
+                       float* out);
 
-  /** Smooths along z. \param[in] bins the first of a run; also those beside it are read,
-   * as many as the radius on each side */
-  void (*smoothAlong)(const double* bins,
-                      const SmoothingKernel&,
-                      std::int64_t size,
-                      double* out);
+  /** Smooths along z, which gives q. \param[in] bins the first of some; also those beside
+   * them are read, as many as the radius on each side \param[out] out log2 q, and 0 where
+   * q is 0 \return sum of q log2 q */
+  double (*takeLogarithms)(const float* bins,
+                           const SmoothingKernel&,
+                           std::int64_t size,
+                           float* out);
+
+  /** Smooths along z, as above, and takes that from levels. */
+  void (*takeFromLevels)(const float* bins,
+                         const SmoothingKernel&,
+                         const SmoothingLevels&,
+                         std::int64_t size,
+                         float* out);
 
   /** Adds bins to sums, one each. \return sum of the bins */
-  double (*sumUp)(const double* bins, std::int64_t size, double* sums);
+  double (*sumUp)(const float* bins, std::int64_t size, double* sums);
 
   /** Each q becomes log2 q, and 0 stays. \return sum of q log2 q */
-  double (*takeLogarithms)(double* bins, std::int64_t size);
+  double (*takeExactLogarithms)(double* values, std::int64_t size);
 };
 
 extern const EntropyBins entropy_bins_base;

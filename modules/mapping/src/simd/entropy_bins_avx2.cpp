@@ -7,8 +7,9 @@ const EntropyBins entropy_bins_avx2{fillCells<false>,
                                     forcesOnCells<false>,
                                     forcesOnCells<true>,
                                     smoothAcross,
-                                    smoothAlong,
+                                    takeLogarithms,
+                                    takeFromLevels,
                                     sumUp,
-                                    takeLogarithms};
+                                    takeExactLogarithms};
 
 } // namespace pcl::acmap

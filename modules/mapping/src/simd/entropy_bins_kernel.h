@@ -11,36 +11,34 @@ using pcl::acmap::CellArrays;
 using pcl::acmap::CellForces;
 using pcl::acmap::CellMotion;
 using pcl::acmap::SmoothingKernel;
+using pcl::acmap::SmoothingLevels;
 
 constexpr int wall_layers = 8;
 
 /** Quadratic B-spline: how places, in bins, are shared by three of them. At a border
  * between bins both roundings give the same. */
 struct Spline {
-  Lanes middle; ///< the second of the three
-  Lanes offset; ///< from its centre, within half a bin
-  Lanes shares[3];
+  Lanes middle;      ///< the second of the three
+  FourFloats offset; ///< from its centre, within half a bin
+  FourFloats shares[3];
 
   explicit ACMAP_INLINE
   Spline(const Lanes& place)
   {
-    const Lanes half = allLanes(0.5);
-    const Lanes centred = place - half;
+    const Lanes centred = place - allLanes(0.5);
     middle = roundLanes(centred);
-    offset = centred - middle;
-    const Lanes before = half - offset, after = half + offset;
-    shares[0] = half * before * before;
-    shares[1] = allLanes(0.75) - offset * offset;
-    shares[2] = half * after * after;
+    offset = floatsOf(centred - middle);
+    const FourFloats before = 0.5F - offset, after = 0.5F + offset;
+    shares[0] = 0.5F * before * before;
+    shares[1] = 0.75F - offset * offset;
+    shares[2] = 0.5F * after * after;
   }
 
   /** d share / d place */
-  ACMAP_INLINE Lanes
+  ACMAP_INLINE FourFloats
   slope(int k) const
   {
-    return k == 0   ? offset - allLanes(0.5)
-           : k == 1 ? allLanes(-2) * offset
-                    : offset + allLanes(0.5);
+    return k == 0 ? offset - 0.5F : k == 1 ? -2 * offset : offset + 0.5F;
   }
 };
 
@@ -112,20 +110,20 @@ struct Layers<true> {
 ACMAP_INLINE void
 fillBins(const BinArray& grid,
          std::int64_t first,
-         const Lanes& along,
-         double before,
-         double middle,
-         double after)
+         const FourFloats& along,
+         float before,
+         float middle,
+         float after)
 {
   constexpr auto block = static_cast<std::uint64_t>(BinArray::block);
   grid.marks[static_cast<std::uint64_t>(first) / block] = 1;
   grid.marks[static_cast<std::uint64_t>(first + 2) / block] = 1;
-  double* bins = grid.bins + first;
-  storeLanes(bins, loadLanes(bins) + allLanes(before) * along);
+  float* bins = grid.bins + first;
+  store(bins, load<FourFloats>(bins) + before * along);
   bins += grid.row;
-  storeLanes(bins, loadLanes(bins) + allLanes(middle) * along);
+  store(bins, load<FourFloats>(bins) + middle * along);
   bins += grid.row;
-  storeLanes(bins, loadLanes(bins) + allLanes(after) * along);
+  store(bins, load<FourFloats>(bins) + after * along);
 }
 
 template <bool directed>
@@ -135,17 +133,17 @@ fillCells(const CellArrays& cells, const CellMotion& motion, const BinArray& gri
   for (std::int64_t i = 0; i < cells.size; i += lane_count) {
     const PlacedCells placed(cells, i, motion, grid.row);
     const Layers<directed> layers(cells, i, motion);
-    const Lanes weight = loadLanes(cells.weight + i);
-    Lanes along[4] = {
-        placed.z.shares[0], placed.z.shares[1], placed.z.shares[2], allLanes(0)};
+    const auto weight = load<FourFloats>(cells.weight + i);
+    FourFloats along[4] = {
+        placed.z.shares[0], placed.z.shares[1], placed.z.shares[2], allFour(0)};
     transpose(along[0], along[1], along[2], along[3]);
     for (int layer = 0; layer < Layers<directed>::count; ++layer) {
-      Lanes part = weight;
+      FourFloats part = weight;
       if constexpr (directed)
         part = weight * layers.angle.shares[layer];
-      const Lanes before = part * placed.x.shares[0];
-      const Lanes middle = part * placed.x.shares[1];
-      const Lanes after = part * placed.x.shares[2];
+      const FourFloats before = part * placed.x.shares[0];
+      const FourFloats middle = part * placed.x.shares[1];
+      const FourFloats after = part * placed.x.shares[2];
       for (int cell = 0; cell < lane_count; ++cell)
         fillBins(grid,
                  placed.first[cell] + layers.offset(layer, cell, grid),
@@ -157,31 +155,33 @@ fillCells(const CellArrays& cells, const CellMotion& motion, const BinArray& gri
   }
 }
 
-/** What a field has around a cell, each bin along z: its level and how it rises along
- * x. */
-struct Strip {
-  Lanes level, rise;
+/** What a field has around a cell, each bin along z: its level (the low half) and how it
+ * rises along x. */
+struct StripReader {
+  Floats factors[3];
+
+  ACMAP_INLINE
+  StripReader(const Spline& x, int cell)
+  {
+    for (int k = 0; k < 3; ++k)
+      factors[k] = join(allFour(x.shares[k][cell]), allFour(x.slope(k)[cell]));
+  }
+
+  ACMAP_INLINE Floats
+  read(const float* bins, std::int64_t row) const
+  {
+    return factors[0] * twice(bins) + factors[1] * twice(bins + row) +
+           factors[2] * twice(bins + 2 * row);
+  }
+
+private:
+  static ACMAP_INLINE Floats
+  twice(const float* bins)
+  {
+    const auto floats = load<FourFloats>(bins);
+    return join(floats, floats);
+  }
 };
-
-ACMAP_INLINE Strip
-readStrip(const double* bins, std::int64_t row, const Spline& x, int cell)
-{
-  const Lanes before = loadLanes(bins);
-  const Lanes middle = loadLanes(bins + row);
-  const Lanes after = loadLanes(bins + 2 * row);
-  const double offset = x.offset[cell];
-  return {allLanes(x.shares[0][cell]) * before + allLanes(x.shares[1][cell]) * middle +
-              allLanes(x.shares[2][cell]) * after,
-          allLanes(offset - 0.5) * before + allLanes(-2 * offset) * middle +
-              allLanes(offset + 0.5) * after};
-}
-
-/** Of strips of four cells, one number a cell. */
-ACMAP_INLINE Lanes
-across(Lanes (&strips)[4], const Lanes& first, const Lanes& second, const Lanes& third)
-{
-  return first * strips[0] + second * strips[1] + third * strips[2];
-}
 
 template <bool directed>
 CellForces
@@ -191,106 +191,145 @@ forcesOnCells(const CellArrays& cells, const CellMotion& motion, const BinArray&
   for (std::int64_t i = 0; i < cells.size; i += lane_count) {
     const PlacedCells placed(cells, i, motion, grid.row);
     const Layers<directed> layers(cells, i, motion);
-    const Lanes weight = loadLanes(cells.weight + i);
-    Lanes level[4], rise[4], change[4];
+    const auto weight = load<FourFloats>(cells.weight + i);
+    Floats strips[4];
+    FourFloats changes[4];
     for (int cell = 0; cell < lane_count; ++cell) {
+      const StripReader reader(placed.x, cell);
+      const float* bins = grid.bins + placed.first[cell];
       if constexpr (directed) {
-        level[cell] = rise[cell] = change[cell] = allLanes(0);
+        strips[cell] = Floats{};
+        changes[cell] = FourFloats{};
         for (int layer = 0; layer < 3; ++layer) {
-          const Strip strip = readStrip(grid.bins + placed.first[cell] +
-                                            layers.offset(layer, cell, grid),
-                                        grid.row,
-                                        placed.x,
-                                        cell);
-          const Lanes share = allLanes(layers.angle.shares[layer][cell]);
-          level[cell] += share * strip.level;
-          rise[cell] += share * strip.rise;
-          change[cell] += allLanes(layers.angle.slope(layer)[cell]) * strip.level;
+          const Floats strip =
+              reader.read(bins + layers.offset(layer, cell, grid), grid.row);
+          strips[cell] += layers.angle.shares[layer][cell] * strip;
+          changes[cell] += layers.angle.slope(layer)[cell] * lowOf(strip);
         }
       }
-      else {
-        const Strip strip =
-            readStrip(grid.bins + placed.first[cell], grid.row, placed.x, cell);
-        level[cell] = strip.level;
-        rise[cell] = strip.rise;
-      }
+      else
+        strips[cell] = reader.read(bins, grid.row);
     }
     const Spline& z = placed.z;
-    transpose(level[0], level[1], level[2], level[3]);
-    transpose(rise[0], rise[1], rise[2], rise[3]);
-    const Lanes by_x = weight * across(rise, z.shares[0], z.shares[1], z.shares[2]);
-    const Lanes by_z = weight * across(level, z.slope(0), z.slope(1), z.slope(2));
+    transpose(strips[0], strips[1], strips[2], strips[3]);
+    const Floats by_z_and_x =
+        join(weight, weight) * (join(z.slope(0), z.shares[0]) * strips[0] +
+                                join(z.slope(1), z.shares[1]) * strips[1] +
+                                join(z.slope(2), z.shares[2]) * strips[2]);
+    const Lanes by_x = lanesOf(highOf(by_z_and_x)), by_z = lanesOf(lowOf(by_z_and_x));
     sum_x += by_x;
     sum_z += by_z;
     sum_turn += by_x * placed.along - by_z * placed.across;
     if constexpr (directed) {
-      transpose(change[0], change[1], change[2], change[3]);
-      sum_layers += weight * across(change, z.shares[0], z.shares[1], z.shares[2]);
+      transpose(changes[0], changes[1], changes[2], changes[3]);
+      sum_layers +=
+          lanesOf(weight * (z.shares[0] * changes[0] + z.shares[1] * changes[1] +
+                            z.shares[2] * changes[2]));
     }
   }
   return {sumOf(sum_x), sumOf(sum_z), sumOf(sum_turn), sumOf(sum_layers)};
 }
 
-/** Inlined with a constant radius where it is the usual one. */
-ACMAP_INLINE void
-smoothAcrossBy(const double* const* rows,
-               const double* weights,
-               std::int64_t radius,
-               std::int64_t size,
-               double* out)
+/** Sum over the middle and what lies on both sides of it, \a apart. */
+template <typename Vector>
+ACMAP_INLINE Vector
+smooth(const float* bins, std::int64_t apart, const SmoothingKernel& kernel)
 {
-  for (std::int64_t j = 0; j < size; j += lane_count) {
-    Lanes sum = allLanes(weights[0]) * loadLanes(rows[radius] + j);
-    for (std::int64_t i = 1; i <= radius; ++i)
-      sum += allLanes(weights[i]) *
-             (loadLanes(rows[radius - i] + j) + loadLanes(rows[radius + i] + j));
-    storeLanes(out + j, sum);
-  }
+  Vector sum = kernel.weights[0] * load<Vector>(bins);
+  for (std::int64_t i = 1; i <= kernel.radius; ++i)
+    sum += kernel.weights[i] *
+           (load<Vector>(bins - i * apart) + load<Vector>(bins + i * apart));
+  return sum;
 }
 
-ACMAP_INLINE void
-smoothAlongBy(const double* bins,
-              const double* weights,
-              std::int64_t radius,
-              std::int64_t size,
-              double* out)
+/** Calls loop with a kernel whose radius is known to the compiler where it is the usual
+ * one, a sigma of one bin. */
+template <typename Loop>
+ACMAP_INLINE auto
+withUsualRadius(const SmoothingKernel& kernel, const Loop& loop)
 {
-  for (std::int64_t j = 0; j < size; j += lane_count) {
-    Lanes sum = allLanes(weights[0]) * loadLanes(bins + j);
-    for (std::int64_t i = 1; i <= radius; ++i)
-      sum += allLanes(weights[i]) * (loadLanes(bins + j - i) + loadLanes(bins + j + i));
-    storeLanes(out + j, sum);
-  }
+  constexpr std::int64_t usual = 3;
+  return kernel.radius == usual ? loop(SmoothingKernel{kernel.weights, usual})
+                                : loop(kernel);
 }
 
-constexpr std::int64_t usual_radius = 3; // sigma of one bin
+constexpr std::int64_t float_count = 8;
 
 void
-smoothAcross(const double* const* rows,
+smoothAcross(const float* bins,
+             std::int64_t row,
              const SmoothingKernel& kernel,
              std::int64_t size,
-             double* out)
+             float* out)
 {
-  if (kernel.radius == usual_radius)
-    smoothAcrossBy(rows, kernel.weights, usual_radius, size, out);
-  else
-    smoothAcrossBy(rows, kernel.weights, kernel.radius, size, out);
-}
-
-void
-smoothAlong(const double* bins,
-            const SmoothingKernel& kernel,
-            std::int64_t size,
-            double* out)
-{
-  if (kernel.radius == usual_radius)
-    smoothAlongBy(bins, kernel.weights, usual_radius, size, out);
-  else
-    smoothAlongBy(bins, kernel.weights, kernel.radius, size, out);
+  withUsualRadius(
+      kernel, [=](const SmoothingKernel& by) __attribute__((always_inline)) {
+        std::int64_t j = 0;
+        for (; j + float_count <= size; j += float_count) {
+          __builtin_prefetch(bins + j + (by.radius + 3) * row);
+          store(out + j, smooth<Floats>(bins + j, row, by));
+        }
+        if (j < size)
+          store(out + j, smooth<FourFloats>(bins + j, row, by));
+      });
 }
 
 double
-sumUp(const double* bins, std::int64_t size, double* sums)
+takeLogarithms(const float* bins,
+               const SmoothingKernel& kernel,
+               std::int64_t size,
+               float* out)
+{
+  // Few enough floats are summed up that rounding stays far below that of bins.
+  constexpr std::int64_t part = 16 * float_count;
+  return withUsualRadius(
+      kernel, [=](const SmoothingKernel& by) __attribute__((always_inline)) {
+        Lanes sum = allLanes(0);
+        std::int64_t j = 0;
+        while (j + float_count <= size) {
+          const std::int64_t end = size - j > part ? j + part : size;
+          Floats sum_of_part{};
+          for (; j + float_count <= end; j += float_count) {
+            const auto q = smooth<Floats>(bins + j, 1, by);
+            const auto logarithm = log2Floats<FloatBits>(q);
+            sum_of_part += q * logarithm;
+            store(out + j, logarithm);
+          }
+          sum += lanesOf(lowOf(sum_of_part)) + lanesOf(highOf(sum_of_part));
+        }
+        if (j < size) {
+          const auto q = smooth<FourFloats>(bins + j, 1, by);
+          const auto logarithm = log2Floats<FourBits>(q);
+          sum += lanesOf(q * logarithm);
+          store(out + j, logarithm);
+        }
+        return sumOf(sum);
+      });
+}
+
+void
+takeFromLevels(const float* bins,
+               const SmoothingKernel& kernel,
+               const SmoothingLevels& from,
+               std::int64_t size,
+               float* out)
+{
+  withUsualRadius(
+      kernel, [=](const SmoothingKernel& by) __attribute__((always_inline)) {
+        std::int64_t j = 0;
+        for (; j + float_count <= size; j += float_count)
+          store(out + j,
+                from.level + load<Floats>(from.levels + j) -
+                    smooth<Floats>(bins + j, 1, by));
+        if (j < size)
+          store(out + j,
+                from.level + load<FourFloats>(from.levels + j) -
+                    smooth<FourFloats>(bins + j, 1, by));
+      });
+}
+
+double
+sumUp(const float* bins, std::int64_t size, double* sums)
 {
   Lanes sum = allLanes(0);
   for (std::int64_t j = 0; j < size; j += lane_count) {
@@ -302,15 +341,15 @@ sumUp(const double* bins, std::int64_t size, double* sums)
 }
 
 double
-takeLogarithms(double* bins, std::int64_t size)
+takeExactLogarithms(double* values, std::int64_t size)
 {
   Lanes sum = allLanes(0);
   for (std::int64_t j = 0; j < size; j += lane_count) {
-    const Lanes q = loadLanes(bins + j);
+    const Lanes q = loadLanes(values + j);
     const Lanes logarithm = reinterpret_cast<Lanes>(
         reinterpret_cast<LaneInts>(log2Lanes(q)) & (q > allLanes(0)));
     sum += q * logarithm;
-    storeLanes(bins + j, logarithm);
+    storeLanes(values + j, logarithm);
   }
   return sumOf(sum);
 }

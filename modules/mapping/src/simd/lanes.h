@@ -1,5 +1,6 @@
-// Four doubles at once, as a vector type of the compiler. For the inside of one source
-// file: all is in an unnamed namespace, since every variant is compiled with its own flags.
+// Four doubles, eight floats or four at once, as vector types of the compiler. For the
+// inside of one source file: all is in an unnamed namespace, since every variant is
+// compiled with its own flags.
 #pragma once
 
 // The vectors never pass between functions of different files.
@@ -10,6 +11,10 @@ namespace {
 typedef double Lanes __attribute__((vector_size(32), aligned(32)));
 typedef long long LaneInts __attribute__((vector_size(32), aligned(32)));
 typedef unsigned long long LaneBits __attribute__((vector_size(32), aligned(32)));
+typedef float Floats __attribute__((vector_size(32), aligned(32)));
+typedef unsigned FloatBits __attribute__((vector_size(32), aligned(32)));
+typedef float FourFloats __attribute__((vector_size(16), aligned(16)));
+typedef unsigned FourBits __attribute__((vector_size(16), aligned(16)));
 
 #define ACMAP_INLINE inline __attribute__((always_inline))
 
@@ -23,13 +28,63 @@ loadLanes(const double* from)
   return lanes;
 }
 
+/** Floats or FourFloats. */
+template <typename Vector>
+ACMAP_INLINE Vector
+load(const float* from)
+{
+  Vector floats;
+  __builtin_memcpy(&floats, from, sizeof floats);
+  return floats;
+}
+
+template <typename Vector>
+ACMAP_INLINE void
+store(float* to, const Vector& floats)
+{
+  __builtin_memcpy(to, &floats, sizeof floats);
+}
+
+ACMAP_INLINE Lanes
+lanesOf(const FourFloats& floats)
+{
+  return __builtin_convertvector(floats, Lanes);
+}
+
+ACMAP_INLINE FourFloats
+floatsOf(const Lanes& lanes)
+{
+  return __builtin_convertvector(lanes, FourFloats);
+}
+
 ACMAP_INLINE Lanes
 loadLanes(const float* from)
 {
-  typedef float Floats __attribute__((vector_size(16)));
-  Floats floats;
-  __builtin_memcpy(&floats, from, sizeof floats);
-  return __builtin_convertvector(floats, Lanes);
+  return lanesOf(load<FourFloats>(from));
+}
+
+ACMAP_INLINE Floats
+join(const FourFloats& low, const FourFloats& high)
+{
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+ACMAP_INLINE FourFloats
+lowOf(const Floats& floats)
+{
+  return __builtin_shufflevector(floats, floats, 0, 1, 2, 3);
+}
+
+ACMAP_INLINE FourFloats
+highOf(const Floats& floats)
+{
+  return __builtin_shufflevector(floats, floats, 4, 5, 6, 7);
+}
+
+ACMAP_INLINE FourFloats
+allFour(float value)
+{
+  return FourFloats{value, value, value, value};
 }
 
 ACMAP_INLINE void
@@ -52,16 +107,30 @@ sumOf(const Lanes& lanes)
 }
 
 ACMAP_INLINE void
-transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d)
+transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d)
 {
-  const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Lanes cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Lanes cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+  const FourFloats ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const FourFloats ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const FourFloats cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const FourFloats cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+/** The low halves and the high ones, each for itself. */
+ACMAP_INLINE void
+transpose(Floats& a, Floats& b, Floats& c, Floats& d)
+{
+  const Floats ab_low = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Floats ab_high = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Floats cd_low = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Floats cd_high = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 8, 9, 4, 5, 12, 13);
+  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 10, 11, 6, 7, 14, 15);
+  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
 /** Added to a number below 2^51 it leaves no bits for fractions: the sum's lowest bits
@@ -102,6 +171,26 @@ log2Lanes(const Lanes& values)
   for (int odd = 15; odd >= 1; odd -= 2)
     sum = sum * t2 + allLanes(scale / odd);
   return exponent + t * sum;
+}
+
+/** log2 of normal numbers to 2e-7 of the larger of it and 1; 0 for 0. \a Bits are
+ * integers as wide as the vector. */
+template <typename Bits, typename Vector>
+ACMAP_INLINE Vector
+log2Floats(const Vector& values)
+{
+  constexpr unsigned one = 0x3f800000, root_half = 0x3f3504f3, fraction = 0x007fffff,
+                     two_23 = 0x4b000000;
+  const Bits biased = reinterpret_cast<Bits>(values) + (one - root_half);
+  const Vector exponent =
+      reinterpret_cast<Vector>((biased >> 23) | two_23) - (0x1p23F + 127);
+  const Vector m = reinterpret_cast<Vector>((biased & fraction) + root_half);
+  const Vector t = (m - 1) / (m + 1);
+  const Vector t2 = t * t;
+  constexpr float scale = 2.8853900817779268F; // 2 / ln 2
+  const Vector sum = ((scale / 7 * t2 + scale / 5) * t2 + scale / 3) * t2 + scale;
+  return reinterpret_cast<Vector>(reinterpret_cast<Bits>(exponent + t * sum) &
+                                  reinterpret_cast<Bits>(values > 0));
 }
 
 } // namespace
