@@ -12,8 +12,8 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double least_fall = 1e-5;        ///< of F, for each observation
-constexpr double least_window_fall = 3e-5; ///< windows are but the beginning
+constexpr double least_fall = 3e-6;        ///< of F, for each observation
+constexpr double least_window_fall = 1e-5; ///< windows are but the beginning
 
 PointView
 viewOf(const std::vector<Eigen::Vector3f>& values)
