@@ -21,7 +21,7 @@ struct MapEntropySettings {
   bool direction_aware = false;
 };
 
-/** \brief A grid of more bins (all layers) is refused: two of them are held, 512 MB. */
+/** \brief A grid of more bins (all layers) is refused: two of them are held, 256 MB. */
 inline constexpr double maximum_entropy_bins = 33554432;
 
 /** \brief The points of an observation within half a bin of each other; within a whole
