@@ -3,13 +3,14 @@
 #include "cloud_fields.h"
 #include "memory.h"
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
+
+constexpr const char* work = "merging the observations";
 
 std::vector<FieldWish>
 fieldsOf(bool colored)
@@ -28,17 +29,10 @@ fieldsOf(bool colored)
 MapRows::MapRows(std::size_t points, bool colored)
 : cloud_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
 , colored_(colored)
+, promised_(points * cloud_.point_step)
 {
-  reserve(points * cloud_.point_step);
-}
-
-void
-MapRows::reserve(std::size_t bytes)
-{
-  if (bytes <= cloud_.data.capacity())
-    return;
-  requireMemory(bytes, "merging the observations");
-  cloud_.data.reserve(std::max(bytes, 2 * cloud_.data.size()));
+  requireMemory(promised_, work);
+  cloud_.data.reserve(promised_);
 }
 
 void
@@ -47,7 +41,9 @@ MapRows::append(const PointCloudFile& observation,
                 std::int32_t view)
 {
   const PointView points = observation.points();
-  reserve(cloud_.data.size() + points.size() * cloud_.point_step);
+  const std::size_t bytes = cloud_.data.size() + points.size() * cloud_.point_step;
+  if (bytes > promised_)
+    requireMemory(bytes, work);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];

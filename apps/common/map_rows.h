@@ -28,11 +28,9 @@ public:
   finish();
 
 private:
-  void
-  reserve(std::size_t bytes);
-
   PCLPointCloud2 cloud_;
   bool colored_;
+  std::size_t promised_; ///< bytes that there is memory for
 };
 
 } // namespace pcl::acmap
