@@ -54,6 +54,19 @@ Tool::addThreads()
 }
 
 void
+Tool::addSeed(std::uint64_t& seed)
+{
+  // A sign would wrap round to a large number.
+  const auto fault = [](const std::string& text) {
+    return text.rfind('-', 0) == 0 ? text + " is no whole number from 0 on"
+                                   : std::string();
+  };
+  app_.add_option("--seed", seed, "Number that all randomness begins with")
+      ->type_name("N")
+      ->check(CLI::Validator(fault, ""));
+}
+
+void
 Tool::addScale()
 {
   app_.add_option("--scale",

@@ -39,6 +39,10 @@ public:
   void
   addThreads();
 
+  /** \brief Adds `--seed`. */
+  void
+  addSeed(std::uint64_t& seed);
+
   /** \brief Adds `--scale`. */
   void
   addScale();

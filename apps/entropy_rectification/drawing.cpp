@@ -1,6 +1,6 @@
 #include "drawing.h"
 
-#include <pcl/core/output_file.h>
+#include <pcl/core/image_file.h>
 
 #include <algorithm>
 #include <cctype>
@@ -132,15 +132,6 @@ paste(const RgbImage& from, int column, int row, RgbImage& to)
 {
   for (int y = 0; y < from.height; ++y)
     std::copy_n(from.at(0, y), 3 * from.width, to.at(column, row + y));
-}
-
-void
-savePng(const std::string& path, const RgbImage& image)
-{
-  const std::vector<std::uint8_t> bytes = encodePng(image);
-  OutputFile file(path);
-  file.write(bytes.data(), bytes.size());
-  file.commit();
 }
 
 double

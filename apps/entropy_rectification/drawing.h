@@ -46,11 +46,6 @@ drawText(
 void
 paste(const RgbImage& from, int column, int row, RgbImage& to);
 
-/** \brief Writes it as PNG.
- * \throws OutputFileException when it could not be written */
-void
-savePng(const std::string& path, const RgbImage& image);
-
 /** \brief A round length for ticks and scale bars: the largest of 1, 2 and 5 times
  * powers of ten that is at most \a most, which is finite and above 0. */
 double

@@ -68,10 +68,7 @@ addOptions(Tool& tool, RectificationOptions& options)
       ->default_str("0.05, of a log 0.1")
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(1e-3, 1e3).description(""));
-  app.add_option(
-         "--seed", options.settings.seed, "Number that all randomness begins with")
-      ->type_name("N")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
+  tool.addSeed(options.settings.seed);
   tool.addThreads();
 }
 

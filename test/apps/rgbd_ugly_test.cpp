@@ -84,7 +84,7 @@ TEST_F(UglyRgbd, BrokenImagesInTheMiddle)
   std::filesystem::remove(input_.path(color));
   expectBroken(color, "No such file");
   input_.write(color, "no image");
-  expectBroken(color, "is no PNG and no JPEG");
+  expectBroken(color, "is no PNG, JPEG, PGM or PPM");
   input_.write(color, textOfBytes(encodePng(tellingColors(1, 9, 6))));
   expectBroken(color, "has 9 x 6 pixels");
 }

@@ -183,12 +183,47 @@ TEST_F(ImageFile, WhatIsNoImageIsNamed)
   EXPECT_THAT(faultOf([&] { loadGrayImage16(folder_.path("")); }),
               HasSubstr("is a folder"));
   EXPECT_THAT(rgbFault(""), HasSubstr("image: is empty"));
-  EXPECT_THAT(rgbFault("P6 1 1 255 abc"), HasSubstr("image: is no PNG and no JPEG"));
-  EXPECT_THAT(rgbFault("x"), HasSubstr("is no PNG and no JPEG"));
+  EXPECT_THAT(rgbFault("P4 1 1 255 abc"), HasSubstr("is no PNG, JPEG, PGM or PPM"));
+  EXPECT_THAT(rgbFault("x"), HasSubstr("is no PNG, JPEG, PGM or PPM"));
   EXPECT_THAT(rgbFault("\xff\xd8\xff"), HasSubstr("image: has no pixels"));
   EXPECT_THAT(rgbFault("\x89PNG\r\n\x1a\n"), HasSubstr("image: PNG: is truncated"));
   EXPECT_THAT(grayFault(textOfBytes(encodeJpeg(sampleImage(), 80))),
               HasSubstr("image: is no PNG"));
+}
+
+TEST_F(ImageFile, ReadsPgmAndPpm)
+{
+  using Values = std::vector<std::uint8_t>;
+  const RgbImage color = rgbOf("P6 # made by hand\n2 1\n255\nabcdef");
+  EXPECT_EQ(color.width, 2);
+  EXPECT_EQ(color.height, 1);
+  EXPECT_EQ(color.values, (Values{'a', 'b', 'c', 'd', 'e', 'f'}));
+  const RgbImage grey = rgbOf("P5\n1 2 255\n #");
+  EXPECT_EQ(grey.height, 2);
+  EXPECT_EQ(grey.values, (Values{' ', ' ', ' ', '#', '#', '#'}));
+
+  EXPECT_THAT(rgbFault("P6 2 1 255 abcde"), HasSubstr("6 bytes, 5 follow"));
+  EXPECT_THAT(rgbFault("P5 2 1 255 abc"), HasSubstr("2 bytes, 3 follow"));
+  EXPECT_THAT(rgbFault("P5 2 1 65535 abcd"), HasSubstr("8 bits"));
+  EXPECT_THAT(rgbFault("P5 2 # 1 255 ab"), HasSubstr("lacks a number"));
+  EXPECT_THAT(rgbFault("P5 -2 1 255 ab"), HasSubstr("lacks a number"));
+  EXPECT_THAT(rgbFault("P5 2 1 255"), HasSubstr("lacks a space"));
+  EXPECT_THAT(rgbFault("P5 0 1 255 "), HasSubstr("has no pixels"));
+  EXPECT_THAT(rgbFault("P5 99999999999999999999 1 255 a"), HasSubstr("header"));
+  EXPECT_THAT(rgbFault("P6 40000 40000 255 abc"), HasSubstr("at most"));
+  EXPECT_THAT(rgbFault("P6 16384 16384 255 abc"), HasSubstr("is truncated"));
+}
+
+TEST_F(ImageFile, SavedPngsReadBackEqual)
+{
+  const RgbImage image = sampleImage();
+  savePng(folder_.path("color.png"), image);
+  EXPECT_EQ(loadRgbImage(folder_.path("color.png")).values, image.values);
+  savePng(folder_.path("grey.png"), 2, 1, {7, 250});
+  EXPECT_EQ(loadGrayImage16(folder_.path("grey.png")).values,
+            (std::vector<std::uint16_t>{7, 250}));
+  EXPECT_THROW(savePng(folder_.path("none.png"), 2, 1, {7}), BadArgumentException);
+  EXPECT_THROW(savePng(folder_.path("none/x.png"), image), OutputFileException);
 }
 
 TEST_F(ImageFile, DepthHasOneChannelOfWholeBytes)

@@ -1,6 +1,9 @@
 #include "byte_source.h"
 #include "images/image_codecs.h"
 
+#include <pcl/core/image_file.h>
+#include <pcl/core/output_file.h>
+
 #include <algorithm>
 
 namespace pcl {
@@ -82,6 +85,14 @@ loadImage(const std::string& path, const Kind& is_known, const Decode& decode)
   }
 }
 
+void
+saveBytes(const std::string& path, const std::vector<std::uint8_t>& bytes)
+{
+  OutputFile file(path);
+  file.write(bytes.data(), bytes.size());
+  file.commit();
+}
+
 } // namespace
 } // namespace acmap
 
@@ -91,11 +102,14 @@ loadRgbImage(const std::string& path)
   return acmap::loadImage(
       path,
       [](const acmap::ImageBytes& begin) {
-        return acmap::isPng(begin) || acmap::isJpeg(begin) ? nullptr
-                                                           : "is no PNG and no JPEG";
+        return acmap::isPng(begin) || acmap::isJpeg(begin) || acmap::isPnm(begin)
+                   ? nullptr
+                   : "is no PNG, JPEG, PGM or PPM";
       },
       [](const acmap::ImageBytes& bytes) {
-        return acmap::isPng(bytes) ? acmap::decodePng(bytes) : acmap::decodeJpeg(bytes);
+        return acmap::isPng(bytes)    ? acmap::decodePng(bytes)
+               : acmap::isJpeg(bytes) ? acmap::decodeJpeg(bytes)
+                                      : acmap::decodePnm(bytes);
       });
 }
 
@@ -108,6 +122,21 @@ loadGrayImage16(const std::string& path)
         return acmap::isPng(begin) ? nullptr : "is no PNG";
       },
       &acmap::decodeGrayPng);
+}
+
+void
+savePng(const std::string& path, const RgbImage& image)
+{
+  acmap::saveBytes(path, encodePng(image));
+}
+
+void
+savePng(const std::string& path,
+        std::int32_t width,
+        std::int32_t height,
+        const std::vector<std::uint8_t>& values)
+{
+  acmap::saveBytes(path, encodePng(width, height, values));
 }
 
 } // namespace pcl

@@ -1,6 +1,7 @@
 #include <pcl/core/trinocular_rig.h>
 
 #include "number_text.h"
+#include "rig_text.h"
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/output_file.h>
@@ -76,14 +77,21 @@ acmap::readTrinocularRig(const YamlNode& map)
   return rig;
 }
 
-void
-saveTrinocularRig(const std::string& path, const TrinocularRig& rig)
+std::string
+acmap::rigText(const TrinocularRig& rig)
 {
-  requireSoundRig(rig);
   std::string text = "%YAML:1.0\n---\nwidth: " + std::to_string(rig.width) +
                      "\nheight: " + std::to_string(rig.height) + "\n";
   for (const RealKey& key : realKeys())
     text += std::string(key.name) + ": " + acmap::textOf(rig.*key.value) + "\n";
+  return text;
+}
+
+void
+saveTrinocularRig(const std::string& path, const TrinocularRig& rig)
+{
+  requireSoundRig(rig);
+  const std::string text = acmap::rigText(rig);
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

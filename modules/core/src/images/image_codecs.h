@@ -22,6 +22,10 @@ isPng(const ImageBytes& bytes);
 bool
 isJpeg(const ImageBytes& bytes);
 
+/** \brief A binary PGM or PPM. */
+bool
+isPnm(const ImageBytes& bytes);
+
 /** \throws DamagedImage */
 RgbImage
 decodePng(const ImageBytes& bytes);
@@ -33,6 +37,11 @@ decodeGrayPng(const ImageBytes& bytes);
 /** \throws DamagedImage */
 RgbImage
 decodeJpeg(const ImageBytes& bytes);
+
+/** \brief Of 8 bits; grey becomes colour.
+ * \throws DamagedImage */
+RgbImage
+decodePnm(const ImageBytes& bytes);
 
 /** \brief Refuses sizes that no image can have, or that this many bytes cannot fill.
  * \param[in] pixels_per_byte more than these the format cannot pack into a byte

@@ -38,10 +38,10 @@ struct GrayImage16 {
   std::vector<std::uint16_t> values; ///< width * height, rows from the top
 };
 
-/** \brief Reads a PNG or JPEG; its first bytes tell which, not its name. Grey ones become
- * colour, transparency is dropped.
- * \throws InputFileException when it is missing, neither, truncated, damaged, or has more
- * than 2^28 pixels */
+/** \brief Reads a PNG, a JPEG, or a binary PGM or PPM of 8 bits; its first bytes tell
+ * which, not its name. Grey ones become colour, transparency is dropped.
+ * \throws InputFileException when it is missing, none of these, truncated, damaged, or
+ * has more than 2^28 pixels */
 ACMAP_EXPORT RgbImage
 loadRgbImage(const std::string& path);
 
@@ -62,6 +62,19 @@ ACMAP_EXPORT std::vector<std::uint8_t>
 encodePng(std::int32_t width,
           std::int32_t height,
           const std::vector<std::uint8_t>& values);
+
+/** \brief Writes a PNG.
+ * \throws BadArgumentException as above
+ * \throws OutputFileException when the file could not be written whole */
+ACMAP_EXPORT void
+savePng(const std::string& path, const RgbImage& image);
+
+/** \brief The same of a grey image. */
+ACMAP_EXPORT void
+savePng(const std::string& path,
+        std::int32_t width,
+        std::int32_t height,
+        const std::vector<std::uint8_t>& values);
 
 /** \brief The bytes of a JPEG file.
  * \param[in] quality 1 to 100

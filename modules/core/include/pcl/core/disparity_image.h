@@ -1,0 +1,57 @@
+#pragma once
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief How far each pixel of a reference view moves into a neighbour's view, in px:
+ * focal length times baseline over depth. Rows from the top, each from the left; NaN where
+ * there is none. \ingroup core */
+struct DisparityImage {
+  std::int32_t width = 0;    ///< pixels
+  std::int32_t height = 0;   ///< pixels
+  std::vector<float> values; ///< width * height, px
+
+  float&
+  at(std::int32_t column, std::int32_t row)
+  {
+    return values[index(column, row)];
+  }
+
+  float
+  at(std::int32_t column, std::int32_t row) const
+  {
+    return values[index(column, row)];
+  }
+
+private:
+  std::size_t
+  index(std::int32_t column, std::int32_t row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+};
+
+/** \brief Writes a grey PFM ("Pf"), little-endian; what is NaN becomes infinite, as the
+ * Middlebury benchmark has it.
+ * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
+ * all its values
+ * \throws OutputFileException when the file could not be written whole */
+ACMAP_EXPORT void
+savePfm(const std::string& path, const DisparityImage& image);
+
+/** \brief Reads a grey PFM of either byte order; its scale is not applied. What is not
+ * finite becomes NaN.
+ * \throws InputFileException naming file and fault: missing, no grey PFM, no size that can
+ * be, fewer or more bytes than it claims */
+ACMAP_EXPORT DisparityImage
+loadPfm(const std::string& path);
+
+} // namespace pcl
