@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(PNG REQUIRED)
+find_package(X11 REQUIRED COMPONENTS Xrandr)
 find_package(ZLIB REQUIRED)
 
 # liblzf comes without a package file.
@@ -31,6 +32,18 @@ set_target_properties(
 # FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
 find_library(LZ4_LIBRARY lz4 REQUIRED)
 mark_as_advanced(LZ4_LIBRARY)
+
+# OpenCV's package file comes with all of OpenCV only; three parts of it are enough.
+find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4 REQUIRED)
+mark_as_advanced(OPENCV_INCLUDE_DIR)
+foreach(part IN ITEMS core imgproc calib3d)
+  find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
+  mark_as_advanced(OPENCV_${part}_LIBRARY)
+  add_library(opencv_${part} UNKNOWN IMPORTED)
+  set_target_properties(
+    opencv_${part} PROPERTIES IMPORTED_LOCATION "${OPENCV_${part}_LIBRARY}"
+                              INTERFACE_INCLUDE_DIRECTORIES "${OPENCV_INCLUDE_DIR}")
+endforeach()
 
 # Eigen's alignment decides the layout of PCL's points: users of acmap must agree with it.
 set(CMAKE_REQUIRED_LIBRARIES Eigen3::Eigen)

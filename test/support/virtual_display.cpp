@@ -11,7 +11,7 @@ namespace pcl::acmap::test {
 namespace {
 
 [[noreturn]] void
-becomeServer(int number_to)
+becomeServer(int number_to, const std::string& screen)
 {
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDERR_FILENO);
@@ -22,7 +22,7 @@ becomeServer(int number_to)
          descriptor.c_str(),
          "-screen",
          "0",
-         "1280x960x24",
+         screen.c_str(),
          "-noreset",
          "-nolisten",
          "tcp",
@@ -44,31 +44,55 @@ lineFrom(int descriptor)
 
 VirtualDisplay::VirtualDisplay()
 {
-  if (const char* name = std::getenv("DISPLAY"); name && *name) {
+  if (const char* name = std::getenv("DISPLAY"); name && *name)
     exists_ = true;
-    return;
-  }
+  else
+    start("1280x960x24");
+}
+
+VirtualDisplay::VirtualDisplay(const std::string& screen)
+{
+  start(screen);
+}
+
+VirtualDisplay::~VirtualDisplay()
+{
+  stop();
+}
+
+void
+VirtualDisplay::start(const std::string& screen)
+{
   int ends[2];
   if (pipe(ends) != 0)
     return;
   server_ = fork();
   if (server_ == 0)
-    becomeServer(ends[1]);
+    becomeServer(ends[1], screen);
   close(ends[1]);
   const std::string number = lineFrom(ends[0]);
   close(ends[0]);
   exists_ = !number.empty();
-  if (exists_)
-    setenv("DISPLAY", (":" + number).c_str(), 1);
+  if (!exists_)
+    return;
+  if (const char* name = std::getenv("DISPLAY"))
+    display_before_ = name;
+  setenv("DISPLAY", (":" + number).c_str(), 1);
 }
 
-VirtualDisplay::~VirtualDisplay()
+void
+VirtualDisplay::stop()
 {
   if (server_ <= 0)
     return;
-  unsetenv("DISPLAY");
+  if (display_before_.empty())
+    unsetenv("DISPLAY");
+  else
+    setenv("DISPLAY", display_before_.c_str(), 1);
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
+  server_ = -1;
+  exists_ = false;
 }
 
 } // namespace pcl::acmap::test

@@ -11,6 +11,11 @@ namespace pcl::acmap::test {
 class VirtualDisplay {
 public:
   VirtualDisplay();
+
+  /** \brief Always a virtual one.
+   * \param[in] screen width, height and depth, as 1280x960x24 */
+  explicit VirtualDisplay(const std::string& screen);
+
   ~VirtualDisplay();
 
   VirtualDisplay(const VirtualDisplay&) = delete;
@@ -24,9 +29,17 @@ public:
     return exists_;
   }
 
+  /** \brief Ends the virtual one, whoever is connected to it. */
+  void
+  stop();
+
 private:
+  void
+  start(const std::string& screen);
+
   bool exists_ = false;
   pid_t server_ = -1;
+  std::string display_before_;
 };
 
 } // namespace pcl::acmap::test

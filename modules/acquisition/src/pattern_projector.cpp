@@ -1,0 +1,7 @@
+#include <pcl/acquisition/pattern_projector.h>
+
+namespace pcl {
+
+PatternProjector::~PatternProjector() = default;
+
+} // namespace pcl

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <pcl/acquisition/trinocular_file_grabber.h>
+
+#include <mutex>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief The report of a grabber, to which reading adds. A frame that is read again adds
+ * nothing. */
+class FrameFindings {
+public:
+  explicit FrameFindings(TrinocularFileReport report);
+
+  void
+  addBroken(std::uint64_t number, const std::string& fault);
+
+  /** \brief Looks how bright the images are. */
+  void
+  addRead(const TrinocularFrame& frame);
+
+  TrinocularFileReport
+  report() const;
+
+private:
+  void
+  add(std::vector<std::uint64_t> TrinocularFileReport::*list,
+      std::uint64_t number,
+      const std::string& remark);
+
+  mutable std::mutex mutex_;
+  TrinocularFileReport report_;
+};
+
+} // namespace pcl::acmap

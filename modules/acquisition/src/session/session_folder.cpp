@@ -1,0 +1,167 @@
+#include "session_folder.h"
+
+#include "disk_sync.h"
+
+#include <pcl/core/output_file.h>
+#include <pcl/core/yaml_node.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t version = 1;
+constexpr std::size_t number_digits = 6; // at least
+constexpr const char* summary_name = "session.yaml";
+const std::string frame_begin = "frame_";
+
+/** The number of a file that is named just as this recorder names it. */
+std::optional<std::uint64_t>
+numberOfFile(const std::string& name)
+{
+  if (name.size() <= frame_begin.size())
+    return std::nullopt;
+  std::uint64_t number = 0;
+  std::from_chars(name.data() + frame_begin.size(), name.data() + name.size(), number);
+  if (frameFileName(number) != name)
+    return std::nullopt;
+  return number;
+}
+
+std::array<bool, 3>
+readCameras(const YamlNode& list)
+{
+  std::array<bool, 3> cameras{};
+  for (const YamlNode& entry : list.list(0, cameras.size())) {
+    std::size_t camera = 0;
+    while (camera < cameras.size() &&
+           entry.text() != nameOf(static_cast<RigCamera>(camera)))
+      ++camera;
+    if (camera == cameras.size() || cameras[camera])
+      entry.fail("is no camera, or stands twice: reference, horizontal, vertical");
+    cameras[camera] = true;
+  }
+  return cameras;
+}
+
+} // namespace
+
+std::string
+frameFileName(std::uint64_t number)
+{
+  std::string digits = std::to_string(number);
+  if (digits.size() < number_digits)
+    digits.insert(0, number_digits - digits.size(), '0');
+  return frame_begin + digits + ".acf";
+}
+
+std::string
+pathIn(const std::string& folder, const std::string& name)
+{
+  return (fs::path(folder) / name).string();
+}
+
+void
+saveSessionSummary(const std::string& folder, const SessionSummary& summary)
+{
+  std::string cameras;
+  for (std::size_t camera = 0; camera < summary.cameras.size(); ++camera)
+    if (summary.cameras[camera])
+      cameras += (cameras.empty() ? "" : ", ") +
+                 std::string(nameOf(static_cast<RigCamera>(camera)));
+  const std::string text = "%YAML:1.0\n---\nversion: " + std::to_string(version) +
+                           "\nrig: " + summary.rig +
+                           "\nframes: " + std::to_string(summary.frames) +
+                           "\nobservations: " + std::to_string(summary.observations) +
+                           "\npatterns: " + std::to_string(summary.patterns) +
+                           "\ncameras: [" + cameras + "]\n";
+  const std::string path = pathIn(folder, summary_name);
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+  syncToDisk(path);
+}
+
+std::optional<SessionSummary>
+loadSessionSummary(const std::string& folder)
+{
+  const std::string path = pathIn(folder, summary_name);
+  std::error_code error;
+  if (!fs::exists(path, error) && !error)
+    return std::nullopt;
+  const YamlNode map = loadYaml(path);
+  constexpr std::size_t most = std::size_t{1} << 31;
+  map.at("version").count(version, version);
+  map.requireKeys({"version", "rig", "frames", "observations", "patterns", "cameras"});
+  SessionSummary summary;
+  summary.rig = map.at("rig").text();
+  if (fs::path(summary.rig).filename() != summary.rig)
+    map.at("rig").fail("must name a file in the folder of the session");
+  summary.frames = map.at("frames").count(0, most);
+  summary.observations = map.at("observations").count(0, most);
+  summary.patterns = map.at("patterns").count(0, most);
+  summary.cameras = readCameras(map.at("cameras"));
+  return summary;
+}
+
+std::vector<std::uint64_t>
+listFrames(const std::string& folder)
+{
+  std::vector<std::uint64_t> numbers;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (const auto number = numberOfFile(entry->path().filename().string()))
+      numbers.push_back(*number);
+  if (error)
+    throw InputFileException(folder + ": " + error.message());
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+bool
+holdsSession(const std::string& folder)
+{
+  std::error_code error;
+  for (const char* const name : {summary_name, "rig.yaml"})
+    if (fs::exists(pathIn(folder, name), error))
+      return true;
+  return !listFrames(folder).empty();
+}
+
+std::string
+faultOfSize(const ImageRecord& image, const TrinocularRig& rig)
+{
+  if (image.width == static_cast<std::uint32_t>(rig.width) &&
+      image.height == static_cast<std::uint32_t>(rig.height))
+    return "";
+  return std::to_string(image.width) + " x " + std::to_string(image.height) +
+         " pixels, the rig has " + std::to_string(rig.width) + " x " +
+         std::to_string(rig.height);
+}
+
+std::string
+faultUnderRig(const FrameHeader& header, const TrinocularRig& rig)
+{
+  const std::array<bool, 3> expected{
+      true, rig.baseline_horizontal != 0.0, rig.baseline_vertical != 0.0};
+  for (std::size_t camera = 0; camera < expected.size(); ++camera) {
+    const ImageRecord& image = header.images[camera];
+    std::string fault;
+    if (expected[camera] != (image.width > 0))
+      fault = expected[camera] ? "has no image, the rig has such a camera"
+                               : "has an image, the rig has no such camera";
+    else if (expected[camera])
+      fault = faultOfSize(image, rig);
+    if (!fault.empty())
+      return std::string(nameOf(static_cast<RigCamera>(camera))) + " camera: " + fault;
+  }
+  return "";
+}
+
+} // namespace pcl::acmap
