@@ -1,0 +1,104 @@
+#include "calibration_options.h"
+
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <set>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Reads a whole number and moves behind it; 0 when there is none. */
+int
+takeCount(const char*& at, const char* end)
+{
+  int count = 0;
+  at = std::from_chars(at, end, count).ptr;
+  return count;
+}
+
+/** \brief Without it, a list that was left empty would take the next option for an image. */
+std::string
+faultOfImage(const std::string& path)
+{
+  if (path.empty())
+    return "an image without a name";
+  return path.rfind("--", 0) == 0 ? "images are missing before " + path : "";
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, CalibrationOptions& options)
+{
+  CLI::App& app = tool.options();
+  const auto images = [&](RigCamera camera, const char* name, const char* purpose) {
+    return app
+        .add_option(name, options.images[static_cast<std::size_t>(camera)], purpose)
+        ->type_name("IMG..")
+        ->default_str("")
+        ->check(CLI::Validator(faultOfImage, ""));
+  };
+  images(RigCamera::Reference,
+         "--reference",
+         "Board images of the reference camera, PNG or JPEG, a shot each")
+      ->required();
+  images(RigCamera::Horizontal,
+         "--horizontal",
+         "Of its neighbour in the row: the same shots in the same order");
+  images(RigCamera::Vertical, "--vertical", "Of its neighbour in the column, as above");
+  app.add_option("--board",
+                 options.board,
+                 "Inner corners of the chessboard, one count even, the other odd")
+      ->type_name("COLUMNSxROWS");
+  app.add_option(
+         "--square", options.square, "Side of a square of the board, metres, measured")
+      ->type_name("M")
+      ->required()
+      ->default_str("");
+  app.add_option("-o,--output", options.output, "Where the calibration goes")
+      ->type_name("RIG.yaml")
+      ->required();
+}
+
+CalibrationBoard
+boardOf(const CalibrationOptions& options)
+{
+  CalibrationBoard board;
+  board.square = options.square;
+  const char* at = options.board.data();
+  const char* const end = at + options.board.size();
+  board.columns = takeCount(at, end);
+  const bool has_cross = at != end && *at == 'x';
+  if (has_cross)
+    ++at;
+  board.rows = takeCount(at, end);
+  if (!has_cross || at != end || board.columns < 3 || board.rows < 3)
+    throw UsageError("--board: '" + options.board.substr(0, 40) +
+                     "' is none: two counts from 3 on are needed, as in 9x6");
+  return board;
+}
+
+void
+requireShots(const CalibrationOptions& options)
+{
+  const auto& [reference, horizontal, vertical] = options.images;
+  if (horizontal.empty() && vertical.empty())
+    throw UsageError("--horizontal or --vertical is needed, or both");
+  std::set<std::string> paths;
+  for (const std::vector<std::string>& list : options.images) {
+    if (!list.empty() && list.size() != reference.size())
+      throw UsageError("the cameras have " + std::to_string(reference.size()) + ", " +
+                       std::to_string(horizontal.size()) + " and " +
+                       std::to_string(vertical.size()) +
+                       " images: all need one of each shot");
+    for (const std::string& path : list)
+      if (!paths.insert(path).second)
+        throw UsageError(path + ": stands twice among the images");
+  }
+}
+
+} // namespace pcl::acmap
