@@ -1,85 +1,32 @@
 #include "memory.h"
 #include "observation_folder.h"
 #include "output_target.h"
-#include "tool.h"
+#include "simulated_rig/raw_session.h"
+#include "simulated_rig/simulation_options.h"
+#include "simulated_rig/truth_file.h"
 
-#include <pcl/core/build_config.h>
-#include <pcl/core/output_file.h>
 #include <pcl/core/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
-#include <optional>
+#include <utility>
 
 namespace {
 
 using namespace pcl::acmap;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* rig_name = "rig.yaml";
-constexpr const char* truth_name = "truth.json";
-
-struct Options {
-  std::string output;
-  std::string scene = "corridor";
-  std::size_t observations = 0;
-  std::uint64_t seed = 1;
-  bool clouds = false;
-  std::string merged;
-};
-
-/** \brief What was done, for summary and report. */
+/** \brief What was done with --clouds, for summary and report. */
 struct Counts {
   std::size_t observations = 0;
-  std::size_t points = 0;
+  PointCounts points;
   std::size_t sparse = 0; ///< observations with fewer points than asked for
   std::string first_sparse;
-  std::vector<std::size_t> points_of_label;
 };
-
-std::string
-listOfScenes(const char* separator)
-{
-  std::string list;
-  for (const std::string& name : pcl::standardSceneNames())
-    list += (list.empty() ? "" : separator) + name;
-  return list;
-}
-
-void
-addOptions(Tool& tool, Options& options)
-{
-  CLI::App& app = tool.options();
-  app.add_option("-o,--output", options.output, "Folder for the session")
-      ->type_name("SESSION_DIR")
-      ->required();
-  app.add_option("--scene", options.scene, "A scene file, or " + listOfScenes(", "))
-      ->type_name("S.yaml|NAME");
-  app.add_option("--observations",
-                 options.observations,
-                 "Only the first N views of the scene [default: all]")
-      ->type_name("N")
-      ->default_str("")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
-  app.add_flag("--clouds",
-               options.clouds,
-               "Write organized point clouds with truth (metres, camera frame); needed "
-               "so far, as camera frames are not made yet");
-  app.add_option("--merged",
-                 options.merged,
-                 "Write all points as one cloud too: x y z rgb view label, map frame")
-      ->type_name("MAP.pcd");
-  app.add_option("--seed", options.seed, "Number that all randomness begins with")
-      ->type_name("N")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
-  tool.addThreads();
-}
 
 pcl::SimulatedScene
 openScene(const std::string& name)
@@ -90,26 +37,22 @@ openScene(const std::string& name)
   std::error_code error;
   if (!std::filesystem::exists(name, error))
     throw pcl::InputFileException(name + ": is no file, and no standard scene (" +
-                                  listOfScenes(", ") + ")");
+                                  listOfScenes() + ")");
   return pcl::loadSimulatedScene(name);
 }
 
-bool
-isSessionName(const std::string& name)
-{
-  return isSequenceName(name) || name == rig_name || name == truth_name;
-}
-
 void
-checkPlaces(const Tool& tool, const Options& options, const OutputFolder& folder)
+checkPlaces(const Tool& tool,
+            const SimulationOptions& options,
+            const OutputFolder& folder)
 {
-  requireNoSequence(folder, {rig_name, truth_name});
-  std::vector<std::string> others = {options.scene};
+  requireNoSession(folder);
   const std::string own_truth = options.output + "/" + truth_name;
-  tool.requireReportWritable({options.scene, options.merged, own_truth});
+  tool.requireReportWritable(
+      {options.scene, options.cameras, options.merged, own_truth});
   if (options.merged.empty())
     return;
-  requireWritable(options.merged, {".pcd"}, others);
+  requireWritable(options.merged, {".pcd"}, {options.scene});
   if (folder.holds(options.merged) &&
       isSessionName(std::filesystem::path(options.merged).filename().string()))
     throw UsageError(options.merged + ": would be one of the session's own files");
@@ -126,20 +69,20 @@ requireMemoryForMerging(const pcl::SimulatedScene& scene, std::size_t views)
 void
 count(const pcl::SimulatedObservation& observation, Counts& counts)
 {
-  counts.points += observation.points;
+  counts.points.all += observation.points;
   for (const pcl::ObservationPixel& pixel : observation.pixels)
-    ++counts.points_of_label[pixel.label];
+    ++counts.points.of_label[pixel.label];
 }
 
 Counts
 writeObservations(Tool& tool,
-                  const Options& options,
+                  const SimulationOptions& options,
                   const pcl::SimulatedScene& scene,
                   const OutputFolder& folder,
                   pcl::MergedObservations& merged)
 {
   Counts counts;
-  counts.points_of_label.resize(scene.geometry.planes().size() + 1);
+  counts.points.of_label.resize(scene.geometry.planes().size() + 1);
   const std::size_t views = merged.trajectory.poses.size();
   tool.withProgress([&](const pcl::ProgressCallback& progress) {
     const Progress told(progress);
@@ -162,61 +105,26 @@ writeObservations(Tool& tool,
   return counts;
 }
 
-Json
-jsonOf(const Eigen::Vector3d& point)
-{
-  return {point.x(), point.y(), point.z()};
-}
-
-Json
-jsonOf(const pcl::TruthPlane& plane, std::size_t id, const Counts& counts)
-{
-  Json rectangles = Json::array();
-  for (const pcl::SimulatedRectangle& r : plane.rectangles)
-    rectangles.push_back({jsonOf(r.corner),
-                          jsonOf(r.corner + r.edge_u),
-                          jsonOf(r.corner + r.edge_u + r.edge_v),
-                          jsonOf(r.corner + r.edge_v)});
-  const Eigen::Vector4d& c = plane.coefficients;
-  return {{"id", id},
-          {"name", plane.name},
-          {"coefficients", {c[0], c[1], c[2], c[3]}},
-          {"area", plane.area()},
-          {"points", counts.points_of_label[id + 1]},
-          {"rectangles", rectangles}};
-}
-
 void
-saveTruth(const std::string& path,
-          const Options& options,
-          const pcl::SimulatedScene& scene,
-          const Counts& counts)
+saveCloudTruth(const std::string& path,
+               const SimulationOptions& options,
+               const pcl::SimulatedScene& scene,
+               const Counts& counts)
 {
   const pcl::RangeSensor& sensor = scene.sensor;
-  Json json = {{"version", ACMAP_VERSION},
-               {"scene", scene.name},
-               {"seed", options.seed},
-               {"observations", counts.observations},
-               {"points", counts.points},
-               {"reach", sensor.reach},
-               {"noise",
-                {{"along", "ray"},
-                 {"growth", sensor.noise_growth},
-                 {"least", sensor.least_noise},
-                 {"most", sensor.most_noise}}}};
-  json["planes"] = Json::array();
-  const std::vector<pcl::TruthPlane> planes = pcl::planesInMap(scene);
-  for (std::size_t id = 0; id < planes.size(); ++id)
-    json["planes"].push_back(jsonOf(planes[id], id, counts));
-  const std::string text =
-      json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  Json json = truthHead(scene, options.seed, counts.observations);
+  json["points"] = counts.points.all;
+  json["reach"] = sensor.reach;
+  json["noise"] = {{"along", "ray"},
+                   {"growth", sensor.noise_growth},
+                   {"least", sensor.least_noise},
+                   {"most", sensor.most_noise}};
+  json["planes"] = truthPlanes(scene, &counts.points);
+  saveTruth(path, json);
 }
 
 void
-tellResults(Tool& tool, const Options& options, const Counts& counts)
+tellResults(Tool& tool, const SimulationOptions& options, const Counts& counts)
 {
   if (counts.sparse > 0)
     tool.warn(std::to_string(counts.sparse) +
@@ -226,25 +134,45 @@ tellResults(Tool& tool, const Options& options, const Counts& counts)
                     {"output", options.output},
                     {"seed", options.seed},
                     {"observations", counts.observations},
-                    {"points", counts.points},
+                    {"points", counts.points.all},
                     {"sparse_observations", counts.sparse}};
   tool.tell("observations", std::to_string(counts.observations));
-  tool.tell("points", std::to_string(counts.points));
+  tool.tell("points", std::to_string(counts.points.all));
   tool.tell("folder", options.output);
   if (!options.merged.empty())
     tool.tell("merged", options.merged);
 }
 
 void
-simulate(Tool& tool, const Options& options)
+tellSession(Tool& tool,
+            const SimulationOptions& options,
+            const SessionSettings& settings,
+            const SessionCounts& counts)
 {
-  if (!options.clouds)
-    throw UsageError("camera frames are not made yet: add --clouds for point clouds");
-  StepTimer timer(tool.report());
-  const pcl::SimulatedScene scene = openScene(options.scene);
+  const double lit = static_cast<double>(counts.lit) / static_cast<double>(counts.seen);
+  tool.details() = {{"scene", options.scene},
+                    {"output", options.output},
+                    {"seed", options.seed},
+                    {"observations", settings.observations},
+                    {"patterns", settings.patterns},
+                    {"frames", counts.frames},
+                    {"lit_share", lit}};
+  if (!options.cameras.empty())
+    tool.details()["cameras"] = options.cameras;
+  tool.tell("observations", std::to_string(settings.observations));
+  tool.tell("frames", std::to_string(counts.frames));
+  tool.tell("folder", options.output);
+}
+
+void
+makeClouds(Tool& tool,
+           const SimulationOptions& options,
+           const pcl::SimulatedScene& scene,
+           pcl::Trajectory trajectory,
+           StepTimer& timer)
+{
   pcl::MergedObservations merged;
-  merged.trajectory = pcl::trajectoryOf(
-      scene, options.observations ? options.observations : scene.views.size());
+  merged.trajectory = std::move(trajectory);
   if (!options.merged.empty())
     requireMemoryForMerging(scene, merged.trajectory.poses.size());
   OutputFolder folder(options.output);
@@ -252,19 +180,62 @@ simulate(Tool& tool, const Options& options)
   timer.finish("read");
 
   const Counts counts = writeObservations(tool, options, scene, folder, merged);
-  if (counts.points == 0)
+  if (counts.points.all == 0)
     throw NothingFound(options.scene + ": no view sees anything in reach");
   timer.finish("observe");
 
   pcl::saveTrajectory(folder.path(trajectory_name), merged.trajectory);
   pcl::saveTrinocularRig(folder.path(rig_name), scene.rig);
-  saveTruth(folder.path(truth_name), options, scene, counts);
+  saveCloudTruth(folder.path(truth_name), options, scene, counts);
   tool.stopIfInterrupted();
   if (!options.merged.empty())
     pcl::savePointCloud(options.merged, pcl::cloudOf(merged));
   folder.commit();
   timer.finish("write");
   tellResults(tool, options, counts);
+}
+
+void
+makeSession(Tool& tool,
+            const SimulationOptions& options,
+            FilmedScene filmed,
+            std::size_t views,
+            StepTimer& timer)
+{
+  if (!options.cameras.empty())
+    for (const std::string& remark : setBuiltCameras(options.cameras, filmed))
+      tool.warn(options.cameras + ": " + remark);
+  const SessionSettings settings{
+      views, options.patterns, options.light, options.seed, tool.threads()};
+  OutputFolder folder(options.output);
+  checkPlaces(tool, options, folder);
+  timer.finish("read");
+
+  SessionCounts counts;
+  tool.withProgress([&](const pcl::ProgressCallback& progress) {
+    counts = writeSession(folder, filmed, settings, progress);
+  });
+  if (counts.seen == 0)
+    throw NothingFound(options.scene + ": no view sees anything");
+  tool.stopIfInterrupted();
+  folder.commit();
+  timer.finish("film");
+  tellSession(tool, options, settings, counts);
+}
+
+void
+simulate(Tool& tool, const SimulationOptions& options)
+{
+  requireSense(tool, options);
+  StepTimer timer(tool.report());
+  pcl::SimulatedScene scene = openScene(options.scene);
+  pcl::Trajectory trajectory = pcl::trajectoryOf(
+      scene, options.observations ? options.observations : scene.views.size());
+  if (options.clouds)
+    makeClouds(tool, options, scene, std::move(trajectory), timer);
+  else
+    makeSession(
+        tool, options, {std::move(scene), {}, {}}, trajectory.poses.size(), timer);
 }
 
 } // namespace
@@ -274,7 +245,7 @@ main(int argc, char** argv)
 {
   Tool tool("pcl_simulated_rig",
             "Simulates what the rig measures on its way through a building.");
-  Options options;
+  SimulationOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] { simulate(tool, options); });
 }

@@ -1,9 +1,10 @@
 #!/bin/sh
-# Makes the pictures of the simulated corridor anew, beside this script.
-# usage: sh make_pictures.sh BIN_FOLDER    where the tools are, build/release/bin for one
+# Makes the pictures of the simulated corridor and of its rig anew, beside this script.
+# usage: sh make_pictures.sh BIN_FOLDER    where tools, tests' programs and benchmarks are:
+#        cmake --preset bench && cmake --build build/bench    makes them, in build/bench/bin
 set -eu
 
-bin=${1:?usage: sh make_pictures.sh BIN_FOLDER}
+bin=$(CDPATH='' cd -- "${1:?usage: sh make_pictures.sh BIN_FOLDER}" && pwd)
 pictures=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -32,6 +33,12 @@ mesh() {
   echo "== $name $*"
   "$bin/pcl_dewall_surface" "$cloud" "$scratch/$name.ply" "$@"
 }
+
+(cd "$scratch" && "$bin/acmap_bench_simulation_figures" picture)
+"$bin/draw_rig_calibration" "$scratch"
+for name in line_pattern simulated_shots rig_calibration; do
+  cp "$scratch/$name.png" "$pictures/"
+done
 
 "$bin/pcl_simulated_rig" -o "$scratch/few" --observations 4 --clouds \
   --merged "$scratch/few/map.pcd"

@@ -229,7 +229,9 @@ TEST_F(SimulatedRig, SparseViewsAreTold)
 TEST_F(SimulatedRig, NonsenseIsRefused)
 {
   expectRefused(runRig({}), 2, "--output");
-  expectRefused(runRig({"-o", session_}), 2, "--clouds");
+  expectRefused(runRig({"-o", session_, "--merged", folder_.path("map.pcd")}),
+                2,
+                "--merged needs --clouds");
   expectRefused(runRig({"-o", session_, "--clouds", "stray"}), 2, "--help");
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"--observations", "0"},
@@ -239,8 +241,15 @@ TEST_F(SimulatedRig, NonsenseIsRefused)
                                              {"--seed", "-1"},
                                              {"--seed", "1.5"},
                                              {"--threads", "-2"},
-                                             {"--patterns", "10"}})
+                                             {"--patterns", "10"},
+                                             {"--patterns", "0"},
+                                             {"--patterns", "101"}})
     expectRefused(runRig(arguments(words)), 2, "--help");
+  for (const char* name : {"--scene", "--cameras", "--output"})
+    expectRefused(runRig({"-o", session_, name, ""}), 2, name);
+  expectRefused(runRig(arguments({"--seed", "-1"})),
+                2,
+                "--seed: -1 is no whole number from 0 on");
   EXPECT_FALSE(std::filesystem::exists(session_));
 }
 

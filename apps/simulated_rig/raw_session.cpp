@@ -1,0 +1,180 @@
+#include "raw_session.h"
+
+#include "memory.h"
+#include "observation_folder.h"
+#include "truth_file.h"
+
+#include <pcl/acquisition/random_line_pattern.h>
+#include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/image_file.h>
+#include <pcl/core/parallel.h>
+#include <pcl/simulation/simulated_truth.h>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr const char* session_name = "session.yaml";
+constexpr double share_of_filming = 0.85; // of the time, the rest is truth
+
+std::string
+numbered(const std::string& name, std::size_t number, const std::string& ending)
+{
+  constexpr std::size_t digits = 4;
+  const std::string text = std::to_string(number);
+  return name + "_" + std::string(digits - std::min(digits, text.size()), '0') + text +
+         ending;
+}
+
+std::vector<RgbImage>
+makePatterns(const SessionSettings& settings, const SimulatedProjector& projector)
+{
+  // as they are drawn, and as the simulation keeps them
+  constexpr std::size_t bytes_per_pixel = 9;
+  requireMemory(bytes_per_pixel * settings.patterns *
+                    static_cast<std::size_t>(projector.width) *
+                    static_cast<std::size_t>(projector.height),
+                "the patterns");
+  RandomLinePattern lines;
+  lines.setSize(projector.width, projector.height);
+  lines.setSeed(settings.seed);
+  std::vector<RgbImage> patterns;
+  for (std::uint32_t i = 0; i < settings.patterns; ++i)
+    patterns.push_back(lines.generate(i));
+  return patterns;
+}
+
+/** \brief Writes what stereo should find in an observation. */
+void
+writeObservationTruth(const OutputFolder& folder,
+                      const SimulatedScene& scene,
+                      std::size_t observation,
+                      const SimulatedProjector& projector,
+                      SessionCounts& counts)
+{
+  const SimulatedTruth truth = truthOf(scene, observation, projector);
+  const DisparityImage& disparities =
+      truth.horizontal.values.empty() ? truth.vertical : truth.horizontal;
+  if (!disparities.values.empty())
+    savePfm(folder.path(numbered("disparity", observation, ".pfm")), disparities);
+  savePng(folder.path(numbered("visible", observation, ".png")),
+          scene.rig.width,
+          scene.rig.height,
+          truth.visible);
+  for (std::size_t i = 0; i < truth.visible.size(); ++i) {
+    counts.seen += truth.surfaces[i] >= 0 ? 1 : 0;
+    counts.lit += (truth.visible[i] & SimulatedTruth::in_light) != 0 ? 1 : 0;
+  }
+}
+
+/** \brief Poses with the stamp of each observation's first shot. */
+Trajectory
+stampedTrajectory(const SimulatedScene& scene, const SimulatedRigGrabber& grabber)
+{
+  Trajectory trajectory = trajectoryOf(scene, grabber.getNumberOfObservations());
+  for (std::size_t i = 0; i < trajectory.stamps.size(); ++i)
+    trajectory.stamps[i] = static_cast<double>(i * grabber.getShotsOfObservation()) /
+                           grabber.getFramesPerSecond();
+  return trajectory;
+}
+
+TrinocularRecorder
+recorderOf(const OutputFolder& folder, const FilmedScene& filmed)
+{
+  const std::string path = folder.path(".");
+  const TrinocularRig& rig = filmed.scene.rig;
+  if (filmed.cameras)
+    return TrinocularRecorder(path, rig, *filmed.cameras);
+  return TrinocularRecorder(path, rig);
+}
+
+void
+saveSessionTruth(const std::string& path,
+                 const FilmedScene& filmed,
+                 const SessionSettings& settings)
+{
+  const SimulatedLight& light = settings.light;
+  auto json = truthHead(filmed.scene, settings.seed, settings.observations);
+  json["patterns"] = settings.patterns;
+  json["frames"] = filmed.cameras ? "raw" : "rectified";
+  json["light"] = {{"ambient", light.ambient},
+                   {"projector_power", light.projector.power},
+                   {"exposure", light.exposure},
+                   {"blur", light.blur},
+                   {"vignetting", light.vignetting}};
+  json["noise"] = {{"read", light.read_noise}, {"shot", light.shot_noise}};
+  json["planes"] = truthPlanes(filmed.scene, nullptr);
+  saveTruth(path, json);
+}
+
+} // namespace
+
+bool
+isSessionName(const std::string& name)
+{
+  for (const char* const begin : {"disparity_", "visible_", "frame_"})
+    if (name.rfind(begin, 0) == 0)
+      return true;
+  return isSequenceName(name) || name == rig_name || name == truth_name ||
+         name == session_name;
+}
+
+void
+requireNoSession(const OutputFolder& folder)
+{
+  for (const std::string& name : folder.names())
+    if (isSessionName(name))
+      throw OutputFileException(folder.name() + ": already holds " + name +
+                                "; name an empty or a new folder");
+}
+
+SessionCounts
+writeSession(const OutputFolder& folder,
+             const FilmedScene& filmed,
+             const SessionSettings& settings,
+             const ProgressCallback& progress)
+{
+  const Progress told(progress);
+  told.tell(0.0, "drawing patterns");
+  const SimulatedLight& light = settings.light;
+  const auto grabber =
+      grabberOf(filmed, makePatterns(settings, light.projector), light);
+  grabber->setSeed(settings.seed);
+  grabber->setNumberOfThreads(settings.threads);
+  grabber->setNumberOfObservations(settings.observations);
+  const std::size_t frames = settings.observations * grabber->getShotsOfObservation();
+
+  TrinocularRecorder recorder = recorderOf(folder, filmed);
+  const std::function<TrinocularGrabber::FrameCallback> record =
+      [&](const TrinocularFrame::ConstPtr& frame) {
+        recorder.record(*frame);
+        told.tell(share_of_filming * static_cast<double>(recorder.frames()) /
+                      static_cast<double>(frames),
+                  "filming");
+      };
+  grabber->registerCallback(record);
+  grabber->start();
+  grabber->wait();
+  if (grabber->getError())
+    std::rethrow_exception(grabber->getError());
+  SessionCounts counts;
+  counts.frames = recorder.frames();
+  recorder.finish();
+
+  for (std::size_t i = 0; i < settings.observations; ++i) {
+    told.tell(share_of_filming + (1.0 - share_of_filming) * static_cast<double>(i) /
+                                     static_cast<double>(settings.observations),
+              "writing the truth");
+    withThreads(settings.threads, [&] {
+      writeObservationTruth(folder, filmed.scene, i, light.projector, counts);
+    });
+  }
+  saveTrajectory(folder.path(trajectory_name),
+                 stampedTrajectory(filmed.scene, *grabber));
+  saveSessionTruth(folder.path(truth_name), filmed, settings);
+  return counts;
+}
+
+} // namespace pcl::acmap

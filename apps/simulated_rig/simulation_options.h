@@ -1,0 +1,39 @@
+#pragma once
+
+#include "tool.h"
+
+#include <pcl/simulation/simulated_light.h>
+
+#include <cstdint>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief What the user asks for. */
+struct SimulationOptions {
+  std::string output;
+  std::string scene = "corridor";
+  std::string cameras;          ///< path, empty for those of the scene's rig
+  std::size_t observations = 0; ///< 0 for all
+  std::uint64_t seed = 1;
+  std::uint32_t patterns = 10;
+  SimulatedLight light;
+  bool clouds = false;
+  std::string merged;
+};
+
+/** \brief "a, b, c" */
+std::string
+listOfScenes();
+
+/** \brief Adds them to the command line. */
+void
+addOptions(Tool& tool, SimulationOptions& options);
+
+/** \brief Refuses options that do not go together, and a light that cannot be.
+ * \throws UsageError naming the option
+ * \throws BadArgumentException naming value, legal range and unit */
+void
+requireSense(Tool& tool, const SimulationOptions& options);
+
+} // namespace pcl::acmap

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "rig_simulation.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl::acmap {
+
+/** \brief What a sequence of shots is made with. */
+struct SequenceSettings {
+  std::uint64_t seed = 1;
+  std::size_t observations = 0;
+  unsigned threads = 0; ///< 0 = all
+};
+
+/** \brief Shots one after another; holds the views of one observation at a time. */
+class ShotSequence {
+public:
+  ShotSequence(const RigSimulation& simulation, const SequenceSettings& settings)
+  : simulation_(simulation)
+  , settings_(settings)
+  {}
+
+  /** \brief The next shot; null when there is none left. */
+  TrinocularFrame::Ptr
+  next();
+
+private:
+  const RigSimulation& simulation_;
+  SequenceSettings settings_;
+  std::size_t observation_ = 0;
+  std::size_t shot_ = 0;
+  LitViews views_; // of the observation, once its first shot is made
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,236 @@
+#include <pcl/simulation/simulated_rig_grabber.h>
+
+#include "light/shot_sequence.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/parallel.h>
+#include <pcl/core/stream_thread.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+std::unique_ptr<const acmap::RigSimulation>
+simulationOf(const SimulatedScene& scene,
+             const std::vector<RgbImage>& patterns,
+             const SimulatedLight& light,
+             acmap::RigRays cameras)
+{
+  if (scene.views.empty())
+    throw BadArgumentException("scene '" + scene.name +
+                               "' has no views to see it from");
+  return std::make_unique<acmap::RigSimulation>(
+      scene, patterns, light, std::move(cameras));
+}
+
+} // namespace
+
+/** \brief The shots one after another, and the thread that gives them. */
+class SimulatedRigGrabber::Stream {
+public:
+  using Signal = boost::signals2::signal<FrameCallback>;
+
+  Stream(const acmap::RigSimulation& simulation, const Signal& signal)
+  : simulation_(simulation)
+  , signal_(signal)
+  , settings_{1, simulation.scene().views.size(), 0}
+  , thread_([this] { return giveShot(); }, {})
+  {}
+
+  acmap::StreamThread&
+  thread()
+  {
+    return thread_;
+  }
+
+  acmap::SequenceSettings
+  settings() const
+  {
+    const std::lock_guard lock(mutex_);
+    return settings_;
+  }
+
+  template <typename T>
+  void
+  set(T acmap::SequenceSettings::*setting, T value)
+  {
+    const std::lock_guard lock(mutex_);
+    settings_.*setting = value;
+  }
+
+  void
+  rewind()
+  {
+    is_rewound_ = true;
+  }
+
+private:
+  bool
+  giveShot()
+  {
+    if (is_rewound_.exchange(false))
+      shots_.emplace(simulation_, settings());
+    const TrinocularFrame::ConstPtr frame = shots_->next();
+    if (frame)
+      signal_(frame);
+    return frame != nullptr;
+  }
+
+  const acmap::RigSimulation& simulation_;
+  const Signal& signal_;
+  mutable std::mutex mutex_; // of settings_
+  acmap::SequenceSettings settings_;
+  std::atomic<bool> is_rewound_{true};
+  std::optional<acmap::ShotSequence> shots_; // of the thread
+  acmap::StreamThread thread_;               // the last one: it uses all others
+};
+
+SimulatedRigGrabber::SimulatedRigGrabber(
+    std::unique_ptr<const acmap::RigSimulation> simulation)
+: simulation_(std::move(simulation))
+, stream_(std::make_unique<Stream>(*simulation_, *createSignal<FrameCallback>()))
+{}
+
+SimulatedRigGrabber::SimulatedRigGrabber(const SimulatedScene& scene,
+                                         const std::vector<RgbImage>& patterns,
+                                         const SimulatedLight& light)
+: SimulatedRigGrabber(simulationOf(scene, patterns, light, acmap::raysOf(scene.rig)))
+{}
+
+SimulatedRigGrabber::SimulatedRigGrabber(const SimulatedScene& scene,
+                                         const std::vector<RgbImage>& patterns,
+                                         const RigCalibration& calibration,
+                                         const SimulatedLight& light)
+: SimulatedRigGrabber(simulationOf(scene, patterns, light, acmap::raysOf(calibration)))
+{
+  requireSoundRig(scene.rig);
+}
+
+SimulatedRigGrabber::~SimulatedRigGrabber() noexcept = default;
+
+void
+SimulatedRigGrabber::setSeed(std::uint64_t seed)
+{
+  stream_->set(&acmap::SequenceSettings::seed, seed);
+}
+
+std::uint64_t
+SimulatedRigGrabber::getSeed() const
+{
+  return stream_->settings().seed;
+}
+
+void
+SimulatedRigGrabber::setNumberOfObservations(std::size_t observations)
+{
+  acmap::requireInRange("number of observations",
+                        static_cast<double>(observations),
+                        1.0,
+                        static_cast<double>(simulation_->scene().views.size()),
+                        "(the views of the scene)");
+  stream_->set(&acmap::SequenceSettings::observations, observations);
+}
+
+std::size_t
+SimulatedRigGrabber::getNumberOfObservations() const
+{
+  return stream_->settings().observations;
+}
+
+void
+SimulatedRigGrabber::setNumberOfThreads(unsigned threads)
+{
+  stream_->set(&acmap::SequenceSettings::threads, threads);
+}
+
+unsigned
+SimulatedRigGrabber::getNumberOfThreads() const
+{
+  return stream_->settings().threads;
+}
+
+std::size_t
+SimulatedRigGrabber::getShotsOfObservation() const
+{
+  return simulation_->shotsOfObservation();
+}
+
+void
+SimulatedRigGrabber::start()
+{
+  stream_->thread().add(acmap::StreamThread::endless);
+}
+
+void
+SimulatedRigGrabber::stop()
+{
+  stream_->thread().stop();
+}
+
+void
+SimulatedRigGrabber::trigger()
+{
+  stream_->thread().add(1);
+}
+
+void
+SimulatedRigGrabber::rewind()
+{
+  stream_->rewind();
+}
+
+bool
+SimulatedRigGrabber::isRunning() const
+{
+  return stream_->thread().isRunning();
+}
+
+void
+SimulatedRigGrabber::wait()
+{
+  stream_->thread().wait();
+}
+
+std::exception_ptr
+SimulatedRigGrabber::getError() const
+{
+  return stream_->thread().error();
+}
+
+std::string
+SimulatedRigGrabber::getName() const
+{
+  return "SimulatedRigGrabber";
+}
+
+float
+SimulatedRigGrabber::getFramesPerSecond() const
+{
+  return 14.0f;
+}
+
+TrinocularRig
+SimulatedRigGrabber::getRig() const
+{
+  return simulation_->scene().rig;
+}
+
+std::vector<TrinocularFrame::Ptr>
+SimulatedRigGrabber::observe(std::size_t observation) const
+{
+  const acmap::SequenceSettings settings = stream_->settings();
+  return acmap::withThreads(settings.threads, [&] {
+    const acmap::LitViews views = simulation_->cast(observation);
+    std::vector<TrinocularFrame::Ptr> frames;
+    for (std::size_t shot = 0; shot < simulation_->shotsOfObservation(); ++shot)
+      frames.push_back(simulation_->shoot(views, observation, shot, settings.seed));
+    return frames;
+  });
+}
+
+} // namespace pcl

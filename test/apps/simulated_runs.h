@@ -1,0 +1,14 @@
+#pragma once
+
+#include <pcl/core/trinocular_frame.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief The frames of a raw session, in their order. */
+std::vector<TrinocularFrame::ConstPtr>
+framesOf(const std::string& session);
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,157 @@
+#include "run_tool.h"
+#include "simulated_runs.h"
+#include "temporary_folder.h"
+
+#include <pcl/core/disparity_image.h>
+#include <pcl/core/image_file.h>
+#include <pcl/core/trajectory.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::HasSubstr;
+
+/** A wall and a box before it, filmed from two places. */
+constexpr const char* room = R"(name: room
+rig: {width: 64, height: 48, focal_length: 52, center_x: 31.5, center_y: 23.5,
+      baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
+sensor: {reach: 6, points: 1500}
+looks:
+  wall: {color: [150, 140, 130], texture: 2}
+surfaces:
+  - rectangle: {name: wall, corner: [-9, 9, 3], edges: [[18, 0, 0], [0, -18, 0]], look: wall}
+  - box: {name: box, least: [-0.5, -0.5, 2], most: [0.5, 0.5, 2.5], look: wall}
+path:
+  - line: {from: [-0.5, 0, -0.5], to: [-0.5, 0, 1], views: 2}
+)";
+
+class SimulatedSession : public testing::Test {
+protected:
+  ToolRun
+  film(const std::vector<std::string>& more = {}, const RunSettings& settings = {})
+  {
+    std::vector<std::string> all = {"-o", session_, "--scene", scene_};
+    all.insert(all.end(), more.begin(), more.end());
+    return runTool(ACMAP_SIMULATED_RIG, all, settings);
+  }
+
+  std::string
+  inSession(const std::string& name) const
+  {
+    return session_ + "/" + name;
+  }
+
+  TemporaryFolder folder_;
+  std::string scene_ = folder_.write("room.yaml", room);
+  std::string session_ = folder_.path("session");
+};
+
+double
+meanOf(const CameraImage& image)
+{
+  double sum = 0;
+  for (const std::uint8_t value : image.values)
+    sum += value;
+  return sum / static_cast<double>(image.values.size());
+}
+
+TEST_F(SimulatedSession, HoldsAllShots)
+{
+  const ToolRun run = film({"--patterns", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("frames:      6"));
+  const auto frames = framesOf(session_);
+  ASSERT_EQ(frames.size(), 6u);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i]->number, i);
+    EXPECT_EQ(frames[i]->observation, static_cast<int>(i / 3));
+    EXPECT_EQ(frames[i]->pattern, static_cast<int>(i % 3) - 1);
+    for (const CameraImage& image : frames[i]->images) {
+      ASSERT_EQ(image.values.size(), 3u * 64u * 48u);
+      const double off = meanOf(frames[3 * (i / 3)]->images[0]);
+      EXPECT_EQ(meanOf(image) > 1.1 * off, i % 3 != 0);
+    }
+  }
+}
+
+TEST_F(SimulatedSession, HoldsTheTruth)
+{
+  ASSERT_EQ(film({"--patterns", "1", "--seed", "4"}).exit_code, 0);
+  const Trajectory trajectory = loadTrajectory(inSession("trajectory.txt"));
+  ASSERT_EQ(trajectory.poses.size(), 2u);
+  EXPECT_NEAR(trajectory.stamps[1], 2.0 / 14.0, 1e-9); // of its first shot
+  EXPECT_NEAR(trajectory.poses[1].translation().z(), 1.5, 1e-9);
+  const DisparityImage first = loadPfm(inSession("disparity_0000.pfm"));
+  ASSERT_EQ(first.width, 64);
+  EXPECT_FLOAT_EQ(first.at(0, 0), 52 * 0.1 / 3.5);   // the wall
+  EXPECT_FLOAT_EQ(first.at(42, 24), 52 * 0.1 / 2.5); // the box
+  EXPECT_FLOAT_EQ(loadPfm(inSession("disparity_0001.pfm")).at(0, 0), 52 * 0.1 / 2.0);
+  const GrayImage16 visible = loadGrayImage16(inSession("visible_0000.png"));
+  EXPECT_EQ(visible.values[24 * 64 + 42], 7);     // both neighbours and the projector
+  EXPECT_EQ(visible.values[24 * 64 + 63] & 1, 0); // beyond the left one's rim
+  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  EXPECT_EQ(truth["scene"], "room");
+  EXPECT_EQ(truth["seed"], 4);
+  EXPECT_EQ(truth["patterns"], 1);
+  EXPECT_EQ(truth["observations"], 2);
+  EXPECT_EQ(truth["planes"].size(), 7u);
+  EXPECT_FALSE(truth["planes"][0].contains("points"));
+}
+
+TEST_F(SimulatedSession, SameBytesForAnyThreads)
+{
+  const auto bytes = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--patterns", "1"};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_EQ(film(all).exit_code, 0);
+    std::string content;
+    for (const TrinocularFrame::ConstPtr& frame : framesOf(session_))
+      for (const CameraImage& image : frame->images)
+        content.append(image.values.begin(), image.values.end());
+    for (const char* name : {"disparity_0001.pfm", "visible_0001.png", "truth.json"})
+      content += contentOf(inSession(name));
+    std::filesystem::remove_all(session_);
+    return content;
+  };
+  const std::string once = bytes({"--threads", "1"});
+  EXPECT_EQ(bytes({"--threads", "2"}), once);
+  EXPECT_NE(bytes({"--seed", "2"}), once);
+}
+
+TEST_F(SimulatedSession, OtherSessionsStay)
+{
+  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
+  const std::string before = contentOf(inSession("session.yaml"));
+  const ToolRun again = film();
+  EXPECT_EQ(again.exit_code, 5);
+  EXPECT_THAT(again.err, HasSubstr("already holds"));
+  EXPECT_EQ(contentOf(inSession("session.yaml")), before);
+  EXPECT_EQ(film({"--clouds"}).exit_code, 5);
+}
+
+TEST_F(SimulatedSession, WhatFailsLeavesNothing)
+{
+  RunSettings full;
+  full.file_size_limit = 5000;
+  EXPECT_EQ(film({}, full).exit_code, 5);
+  std::string text = room;
+  text.replace(text.find("from: [-0.5, 0, -0.5]"), 21, "from: [-0.5, 0, 99.0]");
+  text.replace(text.find("to: [-0.5, 0, 1]"), 16, "to: [-0.5, 0, 100]");
+  scene_ = folder_.write("room.yaml", text);
+  const ToolRun nothing = film({"--patterns", "1"});
+  EXPECT_EQ(nothing.exit_code, 4) << nothing.err;
+  scene_ = "corridor";
+  RunSettings interrupted;
+  interrupted.interrupt_after = 1.0;
+  EXPECT_EQ(film({}, interrupted).exit_code, 130);
+  EXPECT_EQ(folder_.count(), 1);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,176 @@
+#pragma once
+
+#include "contract.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <fstream>
+#include <string>
+
+namespace pcl::acmap::test {
+
+/** \brief The words of a public header, however its comments' lines are broken. */
+inline std::string
+headerText(const std::string& path)
+{
+  std::ifstream file(ACMAP_SOURCE_DIR "/modules/" + path);
+  std::string text;
+  for (std::string word; file >> word;)
+    text += word == "*" ? "" : word + " ";
+  return text;
+}
+
+/** \brief The class contract of what works on patterns, frames and rigs, not on clouds; a
+ * class joins through a traits type:
+ *
+ * - `Class`, `Output` (equality comparable);
+ * - `make ()`: an object as constructed, where it needs something with it;
+ * - `run (Class&, int which, Output&)`: sets the first or second (0, 1) input and calls
+ *   the verb;
+ * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can give;
+ * - `refusedCalls ()`: setters with nonsense;
+ * - `refusedRuns ()`: verbs without input, or with one that cannot be;
+ * - `parameters (const Class&)`: all that is set, in words;
+ * - `header ()`: the text of the public header.
+ */
+template <typename Traits>
+class ShotContract : public testing::Test {
+protected:
+  using Class = typename Traits::Class;
+  using Output = typename Traits::Output;
+
+  static Output
+  outputOf(Class& object, int which)
+  {
+    Output output = Traits::sentinel();
+    Traits::run(object, which, output);
+    return output;
+  }
+
+  static Output
+  outputOf(int which)
+  {
+    Class object = Traits::make();
+    return outputOf(object, which);
+  }
+};
+
+/** \brief A verb that must throw, and what it is told in a failure. */
+template <typename Class, typename Output>
+struct RefusedRun {
+  std::string name;
+  std::function<void(Class&, Output&)> run;
+};
+
+TYPED_TEST_SUITE_P(ShotContract);
+
+TYPED_TEST_P(ShotContract, worksAsConstructed)
+{
+  EXPECT_FALSE(TypeParam::isEmpty(this->outputOf(0)));
+  EXPECT_FALSE(this->outputOf(0) == this->outputOf(1));
+}
+
+TYPED_TEST_P(ShotContract, settersRefuseNonsenseAndSayWhy)
+{
+  for (const auto& refused : TypeParam::refusedCalls()) {
+    typename TypeParam::Class object = TypeParam::make();
+    const std::string before = TypeParam::parameters(object);
+    try {
+      refused.call(object);
+      ADD_FAILURE() << "nonsense was accepted: " << TypeParam::parameters(object);
+    }
+    catch (const BadArgumentException& error) {
+      for (const std::string& word : refused.words)
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+            << '"' << word << "\" is not in \"" << error.what() << '"';
+    }
+    EXPECT_EQ(TypeParam::parameters(object), before);
+  }
+}
+
+TYPED_TEST_P(ShotContract, refusedRunLeavesOutputAndObjectUsable)
+{
+  for (const auto& refused : TypeParam::refusedRuns()) {
+    typename TypeParam::Class object = TypeParam::make();
+    auto output = TypeParam::sentinel();
+    EXPECT_THROW(refused.run(object, output), PCLException) << refused.name;
+    EXPECT_EQ(output, TypeParam::sentinel()) << refused.name;
+    EXPECT_EQ(this->outputOf(object, 0), this->outputOf(0)) << refused.name;
+  }
+}
+
+TYPED_TEST_P(ShotContract, parametersStayAndRunsDoNotDependOnEarlierOnes)
+{
+  typename TypeParam::Class object = TypeParam::make();
+  const std::string before = TypeParam::parameters(object);
+  const auto first = this->outputOf(object, 0);
+  this->outputOf(object, 1);
+  EXPECT_EQ(this->outputOf(object, 0), first);
+  EXPECT_EQ(this->outputOf(0), first);
+  EXPECT_EQ(TypeParam::parameters(object), before);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ShotContract,
+                            worksAsConstructed,
+                            settersRefuseNonsenseAndSayWhy,
+                            refusedRunLeavesOutputAndObjectUsable,
+                            parametersStayAndRunsDoNotDependOnEarlierOnes);
+
+/** \brief Of classes whose report is of their last run. */
+template <typename Traits>
+class ReportContract : public ShotContract<Traits> {};
+
+TYPED_TEST_SUITE_P(ReportContract);
+
+TYPED_TEST_P(ReportContract, tellsTheSecondsOfTheLastRun)
+{
+  typename TypeParam::Class object = TypeParam::make();
+  EXPECT_TRUE(object.getReport().seconds.empty());
+  this->outputOf(object, 0);
+  const std::size_t steps = object.getReport().seconds.size();
+  EXPECT_GT(steps, 0u);
+  for (const auto& [step, seconds] : object.getReport().seconds) {
+    EXPECT_FALSE(step.empty());
+    EXPECT_GE(seconds, 0);
+  }
+  this->outputOf(object, 1);
+  EXPECT_EQ(object.getReport().seconds.size(), steps);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ReportContract, tellsTheSecondsOfTheLastRun);
+
+/** \brief Of classes that work in threads. */
+template <typename Traits>
+class ThreadContract : public ShotContract<Traits> {};
+
+TYPED_TEST_SUITE_P(ThreadContract);
+
+TYPED_TEST_P(ThreadContract, threadsDoNotChangeAByte)
+{
+  const auto wanted = this->outputOf(0);
+  for (const unsigned threads : {1U, 2U, 8U}) {
+    typename TypeParam::Class object = TypeParam::make();
+    object.setNumberOfThreads(threads);
+    EXPECT_EQ(this->outputOf(object, 0), wanted) << threads << " threads";
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ThreadContract, threadsDoNotChangeAByte);
+
+/** \brief Of headers that say what a user must know. */
+template <typename Traits>
+class HeaderContract : public testing::Test {};
+
+TYPED_TEST_SUITE_P(HeaderContract);
+
+TYPED_TEST_P(HeaderContract, saysWhatAUserMustKnow)
+{
+  const std::string header = TypeParam::header();
+  for (const char* needed :
+       {"Active Stereo Based Compact Mapping", "O(", "\\throws", "\\code"})
+    EXPECT_NE(header.find(needed), std::string::npos) << needed;
+}
+
+REGISTER_TYPED_TEST_SUITE_P(HeaderContract, saysWhatAUserMustKnow);
+
+} // namespace pcl::acmap::test

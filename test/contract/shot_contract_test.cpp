@@ -1,0 +1,27 @@
+#include "random_line_pattern_traits.h"
+#include "rig_calibrator_traits.h"
+#include "simulated_rig_grabber_traits.h"
+#include "trinocular_rectification_traits.h"
+
+namespace pcl::acmap::test {
+
+// of which only the refused calls are taken
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
+
+/** Every public class with a verb on patterns, frames or rigs. Not here: what is made of
+ * a folder, a device or a signal (recorder, projectors, other grabbers), whose own tests
+ * check files, screens and threads. */
+using ShotClasses = testing::Types<RandomLinePatternTraits,
+                                   RigCalibratorTraits,
+                                   SimulatedRigGrabberTraits,
+                                   TrinocularRectificationTraits>;
+using ReportingClasses = testing::Types<RandomLinePatternTraits, RigCalibratorTraits>;
+using ThreadedClasses =
+    testing::Types<SimulatedRigGrabberTraits, TrinocularRectificationTraits>;
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ShotContract, ShotClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ReportContract, ReportingClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ThreadContract, ThreadedClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, HeaderContract, ShotClasses);
+
+} // namespace pcl::acmap::test

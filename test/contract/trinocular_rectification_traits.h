@@ -1,0 +1,125 @@
+#pragma once
+
+#include "rendered_boards.h"
+#include "shot_contract.h"
+
+#include <pcl/core/random.h>
+#include <pcl/stereo/trinocular_rectification.h>
+
+#include <limits>
+#include <sstream>
+
+namespace pcl::acmap::test {
+
+/** \brief Made with a calibration, so that what is set can be told. Its report is of the
+ * calibration, not of a run. */
+struct TrinocularRectificationTraits {
+  using Class = TrinocularRectification;
+  using Output = std::array<CameraImage, 3>;
+
+  static Class
+  make()
+  {
+    Class object;
+    object.setInputCalibration(builtRig());
+    return object;
+  }
+
+  static TrinocularFrame
+  noise(std::uint64_t seed)
+  {
+    Random random(seed);
+    TrinocularFrame frame;
+    for (CameraImage& image : frame.images) {
+      image = {640, 480, 1, std::vector<std::uint8_t>(640 * 480)};
+      for (std::uint8_t& value : image.values)
+        value = static_cast<std::uint8_t>(random.bits());
+    }
+    return frame;
+  }
+
+  static void
+  run(Class& object, int which, Output& output)
+  {
+    rectify(object, noise(static_cast<std::uint64_t>(which)), output);
+  }
+
+  static bool
+  isEmpty(const Output& output)
+  {
+    return output[2].values.size() != 640 * 480;
+  }
+
+  static Output
+  sentinel()
+  {
+    Output output;
+    output[1].width = 42;
+    return output;
+  }
+
+  static std::vector<RefusedCall<Class>>
+  refusedCalls()
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<RefusedCall<Class>> calls;
+    for (const auto& [value, word] :
+         {std::pair(0.0, "= 0"), std::pair(nan, "nan"), std::pair(1e4, "10000")})
+      calls.push_back({[value = value](Class& o) { o.setNearestDepth(value); },
+                       {"nearest depth", word, "[0.01, 1000] m"}});
+    calls.push_back({[](Class& o) {
+                       RigCalibration rig = builtRig();
+                       rig.camera(RigCamera::Vertical).focal_y = -2;
+                       o.setInputCalibration(rig);
+                     },
+                     {"focal_y", "-2", " px"}});
+    return calls;
+  }
+
+  static std::vector<RefusedRun<Class, Output>>
+  refusedRuns()
+  {
+    return {{"no calibration",
+             [](Class&, Output& output) { rectify(Class(), noise(1), output); }},
+            {"another size", [](Class& object, Output& output) {
+               TrinocularFrame frame = noise(1);
+               frame.images[2].width = 320;
+               rectify(object, frame, output);
+             }}};
+  }
+
+  /** The rig is that of the calibration; the residual tells the nearest depth. */
+  static std::string
+  parameters(const Class& object)
+  {
+    std::ostringstream words;
+    words.precision(std::numeric_limits<double>::max_digits10);
+    words << "focal length " << object.getRig().focal_length << ", residual "
+          << object.getReport().column_residual;
+    return words.str();
+  }
+
+  static std::string
+  header()
+  {
+    return headerText("stereo/include/pcl/stereo/trinocular_rectification.h");
+  }
+
+private:
+  static void
+  rectify(const Class& object, const TrinocularFrame& frame, Output& output)
+  {
+    TrinocularFrame rectified;
+    rectified.images = output;
+    try {
+      object.rectify(frame, rectified);
+    }
+    catch (...) {
+      output = rectified.images;
+      throw;
+    }
+    output = rectified.images;
+  }
+};
+
+} // namespace pcl::acmap::test
