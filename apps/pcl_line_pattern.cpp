@@ -28,10 +28,8 @@ patternName(std::uint32_t index)
 void
 requireNoPatterns(const OutputFolder& folder)
 {
-  for (const std::string& name : folder.names())
-    if (name.rfind(name_start, 0) == 0)
-      throw pcl::OutputFileException(folder.name() + ": already holds " + name +
-                                     "; name an empty or a new folder");
+  requireNoneIn(folder,
+                [](const std::string& name) { return name.rfind(name_start, 0) == 0; });
 }
 
 /** \brief What is told of all patterns together. */

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 namespace pcl::acmap {
@@ -48,6 +49,20 @@ withAutomaticValue(std::vector<std::string> arguments, const std::string& name)
         (i + 1 == arguments.size() || !is_value(arguments[i + 1])))
       arguments[i] += "=auto";
   return arguments;
+}
+
+std::optional<std::array<int, 2>>
+crossedNumbers(const std::string& text)
+{
+  const char* const end = text.data() + text.size();
+  std::array<int, 2> numbers{};
+  const auto first = std::from_chars(text.data(), end, numbers[0]);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
+    return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers[1]);
+  if (second.ec != std::errc() || second.ptr != end)
+    return std::nullopt;
+  return numbers;
 }
 
 CLI::Validator

@@ -3,6 +3,8 @@
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,11 @@ withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app);
  * \param[in] name of the option, with its dashes */
 std::vector<std::string>
 withAutomaticValue(std::vector<std::string> arguments, const std::string& name);
+
+/** \brief Reads two whole numbers with a cross between them, as in 9x6; nothing where the
+ * text is anything else. */
+std::optional<std::array<int, 2>>
+crossedNumbers(const std::string& text);
 
 /** \brief Lets finite numbers above zero pass. */
 CLI::Validator

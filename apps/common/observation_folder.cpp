@@ -1,6 +1,7 @@
 #include "observation_folder.h"
 
-#include <pcl/core/exceptions.h>
+#include "output_target.h"
+
 #include <pcl/core/point_cloud_writer.h>
 
 #include <algorithm>
@@ -8,12 +9,18 @@
 namespace pcl::acmap {
 
 std::string
-observationName(std::size_t index)
+numberedName(const std::string& begin, std::size_t index, const std::string& ending)
 {
   constexpr std::size_t digits = 4;
   const std::string number = std::to_string(index);
-  return "observation_" + std::string(digits - std::min(digits, number.size()), '0') +
-         number + ".pcd";
+  return begin + "_" + std::string(digits - std::min(digits, number.size()), '0') +
+         number + ending;
+}
+
+std::string
+observationName(std::size_t index)
+{
+  return numberedName("observation", index, ".pcd");
 }
 
 bool
@@ -25,10 +32,9 @@ isSequenceName(const std::string& name)
 void
 requireNoSequence(const OutputFolder& folder, const std::vector<std::string>& more)
 {
-  for (const std::string& name : folder.names())
-    if (isSequenceName(name) || std::count(more.begin(), more.end(), name) > 0)
-      throw OutputFileException(folder.name() + ": already holds " + name +
-                                "; name an empty or a new folder");
+  requireNoneIn(folder, [&](const std::string& name) {
+    return isSequenceName(name) || std::count(more.begin(), more.end(), name) > 0;
+  });
 }
 
 void

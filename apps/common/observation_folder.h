@@ -12,6 +12,10 @@ namespace pcl::acmap {
 
 constexpr const char* trajectory_name = "trajectory.txt";
 
+/** \brief Name of a file that belongs to an observation: begin_0000.ending and on. */
+std::string
+numberedName(const std::string& begin, std::size_t index, const std::string& ending);
+
 /** \brief Name of an observation's file: observation_0000.pcd and on. */
 std::string
 observationName(std::size_t index);

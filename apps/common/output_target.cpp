@@ -77,4 +77,14 @@ requireWritable(const std::string& path,
     throw OutputFileException(path + ": is not a regular file");
 }
 
+void
+requireNoneIn(const OutputFolder& folder,
+              const std::function<bool(const std::string& name)>& is_ours)
+{
+  for (const std::string& name : folder.names())
+    if (is_ours(name))
+      throw OutputFileException(folder.name() + ": already holds " + name +
+                                "; name an empty or a new folder");
+}
+
 } // namespace pcl::acmap

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pcl/core/output_folder.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +19,13 @@ void
 requireWritable(const std::string& path,
                 const std::vector<std::string>& endings,
                 const std::vector<std::string>& others);
+
+/** \brief Refuses a folder that holds files which new ones would mix with.
+ * \param[in] is_ours whether a file of that name is one
+ * \throws OutputFileException naming the first */
+void
+requireNoneIn(const OutputFolder& folder,
+              const std::function<bool(const std::string& name)>& is_ours);
 
 /** \brief Ending of a file name with its dot, in lower case; empty without one. */
 std::string

@@ -5,8 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-
 namespace pcl::acmap {
 namespace {
 
@@ -29,22 +27,6 @@ addShowing(CLI::App& app, PatternOptions& options)
       ->needs(show)
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(0.0, 86400.0).description(""));
-}
-
-/** \brief Reads WxH. */
-void
-setSize(const std::string& text, RandomLinePattern& generator)
-{
-  const char* const end = text.data() + text.size();
-  int width = 0;
-  int height = 0;
-  const auto first = std::from_chars(text.data(), end, width);
-  const bool has_first =
-      first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const auto second = std::from_chars(has_first ? first.ptr + 1 : end, end, height);
-  if (second.ec != std::errc() || second.ptr != end)
-    throw UsageError("--size: " + text + " is not of the form WxH");
-  generator.setSize(width, height);
 }
 
 } // namespace
@@ -93,7 +75,10 @@ RandomLinePattern
 generatorOf(const PatternOptions& options)
 {
   RandomLinePattern generator;
-  setSize(options.size, generator);
+  const auto size = crossedNumbers(options.size);
+  if (!size)
+    throw UsageError("--size: " + options.size + " is not of the form WxH");
+  generator.setSize((*size)[0], (*size)[1]);
   generator.setNumberOfLines(options.lines);
   generator.setColored(!options.grey);
   generator.setMinimumAngle(degree * options.minimum_angle);

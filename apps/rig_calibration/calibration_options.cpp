@@ -4,21 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <set>
 
 namespace pcl::acmap {
 
 namespace {
-
-/** \brief Reads a whole number and moves behind it; 0 when there is none. */
-int
-takeCount(const char*& at, const char* end)
-{
-  int count = 0;
-  at = std::from_chars(at, end, count).ptr;
-  return count;
-}
 
 /** \brief Without it, a list that was left empty would take the next option for an image. */
 std::string
@@ -44,7 +34,7 @@ addOptions(Tool& tool, CalibrationOptions& options)
   };
   images(RigCamera::Reference,
          "--reference",
-         "Board images of the reference camera, PNG or JPEG, a shot each")
+         "Board images of the reference camera, PNG, JPEG, PGM or PPM, a shot each")
       ->required();
   images(RigCamera::Horizontal,
          "--horizontal",
@@ -69,16 +59,12 @@ boardOf(const CalibrationOptions& options)
 {
   CalibrationBoard board;
   board.square = options.square;
-  const char* at = options.board.data();
-  const char* const end = at + options.board.size();
-  board.columns = takeCount(at, end);
-  const bool has_cross = at != end && *at == 'x';
-  if (has_cross)
-    ++at;
-  board.rows = takeCount(at, end);
-  if (!has_cross || at != end || board.columns < 3 || board.rows < 3)
+  const auto corners = crossedNumbers(options.board);
+  if (!corners || (*corners)[0] < 3 || (*corners)[1] < 3)
     throw UsageError("--board: '" + options.board.substr(0, 40) +
                      "' is none: two counts from 3 on are needed, as in 9x6");
+  board.columns = (*corners)[0];
+  board.rows = (*corners)[1];
   return board;
 }
 

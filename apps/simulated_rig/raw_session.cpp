@@ -2,6 +2,7 @@
 
 #include "memory.h"
 #include "observation_folder.h"
+#include "output_target.h"
 #include "truth_file.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
@@ -10,23 +11,12 @@
 #include <pcl/core/parallel.h>
 #include <pcl/simulation/simulated_truth.h>
 
-#include <algorithm>
-
 namespace pcl::acmap {
 
 namespace {
 
 constexpr const char* session_name = "session.yaml";
 constexpr double share_of_filming = 0.85; // of the time, the rest is truth
-
-std::string
-numbered(const std::string& name, std::size_t number, const std::string& ending)
-{
-  constexpr std::size_t digits = 4;
-  const std::string text = std::to_string(number);
-  return name + "_" + std::string(digits - std::min(digits, text.size()), '0') + text +
-         ending;
-}
 
 std::vector<RgbImage>
 makePatterns(const SessionSettings& settings, const SimulatedProjector& projector)
@@ -58,8 +48,8 @@ writeObservationTruth(const OutputFolder& folder,
   const DisparityImage& disparities =
       truth.horizontal.values.empty() ? truth.vertical : truth.horizontal;
   if (!disparities.values.empty())
-    savePfm(folder.path(numbered("disparity", observation, ".pfm")), disparities);
-  savePng(folder.path(numbered("visible", observation, ".png")),
+    savePfm(folder.path(numberedName("disparity", observation, ".pfm")), disparities);
+  savePng(folder.path(numberedName("visible", observation, ".png")),
           scene.rig.width,
           scene.rig.height,
           truth.visible);
@@ -124,10 +114,7 @@ isSessionName(const std::string& name)
 void
 requireNoSession(const OutputFolder& folder)
 {
-  for (const std::string& name : folder.names())
-    if (isSessionName(name))
-      throw OutputFileException(folder.name() + ": already holds " + name +
-                                "; name an empty or a new folder");
+  requireNoneIn(folder, isSessionName);
 }
 
 SessionCounts

@@ -35,6 +35,15 @@ TEST_F(CommandLine, OtherWordsStay)
             (Words{"-unknown", "-3.5e-2"}));
 }
 
+TEST_F(CommandLine, CrossedNumbersAreTwoWithNothingElse)
+{
+  EXPECT_EQ(crossedNumbers("1024x768"), (std::array<int, 2>{1024, 768}));
+  EXPECT_EQ(crossedNumbers("-3x0"), (std::array<int, 2>{-3, 0}));
+  for (const std::string bad :
+       {"", "x", "9", "9x", "x6", "9x6x", "9 x6", "9X6", "9.5x6", "9x99999999999"})
+    EXPECT_FALSE(crossedNumbers(bad)) << bad;
+}
+
 TEST_F(CommandLine, OnlyFiniteNumbersAboveZeroAreLengths)
 {
   for (const std::string bad : {"0", "-1", "nan", "inf", "1x", "", "1e999"})

@@ -37,6 +37,17 @@ TEST(OutputTarget, RefusesPlacesWhereNothingCanBeWritten)
     EXPECT_THROW(requireWritable(path, meshes, {}), OutputFileException) << path;
 }
 
+TEST(OutputTarget, RefusesAFolderThatHoldsItsOwnKind)
+{
+  const test::TemporaryFolder folder;
+  folder.write("picture.png", "x");
+  const auto is_ours = [](const std::string& name) { return name == "picture.png"; };
+  const OutputFolder out(folder.path("."));
+  EXPECT_THROW(requireNoneIn(out, is_ours), OutputFileException);
+  std::filesystem::rename(folder.path("picture.png"), folder.path("other.png"));
+  EXPECT_NO_THROW(requireNoneIn(out, is_ours));
+}
+
 TEST(OutputTarget, RefusesToReplaceAFileOfTheRun)
 {
   const test::TemporaryFolder folder;
