@@ -1,7 +1,6 @@
 #include "entropy_bins.h"
 
-#include <cstdlib>
-#include <string_view>
+#include <pcl/core/simd_choice.h>
 
 namespace pcl::acmap {
 
@@ -11,8 +10,7 @@ const EntropyBins&
 chooseVariant()
 {
 #ifdef ACMAP_SIMD_AVX2
-  const char* asked = std::getenv("ACMAP_SIMD");
-  if (!(asked && std::string_view(asked) == "base") && __builtin_cpu_supports("avx2"))
+  if (isAvx2Chosen())
     return entropy_bins_avx2;
 #endif
   return entropy_bins_base;

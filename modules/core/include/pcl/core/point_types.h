@@ -37,6 +37,32 @@ struct EIGEN_ALIGN16 PointXYZRGBNormalView {
   }
 };
 
+/** \brief A point of an observation: place, colour, and one standard deviation along the
+ * ray.
+ *
+ * \c sigma is in metres; NaN where the point has no place. Colour is valid everywhere.
+ * \ingroup core */
+struct EIGEN_ALIGN16 PointXYZRGBSigma {
+  PCL_ADD_POINT4D;
+  union {
+    struct {
+      PCL_ADD_UNION_RGB;
+      float sigma;
+    };
+    float data_c[4];
+  };
+  PCL_ADD_EIGEN_MAPS_RGB;
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+
+  PointXYZRGBSigma()
+  {
+    x = y = z = 0;
+    data[3] = 1;
+    rgba = 0xff000000;
+    sigma = 0;
+  }
+};
+
 } // namespace pcl
 
 // clang-format off
@@ -51,4 +77,11 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(
   (float, rgb, rgb)
   (float, curvature, curvature)
   (std::int32_t, view, view))
+POINT_CLOUD_REGISTER_POINT_STRUCT(
+  pcl::PointXYZRGBSigma,
+  (float, x, x)
+  (float, y, y)
+  (float, z, z)
+  (float, rgb, rgb)
+  (float, sigma, sigma))
 // clang-format on

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdlib>
+#include <string_view>
+
+namespace pcl::acmap {
+
+/** \brief Whether kernels take their AVX2 variant: where the processor has it, and the
+ * environment variable ACMAP_SIMD does not say "base". Asked once a kernel, before its
+ * first run. \ingroup core */
+inline bool
+isAvx2Chosen()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  const char* asked = std::getenv("ACMAP_SIMD");
+  return !(asked && std::string_view(asked) == "base") &&
+         __builtin_cpu_supports("avx2");
+#else
+  return false;
+#endif
+}
+
+} // namespace pcl::acmap
