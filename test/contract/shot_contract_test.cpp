@@ -1,6 +1,9 @@
+#include "disparity_back_projection_traits.h"
+#include "disparity_fusion_traits.h"
 #include "random_line_pattern_traits.h"
 #include "rig_calibrator_traits.h"
 #include "simulated_rig_grabber_traits.h"
+#include "trinocular_matching_traits.h"
 #include "trinocular_rectification_traits.h"
 
 namespace pcl::acmap::test {
@@ -11,13 +14,23 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
 /** Every public class with a verb on patterns, frames or rigs. Not here: what is made of
  * a folder, a device or a signal (recorder, projectors, other grabbers), whose own tests
  * check files, screens and threads. */
-using ShotClasses = testing::Types<RandomLinePatternTraits,
+using ShotClasses = testing::Types<DisparityBackProjectionTraits,
+                                   DisparityFusionTraits,
+                                   RandomLinePatternTraits,
                                    RigCalibratorTraits,
                                    SimulatedRigGrabberTraits,
+                                   TrinocularMatchingTraits,
                                    TrinocularRectificationTraits>;
-using ReportingClasses = testing::Types<RandomLinePatternTraits, RigCalibratorTraits>;
-using ThreadedClasses =
-    testing::Types<SimulatedRigGrabberTraits, TrinocularRectificationTraits>;
+using ReportingClasses = testing::Types<DisparityBackProjectionTraits,
+                                        DisparityFusionTraits,
+                                        RandomLinePatternTraits,
+                                        RigCalibratorTraits,
+                                        TrinocularMatchingTraits>;
+using ThreadedClasses = testing::Types<DisparityBackProjectionTraits,
+                                       DisparityFusionTraits,
+                                       SimulatedRigGrabberTraits,
+                                       TrinocularMatchingTraits,
+                                       TrinocularRectificationTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ShotContract, ShotClasses);
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ReportContract, ReportingClasses);

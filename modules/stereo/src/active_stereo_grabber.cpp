@@ -1,0 +1,120 @@
+#include <pcl/stereo/active_stereo_grabber.h>
+
+#include "grabber/observation_stream.h"
+
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+template <typename Callback>
+using Signal = boost::signals2::signal<Callback>;
+
+shared_ptr<TrinocularGrabber>
+requireGrabber(shared_ptr<TrinocularGrabber> frames)
+{
+  if (!frames)
+    throw BadArgumentException("ActiveStereoGrabber needs a grabber of frames");
+  return frames;
+}
+
+} // namespace
+
+struct ActiveStereoGrabber::State {
+  State(shared_ptr<TrinocularGrabber> frames,
+        const Signal<CloudCallback>& clouds,
+        const Signal<ObservationCallback>& observations)
+  : stream(requireGrabber(std::move(frames)),
+           [&clouds, &observations](const ActiveStereoObservation& observation) {
+             clouds(observation.cloud);
+             observations(observation);
+           })
+  {}
+
+  acmap::ObservationMaker&
+  settings()
+  {
+    if (stream.isRunning())
+      throw InitFailedException("ActiveStereoGrabber streams: nothing can be set now");
+    return stream.maker();
+  }
+
+  acmap::ObservationStream stream;
+};
+
+ActiveStereoGrabber::ActiveStereoGrabber(shared_ptr<TrinocularGrabber> frames)
+: state_(std::make_unique<State>(std::move(frames),
+                                 *createSignal<CloudCallback>(),
+                                 *createSignal<ObservationCallback>()))
+{}
+
+ActiveStereoGrabber::~ActiveStereoGrabber() noexcept = default;
+
+DisparityFusion&
+ActiveStereoGrabber::fusion()
+{
+  return state_->settings().fusion();
+}
+
+DisparityBackProjection&
+ActiveStereoGrabber::backProjection()
+{
+  return state_->settings().backProjection();
+}
+
+void
+ActiveStereoGrabber::start()
+{
+  state_->stream.start();
+}
+
+void
+ActiveStereoGrabber::stop()
+{
+  state_->stream.stop();
+}
+
+bool
+ActiveStereoGrabber::isRunning() const
+{
+  return state_->stream.isRunning();
+}
+
+void
+ActiveStereoGrabber::wait()
+{
+  state_->stream.wait();
+}
+
+std::exception_ptr
+ActiveStereoGrabber::getError() const
+{
+  return state_->stream.error();
+}
+
+std::string
+ActiveStereoGrabber::getName() const
+{
+  return "ActiveStereoGrabber";
+}
+
+float
+ActiveStereoGrabber::getFramesPerSecond() const
+{
+  return 0.0F;
+}
+
+TrinocularRig
+ActiveStereoGrabber::getRig() const
+{
+  return state_->stream.frames().getRig();
+}
+
+ActiveStereoGrabberReport
+ActiveStereoGrabber::getReport() const
+{
+  return state_->stream.maker().report();
+}
+
+} // namespace pcl

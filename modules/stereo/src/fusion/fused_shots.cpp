@@ -1,0 +1,104 @@
+#include "fused_shots.h"
+
+#include "shot_statistics.h"
+
+#include <pcl/core/parallel.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+DisparityOutcome
+commonestOutcome(const std::vector<MatchedDisparity>& shots, std::size_t pixel)
+{
+  std::array<std::size_t, disparity_outcomes> counts{};
+  for (const MatchedDisparity& shot : shots)
+    ++counts[static_cast<std::size_t>(shot.outcome[pixel])];
+  return static_cast<DisparityOutcome>(std::max_element(counts.begin(), counts.end()) -
+                                       counts.begin());
+}
+
+/** \brief Fuses pixel after pixel; has its own memory. */
+class PixelFusion {
+public:
+  PixelFusion(const std::vector<MatchedDisparity>& shots,
+              ShotStatistic statistic,
+              std::size_t least_support)
+  : shots_(shots)
+  , statistic_(statistic)
+  , least_support_(least_support)
+  , samples_(shots.size())
+  {}
+
+  void
+  fuse(std::size_t pixel, MatchedDisparity& fused)
+  {
+    std::size_t found = 0;
+    for (const MatchedDisparity& shot : shots_)
+      if (shot.outcome[pixel] == DisparityOutcome::Matched)
+        samples_[found++] = {shot.disparity.values[pixel], shot.sigma[pixel]};
+    if (found == 0)
+      fused.outcome[pixel] = commonestOutcome(shots_, pixel);
+    else if (found >= least_support_)
+      fuseFound(found, pixel, fused);
+  }
+
+private:
+  void
+  fuseFound(std::size_t found, std::size_t pixel, MatchedDisparity& fused)
+  {
+    ShotDisparity* const begin = samples_.data();
+    sortShots(begin, begin + found);
+    const FusedDisparity result = statistic_ == ShotStatistic::Median
+                                      ? medianOfShots(begin, begin + found)
+                                      : consistentMeanOfShots(begin, begin + found);
+    if (!result.is_consistent)
+      fused.outcome[pixel] = DisparityOutcome::Inconsistent;
+    else if (result.support >= least_support_) {
+      fused.disparity.values[pixel] = result.disparity;
+      fused.sigma[pixel] = result.sigma;
+      fused.support[pixel] = result.support;
+      fused.outcome[pixel] = DisparityOutcome::Matched;
+    }
+  }
+
+  const std::vector<MatchedDisparity>& shots_;
+  ShotStatistic statistic_;
+  std::size_t least_support_;
+  std::vector<ShotDisparity> samples_;
+};
+
+} // namespace
+
+MatchedDisparity
+noDisparity(int width, int height, DisparityOutcome why)
+{
+  const std::size_t pixels =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::vector<float> none(pixels, std::numeric_limits<float>::quiet_NaN());
+  return {{width, height, none},
+          none,
+          std::vector<std::uint16_t>(pixels),
+          std::vector<DisparityOutcome>(pixels, why)};
+}
+
+MatchedDisparity
+fuseShots(const std::vector<MatchedDisparity>& shots,
+          ShotStatistic statistic,
+          std::size_t least_support)
+{
+  const DisparityImage& size = shots.front().disparity;
+  MatchedDisparity fused =
+      noDisparity(size.width, size.height, DisparityOutcome::TooFewShots);
+  parallelForChunks(fused.outcome.size(), [&](std::size_t begin, std::size_t end) {
+    PixelFusion pixels(shots, statistic, least_support);
+    for (std::size_t i = begin; i < end; ++i)
+      pixels.fuse(i, fused);
+  });
+  return fused;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,51 @@
+#include "observation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::acmap {
+
+static_assert(Observation::most_shots <= ShotColor::most_images);
+static_assert(Observation::most_shots <= ShotCoverage::most_shots);
+
+Observation::Observation(const TrinocularRig& rig)
+: dark_color_(rig.width, rig.height)
+, lit_color_(rig.width, rig.height)
+, coverage_(rig.width, rig.height)
+{}
+
+void
+Observation::addDark(const CameraImage& reference)
+{
+  dark_color_.add(reference);
+  coverage_.setDark(reference);
+}
+
+void
+Observation::addLit(const CameraImage& reference, double deviation)
+{
+  lit_color_.add(reference);
+  coverage_.add(reference);
+  shares_.push_back(coverage_.share(deviation));
+}
+
+void
+Observation::addMatched(MatchedDisparity shot, const Report& report)
+{
+  shot.support = {};
+  matched.push_back(std::move(shot));
+  for (const auto& step : report.seconds)
+    matching_seconds += step.second;
+  for (const std::string& remark : report.remarks)
+    if (std::find(matching_remarks.begin(), matching_remarks.end(), remark) ==
+        matching_remarks.end())
+      matching_remarks.push_back(remark);
+}
+
+CameraImage
+Observation::color() const
+{
+  return (darkShots() > 0 ? dark_color_ : lit_color_).mean();
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <pcl/core/trinocular_frame.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Mean colour of images of one size. */
+class ShotColor {
+public:
+  /** \brief Sums up to this many images do not overflow. */
+  static constexpr std::size_t most_images = 257;
+
+  /** \param[in] width, height of the images, px */
+  ShotColor(int width, int height);
+
+  /** \brief Grey images count as three equal channels. Runs in the caller's arena.
+   * \param[in] image whole, of that size */
+  void
+  add(const CameraImage& image);
+
+  std::size_t
+  images() const
+  {
+    return images_;
+  }
+
+  /** \brief Rounded; three channels; empty without images. */
+  CameraImage
+  mean() const;
+
+private:
+  int width_;
+  int height_;
+  std::size_t images_ = 0;
+  std::vector<std::uint16_t> sums_; // three channels
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,112 @@
+#include "shot_coverage.h"
+
+#include <pcl/core/parallel.h>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr std::uint32_t unit = 16; // of a grey level: the weights' sum
+
+static_assert(ShotCoverage::most_shots * (255 * unit) * (255 * unit) <= 4294967295U);
+
+/** \brief Grey levels of a row, with the first and the last pixel once more outside. */
+void
+readRow(const CameraImage& image, int row, std::uint16_t* grey)
+{
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::uint8_t* const from =
+      image.values.data() + static_cast<std::size_t>(row) * width * channels;
+  if (channels == 1)
+    std::copy_n(from, width, grey + 1);
+  else
+    for (std::size_t i = 0; i < width; ++i)
+      grey[i + 1] = static_cast<std::uint16_t>(
+          (from[3 * i] + 2 * from[3 * i + 1] + from[3 * i + 2] + 2) / 4);
+  grey[0] = grey[1];
+  grey[width + 1] = grey[width];
+}
+
+} // namespace
+
+ShotCoverage::ShotCoverage(int width, int height)
+: width_(width)
+, height_(height)
+, last_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+, sums_(last_.size())
+, squares_(last_.size())
+{}
+
+void
+ShotCoverage::smooth(const CameraImage& image,
+                     std::vector<std::uint16_t>& smoothed) const
+{
+  const auto width = static_cast<std::size_t>(width_);
+  oneapi::tbb::parallel_for(0, height_, [&](int row) {
+    std::vector<std::uint16_t> grey(3 * (width + 2));
+    std::uint16_t* const above = grey.data();
+    std::uint16_t* const here = above + width + 2;
+    std::uint16_t* const below = here + width + 2;
+    readRow(image, std::max(row - 1, 0), above);
+    readRow(image, row, here);
+    readRow(image, std::min(row + 1, height_ - 1), below);
+    for (std::size_t i = 0; i < width + 2; ++i)
+      above[i] = static_cast<std::uint16_t>(above[i] + 2 * here[i] + below[i]);
+    std::uint16_t* const to = smoothed.data() + static_cast<std::size_t>(row) * width;
+    for (std::size_t i = 0; i < width; ++i)
+      to[i] = static_cast<std::uint16_t>(above[i] + 2 * above[i + 1] + above[i + 2]);
+  });
+}
+
+void
+ShotCoverage::setDark(const CameraImage& image)
+{
+  dark_.resize(last_.size());
+  smooth(image, dark_);
+}
+
+void
+ShotCoverage::add(const CameraImage& image)
+{
+  smooth(image, last_);
+  parallelForChunks(last_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t value = last_[i];
+      sums_[i] += value;
+      squares_[i] += value * value;
+    }
+  });
+  ++shots_;
+}
+
+double
+ShotCoverage::share(double deviation) const
+{
+  const bool with_dark = shots_ == 1 && !dark_.empty();
+  const double samples = shots_ + (with_dark ? 1 : 0);
+  if (samples < 2)
+    return 0;
+  const double least = unit * deviation * samples;
+  // whole numbers below 2^53: doubles are exact
+  const auto isToldApart = [&](std::size_t i) {
+    const double dark = with_dark ? dark_[i] : 0;
+    const double sum = sums_[i] + dark;
+    return samples * (squares_[i] + dark * dark) - sum * sum >= least * least;
+  };
+  const std::size_t told_apart = parallelReduceChunks(
+      last_.size(),
+      std::size_t{0},
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          count += isToldApart(i) ? 1 : 0;
+        return count;
+      },
+      [](std::size_t& all, std::size_t count) { all += count; });
+  return static_cast<double>(told_apart) / static_cast<double>(last_.size());
+}
+
+} // namespace pcl::acmap

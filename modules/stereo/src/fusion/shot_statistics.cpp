@@ -1,0 +1,164 @@
+#include "shot_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr float normal_deviations = 1.4826f; // of a median absolute deviation
+constexpr float most_deviations = 3.0f;
+constexpr float least_limit = 1.0f;       // px
+constexpr float least_agreement = 0.6f;   // share of the shots, see isAgreed
+constexpr float median_variance = 1.571f; // of that of a mean
+
+// By simulation, see doc/stereo/disparity_fusion.md.
+constexpr float least_scatter = 0.05f; // px, of a shot, besides what its sigma says
+constexpr float test_scatter = 0.5f;   // px, that the chi-square test lets pass besides
+constexpr float prior_shots = 1.0f;    // that the shots' own sigmas count for
+constexpr float common_share = 0.2f;  // of a shot's error that all shots have in common
+constexpr float least_sigma = 0.005f; // px
+
+constexpr float
+square(float value)
+{
+  return value * value;
+}
+
+float
+varianceOf(const ShotDisparity& shot, float least)
+{
+  return square(shot.sigma) + square(least);
+}
+
+/** \brief Lower median of the absolute deviations from the lower median. */
+float
+medianDeviation(const ShotDisparity* begin, const ShotDisparity* end)
+{
+  const std::ptrdiff_t half = (end - begin - 1) / 2;
+  const float middle = begin[half].disparity;
+  const ShotDisparity* below = begin + half;
+  const ShotDisparity* above = begin + half + 1;
+  float deviation = 0.0f;
+  for (std::ptrdiff_t i = 0; i < half; ++i) { // the nearest of those on either side
+    const bool goes_up =
+        below == begin ||
+        (above != end && above->disparity - middle < middle - below[-1].disparity);
+    deviation = goes_up ? (above++)->disparity - middle : middle - (--below)->disparity;
+  }
+  return deviation;
+}
+
+/** \brief Those that are not too far from the middle one: at least half of them. */
+std::pair<const ShotDisparity*, const ShotDisparity*>
+inliersOf(const ShotDisparity* begin, const ShotDisparity* end)
+{
+  const float middle = begin[(end - begin - 1) / 2].disparity;
+  const float limit = std::max(
+      most_deviations * normal_deviations * medianDeviation(begin, end), least_limit);
+  while (middle - begin->disparity > limit)
+    ++begin;
+  while (end[-1].disparity - middle > limit)
+    --end;
+  return {begin, end};
+}
+
+/** \brief What is known of a pixel's shots, for the sigma of what they are fused to. */
+struct Scatter {
+  float shots;    // how many
+  float worth;    // of a mean of so many
+  float variance; // px^2, of a shot, as they tell
+  float misfit;   // sum of squared deviations, by the variances that they tell
+};
+
+/** \brief What the shots tell of their errors is scaled by how they differ; errors that
+ * all have in common (a slanted wall, an edge within the window) do not show there. */
+float
+fusedSigma(const Scatter& of)
+{
+  const float scale = (prior_shots + of.misfit) / (prior_shots + of.shots - 1.0f);
+  return std::sqrt(scale * of.variance * (1.0f / of.worth + square(common_share)) +
+                   square(least_sigma));
+}
+
+/** \brief Whether most of the shots tell this disparity to a pixel. Of shots that tell all
+ * kinds of disparities the robust deviation is large, and all are within it. */
+bool
+isAgreed(const ShotDisparity* begin, const ShotDisparity* end, float disparity)
+{
+  const auto agreed = std::count_if(begin, end, [=](const ShotDisparity& shot) {
+    return std::abs(shot.disparity - disparity) <= least_limit;
+  });
+  return static_cast<float>(agreed) >=
+         least_agreement * static_cast<float>(end - begin);
+}
+
+} // namespace
+
+void
+sortShots(ShotDisparity* begin, ShotDisparity* end)
+{
+  std::sort(begin, end, [](const ShotDisparity& a, const ShotDisparity& b) {
+    return a.disparity < b.disparity ||
+           (a.disparity == b.disparity && a.sigma < b.sigma);
+  });
+}
+
+FusedDisparity
+medianOfShots(const ShotDisparity* begin, const ShotDisparity* end)
+{
+  const auto shots = static_cast<float>(end - begin);
+  float precision = 0.0f; // the variance of a median goes with the mean of 1 / sigma
+  for (const ShotDisparity* shot = begin; shot != end; ++shot)
+    precision += 1.0f / std::sqrt(varianceOf(*shot, least_scatter)) / shots;
+  const float variance = 1.0f / square(precision);
+  const float deviation = normal_deviations * medianDeviation(begin, end);
+  return {begin[(end - begin - 1) / 2].disparity,
+          fusedSigma({shots,
+                      shots / median_variance,
+                      variance,
+                      (shots - 1.0f) * square(deviation) / variance}),
+          static_cast<std::uint16_t>(end - begin),
+          true};
+}
+
+FusedDisparity
+consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end)
+{
+  const auto [first, last] = inliersOf(begin, end);
+  const float origin = first->disparity;
+  float weights = 0.0f, offset = 0.0f;
+  for (const ShotDisparity* shot = first; shot != last; ++shot) {
+    const float weight = 1.0f / varianceOf(*shot, least_scatter);
+    weights += weight;
+    offset += weight * (shot->disparity - origin);
+  }
+  const float mean = origin + offset / weights;
+  float misfit = 0.0f, tested = 0.0f;
+  for (const ShotDisparity* shot = first; shot != last; ++shot) {
+    misfit += square(shot->disparity - mean) / varianceOf(*shot, least_scatter);
+    tested += square(shot->disparity - mean) / varianceOf(*shot, test_scatter);
+  }
+  const auto support = static_cast<std::uint16_t>(last - first);
+  const auto shots = static_cast<float>(support);
+  return {mean,
+          fusedSigma({shots, shots, shots / weights, misfit}),
+          support,
+          isAgreed(begin, end, mean) && tested <= chiSquareLimit(support - 1U)};
+}
+
+double
+chiSquareLimit(std::size_t degrees_of_freedom)
+{
+  if (degrees_of_freedom == 0)
+    return std::numeric_limits<double>::infinity();
+  constexpr double deviations = 2.3263; // of the normal law, for 1 %
+  const double part = 2.0 / (9.0 * static_cast<double>(degrees_of_freedom));
+  const double root = 1.0 - part + deviations * std::sqrt(part);
+  return static_cast<double>(degrees_of_freedom) * root * root * root;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,197 @@
+#include "pair_costs.h"
+
+#include "census.h"
+#include "window_sums.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr float cost_of_no_correlation = 2000.0F;
+
+/** Grey levels squared: a pixel that changes no more than its noise is like no other. */
+constexpr float variance_floor = 4.0F;
+
+/** Levels of a row over time, less their mean, over the root of their sum of squares. */
+class CodeRow {
+public:
+  CodeRow(const ShotStack& stack, int behind)
+  : stack_(stack)
+  , size_(stack.width() + behind)
+  , floor_(variance_floor * ShotStack::unit * ShotStack::unit *
+           static_cast<float>(stack.shots()))
+  , scales_(static_cast<std::size_t>(size_))
+  , values_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(stack.shots()))
+  {}
+
+  void
+  fill(int y)
+  {
+    const ShotRows<std::int16_t> from = stack_.rows(y);
+    std::fill(scales_.begin(), scales_.end(), floor_);
+    float* const scales = scales_.data();
+    for (int k = 0; k < from.shots; ++k)
+      for (int x = 0; x < size_; ++x) {
+        const float value = from.values[k * from.plane + x];
+        scales[x] += value * value;
+      }
+    for (float& scale : scales_)
+      scale = 1.0F / std::sqrt(scale);
+    for (int k = 0; k < from.shots; ++k) {
+      float* const to = values_.data() + static_cast<std::int64_t>(k) * size_;
+      for (int x = 0; x < size_; ++x)
+        to[x] = scales[x] * from.values[k * from.plane + x];
+    }
+  }
+
+  ShotRows<float>
+  from(int x) const
+  {
+    return {values_.data() + x, size_, stack_.shots()};
+  }
+
+private:
+  const ShotStack& stack_;
+  int size_;
+  float floor_;
+  std::vector<float> scales_;
+  std::vector<float> values_;
+};
+
+/** Calls body (begin, end) for blocks of rows, in any order. */
+template <typename Body>
+void
+forRowBlocks(int height, const Body& body)
+{
+  constexpr int rows = 32;
+  oneapi::tbb::parallel_for(0, (height + rows - 1) / rows, [&](int block) {
+    body(block * rows, std::min((block + 1) * rows, height));
+  });
+}
+
+/** What was filled in for disparities that lead out of the image, or are none. */
+void
+markOutside(const DisparityRange& range, std::int16_t outside_cost, const CostRow& row)
+{
+  for (int x = 0; x < row.width; ++x) {
+    std::int16_t* const costs = row.values + static_cast<std::int64_t>(x) * row.stride;
+    const int inside = std::clamp(row.width - x - range.first, 0, range.count);
+    std::fill(costs + inside, costs + range.count, outside_cost);
+    std::fill(costs + range.count, costs + row.stride, filled_cost);
+  }
+}
+
+void
+fillOverTime(const ShotStack& reference,
+             const ShotStack& target,
+             const DisparityRange& range,
+             CostVolume& costs)
+{
+  forRowBlocks(costs.height, [&](int begin, int end) {
+    CodeRow codes(reference, 0), target_codes(target, range.first + range.stride());
+    for (int y = begin; y < end; ++y) {
+      codes.fill(y);
+      target_codes.fill(y);
+      pairKernels().correlate(codes.from(0),
+                              target_codes.from(range.first),
+                              cost_of_no_correlation,
+                              costs.row(y));
+    }
+  });
+}
+
+void
+fillWindows(const ShotStack& reference,
+            const ShotStack& target,
+            const MatchingRecipe& recipe,
+            const DisparityRange& range,
+            CostVolume& costs)
+{
+  const WindowSums windows(reference, recipe, 0);
+  const WindowSums target_windows(target, recipe, range.first + range.stride());
+  const int radius = recipe.radius, width = costs.width + 2 * radius;
+  const auto add = [&](int y, int sign, std::vector<std::int32_t>& sums) {
+    pairKernels().addProducts(reference.rows(y, -radius),
+                              target.rows(y, range.first - radius),
+                              width,
+                              costs.stride,
+                              sign,
+                              sums.data());
+  };
+  forRowBlocks(costs.height, [&](int begin, int end) {
+    std::vector<std::int32_t> sums(static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(costs.stride));
+    for (int y = begin - radius; y < begin + radius; ++y)
+      add(y, 1, sums);
+    for (int y = begin; y < end; ++y) {
+      add(y + radius, 1, sums);
+      pairKernels().correlateWindows(sums.data(),
+                                     radius,
+                                     windows.row(y, 0),
+                                     target_windows.row(y, range.first),
+                                     cost_of_no_correlation,
+                                     costs.row(y));
+      add(y - radius, -1, sums);
+    }
+  });
+}
+
+void
+fillCensus(const ShotStack& reference,
+           const ShotStack& target,
+           const MatchingRecipe& recipe,
+           const DisparityRange& range,
+           CostVolume& costs)
+{
+  const Census census(reference, 0);
+  const Census target_census(target, range.first + range.stride());
+  oneapi::tbb::parallel_for(0, costs.height, [&](int y) {
+    pairKernels().countBits(census.row(y),
+                            target_census.row(y, range.first),
+                            recipe.cost_of_bit,
+                            costs.row(y));
+  });
+}
+
+} // namespace
+
+void
+CostVolume::resize(int new_width, int new_height, int new_stride)
+{
+  width = new_width;
+  height = new_height;
+  stride = new_stride;
+  values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                static_cast<std::size_t>(stride));
+}
+
+void
+fillCosts(const ShotStack& reference,
+          const ShotStack& target,
+          const MatchingRecipe& recipe,
+          const DisparityRange& range,
+          CostVolume& costs)
+{
+  costs.resize(reference.width(), reference.height(), range.stride());
+  switch (recipe.cost) {
+  case PairCost::OverTime:
+    fillOverTime(reference, target, range, costs);
+    break;
+  case PairCost::Windows:
+    fillWindows(reference, target, recipe, range, costs);
+    break;
+  case PairCost::Census:
+    fillCensus(reference, target, recipe, range, costs);
+    break;
+  }
+  oneapi::tbb::parallel_for(0, costs.height, [&](int y) {
+    markOutside(range, recipe.outside_cost, costs.row(y));
+  });
+}
+
+} // namespace pcl::acmap

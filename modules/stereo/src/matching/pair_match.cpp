@@ -1,0 +1,126 @@
+#include "pair_match.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** Puts a laid-out pair's pixels where they are in the image. */
+class PixelPlaces {
+public:
+  PixelPlaces(const PairLayout& layout, int width, int height)
+  : layout_(layout)
+  , width_(width)
+  , height_(height)
+  {}
+
+  std::size_t
+  operator()(int x, int y) const
+  {
+    const int along = layout_.mirrored ? width_ - 1 - x : x;
+    return layout_.transposed ? at(y, along, height_) : at(along, y, width_);
+  }
+
+private:
+  static std::size_t
+  at(int column, int row, int width)
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+
+  PairLayout layout_;
+  int width_, height_;
+};
+
+/** Tests matches in the order in which a user would look for the cause. */
+class PairJudge {
+public:
+  PairJudge(const PairWinners& winners,
+            const RefinedPair& refined,
+            const DisparityRange& range,
+            const MatchTests& tests)
+  : winners_(winners)
+  , refined_(refined)
+  , range_(range)
+  , tests_(tests)
+  {}
+
+  DisparityOutcome
+  judge(int x, std::size_t at) const
+  {
+    if (!std::isfinite(refined_.disparity[at]))
+      return DisparityOutcome::OutOfView;
+    if (refined_.deviation[at] < tests_.deviation)
+      return DisparityOutcome::Untextured;
+    if (refined_.correlation[at] < tests_.correlation)
+      return DisparityOutcome::Uncorrelated;
+    if (tests_.uniqueness > 0 && winners_.uniqueness[at] < tests_.uniqueness)
+      return DisparityOutcome::Ambiguous;
+    if (tests_.left_right && !isMatchedBack(x, at))
+      return DisparityOutcome::OneSided;
+    return DisparityOutcome::Matched;
+  }
+
+private:
+  bool
+  isMatchedBack(int x, std::size_t at) const
+  {
+    const int column = x + range_.first + winners_.index[at];
+    const std::size_t row = at - static_cast<std::size_t>(x);
+    const int back = winners_.matched_by[row + static_cast<std::size_t>(column)];
+    return back >= 0 && std::abs(back - x) <= tests_.left_right_threshold;
+  }
+
+  const PairWinners& winners_;
+  const RefinedPair& refined_;
+  const DisparityRange& range_;
+  const MatchTests& tests_;
+};
+
+} // namespace
+
+void
+PairMatcher::match(const PairImages& images,
+                   const MatchingRecipe& recipe,
+                   const DisparityRange& range,
+                   const MatchTests& tests,
+                   PairMatch& match)
+{
+  reference_.read(images.reference, images.layout, recipe.blur, 0);
+  target_.read(images.target, images.layout, recipe.blur, range.first + range.stride());
+  if (recipe.centred) {
+    reference_.takeOffMean();
+    target_.takeOffMean();
+  }
+  fillCosts(reference_, target_, recipe, range, costs_);
+  paths_.findWinners(reference_,
+                     range,
+                     {recipe.small_penalty,
+                      recipe.large_penalty,
+                      recipe.contrast,
+                      tests.uniqueness > 0},
+                     costs_,
+                     winners_);
+  refineWinners(reference_, target_, winners_, range, recipe.centred, refined_);
+
+  const int width = reference_.width(), height = reference_.height();
+  const PixelPlaces places(images.layout, width, height);
+  const PairJudge judge(winners_, refined_, range, tests);
+  match.refined.resize(refined_.disparity.size());
+  match.outcome.resize(refined_.disparity.size());
+  std::size_t at = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x, ++at) {
+      const std::size_t to = places(x, y);
+      match.outcome[to] = judge.judge(x, at);
+      match.refined.disparity[to] = refined_.disparity[at];
+      match.refined.correlation[to] = refined_.correlation[at];
+      match.refined.sigma[to] = refined_.sigma[at];
+      match.refined.deviation[to] = refined_.deviation[at];
+    }
+}
+
+} // namespace pcl::acmap

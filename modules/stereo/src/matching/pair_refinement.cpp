@@ -1,0 +1,285 @@
+#include "pair_refinement.h"
+
+#include "quarter_sums.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr int reach = 2;                                 ///< px, of the window
+constexpr std::size_t places = WindowAtQuarters::places; ///< from -1 px on
+constexpr float unit = ShotStack::unit;                  ///< of levels
+constexpr float variance_floor = 0.25F * unit * unit;
+constexpr float quarter = 0.25F; ///< px
+
+/** Blur and interpolation make neighbours alike: as many of a window's values are
+ * independent. Measured in simulation, see doc/stereo/trinocular_matching.md. */
+constexpr float independent_share = 0.34F;
+
+/** What is known of a window. */
+class Window {
+public:
+  explicit Window(bool centred)
+  : centred_(centred)
+  {}
+
+  /** Adds those of a row whose winners are as that of the middle.
+   * \param[in] begin, end columns */
+  void
+  add(const QuarterSums& row, int begin, int end, int winner)
+  {
+    const int* const winners = row.winners();
+    const SubPixelSums* const sums = row.sums();
+    const float *const squares = row.squares(), *const values = row.values();
+    int count = count_;
+    float square = squares_, value = values_;
+    for (int x = begin; x < end; ++x) {
+      const int difference = winner - winners[x];
+      if (difference < -1 || difference > 1)
+        continue;
+      pixels_[static_cast<std::size_t>(count++)] =
+          sums[x].products + 4 + 4 * difference;
+      square += squares[x];
+      value += values[x];
+    }
+    count_ = count;
+    squares_ = square;
+    values_ = value;
+  }
+
+  /** All pixels are there. \param[in] shots values of a pixel */
+  void
+  finish(int shots)
+  {
+    pairKernels().sumWindow(pixels_.data(), count_, !centred_, sums_);
+    size_ = static_cast<float>(count_ * shots);
+    floor_ = size_ * variance_floor;
+    mean_ = centred_ ? 0.0F : values_ / size_;
+    square_ = std::max(squares_ - size_ * mean_ * mean_, 0.0F);
+  }
+
+  /** ZNCC at a place. */
+  float
+  correlate(std::size_t place) const
+  {
+    const float mean = centred_ ? 0.0F : sums_.values[place] / size_;
+    const float square = std::max(sums_.squares[place] - size_ * mean * mean, 0.0F);
+    return (sums_.products[place] - size_ * mean_ * mean) /
+           std::sqrt((square_ + floor_) * (square + floor_));
+  }
+
+  float
+  variance() const
+  {
+    return square_ / size_;
+  }
+
+  /** How many values are compared. */
+  float
+  size() const
+  {
+    return size_;
+  }
+
+private:
+  static constexpr std::size_t pixels = (2 * reach + 1) * (2 * reach + 1);
+
+  bool centred_;
+  std::array<const float*, pixels> pixels_;
+  int count_ = 0;
+  float squares_ = 0, values_ = 0; ///< of the reference
+  WindowAtQuarters sums_;
+  float size_ = 0, floor_ = 0, mean_ = 0, square_ = 0;
+};
+
+/** Rows of sums, as many as a window is high. */
+class SumRows {
+public:
+  SumRows(const ShotStack& reference,
+          const ShotStack& target,
+          const PairWinners& winners,
+          const DisparityRange& range)
+  : reference_(reference)
+  , target_(target)
+  , winners_(winners)
+  , range_(range)
+  {}
+
+  void
+  fill(int y)
+  {
+    if (y >= 0 && y < reference_.height())
+      row(y).fill(reference_, target_, winners_, range_, y);
+  }
+
+  Window
+  windowAt(int x, int y, bool centred)
+  {
+    Window window(centred);
+    const int begin = std::max(x - reach, 0), end = std::min(x + reach + 1, width());
+    const int winner = row(y).winners()[x];
+    for (int j = std::max(y - reach, 0); j <= std::min(y + reach, height() - 1); ++j)
+      window.add(row(j), begin, end, winner);
+    window.finish(reference_.shots());
+    return window;
+  }
+
+  /** ZNCC of a pixel's own levels over time. A hidden pixel takes the disparity of those
+   * beside it, whose window is as good as theirs; only its own levels tell. */
+  float
+  ownCorrelation(int x, int y, float offset)
+  {
+    const auto at = static_cast<std::size_t>(std::lround(offset / quarter) +
+                                             SubPixelSums::quarters / 2);
+    const SubPixelSums& sums = row(y).sums()[x];
+    const float floor = static_cast<float>(reference_.shots()) * variance_floor;
+    return sums.products[at] /
+           std::sqrt((row(y).squares()[x] + floor) * (sums.squares[at] + floor));
+  }
+
+  bool
+  isInside(int x, int y)
+  {
+    return row(y).winners()[x] != QuarterSums::outside;
+  }
+
+  int
+  width() const
+  {
+    return reference_.width();
+  }
+
+private:
+  int
+  height() const
+  {
+    return reference_.height();
+  }
+
+  QuarterSums&
+  row(int y)
+  {
+    return rows_[static_cast<std::size_t>(y) % rows_.size()];
+  }
+
+  const ShotStack& reference_;
+  const ShotStack& target_;
+  const PairWinners& winners_;
+  const DisparityRange& range_;
+  std::array<QuarterSums, 2 * reach + 1> rows_;
+};
+
+struct Peak {
+  float offset = 0;      ///< px
+  float correlation = 0; ///< ZNCC
+  float curvature = 0;   ///< of the correlation, 1 / px^2, turned round: above 0
+};
+
+Peak
+peakOf(const Window& window, std::size_t farthest)
+{
+  std::array<float, places> correlations{};
+  correlations.fill(std::numeric_limits<float>::quiet_NaN());
+  const auto at = [&](std::size_t place) {
+    if (std::isnan(correlations[place]))
+      correlations[place] = window.correlate(place);
+    return correlations[place];
+  };
+  std::size_t best = places / 2;
+  // Uphill from the winner: a higher peak beyond a valley is another match.
+  while (best < places - 2 && at(best + 1) > at(best))
+    ++best;
+  while (best > 1 && at(best - 1) > at(best))
+    --best;
+  if (best + farthest < places / 2 || best > places / 2 + farthest)
+    best = places / 2;
+  const float left = at(best - 1), right = at(best + 1);
+  const float bend = 2.0F * at(best) - left - right;
+  Peak peak;
+  float shift = 0.0F;
+  if (bend > 0.0F)
+    shift = std::clamp(0.5F * (right - left) / bend, -0.5F, 0.5F);
+  peak.offset =
+      quarter * (static_cast<float>(best) - static_cast<float>(places / 2) + shift);
+  peak.correlation = std::min(at(best) + 0.25F * (right - left) * shift, 1.0F);
+  peak.curvature = std::max(bend, 0.0F) / (quarter * quarter);
+  return peak;
+}
+
+/** Of a least-squares shift: what the correlation lacks of 1 is noise of both views, its
+ * curvature is how steep the levels are. */
+float
+sigmaOf(const Peak& peak, float values)
+{
+  constexpr float most = 1.0F;
+  const float noise = 2.0F * std::max(1.0F - peak.correlation, 1e-6F);
+  const float information =
+      independent_share * values * std::max(peak.curvature, 1e-6F);
+  return std::min(std::sqrt(noise / information), most);
+}
+
+} // namespace
+
+void
+RefinedPair::resize(std::size_t pixels)
+{
+  disparity.resize(pixels);
+  correlation.resize(pixels);
+  sigma.resize(pixels);
+  deviation.resize(pixels);
+}
+
+void
+refineWinners(const ShotStack& reference,
+              const ShotStack& target,
+              const PairWinners& winners,
+              const DisparityRange& range,
+              bool centred,
+              RefinedPair& refined)
+{
+  refined.resize(winners.index.size());
+  // Over time a pixel tells itself from its neighbours, and its winner may be one beside;
+  // by windows alone a peak beyond half a pixel belongs to what stands beside an edge.
+  const std::size_t farthest = centred ? 3 : 2;
+  constexpr int rows = 32;
+  const int height = reference.height(), width = reference.width();
+  const auto refine = [&](SumRows& sums, int x, int y) {
+    const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x);
+    if (!sums.isInside(x, y)) {
+      refined.disparity[at] = std::numeric_limits<float>::quiet_NaN();
+      refined.correlation[at] = refined.deviation[at] = 0.0F;
+      refined.sigma[at] = 1.0F;
+      return;
+    }
+    const Window window = sums.windowAt(x, y, centred);
+    const Peak peak = peakOf(window, farthest);
+    refined.disparity[at] =
+        static_cast<float>(range.first + winners.index[at]) + peak.offset;
+    refined.correlation[at] =
+        centred ? std::min(peak.correlation, sums.ownCorrelation(x, y, peak.offset))
+                : peak.correlation;
+    refined.sigma[at] = sigmaOf(peak, window.size());
+    refined.deviation[at] = std::sqrt(window.variance()) / unit;
+  };
+  oneapi::tbb::parallel_for(0, (height + rows - 1) / rows, [&](int block) {
+    const int begin = block * rows, end = std::min(begin + rows, height);
+    SumRows sums(reference, target, winners, range);
+    for (int y = begin - reach; y < begin + reach; ++y)
+      sums.fill(y);
+    for (int y = begin; y < end; ++y) {
+      sums.fill(y + reach);
+      for (int x = 0; x < width; ++x)
+        refine(sums, x, y);
+    }
+  });
+}
+
+} // namespace pcl::acmap

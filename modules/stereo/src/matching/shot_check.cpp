@@ -1,0 +1,54 @@
+#include "shot_check.h"
+
+#include <pcl/exceptions.h>
+
+namespace pcl::acmap {
+
+namespace {
+
+std::string
+sizeText(int width, int height)
+{
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+void
+requireImageOf(const TrinocularRig& rig, const TrinocularFrame& shot, RigCamera camera)
+{
+  const CameraImage& image = shot.image(camera);
+  const auto fail = [&](const std::string& fault) {
+    throw BadArgumentException("frame " + std::to_string(shot.number) + ": the " +
+                               nameOf(camera) + " image " + fault);
+  };
+  if (image.width == 0 && image.empty())
+    fail("is missing");
+  if (image.width != rig.width || image.height != rig.height)
+    fail("has " + sizeText(image.width, image.height) + ", the rig has " +
+         sizeText(rig.width, rig.height));
+  if (!isWhole(image))
+    fail("has not all its values, in 1 or 3 channels");
+}
+
+} // namespace
+
+void
+requireStereoRig(const TrinocularRig& rig)
+{
+  requireSoundRig(rig);
+  if (rig.baseline_horizontal == 0.0 && rig.baseline_vertical == 0.0)
+    throw BadArgumentException(
+        "baseline_horizontal = 0 and baseline_vertical = 0 m are refused: the rig must "
+        "have a neighbour");
+}
+
+void
+requireShotOf(const TrinocularRig& rig, const TrinocularFrame& shot)
+{
+  requireImageOf(rig, shot, RigCamera::Reference);
+  if (rig.baseline_horizontal != 0.0)
+    requireImageOf(rig, shot, RigCamera::Horizontal);
+  if (rig.baseline_vertical != 0.0)
+    requireImageOf(rig, shot, RigCamera::Vertical);
+}
+
+} // namespace pcl::acmap

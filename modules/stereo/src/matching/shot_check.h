@@ -1,0 +1,18 @@
+#pragma once
+
+#include <pcl/core/trinocular_frame.h>
+#include <pcl/core/trinocular_rig.h>
+
+namespace pcl::acmap {
+
+/** \brief Refuses a rig that no camera can have, or that has no neighbours.
+ * \throws BadArgumentException naming value and legal range */
+void
+requireStereoRig(const TrinocularRig& rig);
+
+/** \brief Refuses a shot that is not one of the rig.
+ * \throws BadArgumentException naming the camera and what is wrong */
+void
+requireShotOf(const TrinocularRig& rig, const TrinocularFrame& shot);
+
+} // namespace pcl::acmap

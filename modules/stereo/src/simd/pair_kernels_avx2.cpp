@@ -1,0 +1,16 @@
+#include "pair_costs_kernel.h"
+#include "pair_paths_kernel.h"
+#include "sub_pixel_kernel.h"
+
+namespace pcl::acmap {
+
+const PairKernels pair_kernels_avx2{correlate,
+                                    addProducts,
+                                    correlateWindows,
+                                    countBits,
+                                    follow,
+                                    findWinners,
+                                    sumAtQuarters,
+                                    sumWindow};
+
+} // namespace pcl::acmap

@@ -1,0 +1,162 @@
+// Sums of costs along paths, compiled once for each variant; as lanes.h.
+#pragma once
+
+#include "lanes.h"
+#include "pair_kernels.h"
+
+#include <cstring>
+
+namespace {
+
+using pcl::acmap::PathPenalties;
+using pcl::acmap::PathRows;
+using pcl::acmap::RowWinners;
+
+/** Where a path stands: costs of its last pixel, and the least of them. */
+struct PathStep {
+  const std::int16_t* before;
+  std::int16_t least;
+  std::int16_t large; ///< P2
+  std::int16_t* after;
+};
+
+/** Equation 13 of Hirschmueller (2008). */
+ACMAP_INLINE Shorts
+stepAt(const PathStep& step, const Shorts& cost, std::int16_t small, int i)
+{
+  const std::int16_t* const at = step.before + i;
+  const Shorts beside = least(load<Shorts>(at - 1), load<Shorts>(at + 1)) + small;
+  const Shorts jump = Shorts{} + static_cast<std::int16_t>(step.least + step.large);
+  return cost + least(least(load<Shorts>(at), beside), jump) - step.least;
+}
+
+template <bool adds>
+ACMAP_INLINE void
+followPixel(const std::int16_t* costs,
+            int stride,
+            std::int16_t small,
+            const PathStep (&steps)[4],
+            std::int16_t (&found)[4],
+            std::int16_t* sums)
+{
+  Shorts all[4];
+  for (Shorts& one : all)
+    one = Shorts{} + std::int16_t{32767};
+  for (int i = 0; i < stride; i += pcl::acmap::disparity_block) {
+    const Shorts cost = load<Shorts>(costs + i);
+    UnsignedShorts sum = adds ? load<UnsignedShorts>(sums + i) : UnsignedShorts{};
+    for (int path = 0; path < 4; ++path) {
+      const Shorts value = stepAt(steps[path], cost, small, i);
+      store(steps[path].after + i, value);
+      all[path] = least(all[path], value);
+      sum += (UnsignedShorts)value;
+    }
+    store(sums + i, sum);
+  }
+  for (int path = 0; path < 4; ++path)
+    found[path] = leastOf(all[path]);
+}
+
+template <bool reversed>
+void
+followRow(const CostRow& costs,
+          const PathPenalties& penalties,
+          const PathRows& before,
+          const PathRows& after,
+          std::int16_t* sums)
+{
+  const std::int64_t slot = costs.stride + pcl::acmap::disparity_block;
+  constexpr int ahead = reversed ? -1 : 1;
+  // The path within the row takes turns between the two slots beside the row, which the
+  // path from straight above never reads.
+  std::int16_t* const row_ends[2] = {after.costs[1],
+                                     after.costs[1] + (costs.width + 1) * slot};
+  std::memset(row_ends[0], 0, static_cast<std::size_t>(costs.stride) * 2);
+  std::int16_t least_of_row = 0;
+  for (int n = 0; n < costs.width; ++n) {
+    const int x = reversed ? costs.width - 1 - n : n;
+    const std::int64_t at = x + 1;
+    PathStep steps[4];
+    steps[0] = {
+        row_ends[n & 1], least_of_row, penalties.beside[x], row_ends[1 - (n & 1)]};
+    for (int path = 0; path < 3; ++path) {
+      const std::int64_t from = at + (path - 1) * ahead;
+      steps[path + 1] = {before.costs[path] + from * slot,
+                         before.least[path][from],
+                         penalties.above[path][x],
+                         after.costs[path] + at * slot};
+    }
+    std::int16_t found[4];
+    followPixel<reversed>(costs.values + static_cast<std::int64_t>(x) * costs.stride,
+                          costs.stride,
+                          penalties.small,
+                          steps,
+                          found,
+                          sums + static_cast<std::int64_t>(x) * costs.stride);
+    least_of_row = found[0];
+    for (int path = 0; path < 3; ++path)
+      after.least[path][at] = found[path + 1];
+  }
+}
+
+void
+follow(const CostRow& costs,
+       const PathPenalties& penalties,
+       const PathRows& before,
+       const PathRows& after,
+       bool reversed,
+       std::int16_t* sums)
+{
+  if (reversed)
+    followRow<true>(costs, penalties, before, after, sums);
+  else
+    followRow<false>(costs, penalties, before, after, sums);
+}
+
+constexpr Shorts first_indices{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+/** Sums are unsigned; less 32768 they compare as signed. */
+ACMAP_INLINE Shorts
+comparable(const std::int16_t* sums, int i, int disparities)
+{
+  const Shorts value = load<Shorts>(sums + i) ^ static_cast<std::int16_t>(-32768);
+  const Shorts index = first_indices + static_cast<std::int16_t>(i);
+  return index < static_cast<std::int16_t>(disparities)
+             ? value
+             : Shorts{} + std::int16_t{32767};
+}
+
+ACMAP_INLINE void
+offerToTarget(const Shorts& value, int x, int at, const RowWinners& winners)
+{
+  const Shorts held = load<Shorts>(winners.target_least + at);
+  const Shorts pixel = load<Shorts>(winners.target_pixel + at);
+  const auto better = value < held;
+  store(winners.target_least + at, better ? value : held);
+  store(winners.target_pixel + at,
+        better ? Shorts{} + static_cast<std::int16_t>(x) : pixel);
+}
+
+void
+findWinners(const CostRow& sums, int disparities, const RowWinners& winners)
+{
+  for (int x = 0; x < sums.width; ++x) {
+    const std::int16_t* const row =
+        sums.values + static_cast<std::int64_t>(x) * sums.stride;
+    Shorts best = Shorts{} + std::int16_t{32767}, block = Shorts{};
+    for (int i = 0; i < sums.stride; i += pcl::acmap::disparity_block) {
+      const Shorts value = comparable(row, i, disparities);
+      const auto better = value < best;
+      best = better ? value : best;
+      block = better ? Shorts{} + static_cast<std::int16_t>(i) : block;
+      offerToTarget(value, x, x + i, winners);
+    }
+    const std::int16_t found = leastOf(best);
+    const Shorts index =
+        best == found ? block + first_indices : Shorts{} + std::int16_t{32767};
+    winners.index[x] = leastOf(index);
+    winners.least[x] = found;
+  }
+}
+
+} // namespace
