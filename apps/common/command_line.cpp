@@ -78,4 +78,16 @@ positiveNumber()
       "NUMBER");
 }
 
+CLI::Validator
+imageName()
+{
+  return CLI::Validator(
+      [](const std::string& path) -> std::string {
+        if (path.empty())
+          return "an image without a name";
+        return path.rfind("--", 0) == 0 ? "images are missing before " + path : "";
+      },
+      "");
+}
+
 } // namespace pcl::acmap

@@ -32,4 +32,9 @@ crossedNumbers(const std::string& text);
 CLI::Validator
 positiveNumber();
 
+/** \brief Lets names of images pass. Without it, a list that was left empty would take the
+ * next option for an image. */
+CLI::Validator
+imageName();
+
 } // namespace pcl::acmap

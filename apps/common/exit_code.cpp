@@ -28,6 +28,9 @@ failureOf(const std::exception_ptr& error)
   catch (const CancelledException&) {
     return {exit_interrupted, "interrupted, nothing was written"};
   }
+  catch (const InterruptedPartway& e) {
+    return {exit_interrupted, oneLine(e.what())};
+  }
   catch (const InputFileException& e) {
     return {exit_input, oneLine(e.what())};
   }

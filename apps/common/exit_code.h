@@ -36,6 +36,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** \brief The user interrupted the run, and what was finished by then is written; says
+ * what. */
+class InterruptedPartway : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /** \brief How a run ended that an exception ended. */
 struct Failure {
   ExitCode code;

@@ -2,24 +2,9 @@
 
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
-
 #include <set>
 
 namespace pcl::acmap {
-
-namespace {
-
-/** \brief Without it, a list that was left empty would take the next option for an image. */
-std::string
-faultOfImage(const std::string& path)
-{
-  if (path.empty())
-    return "an image without a name";
-  return path.rfind("--", 0) == 0 ? "images are missing before " + path : "";
-}
-
-} // namespace
 
 void
 addOptions(Tool& tool, CalibrationOptions& options)
@@ -30,7 +15,7 @@ addOptions(Tool& tool, CalibrationOptions& options)
         .add_option(name, options.images[static_cast<std::size_t>(camera)], purpose)
         ->type_name("IMG..")
         ->default_str("")
-        ->check(CLI::Validator(faultOfImage, ""));
+        ->check(imageName());
   };
   images(RigCamera::Reference,
          "--reference",

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "search_range.h"
+#include "shot_source.h"
+
+#include <pcl/core/point_types.h>
+#include <pcl/core/progress.h>
+#include <pcl/point_cloud.h>
+#include <pcl/stereo/disparity_back_projection.h>
+#include <pcl/stereo/disparity_fusion.h>
+
+#include <cstddef>
+
+namespace pcl::acmap {
+
+/** \brief What was made of an observation's shots. */
+struct MadeObservation {
+  MatchedDisparity matched;
+  PointCloud<PointXYZRGBSigma> cloud; ///< organized, camera frame
+  DisparityFusionReport fusion;
+  DisparityBackProjectionReport projection;
+};
+
+/** \brief Makes the observations of one rig. */
+class ObservationMaker {
+public:
+  /** \param[in] threads 0 = all
+   * \throws BadArgumentException for a range that no matcher takes */
+  ObservationMaker(const TrinocularRig& rig,
+                   const SearchRange& range,
+                   const StereoOptions& options,
+                   unsigned threads);
+
+  /** \throws CancelledException when the callback says so */
+  MadeObservation
+  make(const ObservationShots& shots, const ProgressCallback& progress);
+
+private:
+  DisparityFusion fusion_;
+  DisparityBackProjection projection_;
+};
+
+/** \brief What matching a rig's views takes, bytes. */
+std::size_t
+matchingMemory(const TrinocularRig& rig, const SearchRange& range);
+
+} // namespace pcl::acmap

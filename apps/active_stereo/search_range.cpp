@@ -1,0 +1,45 @@
+#include "search_range.h"
+
+#include "exit_code.h"
+
+#include <pcl/stereo/matched_disparity.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+// what TrinocularMatching takes
+constexpr int fewest_disparities = 8;
+constexpr int most_disparities = 1024;
+
+} // namespace
+
+double
+depthOf(const TrinocularRig& rig, double disparity)
+{
+  return rig.focal_length * disparityBaseline(rig) / disparity;
+}
+
+SearchRange
+disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
+{
+  const double longest =
+      (rig.baseline_horizontal != 0.0 ? rig.width : rig.height) - 1.0;
+  // a depth's disparity is computed as a disparity's depth
+  const double from = std::floor(depthOf(rig, farthest)) - 1.0;
+  if (from > longest)
+    throw UsageError("--max-depth: at " + std::to_string(farthest) +
+                     " m disparities are longer than the image, " +
+                     std::to_string(static_cast<long>(longest)) + " px");
+  const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
+  SearchRange range;
+  range.least = static_cast<int>(std::max(from, 0.0));
+  range.count = std::clamp(
+      static_cast<int>(to) - range.least + 1, fewest_disparities, most_disparities);
+  return range;
+}
+
+} // namespace pcl::acmap

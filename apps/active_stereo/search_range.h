@@ -1,0 +1,34 @@
+#pragma once
+
+#include <pcl/core/trinocular_rig.h>
+
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief The disparities that are searched. */
+struct SearchRange {
+  int least = 0; ///< px
+  int count = 0; ///< how many, from the least on
+
+  int
+  most() const
+  {
+    return least + count - 1;
+  }
+};
+
+/** \brief Disparities of all that a rig sees between two depths, a pixel more at both
+ * ends; none is longer than an image, nor are they more than a matcher takes.
+ * \param[in] rig with a neighbour
+ * \param[in] nearest metres
+ * \param[in] farthest metres, above the nearest
+ * \throws UsageError when the image is too small for any of them */
+SearchRange
+disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest);
+
+/** \brief Depth of a disparity, metres. */
+double
+depthOf(const TrinocularRig& rig, double disparity);
+
+} // namespace pcl::acmap

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "stereo_options.h"
+
+#include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/stereo/trinocular_rectification.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief The shots of an observation, rectified. */
+struct ObservationShots {
+  std::size_t number = 0; ///< of the observation
+  std::vector<TrinocularFrame::ConstPtr> frames;
+};
+
+/** \brief Gives the observations of a session, or the one of image lists, one after
+ * another; what is not rectified is rectified. */
+class ShotSource {
+public:
+  /** \param[in] threads 0 = all
+   * \throws InputFileException when session, rig or the image for the colours are missing
+   * or malformed, or no such rig can be rectified or matched
+   * \throws BadArgumentException for lists that are not those of the rig */
+  ShotSource(const StereoOptions& options, unsigned threads);
+
+  /** \brief Of the rectified frames. */
+  const TrinocularRig&
+  rig() const
+  {
+    return rig_;
+  }
+
+  /** \brief Whether the rig's file has cameras as they are built. */
+  bool
+  hasCameras() const
+  {
+    return has_cameras_;
+  }
+
+  bool
+  isRectifying() const
+  {
+    return rectification_.has_value();
+  }
+
+  /** \brief How many frames there are, broken ones with them. */
+  std::size_t
+  frames() const
+  {
+    return grabber_->frames();
+  }
+
+  /** \brief How many of them belong to the observations so far, or were left out. */
+  std::size_t
+  passed() const
+  {
+    return next_ - (pending_ ? 1 : 0);
+  }
+
+  /** \brief Reads the next observation. Broken frames of a session are left out, which
+   * the remarks tell.
+   * \param[in] step is called before each frame is read
+   * \return nothing at the end
+   * \throws InputFileException for an image of the lists that cannot be read */
+  std::optional<ObservationShots>
+  next(const std::function<void()>& step);
+
+  /** \brief Number of the last observation that can be read.
+   * \throws InputFileException when no frame can be read */
+  std::size_t
+  lastObservation() const;
+
+  /** \brief What was odd so far. */
+  std::vector<std::string>
+  remarks() const;
+
+  /** \brief Of the frames that could not be read so far. */
+  std::vector<std::uint64_t>
+  broken() const
+  {
+    return grabber_->getReport().broken;
+  }
+
+private:
+  void
+  setUpRectification(const std::string& path, unsigned threads);
+
+  TrinocularFrame::Ptr
+  read(std::size_t index) const;
+
+  TrinocularFrame::ConstPtr
+  loadOffShot(const std::string& path) const;
+
+  bool
+  add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots);
+
+  void
+  leaveOut(const TrinocularFrame& frame, const std::string& reason);
+
+  void
+  noteBroken();
+
+  std::unique_ptr<TrinocularFileGrabber> grabber_;
+  bool skips_broken_;
+  bool has_cameras_;
+  TrinocularRig rig_;
+  std::optional<TrinocularRectification> rectification_;
+  std::size_t next_ = 0;
+  TrinocularFrame::ConstPtr pending_; // read, of the observation that comes next
+  std::set<std::size_t> done_;        // numbers of observations
+  std::set<std::int32_t> cut_;        // of those with frames left out
+  std::size_t broken_;                // frames known to be
+  std::vector<std::string> remarks_;
+};
+
+} // namespace pcl::acmap

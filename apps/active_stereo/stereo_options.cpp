@@ -1,0 +1,162 @@
+#include "stereo_options.h"
+
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double longest_depth = 1e4; // metres
+
+void
+addLists(CLI::App& app, StereoOptions& options)
+{
+  const auto images =
+      [&](const char* name, std::vector<std::string>& list, const char* purpose) {
+        return app.add_option(name, list, purpose)
+            ->type_name("IMG..")
+            ->default_str("")
+            ->check(imageName());
+      };
+  CLI::Option* const reference =
+      images("--reference",
+             options.images.reference,
+             "In place of a session: images of the reference view, one a pattern; PNG, "
+             "JPEG, PGM or PPM");
+  images("--horizontal",
+         options.images.horizontal,
+         "Of its neighbour in the row: the same shots in the same order; a neighbour "
+         "without images is not used")
+      ->needs(reference);
+  images(
+      "--vertical", options.images.vertical, "Of its neighbour in the column, as above")
+      ->needs(reference);
+  app.add_option("--rig", options.rig, "The rig that the images are of")
+      ->type_name("RIG.yaml")
+      ->needs(reference);
+  app.add_flag(
+         "--rectify",
+         options.rectify,
+         "The images are as the cameras gave them: rectify them by the cameras in "
+         "RIG.yaml")
+      ->needs(reference);
+  app.add_option("--color",
+                 options.color,
+                 "Image of the reference view with the projector off, for the colours "
+                 "[default: the mean of the shots]")
+      ->type_name("IMG")
+      ->needs(reference)
+      ->check(imageName());
+}
+
+void
+addDepths(CLI::App& app, StereoOptions& options)
+{
+  const auto depth = [&](const char* name, double& value, const char* purpose) {
+    app.add_option(name, value, purpose)
+        ->type_name("M")
+        ->check(positiveNumber().description(""))
+        ->check(CLI::Range(0.01, longest_depth).description(""));
+  };
+  depth("--min-depth",
+        options.nearest,
+        "Depth from which on points are searched for, metres; nearer ones take longer");
+  depth("--max-depth",
+        options.farthest,
+        "Depth up to which points are searched for, metres");
+}
+
+void
+addThresholds(CLI::App& app, StereoOptions& options)
+{
+  app.add_option(
+         "--min-correlation",
+         options.correlation,
+         "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
+         "shots]")
+      ->type_name("C")
+      ->check(CLI::Range(-1.0, 1.0).description(""));
+  app.add_option(
+         "--min-texture",
+         options.texture,
+         "Least standard deviation of a pixel under the patterns, grey levels, 0 "
+         "to 128: what the projector does not reach has less [default: by the "
+         "number of shots]")
+      ->type_name("L")
+      ->check(CLI::Range(0.0, 128.0).description(""));
+}
+
+} // namespace
+
+std::string
+StereoOptions::rigPath() const
+{
+  return hasLists() ? rig : session + "/rig.yaml";
+}
+
+std::vector<std::string>
+StereoOptions::allImages() const
+{
+  std::vector<std::string> all;
+  for (const auto* list : {&images.reference, &images.horizontal, &images.vertical})
+    all.insert(all.end(), list->begin(), list->end());
+  if (!color.empty())
+    all.push_back(color);
+  return all;
+}
+
+void
+addOptions(Tool& tool, StereoOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("session", options.session, "Raw session to read")
+      ->type_name("SESSION_DIR");
+  app.add_option("-o,--output", options.output, "Folder for the observations")
+      ->type_name("OUT_DIR")
+      ->required();
+  addLists(app, options);
+  app.add_option(
+         "--method",
+         options.method,
+         "How shots are fused: spacetime (all at once), median (of the shots' own "
+         "disparities, as the paper) or statistical (mean of those that agree)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"median", "statistical", "spacetime"}).description(""));
+  addDepths(app, options);
+  addThresholds(app, options);
+  app.add_flag("--disparity",
+               options.disparity,
+               "Write disparities too, as PFM and as pictures; image lists always do");
+  app.add_option("--poses",
+                 options.poses,
+                 "Known poses of a session's observations, TUM's form, one row each "
+                 "[default: none, VIEWPOINT is the camera itself]")
+      ->type_name("TRAJECTORY.txt");
+  tool.addThreads();
+}
+
+void
+requireSense(const StereoOptions& options)
+{
+  const TrinocularImageLists& images = options.images;
+  if (!options.session.empty() && !images.reference.empty())
+    throw UsageError(options.session +
+                     ": a session or --reference is needed, not both");
+  if (options.session.empty() && images.reference.empty())
+    throw UsageError("a session is needed, or images (--reference)");
+  if (options.nearest >= options.farthest)
+    throw UsageError("--min-depth " + shortNumber(options.nearest) +
+                     " is not below --max-depth " + shortNumber(options.farthest));
+  if (!options.hasLists())
+    return;
+  if (options.rig.empty())
+    throw UsageError("--reference needs --rig, the rig of the images");
+  if (images.horizontal.empty() && images.vertical.empty())
+    throw UsageError("--horizontal or --vertical is needed, or both");
+  if (!options.poses.empty())
+    throw UsageError("--poses are those of a session's observations; images make one");
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "tool.h"
+
+#include <pcl/acquisition/trinocular_file_grabber.h>
+
+#include <optional>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief What the user asks for. */
+struct StereoOptions {
+  std::string session; ///< folder; empty: the lists
+  TrinocularImageLists images;
+  std::string rig;      ///< of the lists
+  std::string color;    ///< image of the reference view; empty: of the shots
+  bool rectify = false; ///< the lists
+  std::string output;
+  std::string method = "spacetime";
+  double nearest = 0.5;              ///< metres
+  double farthest = 10;              ///< metres
+  std::optional<double> correlation; ///< least ZNCC
+  std::optional<double> texture;     ///< grey levels, one standard deviation
+  std::string poses;                 ///< path; empty: none
+  bool disparity = false;
+
+  bool
+  hasLists() const
+  {
+    return session.empty();
+  }
+
+  /** \brief Where the rig stands. */
+  std::string
+  rigPath() const;
+
+  /** \brief All images that were named. */
+  std::vector<std::string>
+  allImages() const;
+};
+
+/** \brief Adds them to the command line. */
+void
+addOptions(Tool& tool, StereoOptions& options);
+
+/** \brief Refuses options that do not go together.
+ * \throws UsageError naming them */
+void
+requireSense(const StereoOptions& options);
+
+} // namespace pcl::acmap

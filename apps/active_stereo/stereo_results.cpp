@@ -1,0 +1,193 @@
+#include "stereo_results.h"
+
+#include "observation_folder.h"
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Outcomes = std::array<std::size_t, disparity_outcomes>;
+
+constexpr auto matched_index = static_cast<std::size_t>(DisparityOutcome::Matched);
+
+constexpr std::size_t most_named = 10; // findings in warnings, the report has all
+
+Json
+jsonOf(const Outcomes& outcomes)
+{
+  Json json = Json::object();
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    json[nameOf(static_cast<DisparityOutcome>(i))] = outcomes[i];
+  return json;
+}
+
+std::string
+percent(double share)
+{
+  return shortNumber(100.0 * share) + " %";
+}
+
+/** \brief The nearest depth that is searched: the image, or the matcher, may not reach to
+ * what was asked for. */
+double
+nearestOf(const StereoOptions& options,
+          const TrinocularRig& rig,
+          const SearchRange& range)
+{
+  return std::max(options.nearest, depthOf(rig, range.most()));
+}
+
+} // namespace
+
+void
+StereoResults::add(const ObservationShots& shots, const MadeObservation& made)
+{
+  const DisparityFusionReport& fusion = made.fusion;
+  const DisparityBackProjectionReport& projection = made.projection;
+  frames_ += shots.frames.size();
+  pixels_ += made.matched.outcome.size();
+  points_ += projection.points;
+  too_near_ += projection.too_near;
+  too_far_ += projection.too_far;
+  for (std::size_t i = 0; i < outcomes_.size(); ++i)
+    outcomes_[i] += fusion.outcomes[i];
+  Json remarks = Json::array();
+  for (const auto* report :
+       {static_cast<const Report*>(&fusion), static_cast<const Report*>(&projection)})
+    for (const std::string& text : report->remarks) {
+      addRemark(text, shots.number);
+      remarks.push_back(text);
+    }
+  entries_.push_back({{"observation", shots.number},
+                      {"file", observationName(shots.number)},
+                      {"shots", fusion.shots},
+                      {"off_shots", fusion.off_shots},
+                      {"matched", fusion.outcomes[matched_index]},
+                      {"points", projection.points},
+                      {"too_near", projection.too_near},
+                      {"too_far", projection.too_far},
+                      {"outcomes", jsonOf(fusion.outcomes)},
+                      {"coverage", fusion.coverage},
+                      {"remarks", std::move(remarks)}});
+}
+
+void
+StereoResults::addRemark(const std::string& text, std::size_t observation)
+{
+  Remark& remark = remarks_[text];
+  if (remark.count++ == 0)
+    remark.first = observation;
+}
+
+void
+StereoResults::requireAny(Tool& tool,
+                          const StereoOptions& options,
+                          const ShotSource& source) const
+{
+  if (points_ > 0)
+    return;
+  warn(tool, options, source);
+  if (observations() == 0)
+    throw InputFileException(
+        options.session + ": has no frame that can be read" +
+        (tool.warnings().empty() ? "" : ", " + tool.warnings()[0]));
+  tool.failWithNothing("no pixel has a place: " + rejected());
+}
+
+double
+StereoResults::matchedShare() const
+{
+  return pixels_ == 0 ? 0.0
+                      : static_cast<double>(outcomes_[matched_index]) /
+                            static_cast<double>(pixels_);
+}
+
+std::string
+StereoResults::rejected() const
+{
+  std::vector<std::pair<std::size_t, std::string>> reasons = {
+      {too_near_, "nearer than --min-depth"}, {too_far_, "farther than --max-depth"}};
+  for (std::size_t i = 0; i < outcomes_.size(); ++i)
+    if (i != matched_index)
+      reasons.emplace_back(outcomes_[i], nameOf(static_cast<DisparityOutcome>(i)));
+  std::stable_sort(reasons.begin(), reasons.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  std::string text;
+  for (const auto& [count, name] : reasons)
+    if (count > 0)
+      text += (text.empty() ? "" : ", ") +
+              percent(static_cast<double>(count) / static_cast<double>(pixels_)) + " " +
+              name;
+  return text.empty() ? "none" : text;
+}
+
+void
+StereoResults::tell(Tool& tool,
+                    const StereoOptions& options,
+                    const ShotSource& source,
+                    const SearchRange& range) const
+{
+  warn(tool, options, source);
+  const char* const frames = source.isRectifying() ? "raw" : "rectified";
+  const double nearest = nearestOf(options, source.rig(), range);
+  Json& details = tool.details();
+  details = {{"input", options.hasLists() ? options.rig : options.session},
+             {"output", options.output},
+             {"frames", frames},
+             {"method", options.method},
+             {"least_disparity", range.least},
+             {"most_disparity", range.most()},
+             {"least_depth", nearest},
+             {"most_depth", options.farthest},
+             {"has_poses", !options.poses.empty()},
+             {"points", points_},
+             {"matched_share", matchedShare()},
+             {"outcomes", jsonOf(outcomes_)},
+             {"broken_frames", source.broken()},
+             {"findings", source.remarks()},
+             {"observations", entries_}};
+  tool.tell("observations", std::to_string(observations()));
+  tool.tell("frames",
+            std::to_string(frames_) +
+                (source.isRectifying() ? ", rectified here" : ", taken as rectified"));
+  tool.tell("method", options.method);
+  tool.tell("searched",
+            std::to_string(range.least) + " to " + std::to_string(range.most()) +
+                " px, depths of " + shortNumber(nearest) + " to " +
+                shortNumber(options.farthest) + " m");
+  tool.tell("matched", percent(matchedShare()) + " of the pixels");
+  tool.tell("points", std::to_string(points_));
+  tool.tell("rejected", rejected());
+  if (!options.hasLists())
+    tool.tell("poses", options.poses.empty() ? "none" : options.poses);
+  tool.tellSeconds();
+  tool.tell("folder", options.output);
+}
+
+void
+StereoResults::warn(Tool& tool,
+                    const StereoOptions& options,
+                    const ShotSource& source) const
+{
+  const std::vector<std::string> findings = source.remarks();
+  for (std::size_t i = 0; i < std::min(most_named, findings.size()); ++i)
+    tool.warn(findings[i]);
+  if (findings.size() > most_named)
+    tool.warn(std::to_string(findings.size() - most_named) +
+              " further findings, the report names them");
+  for (const auto& [text, remark] : remarks_)
+    tool.warn("observation " + std::to_string(remark.first) +
+              (remark.count > 1
+                   ? " and " + std::to_string(remark.count - 1) + " others: "
+                   : ": ") +
+              text);
+  if (options.hasLists() && source.hasCameras() && !source.isRectifying())
+    tool.warn("images are taken as rectified; if they are as the cameras in " +
+              options.rig + " gave them, they need --rectify");
+}
+
+} // namespace pcl::acmap

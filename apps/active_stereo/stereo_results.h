@@ -1,0 +1,74 @@
+#pragma once
+
+#include "observation_maker.h"
+#include "tool.h"
+
+#include <map>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief What came of all observations, for summary and report. */
+class StereoResults {
+public:
+  void
+  add(const ObservationShots& shots, const MadeObservation& made);
+
+  std::size_t
+  observations() const
+  {
+    return entries_.size();
+  }
+
+  std::size_t
+  points() const
+  {
+    return points_;
+  }
+
+  /** \throws InputFileException when there was no frame to make them of
+   * \throws NothingFound when there is no point in any */
+  void
+  requireAny(Tool& tool, const StereoOptions& options, const ShotSource& source) const;
+
+  /** \brief Summary, report and warnings.
+   * \param[in] options what the user asked for
+   * \param[in] source at its end */
+  void
+  tell(Tool& tool,
+       const StereoOptions& options,
+       const ShotSource& source,
+       const SearchRange& range) const;
+
+private:
+  /** \brief Share of the pixels that have a disparity, in [0, 1]. */
+  double
+  matchedShare() const;
+
+  /** \brief Why the others have none, most frequent first: "3.1 % untextured, ...". */
+  std::string
+  rejected() const;
+
+  void
+  warn(Tool& tool, const StereoOptions& options, const ShotSource& source) const;
+
+  /** \brief A remark that several observations may have. */
+  struct Remark {
+    std::size_t first = 0; ///< number of the observation
+    std::size_t count = 0;
+  };
+
+  void
+  addRemark(const std::string& text, std::size_t observation);
+
+  nlohmann::ordered_json entries_ = nlohmann::ordered_json::array();
+  std::size_t pixels_ = 0;
+  std::size_t points_ = 0;
+  std::size_t too_near_ = 0;
+  std::size_t too_far_ = 0;
+  std::size_t frames_ = 0;
+  std::array<std::size_t, disparity_outcomes> outcomes_{};
+  std::map<std::string, Remark> remarks_;
+};
+
+} // namespace pcl::acmap

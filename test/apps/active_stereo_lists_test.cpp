@@ -1,0 +1,147 @@
+#include "active_stereo_runs.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::HasSubstr;
+
+using ActiveStereoLists = ActiveStereoRuns;
+
+void
+expectGood(const TruthFit& fit, double least_found)
+{
+  EXPECT_GT(fit.found, least_found);
+  EXPECT_LT(fit.wrong, 0.02);
+  EXPECT_LT(fit.median, 0.1);
+}
+
+TEST_F(ActiveStereoLists, MakeOneObservationAndItsDisparities)
+{
+  const ToolRun run = runLists();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("observations: 1\n"));
+  const DisparityImage disparity = loadPfm(out("disparity.pfm"));
+  expectGood(fitOf(disparity, session()), 0.85);
+  EXPECT_EQ(loadGrayImage16(out("disparity.png")).height, 120);
+  const StereoCloud lists = loadStereo(out("observation_0000.pcd")).cloud;
+
+  // the session's points, but for the colours of its shot without a pattern
+  std::filesystem::remove_all(out_);
+  ASSERT_EQ(runSession().exit_code, 0);
+  const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
+  ASSERT_EQ(cloud.size(), lists.size());
+  std::size_t colored = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (std::isfinite(cloud[i].z)) {
+      ASSERT_EQ(lists[i].getVector3fMap(), cloud[i].getVector3fMap()) << i;
+    }
+    else {
+      ASSERT_TRUE(std::isnan(lists[i].z)) << i;
+    }
+    colored += lists[i].rgba != cloud[i].rgba ? 1 : 0;
+  }
+  EXPECT_GT(colored, cloud.size() / 2);
+}
+
+TEST_F(ActiveStereoLists, ColoursMayComeFromAnImage)
+{
+  const std::string off = filmed_->path("off.png");
+  ASSERT_EQ(runLists({"--color", off}).exit_code, 0);
+  const RgbImage image = loadRgbImage(off);
+  const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    ASSERT_EQ(cloud[i].r, image.values[3 * i]) << i;
+    ASSERT_EQ(cloud[i].b, image.values[3 * i + 2]) << i;
+  }
+}
+
+TEST_F(ActiveStereoLists, TwoViewsAreEnough)
+{
+  const auto fit = [&] {
+    const ToolRun run = runLists();
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const DisparityImage disparity = loadPfm(out("disparity.pfm"));
+    std::filesystem::remove_all(out_);
+    return fitOf(disparity, session());
+  };
+  const auto all = images_;
+  images_[2].clear();
+  expectGood(fit(), 0.75);
+  images_ = all;
+  images_[1].clear(); // both baselines are as long
+  expectGood(fit(), 0.75);
+}
+
+TEST_F(ActiveStereoLists, OnePatternWillDo)
+{
+  for (auto& list : images_)
+    list.resize(1);
+  ASSERT_EQ(runLists().exit_code, 0);
+  expectGood(fitOf(loadPfm(out("disparity.pfm")), session()), 0.85);
+}
+
+TEST_F(ActiveStereoLists, DepthsThatNoImageReachesAreNotPromised)
+{
+  // 160 columns: 159 px are the longest disparity
+  const ToolRun run = runLists({"--min-depth", "0.01"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("0 to 159 px, depths of 0.0818 to 10 m"));
+  std::filesystem::remove_all(out_);
+  expectRefused(
+      runLists({"--min-depth", "0.01", "--max-depth", "0.05"}), 2, "--max-depth");
+}
+
+TEST_F(ActiveStereoLists, AllMethodsFindTheTruth)
+{
+  std::vector<std::string> found;
+  for (const char* method : {"median", "statistical", "spacetime"}) {
+    const ToolRun run = runLists({"--method", method});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr(method));
+    expectGood(fitOf(loadPfm(out("disparity.pfm")), session()), 0.85);
+    found.push_back(contentOf(out("disparity.pfm")));
+    std::filesystem::remove_all(out_);
+  }
+  EXPECT_NE(found[0], found[1]);
+  EXPECT_NE(found[1], found[2]);
+}
+
+TEST_F(ActiveStereoLists, DepthsBoundSearchAndPoints)
+{
+  const std::string report = folder_.path("report.json");
+  const ToolRun run =
+      runLists({"--min-depth", "1.2", "--max-depth", "2", "--report", report});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(contentOf(report));
+  EXPECT_EQ(json["least_disparity"], 5); // 6.5 px at 2 m, a pixel less, down
+  EXPECT_EQ(json["most_disparity"], 12); // 10.8 px at 1.2 m, up, a pixel more
+  for (const PointXYZRGBSigma& point : loadStereo(out("observation_0000.pcd")).cloud)
+    if (std::isfinite(point.z)) {
+      ASSERT_GE(point.z, 1.2f);
+      ASSERT_LE(point.z, 2.0f);
+    }
+}
+
+TEST_F(ActiveStereoLists, ThresholdsReachTheMatcher)
+{
+  const auto matched = [&](const std::vector<std::string>& more) {
+    const std::string report = folder_.path("report.json");
+    std::vector<std::string> all = {"--report", report};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_EQ(runLists(all).exit_code, 0);
+    std::filesystem::remove_all(out_);
+    return nlohmann::json::parse(contentOf(report))["outcomes"];
+  };
+  const auto plain = matched({});
+  EXPECT_GT(matched({"--min-texture", "20"})["untextured"], plain["untextured"]);
+  EXPECT_GT(matched({"--min-correlation", "0.99"})["uncorrelated"],
+            plain["uncorrelated"]);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
