@@ -36,7 +36,8 @@ mesh() {
 
 (cd "$scratch" && "$bin/acmap_bench_simulation_figures" picture)
 "$bin/draw_rig_calibration" "$scratch"
-for name in line_pattern simulated_shots rig_calibration; do
+"$bin/acmap_bench_stereo_figures" picture "$scratch"
+for name in line_pattern simulated_shots rig_calibration stereo_disparities; do
   cp "$scratch/$name.png" "$pictures/"
 done
 

@@ -1,0 +1,139 @@
+#include "disparity_picture.h"
+
+#include "disparity_point.h"
+#include "statistics.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+namespace pcl::acmap::bench {
+
+namespace {
+
+/** Points drawn as small squares, the nearest on top. */
+class PointPicture {
+public:
+  explicit PointPicture(const TrinocularRig& rig)
+  : rig_(rig)
+  , depths_(static_cast<std::size_t>(rig.width) * static_cast<std::size_t>(rig.height),
+            std::numeric_limits<double>::infinity())
+  {
+    constexpr std::uint8_t paper = 255;
+    image_ = {rig.width, rig.height, 3, {}};
+    image_.values.assign(3 * depths_.size(), paper);
+  }
+
+  /** \param[in] point in the frame of the place it is seen from */
+  void
+  draw(const Eigen::Vector3d& point, const std::array<std::uint8_t, 3>& color)
+  {
+    if (point.z() <= 0)
+      return;
+    constexpr int reach = 1; // px
+    const auto column = static_cast<int>(
+        std::lround(rig_.focal_length * point.x() / point.z() + rig_.center_x));
+    const auto row = static_cast<int>(
+        std::lround(rig_.focal_length * point.y() / point.z() + rig_.center_y));
+    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, rig_.height - 1);
+         ++y)
+      for (int x = std::max(column - reach, 0);
+           x <= std::min(column + reach, rig_.width - 1);
+           ++x)
+        fill(static_cast<std::size_t>(y * rig_.width + x), point.z(), color);
+  }
+
+  const CameraImage&
+  image() const
+  {
+    return image_;
+  }
+
+private:
+  void
+  fill(std::size_t pixel, double depth, const std::array<std::uint8_t, 3>& color)
+  {
+    if (depth >= depths_[pixel])
+      return;
+    depths_[pixel] = depth;
+    std::copy(color.begin(),
+              color.end(),
+              image_.values.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+  }
+
+  TrinocularRig rig_;
+  std::vector<double> depths_;
+  CameraImage image_;
+};
+
+std::array<std::uint8_t, 3>
+colorAt(const CameraImage& image, std::size_t pixel)
+{
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::uint8_t* const first = &image.values[channels * pixel];
+  return {first[0], first[channels / 2], first[channels - 1]};
+}
+
+/** Depth of the middle: nine in ten of the points lie before twice of it. */
+double
+middleDepth(const DisparityImage& disparity, const TrinocularRig& rig)
+{
+  constexpr double most = 0.9;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < disparity.values.size(); ++i)
+    if (disparity.values[i] > 0)
+      depths.push_back(pointOf(rig, i, disparity.values[i]).z());
+  return std::max(median(depths), quantile(depths, most) / 2);
+}
+
+} // namespace
+
+CameraImage
+coloredDisparity(const DisparityImage& image, float least, float most)
+{
+  constexpr float brightest = 255.0f;
+  cv::Mat_<uchar> levels(image.height, image.width);
+  std::transform(
+      image.values.begin(), image.values.end(), levels.begin(), [&](float disparity) {
+        const float share = (disparity - least) / (most - least);
+        return cv::saturate_cast<uchar>(std::isnan(share) ? 0.0f : brightest * share);
+      });
+  cv::Mat colors;
+  cv::applyColorMap(levels, colors, cv::COLORMAP_TURBO);
+  cv::cvtColor(colors, colors, cv::COLOR_BGR2RGB);
+  CameraImage colored{image.width, image.height, 3, {}};
+  colored.values.assign(colors.datastart, colors.dataend);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    if (std::isnan(image.values[i]))
+      std::fill_n(colored.values.begin() + static_cast<std::ptrdiff_t>(3 * i),
+                  3,
+                  std::uint8_t{0});
+  return colored;
+}
+
+CameraImage
+viewFromBeside(const DisparityImage& disparity,
+               const CameraImage& color,
+               const TrinocularRig& rig,
+               double yaw)
+{
+  constexpr double pitch = 0.3; // rad, from above
+  constexpr double back = 0.25; // of the middle's depth
+  const double depth = middleDepth(disparity, rig);
+  const Eigen::Vector3d middle(0, 0, depth);
+  const Eigen::Isometry3d T_beside_camera =
+      Eigen::Translation3d((1 + back) * middle) *
+      Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitX()) *
+      Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitY()) * Eigen::Translation3d(-middle);
+  PointPicture picture(rig);
+  for (std::size_t i = 0; i < disparity.values.size(); ++i)
+    if (disparity.values[i] > 0)
+      picture.draw(T_beside_camera * pointOf(rig, i, disparity.values[i]),
+                   colorAt(color, i));
+  return picture.image();
+}
+
+} // namespace pcl::acmap::bench

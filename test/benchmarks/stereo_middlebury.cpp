@@ -1,0 +1,198 @@
+#include "disparity_errors.h"
+#include "markdown_row.h"
+#include "sgbm_disparity.h"
+#include "stereo_tables.h"
+#include "test_data.h"
+
+#include <pcl/stereo/trinocular_matching.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::bench {
+namespace {
+
+constexpr double some_focal_length = 1000.0, some_baseline = 0.1; // play no part
+constexpr int range_step = 16;
+
+/** A pair with the truth, and the pixels that both cameras see. */
+struct TexturedPair {
+  std::string name;
+  StereoShots shots;
+  PixelMask visible;
+};
+
+StereoShots
+loadPair(const std::string& reference, const std::string& neighbour)
+{
+  CameraImage left = loadGreyImage(reference);
+  StereoShots shots =
+      binocularShots(left.width, left.height, some_focal_length, some_baseline);
+  shots.frames = {
+      frameOf(std::move(left), loadGreyImage(neighbour), TrinocularFrame::no_pattern)};
+  return shots;
+}
+
+/** The truth of the right view sees the same place; where it has none, who knows. */
+PixelMask
+visibleByBothTruths(const DisparityImage& left, const DisparityImage& right)
+{
+  constexpr float same = 1.0f; // px
+  PixelMask mask(left.values.size(), 0);
+  for (int row = 0; row < left.height; ++row)
+    for (int column = 0; column < left.width; ++column) {
+      const float disparity = left.at(column, row);
+      if (std::isnan(disparity))
+        continue;
+      const auto there = static_cast<int>(std::lround(column - disparity));
+      if (there >= 0 && std::abs(right.at(there, row) - disparity) <= same)
+        mask[static_cast<std::size_t>(row * left.width + column)] = 1;
+    }
+  return mask;
+}
+
+/** Nothing of the truth itself lies before the place in the right view. */
+PixelMask
+visibleByOneTruth(const DisparityImage& left)
+{
+  constexpr float same = 1.0f; // px
+  PixelMask mask(left.values.size(), 0);
+  for (int row = 0; row < left.height; ++row) {
+    std::vector<float> nearest(static_cast<std::size_t>(left.width), 0.0f);
+    const auto nearestAt = [&](int column) -> float* {
+      const auto there = static_cast<int>(std::lround(column - left.at(column, row)));
+      return there >= 0 ? &nearest[static_cast<std::size_t>(there)] : nullptr;
+    };
+    const auto forEachTruth = [&](const auto& function) {
+      for (int column = 0; column < left.width; ++column)
+        if (!std::isnan(left.at(column, row)))
+          if (float* there = nearestAt(column))
+            function(column, *there);
+    };
+    forEachTruth([&](int column, float& there) {
+      there = std::max(there, left.at(column, row));
+    });
+    forEachTruth([&](int column, float& there) {
+      if (left.at(column, row) >= there - same)
+        mask[static_cast<std::size_t>(row * left.width + column)] = 1;
+    });
+  }
+  return mask;
+}
+
+/** \param steps stored values that make 1 px */
+TexturedPair
+loadBothTruths(const std::string& name,
+               const std::string& left,
+               const std::string& right,
+               double steps)
+{
+  const std::string folder = "A_stereo/" + name + "/";
+  const auto truthOf = [&](const std::string& image) {
+    return loadPngDisparity(folder + "disp" + image.back() + ".png", steps);
+  };
+  TexturedPair pair{
+      name, loadPair(folder + left + ".png", folder + right + ".png"), {}};
+  pair.shots.truth = truthOf(left);
+  pair.visible = visibleByBothTruths(pair.shots.truth, truthOf(right));
+  return pair;
+}
+
+TexturedPair
+loadMotorcycle()
+{
+  const std::string folder = "A_stereo/motorcycle/";
+  TexturedPair pair{
+      "motorcycle",
+      loadPair(folder + "motorcycle_left.png", folder + "motorcycle_right.png"),
+      {}};
+  pair.shots.truth = loadPfm(test::testDataPath(folder + "disp_left.pfm").string());
+  pair.visible = visibleByOneTruth(pair.shots.truth);
+  return pair;
+}
+
+/** As much as the truth needs. */
+int
+rangeOf(const DisparityImage& truth)
+{
+  float most = 0;
+  for (const float disparity : truth.values)
+    most = std::isnan(disparity) ? most : std::max(most, disparity);
+  return (static_cast<int>(most) / range_step + 1) * range_step;
+}
+
+DisparityErrors
+errorsOf(const TexturedPair& pair)
+{
+  TrinocularMatching matching;
+  matching.setMaxDisparity(rangeOf(pair.shots.truth));
+  matching.setInputRig(pair.shots.rig);
+  MatchedDisparity matched;
+  matching.match(*pair.shots.frames.front(), matched);
+  DisparityErrors errors;
+  errors.add(matched.disparity, pair.shots.truth, pair.visible);
+  return errors;
+}
+
+DisparityErrors
+sgbmErrorsOf(const TexturedPair& pair, bool filters)
+{
+  SgbmSetting setting;
+  setting.disparities = rangeOf(pair.shots.truth);
+  setting.filters = filters;
+  DisparityErrors errors;
+  errors.add(sgbmDisparity(*pair.shots.frames.front(), pair.shots.rig, setting),
+             pair.shots.truth,
+             pair.visible);
+  return errors;
+}
+
+void
+printPair(const TexturedPair& pair)
+{
+  const DisparityErrors errors = errorsOf(pair);
+  const DisparityErrors sgbm = sgbmErrorsOf(pair, true);
+  MarkdownRow()
+      .text(pair.name)
+      .count(errors.judged())
+      .atMost(errors.bad(), sgbm.bad(), 2)
+      .number(errors.wrong(), 2)
+      .number(errors.medianError(), 3)
+      .number(sgbm.bad(), 2)
+      .number(sgbm.wrong(), 2)
+      .number(sgbm.medianError(), 3)
+      .number(sgbmErrorsOf(pair, false).bad(), 2)
+      .print();
+}
+
+} // namespace
+
+void
+printMiddlebury()
+{
+  if (!hasAllData("middlebury",
+                  {"A_stereo/Cones/im2.png",
+                   "A_stereo/Teddy/im2.png",
+                   "A_stereo/Art/view1.png",
+                   "A_stereo/Moebius/view1.png",
+                   "A_stereo/motorcycle/disp_left.pfm"}))
+    return;
+  printHead({"one shot of texture",
+             "pixels both see",
+             "bad > 1 px or missing, %",
+             "of it wrong, %",
+             "median error, px",
+             "OpenCV SGBM: bad or missing, %",
+             "of it wrong, %",
+             "median error, px",
+             "without filters, bad or missing, %"});
+  constexpr double quarter = 4.0, third = 3.0; // px, what is stored
+  printPair(loadBothTruths("Cones", "im2", "im6", quarter));
+  printPair(loadBothTruths("Teddy", "im2", "im6", quarter));
+  printPair(loadBothTruths("Art", "view1", "view5", third));
+  printPair(loadBothTruths("Moebius", "view1", "view5", third));
+  printPair(loadMotorcycle());
+}
+
+} // namespace pcl::acmap::bench
