@@ -108,11 +108,53 @@ TEST(TrinocularMatchingInput, RangesWiderThanTheImageAreSearched)
 TEST(TrinocularMatchingInput, BaselinesMayDifferManyTimes)
 {
   for (const auto& [horizontal, vertical] :
-       {std::pair(-0.001, -100.0), std::pair(100.0, 0.001), std::pair(-0.1, 0.004)}) {
+       {std::pair(-0.01, -0.16), std::pair(16.0, 1.0), std::pair(-0.1, 0.008)}) {
     const TrinocularRig rig = tinyRig(40, 30, horizontal, vertical);
     const Shots shots = shotsOf(flatScene(tinyRig(40, 30), 4), 3);
     const MatchedDisparity matched = matchSoundly(rig, shots);
     EXPECT_EQ(matched.outcome.size(), 40u * 30u);
+  }
+  TrinocularMatching matching;
+  for (const auto& [horizontal, vertical] :
+       {std::pair(-0.001, -100.0), std::pair(100.0, 1e-50), std::pair(1e-45, -0.1)})
+    EXPECT_THROW(matching.setInputRig(tinyRig(40, 30, horizontal, vertical)),
+                 BadArgumentException);
+}
+
+TEST(TrinocularMatchingInput, OfSeveralShotsWithoutAPatternTheFirstIsMatched)
+{
+  const TrinocularRig rig = tinyRig(60, 40);
+  const SyntheticScene scene = flatScene(rig, 5);
+  Shots shots = shotsOf(scene, 1);
+  shots.front()->pattern = TrinocularFrame::no_pattern;
+  const MatchedDisparity first = matchSoundly(rig, shots);
+  shots.resize(4, shots.front());
+  TrinocularMatching matching;
+  matching.setInputRig(rig);
+  MatchedDisparity matched;
+  matching.match({shots.begin(), shots.end()}, matched);
+  EXPECT_EQ(matched.disparity.values.size(), first.disparity.values.size());
+  EXPECT_EQ(matched.outcome, first.outcome);
+  EXPECT_EQ(matching.getReport().shots, 1u);
+  EXPECT_FALSE(matching.getReport().remarks.empty());
+  EXPECT_LT(errorsOf(matched, trueDisparities(scene)).bad, 0.1);
+}
+
+TEST(TrinocularMatchingInput, AConstantImageWithoutAPatternHasNoDisparities)
+{
+  const TrinocularRig rig = tinyRig(60, 40);
+  for (const std::uint8_t level : {0, 77, 255}) {
+    Shots shots = shotsOf(flatScene(rig, 5), 1);
+    shots.front()->pattern = TrinocularFrame::no_pattern;
+    for (CameraImage& image : shots.front()->images)
+      std::fill(image.values.begin(), image.values.end(), level);
+    TrinocularMatching matching;
+    matching.setInputRig(rig);
+    matching.setXOffset(10);
+    MatchedDisparity matched;
+    matching.match(*shots.front(), matched);
+    EXPECT_EQ(countOutcomes(matched)[0], 0u) << int{level};
+    EXPECT_FALSE(matching.getReport().remarks.empty());
   }
 }
 

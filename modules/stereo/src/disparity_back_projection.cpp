@@ -1,6 +1,7 @@
 #include <pcl/stereo/disparity_back_projection.h>
 
 #include "back_projection/pixel_projection.h"
+#include "matching/shot_check.h"
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/parallel.h>
@@ -60,11 +61,7 @@ requireColor(const CameraImage& color, const TrinocularRig& rig)
 void
 DisparityBackProjection::setInputRig(const TrinocularRig& rig)
 {
-  requireSoundRig(rig);
-  if (disparityBaseline(rig) == 0.0)
-    throw BadArgumentException("the rig has no neighbour: both its baselines are 0 m, "
-                               "so no depth follows from "
-                               "a disparity");
+  acmap::requireStereoRig(rig);
   rig_ = rig;
 }
 

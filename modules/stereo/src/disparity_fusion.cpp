@@ -63,7 +63,6 @@ struct DisparityFusion::State {
     const acmap::Progress shown(progress);
     shown.tell(0.0, "fusion");
     told.seconds.emplace_back("matching", observation->matching_seconds);
-    told.remarks = observation->matching_remarks;
     acmap::StepTimer timer(told);
     const auto statistic = method == Method::Median
                                ? acmap::ShotStatistic::Median
@@ -246,6 +245,9 @@ DisparityFusion::fuse(MatchedDisparity& fused)
     report.remarks.emplace_back(
         "there is no shot without a pattern: the colour has the patterns' light in it");
   report.outcomes = countOutcomes(result);
+  if (state_->method != Method::SpaceTime && report.shots > 0 &&
+      report.outcomes[0] == 0)
+    report.remarks.emplace_back("no pixel was matched");
   fused = std::move(result);
   state_->report = std::move(report);
 }

@@ -10,7 +10,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -21,7 +20,7 @@ constexpr std::size_t most_shots = 256;
 
 using Shots = std::vector<const TrinocularFrame*>;
 
-/** The shots under a pattern, or all where there is none. */
+/** The shots under a pattern; where there is none the first: others tell the same again. */
 Shots
 shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
              const TrinocularRig& rig)
@@ -29,16 +28,17 @@ shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
   if (shots.empty() || shots.size() > most_shots)
     acmap::refuseArgument(
         "number of shots", static_cast<double>(shots.size()), "within [1, 256]");
-  Shots all, lit;
+  Shots lit;
   for (const TrinocularFrame::ConstPtr& shot : shots) {
     if (!shot)
       throw BadArgumentException("a shot is null");
     acmap::requireShotOf(rig, *shot);
-    all.push_back(shot.get());
     if (shot->pattern != TrinocularFrame::no_pattern)
       lit.push_back(shot.get());
   }
-  return lit.empty() ? all : lit;
+  if (lit.empty())
+    lit.push_back(shots.front().get());
+  return lit;
 }
 
 acmap::PairImages

@@ -36,10 +36,6 @@ Observation::addMatched(MatchedDisparity shot, const Report& report)
   matched.push_back(std::move(shot));
   for (const auto& step : report.seconds)
     matching_seconds += step.second;
-  for (const std::string& remark : report.remarks)
-    if (std::find(matching_remarks.begin(), matching_remarks.end(), remark) ==
-        matching_remarks.end())
-      matching_remarks.push_back(remark);
 }
 
 CameraImage

@@ -68,8 +68,7 @@ public:
 
   std::vector<TrinocularFrame::ConstPtr> frames;
   std::vector<MatchedDisparity> matched;
-  double matching_seconds = 0;               ///< of those matched one by one
-  std::vector<std::string> matching_remarks; ///< likewise, each once
+  double matching_seconds = 0; ///< of those matched one by one
 
 private:
   ShotColor dark_color_;

@@ -145,8 +145,10 @@ ObservationMaker::give(const Shots& shots)
     addSeconds(observation.fusion);
     addSeconds(points);
   }
-  for (const std::string& text : points.remarks)
-    remark(nameOf(first.observation) + ": " + text);
+  for (const std::vector<std::string>* remarks :
+       {&observation.fusion.remarks, &points.remarks})
+    for (const std::string& text : *remarks)
+      remark(nameOf(first.observation) + ": " + text);
   give_(observation);
 }
 

@@ -61,12 +61,19 @@ betterOf(const PixelMatch& a, const PixelMatch& b)
   return b.correlation > a.correlation ? b : a;
 }
 
+bool
+agree(const PixelMatch& a, const PixelMatch& b, const JoinSettings& settings)
+{
+  return isMatched(a) && isMatched(b) &&
+         std::abs(a.disparity - b.disparity) <= settings.agreement;
+}
+
 PixelMatch
 joined(const PixelMatch& a, const PixelMatch& b, const JoinSettings& settings)
 {
+  if (agree(a, b, settings))
+    return meanOf(a, b);
   if (isMatched(a) && isMatched(b)) {
-    if (std::abs(a.disparity - b.disparity) <= settings.agreement)
-      return meanOf(a, b);
     PixelMatch better = betterOf(a, b);
     if (settings.require_agreement)
       better.outcome = DisparityOutcome::PairsDisagree;
@@ -122,8 +129,7 @@ joinPairs(const PairMatch& first,
     const PixelMatch a = pixelOf(first, at, 1.0);
     const PixelMatch b = pixelOf(second, at, settings.ratio);
     put(joined(a, b, settings), support, at, matched);
-    agreed += isMatched(a) && isMatched(b) &&
-              std::abs(a.disparity - b.disparity) <= settings.agreement;
+    agreed += agree(a, b, settings);
   }
   return agreed;
 }

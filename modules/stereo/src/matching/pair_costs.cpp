@@ -14,6 +14,10 @@ namespace {
 
 constexpr float cost_of_no_correlation = 2000.0F;
 
+/** Of a place that the neighbour has not in its image: no bargain, but better than a bad
+ * match. */
+constexpr std::int16_t outside_cost = 1500;
+
 /** Grey levels squared: a pixel that changes no more than its noise is like no other. */
 constexpr float variance_floor = 4.0F;
 
@@ -76,7 +80,7 @@ forRowBlocks(int height, const Body& body)
 
 /** What was filled in for disparities that lead out of the image, or are none. */
 void
-markOutside(const DisparityRange& range, std::int16_t outside_cost, const CostRow& row)
+markOutside(const DisparityRange& range, const CostRow& row)
 {
   for (int x = 0; x < row.width; ++x) {
     std::int16_t* const costs = row.values + static_cast<std::int64_t>(x) * row.stride;
@@ -189,9 +193,8 @@ fillCosts(const ShotStack& reference,
     fillCensus(reference, target, recipe, range, costs);
     break;
   }
-  oneapi::tbb::parallel_for(0, costs.height, [&](int y) {
-    markOutside(range, recipe.outside_cost, costs.row(y));
-  });
+  oneapi::tbb::parallel_for(
+      0, costs.height, [&](int y) { markOutside(range, costs.row(y)); });
 }
 
 } // namespace pcl::acmap

@@ -53,7 +53,8 @@ public:
   {
     if (!std::isfinite(refined_.disparity[at]))
       return DisparityOutcome::OutOfView;
-    if (refined_.deviation[at] < tests_.deviation)
+    // What is all of one grey fits anywhere, whatever the threshold.
+    if (refined_.deviation[at] <= 0.0F || refined_.deviation[at] < tests_.deviation)
       return DisparityOutcome::Untextured;
     if (refined_.correlation[at] < tests_.correlation)
       return DisparityOutcome::Uncorrelated;
@@ -119,7 +120,6 @@ PairMatcher::match(const PairImages& images,
       match.refined.disparity[to] = refined_.disparity[at];
       match.refined.correlation[to] = refined_.correlation[at];
       match.refined.sigma[to] = refined_.sigma[at];
-      match.refined.deviation[to] = refined_.deviation[at];
     }
 }
 

@@ -183,7 +183,7 @@ struct Peak {
 };
 
 Peak
-peakOf(const Window& window, std::size_t farthest)
+peakOf(const Window& window)
 {
   std::array<float, places> correlations{};
   correlations.fill(std::numeric_limits<float>::quiet_NaN());
@@ -193,13 +193,12 @@ peakOf(const Window& window, std::size_t farthest)
     return correlations[place];
   };
   std::size_t best = places / 2;
-  // Uphill from the winner: a higher peak beyond a valley is another match.
-  while (best < places - 2 && at(best + 1) > at(best))
+  // Uphill from the winner, half a pixel at most: a higher peak beyond a valley is another
+  // match, one farther away that of what stands beside an edge.
+  while (best < 3 * places / 4 && at(best + 1) > at(best))
     ++best;
-  while (best > 1 && at(best - 1) > at(best))
+  while (best > places / 4 && at(best - 1) > at(best))
     --best;
-  if (best + farthest < places / 2 || best > places / 2 + farthest)
-    best = places / 2;
   const float left = at(best - 1), right = at(best + 1);
   const float bend = 2.0F * at(best) - left - right;
   Peak peak;
@@ -245,9 +244,6 @@ refineWinners(const ShotStack& reference,
               RefinedPair& refined)
 {
   refined.resize(winners.index.size());
-  // Over time a pixel tells itself from its neighbours, and its winner may be one beside;
-  // by windows alone a peak beyond half a pixel belongs to what stands beside an edge.
-  const std::size_t farthest = centred ? 3 : 2;
   constexpr int rows = 32;
   const int height = reference.height(), width = reference.width();
   const auto refine = [&](SumRows& sums, int x, int y) {
@@ -260,7 +256,7 @@ refineWinners(const ShotStack& reference,
       return;
     }
     const Window window = sums.windowAt(x, y, centred);
-    const Peak peak = peakOf(window, farthest);
+    const Peak peak = peakOf(window);
     refined.disparity[at] =
         static_cast<float>(range.first + winners.index[at]) + peak.offset;
     refined.correlation[at] =

@@ -155,13 +155,10 @@ PathSums::findInRow(int y, const DisparityRange& range, PairWinners& winners)
   const std::size_t begin = static_cast<std::size_t>(y) * width;
   target_least_.assign(width + static_cast<std::size_t>(sums.stride), 32767);
   target_pixel_.assign(target_least_.size(), -1);
-  least_.resize(width);
-  pairKernels().findWinners(sums,
-                            range.count,
-                            {&winners.index[begin],
-                             least_.data(),
-                             target_least_.data(),
-                             target_pixel_.data()});
+  pairKernels().findWinners(
+      sums,
+      range.count,
+      {&winners.index[begin], target_least_.data(), target_pixel_.data()});
   for (std::size_t x = 0; x < width; ++x) {
     const bool is_seen = x >= static_cast<std::size_t>(range.first);
     winners.matched_by[begin + x] =

@@ -51,7 +51,6 @@ private:
   CostVolume sums_;
   std::vector<std::int16_t> target_least_;
   std::vector<std::int16_t> target_pixel_;
-  std::vector<std::int16_t> least_;
 };
 
 } // namespace pcl::acmap

@@ -32,7 +32,7 @@ recipeOf(std::size_t shots, bool lit)
   recipe.contrast = 60;
   if (!lit) {
     recipe.blur = 0.3;
-    recipe.cost_of_bit = 16;
+    recipe.cost_of_bit = 15;
     recipe.least_deviation = 0.0;
     recipe.least_correlation = -1.0;
   }

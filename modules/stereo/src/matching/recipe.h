@@ -33,9 +33,6 @@ struct MatchingRecipe {
    * to pixel; 0: always the same. */
   int contrast = 0;
 
-  std::int16_t outside_cost =
-      1500; ///< of a place that the neighbour has not in its image
-
   double least_deviation = 2.0; ///< grey levels
   double least_correlation = 0.5;
 };

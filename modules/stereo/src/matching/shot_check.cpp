@@ -2,6 +2,9 @@
 
 #include <pcl/exceptions.h>
 
+#include <cmath>
+#include <string>
+
 namespace pcl::acmap {
 
 namespace {
@@ -39,6 +42,14 @@ requireStereoRig(const TrinocularRig& rig)
     throw BadArgumentException(
         "baseline_horizontal = 0 and baseline_vertical = 0 m are refused: the rig must "
         "have a neighbour");
+  constexpr double most = 16.0;
+  const double ratio = std::abs(rig.baseline_horizontal / rig.baseline_vertical);
+  if (rig.baseline_horizontal != 0.0 && rig.baseline_vertical != 0.0 &&
+      !(ratio >= 1.0 / most && ratio <= most))
+    throw BadArgumentException(
+        "baseline_horizontal = " + std::to_string(rig.baseline_horizontal) +
+        " m and baseline_vertical = " + std::to_string(rig.baseline_vertical) +
+        " m are refused: neither may be longer than 16 times the other");
 }
 
 void

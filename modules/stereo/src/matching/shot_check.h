@@ -5,7 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Refuses a rig that no camera can have, or that has no neighbours.
+/** \brief Refuses a rig that no camera can have, that has no neighbours, or baselines that differ
+ * more than 16 times: no disparity serves both then.
  * \throws BadArgumentException naming value and legal range */
 void
 requireStereoRig(const TrinocularRig& rig);

@@ -55,7 +55,6 @@ struct PathRows {
  * neighbour's row. */
 struct RowWinners {
   std::int16_t* index;        ///< by pixel
-  std::int16_t* least;        ///< its sum, less 32768
   std::int16_t* target_least; ///< by index + pixel, of the neighbour's row
   std::int16_t* target_pixel;
 };

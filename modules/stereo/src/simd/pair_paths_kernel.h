@@ -155,7 +155,6 @@ findWinners(const CostRow& sums, int disparities, const RowWinners& winners)
     const Shorts index =
         best == found ? block + first_indices : Shorts{} + std::int16_t{32767};
     winners.index[x] = leastOf(index);
-    winners.least[x] = found;
   }
 }
 
