@@ -166,7 +166,7 @@ printBag()
   const StereoShots bag = loadBag();
   printMethodHead();
   for (const int prefilter : sgbm_prefilters) {
-    printSgbm("room light only", bag, {loadPassiveBag()}, prefilter);
+    printSgbm("projector white, no pattern", bag, {loadPassiveBag()}, prefilter);
     printSgbm("one pattern", bag, bag.frames, prefilter);
   }
   printTogether(bag, 1, {3.0, no_reach, no_reach});

@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The bag under random lines, real light: bad pixels and errors by method and by
- * the number of shots. */
+/** \brief The bag under random lines, computed from real captures: bad pixels and errors by
+ * method and by the number of shots. */
 void
 printBag();
 

@@ -29,8 +29,8 @@ struct MatchingRecipe {
   std::int16_t small_penalty = 100; ///< P1; 2000 is what no correlation costs
   std::int16_t large_penalty = 400; ///< P2
 
-  /** \brief Grey levels: P2 is half as large where the image changes that much from pixel
-   * to pixel; 0: always the same. */
+  /** \brief Grey levels: the excess of P2 over P1 is half as large where the image changes
+   * that much from pixel to pixel; 0: always the same. */
   int contrast = 0;
 
   double least_deviation = 2.0; ///< grey levels

@@ -40,7 +40,8 @@ struct DisparityFusionReport : Report {
  *
  * Colour is that of the mean shot without a pattern; without one, of the mean of all
  * shots. Disparities in pixels, metres only in the rig. Time O(n * disparities) a shot
- * (Median, Statistical) or once (SpaceTime); memory O(n * shots).
+ * (Median, Statistical) or O(n * disparities * shots) once (SpaceTime); memory
+ * O(n * shots).
  * \code
  * pcl::DisparityFusion fusion;
  * fusion.setInputRig (grabber.getRig ());
@@ -65,8 +66,8 @@ public:
   void
   setInputRig(const TrinocularRig& rig);
 
-  /** \brief How shots are matched; its rig, threads and progress callback are not taken
-   * over. Forgets the shots. */
+  /** \brief How shots are matched; its threads and progress callback are not taken over,
+   * nor its rig where the fusion has one. Forgets the shots. */
   void
   setMatching(const TrinocularMatching& matching);
 

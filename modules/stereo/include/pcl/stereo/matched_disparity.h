@@ -16,7 +16,7 @@ namespace pcl {
  * it has one. \ingroup stereo */
 enum class DisparityOutcome : std::uint8_t {
   Matched,      ///< it has one
-  OutOfView,    ///< no neighbour has the place in its image, at any disparity searched
+  OutOfView,    ///< what fits best lies outside the neighbours' images
   Untextured,   ///< below the texture threshold: the projector does not reach it, or it
                 ///< is all of one grey
   Uncorrelated, ///< below the correlation threshold

@@ -14,7 +14,7 @@ namespace pcl {
 
 /** \brief What \ref TrinocularMatching tells about its last run. \ingroup stereo */
 struct TrinocularMatchingReport : Report {
-  std::size_t shots = 0; ///< with a pattern, that were matched together
+  std::size_t shots = 0; ///< that were matched together
 
   /** \brief Pixels by \ref DisparityOutcome. */
   std::array<std::size_t, disparity_outcomes> outcomes{};
@@ -28,21 +28,21 @@ struct TrinocularMatchingReport : Report {
  * of the paper's L-shaped rig, any other side will do.
  *
  * Each pair of cameras is matched on its own (a neighbour in the row or in the column),
- * then both are joined: within the pair agreement the mean by their variances, else the
- * pair that fits better, else the one that there is. Near-horizontal lines say nothing to
- * the horizontal pair, and occlusion spoils one pair at a time.
+ * then both are joined: within the pair agreement the mean by their variances, else the one
+ * that is much surer, or fits better, else the one that there is. Near-horizontal lines say
+ * nothing to the horizontal pair, and occlusion spoils one pair at a time.
  *
- * With several shots all are matched at once (space-time stereo): a pixel is compared by
- * its grey levels over time, by their zero-mean normalised correlation (ZNCC). With one
- * shot it is compared by its neighbourhood; one without a pattern is taken for passive
- * stereo. Costs are summed along eight paths
- * (Hirschmueller, 2008) in whole numbers; the sub-pixel disparity is the place of highest
- * correlation among quarter pixels. The standard deviation follows from the curvature of
- * the correlation there, and from what it lacks of 1.
+ * Several shots are matched at once (space-time stereo), by zero-mean normalised correlation
+ * (ZNCC): from three on a pixel is compared by its grey levels over time, two are compared
+ * by windows. With one shot a pixel is compared by its neighbourhood; one without a pattern
+ * is taken for passive stereo. Costs are summed along eight paths (Hirschmueller, 2008) in
+ * whole numbers; the sub-pixel disparity is the place of highest correlation among quarter
+ * pixels. The standard deviation follows from the curvature of the correlation there, and
+ * from what it lacks of 1.
  *
  * Setters that PCL's StereoMatching has too are called as there. Metres only in the rig;
- * disparities in pixels. Time O(n * disparities) for n pixels, and O(n * shots); memory 4
- * bytes for each pixel and disparity of a pair, 2 pairs at once.
+ * disparities in pixels. Time O(n * disparities * shots) for n pixels; memory 4 bytes for
+ * each pixel and disparity of a pair, 2 pairs at once.
  * \code
  * pcl::TrinocularMatching matching;
  * matching.setInputRig (grabber.getRig ());
@@ -62,7 +62,8 @@ public:
   operator=(const TrinocularMatching& other);
 
   /** \brief Geometry of the frames, rectified.
-   * \throws BadArgumentException for a rig that no camera can have or without neighbours */
+   * \throws BadArgumentException for a rig that no camera can have, without neighbours, or
+   * whose baselines differ more than 16 times */
   void
   setInputRig(const TrinocularRig& rig);
 
@@ -166,7 +167,7 @@ public:
   }
 
   /** \brief Whether a pixel for which both pairs are sure of different disparities has none
-   * (default false: the one that fits better). */
+   * (default false: the one that is much surer, or fits better). */
   void
   setRequirePairAgreement(bool require)
   {
@@ -210,7 +211,8 @@ public:
   match(const TrinocularFrame& shot, MatchedDisparity& matched);
 
   /** \brief Matches shots of one place together. Those without a pattern are left out where
-   * there are others, which a remark tells.
+   * there are others; where there are none, the first shot alone is matched. A remark tells
+   * both.
    * \param[in] shots at least one, at most 256
    * \throws as above; BadArgumentException also for no shot, too many, and a null one */
   void
