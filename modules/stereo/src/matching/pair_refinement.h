@@ -19,10 +19,10 @@ struct RefinedPair {
   resize(std::size_t pixels);
 };
 
-/** \brief Moves each winner, by about half a pixel at most, to where the correlation of a window of 5 x 5
- * is highest among quarter pixels, and of a parabola through three of them. Of the window
- * count the pixels whose own winners differ by at most 1. Runs in all threads of the
- * caller's arena.
+/** \brief Moves each winner, by about half a pixel at most, to where the correlation of a
+ * window of 5 x 5 is highest among quarter pixels, and of a parabola through three of
+ * them. Of the window count the pixels whose own winners differ by at most 1. Runs in all
+ * threads of the caller's arena.
  * \param[in] centred as in \ref MatchingRecipe */
 void
 refineWinners(const ShotStack& reference,

@@ -5,8 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Refuses a rig that no camera can have, that has no neighbours, or baselines that differ
- * more than 16 times: no disparity serves both then.
+/** \brief Refuses a rig that no camera can have, that has no neighbours, or whose baselines
+ * differ more than 16 times: no disparities serve both then.
  * \throws BadArgumentException naming value and legal range */
 void
 requireStereoRig(const TrinocularRig& rig);

@@ -42,7 +42,7 @@ struct DisparityBackProjectionReport : Report {
  * \ingroup stereo */
 class ACMAP_EXPORT DisparityBackProjection {
 public:
-  /** \throws BadArgumentException for a rig that no camera can have or without neighbours */
+  /** \throws BadArgumentException as \ref TrinocularMatching::setInputRig */
   void
   setInputRig(const TrinocularRig& rig);
 

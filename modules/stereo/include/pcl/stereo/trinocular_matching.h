@@ -6,8 +6,10 @@
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/stereo/matched_disparity.h>
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pcl {
