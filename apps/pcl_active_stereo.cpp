@@ -88,7 +88,7 @@ convert(Tool& tool, const StereoOptions& options)
   ShotSource source(options, tool.threads());
   const SearchRange range =
       disparitiesBetween(source.rig(), options.nearest, options.farthest);
-  requireMemory(matchingMemory(source.rig(), range),
+  requireMemory(disparityMemory(source.rig(), range),
                 std::to_string(range.count) + " disparities of " +
                     std::to_string(source.rig().width) + " x " +
                     std::to_string(source.rig().height) + " pixels");

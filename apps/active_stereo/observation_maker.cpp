@@ -55,7 +55,7 @@ ObservationMaker::make(const ObservationShots& shots, const ProgressCallback& pr
 }
 
 std::size_t
-matchingMemory(const TrinocularRig& rig, const SearchRange& range)
+disparityMemory(const TrinocularRig& rig, const SearchRange& range)
 {
   constexpr double bytes = 4.0; // a disparity of a pair
   // the vertical pair has disparities in proportion to its baseline

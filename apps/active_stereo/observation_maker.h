@@ -40,8 +40,9 @@ private:
   DisparityBackProjection projection_;
 };
 
-/** \brief What matching a rig's views takes, bytes. */
+/** \brief What the costs of all disparities of a rig's views take, bytes. The shots come on
+ * top: how many an observation has is not known before they are read. */
 std::size_t
-matchingMemory(const TrinocularRig& rig, const SearchRange& range);
+disparityMemory(const TrinocularRig& rig, const SearchRange& range);
 
 } // namespace pcl::acmap

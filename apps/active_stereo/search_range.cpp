@@ -1,6 +1,6 @@
 #include "search_range.h"
 
-#include "exit_code.h"
+#include "tool.h"
 
 #include <pcl/stereo/matched_disparity.h>
 
@@ -31,7 +31,7 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   // a depth's disparity is computed as a disparity's depth
   const double from = std::floor(depthOf(rig, farthest)) - 1.0;
   if (from > longest)
-    throw UsageError("--max-depth: at " + std::to_string(farthest) +
+    throw UsageError("--max-depth: at " + shortNumber(farthest) +
                      " m disparities are longer than the image, " +
                      std::to_string(static_cast<long>(longest)) + " px");
   const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);

@@ -1,5 +1,7 @@
 #include "shot_source.h"
 
+#include "exit_code.h"
+
 #include <pcl/core/exceptions.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/core/yaml_node.h>
@@ -13,15 +15,23 @@ namespace {
 
 constexpr std::size_t most_shots = 256; // that DisparityFusion takes
 
-/** \brief The rig of image lists: cameras without a list are not used. */
+/** \brief The rig of image lists: cameras without a list are not used.
+ * \throws UsageError for a list of a camera that the rig has not */
 TrinocularRig
 rigOfLists(const StereoOptions& options)
 {
   TrinocularRig rig = loadTrinocularRig(options.rig);
-  if (options.images.horizontal.empty())
-    rig.baseline_horizontal = 0.0;
-  if (options.images.vertical.empty())
-    rig.baseline_vertical = 0.0;
+  const auto use =
+      [&](RigCamera camera, const std::vector<std::string>& images, double& baseline) {
+        const std::string name = nameOf(camera);
+        if (images.empty())
+          baseline = 0.0;
+        else if (baseline == 0.0)
+          throw UsageError("--" + name + ": " + options.rig + " has no " + name +
+                           " camera");
+      };
+  use(RigCamera::Horizontal, options.images.horizontal, rig.baseline_horizontal);
+  use(RigCamera::Vertical, options.images.vertical, rig.baseline_vertical);
   return rig;
 }
 

@@ -27,7 +27,8 @@ public:
   /** \param[in] threads 0 = all
    * \throws InputFileException when session, rig or the image for the colours are missing
    * or malformed, or no such rig can be rectified or matched
-   * \throws BadArgumentException for lists that are not those of the rig */
+   * \throws UsageError for lists of a camera that the rig has not
+   * \throws BadArgumentException for lists of different lengths */
   ShotSource(const StereoOptions& options, unsigned threads);
 
   /** \brief Of the rectified frames. */

@@ -133,7 +133,12 @@ addOptions(Tool& tool, StereoOptions& options)
                  options.poses,
                  "Known poses of a session's observations, TUM's form, one row each "
                  "[default: none, VIEWPOINT is the camera itself]")
-      ->type_name("TRAJECTORY.txt");
+      ->type_name("TRAJECTORY.txt")
+      ->check(
+          [](const std::string& path) {
+            return std::string(path.empty() ? "a trajectory without a name" : "");
+          },
+          "");
   tool.addThreads();
 }
 

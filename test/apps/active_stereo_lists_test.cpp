@@ -92,8 +92,9 @@ TEST_F(ActiveStereoLists, DepthsThatNoImageReachesAreNotPromised)
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("0 to 159 px, depths of 0.0818 to 10 m"));
   std::filesystem::remove_all(out_);
-  expectRefused(
-      runLists({"--min-depth", "0.01", "--max-depth", "0.05"}), 2, "--max-depth");
+  expectRefused(runLists({"--min-depth", "0.01", "--max-depth", "0.05"}),
+                2,
+                "--max-depth: at 0.05 m ");
 }
 
 TEST_F(ActiveStereoLists, AllMethodsFindTheTruth)

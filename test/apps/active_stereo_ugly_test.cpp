@@ -58,6 +58,7 @@ TEST_F(ActiveStereoUgly, OptionsThatMakeNoSenseAreRefused)
   refused({"-o", out_, "--rig", rig_, "--reference", images_[0][0]}, "--vertical");
   refused({"-o", out_, "--reference", "--rig", rig_}, "images are missing");
   expectRefused(runLists({"--poses", session() + "/trajectory.txt"}), 2, "--poses");
+  refused({input_, "-o", out_, "--poses", ""}, "--poses");
   images_[2].pop_back();
   expectRefused(runLists(), 2, "vertical camera: 5 images, 6 are needed");
   images_[2].push_back(images_[1][0]);
@@ -99,12 +100,22 @@ TEST_F(ActiveStereoUgly, RigsThatDoNotServeAreRefused)
   refused(folder_.write("empty.yaml", ""), "empty.yaml");
   refused(changed("focal_length: 130", "focal_length: .nan"), "changed.yaml");
   refused(changed("width: 160", "width: 320"), "320");
-  rig_ = changed("width: 160\nheight: 120", "width: 32768\nheight: 32768");
-  expectRefused(runLists(), 6, "disparities of 32768 x 32768 pixels");
   rig_ = session() + "/rig.yaml";
   expectRefused(runLists({"--rectify"}), 3, "camera_reference");
-  rig_ = changed("baseline_vertical: -0.1", "baseline_vertical: 0");
-  expectRefused(runLists(), 2, "vertical");
+  for (const std::string name : {"vertical", "horizontal"}) {
+    rig_ = changed("baseline_" + name + ": -0.1", "baseline_" + name + ": 0");
+    expectRefused(runLists(), 2, "--" + name + ": " + rig_ + " has no " + name);
+  }
+}
+
+TEST_F(ActiveStereoUgly, MoreThanAnyMemoryIsRefused)
+{
+  TrinocularRig huge = loadTrinocularRig(rig_);
+  huge.width = huge.height = 32768;
+  huge.focal_length = 13000; // as many disparities as are searched at most: 9 TB
+  rig_ = folder_.path("huge.yaml");
+  saveTrinocularRig(rig_, huge);
+  expectRefused(runLists(), 6, "1024 disparities of 32768 x 32768 pixels");
 }
 
 TEST_F(ActiveStereoUgly, SessionsThatAreNoneAreRefused)

@@ -65,13 +65,25 @@ heedsInterruptions(pid_t process)
   return (caught >> (SIGINT - 1)) & 1;
 }
 
+/** \brief Waits for something, but no longer than half a minute. */
 void
-interruptAfter(pid_t process, double seconds)
+waitFor(const std::function<bool()>& condition)
 {
-  constexpr int most_polls = 3000;
-  for (int poll = 0; poll < most_polls && !heedsInterruptions(process); ++poll)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point deadline = Clock::now() + std::chrono::seconds(30);
+  while (!condition() && Clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+}
+
+void
+interrupt(pid_t process, const RunSettings& settings)
+{
+  waitFor([&] { return heedsInterruptions(process); });
+  if (settings.interrupt_when)
+    waitFor(settings.interrupt_when);
+  if (settings.interrupt_after)
+    std::this_thread::sleep_for(
+        std::chrono::duration<double>(*settings.interrupt_after));
   kill(process, SIGINT);
 }
 
@@ -94,8 +106,8 @@ runTool(const std::string& program,
   const pid_t process = fork();
   if (process == 0)
     becomeTool(program, arguments, settings, out, err);
-  if (settings.interrupt_after)
-    interruptAfter(process, *settings.interrupt_after);
+  if (settings.interrupt_after || settings.interrupt_when)
+    interrupt(process, settings);
   int status = 0;
   waitpid(process, &status, 0);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +23,9 @@ struct RunSettings {
   /** \brief Seconds after which the program gets an interruption (SIGINT), counted from
    * when it began to heed it. */
   std::optional<double> interrupt_after;
+
+  /** \brief The interruption comes as soon as this holds, or after half a minute. */
+  std::function<bool()> interrupt_when;
 };
 
 /** \brief What came of it. */
