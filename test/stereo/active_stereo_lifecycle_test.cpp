@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <chrono>
+#include <stdexcept>
 #include <thread>
 
 namespace pcl::acmap::test {
@@ -16,11 +18,22 @@ using testing::IsEmpty;
 /** \brief Starts and stops, callbacks that do, and errors. */
 class ActiveStereoLifecycle : public ActiveStereoSession {
 protected:
+  static void
+  waitFor(const std::function<bool()>& condition)
+  {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point deadline = Clock::now() + std::chrono::seconds(30);
+    while (!condition()) {
+      if (Clock::now() > deadline)
+        throw std::runtime_error("what is waited for does not come");
+      std::this_thread::yield();
+    }
+  }
+
   void
   waitForObservations(std::size_t count) const
   {
-    while (given().size() < count)
-      std::this_thread::yield();
+    waitFor([&] { return given().size() >= count; });
   }
 
   static void
@@ -71,8 +84,7 @@ TEST_F(ActiveStereoLifecycle, StopDropsTheObservationItCutsOff)
   const auto grabber = grab(frames);
   onFrame(*frames, [&](const TrinocularFrame&) { has_come = true; });
   grabber->start();
-  while (!has_come)
-    std::this_thread::yield();
+  waitFor([&] { return has_come.load(); });
   grabber->stop();
   EXPECT_THAT(given(), IsEmpty());
   EXPECT_EQ(grabber->getReport().frames, 1u);

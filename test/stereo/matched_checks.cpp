@@ -110,6 +110,13 @@ errorsOf(const MatchedDisparity& matched, const DisparityImage& truth)
   return errors;
 }
 
+double
+shareMatched(const MatchedDisparity& matched)
+{
+  return static_cast<double>(countOutcomes(matched)[0]) /
+         static_cast<double>(matched.outcome.size());
+}
+
 bool
 isSame(const MatchedDisparity& a, const MatchedDisparity& b)
 {
@@ -131,7 +138,10 @@ likenessOf(const MatchedDisparity& a, const MatchedDisparity& b)
       apart.push_back(std::abs(static_cast<double>(a.disparity.values[i]) -
                                static_cast<double>(b.disparity.values[i])));
   }
-  return {static_cast<double>(same) / static_cast<double>(a.outcome.size()),
+  const auto pixels = static_cast<double>(a.outcome.size());
+  const auto matched = static_cast<double>(apart.size());
+  return {static_cast<double>(same) / pixels,
+          matched / pixels,
           quantile(std::move(apart), 0.99)};
 }
 

@@ -21,6 +21,10 @@ struct MatchErrors {
 MatchErrors
 errorsOf(const MatchedDisparity& matched, const DisparityImage& truth);
 
+/** \brief Share of the pixels. */
+double
+shareMatched(const MatchedDisparity& matched);
+
 /** \brief Whether two say the same, byte for byte. */
 bool
 isSame(const MatchedDisparity& a, const MatchedDisparity& b);
@@ -28,6 +32,7 @@ isSame(const MatchedDisparity& a, const MatchedDisparity& b);
 /** \brief How alike two are that need not be the same. */
 struct Likeness {
   double same_outcome = 0; ///< share of the pixels
+  double matched = 0;      ///< share of the pixels, in both
   double farthest = 0;     ///< px, of the disparities that both have, but for 1 %
 };
 

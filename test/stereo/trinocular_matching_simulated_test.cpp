@@ -147,9 +147,10 @@ TEST(TrinocularMatchingSimulated, StandardDeviationsAreThoseOfTheErrors)
 TEST(TrinocularMatchingSimulated, WhatIsHiddenOrUnlitIsRarelyMatchedWrongly)
 {
   const SimulatedScene scene = wallWithBox();
-  const MatchErrors errors = errorsOf(
-      matchSoundly(scene.rig, litShots(scene, patternsFor(smallLight().projector, 10))),
-      truthWhere(scene, false));
+  const MatchedDisparity matched =
+      matchSoundly(scene.rig, litShots(scene, patternsFor(smallLight().projector, 10)));
+  EXPECT_GT(shareMatched(matched), 0.5);
+  const MatchErrors errors = errorsOf(matched, truthWhere(scene, false));
   EXPECT_GT(errors.pixels, 1000u);
   EXPECT_LT(errors.bad, 0.05);
 }

@@ -124,6 +124,7 @@ TEST(TrinocularMatching, GainAndOffsetOfACameraDoNotMatter)
       changeLevels(frames, camera, [](int value) { return value / 2 + 70; });
       const Likeness likeness = likenessOf(matchSoundly(rig, frames), wanted);
       EXPECT_GT(likeness.same_outcome, 0.99);
+      EXPECT_GT(likeness.matched, 0.5);
       EXPECT_LT(likeness.farthest, 0.05);
     }
 }
@@ -177,6 +178,7 @@ TEST(TrinocularMatching, RowsAndColumnsAreAlike)
     const Likeness likeness = likenessOf(matchSoundly(turned_rig, turned),
                                          transposed(matchSoundly(rig, frames)));
     EXPECT_GT(likeness.same_outcome, 0.98) << shots;
+    EXPECT_GT(likeness.matched, 0.5) << shots;
     EXPECT_LT(likeness.farthest, 0.1) << shots;
   }
 }
@@ -194,7 +196,9 @@ TEST(TrinocularMatching, ColourIsAsGoodAsGrey)
       image.values = colour;
       image.channels = 3;
     }
-  EXPECT_TRUE(isSame(matchSoundly(rig, mixed), matchSoundly(rig, grey)));
+  const MatchedDisparity wanted = matchSoundly(rig, grey);
+  EXPECT_GT(shareMatched(wanted), 0.5);
+  EXPECT_TRUE(isSame(matchSoundly(rig, mixed), wanted));
 }
 
 TEST(TrinocularMatching, ShotsWithoutAPatternAreLeftOutAmongOthers)
@@ -211,7 +215,9 @@ TEST(TrinocularMatching, ShotsWithoutAPatternAreLeftOutAmongOthers)
   matching.setMaxDisparity(32);
   MatchedDisparity matched;
   matching.match({all.begin(), all.end()}, matched);
-  EXPECT_TRUE(isSame(matched, matchSoundly(rig, lit)));
+  const MatchedDisparity wanted = matchSoundly(rig, lit);
+  EXPECT_GT(shareMatched(wanted), 0.5);
+  EXPECT_TRUE(isSame(matched, wanted));
   EXPECT_EQ(matching.getReport().shots, 4u);
   EXPECT_EQ(matching.getReport().remarks.size(), 1u);
 }
