@@ -15,18 +15,13 @@ namespace {
 constexpr double least_maximum_depth = 0.01;
 constexpr double farthest_depth = 10000.0;
 
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
-
 void
 requireSize(const char* name, int width, int height, const TrinocularRig& rig)
 {
   if (width != rig.width || height != rig.height)
-    throw BadArgumentException(std::string(name) + " has " + sizeText(width, height) +
-                               ", the rig has " + sizeText(rig.width, rig.height));
+    throw BadArgumentException(std::string(name) + " has " +
+                               acmap::sizeText(width, height) + ", the rig has " +
+                               acmap::sizeText(rig.width, rig.height));
 }
 
 void

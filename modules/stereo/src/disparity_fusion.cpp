@@ -130,7 +130,7 @@ DisparityFusion::getMethod() const
 void
 DisparityFusion::setMinimumSupport(int shots)
 {
-  acmap::requireInRange("minimum support", shots, 1, Observation::most_shots, "shots");
+  acmap::requireInRange("minimum support", shots, 1, acmap::most_shots, "shots");
   state_->minimum_support = shots;
 }
 
@@ -186,9 +186,9 @@ DisparityFusion::addShot(const TrinocularFrame::ConstPtr& shot)
   if (!shot)
     throw BadArgumentException("the shot is null");
   acmap::requireShotOf(*state_->rig, *shot);
-  if (observation.shots() == Observation::most_shots)
+  if (observation.shots() == acmap::most_shots)
     throw BadArgumentException("an observation has at most " +
-                               std::to_string(Observation::most_shots) + " shots");
+                               std::to_string(acmap::most_shots) + " shots");
   const CameraImage& reference = shot->image(RigCamera::Reference);
   if (shot->pattern == TrinocularFrame::no_pattern) {
     acmap::withThreads(state_->threads, [&] { observation.addDark(reference); });
@@ -217,7 +217,7 @@ DisparityFusion::wantsAnotherShot() const
   constexpr std::size_t least_known = 3; // two may differ little by chance
   if (shots() == 0)
     return true;
-  if (shots() == Observation::most_shots)
+  if (shots() == acmap::most_shots)
     return false;
   const std::vector<double>& coverage = state_->observation->coverage();
   return coverage.size() < least_known ||

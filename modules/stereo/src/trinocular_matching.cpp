@@ -16,8 +16,6 @@ namespace pcl {
 
 namespace {
 
-constexpr std::size_t most_shots = 256;
-
 using Shots = std::vector<const TrinocularFrame*>;
 
 /** The shots under a pattern; where there is none the first: others tell the same again. */
@@ -25,7 +23,7 @@ Shots
 shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
              const TrinocularRig& rig)
 {
-  if (shots.empty() || shots.size() > most_shots)
+  if (shots.empty() || shots.size() > acmap::most_shots)
     acmap::refuseArgument(
         "number of shots", static_cast<double>(shots.size()), "within [1, 256]");
   Shots lit;

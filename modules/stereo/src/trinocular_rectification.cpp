@@ -1,5 +1,6 @@
 #include <pcl/stereo/trinocular_rectification.h>
 
+#include "matching/shot_check.h"
 #include "rectification/common_view.h"
 #include "rectification/remap_table.h"
 
@@ -18,12 +19,9 @@ requireFits(const CameraImage& image, const char* name, const RigCalibration& ri
   const auto fail = [&](const std::string& fault) {
     throw BadArgumentException(std::string("the ") + name + " image " + fault);
   };
-  const auto size = [](int width, int height) {
-    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  };
   if (image.width != rig.width || image.height != rig.height)
-    fail("has " + size(image.width, image.height) + ", the calibration has " +
-         size(rig.width, rig.height));
+    fail("has " + acmap::sizeText(image.width, image.height) +
+         ", the calibration has " + acmap::sizeText(rig.width, rig.height));
   if (image.channels != 1 && image.channels != 3)
     fail("has " + std::to_string(image.channels) + " channels; legal are 1 and 3");
   if (!isWhole(image))

@@ -1,12 +1,13 @@
 #include "observation.h"
 
-#include <algorithm>
+#include "matching/shot_check.h"
+
 #include <utility>
 
 namespace pcl::acmap {
 
-static_assert(Observation::most_shots <= ShotColor::most_images);
-static_assert(Observation::most_shots <= ShotCoverage::most_shots);
+static_assert(most_shots <= ShotColor::most_images);
+static_assert(most_shots <= ShotCoverage::most_shots);
 
 Observation::Observation(const TrinocularRig& rig)
 : dark_color_(rig.width, rig.height)

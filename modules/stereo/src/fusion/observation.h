@@ -8,7 +8,6 @@
 #include <pcl/core/trinocular_rig.h>
 #include <pcl/stereo/matched_disparity.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl::acmap {
@@ -18,8 +17,6 @@ namespace pcl::acmap {
  */
 class Observation {
 public:
-  static constexpr std::size_t most_shots = 256;
-
   explicit Observation(const TrinocularRig& rig);
 
   /** \brief Takes the reference image of a shot without a pattern; like the next one, in

@@ -18,9 +18,9 @@ struct PixelMatch {
 PixelMatch
 pixelOf(const PairMatch& pair, std::size_t at, double scale)
 {
-  return {static_cast<float>(scale * pair.refined.disparity[at]),
-          static_cast<float>(scale * pair.refined.sigma[at]),
-          pair.refined.correlation[at],
+  return {static_cast<float>(scale * pair.disparity[at]),
+          static_cast<float>(scale * pair.sigma[at]),
+          pair.correlation[at],
           pair.outcome[at]};
 }
 

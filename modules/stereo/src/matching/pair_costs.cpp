@@ -1,6 +1,7 @@
 #include "pair_costs.h"
 
 #include "census.h"
+#include "row_blocks.h"
 #include "window_sums.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -17,9 +18,6 @@ constexpr float cost_of_no_correlation = 2000.0F;
 /** Of a place that the neighbour has not in its image: no bargain, but better than a bad
  * match. */
 constexpr std::int16_t outside_cost = 1500;
-
-/** Grey levels squared: a pixel that changes no more than its noise is like no other. */
-constexpr float variance_floor = 4.0F;
 
 /** Levels of a row over time, less their mean, over the root of their sum of squares. */
 class CodeRow {
@@ -66,17 +64,6 @@ private:
   std::vector<float> scales_;
   std::vector<float> values_;
 };
-
-/** Calls body (begin, end) for blocks of rows, in any order. */
-template <typename Body>
-void
-forRowBlocks(int height, const Body& body)
-{
-  constexpr int rows = 32;
-  oneapi::tbb::parallel_for(0, (height + rows - 1) / rows, [&](int block) {
-    body(block * rows, std::min((block + 1) * rows, height));
-  });
-}
 
 /** What was filled in for disparities that lead out of the image, or are none. */
 void

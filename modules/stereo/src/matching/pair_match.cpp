@@ -110,16 +110,19 @@ PairMatcher::match(const PairImages& images,
   const int width = reference_.width(), height = reference_.height();
   const PixelPlaces places(images.layout, width, height);
   const PairJudge judge(winners_, refined_, range, tests);
-  match.refined.resize(refined_.disparity.size());
-  match.outcome.resize(refined_.disparity.size());
+  const std::size_t pixels = refined_.disparity.size();
+  match.disparity.resize(pixels);
+  match.sigma.resize(pixels);
+  match.correlation.resize(pixels);
+  match.outcome.resize(pixels);
   std::size_t at = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x, ++at) {
       const std::size_t to = places(x, y);
       match.outcome[to] = judge.judge(x, at);
-      match.refined.disparity[to] = refined_.disparity[at];
-      match.refined.correlation[to] = refined_.correlation[at];
-      match.refined.sigma[to] = refined_.sigma[at];
+      match.disparity[to] = refined_.disparity[at];
+      match.correlation[to] = refined_.correlation[at];
+      match.sigma[to] = refined_.sigma[at];
     }
 }
 

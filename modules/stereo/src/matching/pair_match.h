@@ -29,7 +29,9 @@ struct PairImages {
 
 /** \brief What a pair tells of each pixel of the reference image, rows from the top. */
 struct PairMatch {
-  RefinedPair refined;
+  std::vector<float> disparity;   ///< px
+  std::vector<float> sigma;       ///< px
+  std::vector<float> correlation; ///< as in \ref RefinedPair
   std::vector<DisparityOutcome> outcome;
 };
 

@@ -1,8 +1,7 @@
 #include "pair_refinement.h"
 
 #include "quarter_sums.h"
-
-#include <oneapi/tbb/parallel_for.h>
+#include "row_blocks.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +15,7 @@ namespace {
 constexpr int reach = 2;                                 ///< px, of the window
 constexpr std::size_t places = WindowAtQuarters::places; ///< from -1 px on
 constexpr float unit = ShotStack::unit;                  ///< of levels
-constexpr float variance_floor = 0.25F * unit * unit;
+constexpr float noise_floor = 0.25F * unit * unit;
 constexpr float quarter = 0.25F; ///< px
 
 /** Blur and interpolation make neighbours alike: as many of a window's values are
@@ -60,7 +59,7 @@ public:
   {
     pairKernels().sumWindow(pixels_.data(), count_, !centred_, sums_);
     size_ = static_cast<float>(count_ * shots);
-    floor_ = size_ * variance_floor;
+    floor_ = size_ * noise_floor;
     mean_ = centred_ ? 0.0F : values_ / size_;
     square_ = std::max(squares_ - size_ * mean_ * mean_, 0.0F);
   }
@@ -139,7 +138,7 @@ public:
     const auto at = static_cast<std::size_t>(std::lround(offset / quarter) +
                                              SubPixelSums::quarters / 2);
     const SubPixelSums& sums = row(y).sums()[x];
-    const float floor = static_cast<float>(reference_.shots()) * variance_floor;
+    const float floor = static_cast<float>(reference_.shots()) * noise_floor;
     return sums.products[at] /
            std::sqrt((row(y).squares()[x] + floor) * (sums.squares[at] + floor));
   }
@@ -244,7 +243,6 @@ refineWinners(const ShotStack& reference,
               RefinedPair& refined)
 {
   refined.resize(winners.index.size());
-  constexpr int rows = 32;
   const int height = reference.height(), width = reference.width();
   const auto refine = [&](SumRows& sums, int x, int y) {
     const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -265,8 +263,7 @@ refineWinners(const ShotStack& reference,
     refined.sigma[at] = sigmaOf(peak, window.size());
     refined.deviation[at] = std::sqrt(window.variance()) / unit;
   };
-  oneapi::tbb::parallel_for(0, (height + rows - 1) / rows, [&](int block) {
-    const int begin = block * rows, end = std::min(begin + rows, height);
+  forRowBlocks(height, [&](int begin, int end) {
     SumRows sums(reference, target, winners, range);
     for (int y = begin - reach; y < begin + reach; ++y)
       sums.fill(y);

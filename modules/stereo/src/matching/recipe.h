@@ -12,6 +12,10 @@ enum class PairCost {
   Census,   ///< which of its neighbours are brighter
 };
 
+/** \brief Grey levels squared, added to the variance of what is compared: what changes no
+ * more than its noise is like nothing. */
+inline constexpr float variance_floor = 4.0F;
+
 /** \brief How a number of shots is matched; measured, see doc/stereo/trinocular_matching.md.
  */
 struct MatchingRecipe {

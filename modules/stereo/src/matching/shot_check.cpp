@@ -3,17 +3,16 @@
 #include <pcl/exceptions.h>
 
 #include <cmath>
-#include <string>
 
 namespace pcl::acmap {
-
-namespace {
 
 std::string
 sizeText(int width, int height)
 {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
+
+namespace {
 
 void
 requireImageOf(const TrinocularRig& rig, const TrinocularFrame& shot, RigCamera camera)

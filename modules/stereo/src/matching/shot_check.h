@@ -3,7 +3,17 @@
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/core/trinocular_rig.h>
 
+#include <cstddef>
+#include <string>
+
 namespace pcl::acmap {
+
+/** \brief Of an observation, or matched at once. */
+inline constexpr std::size_t most_shots = 256;
+
+/** \brief "640 x 480 pixels". */
+std::string
+sizeText(int width, int height);
 
 /** \brief Refuses a rig that no camera can have, that has no neighbours, or whose baselines
  * differ more than 16 times: no disparities serve both then.

@@ -8,9 +8,6 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Grey levels squared, of each value of a window. */
-constexpr double variance_floor = 4.0;
-
 struct ColumnSums {
   std::int64_t values = 0;
   std::int64_t squares = 0;
