@@ -31,12 +31,13 @@ runCorridor(const RectificationMap& map,
   CorridorRun run;
   run.ours = rectifyMap(map, given);
   run.ours.name = map.name + ", " + std::to_string(seed);
-  const double before = run.ours.before.from_first;
+  const double before = run.ours.before.unaligned;
   run.lum = runLum(map, given, pairs);
-  run.lum_ratio = errorOf(run.lum.poses, map.truth).from_first / before;
+  run.lum_ratio = absoluteTrajectoryError(run.lum.poses, map.truth).unaligned / before;
   if (is_loop) {
     run.elch = runElch(map, given);
-    run.elch_ratio = errorOf(run.elch.poses, map.truth).from_first / before;
+    run.elch_ratio =
+        absoluteTrajectoryError(run.elch.poses, map.truth).unaligned / before;
   }
   return run;
 }
@@ -47,8 +48,8 @@ printCorridorRun(const CorridorRun& run, bool is_loop)
   constexpr double most_ratio = 0.3;
   MarkdownRow row;
   row.text(run.ours.name)
-      .number(run.ours.before.from_first, 3)
-      .number(run.ours.after.from_first, 3)
+      .number(run.ours.before.unaligned, 3)
+      .number(run.ours.after.unaligned, 3)
       .atMost(run.ours.ratio(), most_ratio, 3)
       .number(run.ours.alignedRatio(), 3)
       .text(nameOf(run.ours.report.outcome))
@@ -155,8 +156,8 @@ printBareCorridor()
         rectifyMap(map, drifted(map.truth, cameraDrift(), seed));
     MarkdownRow()
         .text(map.name + ", " + std::to_string(seed))
-        .number(run.before.from_first, 3)
-        .number(run.after.from_first, 3)
+        .number(run.before.unaligned, 3)
+        .number(run.after.unaligned, 3)
         .number(lengthOf(run.given), 2)
         .within(excess(run.found, run.given), most_percent, 2)
         .text(nameOf(run.report.outcome))

@@ -7,36 +7,6 @@
 #include <cmath>
 
 namespace pcl::acmap::bench {
-namespace {
-
-Eigen::Matrix2Xd
-placesOf(const std::vector<PlanarPose>& poses)
-{
-  Eigen::Matrix2Xd places(2, static_cast<Eigen::Index>(poses.size()));
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    places.col(static_cast<Eigen::Index>(i)) << poses[i].x, poses[i].z;
-  return places;
-}
-
-double
-rootMeanSquare(const Eigen::Matrix2Xd& differences)
-{
-  return std::sqrt(differences.colwise().squaredNorm().mean());
-}
-
-/** After the turn and the shift that take \a found nearest to \a wanted (Umeyama). */
-double
-alignedError(const Eigen::Matrix2Xd& found, const Eigen::Matrix2Xd& wanted)
-{
-  const Eigen::Matrix2Xd from = found.colwise() - found.rowwise().mean();
-  const Eigen::Matrix2Xd to = wanted.colwise() - wanted.rowwise().mean();
-  const Eigen::Matrix2d products = to * from.transpose();
-  const Eigen::Rotation2Dd turn(
-      std::atan2(products(1, 0) - products(0, 1), products.trace()));
-  return rootMeanSquare(turn.toRotationMatrix() * from - to);
-}
-
-} // namespace
 
 Drift
 robotDrift(double level)
@@ -71,14 +41,6 @@ drifted(const std::vector<PlanarPose>& truth, const Drift& drift, std::uint64_t 
   return poses;
 }
 
-PathError
-errorOf(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& truth)
-{
-  const Eigen::Matrix2Xd found = placesOf(poses);
-  const Eigen::Matrix2Xd wanted = placesOf(truth);
-  return {rootMeanSquare(found - wanted), alignedError(found, wanted)};
-}
-
 RectificationRun
 rectifyMap(const RectificationMap& map,
            const std::vector<PlanarPose>& given,
@@ -98,8 +60,8 @@ rectifyMap(const RectificationMap& map,
   for (std::size_t i = 0; i < given.size(); ++i)
     run.found.push_back(planarPartOf(rectification.getPose(i)));
   run.report = rectification.getReport();
-  run.before = errorOf(given, map.truth);
-  run.after = errorOf(run.found, map.truth);
+  run.before = absoluteTrajectoryError(given, map.truth);
+  run.after = absoluteTrajectoryError(run.found, map.truth);
   return run;
 }
 

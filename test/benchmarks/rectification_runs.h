@@ -2,6 +2,7 @@
 
 #include "rectification_maps.h"
 
+#include <pcl/core/trajectory_error.h>
 #include <pcl/mapping/entropy_rectification.h>
 
 #include <cstdint>
@@ -33,27 +34,18 @@ cameraDrift();
 std::vector<PlanarPose>
 drifted(const std::vector<PlanarPose>& truth, const Drift& drift, std::uint64_t seed);
 
-/** \brief Distances of poses from the true ones: root mean squares, metres. */
-struct PathError {
-  double from_first = 0; ///< as they are: the first pose is the true one
-  double aligned = 0;    ///< after the rigid motion of the plane that fits best
-};
-
-PathError
-errorOf(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& truth);
-
 /** \brief A map rectified. */
 struct RectificationRun {
   std::string name; ///< of the map, with level and seed
   std::vector<PlanarPose> given, found;
-  PathError before, after;
+  AbsoluteTrajectoryError before, after; ///< the first pose is the true one
   EntropyRectificationReport report;
   double seconds = 0; ///< CPU
 
   double
   ratio() const
   {
-    return after.from_first / before.from_first;
+    return after.unaligned / before.unaligned;
   }
 
   double
