@@ -1,6 +1,7 @@
 #include "temporary_folder.h"
 
 #include <pcl/simulation/scene_file.h>
+#include <pcl/simulation/standard_scenes.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,6 +91,36 @@ TEST(SceneFile, WhatIsNotSaidIsStandard)
   EXPECT_EQ(scene.sensor.reach, 6.0);
 }
 
+std::vector<std::string>
+linesOfBuilding(const std::string& building)
+{
+  std::vector<std::string> lines = soundLines();
+  lines.erase(lines.begin() + 3, lines.begin() + 9);
+  lines.push_back("building: " + building);
+  return lines;
+}
+
+TEST(SceneFile, MayHaveTheBuildingOfAStandardScene)
+{
+  const SimulatedScene scene = load(linesOfBuilding("office"));
+  EXPECT_EQ(scene.name, "cell");
+  EXPECT_EQ(scene.views.size(), 8u);
+  EXPECT_EQ(scene.geometry.surfaces().size(),
+            standardScene("office").geometry.surfaces().size());
+}
+
+TEST(SceneFile, AnotherBuildingIsRefused)
+{
+  try {
+    load(linesOfBuilding("castle"));
+    FAIL() << "was read";
+  }
+  catch (const InputFileException& exception) {
+    EXPECT_THAT(exception.what(), HasSubstr("line 8, column 11: building: "));
+    EXPECT_THAT(exception.what(), HasSubstr("'castle' is no standard scene"));
+  }
+}
+
 /** A line of the sound scene, what replaces it, and what the message says. */
 struct BadScene {
   const char* name;
@@ -133,6 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene{"noName", 1, "", "key 'name' is missing"},
         BadScene{"unknownKey", 1, "nome: cell", "line 1, column 1: key 'nome' is not"},
+        BadScene{"twoBuildings", 1, "name: cell\nbuilding: loop", "line 6"},
         BadScene{"twice", 5, "  plain: {color: [1, 2, 3], color: 1}", "line 5"},
         BadScene{"noYaml", 7, "  - rectangle: {name: floor", "no YAML"},
         BadScene{"rig", 2, "rig: {width: -3, height: 9}", "line 2, column 14: width"},

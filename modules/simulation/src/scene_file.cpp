@@ -5,6 +5,10 @@
 #include "surface_reader.h"
 #include "yaml_values.h"
 
+#include <pcl/simulation/standard_scenes.h>
+
+#include <algorithm>
+
 namespace pcl {
 
 namespace {
@@ -33,6 +37,23 @@ readSensor(const acmap::YamlNode& node, std::size_t views)
   return sensor;
 }
 
+/** Surfaces of its own, or those of a standard scene. */
+SceneGeometry
+readBuilding(const acmap::YamlNode& document)
+{
+  const auto* const building = document.find("building");
+  if (!building)
+    return acmap::readSurfaces(document);
+  for (const char* const own : {"looks", "surfaces"})
+    if (const auto* const node = document.find(own))
+      node->fail("the building is that of another scene, which has its own");
+  const std::string& name = building->text();
+  const auto& known = standardSceneNames();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    building->fail("'" + name + "' is no standard scene");
+  return standardScene(name).geometry;
+}
+
 } // namespace
 
 namespace acmap {
@@ -40,12 +61,13 @@ namespace acmap {
 SimulatedScene
 readScene(const YamlNode& document)
 {
-  document.requireKeys({"name", "rig", "sensor", "looks", "surfaces", "path"});
+  document.requireKeys(
+      {"name", "rig", "sensor", "building", "looks", "surfaces", "path"});
   SimulatedScene scene;
   scene.name = document.at("name").text();
   if (const YamlNode* const rig = document.find("rig"))
     scene.rig = readTrinocularRig(*rig);
-  scene.geometry = readSurfaces(document);
+  scene.geometry = readBuilding(document);
   scene.views = readPath(document.at("path"));
   if (const YamlNode* const sensor = document.find("sensor"))
     scene.sensor = readSensor(*sensor, scene.views.size());

@@ -12,7 +12,7 @@ namespace pcl {
  * doc/simulation/scene_file.md.
  * \throws InputFileException naming file, line, column and fault: no YAML, a key that is
  * missing, unknown or there twice, a value out of its range, a surface without area, a
- * rectangle outside its plane, no view. \ingroup simulation */
+ * rectangle outside its plane, a building that no standard scene has, no view. \ingroup simulation */
 ACMAP_EXPORT SimulatedScene
 loadSimulatedScene(const std::string& path);
 

@@ -8,8 +8,8 @@
 
 namespace pcl {
 
-/** \brief Names of the scenes that acmap measures itself with: `corridor`, `l_corridor`,
- * `loop`, `office`. \ingroup simulation */
+/** \brief Names of the scenes that acmap measures itself with: `corridor`,
+ * `corridor_drive`, `l_corridor`, `l_corridor_drive`, `loop`, `office`. \ingroup simulation */
 ACMAP_EXPORT const std::vector<std::string>&
 standardSceneNames();
 
