@@ -1,0 +1,67 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/progress.h>
+#include <pcl/egomotion/egomotion_types.h>
+#include <pcl/egomotion/keypoint_kernel.h>
+#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/motion_fit_kernel.h>
+#include <pcl/egomotion/worst_out_kernel.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Settings of \ref estimateEgomotion; see VisualEgomotion. */
+struct EgomotionSettings {
+  MotionModel model = MotionModel::Planar;
+  MotionSolver solver = MotionSolver::ConjugateGradient;
+  double most_translation = 1;         ///< metres, from one view to the next
+  double most_rotation = 0.5235987756; ///< radians
+  bool refines = true;                 ///< compare surfaces too
+  KeypointSettings keypoints;
+  LogPolarSettings patches;
+  WorstOutSettings worst_out;
+  unsigned threads = 0; ///< 0 = all
+};
+
+/** \brief What a camera saw, one value a pixel. */
+struct CameraView {
+  GreyImage image;
+  std::vector<Eigen::Vector3f>
+      points;                ///< metres, camera frame; NaN where there is none
+  std::vector<float> sigmas; ///< metres along the ray; empty: estimated
+};
+
+/** \brief What egomotion keeps of a view: features, their looks, pieces of surface. */
+struct EgomotionView;
+
+ACMAP_EXPORT std::shared_ptr<const EgomotionView>
+prepareView(CameraView view, const EgomotionSettings& settings);
+
+/** \brief Pixels of the source and of the target. */
+using PixelPairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/** \brief A motion, if there is one, and the matches it came from. */
+struct EgomotionSolution {
+  std::optional<EgomotionEstimate> estimate;
+  PixelPairs matches; ///< alike
+  PixelPairs inliers; ///< of these, what the motion stands on
+};
+
+/** \param[in] source the later view, \param[in] target the one before it
+ * \throws CancelledException when the progress was told to stop */
+ACMAP_EXPORT EgomotionSolution
+estimateEgomotion(const EgomotionView& source,
+                  const EgomotionView& target,
+                  const EgomotionSettings& settings,
+                  const Progress& progress,
+                  EgomotionReport& report);
+
+} // namespace pcl::acmap

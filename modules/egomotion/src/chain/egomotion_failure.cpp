@@ -1,0 +1,97 @@
+#include "chain/egomotion_failure.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double most_deviation = 0.1;    // metres
+constexpr double most_turning = 0.02;     // radians
+constexpr double most_contradicted = 0.2; // share
+
+/** \brief In the direction in which it is largest. */
+double
+largestDeviation(const Eigen::Matrix3d& covariance)
+{
+  if (!covariance.allFinite())
+    return std::numeric_limits<double>::infinity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance,
+                                                              Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(solver.eigenvalues()[2], 0.0));
+}
+
+std::string
+openText(double length, double turn)
+{
+  std::ostringstream text;
+  text << "what both views show leaves a direction open: standard deviations up to "
+       << length << " m and " << turn << " rad, at most " << most_deviation << " m and "
+       << most_turning << " rad are taken";
+  return text.str();
+}
+
+std::string
+beyondText(double moved, double turned, const EgomotionSettings& settings)
+{
+  std::ostringstream text;
+  text << "the matches agree on a motion of " << moved << " m and " << turned
+       << " rad, at most " << settings.most_translation << " m and "
+       << settings.most_rotation << " rad were to be expected";
+  return text.str();
+}
+
+} // namespace
+
+bool
+isAgreement(std::size_t inliers, std::size_t matches)
+{
+  constexpr std::size_t never_by_chance = 10;
+  return inliers >= least_features &&
+         (inliers >= never_by_chance || 2 * inliers >= matches);
+}
+
+std::optional<EgomotionFailure>
+failureOfView(const EgomotionView& view, const std::string& name)
+{
+  if (view.points == 0)
+    return EgomotionFailure{EgomotionOutcome::BlankView, name + " has no point"};
+  const std::size_t keypoints = view.keypoints();
+  if (keypoints == 0)
+    return EgomotionFailure{EgomotionOutcome::BlankView,
+                            name + " shows nothing to recognise"};
+  if (keypoints < least_features)
+    return EgomotionFailure{EgomotionOutcome::FewFeatures,
+                            name + " has " + std::to_string(keypoints) +
+                                " keypoints, at least " +
+                                std::to_string(least_features) + " are needed"};
+  return std::nullopt;
+}
+
+std::optional<EgomotionFailure>
+failureOfMotion(const EgomotionEstimate& estimate,
+                double contradicted,
+                const EgomotionSettings& settings)
+{
+  const double length = largestDeviation(estimate.covariance.topLeftCorner<3, 3>());
+  const double turn = largestDeviation(estimate.covariance.bottomRightCorner<3, 3>());
+  if (!(length <= most_deviation) || !(turn <= most_turning))
+    return EgomotionFailure{EgomotionOutcome::Unobservable, openText(length, turn)};
+  if (contradicted > most_contradicted)
+    return EgomotionFailure{EgomotionOutcome::Inconsistent,
+                            std::to_string(std::lround(100 * contradicted)) +
+                                " % of the surfaces contradict the motion"};
+  const double moved = estimate.T_target_source.translation().norm();
+  const double turned = Eigen::AngleAxisd(estimate.T_target_source.linear()).angle();
+  if (moved > settings.most_translation || turned > settings.most_rotation)
+    return EgomotionFailure{EgomotionOutcome::Inconsistent,
+                            beyondText(moved, turned, settings)};
+  return std::nullopt;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,198 @@
+#include "chain/contradiction.h"
+#include "chain/egomotion_failure.h"
+#include "chain/feature_matching.h"
+#include "chain/feature_motion.h"
+#include "chain/motion_step.h"
+#include "chain/refinement.h"
+
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+PixelPairs
+pixelsOf(const std::vector<FeaturePair>& pairs)
+{
+  PixelPairs pixels;
+  for (const FeaturePair& pair : pairs)
+    pixels.emplace_back(pair.source_pixel, pair.target_pixel);
+  return pixels;
+}
+
+EgomotionFailure
+fewMatches(std::size_t matches)
+{
+  return {EgomotionOutcome::FewMatches,
+          std::to_string(matches) + " keypoints look alike, at least " +
+              std::to_string(least_features) + " are needed"};
+}
+
+EgomotionFailure
+noAgreement(std::size_t agreeing, std::size_t matches)
+{
+  return {EgomotionOutcome::Inconsistent,
+          "only " + std::to_string(agreeing) + " of " + std::to_string(matches) +
+              " matches agree on a motion: so few may agree by chance"};
+}
+
+/** \brief II-B.1, stage after stage. Each returns why it could not go on. */
+class Chain {
+public:
+  Chain(const EgomotionView& source,
+        const EgomotionView& target,
+        const EgomotionSettings& settings,
+        EgomotionReport& report)
+  : source_(source)
+  , target_(target)
+  , settings_(settings)
+  , report_(report)
+  {}
+
+  std::optional<EgomotionFailure>
+  match(EgomotionSolution& solution)
+  {
+    alike_ = alikePairs(source_, target_, settings_);
+    solution.matches = pixelsOf(alike_);
+    report_.matches = alike_.size();
+    if (alike_.size() < least_features)
+      return fewMatches(alike_.size());
+    return std::nullopt;
+  }
+
+  std::optional<EgomotionFailure>
+  fit(EgomotionSolution& solution)
+  {
+    const std::vector<FeaturePair> pairs = consistentPairs(alike_, settings_.worst_out);
+    report_.consistent = pairs.size();
+    if (pairs.size() < least_features)
+      return noAgreement(pairs.size(), alike_.size());
+    const FeatureMotion motion =
+        featureMotion(pairs, settings_.model, settings_.solver);
+    T_target_source_ = motion.T_target_source;
+    for (const std::size_t i : motion.inliers)
+      inliers_.push_back(pairs[i]);
+    solution.inliers = pixelsOf(inliers_);
+    report_.inliers = inliers_.size();
+    if (!isAgreement(inliers_.size(), alike_.size()))
+      return noAgreement(inliers_.size(), alike_.size());
+    return std::nullopt;
+  }
+
+  std::optional<EgomotionFailure>
+  refine(EgomotionSolution& solution)
+  {
+    const RefinedMotion refined = refinedMotion(source_,
+                                                target_,
+                                                inliers_,
+                                                T_target_source_,
+                                                settings_.model,
+                                                settings_.refines);
+    tellRefinement(refined);
+    tellResiduals(refined.T_target_source);
+    const PlanarPose pose = planarPartOf(refined.T_target_source);
+    const EgomotionEstimate estimate{refined.T_target_source,
+                                     {pose.x, pose.z, pose.theta},
+                                     covarianceOf(refined.equations, settings_.model)};
+    if (auto failure = failureOfMotion(estimate, report_.contradicted, settings_))
+      return failure;
+    solution.estimate = estimate;
+    return std::nullopt;
+  }
+
+private:
+  void
+  tellRefinement(const RefinedMotion& refined)
+  {
+    report_.is_refined = refined.is_refined;
+    report_.surface_pairs = refined.surface_pairs;
+    report_.surface_before = refined.surface_before;
+    report_.surface_after = refined.surface_after;
+    report_.contradicted = contradictedShare(source_, target_, refined.T_target_source);
+  }
+
+  void
+  tellResiduals(const Eigen::Isometry3d& T_target_source)
+  {
+    double squares = 0, squared = 0;
+    for (const FeaturePair& pair : inliers_) {
+      squares += (T_target_source * pair.source - pair.target).squaredNorm();
+      squared += squaredDistance(pair, T_target_source);
+    }
+    const auto count = static_cast<double>(inliers_.size());
+    report_.feature_residual = std::sqrt(squares / count);
+    report_.feature_chi = std::sqrt(squared / (3 * count));
+  }
+
+  const EgomotionView& source_;
+  const EgomotionView& target_;
+  const EgomotionSettings& settings_;
+  EgomotionReport& report_;
+  std::vector<FeaturePair> alike_, inliers_;
+  Eigen::Isometry3d T_target_source_ = Eigen::Isometry3d::Identity();
+};
+
+void
+remarkOnSigmas(const EgomotionView& view,
+               const std::string& name,
+               EgomotionReport& report)
+{
+  if (view.unknown_sigmas > 0)
+    report.remarks.push_back(name + " has no sigma at " +
+                             std::to_string(view.unknown_sigmas) + " of " +
+                             std::to_string(view.points) + " points: estimated there");
+}
+
+std::optional<EgomotionFailure>
+run(const EgomotionView& source,
+    const EgomotionView& target,
+    const EgomotionSettings& settings,
+    const Progress& progress,
+    EgomotionReport& report,
+    EgomotionSolution& solution)
+{
+  for (const auto& failure :
+       {failureOfView(target, "the target"), failureOfView(source, "the source")})
+    if (failure)
+      return failure;
+  StepTimer timer(report);
+  Chain chain(source, target, settings, report);
+  if (const auto failure = chain.match(solution))
+    return failure;
+  timer.finish("match");
+  progress.tell(0.6, "fit");
+  if (const auto failure = chain.fit(solution))
+    return failure;
+  timer.finish("fit");
+  progress.tell(0.7, "refine");
+  const auto failure = chain.refine(solution);
+  timer.finish("refine");
+  progress.tell(1.0, "refine");
+  return failure;
+}
+
+} // namespace
+
+EgomotionSolution
+estimateEgomotion(const EgomotionView& source,
+                  const EgomotionView& target,
+                  const EgomotionSettings& settings,
+                  const Progress& progress,
+                  EgomotionReport& report)
+{
+  EgomotionSolution solution;
+  report.source_points = source.points;
+  report.target_points = target.points;
+  report.source_keypoints = source.keypoints();
+  report.target_keypoints = target.keypoints();
+  remarkOnSigmas(source, "the source", report);
+  remarkOnSigmas(target, "the target", report);
+  const std::optional<EgomotionFailure> failure =
+      run(source, target, settings, progress, report, solution);
+  report.outcome = failure ? failure->outcome : EgomotionOutcome::Estimated;
+  if (failure)
+    report.reason = failure->reason;
+  return solution;
+}
+
+} // namespace pcl::acmap

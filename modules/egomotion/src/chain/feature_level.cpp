@@ -1,0 +1,42 @@
+#include "chain/feature_level.h"
+
+namespace pcl::acmap {
+
+namespace {
+
+// Times the noise of a value, of which smoothing leaves a fifth in patch and gradient.
+constexpr float least_gradient = 1, least_contrast = 1;
+
+} // namespace
+
+FeatureLevel
+featureLevel(const ViewLevel& level,
+             const CameraView& view,
+             const EgomotionSettings& settings)
+{
+  KeypointSettings keypoint_settings = settings.keypoints;
+  keypoint_settings.threads = settings.threads;
+  keypoint_settings.least_gradient = least_gradient * level.noise;
+  LogPolarSettings patch_settings = settings.patches;
+  patch_settings.threads = settings.threads;
+  patch_settings.least_contrast = least_contrast * level.noise;
+  std::vector<std::uint8_t> has_place;
+  has_place.reserve(level.points.size());
+  for (const Eigen::Vector3f& point : level.points)
+    has_place.push_back(point.z() > 0);
+  KeypointCounts counts;
+  const std::vector<std::int32_t> keypoints =
+      gradientMaxima(level.image, has_place, keypoint_settings, counts);
+  FeatureLevel features;
+  features.scale = level.scale;
+  for (const std::int32_t keypoint : keypoints) {
+    const std::size_t pixel = level.viewPixel(keypoint, view.image.width);
+    features.pixels.push_back(static_cast<std::int32_t>(pixel));
+    features.places.push_back(level.points[static_cast<std::size_t>(keypoint)]);
+    features.sigmas.push_back(view.sigmas[pixel]);
+  }
+  features.patches = logPolarPatches(level.image, keypoints, patch_settings);
+  return features;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "chain/feature_pairs.h"
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Keypoints of two views that look alike, at all levels. */
+std::vector<FeaturePair>
+alikePairs(const EgomotionView& source,
+           const EgomotionView& target,
+           const EgomotionSettings& settings);
+
+/** \brief Of these, the ones that agree on a rigid motion (Eq. 1). */
+std::vector<FeaturePair>
+consistentPairs(const std::vector<FeaturePair>& pairs,
+                const WorstOutSettings& settings);
+
+} // namespace pcl::acmap

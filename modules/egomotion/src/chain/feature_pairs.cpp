@@ -1,0 +1,87 @@
+#include "chain/feature_pairs.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+Eigen::Matrix3d
+placeCovariance(const EgomotionView& view, std::size_t level, std::int32_t keypoint)
+{
+  constexpr double across_pixels = 0.5; // of a maximum on whole pixels
+  constexpr double usual_focal_length = 500;
+  const FeatureLevel& features = view.features[level];
+  const Eigen::Vector3d place =
+      features.places[static_cast<std::size_t>(keypoint)].cast<double>();
+  const double along = features.sigmas[static_cast<std::size_t>(keypoint)];
+  const double focal_length =
+      view.pinhole ? view.pinhole->focal_length.mean() : usual_focal_length;
+  const double across = across_pixels * features.scale * place.norm() / focal_length;
+  const Eigen::Vector3d ray = place.normalized();
+  return across * across * Eigen::Matrix3d::Identity() +
+         std::max(along * along - across * across, 0.0) * ray * ray.transpose();
+}
+
+Eigen::Matrix3d
+differenceCovariance(const FeaturePair& pair, const Eigen::Isometry3d& T_target_source)
+{
+  return pair.target_covariance + T_target_source.linear() * pair.source_covariance *
+                                      T_target_source.linear().transpose();
+}
+
+} // namespace
+
+FeaturePair
+featurePair(const EgomotionView& source,
+            const EgomotionView& target,
+            std::size_t level,
+            const PatchMatch& match)
+{
+  const FeatureLevel& now = source.features[level];
+  const FeatureLevel& before = target.features[level];
+  const auto from = static_cast<std::size_t>(match.source);
+  const auto to = static_cast<std::size_t>(match.target);
+  return {now.pixels[from],
+          before.pixels[to],
+          now.places[from].cast<double>(),
+          before.places[to].cast<double>(),
+          placeCovariance(source, level, match.source),
+          placeCovariance(target, level, match.target)};
+}
+
+double
+squaredDistance(const FeaturePair& pair, const Eigen::Isometry3d& T_target_source)
+{
+  const Eigen::Vector3d difference = T_target_source * pair.source - pair.target;
+  return difference.dot(
+      differenceCovariance(pair, T_target_source).llt().solve(difference));
+}
+
+Evidence
+featureTerm(const std::vector<FeaturePair>& pairs,
+            const Eigen::Isometry3d& T_target_source)
+{
+  Evidence evidence;
+  for (const FeaturePair& pair : pairs) {
+    const Eigen::Vector3d point = T_target_source * pair.source;
+    const Eigen::Vector3d difference = point - pair.target;
+    const Eigen::LLT<Eigen::Matrix3d> covariance(
+        differenceCovariance(pair, T_target_source));
+    const Eigen::Matrix3d whitening =
+        covariance.matrixL().solve(Eigen::Matrix3d::Identity());
+    const double squared = (whitening * difference).squaredNorm();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d direction = whitening.row(axis).transpose();
+      evidence.equations.add(motionRow(point, direction),
+                             direction.dot(difference),
+                             robustWeight(squared));
+    }
+    evidence.tell(squared, 3);
+  }
+  return evidence;
+}
+
+} // namespace pcl::acmap

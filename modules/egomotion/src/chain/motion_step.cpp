@@ -1,0 +1,86 @@
+#include "chain/motion_step.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/** \brief Below this information, of a metre or a radian, nothing is told. */
+constexpr double least_information = 1e-6;
+
+struct Spectrum {
+  Basis basis;
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+Spectrum
+spectrumOf(const NormalEquations& equations, MotionModel model)
+{
+  Spectrum spectrum;
+  spectrum.basis = motionBasis(model);
+  const Matrix6 whole = equations.matrix.selfadjointView<Eigen::Upper>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      spectrum.basis.transpose() * whole * spectrum.basis);
+  spectrum.values = solver.eigenvalues();
+  spectrum.vectors = solver.eigenvectors();
+  return spectrum;
+}
+
+} // namespace
+
+Basis
+motionBasis(MotionModel model)
+{
+  if (model == MotionModel::Rigid)
+    return Matrix6::Identity();
+  Basis basis = Basis::Zero(6, 3);
+  basis(0, 0) = basis(2, 1) = basis(4, 2) = 1;
+  return basis;
+}
+
+Vector6
+solvedStep(const NormalEquations& equations, MotionModel model)
+{
+  const Spectrum spectrum = spectrumOf(equations, model);
+  Eigen::VectorXd along =
+      spectrum.vectors.transpose() * (spectrum.basis.transpose() * equations.gradient);
+  for (Eigen::Index i = 0; i < along.size(); ++i)
+    along[i] =
+        spectrum.values[i] > least_information ? -along[i] / spectrum.values[i] : 0;
+  return spectrum.basis * (spectrum.vectors * along);
+}
+
+Matrix6
+covarianceOf(const NormalEquations& equations, MotionModel model)
+{
+  const Spectrum spectrum = spectrumOf(equations, model);
+  if (!(spectrum.values.minCoeff() > least_information)) {
+    const Matrix6 open = spectrum.basis * spectrum.basis.transpose();
+    return (open.array() != 0)
+        .select(Matrix6::Constant(std::numeric_limits<double>::infinity()), 0.0);
+  }
+  const Basis turned = spectrum.basis * spectrum.vectors;
+  return turned * spectrum.values.cwiseInverse().asDiagonal() * turned.transpose();
+}
+
+Eigen::Isometry3d
+afterStep(const Vector6& step, const Eigen::Isometry3d& pose)
+{
+  const Eigen::Vector3d turn = step.tail<3>();
+  const double angle = turn.norm();
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (angle > 0)
+    motion.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  motion.translation() = step.head<3>();
+  Eigen::Isometry3d moved = motion * pose;
+  moved.linear() = Eigen::Quaterniond(moved.linear()).normalized().toRotationMatrix();
+  return moved;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,179 @@
+#include "chain/refinement.h"
+
+#include "chain/appearance_term.h"
+#include "chain/motion_step.h"
+#include "chain/surface_term.h"
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief All that is known about a motion, by kind. */
+struct AllEvidence {
+  Evidence features, appearance;
+  SurfaceTerm surfaces;
+
+  /** \brief How much of each kind's information counts. Neighbouring pixels err alike;
+   * features and brightness that fit worse than expected are trusted less. Surfaces are
+   * not: where their noise had to be estimated, it is that of the flattest ones. */
+  struct Trust {
+    double features, surfaces, appearance;
+  };
+
+  Trust
+  trust() const
+  {
+    constexpr double surface_share = 0.8, appearance_share = 0.01;
+    return {
+        1 / features.excess(), surface_share, appearance_share / appearance.excess()};
+  }
+
+  /** \param[in] dense how much surfaces and brightness count, against that */
+  NormalEquations
+  equations(double dense = 1) const
+  {
+    const Trust factor = trust();
+    NormalEquations all;
+    all.add(features.equations, factor.features);
+    all.add(surfaces.evidence.equations, dense * factor.surfaces);
+    all.add(appearance.equations, dense * factor.appearance);
+    return all;
+  }
+};
+
+/** \brief Two views, and what is held against each other. */
+struct ViewPair {
+  const EgomotionView& source;
+  const EgomotionView& target;
+  const std::vector<FeaturePair>& features;
+  MotionModel model;
+
+  std::size_t
+  levels() const
+  {
+    return std::min(source.appearance.size(), target.appearance.size());
+  }
+
+  LightChange
+  light(const Eigen::Isometry3d& T_target_source, std::size_t level) const
+  {
+    if (level >= levels())
+      return {};
+    return lightChange(source.appearance[level],
+                       target.appearance[level],
+                       *target.pinhole,
+                       T_target_source);
+  }
+
+  AllEvidence
+  evidence(const Eigen::Isometry3d& T_target_source,
+           std::size_t level,
+           double reach,
+           const LightChange& light) const
+  {
+    AllEvidence all;
+    all.features = featureTerm(features, T_target_source);
+    all.surfaces = surfaceTerm(
+        source.surfaces, target.surfaces, *target.pinhole, T_target_source, reach);
+    if (level < levels())
+      all.appearance = appearanceTerm(source.appearance[level],
+                                      target.appearance[level],
+                                      *target.pinhole,
+                                      T_target_source,
+                                      light);
+    return all;
+  }
+};
+
+constexpr std::size_t passes = 3;   // at an eighth, a quarter, a half of the size
+constexpr double fine_reach = 0.05; // metres, of the last
+
+/** \brief Of what surfaces and brightness tell: their errors are alike over half an
+ * image, so that a covariance from all of it were too small (measured on simulated
+ * corridors). */
+constexpr double independent_share = 0.1;
+
+Eigen::Isometry3d
+descended(const ViewPair& pair,
+          Eigen::Isometry3d T_target_source,
+          std::size_t level,
+          double reach)
+{
+  constexpr int most_iterations = 5;
+  constexpr double least_step = 5e-5; // metres, radians
+  const LightChange light = pair.light(T_target_source, level);
+  for (int i = 0; i < most_iterations; ++i) {
+    const Vector6 step = solvedStep(
+        pair.evidence(T_target_source, level, reach, light).equations(), pair.model);
+    T_target_source = afterStep(step, T_target_source);
+    if (step.norm() < least_step)
+      break;
+  }
+  return T_target_source;
+}
+
+/** \brief Do surfaces come no farther apart, without losing sight of each other? */
+bool
+isNearer(const SurfaceTerm& after, const SurfaceTerm& before)
+{
+  return 2 * after.evidence.count >= before.evidence.count &&
+         (before.evidence.count == 0 || after.distance() <= before.distance());
+}
+
+/** \brief Compares mean costs, each kind weighed as it is after. */
+bool
+fitsBetter(const AllEvidence& after, const AllEvidence& before)
+{
+  const AllEvidence::Trust factor = after.trust();
+  const auto gain = [](const Evidence& a, const Evidence& b) {
+    return (b.meanCost() - a.meanCost()) * static_cast<double>(a.count);
+  };
+  return factor.features * gain(after.features, before.features) +
+             factor.surfaces * gain(after.surfaces.evidence, before.surfaces.evidence) +
+             factor.appearance * gain(after.appearance, before.appearance) >
+         0;
+}
+
+} // namespace
+
+RefinedMotion
+refinedMotion(const EgomotionView& source,
+              const EgomotionView& target,
+              const std::vector<FeaturePair>& features,
+              const Eigen::Isometry3d& T_target_source,
+              MotionModel model,
+              bool refines)
+{
+  const ViewPair pair{source, target, features, model};
+  RefinedMotion refined;
+  refined.T_target_source = T_target_source;
+  const Evidence alone = featureTerm(features, T_target_source);
+  refined.equations.add(alone.equations, 1 / alone.excess());
+  if (!refines || !target.pinhole)
+    return refined;
+
+  Eigen::Isometry3d candidate = T_target_source;
+  for (std::size_t level = passes; level-- > 0;)
+    candidate = descended(
+        pair, candidate, level, fine_reach * static_cast<double>(1U << level));
+
+  // Within the widest reach: what a bad start leaves beyond a narrow one must count.
+  constexpr double reach = fine_reach * (1U << (passes - 1));
+  const LightChange light = pair.light(candidate, 0);
+  const AllEvidence before = pair.evidence(T_target_source, 0, reach, light);
+  const AllEvidence after = pair.evidence(candidate, 0, reach, light);
+  refined.surface_pairs = after.surfaces.evidence.count;
+  refined.surface_before = before.surfaces.distance();
+  refined.surface_after = after.surfaces.distance();
+  refined.is_refined =
+      isNearer(after.surfaces, before.surfaces) && fitsBetter(after, before);
+  if (refined.is_refined) {
+    refined.T_target_source = candidate;
+    refined.equations = after.equations(independent_share);
+  }
+  return refined;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,195 @@
+#include "chain/surface_blocks.h"
+
+#include <pcl/core/parallel.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Sums over points. Float would do no harm near the camera; far from it, it
+ * does. */
+struct Sums {
+  double count = 0, variance = 0; ///< variance: m^2, along the rays
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+
+  void
+  add(const Eigen::Vector3d& point, double sigma)
+  {
+    count += 1;
+    variance += sigma * sigma;
+    first += point;
+    second += point * point.transpose();
+  }
+
+  void
+  add(const Sums& other)
+  {
+    count += other.count;
+    variance += other.variance;
+    first += other.first;
+    second += other.second;
+  }
+};
+
+/** \brief Plane through summed points. */
+struct Plane {
+  Eigen::Vector3d center, normal;
+  double roughness = 0; ///< metres, rms off it
+  double slope = 0;     ///< |cosine| between the ray and the normal
+  double flatness = 0;  ///< second over smallest variance
+};
+
+Plane
+planeThrough(const Sums& sums)
+{
+  Plane plane;
+  plane.center = sums.first / sums.count;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(sums.second / sums.count -
+                       plane.center * plane.center.transpose());
+  plane.normal = solver.eigenvectors().col(0);
+  if (plane.normal.dot(plane.center) > 0)
+    plane.normal = -plane.normal;
+  const double least = std::max(solver.eigenvalues()[0], 0.0);
+  plane.roughness = std::sqrt(least);
+  plane.slope = -plane.normal.dot(plane.center.normalized());
+  plane.flatness = solver.eigenvalues()[1] / std::max(least, 1e-12);
+  return plane;
+}
+
+Sums
+sumsOfBlock(const CameraView& view, int column, int row)
+{
+  constexpr int size = SurfaceBlocks::size;
+  Sums sums;
+  const int right = std::min((column + 1) * size, view.image.width);
+  const int bottom = std::min((row + 1) * size, view.image.height);
+  for (int y = row * size; y < bottom; ++y)
+    for (int x = column * size; x < right; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * view.image.width + x;
+      const Eigen::Vector3f& point = view.points[pixel];
+      if (point.allFinite())
+        sums.add(point.cast<double>(), view.sigmas.empty() ? 0 : view.sigmas[pixel]);
+    }
+  return sums;
+}
+
+/** \brief Sums of all blocks, row by row. */
+struct BlockSums {
+  int width = 0, height = 0;
+  std::vector<Sums> blocks;
+
+  explicit BlockSums(const CameraView& view)
+  : width((view.image.width + SurfaceBlocks::size - 1) / SurfaceBlocks::size)
+  , height((view.image.height + SurfaceBlocks::size - 1) / SurfaceBlocks::size)
+  , blocks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+  {
+    oneapi::tbb::parallel_for(0, height, [&](int row) {
+      for (int column = 0; column < width; ++column)
+        blocks[static_cast<std::size_t>(row * width + column)] =
+            sumsOfBlock(view, column, row);
+    });
+  }
+
+  /** \brief Of the block and its neighbours. */
+  Sums
+  window(int column, int row) const
+  {
+    Sums sums;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y)
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
+        sums.add(blocks[static_cast<std::size_t>(y * width + x)]);
+    return sums;
+  }
+};
+
+constexpr double block_pixels = SurfaceBlocks::size * SurfaceBlocks::size;
+
+/** \brief Enough points all around, so that a plane does not hang on one side. */
+bool
+isFull(const Sums& block, const Sums& window)
+{
+  return block.count >= 0.5 * block_pixels && window.count >= 6 * block_pixels;
+}
+
+SurfaceBlock
+surfaceBlock(const Sums& block, const Sums& window)
+{
+  constexpr double most_roughness = 2; // times what noise alone makes
+  SurfaceBlock surface;
+  surface.normal.setZero();
+  if (block.count == 0)
+    return surface;
+  surface.point = block.first / block.count;
+  if (!isFull(block, window))
+    return surface;
+  const Plane plane = planeThrough(window);
+  const double variance = window.variance / window.count * plane.slope * plane.slope;
+  if (plane.roughness > most_roughness * std::sqrt(variance) || plane.flatness < 10)
+    return surface;
+  surface.center = plane.center;
+  surface.normal = plane.normal;
+  surface.variance = variance;
+  return surface;
+}
+
+} // namespace
+
+SurfaceBlocks
+surfaceBlocks(const CameraView& view)
+{
+  const BlockSums sums(view);
+  SurfaceBlocks surfaces;
+  surfaces.width = sums.width;
+  surfaces.height = sums.height;
+  surfaces.blocks.resize(sums.blocks.size());
+  oneapi::tbb::parallel_for(0, sums.height, [&](int row) {
+    for (int column = 0; column < sums.width; ++column) {
+      const auto block = static_cast<std::size_t>(row * sums.width + column);
+      surfaces.blocks[block] =
+          surfaceBlock(sums.blocks[block], sums.window(column, row));
+    }
+  });
+  return surfaces;
+}
+
+std::vector<float>
+estimatedSigmas(const CameraView& view)
+{
+  constexpr double usual = 0.0025; // 1/m, where no plane tells
+  const BlockSums sums(view);
+  std::vector<double> growths;
+  for (int row = 0; row < sums.height; ++row)
+    for (int column = 0; column < sums.width; ++column) {
+      const Sums window = sums.window(column, row);
+      if (!isFull(sums.blocks[static_cast<std::size_t>(row * sums.width + column)],
+                  window))
+        continue;
+      const Plane plane = planeThrough(window);
+      if (plane.flatness > 30 && plane.slope > 0.3)
+        growths.push_back(plane.roughness / plane.slope / plane.center.z() /
+                          plane.center.z());
+    }
+  double growth = usual;
+  if (growths.size() >= 20) {
+    const auto middle =
+        growths.begin() + static_cast<std::ptrdiff_t>(growths.size() / 2);
+    std::nth_element(growths.begin(), middle, growths.end());
+    growth = *middle;
+  }
+  std::vector<float> sigmas;
+  sigmas.reserve(view.points.size());
+  for (const Eigen::Vector3f& point : view.points)
+    sigmas.push_back(
+        static_cast<float>(std::max(growth * point.z() * point.z(), 1e-4 * point.z())));
+  return sigmas;
+}
+
+} // namespace pcl::acmap

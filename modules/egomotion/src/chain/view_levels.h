@@ -1,0 +1,45 @@
+#pragma once
+
+#include <pcl/egomotion/egomotion_kernel.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Position of a pixel in an image, row by row. */
+inline std::size_t
+pixelAt(int width, int column, int row)
+{
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(column);
+}
+
+/** \brief A view at a part of its size. */
+struct ViewLevel {
+  GreyImage image;
+  std::vector<Eigen::Vector3f> points; ///< metres; NaN where no surface fills the pixel
+  float noise = 1;                     ///< grey levels, standard deviation of a value
+  int scale = 1;                       ///< pixels of the view across one of these
+
+  /** \brief The pixel of the view in the middle of one of these. */
+  std::size_t
+  viewPixel(std::int32_t pixel, int view_width) const
+  {
+    const auto x = static_cast<std::size_t>(pixel % image.width * scale + scale / 2);
+    const auto y = static_cast<std::size_t>(pixel / image.width * scale + scale / 2);
+    return y * static_cast<std::size_t>(view_width) + x;
+  }
+};
+
+/** \brief Levels of the whole size, a half, a quarter and an eighth; fewer of a small
+ * view. */
+std::vector<ViewLevel>
+viewLevels(const CameraView& view);
+
+/** \brief Standard deviation of an image's noise, grey levels. */
+float
+imageNoise(const GreyImage& image);
+
+} // namespace pcl::acmap

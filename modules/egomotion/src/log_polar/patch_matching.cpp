@@ -1,0 +1,174 @@
+#include "best_scores.h"
+#include "score_table.h"
+
+#include <pcl/core/parallel.h>
+
+#include <oneapi/tbb/combinable.h>
+
+#include <numeric>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** A source patch, its best target, and the best score that either has elsewhere. */
+struct Candidate {
+  std::int32_t source = 0;
+  BestScore target;
+  std::int32_t second = no_score;
+};
+
+/** How far the best is from being certain, by how far the second is. Without noise two
+ * that are all but alike would differ by any factor: cameras have some. */
+float
+ambiguityOf(const Candidate& candidate)
+{
+  constexpr float noise = 0.003F;
+  return (1 - coefficientOf(candidate.target.score) + noise) /
+         (1 - coefficientOf(candidate.second) + noise);
+}
+
+/** The steps of \ref matchPatches. */
+class PatchMatching {
+public:
+  PatchMatching(const PlacedPatches& source,
+                const PlacedPatches& target,
+                const MatchGate& gate,
+                const LogPolarSettings& settings,
+                MatchCounts& counts)
+  : source_(source)
+  , target_(target)
+  , gate_(gate)
+  , settings_(settings)
+  , counts_(counts)
+  {}
+
+  std::vector<Candidate>
+  run() const
+  {
+    std::vector<Candidate> candidates = mutualMatches();
+    keepDistinctTargets(candidates);
+    return candidates;
+  }
+
+private:
+  /** Strong and distinct targets of sources that are the best of these. */
+  std::vector<Candidate>
+  mutualMatches() const
+  {
+    const std::size_t targets = target_.patches.pixels.size();
+    std::vector<std::int32_t> rows(source_.patches.pixels.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    std::vector<Candidate> candidates(rows.size());
+    oneapi::tbb::combinable<ColumnBests> parts([&] { return ColumnBests(targets); });
+    const ScoreTable table(source_, target_, gate_, settings_);
+    table.forEachRow(rows, [&](std::size_t row, const std::int32_t* scores) {
+      const auto source = static_cast<std::int32_t>(row);
+      parts.local().add(source, scores);
+      candidates[row] = {source, bestOf(scores, targets), no_score};
+      findSecond(scores, target_.places, candidates[row].target.index, candidates[row]);
+    });
+    ColumnBests bests(targets);
+    parts.combine_each([&](const ColumnBests& part) { bests.add(part); });
+
+    std::vector<Candidate> kept;
+    for (const Candidate& candidate : candidates) {
+      const auto target = static_cast<std::size_t>(candidate.target.index);
+      if (!isStrong(candidate))
+        ++counts_.weak;
+      else if (!isDistinct(candidate))
+        ++counts_.ambiguous;
+      else if (bests.rowOf(target) != candidate.source)
+        ++counts_.one_sided;
+      else
+        kept.push_back(candidate);
+    }
+    return kept;
+  }
+
+  /** The same test from the other side, so that both may be swapped. */
+  void
+  keepDistinctTargets(std::vector<Candidate>& candidates) const
+  {
+    std::vector<std::int32_t> rows;
+    for (const Candidate& candidate : candidates)
+      rows.push_back(candidate.target.index);
+    const ScoreTable table(target_, source_, gate_, settings_);
+    table.forEachRow(rows, [&](std::size_t k, const std::int32_t* scores) {
+      findSecond(scores, source_.places, candidates[k].source, candidates[k]);
+    });
+    const auto is_ambiguous = [&](const Candidate& candidate) {
+      return !isDistinct(candidate);
+    };
+    const auto end = std::remove_if(candidates.begin(), candidates.end(), is_ambiguous);
+    counts_.ambiguous += static_cast<std::size_t>(candidates.end() - end);
+    candidates.erase(end, candidates.end());
+  }
+
+  void
+  findSecond(const std::int32_t* scores,
+             const PatchPlaces& places,
+             std::int32_t best,
+             Candidate& candidate) const
+  {
+    if (isStrong(candidate))
+      candidate.second = std::max(candidate.second,
+                                  bestElsewhere(scores,
+                                                places,
+                                                static_cast<std::size_t>(best),
+                                                settings_.second_distance));
+  }
+
+  bool
+  isStrong(const Candidate& candidate) const
+  {
+    return candidate.target.index >= 0 &&
+           coefficientOf(candidate.target.score) >= settings_.least_score;
+  }
+
+  bool
+  isDistinct(const Candidate& candidate) const
+  {
+    return ambiguityOf(candidate) < settings_.most_ambiguity;
+  }
+
+  PlacedPatches source_, target_;
+  const MatchGate& gate_;
+  const LogPolarSettings& settings_;
+  MatchCounts& counts_;
+};
+
+} // namespace
+
+std::vector<PatchMatch>
+matchPatches(const LogPolarPatches& source,
+             const LogPolarPatches& target,
+             const std::vector<Eigen::Vector3f>& source_points,
+             const std::vector<Eigen::Vector3f>& target_points,
+             const MatchGate& gate,
+             const LogPolarSettings& settings,
+             MatchCounts& counts)
+{
+  counts = {};
+  if (source.pixels.empty() || target.pixels.empty()) {
+    counts.weak = source.pixels.size();
+    return {};
+  }
+  const PatchPlaces source_places = placesOf(source, source_points, gate, 0);
+  const PatchPlaces target_places =
+      placesOf(target, target_points, gate, gate.distance_per_metre);
+  const PatchMatching matching(
+      {source, source_places}, {target, target_places}, gate, settings, counts);
+  const std::vector<Candidate> candidates =
+      withThreads(settings.threads, [&] { return matching.run(); });
+  std::vector<PatchMatch> matches;
+  for (const Candidate& candidate : candidates)
+    matches.push_back(
+        {source.keypoint[static_cast<std::size_t>(candidate.source)],
+         target.keypoint[static_cast<std::size_t>(candidate.target.index)],
+         coefficientOf(candidate.target.score),
+         ambiguityOf(candidate)});
+  return matches;
+}
+
+} // namespace pcl::acmap

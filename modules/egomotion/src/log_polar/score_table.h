@@ -1,0 +1,90 @@
+#pragma once
+
+#include "../simd/score_kernels.h"
+#include "patch_places.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace pcl::acmap {
+
+/** \brief Scores are whole numbers, so that sums do not depend on their order: the
+ * Pearson coefficient by the square of this. */
+constexpr float score_length = 32000;
+
+/** \brief The Pearson coefficient of a score; -1 without one. */
+inline float
+coefficientOf(std::int32_t score)
+{
+  return std::clamp(
+      static_cast<float>(score) / (score_length * score_length), -1.0F, 1.0F);
+}
+
+/** \brief Patches of one image and where they lie. */
+struct PlacedPatches {
+  const LogPolarPatches& patches;
+  const PatchPlaces& places;
+};
+
+/** \brief Scores of all pairs of patches that pass the gate, the best over all shifts,
+ * computed by rows. */
+class ScoreTable {
+public:
+  ScoreTable(const PlacedPatches& rows,
+             const PlacedPatches& columns,
+             const MatchGate& gate,
+             const LogPolarSettings& settings);
+
+  /** \brief Calls use (k, scores of row which[k] with all columns), in any order. */
+  template <typename Use>
+  void
+  forEachRow(const std::vector<std::int32_t>& which, const Use& use) const
+  {
+    const std::size_t groups = (which.size() + score_rows - 1) / score_rows;
+    oneapi::tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t group) {
+      const std::size_t begin = group * score_rows;
+      const std::size_t count = std::min(score_rows, which.size() - begin);
+      const std::vector<std::int32_t> scores = scoresOf(&which[begin], count);
+      for (std::size_t i = 0; i < count; ++i)
+        use(begin + i, &scores[i * stride()]);
+    });
+  }
+
+private:
+  /** Rings that both have where one is larger than the other. */
+  struct Scale {
+    int row_begin = 0, column_begin = 0, rings = 0;
+    std::vector<std::int16_t> columns; ///< as ScoreFactors wants them
+  };
+
+  std::size_t
+  stride() const
+  {
+    return column_blocks_ * score_columns;
+  }
+
+  std::size_t
+  pairsOf(const Scale& scale) const
+  {
+    return static_cast<std::size_t>(scale.rings * settings_.sectors + 1) / 2;
+  }
+
+  /** Whole numbers of some rings, turned by some sectors. */
+  void
+  takeSamples(const float* patch, int rings, int turn, std::int16_t* samples) const;
+
+  void
+  packColumns(Scale& scale) const;
+
+  std::vector<std::int32_t>
+  scoresOf(const std::int32_t* rows, std::size_t count) const;
+
+  PlacedPatches rows_, columns_;
+  MatchGate gate_;
+  LogPolarSettings settings_;
+  std::size_t column_blocks_;
+  std::vector<Scale> scales_;
+};
+
+} // namespace pcl::acmap

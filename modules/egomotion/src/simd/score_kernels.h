@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl::acmap {
+
+/** \brief Rows are multiplied four at once, columns eight at once; both are filled up.
+ */
+constexpr std::size_t score_rows = 4, score_columns = 8;
+
+/** \brief Factors of a product of matrices, of whole numbers in pairs.
+ *
+ * A row holds its samples one after another; eight columns hold theirs pair after pair:
+ * the first two of the first column, of the second and so on. */
+struct ScoreFactors {
+  const std::int16_t* rows;    ///< as many as score_rows, of 2 * pairs samples
+  const std::int16_t* columns; ///< blocks of score_columns * 2 * pairs samples
+  std::size_t column_blocks;
+  std::size_t pairs;
+};
+
+/** \brief The loop that takes most of the time of a matching, in variants for
+ * processors; both give the same bytes.
+ * \param[in,out] scores of score_rows by all columns, row by row: raised to the sums of
+ * products where these are larger */
+using RaiseScores = void (*)(const ScoreFactors& factors, std::int32_t* scores);
+
+void
+raiseScoresBase(const ScoreFactors& factors, std::int32_t* scores);
+
+void
+raiseScoresAvx2(const ScoreFactors& factors, std::int32_t* scores);
+
+/** \brief The variant for this processor. */
+RaiseScores
+raiseScores();
+
+} // namespace pcl::acmap
