@@ -1,11 +1,9 @@
 #include "observation_folder.h"
+#include "rgbd_import/frame_import.h"
 #include "rgbd_import/import_options.h"
-#include "rgbd_import/rgbd_observation.h"
 
-#include <pcl/core/trajectory.h>
-
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace {
 
@@ -14,125 +12,13 @@ using namespace pcl::acmap;
 /** \brief Left-out frames are named up to here; the report names them all. */
 constexpr std::size_t most_named = 5;
 
-/** \brief What was done so far. */
-struct Import {
-  pcl::Trajectory trajectory; ///< T_first_camera; identity without poses
-  Eigen::Isometry3d T_first_world;
-  std::int32_t width = 0; ///< pixels, of all images
-  std::int32_t height = 0;
-  std::size_t empty = 0; ///< observations without a point
-  std::vector<std::uint64_t> depths = std::vector<std::uint64_t>(65536); ///< histogram
-  std::vector<std::string> broken; ///< why frames were left out
-
-  std::uint64_t
-  points() const
-  {
-    return std::accumulate(depths.begin(), depths.end(), std::uint64_t{0});
-  }
-
-  /** \brief Number in a depth image that half of the points do not exceed. */
-  std::uint16_t
-  medianDepth() const
-  {
-    std::uint64_t left = (points() + 1) / 2;
-    std::size_t number = 0;
-    while (number + 1 < depths.size() && depths[number] < left)
-      left -= depths[number++];
-    return static_cast<std::uint16_t>(number);
-  }
-};
-
-std::string
-sizeText(std::int32_t width, std::int32_t height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
-
-void
-requireSize(const std::string& path,
-            std::int32_t width,
-            std::int32_t height,
-            std::int32_t needed_width,
-            std::int32_t needed_height)
-{
-  if (width != needed_width || height != needed_height)
-    throw pcl::InputFileException(path + ": has " + sizeText(width, height) +
-                                  ", the images before have " +
-                                  sizeText(needed_width, needed_height));
-}
-
-struct FrameImages {
-  pcl::RgbImage color;
-  pcl::GrayImage16 depth;
-};
-
-FrameImages
-loadImages(const RgbdFrame& frame, const Import& import)
-{
-  FrameImages images{pcl::loadRgbImage(frame.color), pcl::loadGrayImage16(frame.depth)};
-  const pcl::RgbImage& color = images.color;
-  const pcl::GrayImage16& depth = images.depth;
-  if (import.width > 0)
-    requireSize(frame.color, color.width, color.height, import.width, import.height);
-  requireSize(frame.depth, depth.width, depth.height, color.width, color.height);
-  return images;
-}
-
-/** \brief Pose in the map, which is the frame of the first camera that is written. */
-Eigen::Isometry3d
-poseInMap(const Eigen::Isometry3d& T_world_camera, Import& import)
-{
-  if (import.trajectory.poses.empty()) {
-    import.T_first_world = T_world_camera.inverse();
-    return Eigen::Isometry3d::Identity();
-  }
-  return import.T_first_world * T_world_camera;
-}
-
-std::uint64_t
-countDepths(const pcl::GrayImage16& depth, const DepthMeaning& meaning, Import& import)
-{
-  std::uint64_t points = 0;
-  for (const std::uint16_t number : depth.values)
-    if (meaning.metres(number) > 0.0) {
-      ++import.depths[number];
-      ++points;
-    }
-  return points;
-}
-
-/** \brief Reads and checks all of a frame before anything of it is counted or written. */
-void
-importFrame(const RgbdFrame& frame,
-            bool has_poses,
-            const Pinhole& camera,
-            const DepthMeaning& meaning,
-            const OutputFolder& folder,
-            Import& import)
-{
-  const Eigen::Isometry3d T_world_camera =
-      has_poses ? poseOf(frame) : Eigen::Isometry3d::Identity();
-  const FrameImages images = loadImages(frame, import);
-  const Eigen::Isometry3d T_map_camera = poseInMap(T_world_camera, import);
-  saveObservation(folder.path(observationName(import.trajectory.poses.size())),
-                  observationCloud(images.color, images.depth, camera, meaning),
-                  T_map_camera);
-  if (countDepths(images.depth, meaning, import) == 0)
-    ++import.empty;
-  import.width = images.depth.width;
-  import.height = images.depth.height;
-  import.trajectory.stamps.push_back(frame.stamp);
-  import.trajectory.poses.push_back(T_map_camera);
-}
-
 void
 importFrames(Tool& tool,
              const ImportOptions& options,
              const std::vector<RgbdFrame>& frames,
-             const Pinhole& camera,
-             const DepthMeaning& meaning,
+             const RgbdCameras& cameras,
              const OutputFolder& folder,
-             Import& import)
+             RgbdImport& import)
 {
   tool.withProgress([&](const pcl::ProgressCallback& progress) {
     const Progress told(progress);
@@ -140,7 +26,7 @@ importFrames(Tool& tool,
       told.tell(static_cast<double>(i) / static_cast<double>(frames.size()),
                 "importing");
       try {
-        importFrame(frames[i], !options.no_poses, camera, meaning, folder, import);
+        importFrame(frames[i], !options.no_poses, cameras, folder, import);
       }
       catch (const pcl::InputFileException& fault) {
         if (!options.skip_broken)
@@ -152,18 +38,40 @@ importFrames(Tool& tool,
 }
 
 void
-warnOfOddities(Tool& tool,
-               const RgbdSequence& sequence,
-               const Pinhole& camera,
-               const Import& import)
+warnOfCenter(Tool& tool,
+             const std::string& name,
+             const Pinhole& camera,
+             const ImageSize& size,
+             const std::string& option)
+{
+  if (std::abs(2 * camera.cx - size.width) > 0.5 * size.width ||
+      std::abs(2 * camera.cy - size.height) > 0.5 * size.height)
+    tool.warn("the " + name + "'s principal point " + shortNumber(camera.cx) + ", " +
+              shortNumber(camera.cy) + " is far from the middle of images of " +
+              sizeText(size) + "; " + option + " names another");
+}
+
+void
+warnOfCameras(Tool& tool,
+              const ImportOptions& options,
+              const RgbdSequence& sequence,
+              const RgbdCameras& cameras,
+              const RgbdImport& import)
 {
   for (const std::string& remark : sequence.remarks)
     tool.warn(remark);
-  if (std::abs(2 * camera.cx - import.width) > 0.5 * import.width ||
-      std::abs(2 * camera.cy - import.height) > 0.5 * import.height)
-    tool.warn("the camera's principal point " + shortNumber(camera.cx) + ", " +
-              shortNumber(camera.cy) + " is far from the middle of images of " +
-              sizeText(import.width, import.height) + "; --intrinsics names another");
+  warnOfCenter(tool, "camera", cameras.depth, import.depth, "--intrinsics");
+  if (cameras.color)
+    warnOfCenter(
+        tool, "colour camera", cameras.color->pinhole, import.color, "--color-camera");
+  else if (!sequence.is_registered && !options.is_registered)
+    tool.warn("the camera of the colours is not known: took them pixel by pixel as the "
+              "depths; --color-camera names it, --registered says that this is right");
+}
+
+void
+warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
+{
   const auto count = [&](std::size_t frames, const std::string& fault) {
     if (frames > 0)
       tool.warn(std::to_string(frames) + fault);
@@ -179,25 +87,36 @@ warnOfOddities(Tool& tool,
               " further frames left out, the report names them");
 }
 
+/** \brief Where the colour camera is known from. */
+std::string
+colorCameraText(const ImportOptions& options, const RgbdCameras& cameras)
+{
+  if (!cameras.color)
+    return "none";
+  return options.color_camera.empty() ? "7-Scenes" : options.color_camera;
+}
+
 void
 tellResults(Tool& tool,
             const ImportOptions& options,
             const RgbdSequence& sequence,
-            const Import& import,
-            double depth_scale)
+            const RgbdCameras& cameras,
+            const RgbdImport& import)
 {
   const std::size_t observations = import.trajectory.poses.size();
   const std::uint64_t points = import.points();
   const double pixels =
-      static_cast<double>(observations) * import.width * import.height;
+      static_cast<double>(observations) * import.color.width * import.color.height;
   const double share = static_cast<double>(points) / pixels;
-  const double median = import.medianDepth() / depth_scale;
+  const double median = import.medianDepth() / cameras.meaning.scale;
+  const std::string colors = colorCameraText(options, cameras);
   tool.details() = {{"input", options.input},
                     {"output", options.output},
                     {"layout", sequence.layout},
                     {"observations", observations},
-                    {"width", import.width},
-                    {"height", import.height},
+                    {"width", import.color.width},
+                    {"height", import.color.height},
+                    {"color_camera", colors},
                     {"points", points},
                     {"finite_share", share},
                     {"median_depth", median},
@@ -206,6 +125,7 @@ tellResults(Tool& tool,
                     {"unposed", sequence.unposed},
                     {"broken", import.broken}};
   tool.tell("layout", sequence.layout);
+  tool.tell("colour camera", colors);
   tool.tell("observations", std::to_string(observations));
   tool.tell("points", std::to_string(points));
   tool.tell("finite", shortNumber(100.0 * share) + " % of the pixels");
@@ -220,9 +140,10 @@ convert(Tool& tool, const ImportOptions& options)
 {
   StepTimer timer(tool.report());
   const RgbdSequence sequence = openSequence(options.input, settingsOf(options));
-  const Pinhole camera = cameraOf(options, sequence);
-  const DepthMeaning meaning{options.depth_scale.value_or(sequence.depth_scale),
-                             options.most_depth};
+  const RgbdCameras cameras{
+      cameraOf(options, sequence),
+      colorCameraOf(options, sequence),
+      {options.depth_scale.value_or(sequence.depth_scale), options.most_depth}};
   OutputFolder folder(options.output);
   if (folder.holds(options.input + "/any"))
     throw UsageError(options.output + ": is the input's folder, too");
@@ -230,8 +151,8 @@ convert(Tool& tool, const ImportOptions& options)
   tool.requireReportWritable({});
   timer.finish("list");
 
-  Import import;
-  importFrames(tool, options, sequence.frames, camera, meaning, folder, import);
+  RgbdImport import;
+  importFrames(tool, options, sequence.frames, cameras, folder, import);
   if (import.trajectory.poses.empty())
     throw NothingFound(options.input +
                        ": no frame is whole, the first: " + import.broken.front());
@@ -244,8 +165,9 @@ convert(Tool& tool, const ImportOptions& options)
   tool.stopIfInterrupted();
   folder.commit();
   timer.finish("write");
-  warnOfOddities(tool, sequence, camera, import);
-  tellResults(tool, options, sequence, import, meaning.scale);
+  warnOfCameras(tool, options, sequence, cameras, import);
+  warnOfFrames(tool, sequence, import);
+  tellResults(tool, options, sequence, cameras, import);
 }
 
 } // namespace

@@ -1,28 +1,39 @@
 #include "scaled_cloud.h"
 
+#include "cloud_fields.h"
+
 #include <cstring>
 
 namespace pcl::acmap {
+
+namespace {
+
+/** Multiplies so many float32 values that stand side by side in each row. */
+void
+scaleValues(PCLPointCloud2& cloud, std::size_t offset, std::size_t count, double scale)
+{
+  for (std::size_t row = 0; row < rowsOf(cloud); ++row)
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint8_t* const place =
+          &cloud.data[row * cloud.point_step + offset + i * sizeof(float)];
+      float value = 0;
+      std::memcpy(&value, place, sizeof value);
+      value = static_cast<float>(value * scale);
+      std::memcpy(place, &value, sizeof value);
+    }
+}
+
+} // namespace
 
 void
 scaleCloud(PointCloudFile& file, double scale)
 {
   if (scale == 1.0)
     return;
-  std::size_t offset = 0;
-  for (const PCLPointField& field : file.cloud.fields)
-    if (field.name == "x")
-      offset = field.offset;
-  const std::size_t size =
-      static_cast<std::size_t>(file.cloud.width) * file.cloud.height;
-  for (std::size_t i = 0; i < size; ++i) {
-    std::uint8_t* const place =
-        file.cloud.data.data() + i * file.cloud.point_step + offset;
-    Eigen::Vector3f p;
-    std::memcpy(p.data(), place, sizeof(float) * 3);
-    p = (p.cast<double>() * scale).cast<float>();
-    std::memcpy(place, p.data(), sizeof(float) * 3);
-  }
+  if (const PCLPointField* const x = findField(file.cloud, "x"))
+    scaleValues(file.cloud, x->offset, 3, scale);
+  if (const auto* sigma = findField(file.cloud, "sigma", PCLPointField::FLOAT32))
+    scaleValues(file.cloud, sigma->offset, 1, scale);
   file.sensor_origin = (file.sensor_origin.cast<double>() * scale).cast<float>();
 }
 

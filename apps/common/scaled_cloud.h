@@ -6,14 +6,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Reads a cloud and multiplies x, y, z and the sensor's place by a factor.
+/** \brief Reads a cloud and multiplies its lengths by a factor.
  * \param[in] path the file
  * \param[in] scale metres in a unit of the file
  * \throws InputFileException as \ref pcl::loadPointCloud */
 PointCloudFile
 loadScaledCloud(const std::string& path, double scale);
 
-/** \brief Multiplies x, y, z of all points and the sensor's place by a factor. */
+/** \brief Multiplies x, y, z and `sigma` of all points and the sensor's place by a
+ * factor. */
 void
 scaleCloud(PointCloudFile& file, double scale);
 

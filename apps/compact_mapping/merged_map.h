@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texturing/posed_folder.h"
+#include "posed_folder.h"
 #include "tool.h"
 
 #include <pcl/core/sensor_view.h>

@@ -28,7 +28,7 @@ addCamera(CLI::App& app, ImportOptions& options)
 {
   app.add_option("--intrinsics",
                  options.intrinsics,
-                 "The camera: a text file with its 3 x 3 matrix, or a rig.yaml "
+                 "The depth camera: a text file with its 3 x 3 matrix, or a rig.yaml "
                  "[default: the folder's, or its layout's]")
       ->type_name("FILE");
   auto* const fx = addPositive(app,
@@ -54,6 +54,22 @@ addCamera(CLI::App& app, ImportOptions& options)
       ->default_str("");
 }
 
+void
+addColorCamera(CLI::App& app, ImportOptions& options)
+{
+  auto* const file =
+      app.add_option("--color-camera",
+                     options.color_camera,
+                     "The camera that saw the colours, where that is another one: YAML "
+                     "with its pinhole and its pose [default: 7-Scenes' for 7-Scenes' "
+                     "Kinect, else none]");
+  file->type_name("FILE");
+  app.add_flag("--registered",
+               options.is_registered,
+               "Colour and depth images show the same, pixel by pixel, as TUM's do")
+      ->excludes(file);
+}
+
 } // namespace
 
 void
@@ -74,6 +90,7 @@ addOptions(Tool& tool, ImportOptions& options)
                options.skip_broken,
                "Leave out frames with a missing or damaged file instead of giving up");
   addCamera(app, options);
+  addColorCamera(app, options);
   app.add_option("--every", options.every, "Take only each Nth frame")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
@@ -107,6 +124,16 @@ cameraOf(const ImportOptions& options, const RgbdSequence& sequence)
   camera.cx = options.cx.value_or(camera.cx);
   camera.cy = options.cy.value_or(camera.cy);
   return camera;
+}
+
+std::optional<ColorCamera>
+colorCameraOf(const ImportOptions& options, const RgbdSequence& sequence)
+{
+  if (options.is_registered)
+    return {};
+  if (!options.color_camera.empty())
+    return loadColorCamera(options.color_camera);
+  return sequence.color_camera;
 }
 
 } // namespace pcl::acmap

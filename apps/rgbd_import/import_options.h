@@ -15,6 +15,8 @@ struct ImportOptions {
   bool no_poses = false;
   bool skip_broken = false;
   std::string intrinsics;
+  std::string color_camera;
+  bool is_registered = false;
   std::optional<double> fx, fy, cx, cy; ///< pixels
   std::optional<double> depth_scale;    ///< numbers in a metre
   double most_depth = 0.0;              ///< metres; 0 for no limit
@@ -34,5 +36,11 @@ settingsOf(const ImportOptions& options);
  * \throws InputFileException when its file is none */
 Pinhole
 cameraOf(const ImportOptions& options, const RgbdSequence& sequence);
+
+/** \brief The camera of the colours that the user names, or else that of the folder; none
+ * where colours are taken from the depth's pixels.
+ * \throws InputFileException when its file is none */
+std::optional<ColorCamera>
+colorCameraOf(const ImportOptions& options, const RgbdSequence& sequence);
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pinhole.h"
+#include "color_camera.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/image_file.h>
@@ -44,5 +44,19 @@ observationCloud(const RgbImage& color,
                  const GrayImage16& depth,
                  const Pinhole& camera,
                  const DepthMeaning& meaning);
+
+/** \brief The same in the frame and the pixels of a colour camera that stands beside.
+ *
+ * A point lies where the depth camera measured it, up to half a pixel off the middle of
+ * the pixel that shows it; of several the nearest is taken. Pixels that no point falls on
+ * have rgb alone. sigma is the one along the depth camera's ray.
+ * \param[in] color of any size
+ * \param[in] camera of the depth image. O(n) */
+PCLPointCloud2
+registeredCloud(const RgbImage& color,
+                const GrayImage16& depth,
+                const Pinhole& camera,
+                const DepthMeaning& meaning,
+                const ColorCamera& color_camera);
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pinhole.h"
+#include "color_camera.h"
 
 #include <Eigen/Geometry>
 
@@ -35,8 +35,10 @@ struct RgbdSequence {
   std::vector<RgbdFrame> frames;
   Pinhole camera;
   double depth_scale = 1000.0; ///< numbers of a depth image in a metre
-  std::size_t unmatched = 0;   ///< depth images without a colour image
-  std::size_t unposed = 0;     ///< frames left out, as nothing tells their pose
+  bool is_registered = false;  ///< colours are known to be those of the depth's pixels
+  std::optional<ColorCamera> color_camera; ///< where one beside is known
+  std::size_t unmatched = 0;               ///< depth images without a colour image
+  std::size_t unposed = 0; ///< frames left out, as nothing tells their pose
   std::vector<std::string> remarks;
 };
 

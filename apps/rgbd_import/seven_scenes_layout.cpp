@@ -92,6 +92,14 @@ cameraOf(const fs::path& folder, RgbdSequence& sequence)
   return kinect;
 }
 
+/** \brief Other devices come in this layout, too. */
+bool
+isKinect(const Pinhole& camera)
+{
+  return camera.fx == kinect.fx && camera.fy == kinect.fy && camera.cx == kinect.cx &&
+         camera.cy == kinect.cy;
+}
+
 } // namespace
 
 bool
@@ -110,6 +118,8 @@ openSevenScenesSequence(const std::string& folder, const SequenceSettings& setti
   sequence.layout = "7-Scenes";
   if (!settings.has_camera)
     sequence.camera = cameraOf(folder, sequence);
+  if (isKinect(sequence.camera))
+    sequence.color_camera = kinectColorCamera();
   bool has_pose = false;
   for (const auto& [digits, endings] : listFrames(folder)) {
     sequence.frames.push_back(frameOf(folder, digits, endings));

@@ -159,6 +159,7 @@ openTumSequence(const std::string& folder, const SequenceSettings& settings)
   sequence.layout = "TUM";
   sequence.camera = tum_camera;
   sequence.depth_scale = tum_depth_scale;
+  sequence.is_registered = true;
   for (const auto& [depth, color] :
        matchStamps(depths.stamps, colors.stamps, settings.most_stamp_gap)) {
     RgbdFrame frame;

@@ -120,9 +120,10 @@ expectPose(const Eigen::Isometry3d& pose,
 TEST_F(RgbdImport, SevenScenesComeOutExactly)
 {
   writeSevenScenes(input_, 3);
-  const ToolRun done = run();
+  const ToolRun done = run({"--registered"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err, "");
+  EXPECT_THAT(done.out, HasSubstr("colour camera: none\n"));
   EXPECT_THAT(done.out, HasSubstr("observations: 3\n"));
   EXPECT_THAT(done.out, HasSubstr("points:      138\n"));
   EXPECT_THAT(done.out, HasSubstr("95.8 %"));
@@ -301,6 +302,7 @@ TEST_F(RgbdImport, UsageErrorsAreRefused)
                                              {"--depth-scale", "inf"},
                                              {"--max-depth", "-1"},
                                              {"--max-stamp-gap", "x"},
+                                             {"--registered", "--color-camera", "c"},
                                              {"stray"},
                                              {"--threads", "2"}})
     expectRefused(run(words), 2, "--help");

@@ -138,7 +138,7 @@ TEST_F(UglyRgbd, ManyBrokenFramesAreNamedInTheReport)
   for (int frame = 1; frame < 9; ++frame)
     input_.write("frame-0000" + std::to_string(frame) + "0.depth.png", "x");
   const std::string report = input_.path("report.json");
-  const ToolRun done = run({"--skip-broken", "--report", report});
+  const ToolRun done = run({"--registered", "--skip-broken", "--report", report});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.errorLines(), 6u) << done.err;
   EXPECT_THAT(done.err, HasSubstr("3 further frames left out"));

@@ -1,0 +1,92 @@
+#include "posed_folder.h"
+
+#include "observation_folder.h"
+#include "observation_names.h"
+#include "scaled_cloud.h"
+
+#include <filesystem>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Eigen::Isometry3d
+viewpointOf(const PointCloudFile& file)
+{
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() =
+      file.sensor_orientation.cast<double>().normalized().toRotationMatrix();
+  pose.translation() = file.sensor_origin.cast<double>();
+  return pose;
+}
+
+bool
+isKnown(const Eigen::Isometry3d& viewpoint)
+{
+  return !viewpoint.matrix().isIdentity(0);
+}
+
+} // namespace
+
+PosedFolder::PosedFolder(const std::string& path, double scale)
+: path_(path)
+, scale_(scale)
+, names_(observationNames(path))
+{
+  const fs::path trajectory = fs::path(path) / trajectory_name;
+  std::error_code error;
+  if (!fs::exists(trajectory, error))
+    return;
+  trajectory_ = loadTrajectory(trajectory.string());
+  rows_ = trajectoryRows(trajectory.string(), names_, trajectory_.poses.size());
+  for (Eigen::Isometry3d& pose : trajectory_.poses)
+    pose.translation() *= scale;
+}
+
+std::string
+PosedFolder::path(std::size_t i) const
+{
+  return (fs::path(path_) / names_[i]).string();
+}
+
+PosedObservation
+PosedFolder::load(std::size_t i, std::vector<std::string>& remarks) const
+{
+  PosedObservation observation;
+  observation.file = loadScaledCloud(path(i), scale_);
+  const Eigen::Isometry3d viewpoint = viewpointOf(observation.file);
+  if (!hasTrajectory()) {
+    observation.T_map_camera = viewpoint;
+    return observation;
+  }
+  observation.T_map_camera = trajectory_.poses[rows_[i]];
+  const double apart =
+      (observation.T_map_camera.translation() - viewpoint.translation()).norm();
+  constexpr double most_apart = 0.001; // metres
+  if (isKnown(viewpoint) && apart > most_apart)
+    remarks.push_back(path(i) + ": its VIEWPOINT is " + std::to_string(apart) +
+                      " m from its pose in " + trajectory_name + ", which holds");
+  return observation;
+}
+
+void
+PosedFolder::requireDifferent(const std::vector<Eigen::Isometry3d>& poses) const
+{
+  if (poses.size() < 2 || hasTrajectory())
+    return;
+  for (const Eigen::Isometry3d& pose : poses)
+    if (pose.matrix() != poses.front().matrix())
+      return;
+  throw InputFileException(path_ + ": the observations have no poses: there is no " +
+                           trajectory_name + ", and their VIEWPOINTs are all the same");
+}
+
+double
+PosedFolder::stamp(std::size_t i) const
+{
+  return hasTrajectory() ? trajectory_.stamps[rows_[i]] : static_cast<double>(i);
+}
+
+} // namespace pcl::acmap

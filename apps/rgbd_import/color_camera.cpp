@@ -1,0 +1,82 @@
+#include "color_camera.h"
+
+#include <pcl/core/yaml_node.h>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double most_pixels = 1e6;
+constexpr double farthest = 10.0;       // metres, of two cameras in one device
+constexpr double rotation_slack = 0.01; // text with few digits
+
+Pinhole
+pinholeOf(const YamlNode& camera)
+{
+  const auto focalLength = [&](const char* key) {
+    return camera.at(key).number(1.0, most_pixels);
+  };
+  const bool is_one = camera.find("focal_length") != nullptr;
+  for (const char* key : {"focal_length_x", "focal_length_y"})
+    if (const YamlNode* other = camera.find(key); is_one && other)
+      other->fail("stands beside focal_length, which is both");
+  return {focalLength(is_one ? "focal_length" : "focal_length_x"),
+          focalLength(is_one ? "focal_length" : "focal_length_y"),
+          camera.at("center_x").number(-most_pixels, most_pixels),
+          camera.at("center_y").number(-most_pixels, most_pixels)};
+}
+
+Eigen::RowVector3d
+threeNumbersOf(const YamlNode& node, double most)
+{
+  Eigen::RowVector3d numbers;
+  const std::vector<YamlNode>& list = node.list(3, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    numbers[static_cast<Eigen::Index>(i)] = list[i].number(-most, most);
+  return numbers;
+}
+
+Eigen::Isometry3d
+poseOf(const YamlNode& camera)
+{
+  const YamlNode& rows = camera.at("rotation");
+  Eigen::Matrix3d rotation;
+  for (std::size_t i = 0; i < 3; ++i)
+    rotation.row(static_cast<Eigen::Index>(i)) =
+        threeNumbersOf(rows.list(3, 3)[i], 1.0 + rotation_slack);
+  if (!rotation.isUnitary(rotation_slack) || !(rotation.determinant() > 0))
+    rows.fail("is no rotation");
+  Eigen::Isometry3d pose(Eigen::Quaterniond(rotation).normalized());
+  pose.translation() = threeNumbersOf(camera.at("position"), farthest).transpose();
+  return pose;
+}
+
+} // namespace
+
+ColorCamera
+kinectColorCamera()
+{
+  Eigen::Matrix3d rotation;
+  rotation << 0.99996518, 0.00267651, -0.00790410, //
+      -0.00274093, 0.99996303, -0.00815045,        //
+      0.00788199, 0.00817183, 0.99993554;
+  Eigen::Isometry3d T_color_depth(Eigen::Quaterniond(rotation).normalized());
+  T_color_depth.translation() << -0.025559, 0.000101, 0.002032;
+  return {{525.0, 525.0, 320.0, 240.0}, T_color_depth.inverse()};
+}
+
+ColorCamera
+loadColorCamera(const std::string& path)
+{
+  const YamlNode camera = loadYaml(path);
+  camera.requireKeys({"focal_length",
+                      "focal_length_x",
+                      "focal_length_y",
+                      "center_x",
+                      "center_y",
+                      "position",
+                      "rotation"});
+  return {pinholeOf(camera), poseOf(camera)};
+}
+
+} // namespace pcl::acmap

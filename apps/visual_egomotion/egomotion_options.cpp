@@ -1,0 +1,70 @@
+#include "egomotion_options.h"
+
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pcl::acmap {
+
+namespace {
+
+void
+addMotion(CLI::App& app, EgomotionOptions& options)
+{
+  app.add_flag(
+      "--6dof",
+      options.is_rigid,
+      "The camera moves freely, as in a hand; else level, as on a robot: in its "
+      "xz plane and about its y axis");
+  app.add_option("--max-translation",
+                 options.most_translation,
+                 "How far it moves from an observation to the next, at most, metres")
+      ->type_name("M")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(0.001, 1e6).description(""));
+  app.add_option(
+         "--max-rotation", options.most_rotation, "How far it turns, at most, degrees")
+      ->type_name("DEG")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(0.0, 180.0).description(""));
+  app.add_option("--keypoints",
+                 options.keypoints,
+                 "Keypoints of an observation at each of three scales, at most")
+      ->type_name("N")
+      ->check(CLI::Range(10, 100000).description(""));
+  app.add_flag_callback(
+      "--no-refinement",
+      [&options] { options.refines = false; },
+      "Features alone: leave surfaces out");
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, EgomotionOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("observations",
+                 options.inputs,
+                 "Folder of observation PCDs, or such PCDs in their order: organized, "
+                 "camera frame, with colour; poses that they have are not used")
+      ->type_name("OBS_DIR|OBS.pcd..")
+      ->default_str("")
+      ->required();
+  app.add_option(
+         "-o,--output", options.output, "Folder for poses, posed PCDs, pictures")
+      ->type_name("OUT_DIR")
+      ->required();
+  addMotion(app, options);
+  app.add_flag("--pictures",
+               options.pictures,
+               "Draw the matches of each pair too, before and after rejection");
+  app.add_option("--truth",
+                 options.truth,
+                 "True poses in TUM's form to compare with, a row an observation")
+      ->type_name("TRAJECTORY.txt");
+  tool.addScale();
+  tool.addThreads();
+}
+
+} // namespace pcl::acmap

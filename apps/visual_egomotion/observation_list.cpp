@@ -1,0 +1,96 @@
+#include "observation_list.h"
+
+#include "observation_folder.h"
+#include "observation_names.h"
+#include "output_target.h"
+
+#include <pcl/core/trajectory.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** Poses of the input are not used, so that odd ones are no reason to give up. */
+void
+takeStamps(Tool& tool, const std::string& folder, ObservationList& list)
+{
+  const std::string path = (fs::path(folder) / trajectory_name).string();
+  std::error_code error;
+  if (!fs::exists(path, error))
+    return;
+  try {
+    const Trajectory trajectory = loadTrajectory(path);
+    const std::vector<std::size_t> rows =
+        trajectoryRows(path, list.names, trajectory.stamps.size());
+    std::transform(rows.begin(), rows.end(), list.stamps.begin(), [&](std::size_t row) {
+      return trajectory.stamps[row];
+    });
+  }
+  catch (const InputFileException&) {
+    tool.warn("stamps are numbers, as those of the input cannot be used: " +
+              failureOf(std::current_exception()).line);
+  }
+}
+
+bool
+comeBackInOrder(const std::vector<std::string>& names)
+{
+  return inSequence(names) == names &&
+         std::adjacent_find(names.begin(), names.end()) == names.end() &&
+         std::all_of(names.begin(), names.end(), [](const std::string& name) {
+           return endingOf(name) == ".pcd";
+         });
+}
+
+} // namespace
+
+ObservationList
+listObservations(Tool& tool, const std::vector<std::string>& inputs)
+{
+  ObservationList list;
+  std::error_code error;
+  const bool is_folder =
+      inputs.size() == 1 &&
+      (fs::is_directory(inputs.front(), error) || endingOf(inputs.front()) != ".pcd");
+  if (is_folder)
+    for (const std::string& name : observationNames(inputs.front()))
+      list.paths.push_back((fs::path(inputs.front()) / name).string());
+  else
+    list.paths = inputs;
+  for (const std::string& path : list.paths)
+    list.names.push_back(fs::path(path).filename().string());
+  list.stamps.resize(list.size());
+  std::iota(list.stamps.begin(), list.stamps.end(), 0.0);
+  if (is_folder)
+    takeStamps(tool, inputs.front(), list);
+  list.outputs = list.names;
+  if (!comeBackInOrder(list.names)) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      list.outputs[i] = observationName(i);
+    tool.warn("the observations are named anew, since a folder would have them in "
+              "another order than the one given");
+  }
+  return list;
+}
+
+void
+requireFit(const OutputFolder& folder, const ObservationList& list)
+{
+  for (const std::string& path : list.paths)
+    if (folder.holds(path))
+      throw UsageError(folder.name() + ": holds the input; name another folder");
+  requireNoneIn(folder, [](const std::string& name) {
+    // a report that was replaced would leave its map without one
+    return isSequenceName(name) || endingOf(name) == ".pcd" || name == "plan.png" ||
+           name == "report.json" || name.rfind("map.", 0) == 0 ||
+           name.rfind("matches_", 0) == 0;
+  });
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,205 @@
+#include "visual_egomotion/match_picture.h"
+#include "visual_egomotion/pose_chain.h"
+#include "visual_egomotion/way_picture.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+/** A chain along x, a metre an observation, some of whose pairs cannot be estimated. */
+class ChainOfPairs {
+public:
+  explicit ChainOfPairs(std::set<std::pair<std::size_t, std::size_t>> failing)
+  : failing_(std::move(failing))
+  {}
+
+  void
+  run(std::size_t observations)
+  {
+    PoseChain chain(
+        [this](const EgomotionObservation& now, const EgomotionObservation& before) {
+          return motion(now.index, before.index);
+        },
+        [this](const EgomotionObservation& observation,
+               const Eigen::Isometry3d& T_map_camera) {
+          places.emplace_back(observation.index, T_map_camera.translation().x());
+        });
+    for (std::size_t i = 0; i < observations; ++i) {
+      EgomotionObservation observation;
+      observation.index = i;
+      chain.add(observation);
+    }
+  }
+
+  std::vector<std::pair<std::size_t, double>> places; ///< as they were kept
+  std::vector<std::pair<std::size_t, std::size_t>> tried;
+
+private:
+  std::optional<Eigen::Isometry3d>
+  motion(std::size_t now, std::size_t before)
+  {
+    tried.emplace_back(now, before);
+    if (failing_.count({now, before}) > 0)
+      return std::nullopt;
+    Eigen::Isometry3d T_before_now = Eigen::Isometry3d::Identity();
+    T_before_now.translation().x() = static_cast<double>(now - before);
+    return T_before_now;
+  }
+
+  std::set<std::pair<std::size_t, std::size_t>> failing_;
+};
+
+TEST(PoseChain, JoinsEachToTheOneBefore)
+{
+  ChainOfPairs chain({});
+  chain.run(4);
+  EXPECT_THAT(chain.places,
+              ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 2), Pair(3, 3)));
+  EXPECT_THAT(chain.tried, ElementsAre(Pair(1, 0), Pair(2, 1), Pair(3, 2)));
+}
+
+TEST(PoseChain, TriesTheTwoPosedOnesBeforeThat)
+{
+  ChainOfPairs chain({{4, 3}, {4, 2}});
+  chain.run(5);
+  EXPECT_THAT(chain.places.back(), Pair(4, 4));
+  EXPECT_THAT(chain.tried.back(), Pair(4, 1));
+  ChainOfPairs lost({{4, 3}, {4, 2}, {4, 1}});
+  lost.run(6);
+  // three tries, then the next one against the last three posed ones
+  EXPECT_THAT(lost.places,
+              ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 2), Pair(3, 3), Pair(5, 5)));
+  EXPECT_EQ(lost.tried.size(), 7U);
+  EXPECT_THAT(lost.tried.back(), Pair(5, 3));
+}
+
+TEST(PoseChain, BeginsWithTheFirstThatAnotherIsJoinedTo)
+{
+  ChainOfPairs chain({{1, 0}, {2, 1}, {2, 0}});
+  chain.run(5);
+  EXPECT_THAT(chain.places, ElementsAre(Pair(2, 0), Pair(3, 1), Pair(4, 2)));
+  ChainOfPairs bridged({{1, 0}, {2, 1}});
+  bridged.run(4);
+  EXPECT_THAT(bridged.places, ElementsAre(Pair(0, 0), Pair(2, 2), Pair(3, 3)));
+}
+
+TEST(PoseChain, WithoutAMotionNothingIsKept)
+{
+  ChainOfPairs chain({{1, 0}, {2, 1}, {2, 0}});
+  chain.run(3);
+  EXPECT_THAT(chain.places, IsEmpty());
+}
+
+std::size_t
+countOf(const RgbImage& image, const Color& color)
+{
+  std::size_t count = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      const std::uint8_t* const pixel = image.at(column, row);
+      count += Color{pixel[0], pixel[1], pixel[2]} == color ? 1 : 0;
+    }
+  return count;
+}
+
+Eigen::Vector2d
+middleOf(const RgbImage& image, const Color& color)
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      if (Color{image.at(column, row)[0],
+                image.at(column, row)[1],
+                image.at(column, row)[2]} == color)
+        sum += Eigen::Vector2d(column, row);
+  return sum / static_cast<double>(countOf(image, color));
+}
+
+std::vector<std::optional<Eigen::Isometry3d>>
+wayAlongX(std::size_t poses)
+{
+  std::vector<std::optional<Eigen::Isometry3d>> way;
+  for (std::size_t i = 0; i < poses; ++i) {
+    way.emplace_back(Eigen::Isometry3d::Identity());
+    way.back()->translation() << static_cast<double>(i), 0, 0;
+  }
+  return way;
+}
+
+TEST(WayPicture, ShowsGapsInRedAndTheTruthInGrey)
+{
+  auto way = wayAlongX(11);
+  const RgbImage whole = wayPicture(way, {});
+  EXPECT_EQ(countOf(whole, red), 0U);
+  const std::size_t blue_of_whole = countOf(whole, blue);
+  EXPECT_GT(blue_of_whole, 900U);
+  way[5].reset();
+  const RgbImage torn = wayPicture(way, {});
+  EXPECT_GT(countOf(torn, red), 50U);
+  EXPECT_NEAR(static_cast<double>(countOf(torn, blue)), 0.8 * blue_of_whole, 100);
+  std::vector<Eigen::Isometry3d> truth(2, Eigen::Isometry3d::Identity());
+  truth[1].translation() << 10, 0, 1;
+  EXPECT_GT(countOf(wayPicture(wayAlongX(11), truth), gray),
+            800 + countOf(whole, gray));
+}
+
+TEST(WayPicture, DirectionsPointWhereTheCameraLooks)
+{
+  // a single pose in the middle, looking along x, then along -z
+  for (const auto& [yaw, side] :
+       {std::pair{1.5707963, Eigen::Vector2d(8, 0)}, {3.1415927, {0, 8}}}) {
+    auto way = wayAlongX(1);
+    way[0]->rotate(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()));
+    const RgbImage image = wayPicture(way, {});
+    const Eigen::Vector2d at = middleOf(image, blue); // of the dot of the begin
+    const auto isDark = [&](const Eigen::Vector2d& place) {
+      for (int dx = -1; dx <= 1; ++dx)
+        for (int dy = -1; dy <= 1; ++dy)
+          if (image.at(static_cast<int>(place.x()) + dx,
+                       static_cast<int>(place.y()) + dy)[0] < 100)
+            return true;
+      return false;
+    };
+    EXPECT_TRUE(isDark(at + side)) << yaw;
+    EXPECT_FALSE(isDark(at - side)) << yaw;
+  }
+}
+
+TEST(WayPicture, OfWildPlacesCanBeDrawn)
+{
+  auto way = wayAlongX(3);
+  way[1]->translation() << 1e12, std::numeric_limits<double>::quiet_NaN(), -1e300;
+  EXPECT_GT(countOf(wayPicture(way, {}), blue), 40U); // the dot of the begin
+  EXPECT_GT(countOf(wayPicture({}, {}), black), 50U); // the scale bar, the count
+}
+
+TEST(MatchPicture, LinesGoFromViewToView)
+{
+  PointCloud<PointXYZRGBSigma> before(40, 30), now(40, 30);
+  const Correspondences matches = {{39, 0, 0}, {40 * 15, 40 * 15 + 39, 0}};
+  const RgbImage image = matchPicture(now, before, matches, {matches[1]});
+  const int middle = image.height / 2;
+  const auto isDrawn = [&](int column, int row) {
+    const std::uint8_t* const pixel = image.at(column, row);
+    return std::max(pixel[0], pixel[1]) > 150 && pixel[2] < 150;
+  };
+  const int top = middle - 30;
+  EXPECT_TRUE(isDrawn(0, top)); // from the upper left corner of the view before
+  EXPECT_TRUE(isDrawn(image.width - 1, top)); // to the upper right one of the view now
+  EXPECT_FALSE(isDrawn(0, middle + top));
+  EXPECT_TRUE(isDrawn(39, middle + top + 15));
+  EXPECT_TRUE(isDrawn(image.width - 40, middle + top + 15));
+  EXPECT_FALSE(isDrawn(10, middle + top + 15));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
