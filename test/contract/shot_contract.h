@@ -20,8 +20,8 @@ headerText(const std::string& path)
   return text;
 }
 
-/** \brief The class contract of what works on patterns, frames and rigs, not on clouds; a
- * class joins through a traits type:
+/** \brief The class contract of what works on patterns, frames, rigs and matches, not on
+ * clouds; a class joins through a traits type:
  *
  * - `Class`, `Output` (equality comparable);
  * - `make ()`: an object as constructed, where it needs something with it;

@@ -1,0 +1,28 @@
+#include "gradient_maximum_traits.h"
+#include "log_polar_traits.h"
+#include "planar_estimation_traits.h"
+#include "visual_egomotion_traits.h"
+#include "worst_out_traits.h"
+
+namespace pcl::acmap::test {
+
+// of which only the refused calls are taken
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
+
+/** Every public class with a verb on matches, on keypoints to match, or on both. */
+using MatchClasses = testing::Types<GradientMaximumTraits,
+                                    LogPolarTraits,
+                                    PlanarEstimationTraits,
+                                    VisualEgomotionTraits,
+                                    WorstOutTraits>;
+using ReportingClasses = testing::
+    Types<GradientMaximumTraits, LogPolarTraits, VisualEgomotionTraits, WorstOutTraits>;
+using ThreadedClasses =
+    testing::Types<GradientMaximumTraits, LogPolarTraits, VisualEgomotionTraits>;
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ShotContract, MatchClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ReportContract, ReportingClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, ThreadContract, ThreadedClasses);
+INSTANTIATE_TYPED_TEST_SUITE_P(Public, HeaderContract, MatchClasses);
+
+} // namespace pcl::acmap::test

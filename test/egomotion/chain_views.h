@@ -1,0 +1,19 @@
+#pragma once
+
+#include "room_views.h"
+
+#include <pcl/core/random.h>
+#include <pcl/egomotion/impl/visual_egomotion.hpp>
+
+namespace pcl::acmap::test {
+
+/** \brief A view of a room as the chain sees it. */
+inline CameraView
+chainView(const Room& room,
+          const Eigen::Isometry3d& T_room_camera,
+          const Camera& camera = {})
+{
+  return cameraViewOf(*viewOf(room, T_room_camera, camera));
+}
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <pcl/core/point_types.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief Brightness of places, 0 to 255: waves through space, 10 to 60 cm long, so that every
+ * surface is painted and looks the same from everywhere. */
+class SpacePaint {
+public:
+  explicit SpacePaint(std::uint64_t seed, double contrast = 40);
+
+  double
+  operator()(const Eigen::Vector3d& place) const;
+
+private:
+  struct Wave {
+    Eigen::Vector3d frequency; ///< radians a metre
+    double phase = 0;
+  };
+
+  std::vector<Wave> waves_;
+  double amplitude_;
+};
+
+using Box = Eigen::AlignedBox3d;
+
+/** \brief A room of 6 x 2.5 x 7 metres around the origin, y down, with things in it. */
+struct Room {
+  Box walls{Eigen::Vector3d(-3, -1.3, -2), Eigen::Vector3d(3, 1.2, 5)};
+  std::vector<Box> things{
+      Box(Eigen::Vector3d(-1.6, 0, 2.6), Eigen::Vector3d(-0.7, 1.2, 3.2)),
+      Box(Eigen::Vector3d(0.5, 0.3, 1.9), Eigen::Vector3d(1.2, 1.2, 2.4))};
+  /** Grey levels of a place, seen at a pixel. */
+  std::function<double(const Eigen::Vector3d&, const Eigen::Vector2d&)> brightness;
+
+  /** \brief Painted with waves. */
+  explicit Room(std::uint64_t seed = 1);
+};
+
+/** \brief How a view is made. The camera's rays are those of a pinhole in the middle. */
+struct Camera {
+  int width = 320, height = 240; ///< pixels
+  double focal_length = 260;     ///< pixels
+  double sigma = 0.002;          ///< metres along the ray at 1 m, with its square
+  double noise = 0;              ///< times sigma
+  std::uint64_t seed = 1;
+  double gain = 1, offset = 0; ///< of the light
+};
+
+/** \brief Rays' first places, in the camera's frame. */
+PointCloud<PointXYZRGBSigma>::Ptr
+viewOf(const Room& room,
+       const Eigen::Isometry3d& T_room_camera,
+       const Camera& camera = {});
+
+/** \brief Turn about y, then tilt about x, then roll about z; radians and metres. */
+Eigen::Isometry3d
+poseOf(const Eigen::Vector3d& place, double turn, double tilt = 0, double roll = 0);
+
+/** \brief Small motion from one pose to the other: tx, ty, tz in metres, rx, ry, rz in
+ * radians, in the frame of both. */
+Eigen::Matrix<double, 6, 1>
+motionBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,69 @@
+#include "rgbd_import/rgbd_observation.h"
+#include "rgbd_import/rgbd_sequence.h"
+#include "room_views.h"
+#include "test_data.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/image_file.h>
+#include <pcl/egomotion/visual_egomotion.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace pcl::acmap::test {
+namespace {
+
+const std::string folder = "C_sequence/redkitchen_000_495";
+
+/** \brief A frame as pcl_rgbd_import registers it: in the frame of the colour camera. */
+struct Observation {
+  PointCloud<PointXYZRGBSigma>::Ptr cloud{new PointCloud<PointXYZRGBSigma>};
+  Eigen::Isometry3d T_world_camera;
+};
+
+Observation
+observationOf(const RgbdSequence& sequence, int number)
+{
+  const auto frame = std::find_if(
+      sequence.frames.begin(), sequence.frames.end(), [=](const RgbdFrame& other) {
+        return static_cast<int>(other.stamp) == number;
+      });
+  const ColorCamera& camera = sequence.color_camera.value();
+  Observation observation;
+  fromPCLPointCloud2(registeredCloud(loadRgbImage(frame->color),
+                                     loadGrayImage16(frame->depth),
+                                     sequence.camera,
+                                     {},
+                                     camera),
+                     *observation.cloud);
+  observation.T_world_camera = poseOf(*frame) * camera.T_depth_color;
+  return observation;
+}
+
+// The poses given are themselves wrong by about 1 cm and 0.3 degrees between such views.
+TEST(VisualEgomotionReal, neighboursOfAKitchenAreNearTheirPoses)
+{
+  if (!hasTestData(folder + "/frame-000000.depth.png"))
+    GTEST_SKIP() << "needs redkitchen of the test data";
+  const RgbdSequence sequence = openSequence(testDataPath(folder).string(), {});
+  for (const int first : {0, 100, 250, 400}) {
+    const Observation before = observationOf(sequence, first);
+    const Observation now = observationOf(sequence, first + 10);
+    VisualEgomotion<PointXYZRGBSigma> egomotion;
+    egomotion.setMotionModel(MotionModel::Rigid);
+    egomotion.setInputTarget(before.cloud);
+    egomotion.setInputSource(now.cloud);
+    const auto estimate = egomotion.compute();
+    ASSERT_TRUE(estimate) << first << ": " << egomotion.getReport().reason;
+    const Eigen::Matrix<double, 6, 1> error =
+        motionBetween(before.T_world_camera.inverse() * now.T_world_camera,
+                      estimate->T_target_source);
+    EXPECT_LT(error.head<3>().norm(), 0.03) << first;
+    EXPECT_LT(error.tail<3>().norm(), 1.5 / 57.3) << first;
+    EXPECT_LT(egomotion.getReport().contradicted, 0.1) << first;
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test

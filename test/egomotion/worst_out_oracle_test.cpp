@@ -1,0 +1,123 @@
+#include "stereo_matches.h"
+
+#include <pcl/egomotion/worst_out_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::test {
+namespace {
+
+/** Ratios of float distances are off by that much. */
+constexpr double rounding = 2e-6;
+
+/** Eq. 1 of one match as it stands in the paper, all others looked at anew. */
+double
+naiveDistortion(std::int32_t match,
+                const std::vector<std::int32_t>& others,
+                const StereoMatches& matches,
+                double least)
+{
+  const auto at = [](const std::vector<Eigen::Vector3f>& places, std::int32_t k) {
+    return places[static_cast<std::size_t>(k)].cast<double>().eval();
+  };
+  double sum = 0;
+  int count = 0;
+  for (const std::int32_t other : others) {
+    const double a = (at(matches.source, match) - at(matches.source, other)).norm();
+    const double b = (at(matches.target, match) - at(matches.target, other)).norm();
+    if (other == match || std::max(a, b) <= least)
+      continue;
+    const double ratio = std::max(a, least) / std::max(b, least);
+    sum += std::max(ratio, 1 / ratio);
+    ++count;
+  }
+  return count ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+double
+naiveWorst(const std::vector<std::int32_t>& left,
+           const StereoMatches& matches,
+           double least)
+{
+  double worst = 0;
+  for (const std::int32_t match : left)
+    worst = std::max(worst, naiveDistortion(match, left, matches, least));
+  return worst;
+}
+
+/** Wrong matches, least distance. */
+class WorstOutOracle : public testing::TestWithParam<std::tuple<std::size_t, double>> {
+};
+
+TEST_P(WorstOutOracle, everyRemovalIsOfTheWorstAndNoneTooMany)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    StereoMatchSettings scene;
+    scene.wrong = std::get<0>(GetParam());
+    scene.right = 60 - scene.wrong;
+    scene.seed = seed;
+    const StereoMatches matches = stereoMatches(scene);
+    WorstOutSettings settings;
+    settings.least_distance = std::get<1>(GetParam());
+    const WorstOutOutcome outcome =
+        leaveWorstOut(matches.source, matches.target, settings);
+
+    std::vector<std::int32_t> left(matches.source.size());
+    for (std::size_t i = 0; i < left.size(); ++i)
+      left[i] = static_cast<std::int32_t>(i);
+    for (const std::int32_t removed : outcome.removed) {
+      const double worst = naiveWorst(left, matches, settings.least_distance);
+      EXPECT_GT(worst, settings.most_distortion - rounding);
+      EXPECT_NEAR(naiveDistortion(removed, left, matches, settings.least_distance),
+                  worst,
+                  rounding * worst);
+      left.erase(std::find(left.begin(), left.end(), removed));
+    }
+    EXPECT_EQ(outcome.kept, left);
+    EXPECT_NEAR(outcome.distortion,
+                naiveWorst(left, matches, settings.least_distance),
+                rounding);
+    EXPECT_LE(outcome.distortion, settings.most_distortion);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    WrongAndLeast,
+    WorstOutOracle, // with 1 m, many pairs are near in one cloud or in both
+    testing::Combine(testing::Values(0, 6, 20, 36), testing::Values(0.0, 0.05, 1.0)));
+
+TEST(WorstOutSample, othersAreJudgedByWhatIsLeftOfIt)
+{
+  StereoMatchSettings scene;
+  scene.right = 300;
+  scene.wrong = 200;
+  const StereoMatches matches = stereoMatches(scene);
+  WorstOutSettings settings;
+  settings.sample = 100;
+  const WorstOutOutcome outcome =
+      leaveWorstOut(matches.source, matches.target, settings);
+
+  // of 500 every fifth
+  std::vector<std::int32_t> sample;
+  for (const std::int32_t kept : outcome.kept)
+    if (kept % 5 == 4)
+      sample.push_back(kept);
+  ASSERT_GT(sample.size(), 40u);
+  EXPECT_LE(naiveWorst(sample, matches, settings.least_distance),
+            settings.most_distortion + rounding);
+  for (std::int32_t match = 0; match < 500; ++match) {
+    if (match % 5 == 4)
+      continue;
+    const bool is_kept =
+        std::binary_search(outcome.kept.begin(), outcome.kept.end(), match);
+    const double distortion =
+        naiveDistortion(match, sample, matches, settings.least_distance);
+    EXPECT_EQ(is_kept, distortion <= settings.most_distortion) << match;
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test
