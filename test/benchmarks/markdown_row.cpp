@@ -42,6 +42,8 @@ MarkdownRow::count(std::size_t number)
 MarkdownRow&
 MarkdownRow::number(double value, int digits)
 {
+  if (std::isnan(value))
+    return text("–");
   std::ostringstream cell;
   cell << std::fixed << std::setprecision(digits) << value;
   return text(cell.str());

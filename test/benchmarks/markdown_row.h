@@ -29,6 +29,7 @@ public:
   MarkdownRow&
   count(std::size_t number);
 
+  /** \brief A dash for NaN. */
   MarkdownRow&
   number(double value, int digits);
 

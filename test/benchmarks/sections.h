@@ -38,4 +38,28 @@ private:
   std::set<std::string> asked_;
 };
 
+/** \brief A part that prints tables. */
+struct Part {
+  const char* name;
+  void (*print)();
+};
+
+/** \brief Prints the parts that the command line names.
+ * \return exit code */
+template <typename Parts>
+int
+printParts(int argc, char** argv, const Parts& parts, const char* usage)
+{
+  std::set<std::string> names;
+  for (const Part& part : parts)
+    names.insert(part.name);
+  Sections sections;
+  if (const auto exit_code = Sections::read(argc, argv, names, usage, sections))
+    return *exit_code;
+  for (const Part& part : parts)
+    if (sections.isWanted(part.name))
+      part.print();
+  return 0;
+}
+
 } // namespace pcl::acmap::bench

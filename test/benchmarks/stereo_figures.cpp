@@ -13,11 +13,6 @@ constexpr char usage[] =
     "StereoSGBM, as Markdown tables; or writes pictures of them into a folder. Real\n"
     "images come from the folder that ACMAP_TEST_DATA names.\n";
 
-struct Part {
-  const char* name;
-  void (*print)();
-};
-
 } // namespace
 
 int
@@ -35,14 +30,5 @@ main(int argc, char** argv)
                             {"middlebury", printMiddlebury},
                             {"realsense", printRealsense},
                             {"time", printStereoTimes}};
-  std::set<std::string> names;
-  for (const Part& part : parts)
-    names.insert(part.name);
-  Sections sections;
-  if (const auto exit_code = Sections::read(argc, argv, names, usage, sections))
-    return *exit_code;
-  for (const Part& part : parts)
-    if (sections.isWanted(part.name))
-      part.print();
-  return 0;
+  return printParts(argc, argv, parts, usage);
 }

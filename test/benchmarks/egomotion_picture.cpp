@@ -1,0 +1,41 @@
+#include "egomotion_runs.h"
+#include "egomotion_tables.h"
+#include "visual_egomotion/match_picture.h"
+#include "visual_egomotion/way_picture.h"
+
+#include <pcl/egomotion/visual_egomotion.h>
+
+#include <filesystem>
+
+namespace pcl::acmap::bench {
+namespace {
+
+/** Matches that look alike, above; below those that the motion stands on. */
+RgbImage
+picturePair(const EgomotionSequence& sequence, std::size_t target)
+{
+  VisualEgomotion<PointXYZRGBSigma> egomotion;
+  egomotion.setInputSource(sequence.clouds[target + 1]);
+  egomotion.setInputTarget(sequence.clouds[target]);
+  egomotion.compute();
+  return matchPicture(*sequence.clouds[target + 1],
+                      *sequence.clouds[target],
+                      egomotion.getMatches(),
+                      egomotion.getInliers());
+}
+
+} // namespace
+
+void
+saveEgomotionPictures(const std::string& folder)
+{
+  constexpr std::size_t pair = 5;
+  const std::filesystem::path place(folder);
+  const EgomotionSequence sequence = driveThrough("l_corridor_drive");
+  savePng((place / "drive_matches.png").string(), picturePair(sequence, pair));
+  const EgomotionRun run = runChain(oursMethod(true), sequence);
+  savePng((place / "drive_path.png").string(),
+          wayPicture({run.poses.begin(), run.poses.end()}, sequence.truth));
+}
+
+} // namespace pcl::acmap::bench
