@@ -69,3 +69,10 @@ picture many corridor_door 900x600 -0.4 -0.1 1.9 1.2 0.25 3.1
 xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/many" -o "$scratch/map"
 cp "$scratch/map/inside.png" "$pictures/map_inside.png"
 cp "$scratch/map/floor_plan.png" "$pictures/map_plan.png"
+
+"$bin/pcl_simulated_rig" -o "$scratch/drive" --scene l_corridor_drive
+"$bin/pcl_active_stereo" "$scratch/drive" -o "$scratch/seen"
+"$bin/pcl_visual_egomotion" "$scratch/seen" -o "$scratch/way" --truth "$scratch/drive/trajectory.txt"
+cp "$scratch/way/plan.png" "$pictures/egomotion_plan.png"
+"$bin/pcl_visual_egomotion" "$scratch/seen" -o "$scratch/posed" --pictures --keypoints 300
+cp "$scratch/posed/matches_0006.png" "$pictures/egomotion_matches.png"
