@@ -11,8 +11,11 @@ thread_local const StreamThread* stream_of_thread = nullptr;
 
 } // namespace
 
-StreamThread::StreamThread(std::function<bool()> step, Seconds period)
+StreamThread::StreamThread(std::function<bool()> step,
+                           Seconds period,
+                           std::function<void()> end)
 : step_(std::move(step))
+, end_(std::move(end))
 , period_(std::chrono::duration_cast<std::chrono::steady_clock::duration>(period))
 {}
 
@@ -22,7 +25,7 @@ StreamThread::~StreamThread()
 }
 
 bool
-StreamThread::isWithinStep() const
+StreamThread::isWithin() const
 {
   return stream_of_thread == this;
 }
@@ -38,7 +41,7 @@ StreamThread::wish(std::size_t frames)
 void
 StreamThread::add(std::size_t frames)
 {
-  if (isWithinStep()) {
+  if (isWithin()) {
     const std::lock_guard lock(mutex_);
     if (!is_closing_)
       wish(frames);
@@ -79,7 +82,7 @@ StreamThread::begin(std::size_t frames)
 void
 StreamThread::stop()
 {
-  if (isWithinStep()) {
+  if (isWithin()) {
     const std::lock_guard lock(mutex_);
     wanted_ = 0;
     return;
@@ -100,7 +103,7 @@ StreamThread::stop()
 void
 StreamThread::wait()
 {
-  if (isWithinStep())
+  if (isWithin())
     return;
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !is_running_; });
@@ -111,6 +114,13 @@ StreamThread::isRunning() const
 {
   const std::lock_guard lock(mutex_);
   return is_running_;
+}
+
+bool
+StreamThread::isEndless() const
+{
+  const std::lock_guard lock(mutex_);
+  return wanted_ == endless;
 }
 
 std::exception_ptr
@@ -125,17 +135,39 @@ StreamThread::run()
 {
   stream_of_thread = this;
   std::unique_lock lock(mutex_);
-  try {
-    giveFrames(lock);
-  }
-  catch (...) {
-    if (!lock.owns_lock())
-      lock.lock();
-    error_ = std::current_exception();
-  }
-  wanted_ = 0;
+  do {
+    error_ = nullptr;
+    try {
+      giveFrames(lock);
+    }
+    catch (...) {
+      if (!lock.owns_lock())
+        lock.lock();
+      error_ = std::current_exception();
+    }
+    wanted_ = 0;
+    finish(lock);
+  } while (wanted_ > 0); // asked for while the last stream came to its end
   is_running_ = false;
   changed_.notify_all();
+}
+
+void
+StreamThread::finish(std::unique_lock<std::mutex>& lock)
+{
+  if (!end_)
+    return;
+  lock.unlock();
+  std::exception_ptr error;
+  try {
+    end_();
+  }
+  catch (...) {
+    error = std::current_exception();
+  }
+  lock.lock();
+  if (!error_)
+    error_ = error;
 }
 
 void

@@ -13,9 +13,9 @@
 
 namespace pcl::acmap {
 
-/** \brief What a \ref TrinocularGrabber streams with: gives frames in a thread of its own,
- * as many as were asked for, at a rate. All members may be called from any thread, and
- * from within a step. */
+/** \brief What a \ref TrinocularGrabber streams with: gives frames in a thread of its
+ * own, as many as were asked for, at a rate. All members may be called from any thread,
+ * and from within a step or the end. */
 class ACMAP_EXPORT StreamThread {
 public:
   using Seconds = std::chrono::duration<double>;
@@ -24,8 +24,14 @@ public:
 
   /** \param[in] step gives the next frame, false at the end; what it throws ends the
    * stream and is kept
-   * \param[in] period between two frames; one that is late is not made up for */
-  StreamThread(std::function<bool()> step, Seconds period);
+   * \param[in] period between two frames; one that is late is not made up for
+   * \param[in] end called in the thread, once for each stream, whatever ended it, while
+   * \ref isRunning still says true and \ref error says why; what it throws is kept
+   * where nothing was before. Frames asked for meanwhile are a stream of their own,
+   * after it. */
+  StreamThread(std::function<bool()> step,
+               Seconds period,
+               std::function<void()> end = {});
 
   ~StreamThread();
 
@@ -33,26 +39,32 @@ public:
   void
   add(std::size_t frames);
 
-  /** \brief No step runs, and none begins, after this has returned. From within a step:
-   * this step is the last one. */
+  /** \brief No step runs, and none begins, after this has returned; nor does the end.
+   * From within a step: this step is the last one. */
   void
   stop();
 
-  /** \brief Waits until nothing runs; from within a step it returns at once. */
+  /** \brief Waits until nothing runs; from within a step or the end it returns at once.
+   */
   void
   wait();
 
   bool
   isRunning() const;
 
+  /** \brief Whether \ref endless frames are still to be given. */
+  bool
+  isEndless() const;
+
   /** \brief What ended the last stream, null when it ended well or runs. */
   std::exception_ptr
   error() const;
 
-private:
+  /** \brief Whether the caller is a step or the end. */
   bool
-  isWithinStep() const;
+  isWithin() const;
 
+private:
   void
   wish(std::size_t frames);
 
@@ -65,7 +77,11 @@ private:
   void
   giveFrames(std::unique_lock<std::mutex>& lock);
 
+  void
+  finish(std::unique_lock<std::mutex>& lock);
+
   const std::function<bool()> step_;
+  const std::function<void()> end_;
   const std::chrono::steady_clock::duration period_;
 
   std::mutex lifecycle_; // held while the thread is started or joined; never by itself
