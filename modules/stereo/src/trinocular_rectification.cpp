@@ -151,13 +151,17 @@ TrinocularRectification::rectify(const TrinocularFrame& frame,
                                  " image, but no such camera in the calibration");
     requireFits(frame.images[i], nameOf(static_cast<RigCamera>(i)), state.calibration);
   }
-  TrinocularFrame result = frame;
+  std::array<CameraImage, 3> images;
   acmap::withThreads(threads_, [&] {
     for (std::size_t i = 0; i < frame.images.size(); ++i)
       if (!frame.images[i].empty())
-        result.images[i] = state.tables[i]->apply(frame.images[i]);
+        images[i] = state.tables[i]->apply(frame.images[i]);
   });
-  rectified = std::move(result);
+  rectified.number = frame.number;
+  rectified.observation = frame.observation;
+  rectified.pattern = frame.pattern;
+  rectified.stamp = frame.stamp;
+  rectified.images = std::move(images);
 }
 
 } // namespace pcl

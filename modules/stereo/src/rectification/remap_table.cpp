@@ -10,61 +10,77 @@ namespace pcl::acmap {
 RemapTable::RemapTable(const RigCalibration& calibration,
                        const CameraCalibration& camera,
                        const CommonView& view)
-: width_(calibration.width)
-, height_(calibration.height)
+: width_(static_cast<std::size_t>(calibration.width))
+, height_(static_cast<std::size_t>(calibration.height))
 {
   const TrinocularRig& rig = view.rig;
   const Eigen::Matrix3d R_camera_common = view.rotationOf(camera).transpose();
-  const auto width = static_cast<std::size_t>(width_);
-  sources_.resize(width * static_cast<std::size_t>(height_));
+  sources_.resize(width_ * height_);
   parallelForChunks(sources_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto column = static_cast<double>(i % width);
-      const auto row = static_cast<double>(i / width);
+      const auto column = static_cast<double>(i % width_);
+      const auto row = static_cast<double>(i / width_);
       const Eigen::Vector3d ray((column - rig.center_x) / rig.focal_length,
                                 (row - rig.center_y) / rig.focal_length,
                                 1.0);
       const Eigen::Vector2d from = projectPoint(camera, R_camera_common * ray);
       // The view was chosen so that only rounding leads over the edge.
-      const auto place = [](double value, std::int32_t size) {
-        const double most = static_cast<double>(size - 1) * steps;
-        return static_cast<std::int32_t>(
-            std::clamp(std::round(value * steps), 0.0, most));
-      };
-      const std::int32_t x = place(from.x(), width_);
-      const std::int32_t y = place(from.y(), height_);
-      sources_[i] = {x / steps, y / steps, x % steps, y % steps};
+      const Place x = placeOf(from.x(), width_);
+      const Place y = placeOf(from.y(), height_);
+      sources_[i] = {static_cast<std::uint32_t>(y.pixel * width_ + x.pixel),
+                     static_cast<std::uint16_t>(x.rest),
+                     static_cast<std::uint16_t>(y.rest)};
     }
   });
+}
+
+RemapTable::Place
+RemapTable::placeOf(double value, std::size_t size)
+{
+  const auto last = static_cast<double>(size - 1);
+  const auto place = static_cast<std::size_t>(
+      std::clamp(std::round(value * steps), 0.0, last * steps));
+  // Of two pixels, the last one is the second.
+  const std::size_t pixel = std::min(place / steps, std::max<std::size_t>(size, 2) - 2);
+  return {pixel, place - pixel * steps};
+}
+
+template <std::size_t channels>
+void
+RemapTable::fill(const std::uint8_t* from,
+                 std::size_t begin,
+                 std::size_t end,
+                 std::uint8_t* to) const
+{
+  // A neighbour over the edge, of one row or column, has no weight.
+  const std::size_t right = width_ > 1 ? channels : 0;
+  const std::size_t below = height_ > 1 ? channels * width_ : 0;
+  const Source* const sources = sources_.data();
+  to += channels * begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Source source = sources[i]; // a copy: a byte that is written may lie anywhere
+    const std::uint8_t* const a = from + channels * source.pixel;
+    const std::uint8_t* const b = a + below;
+    for (std::size_t k = 0; k < channels; ++k) {
+      const int upper = a[k] * steps + (a[k + right] - a[k]) * source.right;
+      const int lower = b[k] * steps + (b[k + right] - b[k]) * source.right;
+      const int sum = upper * steps + (lower - upper) * source.below;
+      const auto rounded = static_cast<unsigned>(sum + steps * steps / 2);
+      *to++ = static_cast<std::uint8_t>(rounded / (steps * steps));
+    }
+  }
 }
 
 CameraImage
 RemapTable::apply(const CameraImage& image) const
 {
-  CameraImage remapped = image;
-  const std::int32_t channels = image.channels;
-  const auto at = [&](std::int32_t column, std::int32_t row) {
-    // A neighbour over the edge has no weight.
-    const auto x = static_cast<std::size_t>(std::min(column, width_ - 1));
-    const auto y = static_cast<std::size_t>(std::min(row, height_ - 1));
-    const std::size_t pixel = y * static_cast<std::size_t>(width_) + x;
-    return &image.values[pixel * static_cast<std::size_t>(channels)];
-  };
+  CameraImage remapped{image.width, image.height, image.channels, {}};
+  remapped.values.resize(image.values.size());
   parallelForChunks(sources_.size(), [&](std::size_t begin, std::size_t end) {
-    std::uint8_t* out = &remapped.values[begin * static_cast<std::size_t>(channels)];
-    for (std::size_t i = begin; i < end; ++i) {
-      const Source& from = sources_[i];
-      const std::uint8_t* const a = at(from.column, from.row);
-      const std::uint8_t* const b = at(from.column + 1, from.row);
-      const std::uint8_t* const c = at(from.column, from.row + 1);
-      const std::uint8_t* const d = at(from.column + 1, from.row + 1);
-      for (std::int32_t k = 0; k < channels; ++k) {
-        const std::int32_t upper = a[k] * (steps - from.right) + b[k] * from.right;
-        const std::int32_t lower = c[k] * (steps - from.right) + d[k] * from.right;
-        const std::int32_t sum = upper * (steps - from.below) + lower * from.below;
-        *out++ = static_cast<std::uint8_t>((sum + steps * steps / 2) / (steps * steps));
-      }
-    }
+    if (image.channels == 1)
+      fill<1>(image.values.data(), begin, end, remapped.values.data());
+    else
+      fill<3>(image.values.data(), begin, end, remapped.values.data());
   });
   return remapped;
 }

@@ -4,6 +4,7 @@
 
 #include <pcl/core/trinocular_frame.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,23 +18,39 @@ public:
              const CameraCalibration& camera,
              const CommonView& view);
 
-  /** \param[in] image of the size of the calibration */
+  /** \param[in] image of the size of the calibration, 1 or 3 channels */
   CameraImage
   apply(const CameraImage& image) const;
 
 private:
   static constexpr int steps = 256; // of a pixel
 
-  /** \brief Weights are of the right and of the lower neighbour, in steps. */
+  /** \brief A pixel and those to its right, below it and below that one, of which at the
+   * edges the weight says which counts. Small, as all are read for each image. */
   struct Source {
-    std::int32_t column;
-    std::int32_t row;
-    std::int32_t right;
-    std::int32_t below;
+    std::uint32_t pixel;
+    std::uint16_t right; ///< weight of the right ones, 0 to steps
+    std::uint16_t below; ///< weight of the lower ones, likewise
   };
 
-  std::int32_t width_;
-  std::int32_t height_;
+  /** \brief Along a row or column. */
+  struct Place {
+    std::size_t pixel;
+    std::size_t rest; ///< steps from the pixel on, 0 to steps
+  };
+
+  static Place
+  placeOf(double value, std::size_t size);
+
+  template <std::size_t channels>
+  void
+  fill(const std::uint8_t* from,
+       std::size_t begin,
+       std::size_t end,
+       std::uint8_t* to) const;
+
+  std::size_t width_;
+  std::size_t height_;
   std::vector<Source> sources_;
 };
 
