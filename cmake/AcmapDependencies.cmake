@@ -29,6 +29,15 @@ set_target_properties(
   turbojpeg PROPERTIES IMPORTED_LOCATION "${TURBOJPEG_LIBRARY}"
                        INTERFACE_INCLUDE_DIRECTORIES "${TURBOJPEG_INCLUDE_DIR}")
 
+# libusb has one for pkg-config alone.
+find_path(LIBUSB_INCLUDE_DIR libusb.h PATH_SUFFIXES libusb-1.0 REQUIRED)
+find_library(LIBUSB_LIBRARY usb-1.0 REQUIRED)
+mark_as_advanced(LIBUSB_INCLUDE_DIR LIBUSB_LIBRARY)
+add_library(libusb UNKNOWN IMPORTED)
+set_target_properties(
+  libusb PROPERTIES IMPORTED_LOCATION "${LIBUSB_LIBRARY}"
+                    INTERFACE_INCLUDE_DIRECTORIES "${LIBUSB_INCLUDE_DIR}")
+
 # FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
 find_library(LZ4_LIBRARY lz4 REQUIRED)
 mark_as_advanced(LZ4_LIBRARY)

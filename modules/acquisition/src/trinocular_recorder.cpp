@@ -1,24 +1,17 @@
 #include "session/disk_sync.h"
 #include "session/fault_text.h"
 #include "session/session_folder.h"
+#include "session/waiting_frames.h"
 
 #include <pcl/acquisition/frame_file.h>
 #include <pcl/acquisition/trinocular_recorder.h>
 
 #include <filesystem>
+#include <mutex>
 #include <set>
 #include <utility>
 
 namespace pcl {
-
-struct TrinocularRecorder::State {
-  std::string folder;
-  TrinocularRig rig;
-  std::set<std::uint64_t> numbers;
-  std::set<std::pair<std::int32_t, std::int32_t>> shots; ///< observation, pattern
-  std::array<bool, 3> cameras{};
-  bool is_finished = false;
-};
 
 namespace {
 
@@ -96,9 +89,89 @@ shotText(const TrinocularFrame& frame)
 
 } // namespace
 
+struct TrinocularRecorder::State {
+  State(const std::string& session_folder, const TrinocularRig& session_rig)
+  : folder(session_folder)
+  , rig(session_rig)
+  , waiting([this](const TrinocularFrame& frame) { write(frame); })
+  {}
+
+  void
+  take(const TrinocularFrame& frame);
+
+  void
+  forget(const TrinocularFrame& frame);
+
+  void
+  write(const TrinocularFrame& frame);
+
+  const std::string folder;
+  const TrinocularRig rig;
+  bool is_finished = false;
+  std::size_t most_waiting = 0;
+
+  std::mutex mutex; // of what follows, but the last
+  std::set<std::uint64_t> numbers;
+  std::set<std::pair<std::int32_t, std::int32_t>> shots; ///< observation, pattern
+  std::array<bool, 3> cameras{};
+  std::size_t frames = 0; ///< that were written
+  std::uintmax_t bytes = 0;
+
+  acmap::WaitingFrames waiting;
+};
+
+/** Makes sure that it is one to write, and that no other one is like it. */
+void
+TrinocularRecorder::State::take(const TrinocularFrame& frame)
+{
+  const std::pair shot{frame.observation, frame.pattern};
+  std::string fault = is_finished ? "the session is finished" : "";
+  if (fault.empty())
+    fault = acmap::faultUnderRig(acmap::headerOf(frame), rig);
+  const std::lock_guard lock(mutex);
+  if (fault.empty() && numbers.count(frame.number) > 0)
+    fault = "a frame of this number was recorded before";
+  if (fault.empty() && shots.count(shot) > 0)
+    fault = shotText(frame) + " was recorded before";
+  if (!fault.empty())
+    throw BadArgumentException("frame " + std::to_string(frame.number) + ": " + fault);
+  numbers.insert(frame.number);
+  shots.insert(shot);
+}
+
+/** One that was taken, but not written. */
+void
+TrinocularRecorder::State::forget(const TrinocularFrame& frame)
+{
+  const std::lock_guard lock(mutex);
+  numbers.erase(frame.number);
+  shots.erase({frame.observation, frame.pattern});
+}
+
+/** One that was taken. */
+void
+TrinocularRecorder::State::write(const TrinocularFrame& frame)
+{
+  const std::string path = acmap::pathIn(folder, acmap::frameFileName(frame.number));
+  try {
+    saveFrame(path, frame);
+  }
+  catch (...) {
+    forget(frame);
+    throw;
+  }
+  std::error_code error; // a file that is taken away at once has none
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::lock_guard lock(mutex);
+  ++frames;
+  bytes += error ? 0 : size;
+  for (std::size_t camera = 0; camera < cameras.size(); ++camera)
+    cameras[camera] |= frame.images[camera].width > 0;
+}
+
 TrinocularRecorder::TrinocularRecorder(const std::string& folder,
                                        const TrinocularRig& rig)
-: state_(new State{folder, rig, {}, {}, {}, false})
+: state_(new State(folder, rig))
 {
   beginSession(folder, [&](const std::string& path) { saveTrinocularRig(path, rig); });
 }
@@ -106,7 +179,7 @@ TrinocularRecorder::TrinocularRecorder(const std::string& folder,
 TrinocularRecorder::TrinocularRecorder(const std::string& folder,
                                        const TrinocularRig& rig,
                                        const RigCalibration& calibration)
-: state_(new State{folder, rig, {}, {}, {}, false})
+: state_(new State(folder, rig))
 {
   beginSession(folder, [&](const std::string& path) {
     saveRigCalibration(path, rig, calibration);
@@ -116,24 +189,38 @@ TrinocularRecorder::TrinocularRecorder(const std::string& folder,
 TrinocularRecorder::~TrinocularRecorder() = default;
 
 void
+TrinocularRecorder::setMostWaiting(std::size_t frames)
+{
+  constexpr std::size_t most = 1000;
+  if (frames > most)
+    throw BadArgumentException("most waiting: " + std::to_string(frames) +
+                               " frames; legal is [0, " + std::to_string(most) + ']');
+  state_->most_waiting = frames;
+}
+
+std::size_t
+TrinocularRecorder::getMostWaiting() const
+{
+  return state_->most_waiting;
+}
+
+void
 TrinocularRecorder::record(const TrinocularFrame& frame)
 {
-  const acmap::FrameHeader header = acmap::headerOf(frame);
-  const std::pair shot{frame.observation, frame.pattern};
-  std::string fault = state_->is_finished ? "the session is finished" : "";
-  if (fault.empty())
-    fault = acmap::faultUnderRig(header, state_->rig);
-  if (fault.empty() && state_->numbers.count(frame.number) > 0)
-    fault = "a frame of this number was recorded before";
-  if (fault.empty() && state_->shots.count(shot) > 0)
-    fault = shotText(frame) + " was recorded before";
-  if (!fault.empty())
-    throw BadArgumentException("frame " + std::to_string(frame.number) + ": " + fault);
-  saveFrame(acmap::pathIn(state_->folder, acmap::frameFileName(frame.number)), frame);
-  state_->numbers.insert(frame.number);
-  state_->shots.insert(shot);
-  for (std::size_t camera = 0; camera < header.images.size(); ++camera)
-    state_->cameras[camera] |= header.images[camera].width > 0;
+  state_->waiting.throwFault();
+  state_->take(frame);
+  if (state_->most_waiting == 0) {
+    state_->waiting.waitForAll();
+    state_->write(frame);
+    return;
+  }
+  try {
+    state_->waiting.add(frame, state_->most_waiting);
+  }
+  catch (...) { // no memory, no thread
+    state_->forget(frame);
+    throw;
+  }
 }
 
 void
@@ -141,6 +228,9 @@ TrinocularRecorder::finish()
 {
   if (state_->is_finished)
     return;
+  state_->waiting.waitForAll();
+  state_->waiting.throwFault();
+  const std::lock_guard lock(state_->mutex);
   std::set<std::int32_t> observations;
   std::set<std::int32_t> patterns;
   for (const auto& [observation, pattern] : state_->shots) {
@@ -149,7 +239,7 @@ TrinocularRecorder::finish()
       patterns.insert(pattern);
   }
   acmap::SessionSummary summary;
-  summary.frames = state_->numbers.size();
+  summary.frames = state_->frames;
   summary.observations = observations.size();
   summary.patterns = patterns.size();
   summary.cameras = state_->cameras;
@@ -160,7 +250,15 @@ TrinocularRecorder::finish()
 std::size_t
 TrinocularRecorder::frames() const
 {
-  return state_->numbers.size();
+  const std::lock_guard lock(state_->mutex);
+  return state_->frames;
+}
+
+std::uintmax_t
+TrinocularRecorder::bytes() const
+{
+  const std::lock_guard lock(state_->mutex);
+  return state_->bytes;
 }
 
 } // namespace pcl

@@ -1,0 +1,28 @@
+#include <pcl/acquisition/camera_exception.h>
+
+#include <array>
+
+namespace pcl {
+
+const char*
+nameOf(CameraFault fault)
+{
+  constexpr std::array<const char*, 10> names = {"none",
+                                                 "not found",
+                                                 "permission denied",
+                                                 "busy",
+                                                 "unplugged",
+                                                 "silent",
+                                                 "corrupt",
+                                                 "malformed",
+                                                 "unsupported",
+                                                 "failed"};
+  return names.at(static_cast<std::size_t>(fault));
+}
+
+CameraException::CameraException(CameraFault fault, const std::string& message)
+: IOException(message)
+, fault_(fault)
+{}
+
+} // namespace pcl

@@ -1,0 +1,225 @@
+#include "digiclops/grabber_state.h"
+#include "iidc/camera_state.h"
+
+#include <pcl/acquisition/usb_camera.h>
+#include <pcl/core/arguments.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+/** Opens the camera that it opened first, wherever it was plugged in since. */
+struct UsbOpener {
+  std::string device;
+
+  std::unique_ptr<IidcBus>
+  operator()()
+  {
+    std::unique_ptr<IidcBus> bus = openUsbBus(device);
+    const bool is_bridge = device.rfind("usb:", 0) == 0;
+    if (!is_bridge)
+      device = acmap::textOfGuid(acmap::readConfigRom(*bus).guid);
+    return bus;
+  }
+};
+
+} // namespace
+
+DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, const std::string& device)
+: DigiclopsGrabber(rig, UsbOpener{device})
+{}
+
+DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, IidcBusOpener opener)
+{
+  requireSoundRig(rig);
+  state_.reset(new State(rig, std::move(opener)));
+  state_->camera.open();
+  state_->setMode(state_->findMode(), State::paper_rate);
+  state_->frames = createSignal<FrameCallback>();
+  state_->errors = createSignal<ErrorCallback>();
+}
+
+DigiclopsGrabber::~DigiclopsGrabber() noexcept
+{
+  stop();
+}
+
+IidcCamera&
+DigiclopsGrabber::camera()
+{
+  return state_->camera;
+}
+
+void
+DigiclopsGrabber::setMode(const IidcMode& mode)
+{
+  state_->setMode(mode, state_->wanted_rate);
+}
+
+IidcMode
+DigiclopsGrabber::getMode() const
+{
+  const std::lock_guard lock(state_->mutex);
+  return state_->mode;
+}
+
+void
+DigiclopsGrabber::setFramesPerSecond(float frames_per_second)
+{
+  state_->setMode(getMode(), frames_per_second);
+}
+
+void
+DigiclopsGrabber::setChannelOrder(const ChannelOrder& order)
+{
+  if (order[0] == order[1] || order[0] == order[2] || order[1] == order[2])
+    throw BadArgumentException("channel order " + textOf(order) +
+                               " is refused: a camera is in it twice");
+  const std::lock_guard lock(state_->mutex);
+  state_->order = order;
+  state_->is_order_fixed = true;
+  state_->checks_left = State::most_checks;
+}
+
+ChannelOrder
+DigiclopsGrabber::getChannelOrder() const
+{
+  const std::lock_guard lock(state_->mutex);
+  return state_->order;
+}
+
+void
+DigiclopsGrabber::setCalibration(const RigCalibration& calibration)
+{
+  requireSoundCalibration(calibration);
+  if (calibration.width != state_->rig.width ||
+      calibration.height != state_->rig.height)
+    throw BadArgumentException("a calibration of " + std::to_string(calibration.width) +
+                               " x " + std::to_string(calibration.height) +
+                               " pixels is refused: the rig has others");
+  const auto isMissing = [&](RigCamera camera, double baseline) {
+    return baseline != 0 && !calibration.camera(camera).is_there;
+  };
+  if (isMissing(RigCamera::Horizontal, state_->rig.baseline_horizontal) ||
+      isMissing(RigCamera::Vertical, state_->rig.baseline_vertical))
+    throw BadArgumentException("a calibration without a camera of the rig is refused");
+  const std::lock_guard lock(state_->mutex);
+  state_->calibration = calibration;
+  state_->checks_left = State::most_checks;
+}
+
+void
+DigiclopsGrabber::setTimeout(double seconds)
+{
+  acmap::requireInRange("timeout", seconds, 0.01, 60, "s");
+  const std::lock_guard lock(state_->mutex);
+  state_->timeout = seconds;
+}
+
+double
+DigiclopsGrabber::getTimeout() const
+{
+  const std::lock_guard lock(state_->mutex);
+  return state_->timeout;
+}
+
+void
+DigiclopsGrabber::start()
+{
+  state_->camera.open();
+  state_->stream.add(acmap::StreamThread::endless);
+}
+
+void
+DigiclopsGrabber::stop()
+{
+  const acmap::CameraStream::Interruption interruption(state_->shots);
+  state_->stream.stop();
+}
+
+void
+DigiclopsGrabber::trigger()
+{
+  if (state_->stream.isEndless())
+    return;
+  state_->camera.open();
+  state_->stream.add(1);
+}
+
+void
+DigiclopsGrabber::rewind()
+{
+  const std::lock_guard lock(state_->mutex);
+  state_->next_number = 0;
+}
+
+void
+DigiclopsGrabber::wait()
+{
+  state_->stream.wait();
+}
+
+bool
+DigiclopsGrabber::isRunning() const
+{
+  return state_->stream.isRunning();
+}
+
+std::string
+DigiclopsGrabber::getName() const
+{
+  return "DigiclopsGrabber";
+}
+
+float
+DigiclopsGrabber::getFramesPerSecond() const
+{
+  const std::lock_guard lock(state_->mutex);
+  return state_->rate;
+}
+
+TrinocularRig
+DigiclopsGrabber::getRig() const
+{
+  return state_->rig;
+}
+
+std::exception_ptr
+DigiclopsGrabber::getError() const
+{
+  return state_->stream.error();
+}
+
+CameraFault
+DigiclopsGrabber::getFault() const
+{
+  try {
+    if (const std::exception_ptr error = getError())
+      std::rethrow_exception(error);
+  }
+  catch (const CameraException& exception) {
+    return exception.fault();
+  }
+  catch (...) { // of a callback
+  }
+  return CameraFault::None;
+}
+
+DigiclopsGrabberReport
+DigiclopsGrabber::getReport() const
+{
+  const acmap::StreamCounts counts = state_->shots.counts();
+  const std::lock_guard lock(state_->mutex);
+  DigiclopsGrabberReport report = state_->report;
+  report.lost = static_cast<std::size_t>(std::max(counts.lost, 0L));
+  report.broken = counts.broken;
+  report.early = counts.early;
+  report.restarts = counts.restarts;
+  report.frames_per_second = state_->meter.perSecond();
+  return report;
+}
+
+} // namespace pcl

@@ -1,0 +1,148 @@
+#include "mode_setting.h"
+#include "mode_list.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** The bus has so many packets a second. */
+constexpr double packets_per_second = 8000;
+
+[[noreturn]] void
+refuse(CameraFault fault, const RegisterAccess& registers, const std::string& what)
+{
+  throw CameraException(fault, registers.place() + ": " + what);
+}
+
+RegisterAccess
+registersOf(const RegisterAccess& camera, const IidcMode& mode)
+{
+  const auto registers =
+      camera.behind(iidc::scalable_mode + 4 * static_cast<std::uint64_t>(mode.mode));
+  if (!registers)
+    refuse(CameraFault::Unsupported, camera, "has no mode " + mode.text());
+  return *registers;
+}
+
+/** Cameras since IIDC 1.30 want to be told when values belong together. */
+void
+applyValues(const RegisterAccess& registers,
+            std::uint32_t error,
+            const std::string& values)
+{
+  using namespace iidc;
+  const auto present = registers.tryRead(scalable::value_setting).value_or(0);
+  if ((present & on) == 0)
+    return;
+  registers.write(scalable::value_setting, scalable::apply);
+  for (int tries = 0; tries < 200; ++tries) {
+    const std::uint32_t state = registers.read(scalable::value_setting);
+    if ((state & scalable::apply) == 0) {
+      if ((state & error) != 0)
+        refuse(CameraFault::Unsupported, registers, "refuses " + values);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  refuse(CameraFault::Silent, registers, "does not settle after " + values);
+}
+
+struct PacketRange {
+  std::size_t unit;
+  std::size_t most;
+};
+
+PacketRange
+packetRange(const RegisterAccess& registers, const IidcMode& mode)
+{
+  const std::uint32_t range = registers.read(iidc::scalable::packet_range);
+  const PacketRange packets{range >> 16, range & 0xFFFF};
+  if (packets.unit == 0 || packets.unit > packets.most)
+    refuse(CameraFault::Malformed,
+           registers,
+           "packets of mode " + mode.text() + " in steps of " +
+               std::to_string(packets.unit) + " up to " + std::to_string(packets.most) +
+               " bytes");
+  return packets;
+}
+
+/** The packets of a frame: as the camera counts them, unless it miscounts. */
+std::size_t
+packetsOfFrame(const RegisterAccess& registers,
+               const IidcMode& mode,
+               std::size_t packet_bytes)
+{
+  const std::size_t least = (mode.bytes() + packet_bytes - 1) / packet_bytes;
+  const std::size_t told = registers.tryRead(iidc::scalable::packets).value_or(0);
+  return told >= least && told <= least + 1 ? told : least;
+}
+
+} // namespace
+
+StreamSetting
+setFixedMode(const RegisterAccess& camera, const IidcMode& mode, float rate)
+{
+  const auto distance = [rate](float candidate) { return std::abs(candidate - rate); };
+  const float nearest = *std::min_element(
+      mode.rates.begin(), mode.rates.end(), [&](float one, float other) {
+        return distance(one) < distance(other);
+      });
+  std::uint32_t number = 0;
+  while (number < 7 && fixedRate(number) < nearest)
+    ++number;
+  camera.write(iidc::current_format, static_cast<std::uint32_t>(mode.format) << 29);
+  camera.write(iidc::current_mode, static_cast<std::uint32_t>(mode.mode) << 29);
+  camera.write(iidc::current_rate, number << 29);
+  return {mode.bytes(), nearest};
+}
+
+StreamSetting
+setScalableMode(const RegisterAccess& camera, const IidcMode& mode, float rate)
+{
+  using namespace iidc;
+  const RegisterAccess registers = registersOf(camera, mode);
+  camera.write(current_format, std::uint32_t{7} << 29);
+  camera.write(current_mode, static_cast<std::uint32_t>(mode.mode) << 29);
+  registers.write(scalable::position, 0);
+  registers.write(scalable::size,
+                  static_cast<std::uint32_t>(mode.width) << 16 |
+                      static_cast<std::uint32_t>(mode.height));
+  registers.write(scalable::color, static_cast<std::uint32_t>(mode.color) << 24);
+  applyValues(registers, scalable::wrong_size, "mode " + mode.text());
+
+  const PacketRange range = packetRange(registers, mode);
+  const double wanted = static_cast<double>(mode.bytes()) * static_cast<double>(rate) /
+                        packets_per_second;
+  std::size_t packet = range.most / range.unit * range.unit;
+  if (rate > 0)
+    packet = std::min(
+        packet,
+        static_cast<std::size_t>(std::ceil(wanted / static_cast<double>(range.unit))) *
+            range.unit);
+  packet = std::max(packet, range.unit);
+  registers.write(scalable::packet_bytes, static_cast<std::uint32_t>(packet) << 16);
+  applyValues(registers,
+              scalable::wrong_packet,
+              "packets of " + std::to_string(packet) + " bytes");
+  const std::size_t count = packetsOfFrame(registers, mode, packet);
+  return {count * packet,
+          static_cast<float>(packets_per_second / static_cast<double>(count))};
+}
+
+std::string
+scalableColorFilter(const RegisterAccess& camera, const IidcMode& mode)
+{
+  constexpr std::array<const char*, 4> filters = {"RGGB", "GBRG", "GRBG", "BGGR"};
+  const auto filter = registersOf(camera, mode).tryRead(iidc::scalable::color_filter);
+  if (!filter || *filter >> 24 >= filters.size())
+    return "";
+  return filters.at(*filter >> 24);
+}
+
+} // namespace pcl::acmap

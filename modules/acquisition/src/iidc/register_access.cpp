@@ -1,0 +1,30 @@
+#include "register_access.h"
+
+namespace pcl::acmap {
+
+std::optional<std::uint32_t>
+RegisterAccess::tryRead(std::uint64_t offset) const
+{
+  constexpr std::uint32_t nothing = 0xFFFFFFFF; // as many cameras answer
+  try {
+    const std::uint32_t value = read(offset);
+    return value != nothing ? std::optional(value) : std::nullopt;
+  }
+  catch (const CameraException& exception) {
+    if (exception.fault() == CameraFault::Unsupported)
+      return std::nullopt;
+    throw;
+  }
+}
+
+std::optional<RegisterAccess>
+RegisterAccess::behind(std::uint64_t offset) const
+{
+  const std::uint32_t quadlets = tryRead(offset).value_or(0);
+  // The register space is 28 bits wide: no quadlet lies beyond.
+  if (quadlets == 0 || quadlets >= 0x04000000)
+    return std::nullopt;
+  return RegisterAccess(bus_, iidc::register_space + 4 * std::uint64_t{quadlets});
+}
+
+} // namespace pcl::acmap

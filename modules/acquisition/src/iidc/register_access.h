@@ -1,0 +1,55 @@
+#pragma once
+
+#include "registers.h"
+
+#include <pcl/acquisition/iidc_bus.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace pcl::acmap {
+
+/** \brief The registers of one camera, from a place in its address space on. */
+class RegisterAccess {
+public:
+  RegisterAccess(std::shared_ptr<IidcBus> bus, std::uint64_t base)
+  : bus_(std::move(bus))
+  , base_(base)
+  {}
+
+  std::uint32_t
+  read(std::uint64_t offset) const
+  {
+    return bus_->readQuadlet(base_ + offset);
+  }
+
+  /** \brief A register that a camera need not have; nothing where it has none. */
+  std::optional<std::uint32_t>
+  tryRead(std::uint64_t offset) const;
+
+  void
+  write(std::uint64_t offset, std::uint32_t value) const
+  {
+    bus_->writeQuadlet(base_ + offset, value);
+  }
+
+  /** \brief Registers whose place this one holds, counted in quadlets; nothing where it
+   * holds none. */
+  std::optional<RegisterAccess>
+  behind(std::uint64_t offset) const;
+
+  std::string
+  place() const
+  {
+    return bus_->place();
+  }
+
+private:
+  std::shared_ptr<IidcBus> bus_;
+  std::uint64_t base_;
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,7 @@
+#include <pcl/acquisition/iidc_bus.h>
+
+namespace pcl {
+
+IidcBus::~IidcBus() = default;
+
+} // namespace pcl

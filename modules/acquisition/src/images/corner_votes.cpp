@@ -1,0 +1,156 @@
+#include "corner_votes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double nearest = 0.3;         // metres
+constexpr int most_beside = 2;          // px off its line, of an aged calibration
+constexpr float least_agreement = 0.8F; // correlation
+constexpr float least_lead = 0.05F;     // of the best depth before any other
+constexpr int same_place = 3;           // steps between depths that are one
+constexpr double least_shift = 5;       // px from where it lay at infinity
+
+constexpr std::array neighbours{RigCamera::Horizontal, RigCamera::Vertical};
+
+/** Steps of the inverse depth from infinity to the nearest, about a pixel long in the
+ * farther neighbour. */
+int
+stepsOf(const RigCalibration& calibration)
+{
+  double most = 1;
+  for (const CameraCalibration& camera : calibration.cameras)
+    most = std::max(most,
+                    std::max(camera.focal_x, camera.focal_y) *
+                        camera.T_reference_camera.translation().norm() / nearest);
+  // Of very long baselines: what is nearer than that lies beyond the image.
+  const double farthest = 4.0 * std::max(calibration.width, calibration.height);
+  return static_cast<int>(std::ceil(std::min(most, farthest)));
+}
+
+/** Where a neighbour sees a corner of the reference, by step of the inverse depth. */
+class CornerLine {
+public:
+  CornerLine(const CameraCalibration& reference,
+             const CameraCalibration& neighbour,
+             cv::Point corner,
+             int steps)
+  : neighbour_(neighbour)
+  {
+    const Eigen::Isometry3d& place = neighbour.T_reference_camera;
+    const Eigen::Vector3d ray = pixelRay(reference, {corner.x, corner.y});
+    at_infinity_ = place.linear().transpose() * (ray / ray.z());
+    step_ = place.linear().transpose() * place.translation() / (nearest * steps);
+    const Eigen::Vector2d along =
+        step_.head<2>() - at_infinity_.hnormalized() * step_.z();
+    is_flat_ = std::abs(along.x()) >= std::abs(along.y());
+  }
+
+  Eigen::Vector2d
+  at(int step) const
+  {
+    return projectPoint(neighbour_, at_infinity_ - step * step_);
+  }
+
+  /** Whether it runs along rows rather than columns. */
+  bool
+  isFlat() const
+  {
+    return is_flat_;
+  }
+
+private:
+  const CameraCalibration& neighbour_;
+  Eigen::Vector3d at_infinity_;
+  Eigen::Vector3d step_;
+  bool is_flat_;
+};
+
+/** The best correlation on and beside a place of the line; -1 where there is none. */
+float
+agreementAt(const SmoothImage& image,
+            const SmoothImage::Patch& patch,
+            const CornerLine& line,
+            int step)
+{
+  constexpr double beyond_all = 1e6; // px
+  float best = -1;
+  const Eigen::Vector2d place = line.at(step);
+  if (!(place.cwiseAbs().maxCoeff() < beyond_all)) // also where it is NaN
+    return best;
+  const int x = static_cast<int>(std::lround(place.x()));
+  const int y = static_cast<int>(std::lround(place.y()));
+  for (int off = -most_beside; off <= most_beside; ++off) {
+    const int u = line.isFlat() ? x : x + off;
+    const int v = line.isFlat() ? y + off : y;
+    if (image.hasPatch(u, v))
+      best = std::max(best, image.correlate(patch, u, v));
+  }
+  return best;
+}
+
+/** How well both neighbours agree with a corner, by step of the inverse depth. */
+using Agreements = std::vector<float>;
+
+/** Whether no other place is nearly as good. */
+bool
+isAlone(const Agreements& agreements, Agreements::const_iterator best)
+{
+  for (auto other = agreements.begin(); other != agreements.end(); ++other)
+    if (std::abs(other - best) > same_place && *other > *best - least_lead)
+      return false;
+  return true;
+}
+
+bool
+isFound(const std::array<const SmoothImage*, 3>& images,
+        cv::Point corner,
+        const RigCalibration& calibration,
+        int steps)
+{
+  const auto lineIn = [&](RigCamera camera) {
+    return CornerLine(calibration.camera(RigCamera::Reference),
+                      calibration.camera(camera),
+                      corner,
+                      steps);
+  };
+  const SmoothImage::Patch patch = images[0]->patchAt(corner);
+  Agreements agreements(static_cast<std::size_t>(steps) + 1, 1.0F);
+  for (const RigCamera camera : neighbours) {
+    const CornerLine line = lineIn(camera);
+    const SmoothImage& image = *images[static_cast<std::size_t>(camera)];
+    for (int step = 0; step <= steps; ++step) {
+      float& joint = agreements[static_cast<std::size_t>(step)];
+      if (joint >= least_agreement - least_lead) // else it cannot matter any more
+        joint = std::min(joint, agreementAt(image, patch, line, step));
+    }
+  }
+  const auto best = std::max_element(agreements.cbegin(), agreements.cend());
+  if (*best < least_agreement || !isAlone(agreements, best))
+    return false;
+  const auto step = static_cast<int>(best - agreements.cbegin());
+  return std::all_of(neighbours.begin(), neighbours.end(), [&](RigCamera camera) {
+    const CornerLine line = lineIn(camera);
+    return (line.at(step) - line.at(0)).norm() >= least_shift;
+  });
+}
+
+} // namespace
+
+CornerVotes
+countVotes(const std::array<const SmoothImage*, 3>& images,
+           const std::vector<cv::Point>& corners,
+           const RigCalibration& calibration)
+{
+  const int steps = stepsOf(calibration);
+  CornerVotes votes;
+  votes.corners = corners.size();
+  for (const cv::Point& corner : corners)
+    votes.found += isFound(images, corner, calibration, steps) ? 1 : 0;
+  return votes;
+}
+
+} // namespace pcl::acmap

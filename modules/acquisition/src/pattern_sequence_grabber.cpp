@@ -1,0 +1,153 @@
+#include "sequence/sequence_stream.h"
+
+#include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/core/arguments.h>
+
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+using Seconds = acmap::SequenceStream::Seconds;
+
+void
+requireWholePatterns(const std::vector<RgbImage>& patterns)
+{
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const RgbImage& image = patterns[i];
+    const auto side = [](std::int32_t pixels) {
+      return static_cast<std::size_t>(pixels);
+    };
+    if (image.width <= 0 || image.height <= 0 ||
+        image.values.size() != 3 * side(image.width) * side(image.height))
+      throw BadArgumentException("pattern " + std::to_string(i) + " of " +
+                                 std::to_string(image.width) + " x " +
+                                 std::to_string(image.height) + " pixels has " +
+                                 std::to_string(image.values.size()) + " values");
+  }
+}
+
+} // namespace
+
+PatternSequenceGrabber::PatternSequenceGrabber(shared_ptr<TrinocularGrabber> camera,
+                                               shared_ptr<PatternProjector> projector,
+                                               std::vector<RgbImage> patterns)
+{
+  requireWholePatterns(patterns);
+  stream_ = std::make_unique<acmap::SequenceStream>(std::move(camera),
+                                                    std::move(projector),
+                                                    std::move(patterns),
+                                                    *createSignal<FrameCallback>());
+}
+
+PatternSequenceGrabber::~PatternSequenceGrabber() noexcept = default;
+
+void
+PatternSequenceGrabber::setSettleTime(double seconds)
+{
+  acmap::requireInRange("settle time", seconds, 0.0, 10.0, "s");
+  stream_->setSettings(
+      [seconds](auto& settings) { settings.settle_time = Seconds(seconds); });
+}
+
+double
+PatternSequenceGrabber::getSettleTime() const
+{
+  return stream_->settings().settle_time.count();
+}
+
+void
+PatternSequenceGrabber::setShotTimeout(double seconds)
+{
+  acmap::requireInRange("shot timeout", seconds, 0.01, 600.0, "s");
+  stream_->setSettings(
+      [seconds](auto& settings) { settings.shot_timeout = Seconds(seconds); });
+}
+
+double
+PatternSequenceGrabber::getShotTimeout() const
+{
+  return stream_->settings().shot_timeout.count();
+}
+
+void
+PatternSequenceGrabber::setWantMore(WantMore want_more)
+{
+  stream_->setSettings(
+      [&want_more](auto& settings) { settings.want_more = std::move(want_more); });
+}
+
+void
+PatternSequenceGrabber::start()
+{
+  stream_->addObservationsWithoutEnd();
+}
+
+void
+PatternSequenceGrabber::observe()
+{
+  stream_->addObservation();
+}
+
+void
+PatternSequenceGrabber::stop()
+{
+  stream_->stop();
+}
+
+void
+PatternSequenceGrabber::trigger()
+{
+  stream_->addShot();
+}
+
+void
+PatternSequenceGrabber::rewind()
+{
+  stream_->progress().rewind();
+}
+
+void
+PatternSequenceGrabber::wait()
+{
+  stream_->thread().wait();
+}
+
+bool
+PatternSequenceGrabber::isRunning() const
+{
+  return stream_->thread().isRunning();
+}
+
+std::string
+PatternSequenceGrabber::getName() const
+{
+  return "PatternSequenceGrabber";
+}
+
+float
+PatternSequenceGrabber::getFramesPerSecond() const
+{
+  return 0.0F;
+}
+
+TrinocularRig
+PatternSequenceGrabber::getRig() const
+{
+  return stream_->camera().getRig();
+}
+
+std::exception_ptr
+PatternSequenceGrabber::getError() const
+{
+  return stream_->thread().error();
+}
+
+PatternSequenceGrabberReport
+PatternSequenceGrabber::getReport() const
+{
+  return stream_->progress().report();
+}
+
+} // namespace pcl

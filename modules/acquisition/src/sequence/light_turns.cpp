@@ -1,0 +1,79 @@
+#include "sequence/light_turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double least_contrast = 1.0; // grey levels, of a mean over many pixels
+constexpr double change_to_wait_for = 0.95;
+constexpr double most_unrest = 0.3; // of the contrast
+
+/** \brief Where a turn ends, and how restless it is there. */
+struct TurnEnd {
+  double level = 0;
+  double unrest = 0; // grey levels, to either side
+};
+
+TurnEnd
+endOf(const LightTurn& turn, double tail)
+{
+  double sum = 0;
+  double least = turn.back().level;
+  double most = least;
+  std::size_t samples = 0;
+  for (const LightSample& sample : turn)
+    if (sample.delay >= tail || &sample == &turn.back()) {
+      sum += sample.level;
+      least = std::min(least, sample.level);
+      most = std::max(most, sample.level);
+      ++samples;
+    }
+  return {sum / static_cast<double>(samples), (most - least) / 2};
+}
+
+} // namespace
+
+std::optional<double>
+findSettleTime(const std::vector<LightTurn>& turns, double tail)
+{
+  std::vector<TurnEnd> ends;
+  for (const LightTurn& turn : turns)
+    ends.push_back(endOf(turn, tail));
+
+  double contrast = std::numeric_limits<double>::infinity();
+  double unrest = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    unrest = std::max(unrest, ends[i].unrest);
+    if (i > 0) // turns of odd index are to bright
+      contrast = std::min(contrast,
+                          (ends[i].level - ends[i - 1].level) * (i % 2 == 1 ? 1 : -1));
+    if (i > 1) // the room itself
+      unrest = std::max(unrest, std::abs(ends[i].level - ends[i - 2].level) / 2);
+  }
+  if (contrast < least_contrast || unrest > most_unrest * contrast)
+    return std::nullopt;
+
+  const double wanted = std::min(change_to_wait_for, 1 - 2 * unrest / contrast);
+  const auto isSettled = [&](std::size_t turn, const LightSample& sample) {
+    const double from = ends[turn == 0 ? 1 : turn - 1].level;
+    return (sample.level - from) / (ends[turn].level - from) >= wanted;
+  };
+  double unsettled = -1; // the longest such delay
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    for (const LightSample& sample : turns[i])
+      if (!isSettled(i, sample))
+        unsettled = std::max(unsettled, sample.delay);
+  std::optional<double> settled;
+  for (const LightTurn& turn : turns)
+    for (const LightSample& sample : turn)
+      if (sample.delay > unsettled && (!settled || sample.delay < *settled))
+        settled = sample.delay;
+  return settled;
+}
+
+} // namespace pcl::acmap

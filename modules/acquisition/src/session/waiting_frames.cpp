@@ -1,0 +1,78 @@
+#include "waiting_frames.h"
+
+#include <utility>
+
+namespace pcl::acmap {
+
+WaitingFrames::WaitingFrames(std::function<void(const TrinocularFrame&)> write)
+: write_(std::move(write))
+{}
+
+WaitingFrames::~WaitingFrames()
+{
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable())
+    thread_.join();
+}
+
+void
+WaitingFrames::add(TrinocularFrame frame, std::size_t most)
+{
+  std::unique_lock lock(mutex_);
+  if (!thread_.joinable())
+    thread_ = std::thread([this] { run(); });
+  // The one that is being written does not wait any more.
+  changed_.wait(lock, [&] { return frames_.size() <= most; });
+  frames_.push_back(std::move(frame));
+  changed_.notify_all();
+}
+
+void
+WaitingFrames::waitForAll()
+{
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return frames_.empty(); });
+}
+
+void
+WaitingFrames::throwFault()
+{
+  std::exception_ptr fault;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(fault, fault_);
+  }
+  if (fault)
+    std::rethrow_exception(fault);
+}
+
+void
+WaitingFrames::run()
+{
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [&] { return ends_ || !frames_.empty(); });
+    if (frames_.empty())
+      return;
+    const TrinocularFrame& frame = frames_.front(); // stays where it is
+    lock.unlock();
+    std::exception_ptr fault;
+    try {
+      write_(frame);
+    }
+    catch (...) {
+      fault = std::current_exception();
+    }
+    lock.lock();
+    if (!fault_)
+      fault_ = fault;
+    frames_.pop_front();
+    changed_.notify_all();
+  }
+}
+
+} // namespace pcl::acmap
