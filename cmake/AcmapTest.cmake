@@ -33,3 +33,31 @@ function(acmap_add_fuzzer name)
   set_tests_properties(${name} PROPERTIES LABELS fuzz)
   acmap_join(fuzzers ${name})
 endfunction()
+
+# acmap_add_usb_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
+#
+# As acmap_add_test, for a program with a UsbTestbed, and for the programs that it starts.
+function(acmap_add_usb_test name)
+  acmap_add_test(${name} ${ARGN})
+  target_link_libraries(${name}_test PRIVATE acmap_test_emulated_camera)
+  acmap_sanitizer_runtime(libraries)
+  list(APPEND libraries "${UMOCKDEV_PRELOAD_LIBRARY}")
+  list(JOIN libraries ":" libraries)
+  set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "LD_PRELOAD=${libraries}")
+endfunction()
+
+# acmap_sanitizer_runtime (<variable>): the runtime library of a sanitizer that insists on
+# being the first one of a program, or nothing.
+function(acmap_sanitizer_runtime variable)
+  set(${variable} "" PARENT_SCOPE)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
+  # Clang links its runtime into the program.
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU OR NOT flags MATCHES "-fsanitize=(address|thread)")
+    return()
+  endif()
+  string(SUBSTRING "${CMAKE_MATCH_1}" 0 1 letter)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=lib${letter}san.so
+                  OUTPUT_VARIABLE library OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set(${variable} "${library}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief What a camera says of itself. */
+struct CameraIdentity {
+  std::uint64_t guid = 0x00B09D0100C0FFEE; ///< serial number
+  std::string vendor = "Point Grey Research";
+  std::string model = "Emulated Digiclops";
+  bool point_grey_unit = false; ///< spec id 0x00B09D in place of 0x00A02D
+};
+
+/** \brief The quadlets from 0x400 of CSR space on: bus information, root, unit and unit
+ * dependent directory, leaves of vendor and model. */
+std::vector<std::uint32_t>
+configRomOf(const CameraIdentity& identity);
+
+} // namespace pcl::acmap::test

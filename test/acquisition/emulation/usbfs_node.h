@@ -1,0 +1,125 @@
+#pragma once
+
+#include "emulated_iidc_camera.h"
+#include "stream_endpoint.h"
+#include "usb_descriptors.h"
+
+#include <umockdev.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+struct ObjectDeleter {
+  void
+  operator()(void* object) const
+  {
+    g_object_unref(object);
+  }
+};
+
+template <typename Type>
+using ObjectPtr = std::unique_ptr<Type, ObjectDeleter>;
+
+/** \brief The device node of a camera, from plug to unplug: what the kernel's usbfs does
+ * with the requests of its clients.
+ *
+ * The node is a pipe with room for one byte. Full, a client that polls it for writing
+ * sleeps; empty, there is a finished transfer to fetch. */
+class UsbfsNode {
+public:
+  /** \param[in] path of the node, made here
+   * \param[in] cable_goes called when a frame is to be the last one */
+  UsbfsNode(EmulatedIidcCamera& camera,
+            const UsbIdentity& identity,
+            const std::string& path,
+            std::function<void()> cable_goes);
+  ~UsbfsNode();
+
+  UsbfsNode(const UsbfsNode&) = delete;
+  UsbfsNode&
+  operator=(const UsbfsNode&) = delete;
+
+  /** \brief Answers a request; in umockdev's thread only. */
+  void
+  answer(UMockdevIoctlClient* client);
+
+  void
+  forget(UMockdevIoctlClient* client);
+
+  /** \brief Hands frames of the camera to the transfers that wait for them. */
+  void
+  serve();
+
+  /** \brief The cable goes: all that waits and all that comes fails. After it the camera is
+   * not asked again. */
+  void
+  disconnect();
+
+private:
+  /** \brief A transfer, or a part of one. */
+  struct Urb {
+    ObjectPtr<UMockdevIoctlData> data;
+    UMockdevIoctlClient* client;
+    unsigned long address; ///< in the client
+    unsigned char type;
+    unsigned char endpoint;
+    unsigned flags;
+    std::size_t length;
+    int status;
+    std::vector<std::uint8_t> bytes; ///< that arrived
+  };
+
+  struct Client {
+    std::deque<Urb> finished;
+    bool chain_broken = false; ///< what continues the last transfer comes too late
+  };
+
+  int
+  answerOf(UMockdevIoctlClient* client, UMockdevIoctlData* argument, long& result);
+  int
+  submit(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
+  int
+  reap(Client& client, UMockdevIoctlData* argument);
+  int
+  discard(UMockdevIoctlClient* client, unsigned long address);
+  int
+  claim(UMockdevIoctlClient* client, unsigned interface);
+  int
+  release(UMockdevIoctlClient* client, unsigned interface);
+  void
+  control(Urb urb);
+  void
+  finish(Urb urb);
+  void
+  breakChain(UMockdevIoctlClient* client);
+  void
+  serveLocked();
+  void
+  showReady();
+
+  EmulatedIidcCamera& camera_;
+  const UsbIdentity identity_;
+  const std::function<void()> cable_goes_;
+  int pipe_ = -1;
+
+  std::mutex mutex_; ///< of all that follows
+  std::map<UMockdevIoctlClient*, Client> clients_;
+  std::list<Urb> pending_;               ///< in the order in which they came
+  UMockdevIoctlClient* owner_ = nullptr; ///< of the interface
+  StreamEndpoint stream_;
+  bool connected_ = true;
+  bool cable_cut_ = false;
+  bool ready_ = true;
+};
+
+} // namespace pcl::acmap::test
