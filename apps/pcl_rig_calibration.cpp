@@ -2,10 +2,12 @@
 #include "rig_calibration/calibration_options.h"
 #include "rig_calibration/calibration_results.h"
 
+#include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/stereo/rig_calibrator.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace {
 
@@ -37,15 +39,35 @@ addShot(const CalibrationOptions& options,
 }
 
 void
+addFrame(const pcl::TrinocularFileGrabber& session,
+         std::size_t index,
+         pcl::RigCalibrator& calibrator)
+{
+  const pcl::TrinocularFrame::ConstPtr frame = session.frame(index);
+  std::array<std::string, 3> names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!frame->images[i].empty())
+      names[i] = "frame " + std::to_string(frame->number) + ", " +
+                 nameOf(static_cast<pcl::RigCamera>(i));
+  calibrator.addShot(*frame, names);
+}
+
+void
 addShots(Tool& tool, const CalibrationOptions& options, pcl::RigCalibrator& calibrator)
 {
-  const std::size_t shots = options.images.front().size();
+  std::optional<pcl::TrinocularFileGrabber> session;
+  if (!options.session.empty())
+    session.emplace(options.session);
+  const std::size_t shots = session ? session->frames() : options.images.front().size();
   tool.withProgress([&](const pcl::ProgressCallback& progress) {
     const Progress told(progress);
     for (std::size_t shot = 0; shot < shots; ++shot) {
       told.tell(static_cast<double>(shot) / static_cast<double>(shots),
                 "looking for boards");
-      addShot(options, shot, calibrator);
+      if (session)
+        addFrame(*session, shot, calibrator);
+      else
+        addShot(options, shot, calibrator);
     }
   });
 }

@@ -3,17 +3,12 @@
 #include "exit_code.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/rig_calibration.h>
-#include <pcl/core/yaml_node.h>
-#include <pcl/stereo/matched_disparity.h>
 
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
-
-constexpr std::size_t most_shots = 256; // that DisparityFusion takes
 
 /** \brief The rig of image lists: cameras without a list are not used.
  * \throws UsageError for a list of a camera that the rig has not */
@@ -43,81 +38,40 @@ openGrabber(const StereoOptions& options)
   return std::make_unique<TrinocularFileGrabber>(options.session);
 }
 
+FrameRectifier
+rectifierOf(const StereoOptions& options,
+            const TrinocularRig& rig,
+            bool has_cameras,
+            unsigned threads)
+{
+  // a session says by its rig.yaml what its frames are
+  if (options.hasLists() ? options.rectify : has_cameras)
+    return FrameRectifier(options.rigPath(), rig, threads);
+  return FrameRectifier(options.rigPath(), rig);
+}
+
 } // namespace
 
 ShotSource::ShotSource(const StereoOptions& options, unsigned threads)
 : grabber_(openGrabber(options))
 , skips_broken_(!options.hasLists())
-, has_cameras_(loadYaml(options.rigPath()).find("camera_reference") != nullptr)
-, rig_(grabber_->getRig())
+, has_cameras_(hasBuiltCameras(options.rigPath()))
+, rectifier_(rectifierOf(options, grabber_->getRig(), has_cameras_, threads))
 , broken_(grabber_->getReport().broken.size())
 , remarks_(grabber_->getReport().remarks)
 {
-  if (disparityBaseline(rig_) == 0.0)
-    throw InputFileException(options.rigPath() +
-                             ": the reference has no neighbour, both baselines are 0");
-  // a session says by its rig.yaml what its frames are
-  if (options.hasLists() ? options.rectify : has_cameras_)
-    setUpRectification(options.rigPath(), threads);
+  for (const std::string& remark : rectifier_.remarks())
+    remarks_.push_back(remark);
   if (!options.color.empty())
     pending_ = loadOffShot(options.color);
-}
-
-void
-ShotSource::setUpRectification(const std::string& path, unsigned threads)
-{
-  rectification_.emplace();
-  rectification_->setNumberOfThreads(threads);
-  RigCalibration cameras = loadRigCalibration(path);
-  cameras.camera(RigCamera::Horizontal).is_there = rig_.baseline_horizontal != 0.0;
-  cameras.camera(RigCamera::Vertical).is_there = rig_.baseline_vertical != 0.0;
-  try {
-    rectification_->setInputCalibration(cameras);
-  }
-  catch (const BadArgumentException& fault) {
-    throw InputFileException(path + ": " + fault.what());
-  }
-  const double sigma = rig_.disparity_sigma; // no matter of rectification
-  rig_ = rectification_->getRig();
-  rig_.disparity_sigma = sigma;
-  for (const std::string& remark : rectification_->getReport().remarks)
-    remarks_.push_back(path + ": " + remark);
 }
 
 TrinocularFrame::Ptr
 ShotSource::read(std::size_t index) const
 {
   TrinocularFrame::Ptr frame = grabber_->frame(index);
-  if (rectification_)
-    rectification_->rectify(*frame, *frame);
+  rectifier_.rectify(*frame);
   return frame;
-}
-
-/** \return false for a frame of another observation */
-bool
-ShotSource::add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots)
-{
-  const auto number = static_cast<std::size_t>(frame->observation);
-  if (!shots.frames.empty() && number != shots.number)
-    return false;
-  if (done_.count(number) > 0)
-    leaveOut(*frame, "frames of another one stand before them");
-  else if (shots.frames.size() == most_shots)
-    leaveOut(*frame, "there are " + std::to_string(most_shots) + " before them");
-  else {
-    shots.number = number;
-    shots.frames.push_back(frame);
-  }
-  return true;
-}
-
-void
-ShotSource::leaveOut(const TrinocularFrame& frame, const std::string& reason)
-{
-  if (cut_.insert(frame.observation).second)
-    remarks_.push_back("observation " + std::to_string(frame.observation) +
-                       ": its frames from " + std::to_string(frame.number) +
-                       " on are left out, " + reason);
 }
 
 std::optional<ObservationShots>
@@ -125,13 +79,13 @@ ShotSource::next(const std::function<void()>& step)
 {
   ObservationShots shots;
   if (pending_)
-    add(std::exchange(pending_, nullptr), shots);
+    groups_.add(std::exchange(pending_, nullptr), shots);
   while (next_ < frames() && !pending_) {
     step();
     const std::size_t index = next_++;
     try {
       const TrinocularFrame::ConstPtr frame = read(index);
-      if (!add(frame, shots))
+      if (!groups_.add(frame, shots))
         pending_ = frame;
     }
     catch (const InputFileException&) {
@@ -142,7 +96,7 @@ ShotSource::next(const std::function<void()>& step)
   }
   if (shots.frames.empty())
     return std::nullopt;
-  done_.insert(shots.number);
+  groups_.close(shots);
   return shots;
 }
 
@@ -169,15 +123,14 @@ ShotSource::loadOffShot(const std::string& path) const
   const auto size = [](std::int32_t width, std::int32_t height) {
     return std::to_string(width) + " x " + std::to_string(height) + " pixels";
   };
-  if (image.width != rig_.width || image.height != rig_.height)
+  if (image.width != rig().width || image.height != rig().height)
     throw InputFileException(path + ": has " + size(image.width, image.height) +
-                             ", the rig " + size(rig_.width, rig_.height));
-  if (rectification_)
-    rectification_->rectify(*frame, *frame);
+                             ", the rig " + size(rig().width, rig().height));
+  rectifier_.rectify(*frame);
   // a shot has an image of each camera, but colour is only taken from the reference
-  if (rig_.baseline_horizontal != 0.0)
+  if (rig().baseline_horizontal != 0.0)
     frame->image(RigCamera::Horizontal) = image;
-  if (rig_.baseline_vertical != 0.0)
+  if (rig().baseline_vertical != 0.0)
     frame->image(RigCamera::Vertical) = image;
   return frame;
 }
@@ -196,6 +149,7 @@ std::vector<std::string>
 ShotSource::remarks() const
 {
   std::vector<std::string> all = remarks_;
+  all.insert(all.end(), groups_.remarks().begin(), groups_.remarks().end());
   const TrinocularFileReport report = grabber_->getReport();
   const auto count = [&](const std::vector<std::uint64_t>& found,
                          const std::string& fault) {

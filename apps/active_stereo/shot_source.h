@@ -1,24 +1,18 @@
 #pragma once
 
+#include "frame_rectifier.h"
+#include "shot_groups.h"
 #include "stereo_options.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
-#include <pcl/stereo/trinocular_rectification.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
-
-/** \brief The shots of an observation, rectified. */
-struct ObservationShots {
-  std::size_t number = 0; ///< of the observation
-  std::vector<TrinocularFrame::ConstPtr> frames;
-};
 
 /** \brief Gives the observations of a session, or the one of image lists, one after
  * another; what is not rectified is rectified. */
@@ -35,7 +29,7 @@ public:
   const TrinocularRig&
   rig() const
   {
-    return rig_;
+    return rectifier_.rig();
   }
 
   /** \brief Whether the rig's file has cameras as they are built. */
@@ -48,7 +42,7 @@ public:
   bool
   isRectifying() const
   {
-    return rectification_.has_value();
+    return rectifier_.isRectifying();
   }
 
   /** \brief How many frames there are, broken ones with them. */
@@ -90,20 +84,11 @@ public:
   }
 
 private:
-  void
-  setUpRectification(const std::string& path, unsigned threads);
-
   TrinocularFrame::Ptr
   read(std::size_t index) const;
 
   TrinocularFrame::ConstPtr
   loadOffShot(const std::string& path) const;
-
-  bool
-  add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots);
-
-  void
-  leaveOut(const TrinocularFrame& frame, const std::string& reason);
 
   void
   noteBroken();
@@ -111,13 +96,11 @@ private:
   std::unique_ptr<TrinocularFileGrabber> grabber_;
   bool skips_broken_;
   bool has_cameras_;
-  TrinocularRig rig_;
-  std::optional<TrinocularRectification> rectification_;
+  FrameRectifier rectifier_;
   std::size_t next_ = 0;
   TrinocularFrame::ConstPtr pending_; // read, of the observation that comes next
-  std::set<std::size_t> done_;        // numbers of observations
-  std::set<std::int32_t> cut_;        // of those with frames left out
-  std::size_t broken_;                // frames known to be
+  ShotGroups groups_;
+  std::size_t broken_; // frames known to be
   std::vector<std::string> remarks_;
 };
 

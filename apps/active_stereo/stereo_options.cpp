@@ -108,15 +108,8 @@ StereoOptions::allImages() const
 }
 
 void
-addOptions(Tool& tool, StereoOptions& options)
+addStereoChoices(CLI::App& app, StereoOptions& options)
 {
-  CLI::App& app = tool.options();
-  app.add_option("session", options.session, "Raw session to read")
-      ->type_name("SESSION_DIR");
-  app.add_option("-o,--output", options.output, "Folder for the observations")
-      ->type_name("OUT_DIR")
-      ->required();
-  addLists(app, options);
   app.add_option(
          "--method",
          options.method,
@@ -126,6 +119,19 @@ addOptions(Tool& tool, StereoOptions& options)
       ->check(CLI::IsMember({"median", "statistical", "spacetime"}).description(""));
   addDepths(app, options);
   addThresholds(app, options);
+}
+
+void
+addOptions(Tool& tool, StereoOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("session", options.session, "Raw session to read")
+      ->type_name("SESSION_DIR");
+  app.add_option("-o,--output", options.output, "Folder for the observations")
+      ->type_name("OUT_DIR")
+      ->required();
+  addLists(app, options);
+  addStereoChoices(app, options);
   app.add_flag("--disparity",
                options.disparity,
                "Write disparities too, as PFM and as pictures; image lists always do");
@@ -143,6 +149,14 @@ addOptions(Tool& tool, StereoOptions& options)
 }
 
 void
+requireDepthOrder(const StereoOptions& options)
+{
+  if (options.nearest >= options.farthest)
+    throw UsageError("--min-depth " + shortNumber(options.nearest) +
+                     " is not below --max-depth " + shortNumber(options.farthest));
+}
+
+void
 requireSense(const StereoOptions& options)
 {
   const TrinocularImageLists& images = options.images;
@@ -151,9 +165,7 @@ requireSense(const StereoOptions& options)
                      ": a session or --reference is needed, not both");
   if (options.session.empty() && images.reference.empty())
     throw UsageError("a session is needed, or images (--reference)");
-  if (options.nearest >= options.farthest)
-    throw UsageError("--min-depth " + shortNumber(options.nearest) +
-                     " is not below --max-depth " + shortNumber(options.farthest));
+  requireDepthOrder(options);
   if (!options.hasLists())
     return;
   if (options.rig.empty())

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 /** \brief What the user asks for. */
 struct StereoOptions {
-  std::string session; ///< folder; empty: the lists
+  std::string session; ///< folder; empty where it is none
   TrinocularImageLists images;
   std::string rig;      ///< of the lists
   std::string color;    ///< image of the reference view; empty: of the shots
@@ -28,7 +28,7 @@ struct StereoOptions {
   bool
   hasLists() const
   {
-    return session.empty();
+    return !images.reference.empty();
   }
 
   /** \brief Where the rig stands. */
@@ -44,9 +44,18 @@ struct StereoOptions {
 void
 addOptions(Tool& tool, StereoOptions& options);
 
+/** \brief Adds only those that say how disparities and points are found. */
+void
+addStereoChoices(CLI::App& app, StereoOptions& options);
+
 /** \brief Refuses options that do not go together.
  * \throws UsageError naming them */
 void
 requireSense(const StereoOptions& options);
+
+/** \brief Refuses depths of which the nearest is not below the farthest.
+ * \throws UsageError naming them */
+void
+requireDepthOrder(const StereoOptions& options);
 
 } // namespace pcl::acmap

@@ -106,6 +106,12 @@ StereoResults::matchedShare() const
 }
 
 std::string
+StereoResults::matchedText() const
+{
+  return percent(matchedShare()) + " of the pixels";
+}
+
+std::string
 StereoResults::rejected() const
 {
   std::vector<std::pair<std::size_t, std::string>> reasons = {
@@ -159,7 +165,7 @@ StereoResults::tell(Tool& tool,
             std::to_string(range.least) + " to " + std::to_string(range.most()) +
                 " px, depths of " + shortNumber(nearest) + " to " +
                 shortNumber(options.farthest) + " m");
-  tool.tell("matched", percent(matchedShare()) + " of the pixels");
+  tool.tell("matched", matchedText());
   tool.tell("points", std::to_string(points_));
   tool.tell("rejected", rejected());
   if (!options.hasLists())
@@ -179,15 +185,21 @@ StereoResults::warn(Tool& tool,
   if (findings.size() > most_named)
     tool.warn(std::to_string(findings.size() - most_named) +
               " further findings, the report names them");
+  warnOfRemarks(tool);
+  if (options.hasLists() && source.hasCameras() && !source.isRectifying())
+    tool.warn("images are taken as rectified; if they are as the cameras in " +
+              options.rig + " gave them, they need --rectify");
+}
+
+void
+StereoResults::warnOfRemarks(Tool& tool) const
+{
   for (const auto& [text, remark] : remarks_)
     tool.warn("observation " + std::to_string(remark.first) +
               (remark.count > 1
                    ? " and " + std::to_string(remark.count - 1) + " others: "
                    : ": ") +
               text);
-  if (options.hasLists() && source.hasCameras() && !source.isRectifying())
-    tool.warn("images are taken as rectified; if they are as the cameras in " +
-              options.rig + " gave them, they need --rectify");
 }
 
 } // namespace pcl::acmap

@@ -40,15 +40,30 @@ public:
        const ShotSource& source,
        const SearchRange& range) const;
 
-private:
   /** \brief Share of the pixels that have a disparity, in [0, 1]. */
   double
   matchedShare() const;
+
+  /** \brief Likewise as text, in percent. */
+  std::string
+  matchedText() const;
 
   /** \brief Why the others have none, most frequent first: "3.1 % untextured, ...". */
   std::string
   rejected() const;
 
+  /** \brief For the report: of each observation its counts, in their order. */
+  const nlohmann::ordered_json&
+  entries() const
+  {
+    return entries_;
+  }
+
+  /** \brief What was odd about the observations, as warnings. */
+  void
+  warnOfRemarks(Tool& tool) const;
+
+private:
   void
   warn(Tool& tool, const StereoOptions& options, const ShotSource& source) const;
 

@@ -65,6 +65,13 @@ public:
     return threads_;
   }
 
+  /** \brief Whether nothing but errors is to be printed. */
+  bool
+  isQuiet() const
+  {
+    return quiet_;
+  }
+
   /** \brief Metres in a unit of the input. */
   double
   scale() const

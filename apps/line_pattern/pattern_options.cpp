@@ -32,6 +32,20 @@ addShowing(CLI::App& app, PatternOptions& options)
 } // namespace
 
 void
+addPatternLook(CLI::App& app, PatternOptions& options)
+{
+  app.add_option("--lines", options.lines, "Lines of a pattern, at most 10000")
+      ->type_name("N");
+  app.add_flag("--grey", options.grey, "Grey lines in place of coloured ones");
+  app.add_option("--min-angle",
+                 options.minimum_angle,
+                 "Least angle between lines and rows, degrees; 15 for rigs without a "
+                 "vertical pair of cameras")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 85.0).description(""));
+}
+
+void
 addOptions(Tool& tool, PatternOptions& options)
 {
   CLI::App& app = tool.options();
@@ -44,17 +58,9 @@ addOptions(Tool& tool, PatternOptions& options)
   app.add_option("--patterns", options.patterns, "How many patterns; a .png has one")
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));
-  app.add_option("--lines", options.lines, "Lines of a pattern, at most 10000")
-      ->type_name("N");
   app.add_option("--size", options.size, "Width and height of the projector, pixels")
       ->type_name("WxH");
-  app.add_flag("--grey", options.grey, "Grey lines in place of coloured ones");
-  app.add_option("--min-angle",
-                 options.minimum_angle,
-                 "Least angle between lines and rows, degrees; 15 for rigs without a "
-                 "vertical pair of cameras")
-      ->type_name("DEG")
-      ->check(CLI::Range(0.0, 85.0).description(""));
+  addPatternLook(app, options);
   tool.addSeed(options.seed);
   addShowing(app, options);
 }

@@ -27,6 +27,10 @@ struct PatternOptions {
 void
 addOptions(Tool& tool, PatternOptions& options);
 
+/** \brief Adds only those that say what the lines of a pattern look like. */
+void
+addPatternLook(CLI::App& app, PatternOptions& options);
+
 /** \brief Looks at them together: is it a folder or a picture?
  * \throws UsageError when they make no sense together */
 void

@@ -10,6 +10,11 @@ void
 addOptions(Tool& tool, CalibrationOptions& options)
 {
   CLI::App& app = tool.options();
+  app.add_option("--session",
+                 options.session,
+                 "Raw session of which each frame is a shot of the board, in place of "
+                 "images")
+      ->type_name("SESSION_DIR");
   const auto images = [&](RigCamera camera, const char* name, const char* purpose) {
     return app
         .add_option(name, options.images[static_cast<std::size_t>(camera)], purpose)
@@ -19,8 +24,7 @@ addOptions(Tool& tool, CalibrationOptions& options)
   };
   images(RigCamera::Reference,
          "--reference",
-         "Board images of the reference camera, PNG, JPEG, PGM or PPM, a shot each")
-      ->required();
+         "Board images of the reference camera, PNG, JPEG, PGM or PPM, a shot each");
   images(RigCamera::Horizontal,
          "--horizontal",
          "Of its neighbour in the row: the same shots in the same order");
@@ -57,6 +61,13 @@ void
 requireShots(const CalibrationOptions& options)
 {
   const auto& [reference, horizontal, vertical] = options.images;
+  if (reference.empty() == options.session.empty())
+    throw UsageError("either --session or --reference is needed");
+  if (!options.session.empty()) {
+    if (!horizontal.empty() || !vertical.empty())
+      throw UsageError("--session has the images of all cameras");
+    return;
+  }
   if (horizontal.empty() && vertical.empty())
     throw UsageError("--horizontal or --vertical is needed, or both");
   std::set<std::string> paths;

@@ -12,6 +12,7 @@ namespace pcl::acmap {
 
 /** \brief What the user asks for. */
 struct CalibrationOptions {
+  std::string session;                            ///< folder; empty: the images
   std::array<std::vector<std::string>, 3> images; ///< paths by \ref RigCamera
   std::string board = "9x6";
   double square = 0.0; ///< metres
@@ -28,8 +29,8 @@ CalibrationBoard
 boardOf(const CalibrationOptions& options);
 
 /** \brief Refuses lists that do not go together.
- * \throws UsageError when there is no neighbour, the lists differ in length or an image
- * stands twice */
+ * \throws UsageError when there is no neighbour, the lists differ in length, an image
+ * stands twice, or a session is named too */
 void
 requireShots(const CalibrationOptions& options);
 

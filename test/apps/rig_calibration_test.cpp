@@ -2,6 +2,7 @@
 #include "run_tool.h"
 #include "temporary_folder.h"
 
+#include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/image_file.h>
 
 #include <gmock/gmock.h>
@@ -101,6 +102,33 @@ protected:
 };
 
 TemporaryFolder* RigCalibrationTool::folder_ = nullptr;
+
+TEST_F(RigCalibrationTool, ASessionCountsAsItsImages)
+{
+  const TemporaryFolder recorded;
+  const std::string session = recorded.path("boards");
+  {
+    TrinocularRecorder recorder(session, TrinocularRig());
+    for (std::size_t shot = 0; shot < shot_count; ++shot) {
+      TrinocularFrame frame;
+      frame.number = shot;
+      frame.observation = static_cast<std::int32_t>(shot);
+      for (std::size_t i = 0; i < 3; ++i)
+        frame.images[i] = loadCameraImage(images_[i][shot]);
+      recorder.record(frame);
+    }
+    recorder.finish();
+  }
+  ASSERT_EQ(run().exit_code, 0);
+  const std::string of_images = contentOf(rig());
+  const std::vector<std::string> arguments = {
+      "--session", session, "--square", "0.03", "-o", rig()};
+  const ToolRun done = runTool(ACMAP_RIG_CALIBRATION, arguments);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(contentOf(rig()), of_images);
+  std::filesystem::remove(rig());
+  expectRefused(run({"--session", session}), 2, "either");
+}
 
 TEST_F(RigCalibrationTool, BoardsBecomeARig)
 {

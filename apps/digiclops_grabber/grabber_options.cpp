@@ -1,0 +1,279 @@
+#include "grabber_options.h"
+
+#include "camera_settings.h"
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double longest_wait = 86400;       // seconds, a day
+constexpr std::uint32_t most_patterns = 255; // that are fused with a shot without one
+
+CLI::Option*
+addNumberOrAuto(CLI::App& app,
+                const std::string& name,
+                NumberOrAuto& target,
+                double least,
+                double most,
+                const std::string& description)
+{
+  const auto fault = [least, most](const std::string& text) {
+    double number = 0;
+    const bool fits = text == "auto" || (CLI::detail::lexical_cast(text, number) &&
+                                         number >= least && number <= most);
+    return fits ? std::string()
+                : text + " is neither auto nor a number from " + shortNumber(least) +
+                      " to " + shortNumber(most);
+  };
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&target](const std::string& text) {
+            target.is_auto = text == "auto";
+            if (!target.is_auto)
+              target.number = std::stod(text);
+          },
+          description)
+      ->default_str("")
+      ->check(CLI::Validator(fault, ""));
+}
+
+void
+addPlaces(CLI::App& app, GrabberOptions& options)
+{
+  app.add_flag("--list", options.list, "List the cameras on the USB and stop");
+  app.add_option("--device",
+                 options.device,
+                 "Camera: its serial number, BUS:ADDRESS as --list has it, or "
+                 "usb:VENDOR:PRODUCT for a bridge; or the folder of a recording, which "
+                 "opens like a camera [default: the first camera that can be opened]")
+      ->type_name("ID|SESSION")
+      ->default_str("");
+  app.add_option("--rig",
+                 options.rig,
+                 "Rig of the camera; with its cameras as they are built, frames are "
+                 "recorded raw and rectified for the clouds")
+      ->type_name("RIG.yaml");
+  app.add_option("--pcd", options.clouds, "Folder for observations as point clouds")
+      ->type_name("DIR");
+  app.add_option("-o,--output", options.session, "Folder for the frames, a raw session")
+      ->type_name("SESSION");
+  app.add_flag("--live",
+               options.live,
+               "Show images and last cloud in a window; needs an X server");
+}
+
+void
+addAmounts(CLI::App& app, GrabberOptions& options)
+{
+  app.add_option("--observations",
+                 options.observations,
+                 "How many observations [default: 1, of a recording all]")
+      ->type_name("N")
+      ->default_str("")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+  app.add_option(
+         "--every",
+         options.every,
+         "From the begin of an observation to that of the next, seconds "
+         "[default: Enter begins it where input is a terminal, else it comes at "
+         "once]")
+      ->type_name("SECONDS")
+      ->default_str("")
+      ->check(CLI::Range(0.0, longest_wait).description(""));
+  app.add_option("--frames", options.frames, "With --patterns 0: stop after N frames")
+      ->type_name("N")
+      ->default_str("")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+  app.add_option("--seconds", options.seconds, "With --patterns 0: stop after so long")
+      ->type_name("SECONDS")
+      ->default_str("")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(0.0, 30 * longest_wait).description(""));
+}
+
+void
+addProjector(Tool& tool, GrabberOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("--patterns",
+                 options.pattern.patterns,
+                 "Patterns of an observation; 0 for no projector: a stream of frames")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint32_t{0}, most_patterns).description(""));
+  addPatternLook(app, options.pattern);
+  tool.addSeed(options.pattern.seed);
+  app.add_option("--monitor",
+                 options.pattern.monitor,
+                 "The projector's monitor, counted from 0")
+      ->type_name("K")
+      ->check(CLI::Range(0, 1000).description(""));
+  app.add_option("--display",
+                 options.display,
+                 "The projector's X server [default: DISPLAY of the environment]")
+      ->type_name("NAME")
+      ->default_str("");
+  addNumberOrAuto(
+      app,
+      "--settle",
+      options.settle,
+      0.0,
+      10.0,
+      "From a pattern's acknowledgement to its shot, seconds; auto measures "
+      "what is needed [default: 0.1]")
+      ->type_name("SECONDS|auto");
+  app.add_flag("--early",
+               options.early,
+               "End an observation when a further pattern would not help");
+}
+
+void
+addCamera(CLI::App& app, GrabberOptions& options)
+{
+  app.add_option("--mode",
+                 options.mode,
+                 "IIDC format and mode, say 7:0 [default: the first that fits the rig]")
+      ->type_name("F:M")
+      ->default_str("");
+  app.add_option("--rate", options.rate, "Frames a second of a stream")
+      ->type_name("HZ")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(0.0, 1000.0).description(""));
+  addNumberOrAuto(app,
+                  "--shutter",
+                  options.shutter,
+                  1e-6,
+                  60.0,
+                  "Exposure, seconds [default: as the camera is set]")
+      ->type_name("SECONDS|auto");
+  addNumberOrAuto(app,
+                  "--gain",
+                  options.gain,
+                  -100.0,
+                  100.0,
+                  "Gain, dB [default: as the camera is set]")
+      ->type_name("DB|auto");
+  app.add_option("--trigger",
+                 options.trigger,
+                 "What exposes a frame: the camera by itself (off), or its input "
+                 "(external)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"off", "external"}).description(""));
+  app.add_option("--channel-order",
+                 options.channel_order,
+                 "Cameras of a pixel's bytes, some order of r,h,v (reference, "
+                 "horizontal, vertical); auto finds it out")
+      ->type_name("R,H,V|auto");
+}
+
+using Names = std::vector<const char*>;
+
+void
+refuse(const CLI::App& app, const Names& names, const std::string& reason)
+{
+  for (const char* const name : names)
+    if (app.count(name) > 0)
+      throw UsageError(std::string(name) + " " + reason);
+}
+
+const Names for_projector = {"--lines",
+                             "--grey",
+                             "--min-angle",
+                             "--seed",
+                             "--monitor",
+                             "--display",
+                             "--settle",
+                             "--early",
+                             "--every",
+                             "--observations"};
+const Names for_stream = {"--frames", "--seconds"};
+const Names for_camera = {"--rig",
+                          "--every",
+                          "--patterns",
+                          "--mode",
+                          "--rate",
+                          "--shutter",
+                          "--gain",
+                          "--trigger",
+                          "--channel-order"};
+
+void
+requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
+{
+  if (options.rig.empty())
+    throw UsageError("--rig is needed, the rig of the camera");
+  if (!options.isStream()) {
+    refuse(app, for_stream, "is for a stream of frames, --patterns 0");
+    // Both are measured with shots of their own, for which nobody triggers.
+    if (options.trigger == "external" &&
+        (options.settle.is_auto || options.channel_order == "auto"))
+      throw UsageError("--trigger external with patterns needs --channel-order, and "
+                       "--settle in seconds");
+    return;
+  }
+  refuse(app, for_projector, "is for patterns, --patterns 0 has none");
+  if (!options.clouds.empty())
+    throw UsageError("--pcd needs patterns, --patterns 0 has none");
+}
+
+} // namespace
+
+bool
+GrabberOptions::isRecording() const
+{
+  std::error_code error;
+  return !device.empty() && std::filesystem::is_directory(device, error);
+}
+
+std::string
+GrabberOptions::rigPath() const
+{
+  return isRecording() ? device + "/rig.yaml" : rig;
+}
+
+void
+addOptions(Tool& tool, GrabberOptions& options)
+{
+  CLI::App& app = tool.options();
+  addPlaces(app, options);
+  addAmounts(app, options);
+  addProjector(tool, options);
+  addCamera(app, options);
+  addStereoChoices(app, options.stereo);
+  tool.addThreads();
+}
+
+void
+requireSense(Tool& tool, const GrabberOptions& options)
+{
+  const CLI::App& app = tool.options();
+  for (const char* const name : {"--device", "--rig", "--pcd", "--output"})
+    if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty())
+      throw UsageError(std::string(name) + " names nothing");
+  if (options.list) {
+    refuse(app, {"--pcd", "--output", "--live"}, "makes no sense with --list");
+    return;
+  }
+  if (options.clouds.empty() && options.session.empty() && !options.live)
+    throw UsageError("nothing to do: --pcd DIR, -o SESSION or --live is needed");
+  if (options.isRecording()) {
+    const std::string reason = "is for a camera, " + options.device + " is a recording";
+    refuse(app, for_camera, reason);
+    refuse(app, for_stream, reason);
+    for (const char* const name : for_projector)
+      if (std::string(name) != "--observations")
+        refuse(app, {name}, reason);
+  }
+  else
+    requireSenseOfCamera(app, options);
+  channelOrderOf(options.channel_order);
+  requireDepthOrder(options.stereo);
+}
+
+} // namespace pcl::acmap

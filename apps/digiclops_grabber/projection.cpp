@@ -1,0 +1,116 @@
+#include "projection.h"
+
+#include "memory.h"
+#include "order_check.h"
+
+#include <pcl/acquisition/projector_latency.h>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr double usual_settle_time = 0.1; // seconds
+constexpr double shot_timeout = 5;        // seconds, beyond exposure
+constexpr double external_timeout = 60;   // seconds; who triggers may take his time
+
+std::vector<RgbImage>
+drawPatterns(Tool& tool, PatternOptions pattern, const MonitorPlace& monitor)
+{
+  pattern.size = std::to_string(monitor.width) + "x" + std::to_string(monitor.height);
+  RandomLinePattern generator = generatorOf(pattern);
+  requireMemory(std::size_t{3} * pattern.patterns *
+                    static_cast<std::size_t>(monitor.width) *
+                    static_cast<std::size_t>(monitor.height),
+                "the patterns");
+  std::vector<RgbImage> patterns;
+  for (std::uint32_t i = 0; i < pattern.patterns; ++i) {
+    tool.stopIfInterrupted();
+    patterns.push_back(generator.generate(i));
+    for (const std::string& remark : generator.getReport().remarks)
+      tool.warn(remark);
+  }
+  return patterns;
+}
+
+RgbImage
+whiteOf(const MonitorPlace& monitor)
+{
+  const std::size_t pixels = static_cast<std::size_t>(monitor.width) *
+                             static_cast<std::size_t>(monitor.height);
+  return {monitor.width, monitor.height, std::vector<std::uint8_t>(3 * pixels, 255)};
+}
+
+double
+settleTime(Tool& tool,
+           const GrabberOptions& options,
+           const Device& device,
+           const shared_ptr<GuardedWindow>& window,
+           StatusLine& status)
+{
+  if (options.settle.number)
+    return *options.settle.number;
+  if (!options.settle.is_auto)
+    return usual_settle_time;
+  const RgbImage white = whiteOf(window->getMonitor());
+  const auto measured = measureSettleTime(device.camera, window, white);
+  device.camera->rewind();
+  if (!measured) {
+    tool.warn("the settle time could not be measured: the camera sees the projector's "
+              "light too faintly, or too late; it is taken as usual");
+    return usual_settle_time;
+  }
+  status.note("the projector settles in " + shortNumber(*measured) + " s");
+  return *measured;
+}
+
+} // namespace
+
+GuardedWindow::GuardedWindow(std::mutex& drawing,
+                             std::size_t monitor,
+                             const std::string& display)
+: drawing_(drawing)
+, window_(monitor, display)
+{}
+
+void
+GuardedWindow::show(const RgbImage& image)
+{
+  const std::lock_guard lock(drawing_);
+  window_.show(image);
+}
+
+void
+GuardedWindow::showNothing()
+{
+  const std::lock_guard lock(drawing_);
+  window_.showNothing();
+}
+
+Projection
+openProjection(Tool& tool,
+               const GrabberOptions& options,
+               const Device& device,
+               std::mutex& drawing,
+               StatusLine& status)
+{
+  Projection projection;
+  projection.window.reset(new GuardedWindow(
+      drawing, static_cast<std::size_t>(options.pattern.monitor), options.display));
+  GuardedWindow& window = *projection.window;
+  std::vector<RgbImage> patterns =
+      drawPatterns(tool, options.pattern, window.getMonitor());
+  // of fewer cameras the order cannot be found out
+  if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
+    checkOrder(tool, *device.camera, window, patterns, status);
+  const double settle = settleTime(tool, options, device, projection.window, status);
+  projection.sequence.reset(new PatternSequenceGrabber(
+      device.camera, projection.window, std::move(patterns)));
+  projection.sequence->setSettleTime(settle);
+  projection.sequence->setShotTimeout(
+      options.trigger == "external"
+          ? external_timeout
+          : shot_timeout + 3 * options.shutter.number.value_or(0.0));
+  return projection;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "device.h"
+#include "status_line.h"
+
+#include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/acquisition/pattern_window.h>
+
+#include <memory>
+#include <mutex>
+
+namespace pcl::acmap {
+
+/** \brief A projector's monitor, used while nobody else draws: Xlib is for one thread at a
+ * time. */
+class GuardedWindow : public PatternProjector {
+public:
+  /** \param[in] drawing is held while something is drawn; outlives it */
+  GuardedWindow(std::mutex& drawing, std::size_t monitor, const std::string& display);
+
+  const MonitorPlace&
+  getMonitor() const
+  {
+    return window_.getMonitor();
+  }
+
+  void
+  show(const RgbImage& image) override;
+
+  void
+  showNothing() override;
+
+private:
+  std::mutex& drawing_;
+  PatternWindow window_;
+};
+
+/** \brief The projector with its patterns, and the camera in step with it. */
+struct Projection {
+  shared_ptr<GuardedWindow> window;
+  shared_ptr<PatternSequenceGrabber> sequence;
+};
+
+/** \brief Opens the projector, draws the patterns, finds out what is left to find out: the
+ * order of the channels, the time to settle.
+ * \throws BadArgumentException, IOException as \ref PatternWindow
+ * \throws MemoryRefused when the patterns do not fit
+ * \throws CameraException when a shot cannot be had
+ * \throws CancelledException when the user interrupted it */
+Projection
+openProjection(Tool& tool,
+               const GrabberOptions& options,
+               const Device& device,
+               std::mutex& drawing,
+               StatusLine& status);
+
+} // namespace pcl::acmap

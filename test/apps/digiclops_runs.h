@@ -1,0 +1,27 @@
+#pragma once
+
+#include "run_tool.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap::test {
+
+/** \brief Runs pcl_digiclops_grabber. */
+ToolRun
+runGrabber(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
+/** \brief Checks that it gave up as it should: the exit code, nothing on stdout, and a
+ * last line on stderr that begins with its name and holds a word. */
+void
+expectGrabberFails(const ToolRun& run, int exit_code, const std::string& word);
+
+/** \brief Names of the files of a folder, in order. */
+std::vector<std::string>
+namesIn(const std::string& folder);
+
+/** \brief Checks that both folders have the same files, byte for byte. */
+void
+expectSameFiles(const std::string& folder, const std::string& as);
+
+} // namespace pcl::acmap::test
