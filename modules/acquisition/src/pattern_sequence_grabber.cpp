@@ -1,3 +1,4 @@
+#include "pattern/image_fit.h"
 #include "sequence/sequence_stream.h"
 
 #include <pcl/acquisition/pattern_sequence_grabber.h>
@@ -16,11 +17,7 @@ requireWholePatterns(const std::vector<RgbImage>& patterns)
 {
   for (std::size_t i = 0; i < patterns.size(); ++i) {
     const RgbImage& image = patterns[i];
-    const auto side = [](std::int32_t pixels) {
-      return static_cast<std::size_t>(pixels);
-    };
-    if (image.width <= 0 || image.height <= 0 ||
-        image.values.size() != 3 * side(image.width) * side(image.height))
+    if (!acmap::isWhole(image))
       throw BadArgumentException("pattern " + std::to_string(i) + " of " +
                                  std::to_string(image.width) + " x " +
                                  std::to_string(image.height) + " pixels has " +

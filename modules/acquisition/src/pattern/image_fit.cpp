@@ -8,9 +8,7 @@ namespace {
 void
 requireWhole(const RgbImage& image)
 {
-  const bool is_empty = image.width <= 0 || image.height <= 0;
-  if (is_empty || image.values.size() != 3 * static_cast<std::size_t>(image.width) *
-                                             static_cast<std::size_t>(image.height))
+  if (!isWhole(image))
     throw BadArgumentException("an image of " + std::to_string(image.width) + " x " +
                                std::to_string(image.height) + " px with " +
                                std::to_string(image.values.size()) +
@@ -33,6 +31,14 @@ pixelUnder(std::int64_t i, std::int64_t n, std::int64_t m)
 }
 
 } // namespace
+
+bool
+isWhole(const RgbImage& image)
+{
+  return image.width > 0 && image.height > 0 &&
+         image.values.size() == 3 * static_cast<std::size_t>(image.width) *
+                                    static_cast<std::size_t>(image.height);
+}
 
 ImagePlace
 placeOf(const RgbImage& image, int monitor_width, int monitor_height)

@@ -4,6 +4,10 @@
 
 namespace pcl::acmap {
 
+/** \brief Whether an image has at least a pixel, and all its values. */
+bool
+isWhole(const RgbImage& image);
+
 /** \brief Where an image lies on a monitor, pixels. */
 struct ImagePlace {
   int x = 0;
