@@ -11,7 +11,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds surely_settled(700);
-constexpr std::size_t most_shots = 3; // that a grabber looks at
 
 /** \brief No longer than until the user interrupts it. */
 template <typename Condition>
@@ -55,7 +54,9 @@ checkOrder(Tool& tool,
            const std::vector<RgbImage>& patterns,
            StatusLine& status)
 {
-  for (std::size_t i = 0; i < std::min(most_shots, patterns.size()); ++i) {
+  const std::size_t shots =
+      std::min<std::size_t>(DigiclopsGrabber::most_order_checks, patterns.size());
+  for (std::size_t i = 0; i < shots; ++i) {
     projector.show(patterns[i]);
     const Clock::time_point settled = Clock::now() + surely_settled;
     waitWhile(tool, [&] { return Clock::now() < settled; });

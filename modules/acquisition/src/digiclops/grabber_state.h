@@ -17,9 +17,6 @@ struct DigiclopsGrabber::State {
   /** \brief The paper's camera works at so many frames a second. */
   static constexpr float paper_rate = 14.0F;
 
-  /** \brief Of the channel order, unless one decides before. */
-  static constexpr int most_checks = 3;
-
   State(const TrinocularRig& frame_rig, IidcBusOpener opener);
 
   void
@@ -56,7 +53,7 @@ struct DigiclopsGrabber::State {
   double timeout = 0.5; // seconds
   ChannelOrder order;
   bool is_order_fixed = false;
-  int checks_left = most_checks; // of order, under calibration
+  int checks_left = most_order_checks; // of order, under calibration
   RigCalibration calibration;
   acmap::BayerPattern bayer = acmap::BayerPattern::None;
   std::uint64_t next_number = 0;

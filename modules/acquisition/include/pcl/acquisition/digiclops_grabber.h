@@ -69,6 +69,9 @@ public:
    * error, after the last frame. */
   using ErrorCallback = void(const CameraException& error);
 
+  /** \brief The channel order is looked for in so many frames, unless one decides. */
+  static constexpr int most_order_checks = 3;
+
   /** \brief Opens a camera on the USB, in the mode of the rig's size and number of
    * cameras, at 14 frames a second (the paper's) or what comes nearest.
    * \param[in] rig of the frames; a baseline of 0 says that there is no such camera
