@@ -14,14 +14,15 @@ namespace {
 /** Opens the camera that it opened first, wherever it was plugged in since. */
 struct UsbOpener {
   std::string device;
+  bool is_lasting; ///< it names the same camera when that was replugged
 
   std::unique_ptr<IidcBus>
   operator()()
   {
     std::unique_ptr<IidcBus> bus = openUsbBus(device);
-    const bool is_bridge = device.rfind("usb:", 0) == 0;
-    if (!is_bridge)
+    if (!is_lasting)
       device = acmap::textOfGuid(acmap::readConfigRom(*bus).guid);
+    is_lasting = true;
     return bus;
   }
 };
@@ -29,7 +30,7 @@ struct UsbOpener {
 } // namespace
 
 DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, const std::string& device)
-: DigiclopsGrabber(rig, UsbOpener{device})
+: DigiclopsGrabber(rig, UsbOpener{device, device.rfind("usb:", 0) == 0})
 {}
 
 DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, IidcBusOpener opener)
