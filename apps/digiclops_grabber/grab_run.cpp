@@ -80,6 +80,16 @@ GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
     std::rethrow_exception(grabber_->getError());
 }
 
+/** Likewise; nothing but an error or the user ends the stream early. */
+void
+GrabRun::pumpAll(const UseFrame& use)
+{
+  pump(use, [&] {
+    tool_.stopIfInterrupted();
+    return false;
+  });
+}
+
 void
 GrabRun::idle()
 {
@@ -106,10 +116,7 @@ GrabRun::passRecording()
     outputs_.take(frame, progress());
     return true;
   };
-  pump(use, [&] {
-    tool_.stopIfInterrupted();
-    return false;
-  });
+  pumpAll(use);
   outputs_.close(progress());
 }
 
@@ -164,10 +171,7 @@ GrabRun::passObservations(PatternSequenceGrabber& sequence)
       outputs_.take(frame, progress());
       return true;
     };
-    pump(use, [&] {
-      tool_.stopIfInterrupted();
-      return false;
-    });
+    pumpAll(use);
     outputs_.close(progress());
   }
 }

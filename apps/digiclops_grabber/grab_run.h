@@ -68,6 +68,9 @@ private:
   pump(const UseFrame& use, const std::function<bool()>& is_over);
 
   void
+  pumpAll(const UseFrame& use);
+
+  void
   idle();
 
   ProgressCallback
