@@ -115,7 +115,25 @@ TEST_F(PlyFaces, ReadsWhatSaveTriangleMeshWrote)
   mesh.triangles = {{4, 0, 1}, {2, 3, 4}};
   mesh.wall_depth = {0, TriangleMesh::no_wall};
   saveTriangleMesh(folder_.path("out.ply"), cloud, mesh);
-  EXPECT_EQ(loadTriangleMesh(folder_.path("out.ply")).triangles, mesh.triangles);
+  const TriangleMesh read = loadTriangleMesh(folder_.path("out.ply"));
+  EXPECT_EQ(read.triangles, mesh.triangles);
+  EXPECT_EQ(read.wall_depth, mesh.wall_depth);
+}
+
+TEST_F(PlyFaces, GivesEachTriangleOfAPolygonItsWallDepth)
+{
+  const auto withDepths = [&](const std::string& first, const std::string& second) {
+    return folder_.write("in.ply",
+                         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                         "property float y\nproperty float z\nelement face 2\n"
+                         "property int wall_depth\nproperty list uchar int "
+                         "vertex_indices\nend_header\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n" +
+                             first + " 4 0 1 2 3\n" + second + " 3 0 1 2\n");
+  };
+  EXPECT_EQ(loadTriangleMesh(withDepths("7", "255")).wall_depth,
+            (std::vector<std::uint8_t>{7, 7, TriangleMesh::no_wall}));
+  for (const char* depth : {"256", "-1", "0.5", "nan"})
+    EXPECT_THROW(loadTriangleMesh(withDepths("0", depth)), InputFileException) << depth;
 }
 
 } // namespace

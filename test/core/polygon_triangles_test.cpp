@@ -300,6 +300,59 @@ TEST(PolygonTriangles, DegenerateOnesAreEmpty)
                BadArgumentException);
 }
 
+/** Places of a grid over 0 to 20 that triangles cover more than once, or that are outside
+ * of the rim or in a hole and are covered. */
+int
+badlyCovered(const PlanePolygon& polygon,
+             const std::vector<TriangleMesh::Triangle>& triangles)
+{
+  const auto windings = [](const Loop& loop, double x, double y) {
+    int count = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Eigen::Vector3d a = loop[i].cast<double>();
+      const Eigen::Vector3d b = loop[(i + 1) % loop.size()].cast<double>();
+      if ((a.y() > y) != (b.y() > y) &&
+          a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) > x)
+        count += b.y() > a.y() ? 1 : -1;
+    }
+    return loopArea(loop) > 0 ? count : loopArea(loop) < 0 ? -count : 0;
+  };
+  const std::vector<Eigen::Vector3f> points = pointsOfPolygon(polygon);
+  int bad = 0;
+  for (double x = 0.137; x < 20; x += 0.53)
+    for (double y = 0.171; y < 20; y += 0.53) {
+      int inside = windings(polygon.outer, x, y);
+      for (const Loop& hole : polygon.holes)
+        inside -= windings(hole, x, y);
+      int cover = 0;
+      for (const auto& [a, b, c] : triangles)
+        cover += windings({points[static_cast<std::size_t>(a)],
+                           points[static_cast<std::size_t>(b)],
+                           points[static_cast<std::size_t>(c)]},
+                          x,
+                          y);
+      bad += cover > (inside > 0 ? 1 : 0);
+    }
+  return bad;
+}
+
+TEST(PolygonTriangles, CrossingRimsLackTriangles)
+{
+  // The tip of a rim pokes through its other side, and a hole out of the rim.
+  const PlanePolygon poked{
+      cornersOf({{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, -1}, {9, 10}, {0, 10}}), {}};
+  const PlanePolygon left{cornersOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}),
+                          {cornersOf({{5, 5}, {5, 7}, {15, 6}})}};
+  // Two parts that turn against each other and meet in a corner.
+  const PlanePolygon eight{
+      cornersOf({{0, 0}, {8, 0}, {10, 5}, {12, 9}, {16, 9}, {16, 1}, {10, 5}, {0, 9}}),
+      {}};
+  for (const PlanePolygon& polygon : {poked, left, eight}) {
+    EXPECT_EQ(badlyCovered(polygon, trianglesOfPolygon(polygon, up)), 0);
+    EXPECT_GT(totalArea(polygon), 0);
+  }
+}
+
 TEST(PolygonTriangles, CrossingRimsEnd)
 {
   Random random(5);
@@ -319,6 +372,7 @@ TEST(PolygonTriangles, CrossingRimsEnd)
     const auto points = pointsOf(polygon);
     const auto triangles = trianglesOfPolygon(polygon, up);
     EXPECT_LE(triangles.size(), points.size() + 4);
+    EXPECT_EQ(badlyCovered(polygon, triangles), 0) << round;
     for (const auto& triangle : triangles)
       EXPECT_GT(areaOf(points, triangle, up), 0);
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -118,6 +119,21 @@ holdsCorners(const PlyProperty& property)
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+bool
+holdsDepth(const PlyProperty& property)
+{
+  return !property.isList() && property.name == "wall_depth";
+}
+
+std::uint8_t
+depthOf(double value, std::uint64_t face, const ByteSource& source)
+{
+  if (!(value >= 0 && value <= TriangleMesh::no_wall && value == std::floor(value)))
+    source.fail("face " + std::to_string(face) +
+                " has a wall_depth that is none of 0 to 255");
+  return static_cast<std::uint8_t>(value);
+}
+
 /** \brief Adds a polygon as a fan of triangles. */
 void
 addPolygon(const std::vector<double>& corners,
@@ -148,9 +164,15 @@ readFaces(PlyValues& values,
   std::vector<double> others;
   for (std::uint64_t row = 0; row < element.rows; ++row) {
     values.beginRow(element);
+    std::optional<std::uint8_t> depth;
     for (const PlyProperty& property : element.properties)
-      values.skip(property, holdsCorners(property) ? corners : others);
+      if (holdsDepth(property))
+        depth = depthOf(values.next(property.datatype), row, source);
+      else
+        values.skip(property, holdsCorners(property) ? corners : others);
     addPolygon(corners, vertices, mesh, source);
+    if (depth)
+      mesh.wall_depth.resize(mesh.triangles.size(), *depth);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <pcl/core/polygon_triangles.h>
 
 #include "polygons/polygon_ring.h"
+#include "polygons/ring_crossings.h"
 
 #include <algorithm>
 
@@ -271,8 +272,9 @@ trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
   acmap::PolygonRings rings = acmap::ringsOf(polygon, normal);
   if (rings.rim < 0)
     return {};
+  const acmap::RingCrossings crossings(rings);
   acmap::bridgeHoles(rings);
-  return EarClipping(rings.nodes, rings.rim).run();
+  return crossings.sound(EarClipping(rings.nodes, rings.rim).run());
 }
 
 std::vector<Eigen::Vector3f>

@@ -31,10 +31,11 @@ saveTriangleMesh(const std::string& path,
                  const TriangleMesh& mesh);
 
 /** \brief Reads the faces of a PLY or OBJ, polygons as fans of triangles; their corners
- * count in the cloud that \ref loadPointCloud gives for the same file.
+ * count in the cloud that \ref loadPointCloud gives for the same file. A face property
+ * `wall_depth` of a PLY becomes \ref TriangleMesh::wall_depth.
  * \return no triangle where the file has no faces
  * \throws InputFileException as \ref loadPointCloud, and when a face has a corner outside
- * of the vertices. \ingroup core */
+ * of the vertices, or a `wall_depth` that is none of 0 to 255. \ingroup core */
 ACMAP_EXPORT TriangleMesh
 loadTriangleMesh(const std::string& path);
 

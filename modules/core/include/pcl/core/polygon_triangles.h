@@ -18,8 +18,8 @@ namespace pcl {
  * either way. Signs are exact, on a grid of 2^-29 of the polygon's extent. No point is
  * added; points in the middle of a straight run may have no triangle. Points that are not
  * finite are passed over, loops without an area are no loops. Where rims cross, which no
- * triangulation without new points can follow, triangles near the crossing overlap or lie
- * outside; holes outside of the rim are left out.
+ * triangulation without new points can follow, triangles are missing; those that are there
+ * lie inside and do not overlap. Holes outside of the rim are left out.
  * Time O(n^2), memory O(n).
  * \param[in] polygon metres
  * \param[in] normal of its plane, of any length
