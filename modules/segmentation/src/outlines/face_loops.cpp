@@ -12,7 +12,7 @@ struct RimEdge {
 };
 
 /** Edges with a triangle on their left only, by where they begin. */
-std::vector<RimEdge>
+std::vector<std::pair<std::int32_t, std::int32_t>>
 rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
 {
   std::vector<std::pair<std::int32_t, std::int32_t>> edges;
@@ -20,10 +20,10 @@ rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
     for (std::size_t k = 0; k < 3; ++k)
       edges.emplace_back(t[k], t[(k + 1) % 3]);
   std::sort(edges.begin(), edges.end());
-  std::vector<RimEdge> rim;
+  std::vector<std::pair<std::int32_t, std::int32_t>> rim;
   for (const auto& [from, to] : edges)
     if (!std::binary_search(edges.begin(), edges.end(), std::make_pair(to, from)))
-      rim.push_back({from, to});
+      rim.emplace_back(from, to);
   return rim;
 }
 
@@ -67,7 +67,16 @@ std::vector<std::vector<std::int32_t>>
 faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
           const std::vector<Eigen::Vector2d>& places)
 {
-  std::vector<RimEdge> rim = rimEdges(triangles);
+  return edgeLoops(rimEdges(triangles), places);
+}
+
+std::vector<std::vector<std::int32_t>>
+edgeLoops(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+          const std::vector<Eigen::Vector2d>& places)
+{
+  std::vector<RimEdge> rim;
+  for (const auto& [from, to] : edges)
+    rim.push_back({from, to});
   std::vector<std::vector<std::int32_t>> loops;
   for (RimEdge& first : rim) {
     std::vector<std::int32_t> loop;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap::outlines {
@@ -15,6 +16,11 @@ namespace pcl::acmap::outlines {
  * \param[in] places of all vertices in the plane */
 std::vector<std::vector<std::int32_t>>
 faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
+          const std::vector<Eigen::Vector2d>& places);
+
+/** The same of edges, sorted, that have the surface on their left. */
+std::vector<std::vector<std::int32_t>>
+edgeLoops(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
           const std::vector<Eigen::Vector2d>& places);
 
 } // namespace pcl::acmap::outlines

@@ -2,6 +2,7 @@
 
 #include "outlines/crease_snap.h"
 #include "outlines/face_loops.h"
+#include "outlines/loop_crossings.h"
 
 #include <algorithm>
 
@@ -73,10 +74,19 @@ lift(const Loop& loop, const PatchFrame& frame)
 }
 
 /** Loops as polygons: each hole in the least rim around it. Holes and islands of a few
- * triangles are what the mesh happened to miss or to catch. */
+ * triangles are what the mesh happened to miss or to catch. Loops that were drawn to lines
+ * and simplified each on its own may cross. */
 void
-setPolygons(const std::vector<Loop>& loops, double least_area, PlanePatch& patch)
+setPolygons(const std::vector<Loop>& shaped,
+            double least_area,
+            double spacing,
+            PlanePatch& patch)
 {
+  std::vector<Loop> large;
+  for (const Loop& loop : shaped)
+    if (std::abs(signedArea(loop)) >= least_area)
+      large.push_back(loop);
+  const std::vector<Loop> loops = disentangled(large, 1e-3 * spacing);
   const PatchFrame frame{patch};
   std::vector<const Loop*> rims;
   for (const Loop& loop : loops)
@@ -95,7 +105,8 @@ setPolygons(const std::vector<Loop>& loops, double least_area, PlanePatch& patch
     if (signedArea(loop) > -least_area)
       continue;
     for (std::size_t r = rims.size(); r-- > 0;)
-      if (contains(*rims[r], loop[0])) {
+      // in the middle of an edge: corners may touch the rim
+      if (contains(*rims[r], (loop[0] + loop[1]) / 2)) {
         patch.polygons[r].holes.push_back(lift(loop, frame));
         patch.area += signedArea(loop);
         break;
@@ -175,9 +186,10 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
     if (known.planes[p].trust != PlaneTrust::Strip)
       setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
                   least_area,
+                  known.spacing,
                   patch);
     if (patch.polygons.empty() && !triangles.empty())
-      setPolygons(rectangles(known, p, snap), 0, patch);
+      setPolygons(rectangles(known, p, snap), 0, known.spacing, patch);
   }
 }
 
