@@ -54,6 +54,8 @@ unseenPlanes(const std::string& scene)
 {
   if (scene == "corridor_drive")
     return {"near end", "far end"};
+  if (scene == "corridor_survey")
+    return {"far end"};
   if (scene == "l_corridor" || scene == "l_corridor_drive")
     return {"end of arm 1"};
   return {};
@@ -200,6 +202,29 @@ TEST(Drives, HaveTheBuildingsOfTheOthers)
     for (std::size_t i = 0; i < building.planes().size(); ++i)
       EXPECT_EQ(driven.planes()[i].coefficients, building.planes()[i].coefficients);
   }
+}
+
+/** Places that are passed twice, looking both ways; steps that motion is seen over. */
+TEST(Survey, GoesUpComesBackAndTurnsHome)
+{
+  const SimulatedScene scene = standardScene("corridor_survey");
+  ASSERT_EQ(scene.views.size(), 106u);
+  EXPECT_EQ(scene.sensor.pointsOfView(14), 138654u); // 14 697 233 in all
+  EXPECT_EQ(scene.sensor.pointsOfView(15), 138653u);
+  constexpr std::size_t up = 41, on_the_spot = 12;
+  for (std::size_t i = 0; i < up; ++i) {
+    const Eigen::Isometry3d& there = scene.views[i];
+    const Eigen::Isometry3d& back = scene.views[up + on_the_spot + up - 1 - i];
+    EXPECT_TRUE(there.translation().isApprox(back.translation(), 1e-9)) << i;
+    EXPECT_GT(there.linear()(2, 2), 0.98) << i;
+    EXPECT_LT(back.linear()(2, 2), -0.98) << i;
+  }
+  for (std::size_t view = 1; view < scene.views.size(); ++view) {
+    const Eigen::Isometry3d step = scene.views[view - 1].inverse() * scene.views[view];
+    EXPECT_LT(step.translation().norm(), 0.51) << view;
+    EXPECT_LT(Eigen::AngleAxisd(step.linear()).angle() * 180 / M_PI, 15.1) << view;
+  }
+  EXPECT_TRUE(scene.views.back().isApprox(scene.views.front(), 1e-9));
 }
 
 TEST(Office, PartitionIsSeenFromBothSides)

@@ -9,7 +9,8 @@
 namespace pcl {
 
 /** \brief Names of the scenes that acmap measures itself with: `corridor`,
- * `corridor_drive`, `l_corridor`, `l_corridor_drive`, `loop`, `office`. \ingroup simulation */
+ * `corridor_drive`, `corridor_survey`, `l_corridor`, `l_corridor_drive`, `loop`,
+ * `office`. \ingroup simulation */
 ACMAP_EXPORT const std::vector<std::string>&
 standardSceneNames();
 
