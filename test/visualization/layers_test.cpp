@@ -214,7 +214,14 @@ TEST_F(LayersInAWindow, HelpNamesAllKeys)
 {
   open();
   press('h');
-  for (const char* word : {"1 points", "6 trajectory", "p or shift", "q: end"})
+  for (const char* word : {"1 points",
+                           "6 trajectory",
+                           "b: before",
+                           "t: planes",
+                           "n, N",
+                           "space: fly",
+                           "p or shift",
+                           "q: end"})
     EXPECT_NE(told_.find(word), std::string::npos) << word;
 }
 

@@ -90,6 +90,20 @@ TEST_F(Snapshot, BackFacesHaveATint)
   EXPECT_GT(std::abs(blueness(front) - blueness(back)), 20);
 }
 
+TEST_F(Snapshot, EdgesAreLinesOnAFlatSurface)
+{
+  mesh_.triangles.resize(2); // few enough to be flat
+  SceneView view;
+  view.from = Eigen::Vector3f(0, 0, 3.5F);
+  saveSnapshot(path_, cloud_, mesh_, view);
+  const std::size_t plain = ShownPicture(path_).differentColors();
+  const std::string before = contentOf(path_);
+  view.show_edges = true;
+  saveSnapshot(path_, cloud_, mesh_, view);
+  EXPECT_NE(contentOf(path_), before);
+  EXPECT_GT(ShownPicture(path_).differentColors(), plain);
+}
+
 TEST_F(Snapshot, FailsWithoutAFolderAndLeavesNothing)
 {
   EXPECT_THROW(saveSnapshot(folder_.path("none/out.png"), cloud_, mesh_),

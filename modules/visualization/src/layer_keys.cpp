@@ -1,5 +1,7 @@
 #include "layer_keys.h"
 
+#include "wall_actors.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/visualization/plane_card.h>
 
@@ -9,9 +11,18 @@
 
 namespace pcl::acmap {
 
+namespace {
+
+constexpr int tick = 40; // milliseconds
+
+} // namespace
+
 const char* const layer_help =
     "1 points   2 mesh   3 normals   4 planes   5 texture   "
     "6 trajectory: on and off\n"
+    "b: before and after rectification   t: planes with and without texture\n"
+    "n, N: next and previous step of the walls that made the mesh\n"
+    "space: fly along the trajectory, and stop\n"
     "p or shift and click: the card of the plane under the "
     "mouse\n"
     "r: all in view   w, s: wires, surfaces   h: this help   "
@@ -29,6 +40,7 @@ LayerKeys::attach(LayerStage& stage,
   stage_ = &stage;
   scene_ = &scene;
   tell_ = tell;
+  replay_.emplace(stage);
   vtkTextProperty* const text = card_->GetTextProperty();
   text->SetFontFamilyToCourier();
   text->SetFontSize(font_pixels);
@@ -45,13 +57,39 @@ LayerKeys::OnChar()
 {
   const char key = Interactor->GetKeyCode();
   if (key >= '1' && key <= '6')
-    toggle(static_cast<SceneLayer>(key - '0'));
+    attempt([&] { toggle(static_cast<SceneLayer>(key - '0')); });
+  else if (key == 'b')
+    attempt([&] { toggleBefore(); });
+  else if (key == 't')
+    attempt([&] { toggleTexture(); });
+  else if (key == 'n')
+    attempt([&] { stepOn(); });
+  else if (key == 'N')
+    attempt([&] { stepBack(); });
+  else if (key == ' ')
+    attempt([&] { toggleFlight(); });
   else if (key == 'p')
     showCard();
   else if (key == 'h')
     say(layer_help);
   else
     vtkInteractorStyleTrackballCamera::OnChar();
+}
+
+void
+LayerKeys::OnTimer()
+{
+  if (!replay_ || !replay_->isRunning()) {
+    vtkInteractorStyleTrackballCamera::OnTimer();
+    return;
+  }
+  replay_->advance(tick / 1000.0);
+  caption(replay_->describe());
+  if (!replay_->isRunning()) {
+    stopFlight();
+    say("end of the trajectory\n");
+  }
+  Interactor->Render();
 }
 
 void
@@ -64,10 +102,10 @@ LayerKeys::OnLeftButtonDown()
 }
 
 void
-LayerKeys::toggle(SceneLayer layer)
+LayerKeys::attempt(const std::function<void()>& deed)
 {
   try {
-    stage_->show(layer, !stage_->isShown(layer));
+    deed();
   }
   // an exception must not pass through the window's loop
   catch (const PCLException& e) {
@@ -77,19 +115,105 @@ LayerKeys::toggle(SceneLayer layer)
 }
 
 void
+LayerKeys::toggle(SceneLayer layer)
+{
+  stage_->show(layer, !stage_->isShown(layer));
+}
+
+void
+LayerKeys::toggleBefore()
+{
+  const bool before = stage_->act() == Act::Before;
+  stage_->play(before ? Act::Map : Act::Before);
+  stopFlight();
+  replay_->leave();
+  caption({});
+  say(before ? "after rectification\n" : "before rectification\n");
+}
+
+void
+LayerKeys::toggleTexture()
+{
+  if (stage_->act() == Act::Before)
+    throw BadArgumentException("there is no texture before rectification");
+  const bool textured = stage_->isShown(SceneLayer::Texture);
+  stage_->show(textured ? SceneLayer::Planes : SceneLayer::Texture, true);
+  stage_->show(textured ? SceneLayer::Texture : SceneLayer::Planes, false);
+  say(textured ? "planes without texture\n" : "planes with texture\n");
+}
+
+void
+LayerKeys::stepOn()
+{
+  const bool is_first = stage_->act() != Act::Walls;
+  if (!is_first && stage_->step() + 1 == wallSteps(scene_->mesh)) {
+    say("this is the last step of the walls; N goes back\n");
+    return;
+  }
+  stage_->playStep(is_first ? 0 : stage_->step() + 1);
+  say(describeWalls(scene_->mesh, stage_->step()));
+}
+
+void
+LayerKeys::stepBack()
+{
+  if (stage_->act() != Act::Walls) {
+    say("no step of the walls is shown; n shows the first\n");
+    return;
+  }
+  if (stage_->step() > 0) {
+    stage_->playStep(stage_->step() - 1);
+    say(describeWalls(scene_->mesh, stage_->step()));
+    return;
+  }
+  stage_->play(Act::Map);
+  say("no step of the walls\n");
+}
+
+void
+LayerKeys::toggleFlight()
+{
+  if (replay_->isRunning()) {
+    stopFlight();
+    return;
+  }
+  replay_->start();
+  caption(replay_->describe());
+  if (replay_->isRunning())
+    timer_ = Interactor->CreateRepeatingTimer(tick);
+}
+
+void
+LayerKeys::stopFlight()
+{
+  replay_->stop();
+  if (timer_ != 0)
+    Interactor->DestroyTimer(timer_);
+  timer_ = 0;
+}
+
+void
 LayerKeys::showCard()
 {
   const int* const place = Interactor->GetEventPosition();
   const auto plane = stage_->planeAt(place[0], place[1]);
   if (plane) {
     const std::string card = planeCard(scene_->map.planes[*plane], *plane);
-    card_->SetInput(card.substr(0, card.size() - 1).c_str()); // no empty last line
+    caption(card.substr(0, card.size() - 1)); // no empty last line
     say(card);
   }
-  else
+  else {
+    caption({});
     say("no plane there\n");
-  card_->SetVisibility(plane.has_value());
+  }
   Interactor->Render();
+}
+
+void
+LayerKeys::caption(const std::string& text)
+{
+  card_->SetInput(text.c_str());
+  card_->SetVisibility(!text.empty());
 }
 
 void

@@ -1,9 +1,10 @@
 #include "layer_stage.h"
 
 #include "assembly.h"
-#include "camera_fit.h"
+#include "flight.h"
+#include "layer_actors.h"
 #include "ray.h"
-#include "scene_renderer.h"
+#include "scale_bar.h"
 #include "stage.h"
 
 #include <pcl/exceptions.h>
@@ -24,6 +25,19 @@ bool
 hasColors(const TextureChart& chart)
 {
   return !chart.colors.values.empty();
+}
+
+/** \brief A view whose eye is not that of a pose.
+ * \throws BadArgumentException when it has two places for the eye */
+LayeredView
+withoutPose(LayeredView view)
+{
+  if (!view.at_pose)
+    return view;
+  if (view.from || view.look || view.place != MapView::Place::Outside)
+    throw BadArgumentException("a view from a pose has no other place of the eye");
+  view.place = MapView::Place::Inside; // backs are seen there
+  return view;
 }
 
 } // namespace
@@ -54,7 +68,7 @@ usualLayers(const LayeredScene& scene)
        {SceneLayer::Texture, SceneLayer::Planes, SceneLayer::Mesh, SceneLayer::Points})
     if (usual.empty() && all.count(layer) != 0)
       usual.insert(layer);
-  if (all.count(SceneLayer::Planes) != 0 && all.count(SceneLayer::Trajectory) != 0)
+  if (all.count(SceneLayer::Trajectory) != 0)
     usual.insert(SceneLayer::Trajectory);
   return usual;
 }
@@ -63,29 +77,89 @@ namespace acmap {
 
 LayerStage::LayerStage(const LayeredScene& scene, const LayeredView& view)
 : scene_(scene)
-, view_(view)
+, view_(withoutPose(view))
 {
   std::set<SceneLayer> all = layersOf(scene);
   all.erase(SceneLayer::Trajectory); // by itself it tells nothing of a place
   if (all.empty())
     throw InitFailedException("nothing to show: the scene has no points and no planes");
+  if (view.before && view.wall_step)
+    throw BadArgumentException("the walls have no steps before rectification");
   if (!scene.map.planes.empty())
-    drawing_.emplace(scene.map, view);
-  else if (view.place != MapView::Place::Outside)
-    throw BadArgumentException(
-        "a view from inside and a plan need planes, and there are none");
-  camera_ = drawing_ ? drawing_->camera() : cameraOfScene();
-  const bool has_surface = drawing_ || all.count(SceneLayer::Mesh) != 0;
-  renderer_ = makeStage(camera_, has_surface);
-  for (const SceneLayer layer : view.layers.empty() ? usualLayers(scene) : view.layers)
+    drawing_.emplace(scene.map, view_);
+  else if (view.place == MapView::Place::Inside ||
+           (view.place == MapView::Place::Plan && scene.map.trajectory.poses.empty()))
+    throw BadArgumentException("a view from inside needs planes, a plan planes or a "
+                               "trajectory, and there are none");
+  camera_ = drawing_ ? drawing_->camera() : cameraOf(scene, view_);
+  renderer_ = makeStage(camera_, true);
+
+  shown_[Act::Map] = usualLayers(scene);
+  shown_[Act::Before] = layersBefore(scene);
+  shown_[Act::Walls] = {SceneLayer::Mesh};
+  const Act first = view.before ? Act::Before : view.wall_step ? Act::Walls : Act::Map;
+  require(first);
+  if (!view.layers.empty())
+    shown_[first].clear();
+  act_ = first;
+  for (const SceneLayer layer : view.layers)
     show(layer, true);
+  if (view.wall_step)
+    playStep(*view.wall_step);
+  else
+    play(first);
+  if (view.at_pose)
+    lookFrom(*view.at_pose);
+}
+
+void
+LayerStage::require(Act act) const
+{
+  if (act == Act::Before && layersBefore(scene_).empty())
+    throw BadArgumentException(
+        scene_.trajectory_before.poses.empty()
+            ? "there is nothing to show as before rectification: no trajectory_before"
+            : "there is nothing to show as before rectification: " +
+                  std::to_string(scene_.trajectory_before.poses.size()) +
+                  " poses before, " +
+                  std::to_string(scene_.map.trajectory.poses.size()) + " after");
+  if (act == Act::Walls && wallSteps(scene_.mesh) == 0)
+    throw BadArgumentException("there is no step of walls to show: no mesh that has "
+                               "wall depths of more than one "
+                               "step");
+}
+
+void
+LayerStage::play(Act act)
+{
+  require(act);
+  for (const SceneLayer layer : shown_[act])
+    prepare(act, layer);
+  act_ = act;
+  update();
+}
+
+void
+LayerStage::playStep(std::size_t step)
+{
+  require(Act::Walls);
+  const std::size_t steps = wallSteps(scene_.mesh);
+  if (step >= steps)
+    throw BadArgumentException("there is no step " + std::to_string(step) +
+                               " of the walls: they count from 0 to " +
+                               std::to_string(steps - 1));
+  auto& old = layers_[{Act::Walls, SceneLayer::Mesh}];
+  if (old)
+    renderer_->RemoveActor(old);
+  old = nullptr;
+  step_ = step;
+  play(Act::Walls);
 }
 
 bool
 LayerStage::isShown(SceneLayer layer) const
 {
-  const auto place = layers_.find(layer);
-  return place != layers_.end() && place->second->GetVisibility();
+  return shown_.at(act_).count(layer) != 0;
 }
 
 void
@@ -93,21 +167,100 @@ LayerStage::show(SceneLayer layer, bool on)
 {
   static const char* const names[] = {
       "points", "mesh", "normals", "planes", "texture", "trajectory"};
-  if (layersOf(scene_).count(layer) == 0)
+  if (layersOfAct(act_).count(layer) == 0)
     throw BadArgumentException(std::string("there is nothing to show as ") +
-                               names[static_cast<int>(layer) - 1]);
-  auto& assembly = layers_[layer];
-  if (!assembly) {
-    assembly = assemblyOf(make(layer));
-    renderer_->AddActor(assembly);
+                               names[static_cast<int>(layer) - 1] +
+                               (act_ == Act::Before ? " before rectification" : ""));
+  if (on)
+    prepare(act_, layer);
+  if (on)
+    shown_[act_].insert(layer);
+  else
+    shown_[act_].erase(layer);
+  update();
+}
+
+std::set<SceneLayer>
+LayerStage::layersOfAct(Act act) const
+{
+  return act == Act::Before ? layersBefore(scene_) : layersOf(scene_);
+}
+
+LayerStage::Place
+LayerStage::placeOf(Act act, SceneLayer layer)
+{
+  const bool differs =
+      act == Act::Before || (act == Act::Walls && layer == SceneLayer::Mesh);
+  return {differs ? act : Act::Map, layer};
+}
+
+void
+LayerStage::prepare(Act act, SceneLayer layer)
+{
+  const Place place = placeOf(act, layer);
+  if (layers_[place])
+    return;
+  const LayerMaking making = {scene_, view_, drawing_ ? &*drawing_ : nullptr, camera_};
+  const auto assembly =
+      assemblyOf(place.first == Act::Before  ? actorsBefore(making, layer)
+                 : place.first == Act::Walls ? actorsOfStep(making, step_)
+                                             : actorsOfLayer(making, layer));
+  renderer_->AddActor(assembly);
+  layers_[place] = assembly;
+}
+
+void
+LayerStage::update()
+{
+  for (const auto& [place, assembly] : layers_)
+    if (assembly)
+      assembly->SetVisibility(place == placeOf(act_, place.second) &&
+                              isShown(place.second));
+  const bool has_surface = drawing_ || !scene_.mesh.triangles.empty();
+  setBackground((has_surface && act_ != Act::Before) ||
+                    view_.place == MapView::Place::Plan,
+                renderer_);
+}
+
+const Trajectory&
+LayerStage::trajectory() const
+{
+  return act_ == Act::Before ? scene_.trajectory_before : scene_.map.trajectory;
+}
+
+void
+LayerStage::lookFrom(std::size_t pose)
+{
+  const auto& poses = trajectory().poses;
+  if (pose >= poses.size())
+    throw BadArgumentException("there is no pose " + std::to_string(pose) +
+                               " to look from, of " + std::to_string(poses.size()));
+  if (!poses[pose].matrix().allFinite())
+    throw BadArgumentException("pose " + std::to_string(pose) + " is not finite");
+  look(cameraAt(poses[pose]));
+}
+
+void
+LayerStage::look(const Camera& camera)
+{
+  if (view_.place == MapView::Place::Plan) {
+    // what hides a plan from above is missed by who walks through
+    view_.place = MapView::Place::Outside;
+    for (auto& [place, assembly] : layers_)
+      if (place.second == SceneLayer::Points && assembly) {
+        renderer_->RemoveActor(assembly);
+        assembly = nullptr;
+      }
+    play(act_);
   }
-  assembly->SetVisibility(on);
+  setCamera(camera, renderer_);
+  renderer_->ResetCameraClippingRange();
 }
 
 std::optional<std::size_t>
 LayerStage::planeAt(double column, double row) const
 {
-  if (!drawing_)
+  if (!drawing_ || act_ == Act::Before)
     return {};
   const auto at = [&](double depth) -> Eigen::Vector3d {
     double point[4];
@@ -127,74 +280,12 @@ LayerStage::planeAt(double column, double row) const
 void
 LayerStage::addPictureMarks()
 {
-  if (drawing_)
+  if (view_.place != MapView::Place::Plan)
+    return;
+  if (drawing_ && act_ == Act::Map)
     drawing_->addPlanTo(renderer_);
-}
-
-Actors
-LayerStage::make(SceneLayer layer) const
-{
-  constexpr double axis_share = 0.03; // of the way to the scene
-  constexpr double least_axis = 0.1;  // metres
-  switch (layer) {
-  case SceneLayer::Points: {
-    const Scene points = sceneOf(cloud(), {});
-    const bool alone = layersOf(scene_).size() == 1;
-    return {alone ? actorOfPoints(points, camera_) : actorOfPoints(points)};
-  }
-  case SceneLayer::Mesh: {
-    const Scene mesh = sceneOf(scene_.vertices, scene_.mesh);
-    Actors actors = actorsOfMesh(mesh, view_.hide_backs || hidesCeilings());
-    if (view_.show_boundary)
-      actors.push_back(actorOfBoundary(mesh));
-    return actors;
-  }
-  case SceneLayer::Normals:
-    return {actorOfNormals(sceneOf(scene_.vertices, scene_.mesh))};
-  case SceneLayer::Planes: {
-    Actors actors = drawing_->planes(layer_opacity);
-    for (const auto& lines : drawing_->outlines())
-      actors.push_back(lines);
-    return actors;
-  }
-  case SceneLayer::Texture:
-    return drawing_->textures();
-  case SceneLayer::Trajectory:
-    return actorsOfTrajectory(
-        scene_.map.trajectory,
-        std::max(least_axis, axis_share * (camera_.focus - camera_.position).norm()));
-  }
-  return {};
-}
-
-bool
-LayerStage::hidesCeilings() const
-{
-  return drawing_ && drawing_->hidesBacks();
-}
-
-Scene
-LayerStage::sceneOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh) const
-{
-  Scene scene = makeScene(cloud, mesh);
-  if (view_.ignore_colors)
-    scene.colors.clear();
-  return scene;
-}
-
-const PCLPointCloud2&
-LayerStage::cloud() const
-{
-  return hasPoints(scene_.points) ? scene_.points : scene_.vertices;
-}
-
-Camera
-LayerStage::cameraOfScene() const
-{
-  const Scene scene = scene_.mesh.triangles.empty()
-                          ? makeScene(cloud(), {})
-                          : makeScene(scene_.vertices, scene_.mesh);
-  return placeCamera(scene.points, meanNormal(scene), view_);
+  else
+    addScaleBar(camera_, view_, renderer_);
 }
 
 } // namespace acmap

@@ -11,8 +11,16 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 namespace pcl::acmap {
+
+/** \brief What is on the stage; each act has shown layers of its own. */
+enum class Act {
+  Map,    ///< the scene as it is
+  Before, ///< as it was before rectification
+  Walls   ///< a step of the making of the mesh
+};
 
 /** \brief Layers under lights and before a camera; each is made when it is first shown. */
 class LayerStage {
@@ -27,12 +35,42 @@ public:
     return renderer_;
   }
 
+  Act
+  act() const
+  {
+    return act_;
+  }
+
+  /** \throws BadArgumentException when the scene has nothing for the act */
+  void
+  play(Act act);
+
+  /** \brief Plays a step of the walls.
+   * \throws BadArgumentException when there is no such step */
+  void
+  playStep(std::size_t step);
+
+  std::size_t
+  step() const
+  {
+    return step_;
+  }
+
+  /** \brief Whether it is shown in the act that is played. */
   bool
   isShown(SceneLayer layer) const;
 
-  /** \throws BadArgumentException when the scene has nothing for the layer */
+  /** \throws BadArgumentException when the scene has nothing for the layer in this act */
   void
   show(SceneLayer layer, bool on);
+
+  /** \brief The poses of the act that is played. */
+  const Trajectory&
+  trajectory() const;
+
+  /** \brief Moves the eye; how far it sees follows from what is shown. */
+  void
+  look(const Camera& camera);
 
   /** \brief The plane seen at a pixel, counted from the lower left. */
   std::optional<std::size_t>
@@ -43,28 +81,36 @@ public:
   addPictureMarks();
 
 private:
-  Actors
-  make(SceneLayer layer) const;
+  using Place = std::pair<Act, SceneLayer>;
 
-  Scene
-  sceneOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh) const;
+  std::set<SceneLayer>
+  layersOfAct(Act act) const;
 
-  /** \brief The cloud that stands for the layer of the points. */
-  const PCLPointCloud2&
-  cloud() const;
+  /** \brief Under which act a layer is kept: acts share what looks the same in them. */
+  static Place
+  placeOf(Act act, SceneLayer layer);
 
-  Camera
-  cameraOfScene() const;
+  void
+  require(Act act) const;
 
-  bool
-  hidesCeilings() const;
+  void
+  lookFrom(std::size_t pose);
+
+  void
+  prepare(Act act, SceneLayer layer);
+
+  void
+  update();
 
   const LayeredScene& scene_;
   LayeredView view_;
   std::optional<MapDrawing> drawing_; ///< where there are planes
   Camera camera_;
   vtkSmartPointer<vtkRenderer> renderer_;
-  std::map<SceneLayer, vtkSmartPointer<vtkAssembly>> layers_;
+  Act act_ = Act::Map;
+  std::size_t step_ = 0;
+  std::map<Act, std::set<SceneLayer>> shown_;
+  std::map<Place, vtkSmartPointer<vtkAssembly>> layers_;
 };
 
 } // namespace pcl::acmap

@@ -23,6 +23,12 @@ public:
     return camera_;
   }
 
+  const MapFrame&
+  frame() const
+  {
+    return frame_;
+  }
+
   /** \brief Without pictures, and without what a plan leaves out. */
   std::vector<MapFaces>
   drawnFaces() const;

@@ -32,21 +32,20 @@ lift(std::vector<MapLine>& lines, const Vector3d& up, double level)
       point += ((level - point.cast<double>().dot(up)) * up).cast<float>();
 }
 
-/** \brief Height at which walls are cut: that of the cameras, else the middle. */
-double
-sectionLevel(const MapLine& way, const Vector3d& up, double low, double high)
+} // namespace
+
+std::optional<double>
+eyeLevel(const Trajectory& trajectory, const Vector3d& up)
 {
   std::vector<double> levels;
-  for (const Eigen::Vector3f& eye : way.points)
+  for (const Eigen::Vector3f& eye : lineOf(trajectory).points)
     levels.push_back(eye.cast<double>().dot(up));
   if (levels.empty())
-    return (low + high) / 2;
+    return {};
   const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
   std::nth_element(levels.begin(), middle, levels.end());
   return *middle;
 }
-
-} // namespace
 
 bool
 looksDown(const PlanePatch& plane, const Vector3d& up)
@@ -65,7 +64,8 @@ actorsOfPlan(const CompactMap& map,
     high = std::max(high, sample.cast<double>().dot(up));
   }
   std::vector<MapLine> cut, other, way = {lineOf(map.trajectory)};
-  const double level = sectionLevel(way[0], up, low, high);
+  // walls are cut at the height of the cameras
+  const double level = eyeLevel(map.trajectory, up).value_or((low + high) / 2);
   for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
     if (std::abs(slopeOf(map.planes[plane], up)) <= steep) {
       append(cut, sectionOf(map, plane, up, level));

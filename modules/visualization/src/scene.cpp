@@ -14,15 +14,6 @@
 namespace pcl::acmap {
 namespace {
 
-const PCLPointField*
-findField(const PCLPointCloud2& cloud, const std::string& name)
-{
-  for (const PCLPointField& field : cloud.fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
-}
-
 /** \brief Reads places and colours out of the bytes of a cloud. */
 class CloudBytes {
 public:
@@ -33,15 +24,15 @@ public:
   {
     const char* const names[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-      const PCLPointField* const field = findField(cloud, names[axis]);
+      const PCLPointField* const field = fieldNamed(cloud, names[axis]);
       if (!field || field->datatype != PCLPointField::FLOAT32)
         throw BadArgumentException(std::string("the cloud has no float32 field ") +
                                    names[axis]);
       place_[axis] = requireInside(*field);
     }
-    const PCLPointField* color = findField(cloud, "rgb");
+    const PCLPointField* color = fieldNamed(cloud, "rgb");
     if (!color)
-      color = findField(cloud, "rgba");
+      color = fieldNamed(cloud, "rgba");
     has_color_ = color != nullptr;
     if (has_color_)
       color_ = requireInside(*color);
@@ -103,6 +94,10 @@ requireInside(const TriangleMesh& mesh, std::size_t size)
         throw BadArgumentException("a triangle has the corner " +
                                    std::to_string(corner) + " in a cloud of " +
                                    std::to_string(size) + " points");
+  if (!mesh.wall_depth.empty() && mesh.wall_depth.size() != mesh.triangles.size())
+    throw BadArgumentException(
+        "the mesh has " + std::to_string(mesh.wall_depth.size()) + " wall depths for " +
+        std::to_string(mesh.triangles.size()) + " triangles");
 }
 
 /** \brief Which points are drawn. */
@@ -129,6 +124,15 @@ allBlack(const Scene& scene)
 
 } // namespace
 
+const PCLPointField*
+fieldNamed(const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const PCLPointField& field : cloud.fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
 Scene
 makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
 {
@@ -147,10 +151,14 @@ makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
   }
   if (scene.points.empty())
     throw InitFailedException("nothing to show: no point is finite");
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
     const TriangleMesh::Triangle triangle = {place[a], place[b], place[c]};
-    if (*std::min_element(triangle.begin(), triangle.end()) >= 0)
-      scene.triangles.push_back(triangle);
+    if (*std::min_element(triangle.begin(), triangle.end()) < 0)
+      continue;
+    scene.triangles.push_back(triangle);
+    if (!mesh.wall_depth.empty())
+      scene.wall_depth.push_back(mesh.wall_depth[i]);
   }
   if (allBlack(scene))
     scene.colors.clear();

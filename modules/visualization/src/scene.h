@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::acmap {
@@ -18,6 +19,7 @@ struct Scene {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::array<std::uint8_t, 3>> colors; ///< of the points, or empty
   std::vector<TriangleMesh::Triangle> triangles;   ///< into points
+  std::vector<std::uint8_t> wall_depth;            ///< of the triangles, or empty
 
   bool
   isMesh() const
@@ -26,8 +28,12 @@ struct Scene {
   }
 };
 
-/** \throws BadArgumentException when the mesh has an index outside the cloud, or the
- * cloud no x y z
+/** \return nullptr where there is none of that name */
+const PCLPointField*
+fieldNamed(const PCLPointCloud2& cloud, const std::string& name);
+
+/** \throws BadArgumentException when the mesh has an index outside the cloud or wall
+ * depths of another number than triangles, or the cloud no x y z
  * \throws InitFailedException when nothing can be drawn */
 Scene
 makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh);

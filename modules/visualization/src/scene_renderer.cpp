@@ -14,6 +14,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr Color boundary_color = {0.85, 0.20, 0.10};
+constexpr Color edge_color = {0.33, 0.40, 0.52};
 constexpr Color normal_color = {0.10, 0.55, 0.25};
 constexpr Color point_color = {0.20, 0.40, 0.70};
 constexpr Color near_point_color = {1.00, 0.92, 0.75};
@@ -48,6 +49,13 @@ dataOf(const Scene& scene, const std::vector<ByteColor>& colors)
   if (!colors.empty())
     data->GetPointData()->SetScalars(colorsOf(colors));
   return data;
+}
+
+void
+showEdges(vtkActor& mesh)
+{
+  mesh.GetProperty()->EdgeVisibilityOn();
+  mesh.GetProperty()->SetEdgeColor(edge_color.data());
 }
 
 vtkSmartPointer<vtkActor>
@@ -129,8 +137,11 @@ makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view)
     renderer->AddActor(actorOfPoints(scene, camera));
     return renderer;
   }
-  for (const auto& actor : actorsOfMesh(scene, view.hide_backs))
+  for (const auto& actor : actorsOfMesh(scene, view.hide_backs)) {
+    if (view.show_edges)
+      showEdges(*actor);
     renderer->AddActor(actor);
+  }
   if (view.show_boundary)
     renderer->AddActor(actorOfBoundary(scene));
   return renderer;

@@ -7,21 +7,6 @@
 namespace pcl::acmap {
 namespace {
 
-/** \brief Light behind surfaces, dark behind points, which would drown in light. */
-void
-setBackground(bool light, vtkRenderer* renderer)
-{
-  if (light) {
-    renderer->SetBackground(0.97, 0.97, 0.96);
-    renderer->SetBackground2(0.80, 0.84, 0.89);
-  }
-  else {
-    renderer->SetBackground(0.10, 0.11, 0.13);
-    renderer->SetBackground2(0.20, 0.23, 0.27);
-  }
-  renderer->GradientBackgroundOn();
-}
-
 /** \brief A key light from above the eye's left shoulder, a weak one from the eye. */
 void
 addLights(vtkRenderer* renderer)
@@ -39,6 +24,22 @@ addLights(vtkRenderer* renderer)
   }
 }
 
+} // namespace
+
+void
+setBackground(bool light, vtkRenderer* renderer)
+{
+  if (light) {
+    renderer->SetBackground(0.97, 0.97, 0.96);
+    renderer->SetBackground2(0.80, 0.84, 0.89);
+  }
+  else {
+    renderer->SetBackground(0.10, 0.11, 0.13);
+    renderer->SetBackground2(0.20, 0.23, 0.27);
+  }
+  renderer->GradientBackgroundOn();
+}
+
 void
 setCamera(const Camera& camera, vtkRenderer* renderer)
 {
@@ -51,8 +52,6 @@ setCamera(const Camera& camera, vtkRenderer* renderer)
   active->SetParallelProjection(camera.parallel_height > 0);
   active->SetParallelScale(camera.parallel_height / 2);
 }
-
-} // namespace
 
 vtkSmartPointer<vtkRenderer>
 makeStage(const Camera& camera, bool light)

@@ -12,4 +12,12 @@ namespace pcl::acmap {
 vtkSmartPointer<vtkRenderer>
 makeStage(const Camera& camera, bool light);
 
+/** \brief Light behind surfaces, dark behind points. */
+void
+setBackground(bool light, vtkRenderer* renderer);
+
+/** \brief Puts the eye of a scene somewhere. */
+void
+setCamera(const Camera& camera, vtkRenderer* renderer);
+
 } // namespace pcl::acmap

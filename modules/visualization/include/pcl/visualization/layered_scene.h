@@ -4,7 +4,9 @@
 #include <pcl/core/export.h>
 #include <pcl/visualization/map_snapshot.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -27,29 +29,60 @@ struct LayeredScene {
   PCLPointCloud2 vertices;
   TriangleMesh mesh; ///< of the vertices
   CompactMap map;
+
+  /** \brief The poses of the map's trajectory as they were before rectification. Points
+   * with an int32 field `view`, the number of the pose that saw them, go with these. */
+  Trajectory trajectory_before;
 };
 
 /** \brief How a layered scene is shown; \ref MapView's paint does not count. A scene
- * without planes has no other place of the eye than outside, as \ref saveSnapshot has.
+ * without planes has no view from inside, and one without trajectory too no plan.
  * \ingroup visualization */
 struct LayeredView : MapView {
   std::set<SceneLayer> layers; ///< shown at first; none: the usual ones
+
+  /** \brief As it was before rectification: points and trajectory alone. */
+  bool before = false;
+
+  /** \brief The mesh as far as the walls of this step and those before it have made it
+   * (Fig. 5), 0 to \ref wallSteps - 1. The eye stands as for the whole mesh, so that
+   * pictures of all steps fit upon each other. */
+  std::optional<std::size_t> wall_step;
+
+  /** \brief The eye is that of this pose of the trajectory, wide; no other place of the
+   * eye may be given then. */
+  std::optional<std::size_t> at_pose;
 };
 
 /** \brief The layers a scene has something for. */
 ACMAP_EXPORT std::set<SceneLayer>
 layersOf(const LayeredScene& scene);
 
-/** \brief What is shown when nobody chooses: texture and trajectory, else planes and
- * trajectory, else mesh, else points. */
+/** \brief The layers that show how it was before rectification: the trajectory where each
+ * pose has one before, and points that name their poses. */
+ACMAP_EXPORT std::set<SceneLayer>
+layersBefore(const LayeredScene& scene);
+
+/** \brief In how many steps the walls of a mesh are shown: one for each depth of walls, and
+ * one more for the halves that were divided no further, whose triangles have the
+ * greatest depth. 0 without wall depths, or where nothing was divided. */
+ACMAP_EXPORT std::size_t
+wallSteps(const TriangleMesh& mesh);
+
+/** \brief What is shown when nobody chooses: texture, else planes, else mesh, else points;
+ * and the trajectory. */
 ACMAP_EXPORT std::set<SceneLayer>
 usualLayers(const LayeredScene& scene);
 
 /** \brief Draws layers into a PNG file.
+ *
+ * The points of a plan are those up to a little above the cameras, or one would see
+ * nothing but ceilings.
  * \throws OutputFileException when it could not be written
  * \throws InitFailedException without an X server, or when there is nothing to draw
  * \throws BadArgumentException when the scene has nothing for a layer, a place of the eye
- * needs planes and there are none, or as \ref saveSnapshot and \ref saveMapSnapshot
+ * needs what there is not, there is nothing before rectification, no such
+ * step or pose, or as \ref saveSnapshot and \ref saveMapSnapshot
  * \ingroup visualization */
 ACMAP_EXPORT void
 saveSnapshot(const std::string& path,
@@ -58,8 +91,10 @@ saveSnapshot(const std::string& path,
 
 /** \brief Shows layers in a window that follows the mouse, until it is closed.
  *
- * Keys: 1 to 6 layers on and off, p (or a click with shift) the card of the plane under
- * the mouse, h help, r all in view, q end.
+ * Keys: 1 to 6 layers on and off, b before and after rectification, t planes with and
+ * without texture, n and N steps of the walls on and back, space a flight along the
+ * trajectory, p (or a click with shift) the card of the plane under the mouse, h help, r
+ * all in view, q end.
  * \param[in] tell gets help, cards and what a key could not do, a text each
  * \throws InitFailedException, BadArgumentException as \ref saveSnapshot
  * \ingroup visualization */

@@ -37,6 +37,10 @@ struct SceneView {
   /** \brief Draws the edges with one triangle as thin lines. */
   bool show_boundary = false;
 
+  /** \brief Draws the edges of all triangles of a mesh as thin lines; a picture of a mesh
+   * alone has them, one of layers has not. */
+  bool show_edges = false;
+
   /** \brief Leaves out the faces that look away: one sees into rooms through their walls.
    */
   bool hide_backs = false;

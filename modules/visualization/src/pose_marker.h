@@ -1,0 +1,17 @@
+#pragma once
+
+#include "vtk_pieces.h"
+
+#include <Eigen/Geometry>
+
+namespace pcl::acmap {
+
+/** \brief The pyramid that a camera looks through, as lines; its tip is the camera. */
+vtkSmartPointer<vtkActor>
+actorOfMarker();
+
+/** \param[in] T_map_camera pose of the camera */
+void
+place(vtkActor* marker, const Eigen::Isometry3d& T_map_camera);
+
+} // namespace pcl::acmap
