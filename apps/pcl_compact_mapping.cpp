@@ -1,66 +1,26 @@
-#include "compact_mapping/map_pictures.h"
-#include "compact_mapping/merged_map.h"
+#include "compact_mapping/chain.h"
+#include "compact_mapping/chain_report.h"
+#include "compact_mapping/map_stage.h"
+#include "compact_mapping/truth_stage.h"
 #include "output_target.h"
-#include "plane_extraction/extraction.h"
-#include "plane_extraction/plane_outputs.h"
-#include "plane_extraction/plane_reports.h"
-#include "scaled_cloud.h"
-#include "texturing/texture_stage.h"
 
-#include <pcl/core/output_folder.h>
 #include <pcl/visualization/display_connection.h>
 
-#include <CLI/CLI.hpp>
-
+#include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace {
 
 using namespace pcl::acmap;
-
-struct Options {
-  PlaneOptions planes; ///< its input is the tool's
-  std::string output;
-  bool no_pictures = false;
-  TextureOptions texture;
-};
-
-void
-addOptions(Tool& tool, Options& options)
-{
-  CLI::App& app = tool.options();
-  app.add_option(
-         "input",
-         options.planes.input,
-         "Folder of observation PCDs with their poses, or one cloud (.pcd, .ply, "
-         ".obj, .xyz)")
-      ->type_name("INPUT")
-      ->required();
-  app.add_option("-o,--output", options.output, "Folder for the compact map")
-      ->type_name("OUT_DIR")
-      ->required();
-  addPlaneChoices(tool, options.planes);
-  addTextureOptions(tool, options.texture);
-  app.add_flag("--no-pictures",
-               options.no_pictures,
-               "Draw no pictures, which need an X server, as xvfb-run gives");
-  tool.addThreads();
-  tool.addScale();
-}
-
-bool
-isCloudFile(const std::string& path)
-{
-  std::error_code error;
-  return !std::filesystem::is_directory(path, error);
-}
+namespace fs = std::filesystem;
 
 /** \brief An X server for the pictures; none, and a warning, where there is none. */
-std::unique_ptr<DisplayConnection>
-openDisplay(Tool& tool, const Options& options)
+std::unique_ptr<pcl::acmap::DisplayConnection>
+openDisplay(Tool& tool, const ChainOptions& options)
 {
-  if (options.no_pictures)
+  if (!options.has_pictures)
     return nullptr;
   try {
     return std::make_unique<DisplayConnection>();
@@ -71,95 +31,65 @@ openDisplay(Tool& tool, const Options& options)
   }
 }
 
-/** \brief What the input became. */
-struct Mapped {
-  Extraction extraction;
-  pcl::CompactMap map;
-};
-
-Mapped
-mapFolder(Tool& tool, const Options& options, StepTimer& timer)
+/** \brief Whether a path names the folder, or something below it. */
+bool
+isIn(const std::string& path, const std::string& folder)
 {
-  const PosedFolder folder(options.planes.input, tool.scale());
-  Mapped result;
-  {
-    const MergedMap merged =
-        mergeObservations(tool, folder, options.texture.skip_broken);
-    timer.finish("read");
-    tool.details()["observations"] = merged.observations;
-    tool.tell("read",
-              std::to_string(merged.observations) + " observations, " +
-                  std::to_string(merged.file.points().size()) + " points");
-    result.extraction =
-        extractFromCloud(tool, options.planes, timer, merged.file, merged.sensors());
-  }
-  requirePlanes(tool, options.planes, result.extraction);
-  result.map =
-      paintPlanes(tool, result.extraction.clusters.patches, folder, options.texture);
-  return result;
+  const auto real = [](const std::string& name) {
+    std::error_code error;
+    const fs::path path = fs::weakly_canonical(fs::absolute(name), error);
+    return path.has_filename() ? path : path.parent_path();
+  };
+  const fs::path inner = real(path), outer = real(folder);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first ==
+         outer.end();
 }
 
-Mapped
-mapCloud(Tool& tool, const Options& options, StepTimer& timer)
-{
-  const pcl::PointCloudFile file = loadScaledCloud(options.planes.input, tool.scale());
-  timer.finish("read");
-  Mapped result;
-  result.extraction = extractFromCloud(tool, options.planes, timer, file);
-  requirePlanes(tool, options.planes, result.extraction);
-  result.map =
-      paintPlanes(tool, result.extraction.clusters.patches, file, options.texture);
-  return result;
-}
-
-/** \brief A picture that cannot be drawn costs the pictures, not the map. */
+/** \brief What is read must not lie where results are put. */
 void
-drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
+checkPlaces(const Tool& tool, const ChainOptions& options)
 {
-  try {
-    savePictures(folder, mapped.extraction, mapped.map);
-  }
-  catch (const pcl::InitFailedException& error) {
-    tool.warn("not all pictures could be drawn: " + std::string(error.what()));
-  }
+  std::vector<std::string> inputs = {options.input};
+  if (!options.stereo.poses.empty())
+    inputs.push_back(options.stereo.poses);
+  if (!options.truth.empty())
+    inputs.push_back(options.truth + "/truth.json");
+  tool.requireReportWritable(inputs);
+  for (const std::string& input : inputs)
+    if (isIn(input, options.output))
+      throw UsageError(input + ": lies in the folder that is to hold the map; name "
+                               "another one");
 }
 
 void
-run(Tool& tool, const Options& options)
+run(Tool& tool, const ChainOptions& options)
 {
-  checkChoices(options.planes);
+  const StartingPoint start =
+      startingPointOf(options.input, options.texture.skip_broken);
+  requireSense(tool, options, start);
   const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
   OutputFolder folder(options.output);
-  tool.requireReportWritable({options.planes.input});
-  if (folder.holds(options.planes.input))
-    throw UsageError(options.planes.input + ": lies in the folder that is to hold the "
-                                            "map; name another one");
-  StepTimer timer(tool.report());
-  Mapped mapped = isCloudFile(options.planes.input) ? mapCloud(tool, options, timer)
-                                                    : mapFolder(tool, options, timer);
-  timer.finish("paint");
-  tool.stopIfInterrupted();
-
-  const std::string place = folder.path("");
-  pcl::saveCompactMap(place, mapped.map, options.texture.outputs);
-  saveNormals(folder.path("mesh.ply"),
-              mapped.extraction.mesh,
-              mapped.extraction.clusters.labels);
-  timer.finish("write");
-  if (display)
-    drawPictures(tool, folder, mapped);
-  timer.finish("pictures");
-  tool.stopIfInterrupted();
-  folder.commit();
-  tellPlanes(tool,
-             mapped.extraction.clusters.patches,
-             mapped.extraction.input_labels,
-             mapped.extraction.finite_points);
-  tool.details()["planes"] = mapped.map.planes.size();
-  tellCompactness(tool, mapped.extraction.finite_points, mapped.map, options.output);
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
+  checkPlaces(tool, options);
+  std::optional<SessionTruth> truth;
+  if (!options.truth.empty())
+    truth = loadSessionTruth(options.truth);
   tool.setReportPlace(options.output + "/report.json");
+
+  Chain chain(tool, options, (fs::path(options.output) / "stages").string());
+  Sequence sequence;
+  if (start != StartingPoint::Cloud)
+    sequence = chain.sequenceFrom(start);
+  chain.run(
+      "map",
+      mapIsMadeOf(tool, options, sequence, display != nullptr),
+      [&] {
+        return makeMap(tool, options, chain, sequence, display != nullptr, folder);
+      },
+      options.output);
+  std::optional<MapFigures> figures;
+  if (truth)
+    figures = compareMap(options, chain, sequence, *truth);
+  tellChain(tool, options, start, chain.stages(), figures);
 }
 
 } // namespace
@@ -167,9 +97,11 @@ run(Tool& tool, const Options& options)
 int
 main(int argc, char** argv)
 {
-  Tool tool("pcl_compact_mapping",
-            "Turns point clouds of a building into a few textured planes.");
-  Options options;
+  Tool tool(
+      "pcl_compact_mapping",
+      "Turns what a rig saw of a building, or its point clouds, into a few textured "
+      "planes.");
+  ChainOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] { run(tool, options); });
 }

@@ -50,6 +50,18 @@ colorByLabel(pcl::LayeredScene& scene)
     scene.vertices = coloredByLabel(std::move(scene.vertices));
 }
 
+/** \brief From outside one would see nothing but the ceilings of a cloud with poses. */
+void
+choosePlace(const ViewerOptions& options,
+            const pcl::LayeredScene& scene,
+            pcl::LayeredView& view)
+{
+  const bool is_chosen = !options.place.empty() || view.from || view.at_pose;
+  if (!is_chosen && scene.map.planes.empty() && scene.mesh.triangles.empty() &&
+      !scene.map.trajectory.poses.empty())
+    view.place = pcl::MapView::Place::Plan;
+}
+
 void
 tellUser(const std::string& text)
 {
@@ -69,6 +81,7 @@ show(Tool& tool, const ViewerOptions& options)
     colorByLabel(input.scene);
   view.sensor_origin = input.sensor_origin;
   view.sensor_orientation = input.sensor_orientation;
+  choosePlace(options, input.scene, view);
   tool.stopIfInterrupted();
 
   if (options.screenshot.empty()) {

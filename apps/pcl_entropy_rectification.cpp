@@ -1,108 +1,20 @@
-#include "entropy_rectification/level_check.h"
-#include "entropy_rectification/map_observations.h"
-#include "entropy_rectification/rectification_options.h"
-#include "entropy_rectification/rectification_outputs.h"
-#include "entropy_rectification/rectification_reports.h"
-#include "observation_folder.h"
-
-#include <pcl/mapping/entropy_rectification.h>
-
-#include <cmath>
-
-namespace {
-
-using namespace pcl::acmap;
-using Rectification = pcl::EntropyRectification<pcl::PointNormal>;
-
-void
-rectify(Tool& tool,
-        const RectificationOptions& options,
-        const MapObservations& observations,
-        Rectification& rectification)
-{
-  rectification.setMode(options.settings.mode);
-  rectification.setBinSize(options.binSize());
-  rectification.setSeed(options.settings.seed);
-  rectification.setNumberOfThreads(tool.threads());
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(observations.clouds[i],
-                                observations.trajectory.poses[i],
-                                observations.weights[i]);
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    rectification.setProgressCallback(progress);
-    rectification.compute();
-  });
-}
-
-std::vector<Eigen::Isometry3d>
-posesOf(const Rectification& rectification)
-{
-  std::vector<Eigen::Isometry3d> poses;
-  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
-    poses.push_back(rectification.getPose(i));
-  return poses;
-}
-
-void
-warnOfTilt(Tool& tool, const MapObservations& observations)
-{
-  constexpr double most = 10; // degrees
-  constexpr double degrees = 180 / 3.14159265358979323846;
-  const double tilt = degrees * tiltOf(observations).value_or(0.0);
-  if (tilt > most)
-    tool.warn("floors and ceilings lie " + std::to_string(std::lround(tilt)) +
-              " degrees off the xz plane: the map is not level, and is rectified about "
-              "its y axis all the same");
-}
-
-void
-run(Tool& tool, const RectificationOptions& options)
-{
-  requireInput(options);
-  StepTimer timer(tool.report());
-  const bool is_log = options.folder.empty();
-  std::optional<PosedFolder> posed;
-  if (!is_log)
-    posed.emplace(options.folder, tool.scale());
-  OutputFolder folder(options.output);
-  if (folder.holds(options.input()) || folder.holds(options.input() + "/any"))
-    throw UsageError(options.output + ": holds the input; name another folder");
-  requireNoSequence(folder);
-  tool.requireReportWritable({options.input()});
-  const MapObservations observations = is_log
-                                           ? readScans(tool, options.log, options.every)
-                                           : readObservations(tool, *posed);
-  if (observations.points == 0)
-    throw NothingFound(options.input() + ": has no point");
-  if (!is_log)
-    warnOfTilt(tool, observations);
-  timer.finish("read");
-
-  Rectification rectification;
-  rectify(tool, options, observations, rectification);
-  timer.finish("rectify");
-
-  const pcl::EntropyRectificationReport& report = rectification.getReport();
-  writeOutputs(
-      tool, options, observations, posesOf(rectification), report.steps, folder);
-  tool.stopIfInterrupted();
-  folder.commit();
-  timer.finish("write");
-  tellOutcome(tool, options, report);
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
-  tool.setReportPlace(options.output + "/report.json");
-}
-
-} // namespace
+#include "entropy_rectification/rectification_run.h"
 
 int
 main(int argc, char** argv)
 {
+  using namespace pcl::acmap;
   Tool tool("pcl_entropy_rectification",
             "Straightens a map: finds the poses under which its observations fit "
             "together best.");
   RectificationOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { run(tool, options); });
+  return tool.run(argc, argv, [&] {
+    requireInput(options);
+    std::optional<PosedFolder> posed;
+    if (options.log.empty())
+      posed.emplace(options.folder, tool.scale());
+    rectifyPoses(tool, options, posed);
+    tool.setReportPlace(options.output + "/report.json");
+  });
 }

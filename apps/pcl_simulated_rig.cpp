@@ -119,7 +119,7 @@ saveCloudTruth(const std::string& path,
                    {"growth", sensor.noise_growth},
                    {"least", sensor.least_noise},
                    {"most", sensor.most_noise}};
-  json["planes"] = truthPlanes(scene, &counts.points);
+  json["planes"] = truthPlanes(scene, counts.points);
   saveTruth(path, json);
 }
 

@@ -1,65 +1,15 @@
-#include "observation_folder.h"
-#include "visual_egomotion/egomotion_reports.h"
-#include "visual_egomotion/way_picture.h"
-
-namespace {
-
-using namespace pcl::acmap;
-
-/** \brief Without a motion there is no way to write. */
-void
-requireMotion(const Tool& tool, const ObservationList& list, const EgomotionRun& run)
-{
-  if (list.size() < 2)
-    tool.failWithNothing(list.paths.front() +
-                         ": is the only observation; two are needed for a motion");
-  if (run.posed() > 0)
-    return;
-  tool.failWithNothing("no observation could be joined to another; " + list.paths[0] +
-                       " " + run.reasonOf(0, list));
-}
-
-void
-run(Tool& tool, const EgomotionOptions& options)
-{
-  StepTimer timer(tool.report());
-  const ObservationList list = listObservations(tool, options.inputs);
-  const std::vector<Eigen::Isometry3d> truth = loadTruth(tool, options.truth, list);
-  OutputFolder folder(options.output);
-  requireFit(folder, list);
-  tool.requireReportWritable(list.paths);
-  timer.finish("list");
-
-  const EgomotionRun found = runEgomotion(tool, options, list, folder);
-  requireMotion(tool, list, found);
-  timer.finish("estimate");
-
-  std::optional<TruthComparison> comparison;
-  if (!truth.empty())
-    comparison = compare(truth, found, options.is_rigid);
-  pcl::saveTrajectory(folder.path(trajectory_name), found.trajectory(list.stamps));
-  savePng(
-      folder.path("plan.png"),
-      wayPicture(found.poses,
-                 comparison ? comparison->truth : std::vector<Eigen::Isometry3d>()));
-  tool.stopIfInterrupted();
-  requireFit(folder, list); // another run may have come before
-  folder.commit();
-  timer.finish("write");
-  tellRun(tool, options, list, found, comparison);
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
-  tool.setReportPlace(options.output + "/report.json");
-}
-
-} // namespace
+#include "visual_egomotion/pose_estimation.h"
 
 int
 main(int argc, char** argv)
 {
+  using namespace pcl::acmap;
   Tool tool("pcl_visual_egomotion",
             "Tells where the camera was at each observation, from what it saw alone.");
   EgomotionOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { run(tool, options); });
+  return tool.run(argc, argv, [&] {
+    estimatePoses(tool, options);
+    tool.setReportPlace(options.output + "/report.json");
+  });
 }

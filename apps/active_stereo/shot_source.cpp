@@ -75,13 +75,12 @@ ShotSource::read(std::size_t index) const
 }
 
 std::optional<ObservationShots>
-ShotSource::next(const std::function<void()>& step)
+ShotSource::next()
 {
   ObservationShots shots;
   if (pending_)
     groups_.add(std::exchange(pending_, nullptr), shots);
   while (next_ < frames() && !pending_) {
-    step();
     const std::size_t index = next_++;
     try {
       const TrinocularFrame::ConstPtr frame = read(index);

@@ -6,7 +6,6 @@
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,11 +60,10 @@ public:
 
   /** \brief Reads the next observation. Broken frames of a session are left out, which
    * the remarks tell.
-   * \param[in] step is called before each frame is read
    * \return nothing at the end
    * \throws InputFileException for an image of the lists that cannot be read */
   std::optional<ObservationShots>
-  next(const std::function<void()>& step);
+  next();
 
   /** \brief Number of the last observation that can be read.
    * \throws InputFileException when no frame can be read */

@@ -24,6 +24,7 @@ struct StereoOptions {
   std::optional<double> texture;     ///< grey levels, one standard deviation
   std::string poses;                 ///< path; empty: none
   bool disparity = false;
+  bool goes_on = false; ///< takes what an interrupted run left in the output
 
   bool
   hasLists() const

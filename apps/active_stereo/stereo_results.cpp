@@ -47,31 +47,51 @@ StereoResults::add(const ObservationShots& shots, const MadeObservation& made)
 {
   const DisparityFusionReport& fusion = made.fusion;
   const DisparityBackProjectionReport& projection = made.projection;
-  frames_ += shots.frames.size();
-  pixels_ += made.matched.outcome.size();
-  points_ += projection.points;
-  too_near_ += projection.too_near;
-  too_far_ += projection.too_far;
-  for (std::size_t i = 0; i < outcomes_.size(); ++i)
-    outcomes_[i] += fusion.outcomes[i];
   Json remarks = Json::array();
   for (const auto* report :
        {static_cast<const Report*>(&fusion), static_cast<const Report*>(&projection)})
-    for (const std::string& text : report->remarks) {
-      addRemark(text, shots.number);
+    for (const std::string& text : report->remarks)
       remarks.push_back(text);
-    }
-  entries_.push_back({{"observation", shots.number},
-                      {"file", observationName(shots.number)},
-                      {"shots", fusion.shots},
-                      {"off_shots", fusion.off_shots},
-                      {"matched", fusion.outcomes[matched_index]},
-                      {"points", projection.points},
-                      {"too_near", projection.too_near},
-                      {"too_far", projection.too_far},
-                      {"outcomes", jsonOf(fusion.outcomes)},
-                      {"coverage", fusion.coverage},
-                      {"remarks", std::move(remarks)}});
+  addEntry({{"observation", shots.number},
+            {"file", observationName(shots.number)},
+            {"frames", shots.frames.size()},
+            {"shots", fusion.shots},
+            {"off_shots", fusion.off_shots},
+            {"matched", fusion.outcomes[matched_index]},
+            {"points", projection.points},
+            {"too_near", projection.too_near},
+            {"too_far", projection.too_far},
+            {"outcomes", jsonOf(fusion.outcomes)},
+            {"coverage", fusion.coverage},
+            {"remarks", std::move(remarks)}});
+}
+
+void
+StereoResults::takeEntries(const Json& entries)
+{
+  for (const Json& entry : entries)
+    addEntry(entry);
+}
+
+void
+StereoResults::addEntry(const Json& entry)
+{
+  const auto number = entry.at("observation").get<std::size_t>();
+  frames_ += entry.at("frames").get<std::size_t>();
+  points_ += entry.at("points").get<std::size_t>();
+  too_near_ += entry.at("too_near").get<std::size_t>();
+  too_far_ += entry.at("too_far").get<std::size_t>();
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    const auto count = entry.at("outcomes")
+                           .at(nameOf(static_cast<DisparityOutcome>(i)))
+                           .get<std::size_t>();
+    outcomes_[i] += count;
+    pixels_ += count;
+  }
+  for (const Json& text : entry.at("remarks"))
+    addRemark(text.get<std::string>(), number);
+  numbers_.insert(number);
+  entries_.push_back(entry);
 }
 
 void

@@ -4,6 +4,7 @@
 #include "tool.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace pcl::acmap {
@@ -13,6 +14,18 @@ class StereoResults {
 public:
   void
   add(const ObservationShots& shots, const MadeObservation& made);
+
+  /** \brief Takes the \ref entries of an earlier run.
+   * \throws nlohmann::json::exception when they are something else */
+  void
+  takeEntries(const nlohmann::ordered_json& entries);
+
+  /** \brief Whether an observation is among them. */
+  bool
+  has(std::size_t observation) const
+  {
+    return numbers_.count(observation) != 0;
+  }
 
   std::size_t
   observations() const
@@ -74,6 +87,9 @@ private:
   };
 
   void
+  addEntry(const nlohmann::ordered_json& entry);
+
+  void
   addRemark(const std::string& text, std::size_t observation);
 
   nlohmann::ordered_json entries_ = nlohmann::ordered_json::array();
@@ -84,6 +100,7 @@ private:
   std::size_t frames_ = 0;
   std::array<std::size_t, disparity_outcomes> outcomes_{};
   std::map<std::string, Remark> remarks_;
+  std::set<std::size_t> numbers_;
 };
 
 } // namespace pcl::acmap

@@ -24,6 +24,18 @@ fieldsOf(bool colored)
   return fields;
 }
 
+void
+keepEveryNth(PCLPointCloud2& cloud, std::size_t n)
+{
+  const std::size_t rows = cloud.data.size() / cloud.point_step;
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < rows; row += n, ++kept)
+    std::memmove(&cloud.data[kept * cloud.point_step],
+                 &cloud.data[row * cloud.point_step],
+                 cloud.point_step);
+  cloud.data.resize(kept * cloud.point_step);
+}
+
 } // namespace
 
 MapRows::MapRows(std::size_t points, bool colored)
@@ -47,7 +59,7 @@ MapRows::append(const PointCloudFile& observation,
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
-    if (!point.allFinite())
+    if (!point.allFinite() || seen_++ % every_ != 0)
       continue;
     const Eigen::Vector3f place = (T_map_camera * point.cast<double>()).cast<float>();
     const std::size_t row = cloud_.data.size();
@@ -61,6 +73,10 @@ MapRows::append(const PointCloudFile& observation,
           sizeof(std::uint32_t));
     std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
   }
+  while (cloud_.data.size() / cloud_.point_step > most_) {
+    keepEveryNth(cloud_, 2);
+    every_ *= 2;
+  }
 }
 
 PCLPointCloud2
@@ -68,6 +84,15 @@ MapRows::finish()
 {
   resizeRows(cloud_, cloud_.data.size() / cloud_.point_step);
   return std::move(cloud_);
+}
+
+PCLPointCloud2
+everyNth(const PCLPointCloud2& cloud, std::size_t n)
+{
+  PCLPointCloud2 thinned = cloud;
+  keepEveryNth(thinned, n);
+  resizeRows(thinned, thinned.data.size() / thinned.point_step);
+  return thinned;
 }
 
 } // namespace pcl::acmap

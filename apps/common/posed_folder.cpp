@@ -5,6 +5,8 @@
 #include "scaled_cloud.h"
 
 #include <filesystem>
+#include <numeric>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -45,6 +47,24 @@ PosedFolder::PosedFolder(const std::string& path, double scale)
     pose.translation() *= scale;
 }
 
+PosedFolder::PosedFolder(const std::string& path,
+                         double scale,
+                         std::vector<std::string> names,
+                         Trajectory trajectory)
+: path_(path)
+, scale_(scale)
+, names_(std::move(names))
+, rows_(names_.size())
+, trajectory_(std::move(trajectory))
+, is_given_(true)
+{
+  if (trajectory_.poses.size() != names_.size())
+    throw InputFileException(path + ": has " + std::to_string(names_.size()) +
+                             " observations, the trajectory " +
+                             std::to_string(trajectory_.poses.size()) + " poses");
+  std::iota(rows_.begin(), rows_.end(), std::size_t{0});
+}
+
 std::string
 PosedFolder::path(std::size_t i) const
 {
@@ -65,7 +85,7 @@ PosedFolder::load(std::size_t i, std::vector<std::string>& remarks) const
   const double apart =
       (observation.T_map_camera.translation() - viewpoint.translation()).norm();
   constexpr double most_apart = 0.001; // metres
-  if (isKnown(viewpoint) && apart > most_apart)
+  if (!is_given_ && isKnown(viewpoint) && apart > most_apart)
     remarks.push_back(path(i) + ": its VIEWPOINT is " + std::to_string(apart) +
                       " m from its pose in " + trajectory_name + ", which holds");
   return observation;

@@ -28,6 +28,28 @@ public:
    * too few poses or cannot be read */
   PosedFolder(const std::string& path, double scale);
 
+  /** \brief Some files of a folder, with poses that are known from elsewhere.
+   * \param[in] scale metres in a unit of the clouds
+   * \param[in] names of the files
+   * \param[in] trajectory a row a name, metres
+   * \throws InputFileException when they differ in number */
+  PosedFolder(const std::string& path,
+              double scale,
+              std::vector<std::string> names,
+              Trajectory trajectory);
+
+  const std::string&
+  folder() const
+  {
+    return path_;
+  }
+
+  const std::vector<std::string>&
+  names() const
+  {
+    return names_;
+  }
+
   /** \brief Number of observations. */
   std::size_t
   size() const
@@ -66,6 +88,7 @@ private:
   std::vector<std::string> names_;
   std::vector<std::size_t> rows_; ///< of the trajectory, one an observation
   Trajectory trajectory_;
+  bool is_given_ = false; ///< whether the files' own poses do not count
 };
 
 } // namespace pcl::acmap

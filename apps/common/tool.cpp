@@ -26,6 +26,15 @@ constexpr const char* exit_code_text =
 
 constexpr int most_threads = 1024;
 
+std::string
+summaryLine(const std::string& name, const std::string& value)
+{
+  constexpr std::size_t name_width = 12;
+  return name + ":" +
+         std::string(name_width - std::min(name.size(), name_width - 1), ' ') + value +
+         "\n";
+}
+
 } // namespace
 
 Tool::Tool(std::string name, const std::string& purpose)
@@ -171,33 +180,50 @@ Tool::stopIfInterrupted() const
 void
 Tool::warn(const std::string& remark)
 {
-  report_.remarks.push_back(remark);
+  told_.report.remarks.push_back(remark);
 }
 
 void
 Tool::tell(const std::string& name, const std::string& value)
 {
-  constexpr std::size_t name_width = 12;
-  summary_ += name + ":" +
-              std::string(name_width - std::min(name.size(), name_width - 1), ' ') +
-              value + "\n";
+  told_.lines.emplace_back(name, value);
+}
+
+Told
+Tool::apart(const std::function<void()>& stage)
+{
+  Told outer;
+  std::swap(outer, told_);
+  stage();
+  std::swap(outer, told_);
+  return outer;
 }
 
 void
 Tool::tellSeconds()
 {
-  double seconds = 0;
-  for (const auto& step : report_.seconds)
-    seconds += step.second;
-  tell("seconds", shortNumber(seconds));
+  tell("seconds", shortNumber(totalSeconds(told_)));
 }
 
 void
 Tool::failWithNothing(std::string reason) const
 {
-  for (const std::string& remark : report_.remarks)
+  for (const std::string& remark : told_.report.remarks)
     reason += "; " + remark;
   throw NothingFound(reason);
+}
+
+nlohmann::ordered_json
+Tool::fullReport() const
+{
+  nlohmann::ordered_json json = {
+      {"tool", name_}, {"version", ACMAP_VERSION}, {"command_line", command_line_}};
+  json.update(told_.details);
+  for (const auto& [step, seconds] : told_.report.seconds)
+    json["seconds"][step] = seconds;
+  json["peak_memory_bytes"] = peakMemory();
+  json["remarks"] = told_.report.remarks;
+  return json;
 }
 
 void
@@ -205,15 +231,10 @@ Tool::writeReport() const
 {
   if (report_path_.empty())
     return;
-  nlohmann::ordered_json json = {
-      {"tool", name_}, {"version", ACMAP_VERSION}, {"command_line", command_line_}};
-  json.update(details_);
-  for (const auto& [step, seconds] : report_.seconds)
-    json["seconds"][step] = seconds;
-  json["peak_memory_bytes"] = peakMemory();
-  json["remarks"] = report_.remarks;
   const std::string text =
-      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+      fullReport().dump(
+          2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+      "\n";
   OutputFile file(report_path_);
   file.write(text.data(), text.size());
   file.commit();
@@ -224,9 +245,12 @@ Tool::flushSummary() const
 {
   if (quiet_)
     return;
-  for (const std::string& remark : report_.remarks)
+  for (const std::string& remark : told_.report.remarks)
     complain("warning: " + remark);
-  std::cout << summary_ << std::flush;
+  std::string summary;
+  for (const auto& [name, value] : told_.lines)
+    summary += summaryLine(name, value);
+  std::cout << summary << std::flush;
   if (!std::cout)
     throw OutputFileException("standard output: could not be written");
 }

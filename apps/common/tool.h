@@ -2,9 +2,9 @@
 
 #include "exit_code.h"
 #include "progress_bar.h"
+#include "told.h"
 
 #include <pcl/core/progress.h>
-#include <pcl/core/report.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -108,7 +108,7 @@ public:
   const std::vector<std::string>&
   warnings() const
   {
-    return report_.remarks;
+    return told_.report.remarks;
   }
 
   /** \brief Refuses to go on: there is nothing to write. The warnings so far are joined to
@@ -128,15 +128,25 @@ public:
   nlohmann::ordered_json&
   details()
   {
-    return details_;
+    return told_.details;
   }
 
   /** \brief Seconds of each step; the base adds them to the JSON report. */
   Report&
   report()
   {
-    return report_;
+    return told_.report;
   }
+
+  /** \brief The report as it stands. */
+  nlohmann::ordered_json
+  fullReport() const;
+
+  /** \brief Keeps what a stage tells apart from what the tool told so far.
+   * \param[in] stage tells, and adds seconds, as the tool of that stage would
+   * \return what it told */
+  Told
+  apart(const std::function<void()>& stage);
 
 private:
   int
@@ -159,9 +169,7 @@ private:
   std::string report_path_;
   bool quiet_ = false;
   std::vector<std::string> command_line_;
-  std::string summary_;
-  nlohmann::ordered_json details_ = nlohmann::ordered_json::object();
-  Report report_;
+  Told told_;
 };
 
 /** \brief A number with a few significant digits, for the summary. */

@@ -14,10 +14,14 @@ MergedMap::sensors() const
 }
 
 MergedMap
-mergeObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
+mergeObservations(Tool& tool,
+                  const PosedFolder& folder,
+                  bool skip_broken,
+                  std::size_t most_points)
 {
   MergedMap map;
   MapRows rows(0, true);
+  rows.setMost(most_points);
   std::vector<std::string> remarks;
   std::vector<Eigen::Isometry3d> poses;
   tool.withProgress([&](const ProgressCallback& callback) {
@@ -46,8 +50,20 @@ mergeObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
   if (map.observations == 0)
     throw InputFileException("none of the observations can be read");
   folder.requireDifferent(poses);
+  if (rows.every() > 1)
+    tool.warn("the map has more than " + std::to_string(most_points) +
+              " points (--max-points): it is made of each " +
+              std::to_string(rows.every()) + "th of them");
   map.file.cloud = rows.finish();
   return map;
+}
+
+PCLPointCloud2
+thinned(const PCLPointCloud2& map)
+{
+  constexpr std::size_t most = 1000000;
+  const std::size_t points = std::size_t{map.width} * map.height;
+  return everyNth(map, points / most + 1);
 }
 
 } // namespace pcl::acmap

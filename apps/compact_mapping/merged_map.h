@@ -21,11 +21,19 @@ struct MergedMap {
 };
 
 /** \brief Merges the finite points of a sequence, as a step of the tool.
+ * \param[in] most_points of more only each second, fourth ... is kept, with a warning
  * \param[in] skip_broken observations that cannot be read are left out and named
  * \throws InputFileException when one cannot be read and none may be skipped, or all poses
  * are the same though there are several
  * \throws MemoryRefused when this machine has too little */
 MergedMap
-mergeObservations(Tool& tool, const PosedFolder& folder, bool skip_broken);
+mergeObservations(Tool& tool,
+                  const PosedFolder& folder,
+                  bool skip_broken,
+                  std::size_t most_points);
+
+/** \brief Each n-th point of a map, so that a million or fewer are left to look at. */
+PCLPointCloud2
+thinned(const PCLPointCloud2& map);
 
 } // namespace pcl::acmap

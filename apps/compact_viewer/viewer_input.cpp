@@ -1,5 +1,6 @@
 #include "viewer_input.h"
 
+#include "cloud_fields.h"
 #include "exit_code.h"
 #include "length_check.h"
 #include "output_target.h"
@@ -9,6 +10,7 @@
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/visualization/scene_file.h>
 
+#include <cstring>
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -51,29 +53,80 @@ loadFile(const std::string& path, double scale)
   return input;
 }
 
+void
+loadCloudOf(const fs::path& folder, ViewerInput& input)
+{
+  PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
+  note(cloud, 1, input.remarks);
+  input.scene.points = std::move(cloud.cloud);
+}
+
+void
+loadMeshOf(const fs::path& folder, ViewerInput& input)
+{
+  SceneFile mesh = loadScene((folder / "mesh.ply").string());
+  note(mesh.points, 1, input.remarks);
+  input.scene.vertices = std::move(mesh.points.cloud);
+  input.scene.mesh = std::move(mesh.mesh);
+}
+
+/** \brief Number of points that name a view without a pose. */
+std::size_t
+pointsOfNoPose(const LayeredScene& scene)
+{
+  const PCLPointCloud2& cloud = scene.points;
+  const PCLPointField* const field = findField(cloud, "view", PCLPointField::INT32);
+  const std::size_t poses = scene.map.trajectory.poses.size();
+  std::size_t count = 0;
+  for (std::size_t i = 0; field && i < pointsIn(scene); ++i) {
+    std::int32_t view = 0;
+    std::memcpy(&view, &cloud.data[i * cloud.point_step + field->offset], sizeof view);
+    count += view < 0 || static_cast<std::size_t>(view) >= poses;
+  }
+  return count;
+}
+
+/** \brief The poses before rectification, where there is one for each after it. */
+void
+loadPosesBefore(const fs::path& folder, ViewerInput& input)
+{
+  LayeredScene& scene = input.scene;
+  scene.trajectory_before = loadTrajectory((folder / "trajectory_before.txt").string());
+  const std::size_t before = scene.trajectory_before.poses.size();
+  const std::size_t after = scene.map.trajectory.poses.size();
+  if (before != after)
+    input.remarks.push_back("trajectory_before.txt has " + std::to_string(before) +
+                            " poses, the map " + std::to_string(after) +
+                            ": what was before rectification cannot be shown");
+  else if (const std::size_t strangers = pointsOfNoPose(scene); strangers != 0)
+    input.remarks.push_back(std::to_string(strangers) +
+                            " points were seen from no pose of the map, and are not "
+                            "shown before rectification");
+}
+
 ViewerInput
 loadFolder(const fs::path& folder)
 {
-  if (!isThere(folder / "map.json"))
+  const bool has_map = isThere(folder / "map.json");
+  const bool has_cloud = isThere(folder / "map.pcd");
+  const bool has_poses = isThere(folder / "trajectory.txt");
+  if (!has_map && !(has_cloud && has_poses))
     throw InputFileException(folder.string() +
-                             ": is a folder without a map.json; of other folders only "
+                             ": is a folder without a map.json, and without both "
+                             "map.pcd and trajectory.txt; of other folders only "
                              "single files can be shown");
   ViewerInput input;
-  LayeredScene& scene = input.scene;
-  scene.map = loadCompactMap(folder.string());
-  if (isThere(folder / "mesh.ply")) {
-    SceneFile mesh = loadScene((folder / "mesh.ply").string());
-    note(mesh.points, 1, input.remarks);
-    scene.vertices = std::move(mesh.points.cloud);
-    scene.mesh = std::move(mesh.mesh);
-  }
-  if (isThere(folder / "map.pcd")) {
-    PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
-    note(cloud, 1, input.remarks);
-    scene.points = std::move(cloud.cloud);
-  }
-  if (scene.map.trajectory.poses.empty() && isThere(folder / "trajectory.txt"))
-    scene.map.trajectory = loadTrajectory((folder / "trajectory.txt").string());
+  if (has_map)
+    input.scene.map = loadCompactMap(folder.string());
+  if (isThere(folder / "mesh.ply"))
+    loadMeshOf(folder, input);
+  if (has_cloud)
+    loadCloudOf(folder, input);
+  Trajectory& trajectory = input.scene.map.trajectory;
+  if (trajectory.poses.empty() && has_poses)
+    trajectory = loadTrajectory((folder / "trajectory.txt").string());
+  if (isThere(folder / "trajectory_before.txt"))
+    loadPosesBefore(folder, input);
   return input;
 }
 

@@ -15,8 +15,9 @@ struct ViewerInput {
   std::vector<std::string> remarks; ///< what was odd
 };
 
-/** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json and, where they
- * are there, mesh.ply, map.pcd and trajectory.txt.
+/** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json, or with map.pcd
+ * and trajectory.txt, and what there is beside: mesh.ply, map.pcd, trajectory.txt,
+ * trajectory_before.txt.
  * \param[in] scale metres in a unit of a cloud or mesh
  * \throws InputFileException naming file and fault
  * \throws UsageError for a scale of a map

@@ -40,14 +40,49 @@ addPlaces(CLI::App& app, ViewerOptions& options)
 {
   app.add_option("--view",
                  options.place,
-                 "Of a map: outside (oblique), inside (wide) or plan (from above)")
-      ->type_name("PLACE");
+                 "outside (oblique), plan (from above), and of planes inside (wide) "
+                 "[default: plan of a folder without planes, else outside]")
+      ->type_name("PLACE")
+      ->default_str("");
+  app.add_option("--at",
+                 options.at_pose,
+                 "The eye is that of pose N of the trajectory, counted from 0")
+      ->type_name("N")
+      ->default_str("")
+      ->check(CLI::NonNegativeNumber.description(""));
   addVector(app, "--from", options.from, "Place of the eye, metres [default: oblique]");
   addVector(
       app, "--look", options.look, "Middle of the picture, metres [default: scene]");
   addVector(app, "--up", options.up, "Upward direction [default: from the scene]");
   app.add_option("--size", options.size, "Width and height of the picture, pixels")
       ->type_name("WxH");
+}
+
+void
+addStates(CLI::App& app, ViewerOptions& options)
+{
+  app.add_flag("--before",
+               options.before,
+               "As it was before rectification: points and trajectory");
+  app.add_option("--step",
+                 options.wall_step,
+                 "The mesh as far as the walls of depth 0 to K have made it; it needs "
+                 "wall depths")
+      ->type_name("K")
+      ->default_str("")
+      ->check(CLI::NonNegativeNumber.description(""));
+}
+
+void
+requireOnePlace(const ViewerOptions& options)
+{
+  const bool placed = !options.from.empty() || !options.look.empty() ||
+                      !options.up.empty() || !options.place.empty();
+  if (options.at_pose && placed)
+    throw UsageError("--at is a place of the eye, beside which --view, --from, --look "
+                     "and --up have no meaning");
+  if (options.before && options.wall_step)
+    throw UsageError("--step has no meaning beside --before, which shows no mesh");
 }
 
 std::optional<Eigen::Vector3f>
@@ -83,7 +118,7 @@ addOptions(Tool& tool, ViewerOptions& options)
          "input",
          options.input,
          "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz), planes (.json) "
-         "or folder with a map.json")
+         "or folder of a map, or of a rectification")
       ->type_name("FILE|DIR")
       ->required();
   app.add_option("--screenshot",
@@ -97,6 +132,7 @@ addOptions(Tool& tool, ViewerOptions& options)
       ->delimiter(',')
       ->type_name("LAYER,..")
       ->default_str("");
+  addStates(app, options);
   addPlaces(app, options);
   app.add_flag("--boundary", options.boundary, "Draw the boundary of a mesh as lines");
   app.add_flag("--hide-backs",
@@ -117,11 +153,16 @@ viewOf(const ViewerOptions& options)
   if (std::sscanf(options.size.c_str(), "%dx%d%c", &view.width, &view.height, &end) !=
       2)
     throw UsageError("--size: " + options.size + " is not of the form WxH");
-  view.place = named(place_names, options.place, "--view");
+  if (!options.place.empty())
+    view.place = named(place_names, options.place, "--view");
   for (const std::string& layer : options.layers)
     view.layers.insert(named(layer_names, layer, "--layers"));
   if (view.place == MapView::Place::Plan && !options.from.empty())
     throw UsageError("--from has no meaning for a plan, which is seen from above");
+  requireOnePlace(options);
+  view.at_pose = options.at_pose;
+  view.before = options.before;
+  view.wall_step = options.wall_step;
   view.from = vectorOf(options.from);
   view.look = vectorOf(options.look);
   view.up = vectorOf(options.up);

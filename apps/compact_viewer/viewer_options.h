@@ -4,6 +4,7 @@
 
 #include <pcl/visualization/layered_scene.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ struct ViewerOptions {
   std::vector<float> up;
   std::string size = "1280x960";
   std::vector<std::string> layers;
-  std::string place = "outside";
+  std::string place;
+  std::optional<std::size_t> at_pose;
+  std::optional<std::size_t> wall_step;
+  bool before = false;
   bool boundary = false;
   bool hide_backs = false;
   bool grey = false;

@@ -1,9 +1,9 @@
 #include "energy_picture.h"
 
+#include "energy_curve.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <sstream>
 #include <utility>
 
@@ -22,62 +22,9 @@ constexpr std::array<Color, 6> palette = {Color{25, 90, 190},
                                           {120, 60, 170},
                                           {0, 140, 150}};
 
-struct Range {
-  double least, most;
-
-  double
-  length() const
-  {
-    return most - least;
-  }
-};
-
-/** Is the energy of both the same function of the poses? */
-bool
-areComparable(const RectificationStep& a, const RectificationStep& b)
-{
-  return a.search == b.search && a.bin_size == b.bin_size;
-}
-
-/** Of each step, above the lowest of its kind. */
-std::vector<double>
-heightsOf(const std::vector<RectificationStep>& steps)
-{
-  std::map<std::pair<std::string, double>, double> lowest;
-  for (const RectificationStep& step : steps)
-    if (std::isfinite(step.energy)) {
-      double& least =
-          lowest.try_emplace({step.search, step.bin_size}, step.energy).first->second;
-      least = std::min(least, step.energy);
-    }
-  std::vector<double> heights;
-  for (const RectificationStep& step : steps)
-    heights.push_back(std::isfinite(step.energy)
-                          ? step.energy - lowest.at({step.search, step.bin_size})
-                          : std::numeric_limits<double>::quiet_NaN());
-  return heights;
-}
-
-/** From 0 to what all but the highest ones are below. */
-Range
-rangeOf(std::vector<double> heights)
-{
-  constexpr std::size_t shown = 98; // of hundred
-  heights.erase(std::remove_if(heights.begin(),
-                               heights.end(),
-                               [](double height) { return std::isnan(height); }),
-                heights.end());
-  if (heights.empty())
-    return {0, 1};
-  std::sort(heights.begin(), heights.end());
-  const double most = heights[(heights.size() - 1) * shown / 100];
-  const double spare = std::max(0.05 * most, 1e-6);
-  return {-0.5 * spare, most + spare};
-}
-
 class Plot {
 public:
-  Plot(RgbImage& image, const Range& x, const Range& y)
+  Plot(RgbImage& image, const EnergyRange& x, const EnergyRange& y)
   : image_(image)
   , x_(x)
   , y_(y)
@@ -126,7 +73,7 @@ public:
 
 private:
   static double
-  stepOf(const Range& range)
+  stepOf(const EnergyRange& range)
   {
     return roundLength(range.length() / 4);
   }
@@ -147,7 +94,7 @@ private:
   }
 
   RgbImage& image_;
-  Range x_, y_;
+  EnergyRange x_, y_;
 };
 
 } // namespace
@@ -157,8 +104,8 @@ energyPicture(const std::vector<RectificationStep>& steps)
 {
   RgbImage image = whiteImage(width, height);
   const auto last = static_cast<double>(std::max<std::size_t>(steps.size(), 2) - 1);
-  const std::vector<double> heights = heightsOf(steps);
-  Plot plot(image, {0, last}, rangeOf(heights));
+  const std::vector<double> heights = energiesAboveLowest(steps);
+  Plot plot(image, {0, last}, shownRange(heights));
   std::vector<std::string> searches;
   int name_column = left + 28 * text_advance;
   for (std::size_t i = 0; i < steps.size(); ++i) {

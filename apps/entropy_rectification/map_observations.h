@@ -15,7 +15,8 @@ namespace pcl::acmap {
 
 /** \brief What is to be rectified, from whichever input. */
 struct MapObservations {
-  Trajectory trajectory; ///< as it came
+  Trajectory trajectory;          ///< as it came
+  std::vector<std::string> files; ///< names of the observations; none of a log
 
   /** \brief The points by which observations are compared, each with its normal (NaN
    * where it has none); sensor frame, metres. */
@@ -34,9 +35,11 @@ struct MapObservations {
 
 /** \brief Reads a folder and consolidates each observation for itself, as a step of the
  * tool.
- * \throws InputFileException when an observation cannot be read, or none has a pose */
+ * \param[in] skip_broken observations that cannot be read are left out and named
+ * \throws InputFileException when an observation cannot be read and none may be skipped, or
+ * none has a pose */
 MapObservations
-readObservations(Tool& tool, const PosedFolder& folder);
+readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken);
 
 /** \brief Reads each Nth scan of a CARMEN log, as a step of the tool.
  * \throws InputFileException as loadCarmenLog */

@@ -76,6 +76,19 @@ consolidate(const PointView& points,
 }
 
 void
+add(const PosedFolder& folder,
+    std::size_t i,
+    const PosedObservation& seen,
+    MapObservations& observations)
+{
+  observations.points += finitePoints(seen.file.points());
+  observations.colored = observations.colored || findColor(seen.file.cloud);
+  observations.files.push_back(folder.names()[i]);
+  observations.trajectory.stamps.push_back(folder.stamp(i));
+  observations.trajectory.poses.push_back(seen.T_map_camera);
+}
+
+void
 tellCounts(Tool& tool, const MapObservations& observations, const Counts& counts)
 {
   tool.tell("read",
@@ -105,9 +118,10 @@ warnOf(Tool& tool, const std::vector<std::string>& remarks)
 } // namespace
 
 MapObservations
-readObservations(Tool& tool, const PosedFolder& folder)
+readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
 {
   MapObservations observations;
+  std::vector<std::size_t> places; // in the folder
   Counts counts;
   std::vector<std::string> remarks;
   tool.withProgress([&](const ProgressCallback& callback) {
@@ -115,20 +129,27 @@ readObservations(Tool& tool, const PosedFolder& folder)
     for (std::size_t i = 0; i < folder.size(); ++i) {
       progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
                     "reading");
-      const PosedObservation seen = folder.load(i, remarks);
-      const PointView points = seen.file.points();
-      observations.points += finitePoints(points);
-      observations.colored = observations.colored || findColor(seen.file.cloud);
-      observations.trajectory.stamps.push_back(folder.stamp(i));
-      observations.trajectory.poses.push_back(seen.T_map_camera);
-      consolidate(points, tool.threads(), Progress(), observations, counts);
+      try {
+        const PosedObservation seen = folder.load(i, remarks);
+        add(folder, i, seen, observations);
+        consolidate(
+            seen.file.points(), tool.threads(), Progress(), observations, counts);
+        places.push_back(i);
+      }
+      catch (const InputFileException& error) {
+        if (!skip_broken)
+          throw;
+        tool.warn("left out: " + std::string(error.what()));
+      }
     }
   });
   warnOf(tool, remarks);
+  if (places.empty())
+    throw InputFileException("none of the observations can be read");
   folder.requireDifferent(observations.trajectory.poses);
-  observations.load = [&folder](std::size_t i) {
+  observations.load = [&folder, places](std::size_t i) {
     std::vector<std::string> told_before;
-    return folder.load(i, told_before).file;
+    return folder.load(places[i], told_before).file;
   };
   tellCounts(tool, observations, counts);
   return observations;

@@ -45,12 +45,32 @@ addInputs(Tool& tool, RectificationOptions& options)
   app.get_option("--scale")->excludes(log);
 }
 
+void
+addOdometryNoise(CLI::App& app, RectificationOptions& options)
+{
+  const auto take = [&options](const std::vector<double>& values) {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    options.settings.odometry = {values[0], 0, values[1] * degree, 0};
+    options.has_odometry_noise = true;
+  };
+  app.add_option_function<std::vector<double>>(
+         "--odometry-noise",
+         take,
+         "What the way from a pose to the next errs by, one standard deviation, metres "
+         "and degrees, as pcl_visual_egomotion tells it [default: that of wheels, 5 mm "
+         "+ 3 % and 0.34 degrees + 2 %]")
+      ->expected(2)
+      ->type_name("M DEG")
+      ->default_str("")
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(1e-6, 1e3).description(""));
+}
+
 } // namespace
 
 void
-addOptions(Tool& tool, RectificationOptions& options)
+addRectificationChoices(Tool& tool, RectificationOptions& options)
 {
-  addInputs(tool, options);
   CLI::App& app = tool.options();
   app.add_option_function<std::string>(
          "--mode",
@@ -68,7 +88,15 @@ addOptions(Tool& tool, RectificationOptions& options)
       ->default_str("0.05, of a log 0.1")
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(1e-3, 1e3).description(""));
+  addOdometryNoise(app, options);
   tool.addSeed(options.settings.seed);
+}
+
+void
+addOptions(Tool& tool, RectificationOptions& options)
+{
+  addInputs(tool, options);
+  addRectificationChoices(tool, options);
   tool.addThreads();
 }
 

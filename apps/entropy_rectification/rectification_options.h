@@ -16,8 +16,11 @@ struct RectificationOptions {
   std::string output;
   std::size_t every = 1; ///< scan of the log
   RectificationSettings settings;
+  bool has_odometry_noise = false;      ///< whether the user told it
   std::optional<double> asked_bin_size; ///< metres
   bool write_observations = false;
+  bool write_map = true;    ///< map.pcd, all points
+  bool skip_broken = false; ///< observations that cannot be read are left out
 
   /** \brief Metres: cameras see walls nearer and finer than laser scanners do. */
   double
@@ -37,6 +40,10 @@ struct RectificationOptions {
 /** \brief Adds them to the command line. */
 void
 addOptions(Tool& tool, RectificationOptions& options);
+
+/** \brief Adds only those that say how a map is rectified. */
+void
+addRectificationChoices(Tool& tool, RectificationOptions& options);
 
 /** \brief Checks that there is an input.
  * \throws UsageError when there is none */

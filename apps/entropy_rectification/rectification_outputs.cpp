@@ -62,7 +62,7 @@ writeOutputs(Tool& tool,
              const std::vector<RectificationStep>& steps,
              const OutputFolder& folder)
 {
-  MapRows map(observations.points, observations.colored);
+  MapRows map(options.write_map ? observations.points : 0, observations.colored);
   const PlanExtent extent = extentOf(observations, poses);
   PlanPicture before(extent), after(extent);
   tool.withProgress([&](const ProgressCallback& callback) {
@@ -71,7 +71,8 @@ writeOutputs(Tool& tool,
       progress.tell(static_cast<double>(i) / static_cast<double>(poses.size()),
                     "writing");
       PointCloudFile observation = observations.load(i);
-      map.append(observation, poses[i], static_cast<std::int32_t>(i));
+      if (options.write_map)
+        map.append(observation, poses[i], static_cast<std::int32_t>(i));
       addTo(before, observation, observations.trajectory.poses[i]);
       addTo(after, observation, poses[i]);
       if (options.write_observations) {
@@ -80,8 +81,10 @@ writeOutputs(Tool& tool,
       }
     }
   });
-  savePointCloud(folder.path("map.pcd"), map.finish());
+  if (options.write_map)
+    savePointCloud(folder.path("map.pcd"), map.finish());
   saveTrajectory(folder.path(trajectory_name), {observations.trajectory.stamps, poses});
+  saveTrajectory(folder.path("trajectory_before.txt"), observations.trajectory);
   drawPlans(observations, poses, before, after, folder);
   savePng(folder.path("energy.png"), energyPicture(steps));
 }

@@ -9,8 +9,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Writes what the run is for: trajectory.txt, map.pcd, plan_before.png,
- * plan_after.png, plan.png, energy.png and, where asked for, the observations.
+/** \brief Writes what the run is for: trajectory.txt, trajectory_before.txt, map.pcd,
+ * plan_before.png, plan_after.png, plan.png, energy.png and, where asked for, the
+ * observations.
  * \param[in] poses rectified, T_map_camera
  * \param[in] steps of the search
  * \throws OutputFileException when one could not be written

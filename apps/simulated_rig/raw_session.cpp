@@ -3,7 +3,6 @@
 #include "memory.h"
 #include "observation_folder.h"
 #include "output_target.h"
-#include "truth_file.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_recorder.h>
@@ -11,12 +10,18 @@
 #include <pcl/core/parallel.h>
 #include <pcl/simulation/simulated_truth.h>
 
+#include <cmath>
+
 namespace pcl::acmap {
 
 namespace {
 
 constexpr const char* session_name = "session.yaml";
 constexpr double share_of_filming = 0.85; // of the time, the rest is truth
+
+// metres: where pcl_active_stereo looks for points unless it is told another range
+constexpr double nearest_measured = 0.5;
+constexpr double farthest_measured = 10.0;
 
 std::vector<RgbImage>
 makePatterns(const SessionSettings& settings, const SimulatedProjector& projector)
@@ -36,6 +41,44 @@ makePatterns(const SessionSettings& settings, const SimulatedProjector& projecto
   return patterns;
 }
 
+/** \brief Whether active stereo can measure a pixel: two cameras see the place, it is
+ * lit, and its depth is one that is searched.
+ * \param[in] disparities into one of the neighbours
+ * \param[in] focal_times_baseline of that neighbour, px m */
+bool
+isMeasurable(const SimulatedTruth& truth,
+             const DisparityImage& disparities,
+             double focal_times_baseline,
+             std::size_t pixel)
+{
+  constexpr int neighbours =
+      SimulatedTruth::in_horizontal | SimulatedTruth::in_vertical;
+  if ((truth.visible[pixel] & neighbours) == 0 ||
+      (truth.visible[pixel] & SimulatedTruth::in_light) == 0)
+    return false;
+  const double depth = focal_times_baseline / disparities.values[pixel];
+  return depth >= nearest_measured && depth <= farthest_measured;
+}
+
+/** \brief Adds the pixels of an observation that could measure a true plane. */
+void
+countMeasurable(const SimulatedScene& scene,
+                const SimulatedTruth& truth,
+                const DisparityImage& disparities,
+                PointCounts& counts)
+{
+  const TrinocularRig& rig = scene.rig;
+  const double baseline =
+      truth.horizontal.values.empty() ? rig.baseline_vertical : rig.baseline_horizontal;
+  for (std::size_t i = 0; i < disparities.values.size(); ++i)
+    if (isMeasurable(truth, disparities, rig.focal_length * std::abs(baseline), i)) {
+      const auto surface = static_cast<std::size_t>(truth.surfaces[i]);
+      ++counts.all;
+      ++counts.of_label[static_cast<std::size_t>(
+          scene.geometry.surfaces()[surface].plane + 1)];
+    }
+}
+
 /** \brief Writes what stereo should find in an observation. */
 void
 writeObservationTruth(const OutputFolder& folder,
@@ -53,6 +96,7 @@ writeObservationTruth(const OutputFolder& folder,
           scene.rig.width,
           scene.rig.height,
           truth.visible);
+  countMeasurable(scene, truth, disparities, counts.measurable);
   for (std::size_t i = 0; i < truth.visible.size(); ++i) {
     counts.seen += truth.surfaces[i] >= 0 ? 1 : 0;
     counts.lit += (truth.visible[i] & SimulatedTruth::in_light) != 0 ? 1 : 0;
@@ -83,7 +127,8 @@ recorderOf(const OutputFolder& folder, const FilmedScene& filmed)
 void
 saveSessionTruth(const std::string& path,
                  const FilmedScene& filmed,
-                 const SessionSettings& settings)
+                 const SessionSettings& settings,
+                 const PointCounts& measurable)
 {
   const SimulatedLight& light = settings.light;
   auto json = truthHead(filmed.scene, settings.seed, settings.observations);
@@ -95,7 +140,8 @@ saveSessionTruth(const std::string& path,
                    {"blur", light.blur},
                    {"vignetting", light.vignetting}};
   json["noise"] = {{"read", light.read_noise}, {"shot", light.shot_noise}};
-  json["planes"] = truthPlanes(filmed.scene, nullptr);
+  json["points"] = measurable.all;
+  json["planes"] = truthPlanes(filmed.scene, measurable);
   saveTruth(path, json);
 }
 
@@ -147,6 +193,7 @@ writeSession(const OutputFolder& folder,
   if (grabber->getError())
     std::rethrow_exception(grabber->getError());
   SessionCounts counts;
+  counts.measurable.of_label.resize(filmed.scene.geometry.planes().size() + 1);
   counts.frames = recorder.frames();
   recorder.finish();
 
@@ -160,7 +207,7 @@ writeSession(const OutputFolder& folder,
   }
   saveTrajectory(folder.path(trajectory_name),
                  stampedTrajectory(filmed.scene, *grabber));
-  saveSessionTruth(folder.path(truth_name), filmed, settings);
+  saveSessionTruth(folder.path(truth_name), filmed, settings, counts.measurable);
   return counts;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "filmed_scene.h"
+#include "truth_file.h"
 
 #include <pcl/core/output_folder.h>
 #include <pcl/core/progress.h>
@@ -22,8 +23,9 @@ struct SessionSettings {
 /** \brief What was filmed, for summary and report. */
 struct SessionCounts {
   std::size_t frames = 0;
-  std::size_t seen = 0; ///< pixels of the reference that see something
-  std::size_t lit = 0;  ///< of these, the ones that the projector lights
+  std::size_t seen = 0;   ///< pixels of the reference that see something
+  std::size_t lit = 0;    ///< of these, the ones that the projector lights
+  PointCounts measurable; ///< pixels that active stereo can measure
 };
 
 /** \brief Refuses a folder that a session would mix with.

@@ -16,7 +16,7 @@ jsonOf(const Eigen::Vector3d& point)
 }
 
 Json
-jsonOf(const TruthPlane& plane, std::size_t id, const PointCounts* counts)
+jsonOf(const TruthPlane& plane, std::size_t id, std::size_t points)
 {
   Json rectangles = Json::array();
   for (const SimulatedRectangle& r : plane.rectangles)
@@ -25,14 +25,12 @@ jsonOf(const TruthPlane& plane, std::size_t id, const PointCounts* counts)
                           jsonOf(r.corner + r.edge_u + r.edge_v),
                           jsonOf(r.corner + r.edge_v)});
   const Eigen::Vector4d& c = plane.coefficients;
-  Json json = {{"id", id},
-               {"name", plane.name},
-               {"coefficients", {c[0], c[1], c[2], c[3]}},
-               {"area", plane.area()}};
-  if (counts)
-    json["points"] = counts->of_label[id + 1];
-  json["rectangles"] = rectangles;
-  return json;
+  return {{"id", id},
+          {"name", plane.name},
+          {"coefficients", {c[0], c[1], c[2], c[3]}},
+          {"area", plane.area()},
+          {"points", points},
+          {"rectangles", rectangles}};
 }
 
 } // namespace
@@ -47,12 +45,12 @@ truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observati
 }
 
 Json
-truthPlanes(const SimulatedScene& scene, const PointCounts* counts)
+truthPlanes(const SimulatedScene& scene, const PointCounts& counts)
 {
   Json json = Json::array();
   const std::vector<TruthPlane> planes = planesInMap(scene);
   for (std::size_t id = 0; id < planes.size(); ++id)
-    json.push_back(jsonOf(planes[id], id, counts));
+    json.push_back(jsonOf(planes[id], id, counts.of_label[id + 1]));
   return json;
 }
 

@@ -13,7 +13,7 @@ namespace pcl::acmap {
 constexpr const char* rig_name = "rig.yaml";
 constexpr const char* truth_name = "truth.json";
 
-/** \brief What a folder of clouds has on the true planes. */
+/** \brief What a session has, or can have, on the true planes. */
 struct PointCounts {
   std::size_t all = 0;
   std::vector<std::size_t> of_label; ///< planes of the scene + 1; 0 is on no plane
@@ -24,9 +24,9 @@ nlohmann::ordered_json
 truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations);
 
 /** \brief The true planes in the map frame.
- * \param[in] counts added to each plane, nullptr for none */
+ * \param[in] counts added to each plane */
 nlohmann::ordered_json
-truthPlanes(const SimulatedScene& scene, const PointCounts* counts);
+truthPlanes(const SimulatedScene& scene, const PointCounts& counts);
 
 /** \throws OutputFileException when it could not be written whole */
 void

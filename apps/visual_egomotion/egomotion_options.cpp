@@ -6,10 +6,8 @@
 
 namespace pcl::acmap {
 
-namespace {
-
 void
-addMotion(CLI::App& app, EgomotionOptions& options)
+addMotionChoices(CLI::App& app, EgomotionOptions& options)
 {
   app.add_flag(
       "--6dof",
@@ -38,8 +36,6 @@ addMotion(CLI::App& app, EgomotionOptions& options)
       "Features alone: leave surfaces out");
 }
 
-} // namespace
-
 void
 addOptions(Tool& tool, EgomotionOptions& options)
 {
@@ -55,7 +51,7 @@ addOptions(Tool& tool, EgomotionOptions& options)
          "-o,--output", options.output, "Folder for poses, posed PCDs, pictures")
       ->type_name("OUT_DIR")
       ->required();
-  addMotion(app, options);
+  addMotionChoices(app, options);
   app.add_flag("--pictures",
                options.pictures,
                "Draw the matches of each pair too, before and after rejection");

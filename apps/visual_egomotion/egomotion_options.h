@@ -16,6 +16,7 @@ struct EgomotionOptions {
   double most_rotation = 30;   ///< degrees
   std::size_t keypoints = 1000;
   bool refines = true;
+  bool writes_observations = true; ///< posed copies of the input
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none
 };
@@ -23,5 +24,9 @@ struct EgomotionOptions {
 /** \brief Adds them to the command line. */
 void
 addOptions(Tool& tool, EgomotionOptions& options);
+
+/** \brief Adds only those that say how motions are found. */
+void
+addMotionChoices(CLI::App& app, EgomotionOptions& options);
 
 } // namespace pcl::acmap

@@ -226,9 +226,11 @@ addDetails(Tool& tool,
            const EgomotionRun& run,
            const std::optional<TruthComparison>& comparison)
 {
-  Json lost = Json::array(), pairs = Json::array();
+  Json lost = Json::array(), pairs = Json::array(), posed_files = Json::array();
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (!run.poses[i])
+    if (run.poses[i])
+      posed_files.push_back(list.names[i]);
+    else
       lost.push_back(
           {{"observation", list.paths[i]}, {"reason", run.reasonOf(i, list)}});
   for (const EgomotionPair& pair : run.pairs)
@@ -243,6 +245,7 @@ addDetails(Tool& tool,
                     {"observations", list.size()},
                     {"posed", run.posed()},
                     {"length", lengthOf(run.trajectory(list.stamps))},
+                    {"posed_files", posed_files},
                     {"lost", lost},
                     {"pairs", pairs}};
   if (comparison)

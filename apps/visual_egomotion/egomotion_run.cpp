@@ -198,6 +198,8 @@ runEgomotion(Tool& tool,
   const auto keep = [&](const EgomotionObservation& observation,
                         const Eigen::Isometry3d& T_map_camera) {
     run.poses[observation.index] = T_map_camera;
+    if (!options.writes_observations)
+      return;
     PCLPointCloud2 cloud = observation.file.cloud;
     dropUnwritableFields(cloud);
     saveObservation(folder.path(list.outputs[observation.index]), cloud, T_map_camera);

@@ -46,6 +46,7 @@ namesIn(const std::string& folder)
 }
 
 const std::set<std::string> all_outputs = {"trajectory.txt",
+                                           "trajectory_before.txt",
                                            "map.pcd",
                                            "report.json",
                                            "plan_before.png",
@@ -114,6 +115,9 @@ TEST(RectificationTool, StraightensAFolder)
   EXPECT_EQ(rectified.stamps, driftedRoom().truth.stamps);
   EXPECT_LT(meanError(rectified, driftedRoom().truth),
             0.6 * meanError(driftedRoom().drifted, driftedRoom().truth));
+  const Trajectory before = loadTrajectory(output + "/trajectory_before.txt");
+  EXPECT_EQ(before.stamps, rectified.stamps);
+  EXPECT_LT(meanError(before, driftedRoom().drifted), 1e-6);
   expectMap(driftedRoom().session, output);
   const nlohmann::json report = reportOf(output);
   EXPECT_EQ(report.at("outcome"), "rectified");

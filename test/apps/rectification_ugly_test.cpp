@@ -46,6 +46,23 @@ TEST_F(RectificationFaults, InputsThatAreNone)
          "has no point");
 }
 
+TEST_F(RectificationFaults, OdometryNoiseThatIsNone)
+{
+  for (const std::vector<std::string>& noise : {std::vector<std::string>{"0", "0.3"},
+                                                {"0.01", "0"},
+                                                {"-0.01", "0.3"},
+                                                {"nan", "0.3"},
+                                                {"0.01", "inf"},
+                                                {"0.01", "10000"},
+                                                {"0.01", "degrees"},
+                                                {"0.01"},
+                                                {}}) {
+    std::vector<std::string> arguments = {folder_.path("none"), "--odometry-noise"};
+    arguments.insert(arguments.end(), noise.begin(), noise.end());
+    refuse(arguments, 2, "--odometry-noise");
+  }
+}
+
 TEST_F(RectificationFaults, ObservationsThatCannotBeRead)
 {
   const std::string session = copyOfRoom(folder_.path("session"));

@@ -101,7 +101,59 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   EXPECT_EQ(truth["patterns"], 1);
   EXPECT_EQ(truth["observations"], 2);
   EXPECT_EQ(truth["planes"].size(), 7u);
-  EXPECT_FALSE(truth["planes"][0].contains("points"));
+}
+
+/** What a session's files say that can be measured is what its planes have. */
+TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
+{
+  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
+  std::size_t wall = 0, box = 0;
+  for (const std::string number : {"0000", "0001"}) {
+    const DisparityImage disparities =
+        loadPfm(inSession("disparity_" + number + ".pfm"));
+    const GrayImage16 visible =
+        loadGrayImage16(inSession("visible_" + number + ".png"));
+    const float wall_disparity = disparities.at(0, 0);
+    for (std::size_t i = 0; i < visible.values.size(); ++i) {
+      const bool is_measurable = (visible.values[i] & 3) != 0 && visible.values[i] >= 4;
+      wall += is_measurable && disparities.values[i] == wall_disparity;
+      box += is_measurable && disparities.values[i] > wall_disparity;
+    }
+  }
+  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  ASSERT_EQ(truth["planes"][0]["name"], "wall");
+  EXPECT_EQ(truth["planes"][0]["points"], wall);
+  EXPECT_GT(box, 0u);
+  std::size_t others = 0;
+  for (std::size_t i = 1; i < truth["planes"].size(); ++i)
+    others += truth["planes"][i]["points"].get<std::size_t>();
+  EXPECT_EQ(others, box);
+  EXPECT_EQ(truth["points"], wall + box);
+}
+
+/** What stands too near, or too far away, is not looked for. */
+TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
+{
+  std::string text = room;
+  for (const auto& [before, after] :
+       {std::pair{"corner: [-9, 9, 3]", "corner: [-9, 9, 9.8]"},
+        std::pair{"least: [-0.5, -0.5, 2]", "least: [-0.5, -0.5, -0.05]"},
+        std::pair{"most: [0.5, 0.5, 2.5]", "most: [0.5, 0.5, -0.01]"},
+        std::pair{"to: [-0.5, 0, 1], views: 2", "to: [-0.5, 0, 0], views: 2"}})
+    text.replace(text.find(before), std::string(before).size(), after);
+  scene_ = folder_.write("room.yaml", text);
+  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
+  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  const DisparityImage second = loadPfm(inSession("disparity_0001.pfm"));
+  std::size_t box = 0;
+  for (const auto& plane : truth["planes"])
+    if (plane["name"] != "wall")
+      box += plane["points"].get<std::size_t>();
+  EXPECT_FLOAT_EQ(second.at(0, 0), 52 * 0.1 / 9.8);
+  EXPECT_GT(truth["planes"][0]["points"],
+            0); // from the second place; 10.3 m is too far
+  EXPECT_LT(truth["planes"][0]["points"], 64 * 48);
+  EXPECT_EQ(box, 0u); // in front of the first place, behind the second one
 }
 
 TEST_F(SimulatedSession, SameBytesForAnyThreads)

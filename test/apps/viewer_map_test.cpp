@@ -157,8 +157,84 @@ TEST_F(ViewerOfMaps, TrajectoryOfAFileStandsInForThatOfTheMap)
   EXPECT_EQ(run(room_, {"--layers", "trajectory"}).exit_code, 0);
 }
 
+TEST_F(ViewerOfMaps, ShowsWhatWasBeforeRectification)
+{
+  expectNoPicture(run(room_, {"--before"}), 2, "before");
+  Trajectory before = makeRoomWay();
+  for (Eigen::Isometry3d& pose : before.poses)
+    pose.translation().z() += 1;
+  saveTrajectory(folder_.path("room/trajectory_before.txt"), before);
+  const ShownPicture after = shoot(room_, {"--layers", "trajectory"});
+  EXPECT_NE(shoot(room_, {"--layers", "trajectory", "--before"}).pixels, after.pixels);
+  expectNoPicture(run(room_, {"--layers", "planes", "--before"}), 2, "planes");
+}
+
+TEST_F(ViewerOfMaps, WarnsOfPosesBeforeThatDoNotFit)
+{
+  Trajectory before = makeRoomWay();
+  before.poses.pop_back();
+  before.stamps.pop_back();
+  saveTrajectory(folder_.path("room/trajectory_before.txt"), before);
+  const ToolRun done = run(room_);
+  EXPECT_EQ(done.exit_code, 0);
+  EXPECT_NE(done.err.find("trajectory_before.txt has"), std::string::npos) << done.err;
+  expectNoPicture(run(room_, {"--before"}), 2, "before");
+  folder_.write("room/trajectory_before.txt", "0 0 0\n");
+  expectNoPicture(run(room_), 3, "trajectory_before.txt");
+}
+
+TEST_F(ViewerOfMaps, ShowsFoldersOfARectificationAsAPlan)
+{
+  fs::create_directory(folder_.path("out"));
+  std::string rows;
+  for (int i = 0; i < 400; ++i)
+    rows += std::to_string(i % 20 * 0.2) + " 1 " + std::to_string(i / 20 * 0.2) + " " +
+            std::to_string(i % 4) + "\n";
+  folder_.write("out/map.pcd",
+                "VERSION 0.7\nFIELDS x y z view\nSIZE 4 4 4 4\nTYPE F F F I\n"
+                "COUNT 1 1 1 1\nWIDTH 400\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+                "POINTS 400\nDATA ascii\n" +
+                    rows);
+  const std::string out = folder_.path("out");
+  expectNoPicture(run(out), 3, "trajectory.txt");
+  Trajectory way = makeRoomWay();
+  way.poses.resize(3);
+  way.stamps.resize(3);
+  saveTrajectory(out + "/trajectory.txt", way);
+  const ShownPicture plan = shoot(out);
+  EXPECT_GT(plan.covered(), 0.01);
+  EXPECT_EQ(shoot(out, {"--view", "plan"}).pixels, plan.pixels);
+  EXPECT_NE(shoot(out, {"--view", "outside"}).pixels, plan.pixels);
+  EXPECT_NE(shoot(out, {"--at", "1"}).pixels, plan.pixels);
+  saveTrajectory(out + "/trajectory_before.txt", way);
+  const ToolRun done = run(out, {"--before"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("100 points were seen from no pose"), std::string::npos)
+      << done.err;
+}
+
+TEST_F(ViewerOfMaps, StepsThroughTheWallsOfAMesh)
+{
+  addMeshAndCloud();
+  expectNoPicture(run(room_, {"--step", "0"}), 2, "wall depths");
+  folder_.write("room/mesh.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                "property float y\nproperty float z\nelement face 2\n"
+                "property list uchar int vertex_indices\nproperty uchar wall_depth\n"
+                "end_header\n0 1 0\n1 1 0\n0 1 1\n1 1 1\n3 0 1 2 0\n3 1 3 2 1\n");
+  const ShownPicture first = shoot(room_, {"--step", "0"});
+  EXPECT_GT(first.share(isRed), 0.001) << "the wall of depth 0";
+  EXPECT_NE(shoot(room_, {"--step", "1"}).pixels, first.pixels);
+  expectNoPicture(run(room_, {"--step", "2"}), 2, "step 2");
+  expectNoPicture(run(room_, {"--step", "-1"}), 2, "--step");
+}
+
 TEST_F(ViewerOfMaps, RefusesOptionsThatMakeNoSense)
 {
+  expectNoPicture(run(room_, {"--at", "1000"}), 2, "1000");
+  expectNoPicture(run(room_, {"--at", "0", "--view", "plan"}), 2, "--at");
+  expectNoPicture(run(room_, {"--at", "x"}), 2, "--at");
+  expectNoPicture(run(room_, {"--before", "--step", "0"}), 2, "--step");
   const std::string cloud = folder_.write("in.pcd", planePcd());
   expectNoPicture(run(room_, {"--layers", "planes,walls"}), 2, "walls");
   expectNoPicture(run(room_, {"--view", "below"}), 2, "below");

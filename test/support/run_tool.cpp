@@ -84,7 +84,7 @@ interrupt(pid_t process, const RunSettings& settings)
   if (settings.interrupt_after)
     std::this_thread::sleep_for(
         std::chrono::duration<double>(*settings.interrupt_after));
-  kill(process, SIGINT);
+  kill(process, settings.interruption);
 }
 
 } // namespace

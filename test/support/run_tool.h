@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -26,6 +27,9 @@ struct RunSettings {
 
   /** \brief The interruption comes as soon as this holds, or after half a minute. */
   std::function<bool()> interrupt_when;
+
+  /** \brief The signal that comes as interruption. */
+  int interruption = SIGINT;
 };
 
 /** \brief What came of it. */

@@ -1,0 +1,212 @@
+#include "chain.h"
+
+#include "active_stereo/stereo_run.h"
+#include "entropy_rectification/rectification_run.h"
+#include "observation_folder.h"
+#include "observation_names.h"
+#include "visual_egomotion/pose_estimation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/** \brief Median of what all pairs with a motion have, 0 without any. */
+double
+medianDeviation(const Json& pairs, const char* axis)
+{
+  std::vector<double> values;
+  for (const Json& pair : pairs)
+    if (pair.contains("standard_deviations"))
+      values.push_back(pair.at("standard_deviations").at(axis).get<double>());
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** \brief What egomotion says that its motions err by. */
+OdometryNoise
+noiseOf(const Json& egomotion)
+{
+  const Json& pairs = egomotion.at("pairs");
+  const double length =
+      std::max(medianDeviation(pairs, "x"), medianDeviation(pairs, "z"));
+  const double turn = medianDeviation(pairs, "about_y");
+  if (!(length > 0) || !(turn > 0))
+    return {};
+  return {length, 0, turn, 0};
+}
+
+std::vector<std::string>
+namesIn(const Json& stage)
+{
+  return stage.at("posed_files").get<std::vector<std::string>>();
+}
+
+/** \brief The input as far as stages are to notice a change. */
+Json
+sequenceState(const std::string& folder)
+{
+  std::vector<std::string> names = observationNames(folder);
+  names.emplace_back(trajectory_name);
+  return stateOf(folder, names);
+}
+
+} // namespace
+
+Chain::Chain(Tool& tool, const ChainOptions& options, std::string folder)
+: tool_(tool)
+, options_(options)
+, folder_(std::move(folder))
+{}
+
+std::string
+Chain::folderOf(const std::string& stage) const
+{
+  return (fs::path(folder_) / stage).string();
+}
+
+const Told&
+Chain::run(const std::string& name,
+           Json made_of,
+           const std::function<std::vector<std::string>()>& work,
+           const std::string& result_folder)
+{
+  made_of["stages_before"] = made_of_;
+  const StageFolder folder(folderOf(name), made_of, result_folder);
+  made_of_ = fingerprint(made_of);
+  if (std::optional<Told> told = folder.finished()) {
+    stages_.push_back({name, std::move(*told), true});
+    return stages_.back().told;
+  }
+  folder.begin();
+  std::vector<std::string> results;
+  Told told;
+  try {
+    told = tool_.apart([&] { results = work(); });
+  }
+  catch (const InterruptedPartway&) {
+    throwInterrupted(name + " in part");
+  }
+  catch (const CancelledException&) {
+    folder.abandon();
+    if (stages_.empty())
+      throw;
+    throwInterrupted("");
+  }
+  catch (...) {
+    folder.abandon();
+    throw;
+  }
+  if (results.empty())
+    folder.finish(told);
+  else
+    folder.finish(told, results);
+  stages_.push_back({name, std::move(told), false});
+  return stages_.back().told;
+}
+
+void
+Chain::throwInterrupted(std::string last) const
+{
+  std::string finished = last;
+  for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage)
+    finished = stage->name + (finished.empty() ? "" : ", ") + finished;
+  throw InterruptedPartway("interrupted; finished by then, and kept in " + folder_ +
+                           " for the next run: " + finished);
+}
+
+Sequence
+Chain::sequenceFrom(StartingPoint start)
+{
+  const bool is_session = start == StartingPoint::Session;
+  const double scale = is_session ? 1 : tool_.scale();
+  const std::string observations = is_session ? makeObservations() : options_.input;
+  Sequence sequence;
+  const bool is_posed =
+      start == StartingPoint::PosedObservations || !options_.stereo.poses.empty();
+  if (is_posed || observationNames(observations).size() < 2)
+    sequence.posed.emplace(observations, scale);
+  else
+    sequence.posed = findPoses(observations, scale);
+  sequence.is_rectified = options_.rectifies && sequence.posed->size() > 1;
+  if (sequence.is_rectified)
+    sequence.posed = rectify(*sequence.posed, scale);
+  return sequence;
+}
+
+std::string
+Chain::makeObservations()
+{
+  StereoOptions stereo = options_.stereo;
+  stereo.session = options_.input;
+  stereo.output = folderOf("observations");
+  stereo.goes_on = true;
+  Json made_of = {{"files", stateOf(options_.input, filesIn(options_.input))},
+                  {"options", valuesIn(tool_, stereo_group)}};
+  if (!stereo.poses.empty())
+    made_of["poses"] = stateOfFile(stereo.poses);
+  run("observations", made_of, [&] {
+    acmap::makeObservations(tool_, stereo);
+    return std::vector<std::string>();
+  });
+  return stereo.output;
+}
+
+PosedFolder
+Chain::findPoses(const std::string& observations, double scale)
+{
+  EgomotionOptions egomotion = options_.egomotion;
+  egomotion.inputs = {observations};
+  egomotion.output = folderOf("egomotion");
+  egomotion.writes_observations = false;
+  const Told& told = run("egomotion",
+                         {{"files", sequenceState(observations)},
+                          {"scale", scale},
+                          {"options", valuesIn(tool_, egomotion_group)}},
+                         [&] {
+                           estimatePoses(tool_, egomotion);
+                           return std::vector<std::string>();
+                         });
+  return {observations,
+          scale,
+          namesIn(told.details),
+          loadTrajectory((fs::path(egomotion.output) / trajectory_name).string())};
+}
+
+PosedFolder
+Chain::rectify(const PosedFolder& posed, double scale)
+{
+  RectificationOptions rectification = options_.rectification;
+  rectification.folder = posed.folder();
+  rectification.output = folderOf("rectification");
+  rectification.write_map = false;
+  rectification.skip_broken = options_.texture.skip_broken;
+  const bool has_egomotion = !stages_.empty() && stages_.back().name == "egomotion";
+  if (has_egomotion && !rectification.has_odometry_noise)
+    rectification.settings.odometry = noiseOf(stages_.back().told.details);
+  const Told& told = run("rectification",
+                         {{"observations", posed.folder()},
+                          {"skips_broken", rectification.skip_broken},
+                          {"files", sequenceState(posed.folder())},
+                          {"scale", scale},
+                          {"options", valuesIn(tool_, rectification_group)}},
+                         [&] {
+                           rectifyPoses(tool_, rectification, posed);
+                           return std::vector<std::string>();
+                         });
+  return {posed.folder(),
+          scale,
+          namesIn(told.details),
+          loadTrajectory((fs::path(rectification.output) / trajectory_name).string())};
+}
+
+} // namespace pcl::acmap

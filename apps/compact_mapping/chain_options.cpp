@@ -1,0 +1,131 @@
+#include "chain_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Options that are added meanwhile stand in a group of the help. */
+void
+inGroup(Tool& tool, const char* group, const std::function<void()>& add)
+{
+  const std::size_t before = tool.options().get_options().size();
+  add();
+  const std::vector<CLI::Option*> all = tool.options().get_options();
+  for (std::size_t i = before; i < all.size(); ++i)
+    all[i]->group(group);
+}
+
+void
+addSequenceOptions(Tool& tool, ChainOptions& options)
+{
+  CLI::App& app = tool.options();
+  inGroup(tool, stereo_group, [&] {
+    addStereoChoices(app, options.stereo);
+    app.add_option("--poses",
+                   options.stereo.poses,
+                   "Known poses of the session's observations, TUM's form, one row "
+                   "each, in place of egomotion")
+        ->type_name("TRAJECTORY.txt");
+  });
+  inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
+  inGroup(tool, rectification_group, [&] {
+    app.add_flag_callback(
+        "--no-rectification",
+        [&options] { options.rectifies = false; },
+        "Take the poses as they come");
+    addRectificationChoices(tool, options.rectification);
+  });
+}
+
+void
+addMapOptions(Tool& tool, ChainOptions& options)
+{
+  CLI::App& app = tool.options();
+  inGroup(tool, map_group, [&] {
+    addPlaneChoices(tool, options.planes);
+    addTextureOptions(tool, options.texture);
+    app.add_option("--max-points",
+                   options.most_points,
+                   "Points that the map is made of, at most: of more only each second, "
+                   "fourth ... is taken; 100 bytes of memory each")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1000}, std::size_t{1} << 31).description(""));
+    app.add_flag_callback(
+        "--no-pictures",
+        [&options] { options.has_pictures = false; },
+        "Draw no pictures, which need an X server, as xvfb-run gives");
+  });
+}
+
+void
+refuseGroup(Tool& tool, const std::string& group, const std::string& why)
+{
+  for (const CLI::Option* option : tool.options().get_options())
+    if (option->get_group() == group && option->count() > 0)
+      throw UsageError(option->get_name() + ": " + why);
+}
+
+} // namespace
+
+void
+addOptions(Tool& tool, ChainOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "input",
+         options.input,
+         "Raw session, folder of observation PCDs with or without poses, or one "
+         "cloud (.pcd, .ply, .obj, .xyz)")
+      ->type_name("INPUT")
+      ->required();
+  app.add_option("-o,--output", options.output, "Folder for the compact map")
+      ->type_name("OUT_DIR")
+      ->required();
+  app.add_option("--truth",
+                 options.truth,
+                 "Simulated session: tell how far the map is from its truth")
+      ->type_name("SESSION_DIR");
+  tool.addThreads();
+  tool.addScale();
+  addSequenceOptions(tool, options);
+  addMapOptions(tool, options);
+}
+
+void
+requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
+{
+  const std::string what =
+      options.input + " is " +
+      (start == StartingPoint::Cloud ? "one cloud" : nameOf(start));
+  if (start != StartingPoint::Session)
+    refuseGroup(tool, stereo_group, "is for raw sessions, and " + what);
+  if (start == StartingPoint::PosedObservations || start == StartingPoint::Cloud)
+    refuseGroup(
+        tool, egomotion_group, "is for observations without poses, and " + what);
+  if (start == StartingPoint::Cloud)
+    refuseGroup(tool, rectification_group, "is for observations, and " + what);
+  if (start == StartingPoint::Cloud && !options.truth.empty())
+    throw UsageError("--truth is for observations, and " + what);
+  if (start == StartingPoint::Session && tool.scale() != 1)
+    throw UsageError("--scale is for point clouds, and " + what);
+  if (!options.stereo.poses.empty())
+    refuseGroup(tool, egomotion_group, "is not used where --poses are known");
+  requireDepthOrder(options.stereo);
+  checkChoices(options.planes);
+}
+
+nlohmann::ordered_json
+valuesIn(Tool& tool, const std::string& group)
+{
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  for (const CLI::Option* option : tool.options().get_options())
+    if (option->get_group() == group && option->count() > 0)
+      values[option->get_name()] = option->results();
+  return values;
+}
+
+} // namespace pcl::acmap

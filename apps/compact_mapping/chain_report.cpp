@@ -1,0 +1,120 @@
+#include "chain_report.h"
+
+#include "observation_folder.h"
+#include "report_page.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::pair<const char*, const char*> captions[] = {
+    {"inside.png", "The map from inside, textured."},
+    {"outside.png", "The map from outside, without the faces that look away."},
+    {"floor_plan.png", "Floor plan: walls as lines, and the way of the camera."},
+    {"planes.png", "The mesh, in colours by plane."},
+    {"mesh.png", "The mesh of the consolidated points."},
+    {"plan.png", "All points from above, before and after rectification."}};
+
+Json
+picturesIn(const std::string& folder)
+{
+  Json pictures = Json::array();
+  std::error_code error;
+  for (const auto& [name, caption] : captions)
+    if (fs::exists(fs::path(folder) / name, error))
+      pictures.push_back({{"file", name}, {"caption", caption}});
+  return pictures;
+}
+
+/** \brief The folders are the chain's own; seconds have a line for all. */
+bool
+isForChain(const std::string& line)
+{
+  return line != "seconds" && line != "folder";
+}
+
+void
+tellStage(Tool& tool, const RunStage& stage)
+{
+  const Told& told = stage.told;
+  tool.tell(stage.name,
+            stage.is_reused ? "as it was finished before"
+                            : shortNumber(totalSeconds(told)) + " s");
+  for (const auto& [name, value] : told.lines)
+    if (isForChain(name))
+      tool.tell("  " + name, value);
+  for (const std::string& warning : told.report.remarks)
+    tool.warn(warning);
+  if (!stage.is_reused)
+    tool.report().seconds.emplace_back(stage.name, totalSeconds(told));
+}
+
+Json
+jsonOf(const RunStage& stage)
+{
+  Json json = {{"name", stage.name}, {"reused", stage.is_reused}};
+  json.update(acmap::jsonOf(stage.told));
+  return json;
+}
+
+} // namespace
+
+Json
+mapIsMadeOf(Tool& tool,
+            const ChainOptions& options,
+            const Sequence& sequence,
+            bool has_pictures)
+{
+  Json files;
+  if (sequence.posed) {
+    files = stateOf(sequence.posed->folder(), sequence.posed->names());
+    files.push_back(stateOf(sequence.posed->folder(), {trajectory_name}));
+  }
+  else
+    files = stateOfFile(options.input);
+  return {{"files", files},
+          {"scale", tool.scale()},
+          {"options", valuesIn(tool, map_group)},
+          {"rectifies", options.rectifies},
+          {"pictures", has_pictures}};
+}
+
+void
+tellChain(Tool& tool,
+          const ChainOptions& options,
+          StartingPoint start,
+          const std::vector<RunStage>& stages,
+          const std::optional<MapFigures>& figures)
+{
+  Json& details = tool.details();
+  details["input"] = options.input;
+  details["output"] = options.output;
+  details["starting_point"] = nameOf(start);
+  const Json& map = stages.back().told.details;
+  for (const char* name : {"observations", "finite_points", "bytes", "texture"})
+    if (map.contains(name))
+      details[name] = map.at(name);
+  details["planes"] = map.at("planes").size();
+  details["stages"] = Json::array();
+  for (const RunStage& stage : stages) {
+    tellStage(tool, stage);
+    details["stages"].push_back(jsonOf(stage));
+  }
+  if (figures) {
+    details["truth"] = toJson(*figures);
+    for (const auto& [name, value] : linesOf(*figures))
+      tool.tell(name, value);
+  }
+  details["pictures"] = picturesIn(options.output);
+  tool.tellSeconds();
+  tool.tell("folder", options.output);
+  saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "chain.h"
+#include "map_truth.h"
+
+namespace pcl::acmap {
+
+/** \brief Inputs and options of the map, for \ref Chain::run. */
+nlohmann::ordered_json
+mapIsMadeOf(Tool& tool,
+            const ChainOptions& options,
+            const Sequence& sequence,
+            bool has_pictures);
+
+/** \brief Tells what all stages told, in summary, warnings and report, and draws
+ * report.html.
+ * \param[in] figures against the truth, if it is known
+ * \throws OutputFileException when that cannot be written */
+void
+tellChain(Tool& tool,
+          const ChainOptions& options,
+          StartingPoint start,
+          const std::vector<RunStage>& stages,
+          const std::optional<MapFigures>& figures);
+
+} // namespace pcl::acmap

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "chain.h"
+#include "plane_extraction/extraction.h"
+
+#include <pcl/core/compact_map.h>
+#include <pcl/core/output_folder.h>
+
+namespace pcl::acmap {
+
+/** \brief Makes a compact map of observations, or of one cloud, and writes it with its
+ * mesh, thinned points, poses and pictures, as a stage of the chain.
+ * \param[in] sequence the observations; without poses: one cloud, the options' input
+ * \param[in,out] folder is committed
+ * \return names of what was written
+ * \throws NothingFound when there is no plane
+ * \throws what its steps throw */
+std::vector<std::string>
+makeMap(Tool& tool,
+        const ChainOptions& options,
+        const Chain& chain,
+        const Sequence& sequence,
+        bool draws,
+        OutputFolder& folder);
+
+} // namespace pcl::acmap

@@ -1,0 +1,244 @@
+#include "map_truth.h"
+
+#include "plane_overlap.h"
+#include "tool.h"
+
+#include <pcl/core/trajectory_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Poses = std::vector<Eigen::Isometry3d>;
+using Json = nlohmann::ordered_json;
+
+constexpr double most_angle = 3;    // degrees
+constexpr double most_offset = 0.1; // metres
+constexpr double degrees = 57.29577951308232;
+
+Poses
+truePosesOf(const MappedWay& way, const SessionTruth& truth)
+{
+  if (way.observations.empty() || way.before.size() != way.observations.size() ||
+      way.after.size() != way.observations.size())
+    throw BadArgumentException("a way has " + std::to_string(way.observations.size()) +
+                               " observations, " + std::to_string(way.before.size()) +
+                               " poses before and " + std::to_string(way.after.size()) +
+                               " after; as many of each, and at least one, are legal");
+  Poses poses;
+  for (const std::size_t observation : way.observations) {
+    if (observation >= truth.trajectory.poses.size())
+      throw InputFileException(truth.trajectory_path + ": has " +
+                               std::to_string(truth.trajectory.poses.size()) +
+                               " poses, none of them of observation " +
+                               std::to_string(observation) + " of the map");
+    poses.push_back(truth.trajectory.poses[observation]);
+  }
+  return poses;
+}
+
+std::vector<PlanarPose>
+onFloor(const Poses& poses, const Eigen::Isometry3d& T_truth_map)
+{
+  std::vector<PlanarPose> planar;
+  for (const Eigen::Isometry3d& pose : poses)
+    planar.push_back(planarPartOf(T_truth_map * pose));
+  return planar;
+}
+
+AbsoluteTrajectoryError
+errorOf(const Poses& found,
+        const Poses& truth,
+        const Eigen::Isometry3d& T_truth_map = Eigen::Isometry3d::Identity())
+{
+  return absoluteTrajectoryError(onFloor(found, T_truth_map),
+                                 onFloor(truth, Eigen::Isometry3d::Identity()));
+}
+
+/** \brief T_truth_map under which the first pose is the true one. */
+Eigen::Isometry3d
+byFirst(const Poses& found, const Poses& truth)
+{
+  return truth.front() * found.front().inverse();
+}
+
+/** \brief T_truth_map, a turn and a shift on the floor, under which places fit best. A
+ * camera that stood still has no way that could be turned. */
+Eigen::Isometry3d
+byWay(const Poses& found, const Poses& truth)
+{
+  constexpr double shortest = 1e-3; // metres, from the middle, root mean square
+  const auto count = static_cast<double>(found.size());
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = from;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    from += found[i].translation() / count;
+    to += truth[i].translation() / count;
+  }
+  double sine = 0, cosine = 0, spread = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Eigen::Vector3d a = found[i].translation() - from;
+    const Eigen::Vector3d b = truth[i].translation() - to;
+    sine += a.z() * b.x() - a.x() * b.z();
+    cosine += a.x() * b.x() + a.z() * b.z();
+    spread += (b.x() * b.x() + b.z() * b.z()) / count;
+  }
+  if (!(spread > shortest * shortest))
+    return byFirst(found, truth);
+  Eigen::Isometry3d T_truth_map = isometryOf({0, 0, std::atan2(sine, cosine)});
+  Eigen::Vector3d shift = to - T_truth_map.linear() * from;
+  shift.y() = 0;
+  T_truth_map.translation() = shift;
+  return T_truth_map;
+}
+
+/** \brief How a found plane deviates from a true one, if it may be that one. */
+std::optional<PlaneDeviation>
+deviationOf(const PlacedPlane& found, const TruePlane& truth)
+{
+  const Eigen::Vector3d normal = truth.coefficients.head<3>();
+  const Eigen::Vector3d found_normal = found.coefficients.head<3>();
+  PlaneDeviation deviation;
+  deviation.angle = std::atan2(normal.cross(found_normal).norm(),
+                               std::abs(normal.dot(found_normal))) *
+                    degrees;
+  if (!(deviation.angle <= most_angle))
+    return std::nullopt;
+  const PlaneOverlap overlap = overlapOf(found, truth);
+  deviation.overlap = overlap.area;
+  deviation.offset = std::abs(normal.dot(overlap.middle) + truth.coefficients[3]);
+  if (!(2 * overlap.area > found.area && deviation.offset <= most_offset))
+    return std::nullopt;
+  return deviation;
+}
+
+/** \brief For each true plane what finds it, of all planes, main or not. */
+std::vector<PlaneDeviation>
+matched(const CompactMap& map,
+        const std::vector<TruePlane>& planes,
+        const Eigen::Isometry3d& T_truth_map)
+{
+  std::vector<PlaneDeviation> matches(planes.size());
+  for (std::size_t f = 0; f < map.planes.size(); ++f) {
+    const PlacedPlane found = placed(map.planes[f], T_truth_map);
+    std::optional<PlaneDeviation> nearest;
+    std::size_t owner = 0;
+    for (std::size_t t = 0; t < planes.size(); ++t) {
+      const auto deviation = deviationOf(found, planes[t]);
+      if (deviation && (!nearest || deviation->offset < nearest->offset)) {
+        nearest = deviation;
+        owner = t;
+      }
+    }
+    if (!nearest || nearest->overlap <= matches[owner].overlap)
+      continue;
+    matches[owner] = *nearest;
+    matches[owner].finder = f;
+  }
+  for (std::size_t t = 0; t < planes.size(); ++t)
+    matches[t].name = planes[t].name;
+  return matches;
+}
+
+/** \brief The planes' part. */
+MapDeviation
+deviationOf(const CompactMap& map,
+            const SessionTruth& truth,
+            const Eigen::Isometry3d& T_truth_map)
+{
+  const std::vector<PlaneDeviation> all = matched(map, truth.planes, T_truth_map);
+  MapDeviation deviation;
+  for (const std::size_t t : truth.mainPlanes()) {
+    const PlaneDeviation& plane = all[t];
+    deviation.planes.push_back(plane);
+    if (!plane.finder)
+      continue;
+    ++deviation.found;
+    deviation.mean_angle += plane.angle;
+    deviation.mean_offset += plane.offset;
+    deviation.largest_angle = std::max(deviation.largest_angle, plane.angle);
+    deviation.largest_offset = std::max(deviation.largest_offset, plane.offset);
+  }
+  const auto count = static_cast<double>(deviation.found);
+  deviation.mean_angle /= count; // NaN without any
+  deviation.mean_offset /= count;
+  if (deviation.found == 0)
+    deviation.largest_angle = deviation.largest_offset = deviation.mean_angle;
+  return deviation;
+}
+
+Json
+jsonOf(const PlaneDeviation& plane)
+{
+  if (!plane.finder)
+    return {{"name", plane.name}, {"plane", nullptr}};
+  return {{"name", plane.name},
+          {"plane", *plane.finder},
+          {"angle_deg", plane.angle},
+          {"offset_m", plane.offset},
+          {"overlap_m2", plane.overlap}};
+}
+
+Json
+jsonOf(const MapDeviation& deviation)
+{
+  return {{"main_planes_found", deviation.found},
+          {"main_planes", deviation.planes.size()},
+          {"mean_angle_deg", deviation.mean_angle},
+          {"largest_angle_deg", deviation.largest_angle},
+          {"mean_offset_m", deviation.mean_offset},
+          {"largest_offset_m", deviation.largest_offset},
+          {"ate_before_m", deviation.ate_before},
+          {"ate_after_m", deviation.ate_after}};
+}
+
+} // namespace
+
+MapFigures
+compareWithTruth(const CompactMap& map, const MappedWay& way, const SessionTruth& truth)
+{
+  const Poses poses = truePosesOf(way, truth);
+  const Eigen::Isometry3d T_truth_first = byFirst(way.after, poses);
+  MapFigures figures;
+  figures.aligned = deviationOf(map, truth, byWay(way.after, poses));
+  figures.aligned.ate_before = errorOf(way.before, poses).aligned;
+  figures.aligned.ate_after = errorOf(way.after, poses).aligned;
+  figures.from_first = deviationOf(map, truth, T_truth_first);
+  figures.from_first.ate_before =
+      errorOf(way.before, poses, byFirst(way.before, poses)).unaligned;
+  figures.from_first.ate_after = errorOf(way.after, poses, T_truth_first).unaligned;
+  return figures;
+}
+
+Json
+toJson(const MapFigures& figures)
+{
+  Json json = jsonOf(figures.aligned);
+  json["compactness"] = figures.compactness;
+  json["planes"] = Json::array();
+  for (const PlaneDeviation& plane : figures.aligned.planes)
+    json["planes"].push_back(jsonOf(plane));
+  json["from_first"] = jsonOf(figures.from_first);
+  return json;
+}
+
+std::vector<std::pair<std::string, std::string>>
+linesOf(const MapFigures& figures)
+{
+  const MapDeviation& it = figures.aligned;
+  std::string planes =
+      std::to_string(it.found) + " of " + std::to_string(it.planes.size()) + " found";
+  if (it.found > 0)
+    planes += ", " + shortNumber(it.mean_angle) + " degrees and " +
+              shortNumber(1000 * it.mean_offset) + " mm off (means), at most " +
+              shortNumber(it.largest_angle) + " degrees and " +
+              shortNumber(1000 * it.largest_offset) + " mm";
+  return {{"true planes", planes},
+          {"ATE",
+           shortNumber(it.ate_before) + " m before rectification, " +
+               shortNumber(it.ate_after) + " m after"}};
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace pcl::acmap {
+
+/** \brief The style sheet of the report page: for screens, phones and paper. */
+const char*
+pageStyle();
+
+} // namespace pcl::acmap

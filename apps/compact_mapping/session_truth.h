@@ -1,0 +1,42 @@
+#pragma once
+
+#include <pcl/core/chart_clip.h>
+#include <pcl/core/trajectory.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief A plane that really is there, in the frame of the true trajectory. */
+struct TruePlane {
+  std::string name;
+  Eigen::Vector4d coefficients = Eigen::Vector4d::UnitZ(); ///< unit normal; metres
+  std::size_t points = 0; ///< that were, or could be, measured on it
+  std::vector<ChartClip> rectangles;
+};
+
+/** \brief What a simulated session knows of its building. */
+struct SessionTruth {
+  std::vector<TruePlane> planes; ///< at least one of them with points
+  Trajectory trajectory;         ///< T_map_camera of its observations
+  std::string trajectory_path;   ///< for messages
+
+  /** \brief The planes that a map of the session should have: those with at least 1 % of
+   * all points. In a corridor these are floor, ceiling, walls, ends that were seen, and
+   * doors where there are many. */
+  std::vector<std::size_t>
+  mainPlanes() const;
+};
+
+/** \brief Reads truth.json and trajectory.txt of a folder that pcl_simulated_rig wrote.
+ * \throws InputFileException naming the file and its fault: one that is missing or cannot
+ * be understood, a plane without `points`, a
+ * normal that is not of unit length, corners of no rectangle, no plane that has points */
+SessionTruth
+loadSessionTruth(const std::string& folder);
+
+} // namespace pcl::acmap

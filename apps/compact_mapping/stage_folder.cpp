@@ -1,0 +1,264 @@
+#include "stage_folder.h"
+
+#include "killed_runs.h"
+
+#include <pcl/core/build_config.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/core/output_file.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* state_name = "stage.json";
+
+Json
+readState(const fs::path& path)
+{
+  std::ifstream file(path);
+  return Json::parse(file, nullptr, false);
+}
+
+std::string
+dumped(const Json& json, int indent)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/** Whether a name stays in its folder: stage.json may be anybody's. */
+bool
+isPlain(const std::string& name)
+{
+  return !name.empty() && name.find('/') == std::string::npos && name != "..";
+}
+
+/** As it comes back from a file, where bytes that are no text were replaced. */
+Json
+asWritten(const Json& json)
+{
+  return Json::parse(dumped(json, -1));
+}
+
+} // namespace
+
+StageFolder::StageFolder(std::string path, Json made_of, std::string result_folder)
+: path_(std::move(path))
+, made_of_(asWritten(made_of))
+, result_folder_(result_folder.empty() ? path_ : std::move(result_folder))
+{
+  made_of_["version"] = ACMAP_VERSION;
+}
+
+std::optional<Told>
+StageFolder::finished() const
+{
+  try {
+    const Json state = readState(fs::path(path_) / state_name);
+    if (!state.is_object() || state.at("made_of") != made_of_ ||
+        !state.at("finished").get<bool>())
+      return std::nullopt;
+    std::vector<std::string> names;
+    for (const Json& result : state.at("results"))
+      names.push_back(result.at(0).get<std::string>());
+    if (asWritten(results(names)) != state.at("results"))
+      return std::nullopt;
+    return toldIn(state.at("told"));
+  }
+  catch (const nlohmann::json::exception&) {
+    return std::nullopt; // damaged, or another version's
+  }
+}
+
+bool
+StageFolder::isInterrupted() const
+{
+  const Json state = readState(fs::path(path_) / state_name);
+  return state.is_object() && state.contains("made_of") &&
+         state["made_of"] == made_of_ && state.contains("finished") &&
+         state["finished"] == false;
+}
+
+Json
+StageFolder::earlierResults() const
+{
+  try {
+    const Json state = readState(fs::path(path_) / state_name);
+    if (!state.is_object())
+      return Json::array();
+    Json entries = Json::array();
+    for (const Json& entry :
+         state.at(state.at("finished").get<bool>() ? "results" : "earlier"))
+      if (entry.at(0).is_string() && isPlain(entry.at(0).get<std::string>()))
+        entries.push_back(entry);
+    return entries;
+  }
+  catch (const nlohmann::json::exception&) {
+    return Json::array(); // damaged
+  }
+}
+
+void
+StageFolder::requireNoStrangers(const Json& earlier) const
+{
+  const auto refuse = [&](const std::string& name) {
+    throw OutputFileException(path_ + ": holds " + name +
+                              ", which is not of a stage; name another folder, or "
+                              "remove it");
+  };
+  std::set<std::string> known = {state_name};
+  for (const Json& entry : earlier)
+    known.insert(entry.at(0).get<std::string>());
+  std::error_code error;
+  const bool is_stage = fs::exists(fs::path(path_) / state_name, error);
+  for (fs::directory_iterator entry(path_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool may_be_ours = is_stage && entry->is_regular_file(error) &&
+                             (earlier.empty() || known.count(name) != 0);
+    if (!may_be_ours)
+      refuse(name);
+  }
+  if (error)
+    throw OutputFileException(path_ + ": " + error.message());
+}
+
+void
+StageFolder::abandon() const
+{
+  std::error_code ignored;
+  if (!earlierResults().empty())
+    return; // a later run is to know whose they are
+  fs::remove_all(path_, ignored);
+  fs::remove(fs::path(path_).parent_path(), ignored); // fails where others lie in it
+}
+
+void
+StageFolder::begin() const
+{
+  removeLeftovers(path_);
+  removeLeftovers(result_folder_);
+  if (isInterrupted())
+    return;
+  std::error_code error;
+  const Json earlier = earlierResults();
+  if (fs::exists(path_, error)) {
+    requireNoStrangers(earlier);
+    fs::remove_all(path_, error);
+  }
+  if (!error)
+    fs::create_directories(path_, error);
+  if (error)
+    throw OutputFileException(path_ + ": " + error.message());
+  write({{"made_of", made_of_},
+         {"finished", false},
+         {"earlier", result_folder_ == path_ ? Json::array() : earlier}});
+}
+
+void
+StageFolder::removeStale(const std::vector<std::string>& names) const
+{
+  for (const Json& entry : earlierResults()) {
+    const auto name = entry.at(0).get<std::string>();
+    const bool is_new = std::find(names.begin(), names.end(), name) != names.end();
+    if (is_new || asWritten(results({name})) != Json::array({entry}))
+      continue;
+    std::error_code ignored;
+    fs::remove(fs::path(result_folder_) / name, ignored);
+  }
+}
+
+void
+StageFolder::finish(const Told& told, const std::vector<std::string>& names) const
+{
+  removeStale(names);
+  write({{"made_of", made_of_},
+         {"finished", true},
+         {"results", results(names)},
+         {"told", jsonOf(told)}});
+}
+
+void
+StageFolder::finish(const Told& told) const
+{
+  std::vector<std::string> names = filesIn(path_);
+  names.erase(std::remove(names.begin(), names.end(), state_name), names.end());
+  finish(told, names);
+}
+
+void
+StageFolder::write(const Json& state) const
+{
+  const std::string text = dumped(state, 1) + "\n";
+  OutputFile file((fs::path(path_) / state_name).string());
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+Json
+StageFolder::results(const std::vector<std::string>& names) const
+{
+  return stateOf(result_folder_, names);
+}
+
+std::vector<std::string>
+filesIn(const std::string& folder)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.front() != '.' && entry->is_regular_file(error))
+      names.push_back(name);
+  }
+  if (error)
+    throw InputFileException(folder + ": " + error.message());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Json
+stateOf(const std::string& folder, const std::vector<std::string>& names)
+{
+  Json state = Json::array();
+  for (const std::string& name : names) {
+    const fs::path path = fs::path(folder) / name;
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    const auto time = error ? fs::file_time_type() : fs::last_write_time(path, error);
+    if (error)
+      state.push_back({name});
+    else
+      state.push_back({name, size, time.time_since_epoch().count()});
+  }
+  return state;
+}
+
+Json
+stateOfFile(const std::string& path)
+{
+  const fs::path file(path);
+  return stateOf(file.parent_path().string(), {file.filename().string()});
+}
+
+std::string
+fingerprint(const Json& json)
+{
+  std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a
+  for (const char letter : dumped(json, -1))
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,69 @@
+#include "starting_point.h"
+
+#include "posed_folder.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool
+hasPoses(const PosedFolder& folder, bool skip_broken)
+{
+  if (folder.hasTrajectory())
+    return true;
+  std::vector<std::string> told_later;
+  std::optional<Eigen::Matrix4d> first;
+  std::size_t readable = 0;
+  for (std::size_t i = 0; i < folder.size(); ++i) {
+    try {
+      const Eigen::Matrix4d pose = folder.load(i, told_later).T_map_camera.matrix();
+      ++readable;
+      if (first && pose != *first)
+        return true;
+      first = pose;
+    }
+    catch (const InputFileException&) {
+      if (!skip_broken)
+        throw;
+    }
+  }
+  return readable < 2; // nothing to be told apart
+}
+
+} // namespace
+
+const char*
+nameOf(StartingPoint start)
+{
+  switch (start) {
+  case StartingPoint::Session:
+    return "raw session";
+  case StartingPoint::Observations:
+    return "observations";
+  case StartingPoint::PosedObservations:
+    return "posed observations";
+  default:
+    return "cloud";
+  }
+}
+
+StartingPoint
+startingPointOf(const std::string& input, bool skip_broken)
+{
+  std::error_code error;
+  if (!fs::is_directory(input, error))
+    return StartingPoint::Cloud;
+  if (fs::exists(fs::path(input) / "session.yaml", error))
+    return StartingPoint::Session;
+  return hasPoses(PosedFolder(input, 1), skip_broken) ? StartingPoint::PosedObservations
+                                                      : StartingPoint::Observations;
+}
+
+} // namespace pcl::acmap

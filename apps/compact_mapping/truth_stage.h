@@ -1,0 +1,18 @@
+#pragma once
+
+#include "chain.h"
+#include "map_truth.h"
+
+namespace pcl::acmap {
+
+/** \brief Compares the finished map of a sequence with the session it shows.
+ * \param[in] sequence with poses
+ * \throws InputFileException when an observation has no true pose, or a result of the
+ * chain cannot be read again */
+MapFigures
+compareMap(const ChainOptions& options,
+           const Chain& chain,
+           const Sequence& sequence,
+           const SessionTruth& truth);
+
+} // namespace pcl::acmap

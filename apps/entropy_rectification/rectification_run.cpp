@@ -1,0 +1,99 @@
+#include "rectification_run.h"
+
+#include "level_check.h"
+#include "map_observations.h"
+#include "observation_folder.h"
+#include "rectification_outputs.h"
+#include "rectification_reports.h"
+
+#include <pcl/mapping/entropy_rectification.h>
+
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Rectification = pcl::EntropyRectification<pcl::PointNormal>;
+
+void
+rectify(Tool& tool,
+        const RectificationOptions& options,
+        const MapObservations& observations,
+        Rectification& rectification)
+{
+  rectification.setMode(options.settings.mode);
+  rectification.setBinSize(options.binSize());
+  rectification.setSeed(options.settings.seed);
+  rectification.setOdometryNoise(options.settings.odometry);
+  rectification.setNumberOfThreads(tool.threads());
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(observations.clouds[i],
+                                observations.trajectory.poses[i],
+                                observations.weights[i]);
+  tool.withProgress([&](const pcl::ProgressCallback& progress) {
+    rectification.setProgressCallback(progress);
+    rectification.compute();
+  });
+}
+
+std::vector<Eigen::Isometry3d>
+posesOf(const Rectification& rectification)
+{
+  std::vector<Eigen::Isometry3d> poses;
+  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
+    poses.push_back(rectification.getPose(i));
+  return poses;
+}
+
+void
+warnOfTilt(Tool& tool, const MapObservations& observations)
+{
+  constexpr double most = 10; // degrees
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  const double tilt = degrees * tiltOf(observations).value_or(0.0);
+  if (tilt > most)
+    tool.warn("floors and ceilings lie " + std::to_string(std::lround(tilt)) +
+              " degrees off the xz plane: the map is not level, and is rectified about "
+              "its y axis all the same");
+}
+
+} // namespace
+
+void
+rectifyPoses(Tool& tool,
+             const RectificationOptions& options,
+             const std::optional<PosedFolder>& posed)
+{
+  StepTimer timer(tool.report());
+  OutputFolder folder(options.output);
+  if (folder.holds(options.input()) || folder.holds(options.input() + "/any"))
+    throw UsageError(options.output + ": holds the input; name another folder");
+  requireNoSequence(folder);
+  tool.requireReportWritable({options.input()});
+  const MapObservations observations =
+      posed ? readObservations(tool, *posed, options.skip_broken)
+            : readScans(tool, options.log, options.every);
+  if (observations.points == 0)
+    throw NothingFound(options.input() + ": has no point");
+  if (posed)
+    warnOfTilt(tool, observations);
+  timer.finish("read");
+
+  Rectification rectification;
+  rectify(tool, options, observations, rectification);
+  timer.finish("rectify");
+
+  const EntropyRectificationReport& report = rectification.getReport();
+  writeOutputs(
+      tool, options, observations, posesOf(rectification), report.steps, folder);
+  tool.stopIfInterrupted();
+  folder.commit();
+  timer.finish("write");
+  tellOutcome(tool, options, report);
+  tool.details()["posed_files"] = observations.files;
+  tool.tellSeconds();
+  tool.tell("folder", options.output);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "posed_folder.h"
+#include "rectification_options.h"
+
+#include <optional>
+
+namespace pcl::acmap {
+
+/** \brief Rectifies a map and writes it into a folder: all of what
+ * pcl_entropy_rectification does.
+ * \param[in] posed the observations; none: the scans of the options' log
+ * \throws what its page tells as exit codes */
+void
+rectifyPoses(Tool& tool,
+             const RectificationOptions& options,
+             const std::optional<PosedFolder>& posed);
+
+} // namespace pcl::acmap

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "figure_inputs.h"
+#include "figure_plan.h"
+
+#include <pcl/core/output_folder.h>
+
+namespace pcl::acmap {
+
+/** \brief Draws fig4.png: the true plan, the map's points from above before and after
+ * rectification with the true plan upon them, and the points after from some places. */
+void
+drawMapFigure(const FilmedSession& session,
+              const MappedSession& map,
+              const FigurePlan& plan,
+              const OutputFolder& folder);
+
+} // namespace pcl::acmap

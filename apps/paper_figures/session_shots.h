@@ -1,0 +1,46 @@
+#pragma once
+
+#include "active_stereo/shot_groups.h"
+
+#include <pcl/core/trinocular_rig.h>
+
+#include <memory>
+#include <string>
+
+namespace pcl {
+class TrinocularFileGrabber;
+}
+
+namespace pcl::acmap {
+
+class FrameRectifier;
+
+/** \brief Single observations of a session, without reading those before them. */
+class SessionShots {
+public:
+  /** \param[in] threads 0 = all
+   * \throws InputFileException as pcl::TrinocularFileGrabber */
+  SessionShots(const std::string& session, unsigned threads);
+  ~SessionShots();
+
+  /** \brief Of the rectified frames. */
+  const TrinocularRig&
+  rig() const;
+
+  /** \brief The shots of an observation, rectified.
+   * \throws InputFileException for a frame that cannot be read, or without any */
+  ObservationShots
+  of(std::size_t observation) const;
+
+private:
+  std::string session_;
+  std::unique_ptr<TrinocularFileGrabber> grabber_;
+  std::unique_ptr<FrameRectifier> rectifier_;
+};
+
+/** \brief The shot under a pattern, or that without one.
+ * \throws InputFileException when the observation has none */
+const TrinocularFrame&
+shotUnder(const ObservationShots& shots, std::int32_t pattern);
+
+} // namespace pcl::acmap

@@ -1,0 +1,207 @@
+#include "chain_runs.h"
+#include "plane_runs.h"
+#include "tool_cases.h"
+
+#include <pcl/core/trajectory.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string
+observation(const std::string& folder, int number)
+{
+  return folder + "/observation_000" + std::to_string(number) + ".pcd";
+}
+
+/** \brief Writes poses as the files' VIEWPOINTs. */
+void
+setViewpoints(const std::string& folder, const Trajectory& poses)
+{
+  for (std::size_t i = 0; i < poses.poses.size(); ++i) {
+    PointCloud<PointXYZRGB> cloud;
+    const std::string path = observation(folder, static_cast<int>(i));
+    ASSERT_EQ(io::loadPCDFile(path, cloud), 0);
+    cloud.sensor_origin_.head<3>() = poses.poses[i].translation().cast<float>();
+    cloud.sensor_orientation_ =
+        Eigen::Quaternionf(poses.poses[i].linear().cast<float>());
+    ASSERT_EQ(io::savePCDFileBinary(path, cloud), 0);
+  }
+}
+
+class ChainInputs : public ChainTest {
+protected:
+  /** \brief Where it begins, as the report has it. */
+  std::string
+  start() const
+  {
+    return jsonOfFile(out_ + "/report.json").at("starting_point");
+  }
+
+  /** \brief Refuses, and leaves nothing. */
+  void
+  refuse(const std::string& input,
+         const std::vector<std::string>& options,
+         int code,
+         const std::string& word) const
+  {
+    expectRefused(runChain(input, out_, options), code, word);
+    EXPECT_FALSE(fs::exists(out_)) << word;
+  }
+
+  std::string out_ = folder_.path("out");
+};
+
+TEST_F(ChainInputs, ObservationsWithoutPoses)
+{
+  const ToolRun run = runChain(observations(), out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(start(), "observations");
+  EXPECT_THAT(stagesOf(out_), ElementsAre("egomotion", "rectification", "map"));
+  EXPECT_EQ(contentOf(out_ + "/map.json"), contentOf(map_ + "/map.json"));
+}
+
+TEST_F(ChainInputs, ObservationsWithATrajectory)
+{
+  const ToolRun run = runChain(posedObservations(), out_, {"--no-rectification"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(start(), "posed observations");
+  EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
+  const Trajectory taken = loadTrajectory(out_ + "/trajectory.txt");
+  const Trajectory given = loadTrajectory(map_ + "/trajectory.txt");
+  ASSERT_EQ(taken.poses.size(), given.poses.size());
+  for (std::size_t i = 0; i < given.poses.size(); ++i)
+    EXPECT_TRUE(taken.poses[i].isApprox(given.poses[i], 1e-12)) << i;
+  EXPECT_EQ(jsonOfFile(out_ + "/report.json").at("planes"),
+            jsonOfFile(map_ + "/report.json").at("planes"));
+}
+
+TEST_F(ChainInputs, ObservationsWithViewpoints)
+{
+  const std::string input = observations();
+  setViewpoints(input, loadTrajectory(map_ + "/trajectory.txt"));
+  const ToolRun run = runChain(input, out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(start(), "posed observations");
+  EXPECT_THAT(stagesOf(out_), ElementsAre("rectification", "map"));
+  EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").poses.size(), 3u);
+}
+
+TEST_F(ChainInputs, OneObservationAloneIsPosed)
+{
+  const std::string input = observations();
+  fs::remove(observation(input, 1));
+  fs::remove(observation(input, 2));
+  const ToolRun run = runChain(input, out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
+  EXPECT_EQ(jsonOfFile(out_ + "/report.json").at("observations"), 1);
+  EXPECT_FALSE(fs::exists(out_ + "/trajectory_before.txt"));
+}
+
+TEST_F(ChainInputs, OneCloud)
+{
+  const ToolRun run = runChain(map_ + "/map.pcd", out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(start(), "cloud");
+  EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
+  EXPECT_FALSE(fs::exists(out_ + "/trajectory.txt"));
+  EXPECT_EQ(runChain(map_ + "/map.pcd", out_).exit_code, 0);
+  EXPECT_TRUE(madeStages(out_).empty());
+}
+
+TEST_F(ChainInputs, ASessionWithKnownPosesNeedsNoEgomotion)
+{
+  const std::string poses = session_ + "/trajectory.txt";
+  const ToolRun run =
+      runSessionChain(session_, out_, {"--poses", poses, "--no-rectification"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(stagesOf(out_), ElementsAre("observations", "map"));
+  const Trajectory truth = loadTrajectory(poses);
+  const Trajectory taken = loadTrajectory(out_ + "/trajectory.txt");
+  ASSERT_EQ(taken.poses.size(), truth.poses.size());
+  for (std::size_t i = 0; i < taken.poses.size(); ++i)
+    EXPECT_LT((taken.poses[i].matrix() - truth.poses[i].matrix()).norm(), 1e-6) << i;
+}
+
+TEST_F(ChainInputs, OptionsOfStagesOnNoWayAreRefused)
+{
+  const std::string cloud = map_ + "/map.pcd";
+  const std::string unposed = map_ + "/stages/observations";
+  refuse(unposed, {"--min-depth", "1"}, 2, "--min-depth: is for raw sessions");
+  refuse(unposed, {"--poses", session_ + "/trajectory.txt"}, 2, "--poses: is for raw");
+  refuse(cloud, {"--keypoints", "500"}, 2, "--keypoints: is for observations without");
+  refuse(cloud, {"--bin", "0.1"}, 2, "--bin: is for observations");
+  refuse(cloud, {"--no-rectification"}, 2, "--no-rectification: is for observations");
+  refuse(cloud, {"--truth", session_}, 2, "--truth is for observations");
+  refuse(posedObservations(), {"--keypoints", "500"}, 2, "posed observations");
+  refuse(session_, {"--scale", "0.001"}, 2, "--scale is for point clouds");
+  refuse(session_,
+         {"--poses", session_ + "/trajectory.txt", "--keypoints", "500"},
+         2,
+         "--keypoints: is not used");
+  refuse(session_, {"--min-depth", "5", "--max-depth", "2"}, 2, "--min-depth");
+  refuse(cloud, {"--max-points", "999"}, 2, "--max-points");
+}
+
+TEST_F(ChainInputs, WhatIsReadMustNotLieWhereTheMapGoes)
+{
+  const auto before = resultsIn(map_);
+  const std::string word = "lies in the folder that is to hold the map";
+  for (const char* name : {"", "/map.pcd", "/stages/observations", "/stages/../"})
+    expectRefused(runChain(map_ + name, map_), 2, word);
+  expectRefused(
+      runAgain({"--poses", map_ + "/trajectory.txt"}), 2, "trajectory.txt: " + word);
+  fs::create_directory_symlink(map_, folder_.path("link"));
+  expectRefused(runChain(map_ + "/map.pcd", folder_.path("link")), 2, word);
+  EXPECT_THAT(differing(resultsIn(map_), before), IsEmpty());
+}
+
+TEST_F(ChainInputs, InputsOfNoUseLeaveNothing)
+{
+  const std::string empty = folder_.path("empty");
+  fs::create_directory(empty);
+  refuse(empty, {}, 3, "holds no .pcd");
+  refuse(folder_.path("none"), {}, 3, "none");
+  refuse(folder_.write("broken.pcd", "VERSION"), {}, 3, "broken.pcd");
+  std::ofstream(empty + "/session.yaml") << "garbage";
+  refuse(empty, {}, 3, "session.yaml");
+  refuse(session_, {"--truth", empty}, 3, "truth.json");
+  refuse(session_, {"--poses", folder_.path("none")}, 3, "none");
+  refuse(posedObservations(), {"--no-rectification", "--min-area", "1000"}, 4, "plane");
+}
+
+TEST_F(ChainInputs, AStageThatFailsKeepsThoseBefore)
+{
+  const auto refused = [&] { return runAgain({"--min-area", "1000"}); };
+  expectRefused(refused(), 4, "plane");
+  EXPECT_EQ(runAgain().exit_code, 0);
+  EXPECT_THAT(madeStages(map_), ElementsAre("map"));
+}
+
+TEST_F(ChainInputs, BrokenObservationsAreSkippedOnRequest)
+{
+  const std::string input = observations();
+  setViewpoints(input, loadTrajectory(map_ + "/trajectory.txt"));
+  std::ofstream(observation(input, 0)) << "VERSION";
+  refuse(input, {}, 3, "observation_0000.pcd");
+  const ToolRun run = runChain(input, out_, {"--skip-broken"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(start(), "posed observations");
+  EXPECT_THAT(run.err, HasSubstr("observation_0000.pcd"));
+  EXPECT_EQ(jsonOfFile(out_ + "/report.json").at("observations"), 2);
+  EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").poses.size(), 2u);
+}
+
+} // namespace
+} // namespace pcl::acmap::test

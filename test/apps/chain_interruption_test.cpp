@@ -1,0 +1,137 @@
+#include "chain_runs.h"
+#include "plane_runs.h"
+#include "tool_cases.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/** \brief Whether a run has a file in the hidden part of a folder. */
+bool
+isWriting(const std::string& folder, const std::string& name)
+{
+  std::error_code error; // files come and go
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (fs::exists(entry->path() / name, error))
+      return true;
+  return false;
+}
+
+class ChainInterruption : public ChainTest {
+protected:
+  std::string
+  stage(const std::string& name) const
+  {
+    return out_ + "/stages/" + name;
+  }
+
+  /** \brief Settings that stop a run as soon as an observation is written. */
+  RunSettings
+  stopAfterObservation(const std::string& name, int signal = SIGINT) const
+  {
+    RunSettings settings;
+    settings.interruption = signal;
+    settings.interrupt_when = [=] { return isWriting(stage("observations"), name); };
+    return settings;
+  }
+
+  ToolRun
+  run(const RunSettings& settings = {}) const
+  {
+    return runSessionChain(session_, out_, {"--threads", "1"}, settings);
+  }
+
+  /** \brief Runs to the end, and checks that it is that of an undisturbed run. */
+  void
+  finish() const
+  {
+    const ToolRun last = run();
+    EXPECT_EQ(last.exit_code, 0) << last.err;
+    EXPECT_THAT(differing(resultsIn(out_), resultsIn(map_)), IsEmpty());
+    EXPECT_THAT(hiddenIn(out_), IsEmpty());
+  }
+
+  std::string out_ = folder_.path("out");
+};
+
+TEST_F(ChainInterruption, FinishedObservationsAreNotMatchedAnew)
+{
+  const ToolRun stopped = run(stopAfterObservation("observation_0000.pcd"));
+  expectRefused(stopped, 130, "kept in " + out_ + "/stages");
+  EXPECT_THAT(stopped.err, HasSubstr("observations in part"));
+  EXPECT_THAT(hiddenIn(out_), IsEmpty());
+  EXPECT_FALSE(fs::exists(out_ + "/map.json"));
+  EXPECT_FALSE(fs::exists(out_ + "/report.json"));
+  const std::string first = stage("observations") + "/observation_0000.pcd";
+  ASSERT_TRUE(fs::exists(first));
+  ASSERT_FALSE(fs::exists(stage("observations") + "/observation_0002.pcd"));
+  const auto time = fs::last_write_time(first);
+  finish();
+  EXPECT_EQ(fs::last_write_time(first), time);
+  const auto report = jsonOfFile(out_ + "/report.json");
+  const auto whole = jsonOfFile(map_ + "/report.json");
+  EXPECT_EQ(report.at("stages")[0].at("details").at("observations"),
+            whole.at("stages")[0].at("details").at("observations"));
+  EXPECT_EQ(stagesOf(out_), madeStages(out_));
+  EXPECT_EQ(run().exit_code, 0);
+  EXPECT_THAT(madeStages(out_), IsEmpty());
+}
+
+TEST_F(ChainInterruption, NothingFinishedLeavesNothing)
+{
+  RunSettings settings;
+  settings.interrupt_when = [&] { return fs::exists(stage("observations")); };
+  expectRefused(run(settings), 130, "interrupted");
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(ChainInterruption, StagesBeforeAreKept)
+{
+  fs::remove_all(map_ + "/stages/map");
+  fs::remove(map_ + "/map.json");
+  RunSettings settings;
+  settings.interrupt_when = [&] { return fs::exists(map_ + "/stages/map/stage.json"); };
+  const ToolRun stopped = runAgain({}, settings);
+  expectRefused(stopped, 130, "observations, egomotion, rectification\n");
+  EXPECT_FALSE(fs::exists(map_ + "/map.json"));
+  EXPECT_THAT(hiddenIn(map_), IsEmpty());
+  EXPECT_EQ(runAgain().exit_code, 0);
+  EXPECT_THAT(madeStages(map_), ElementsAre("map"));
+}
+
+TEST_F(ChainInterruption, AMapThatIsThereSurvivesTheNextOnesInterruption)
+{
+  const auto before = resultsIn(map_);
+  const std::string notes = map_ + "/stages/map/stage.json";
+  RunSettings settings;
+  settings.interrupt_when = [&] {
+    return contentOf(notes).find("\"finished\": false") != std::string::npos;
+  };
+  expectRefused(
+      runAgain({"--no-rectification"}, settings), 130, "observations, egomotion\n");
+  EXPECT_THAT(differing(resultsIn(map_), before), IsEmpty());
+  // and its files are known as what a later map replaces
+  EXPECT_EQ(runAgain({"--no-rectification"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(map_ + "/energy.png"));
+}
+
+TEST_F(ChainInterruption, AKilledRunLeavesNothingThatStays)
+{
+  const ToolRun killed = run(stopAfterObservation("observation_0000.pcd", SIGKILL));
+  EXPECT_EQ(killed.signal, SIGKILL);
+  EXPECT_THAT(hiddenIn(out_), Not(IsEmpty()));
+  finish();
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,187 @@
+#include "chain_runs.h"
+
+#include "plane_runs.h"
+
+#include <filesystem>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** \brief With the times of the files, which stages go by. */
+void
+copyWhole(const std::string& from, const std::string& to)
+{
+  fs::remove_all(to);
+  ASSERT_EQ(runTool("cp", {"-a", from, to}).exit_code, 0) << from;
+}
+
+/** \brief The session and its map, made once a program, and copies that stay whole. */
+class Kept {
+public:
+  Kept()
+  {
+    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
+                                {"-o",
+                                 session(),
+                                 "--scene",
+                                 "corridor_drive",
+                                 "--observations",
+                                 "3",
+                                 "--patterns",
+                                 "3"});
+    EXPECT_EQ(rig.exit_code, 0) << rig.err;
+    const ToolRun chain = runSessionChain(session(), map(), {"--threads", "2"});
+    EXPECT_EQ(chain.exit_code, 0) << chain.err;
+    EXPECT_EQ(chain.err, "");
+    copyWhole(session(), folder_.path("kept session"));
+    copyWhole(map(), folder_.path("kept map"));
+  }
+
+  void
+  restore() const
+  {
+    copyWhole(folder_.path("kept session"), session());
+    copyWhole(folder_.path("kept map"), map());
+  }
+
+  std::string
+  session() const
+  {
+    return folder_.path("session");
+  }
+
+  std::string
+  map() const
+  {
+    return folder_.path("map");
+  }
+
+private:
+  TemporaryFolder folder_;
+};
+
+const Kept&
+kept()
+{
+  static const Kept kept;
+  return kept;
+}
+
+} // namespace
+
+ToolRun
+runChain(const std::string& input,
+         const std::string& output,
+         const std::vector<std::string>& options,
+         RunSettings settings)
+{
+  settings.environment.emplace_back("DISPLAY", std::nullopt);
+  std::vector<std::string> arguments = {input, "-o", output, "--no-pictures"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return runTool(ACMAP_COMPACT_MAPPING, arguments, settings);
+}
+
+ToolRun
+runSessionChain(const std::string& session,
+                const std::string& output,
+                std::vector<std::string> options,
+                const RunSettings& settings)
+{
+  options.insert(options.end(), {"--min-depth", "1"}); // halves the disparities
+  return runChain(session, output, options, settings);
+}
+
+std::vector<std::string>
+stagesOf(const std::string& output)
+{
+  std::vector<std::string> names;
+  const auto report = jsonOfFile(output + "/report.json");
+  for (const auto& stage : report.at("stages"))
+    names.push_back(stage.at("name"));
+  return names;
+}
+
+std::vector<std::string>
+madeStages(const std::string& output)
+{
+  std::vector<std::string> names;
+  const auto report = jsonOfFile(output + "/report.json");
+  for (const auto& stage : report.at("stages"))
+    if (!stage.at("reused").get<bool>())
+      names.push_back(stage.at("name"));
+  return names;
+}
+
+std::map<std::string, std::string>
+resultsIn(const std::string& folder)
+{
+  std::map<std::string, std::string> results;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && name != "report.json" && name != "report.html" &&
+        name != "stage.json")
+      results[fs::relative(entry.path(), folder).string()] =
+          contentOf(entry.path().string());
+  }
+  return results;
+}
+
+std::vector<std::string>
+differing(const std::map<std::string, std::string>& a,
+          const std::map<std::string, std::string>& b)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : a)
+    if (const auto there = b.find(name); there == b.end() || there->second != bytes)
+      names.push_back(name);
+  for (const auto& file : b)
+    if (a.count(file.first) == 0)
+      names.push_back(file.first);
+  return names;
+}
+
+std::vector<std::string>
+hiddenIn(const std::string& folder)
+{
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename().string().front() == '.')
+      paths.push_back(entry.path().string());
+  return paths;
+}
+
+void
+ChainTest::SetUp()
+{
+  kept().restore();
+  session_ = kept().session();
+  map_ = kept().map();
+}
+
+ToolRun
+ChainTest::runAgain(const std::vector<std::string>& options,
+                    const RunSettings& settings) const
+{
+  return runSessionChain(session_, map_, options, settings);
+}
+
+std::string
+ChainTest::observations() const
+{
+  const std::string folder = folder_.path("observations");
+  fs::copy(map_ + "/stages/observations", folder);
+  fs::remove(folder + "/stage.json");
+  return folder;
+}
+
+std::string
+ChainTest::posedObservations() const
+{
+  std::string folder = observations();
+  fs::copy(map_ + "/trajectory.txt", folder + "/trajectory.txt");
+  return folder;
+}
+
+} // namespace pcl::acmap::test

@@ -1,0 +1,113 @@
+#include "chain_runs.h"
+#include "plane_runs.h"
+
+#include <pcl/core/trajectory.h>
+#include <pcl/io/pcd_io.h>
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST_F(ChainTest, GoesFromShotsToAMap)
+{
+  for (const char* name : {"map.json",
+                           "map.obj",
+                           "map.mtl",
+                           "map.glb",
+                           "mesh.ply",
+                           "map.pcd",
+                           "trajectory.txt",
+                           "trajectory_before.txt",
+                           "plan.png",
+                           "energy.png",
+                           "report.json",
+                           "report.html"})
+    EXPECT_TRUE(fs::exists(map_ + "/" + name)) << name;
+  EXPECT_THAT(hiddenIn(map_), IsEmpty());
+  EXPECT_THAT(stagesOf(map_),
+              ElementsAre("observations", "egomotion", "rectification", "map"));
+  EXPECT_EQ(madeStages(map_), stagesOf(map_));
+  const auto report = jsonOfFile(map_ + "/report.json");
+  EXPECT_EQ(report.at("starting_point"), "raw session");
+  EXPECT_EQ(report.at("observations"), 3);
+  for (const auto& stage : report.at("stages")) {
+    EXPECT_FALSE(stage.at("seconds").empty()) << stage.at("name");
+    EXPECT_FALSE(stage.at("summary").empty()) << stage.at("name");
+  }
+  EXPECT_THAT(contentOf(map_ + "/report.html"), HasSubstr("</html>"));
+}
+
+TEST_F(ChainTest, TheCameraWentWhereItTrulyWent)
+{
+  const Trajectory truth = loadTrajectory(session_ + "/trajectory.txt");
+  ASSERT_EQ(truth.poses.size(), 3u);
+  for (const char* name : {"/trajectory.txt", "/trajectory_before.txt"}) {
+    const Trajectory found = loadTrajectory(map_ + name);
+    ASSERT_EQ(found.poses.size(), 3u) << name;
+    const Eigen::Isometry3d way = found.poses.front().inverse() * found.poses.back();
+    const Eigen::Isometry3d true_way =
+        truth.poses.front().inverse() * truth.poses.back();
+    EXPECT_LT((way.translation() - true_way.translation()).norm(), 0.03) << name;
+    EXPECT_GT(true_way.translation().norm(), 0.7);
+  }
+}
+
+TEST_F(ChainTest, ThePointsTellWhoSawThem)
+{
+  PCLPointCloud2 cloud;
+  ASSERT_EQ(io::loadPCDFile(map_ + "/map.pcd", cloud), 0);
+  std::vector<std::string> fields;
+  for (const PCLPointField& field : cloud.fields)
+    fields.push_back(field.name);
+  EXPECT_THAT(fields, ElementsAre("x", "y", "z", "rgb", "view"));
+  EXPECT_EQ(cloud.width * cloud.height,
+            jsonOfFile(map_ + "/report.json").at("finite_points"));
+}
+
+TEST_F(ChainTest, GivesTheSameBytesForAnyThreads)
+{
+  const std::string out = folder_.path("one");
+  ASSERT_EQ(runSessionChain(session_, out, {"--threads", "1"}).exit_code, 0);
+  EXPECT_THAT(differing(resultsIn(out), resultsIn(map_)), IsEmpty());
+}
+
+TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
+{
+  const std::string out = folder_.path("thin");
+  const std::size_t all = jsonOfFile(map_ + "/report.json").at("finite_points");
+  constexpr std::size_t most = 60000;
+  ASSERT_GT(all, 2 * most);
+  const ToolRun run =
+      runChain(posedObservations(), out, {"--max-points", std::to_string(most)});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::size_t every = 1;
+  while ((all + every - 1) / every > most)
+    every *= 2;
+  EXPECT_THAT(run.err, HasSubstr("--max-points"));
+  EXPECT_THAT(run.err, HasSubstr("each " + std::to_string(every) + "th"));
+  PCLPointCloud2 cloud;
+  ASSERT_EQ(io::loadPCDFile(out + "/map.pcd", cloud), 0);
+  EXPECT_EQ(cloud.width * cloud.height, (all + every - 1) / every);
+  ASSERT_EQ(cloud.fields.back().name, "view");
+  std::map<std::int32_t, std::size_t> seen_by;
+  for (std::size_t row = 0; row < cloud.data.size(); row += cloud.point_step) {
+    std::int32_t view = -1;
+    std::memcpy(&view, &cloud.data[row + cloud.fields.back().offset], sizeof view);
+    ++seen_by[view];
+  }
+  ASSERT_EQ(seen_by.size(), 3u);
+  for (const auto& [view, points] : seen_by)
+    EXPECT_GT(points, most / 10) << view;
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,117 @@
+#include "map_rows.h"
+
+#include <pcl/conversions.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace pcl::acmap::test {
+namespace {
+
+/** \brief Points along x from a number on; each fifth one is none. */
+PointCloudFile
+line(int first, int points)
+{
+  PointCloud<PointXYZRGB> cloud;
+  for (int i = first; i < first + points; ++i) {
+    PointXYZRGB point;
+    point.x = i % 5 == 4 ? std::numeric_limits<float>::quiet_NaN() : float(i);
+    point.y = point.z = 0;
+    point.rgba = static_cast<std::uint32_t>(i);
+    cloud.push_back(point);
+  }
+  PointCloudFile file;
+  toPCLPointCloud2(cloud, file.cloud);
+  return file;
+}
+
+struct Row {
+  float x = 0;
+  std::uint32_t color = 0;
+  std::int32_t view = 0;
+
+  bool
+  operator==(const Row& other) const
+  {
+    return x == other.x && color == other.color && view == other.view;
+  }
+};
+
+std::vector<Row>
+rowsOf(const PCLPointCloud2& cloud)
+{
+  std::vector<Row> rows(std::size_t{cloud.width} * cloud.height);
+  EXPECT_EQ(cloud.data.size(), rows.size() * cloud.point_step);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::uint8_t* const row = &cloud.data[i * cloud.point_step];
+    std::memcpy(&rows[i].x, row, sizeof rows[i].x);
+    std::memcpy(&rows[i].color, row + 12, sizeof rows[i].color);
+    std::memcpy(&rows[i].view, row + 16, sizeof rows[i].view);
+  }
+  return rows;
+}
+
+/** \brief What is to be left of observations of so many points. */
+std::vector<Row>
+expectedOf(const std::vector<int>& sizes, std::size_t every)
+{
+  std::vector<Row> rows;
+  std::size_t finite = 0;
+  int number = 0;
+  for (std::size_t view = 0; view < sizes.size(); ++view)
+    for (int i = 0; i < sizes[view]; ++i, ++number)
+      if (number % 5 != 4 && finite++ % every == 0)
+        rows.push_back({float(number) + 100,
+                        static_cast<std::uint32_t>(number),
+                        static_cast<std::int32_t>(view)});
+  return rows;
+}
+
+TEST(MapRows, HalvesUntilTheyFit)
+{
+  Eigen::Isometry3d shift = Eigen::Isometry3d::Identity();
+  shift.translation().x() = 100;
+  for (const std::vector<int>& sizes : {std::vector<int>{40},
+                                        {7, 0, 31, 2, 64},
+                                        {1, 1, 1, 1, 1, 1, 1},
+                                        {200, 3, 3},
+                                        {5, 500}})
+    for (const std::size_t most : {1u, 2u, 3u, 7u, 16u, 33u, 100000u}) {
+      MapRows rows(0, true);
+      rows.setMost(most);
+      int first = 0;
+      for (std::size_t view = 0; view < sizes.size(); ++view) {
+        PointCloudFile file = line(first, sizes[view]);
+        rows.append(file, shift, static_cast<std::int32_t>(view));
+        first += sizes[view];
+      }
+      std::size_t every = 1;
+      while (expectedOf(sizes, every).size() > most)
+        every *= 2;
+      EXPECT_EQ(rows.every(), every) << most;
+      EXPECT_TRUE(rowsOf(rows.finish()) == expectedOf(sizes, every)) << most;
+    }
+}
+
+TEST(MapRows, EveryNthBeginsWithTheFirst)
+{
+  MapRows rows(0, true);
+  rows.append(line(0, 20), Eigen::Isometry3d::Identity(), 3);
+  const PCLPointCloud2 cloud = rows.finish();
+  const std::vector<Row> all = rowsOf(cloud);
+  ASSERT_EQ(all.size(), 16u);
+  for (const std::size_t n : {1u, 2u, 3u, 15u, 16u, 100u}) {
+    std::vector<Row> expected;
+    for (std::size_t i = 0; i < all.size(); i += n)
+      expected.push_back(all[i]);
+    EXPECT_TRUE(rowsOf(everyNth(cloud, n)) == expected) << n;
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test
