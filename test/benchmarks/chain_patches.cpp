@@ -1,0 +1,100 @@
+#include "chain_agreement.h"
+
+#include "statistics.h"
+
+#include <pcl/core/moments.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace pcl::acmap::bench {
+namespace {
+
+using Cube = std::array<int, 3>;
+
+constexpr double edge = 0.1; // metres
+
+/** A piece of a surface that one view sees. */
+struct Patch {
+  Eigen::Vector3d middle, normal;
+};
+
+Moments
+momentsOf(const Eigen::Vector3d& p)
+{
+  return {1,
+          p.x(),
+          p.y(),
+          p.z(),
+          p.x() * p.x(),
+          p.x() * p.y(),
+          p.x() * p.z(),
+          p.y() * p.y(),
+          p.y() * p.z(),
+          p.z() * p.z()};
+}
+
+/** The pieces in a view's cubes that are plane, in the camera's frame. */
+std::vector<Patch>
+patchesOf(const ChainView& view)
+{
+  constexpr double fewest = 20;
+  std::map<Cube, Moments> cubes;
+  for (const Eigen::Vector3d& point : view.points) {
+    const Eigen::Vector3i at = (point / edge).array().floor().cast<int>();
+    cubes[{at.x(), at.y(), at.z()}] += momentsOf(point);
+  }
+  std::vector<Patch> patches;
+  for (const auto& [cube, moments] : cubes)
+    if (const PlaneFit fit = fitPlane(moments);
+        moments.count >= fewest && fit.isPlanar())
+      patches.push_back({fit.mean, fit.normal});
+  return patches;
+}
+
+/** How far off a surface of other patches this one lies, across it. */
+std::optional<double>
+apart(const Patch& patch, const std::vector<Patch>& others)
+{
+  constexpr double alike = 0.9659; // cosine of 15 degrees
+  std::optional<double> found;
+  double nearest = edge / 2;
+  for (const Patch& other : others) {
+    const Eigen::Vector3d between = patch.middle - other.middle;
+    const double across = other.normal.dot(between);
+    const double along = (between - across * other.normal).norm();
+    if (std::abs(across) < edge && along < nearest &&
+        std::abs(other.normal.dot(patch.normal)) > alike) {
+      nearest = along;
+      found = std::abs(across);
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+SurfaceAgreement
+compareSurfaces(const std::vector<ChainView>& views,
+                std::size_t step,
+                Eigen::Isometry3d ChainView::*pose)
+{
+  std::vector<std::vector<Patch>> patches;
+  for (const ChainView& view : views)
+    patches.push_back(patchesOf(view));
+  std::vector<double> distances;
+  for (std::size_t i = 0; i + step < views.size(); ++i) {
+    const Eigen::Isometry3d motion =
+        (views[i].*pose).inverse() * (views[i + step].*pose);
+    for (const Patch& patch : patches[i + step])
+      if (const auto distance = apart(
+              {motion * patch.middle, motion.linear() * patch.normal}, patches[i]))
+        distances.push_back(*distance);
+  }
+  return {distances.size(), median(distances), quantile(distances, 0.9)};
+}
+
+} // namespace pcl::acmap::bench

@@ -1,0 +1,124 @@
+#include "chain_runs.h"
+
+#include "run_tool.h"
+
+#include <pcl/core/map_file.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_view.h>
+#include <pcl/core/trajectory.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+#include <sys/resource.h>
+
+namespace pcl::acmap::bench {
+namespace {
+
+void
+run(const std::string& tool, const std::vector<std::string>& arguments)
+{
+  const test::ToolRun ran = test::runTool(tool, arguments);
+  if (ran.exit_code != 0)
+    throw std::runtime_error(tool + ": " + ran.err);
+}
+
+/** CPU seconds of all programs that have ended. */
+double
+childSeconds()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::vector<Eigen::Vector3d>
+thinned(const std::string& path)
+{
+  constexpr std::size_t step = 4; // pixels
+  const PointCloudFile file = loadPointCloud(path);
+  const PointView view = file.points();
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t row = 0; row < file.cloud.height; row += step)
+    for (std::size_t column = 0; column < file.cloud.width; column += step) {
+      const Eigen::Vector3f p = view[row * file.cloud.width + column];
+      if (p.allFinite())
+        points.push_back(p.cast<double>());
+    }
+  return points;
+}
+
+std::string
+observationIn(const std::string& folder, std::size_t number)
+{
+  std::ostringstream path;
+  path << folder << "/observation_" << std::setw(4) << std::setfill('0') << number
+       << ".pcd";
+  return path.str();
+}
+
+/** Stamps of our own poses are the observations' numbers; those that came are told by
+ * their order. */
+std::vector<ChainView>
+viewsOf(const std::string& observations,
+        const Trajectory& given,
+        const Trajectory& found,
+        bool is_given)
+{
+  std::vector<ChainView> views;
+  for (std::size_t i = 0; i < found.poses.size(); ++i) {
+    const auto number =
+        is_given ? i : static_cast<std::size_t>(std::lround(found.stamps[i]));
+    views.push_back({thinned(observationIn(observations, number)),
+                     given.poses.at(number),
+                     found.poses[i]});
+  }
+  return views;
+}
+
+} // namespace
+
+ChainRun
+runChainOfTools(const ChainWay& way,
+                const std::string& recording,
+                const std::string& folder)
+{
+  const std::string posed = folder + "/posed", bare = folder + "/bare";
+  const std::string made = folder + "/map";
+  for (const std::string& old : {posed, bare, made})
+    std::filesystem::remove_all(old);
+  const std::string every = std::to_string(way.every);
+  run(ACMAP_RGBD_IMPORT, {recording, "-o", posed, "--every", every});
+  run(ACMAP_RGBD_IMPORT, {recording, "-o", bare, "--every", every, "--no-poses"});
+  ChainRun result;
+  const double begin = childSeconds();
+  std::vector<std::string> mapping = {
+      way.is_given ? posed : bare, "-o", made, "--no-pictures"};
+  if (!way.is_given)
+    mapping.emplace_back("--6dof");
+  mapping.insert(mapping.end(), way.mapping.begin(), way.mapping.end());
+  run(ACMAP_COMPACT_MAPPING, mapping);
+  result.seconds = childSeconds() - begin;
+  const Trajectory given = loadTrajectory(posed + "/trajectory.txt");
+  result.observations = given.poses.size();
+  result.views =
+      viewsOf(posed, given, loadTrajectory(made + "/trajectory.txt"), way.is_given);
+  result.map = loadMapFile(made + "/map.json");
+  const auto report = nlohmann::json::parse(std::ifstream(made + "/report.json"));
+  const nlohmann::json& bytes = report.at("bytes");
+  result.compactness =
+      bytes.at("raw").get<double>() / bytes.at("map.glb").get<double>();
+  result.peak_memory = report.at("peak_memory_bytes");
+  return result;
+}
+
+} // namespace pcl::acmap::bench
