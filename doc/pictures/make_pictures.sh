@@ -76,3 +76,8 @@ cp "$scratch/map/floor_plan.png" "$pictures/map_plan.png"
 cp "$scratch/way/plan.png" "$pictures/egomotion_plan.png"
 "$bin/pcl_visual_egomotion" "$scratch/seen" -o "$scratch/posed" --pictures --keypoints 300
 cp "$scratch/posed/matches_0006.png" "$pictures/egomotion_matches.png"
+
+"$bin/pcl_simulated_rig" -o "$scratch/survey" --scene corridor_survey
+xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/survey" -o "$scratch/survey_map" --no-pictures
+xvfb-run -a "$bin/pcl_paper_figures" "$scratch/survey" "$scratch/survey_map" -o "$scratch/figures"
+cp "$scratch/figures/"fig*.png "$pictures/paper_figures/"
