@@ -7,7 +7,6 @@
 #include "visual_egomotion/pose_estimation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -17,29 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/** \brief Median of what all pairs with a motion have, 0 without any. */
-double
-medianDeviation(const Json& pairs, const char* axis)
-{
-  std::vector<double> values;
-  for (const Json& pair : pairs)
-    if (pair.contains("standard_deviations"))
-      values.push_back(pair.at("standard_deviations").at(axis).get<double>());
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** \brief What egomotion says that its motions err by. */
 OdometryNoise
 noiseOf(const Json& egomotion)
 {
-  const Json& pairs = egomotion.at("pairs");
+  const Json& deviations = egomotion.at("median_deviations");
   const double length =
-      std::max(medianDeviation(pairs, "x"), medianDeviation(pairs, "z"));
-  const double turn = medianDeviation(pairs, "about_y");
+      std::max(deviations.at("x").get<double>(), deviations.at("z").get<double>());
+  const auto turn = deviations.at("about_y").get<double>();
   if (!(length > 0) || !(turn > 0))
     return {};
   return {length, 0, turn, 0};

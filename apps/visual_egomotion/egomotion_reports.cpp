@@ -140,6 +140,18 @@ medianOf(const EgomotionRun& run, const Function& function)
   return *middle;
 }
 
+/** What the motions err by in the xz plane and about y, as estimated: metres, radians. */
+Json
+medianDeviations(const EgomotionRun& run)
+{
+  const auto deviation = [&](int i) {
+    return medianOf(run, [i](const EgomotionPair& pair) {
+      return std::sqrt(pair.estimate->covariance(i, i));
+    });
+  };
+  return {{"x", deviation(0)}, {"z", deviation(2)}, {"about_y", deviation(4)}};
+}
+
 constexpr std::size_t most_named = 20; ///< of each kind, on stderr
 
 void
@@ -247,6 +259,7 @@ addDetails(Tool& tool,
                     {"length", lengthOf(run.trajectory(list.stamps))},
                     {"posed_files", posed_files},
                     {"lost", lost},
+                    {"median_deviations", medianDeviations(run)},
                     {"pairs", pairs}};
   if (comparison)
     tool.details()["truth"] = jsonOf(*comparison);
