@@ -24,16 +24,17 @@ fieldsOf(bool colored)
   return fields;
 }
 
-void
-keepEveryNth(PCLPointCloud2& cloud, std::size_t n)
+/** \return how many rows were moved to the front of \a to, which may be the cloud's own */
+std::size_t
+moveEveryNth(const PCLPointCloud2& cloud, std::size_t n, std::vector<std::uint8_t>& to)
 {
   const std::size_t rows = cloud.data.size() / cloud.point_step;
   std::size_t kept = 0;
   for (std::size_t row = 0; row < rows; row += n, ++kept)
-    std::memmove(&cloud.data[kept * cloud.point_step],
+    std::memmove(&to[kept * cloud.point_step],
                  &cloud.data[row * cloud.point_step],
                  cloud.point_step);
-  cloud.data.resize(kept * cloud.point_step);
+  return kept;
 }
 
 } // namespace
@@ -74,7 +75,7 @@ MapRows::append(const PointCloudFile& observation,
     std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
   }
   while (cloud_.data.size() / cloud_.point_step > most_) {
-    keepEveryNth(cloud_, 2);
+    cloud_.data.resize(moveEveryNth(cloud_, 2, cloud_.data) * cloud_.point_step);
     every_ *= 2;
   }
 }
@@ -89,9 +90,10 @@ MapRows::finish()
 PCLPointCloud2
 everyNth(const PCLPointCloud2& cloud, std::size_t n)
 {
-  PCLPointCloud2 thinned = cloud;
-  keepEveryNth(thinned, n);
-  resizeRows(thinned, thinned.data.size() / thinned.point_step);
+  const std::size_t rows = cloud.data.size() / cloud.point_step;
+  PCLPointCloud2 thinned = layoutWith(cloud, {});
+  resizeRows(thinned, (rows + n - 1) / n);
+  moveEveryNth(cloud, n, thinned.data);
   return thinned;
 }
 
