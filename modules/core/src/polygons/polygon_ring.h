@@ -26,6 +26,22 @@ turn(const GridPoint& a, const GridPoint& b, const GridPoint& c)
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/** \brief What an edge adds to the winding number about a place: -1, 0 or 1. Exact.
+ * \param[in] thrice three times the place, as the middle of a triangle is on no grid */
+inline int
+windingOf(const GridPoint& from, const GridPoint& to, const GridPoint& thrice)
+{
+  __extension__ using Wide = __int128;
+  const bool is_above = 3 * to.y > thrice.y;
+  if ((3 * from.y > thrice.y) == is_above)
+    return 0;
+  const Wide side = Wide(to.x - from.x) * (thrice.y - 3 * from.y) -
+                    Wide(to.y - from.y) * (thrice.x - 3 * from.x);
+  if (side == 0 || (side > 0) != is_above)
+    return 0;
+  return is_above ? 1 : -1;
+}
+
 /** \brief A corner of a ring. */
 struct RingNode {
   GridPoint point;

@@ -134,7 +134,6 @@ private:
   bool
   windsRound(const Ear& ear) const
   {
-    __extension__ using Wide = __int128;
     const auto& [a, b, c] = ear.corners;
     const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y}; // three times
     int windings = 0;
@@ -142,14 +141,7 @@ private:
     do {
       const GridPoint& from = node(v).point;
       v = node(v).next;
-      const GridPoint& to = node(v).point;
-      const bool is_above = 3 * to.y > middle.y;
-      if ((3 * from.y > middle.y) == is_above)
-        continue;
-      const Wide side = Wide(to.x - from.x) * (middle.y - 3 * from.y) -
-                        Wide(to.y - from.y) * (middle.x - 3 * from.x);
-      if (side != 0 && (side > 0) == is_above)
-        windings += is_above ? 1 : -1;
+      windings += windingOf(from, node(v).point, middle);
     } while (v != ring_);
     return windings > 0;
   }

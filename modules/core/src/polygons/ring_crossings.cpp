@@ -120,13 +120,7 @@ RingCrossings::isInside(const GridPoint (&corners)[3]) const
   for (const auto& [from, to] : edges_) {
     if (leadsThrough(from, to, corners))
       return false;
-    const bool is_above = 3 * to.y > middle.y;
-    if ((3 * from.y > middle.y) == is_above)
-      continue;
-    const Wide side = Wide(to.x - from.x) * (middle.y - 3 * from.y) -
-                      Wide(to.y - from.y) * (middle.x - 3 * from.x);
-    if (side != 0 && (side > 0) == is_above)
-      windings += is_above ? 1 : -1;
+    windings += windingOf(from, to, middle);
   }
   return windings > 0;
 }
