@@ -21,14 +21,6 @@
 namespace pcl::acmap::bench {
 namespace {
 
-void
-run(const std::string& tool, const std::vector<std::string>& arguments)
-{
-  const test::ToolRun ran = test::runTool(tool, arguments);
-  if (ran.exit_code != 0)
-    throw std::runtime_error(tool + ": " + ran.err);
-}
-
 /** CPU seconds of all programs that have ended. */
 double
 childSeconds()
@@ -87,6 +79,14 @@ viewsOf(const std::string& observations,
 
 } // namespace
 
+void
+runWhole(const std::string& tool, const std::vector<std::string>& arguments)
+{
+  const test::ToolRun ran = test::runTool(tool, arguments);
+  if (ran.exit_code != 0)
+    throw std::runtime_error(tool + ": " + ran.err);
+}
+
 ChainRun
 runChainOfTools(const ChainWay& way,
                 const std::string& recording,
@@ -97,8 +97,8 @@ runChainOfTools(const ChainWay& way,
   for (const std::string& old : {posed, bare, made})
     std::filesystem::remove_all(old);
   const std::string every = std::to_string(way.every);
-  run(ACMAP_RGBD_IMPORT, {recording, "-o", posed, "--every", every});
-  run(ACMAP_RGBD_IMPORT, {recording, "-o", bare, "--every", every, "--no-poses"});
+  runWhole(ACMAP_RGBD_IMPORT, {recording, "-o", posed, "--every", every});
+  runWhole(ACMAP_RGBD_IMPORT, {recording, "-o", bare, "--every", every, "--no-poses"});
   ChainRun result;
   const double begin = childSeconds();
   std::vector<std::string> mapping = {
@@ -106,7 +106,7 @@ runChainOfTools(const ChainWay& way,
   if (!way.is_given)
     mapping.emplace_back("--6dof");
   mapping.insert(mapping.end(), way.mapping.begin(), way.mapping.end());
-  run(ACMAP_COMPACT_MAPPING, mapping);
+  runWhole(ACMAP_COMPACT_MAPPING, mapping);
   result.seconds = childSeconds() - begin;
   const Trajectory given = loadTrajectory(posed + "/trajectory.txt");
   result.observations = given.poses.size();

@@ -35,6 +35,11 @@ struct ChainRun {
   std::size_t peak_memory = 0; ///< bytes, of pcl_compact_mapping
 };
 
+/** \brief Runs a tool to its end.
+ * \throws std::runtime_error when it fails, with what it said */
+void
+runWhole(const std::string& tool, const std::vector<std::string>& arguments);
+
 /** \brief Imports frames of a recording in 7-Scenes' layout and maps them.
  * \param[in] folder where its outputs may lie; they take 10 MB a frame
  * \throws std::runtime_error when a tool fails, with what it said */

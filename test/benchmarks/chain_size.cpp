@@ -1,27 +1,19 @@
+#include "chain_runs.h"
 #include "chain_tables.h"
 #include "markdown_row.h"
-#include "run_tool.h"
 #include "temporary_folder.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
+#include <sstream>
 
 namespace pcl::acmap::bench {
 namespace {
 
 /** What the camera needs for the patterns of 106 observations, 14 shots a second. */
 constexpr double capture = 106 * 10 / 14.0; // seconds
-
-void
-run(const std::string& tool, const std::vector<std::string>& arguments)
-{
-  const test::ToolRun ran = test::runTool(tool, arguments);
-  if (ran.exit_code != 0)
-    throw std::runtime_error(tool + ": " + ran.err);
-}
 
 void
 printStages(const nlohmann::ordered_json& report)
@@ -90,8 +82,9 @@ printChainSize()
 {
   const test::TemporaryFolder folder;
   const std::string session = folder.path("session"), map = folder.path("map");
-  run(ACMAP_SIMULATED_RIG, {"-o", session, "--scene", "corridor_survey"});
-  run(ACMAP_COMPACT_MAPPING, {session, "-o", map, "--no-pictures", "--truth", session});
+  runWhole(ACMAP_SIMULATED_RIG, {"-o", session, "--scene", "corridor_survey"});
+  runWhole(ACMAP_COMPACT_MAPPING,
+           {session, "-o", map, "--no-pictures", "--truth", session});
   const auto report =
       nlohmann::ordered_json::parse(std::ifstream(map + "/report.json"));
   std::cout << "### The paper's size: 106 observations under 10 patterns\n\n";
