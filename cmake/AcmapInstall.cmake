@@ -1,6 +1,12 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
+# Every installed file belongs to a component, which is a Debian package (AcmapPackages):
+#   libraries  what programs load
+#   dev        headers, links, package files
+#   tools      programs, what they need of the system, files to try them with
+#   python     the Python module, where it is built
+#
 # A root of our own: <prefix>/include stays free of a second pcl folder, and two versions
 # of acmap can stand side by side.
 set(ACMAP_INSTALL_INCLUDEDIR
@@ -11,10 +17,11 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 # Library, headers and target file of a module.
 function(acmap_install_module name)
   install(TARGETS acmap_${name} EXPORT acmap_${name}
-          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                  COMPONENT libraries NAMELINK_COMPONENT dev)
   install(EXPORT acmap_${name} FILE acmap_${name}.cmake NAMESPACE acmap::
-          DESTINATION ${ACMAP_INSTALL_CMAKEDIR})
-  install(DIRECTORY include/ DESTINATION ${ACMAP_INSTALL_INCLUDEDIR}
+          DESTINATION ${ACMAP_INSTALL_CMAKEDIR} COMPONENT dev)
+  install(DIRECTORY include/ DESTINATION ${ACMAP_INSTALL_INCLUDEDIR} COMPONENT dev
           FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 endfunction()
 
@@ -32,7 +39,7 @@ function(acmap_install_package)
   install(FILES "${PROJECT_BINARY_DIR}/acmapConfig.cmake"
                 "${PROJECT_BINARY_DIR}/acmapConfigVersion.cmake"
                 "${PROJECT_BINARY_DIR}/acmapModules.cmake" cmake/AcmapFindPCL.cmake
-          DESTINATION ${ACMAP_INSTALL_CMAKEDIR})
+          DESTINATION ${ACMAP_INSTALL_CMAKEDIR} COMPONENT dev)
   install(DIRECTORY "${PROJECT_BINARY_DIR}/include/"
-          DESTINATION ${ACMAP_INSTALL_INCLUDEDIR})
+          DESTINATION ${ACMAP_INSTALL_INCLUDEDIR} COMPONENT dev)
 endfunction()

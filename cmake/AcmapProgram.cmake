@@ -1,12 +1,16 @@
 # acmap_add_tool (<pcl_name> SOURCES <file>... LIBRARIES <target>...): an installed program.
 function(acmap_add_tool name)
   acmap_add_program(${name} ${ARGN})
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 endfunction()
 
-# acmap_add_example (<name> SOURCES <file>... LIBRARIES <target>...): built, not installed.
-function(acmap_add_example name)
-  acmap_add_program(${name} ${ARGN})
+# acmap_add_tool_part (<name> SOURCES <file>... LIBRARIES <target>...): what a tool is made
+# of, as a library that other tools and the tests can link; it is not installed.
+function(acmap_add_tool_part name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${arg_LIBRARIES})
 endfunction()
 
 # acmap_add_benchmark (<name> SOURCES <file>... LIBRARIES <target>...): target benchmarks

@@ -1,6 +1,7 @@
 #include "frame_rectifier.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/rig_cameras.h>
 #include <pcl/core/yaml_node.h>
 #include <pcl/stereo/matched_disparity.h>
 
@@ -22,8 +23,8 @@ FrameRectifier::FrameRectifier(const std::string& path,
   rectification_.emplace();
   rectification_->setNumberOfThreads(threads);
   RigCalibration cameras = loadRigCalibration(path);
-  cameras.camera(RigCamera::Horizontal).is_there = rig_.baseline_horizontal != 0.0;
-  cameras.camera(RigCamera::Vertical).is_there = rig_.baseline_vertical != 0.0;
+  for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})
+    cameras.camera(camera).is_there = hasCamera(rig_, camera);
   try {
     rectification_->setInputCalibration(cameras);
   }

@@ -2,6 +2,7 @@
 
 #include "tool.h"
 
+#include <pcl/core/rig_cameras.h>
 #include <pcl/stereo/matched_disparity.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ SearchRange
 disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
 {
   const double longest =
-      (rig.baseline_horizontal != 0.0 ? rig.width : rig.height) - 1.0;
+      (hasCamera(rig, RigCamera::Horizontal) ? rig.width : rig.height) - 1.0;
   // a depth's disparity is computed as a disparity's depth
   const double from = std::floor(depthOf(rig, farthest)) - 1.0;
   if (from > longest)

@@ -1,12 +1,8 @@
 #include "shot_groups.h"
 
+#include <pcl/stereo/matched_disparity.h>
+
 namespace pcl::acmap {
-
-namespace {
-
-constexpr std::size_t most_shots = 256; // that DisparityFusion takes
-
-} // namespace
 
 bool
 ShotGroups::add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots)

@@ -3,6 +3,7 @@
 #include "exit_code.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <utility>
 
@@ -127,10 +128,9 @@ ShotSource::loadOffShot(const std::string& path) const
                              ", the rig " + size(rig().width, rig().height));
   rectifier_.rectify(*frame);
   // a shot has an image of each camera, but colour is only taken from the reference
-  if (rig().baseline_horizontal != 0.0)
-    frame->image(RigCamera::Horizontal) = image;
-  if (rig().baseline_vertical != 0.0)
-    frame->image(RigCamera::Vertical) = image;
+  for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})
+    if (hasCamera(rig(), camera))
+      frame->image(camera) = image;
   return frame;
 }
 

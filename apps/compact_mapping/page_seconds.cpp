@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<std::pair<std::string, double>>
-stepsOf(const Json& seconds)
+secondsOfSteps(const Json& seconds)
 {
   std::vector<std::pair<std::string, double>> steps;
   for (const auto& [name, value] : seconds.items())
@@ -89,13 +89,13 @@ secondsOfRun(const Json& report)
     StageSeconds stage;
     stage.name = textOf(json, "name");
     stage.is_reused = reused.is_boolean() && reused.get<bool>();
-    stage.steps = stepsOf(fieldOf(json, "seconds"));
+    stage.steps = secondsOfSteps(fieldOf(json, "seconds"));
     if (!stage.steps.empty())
       run.stages.push_back(stage);
   }
   StageSeconds rest;
   rest.name = "rest of the run";
-  for (const auto& step : stepsOf(fieldOf(report, "seconds")))
+  for (const auto& step : secondsOfSteps(fieldOf(report, "seconds")))
     if (!isPartOf(step.first, run.stages))
       rest.steps.push_back(step);
   if (!rest.steps.empty())

@@ -21,7 +21,7 @@ finiteNumber(const Json& json)
 } // namespace
 
 const Json&
-fieldOf(const Json& json, const std::string& name)
+fieldOf(const Json& json, std::string_view name)
 {
   const auto found = json.find(name);
   return found == json.end() ? nothing : *found;
@@ -53,7 +53,7 @@ textsOf(const Json& json, const std::string& name)
 }
 
 const Json&
-detailOf(const Json& report, const std::string& name)
+detailOf(const Json& report, std::string_view name)
 {
   const Json& stages = fieldOf(report, "stages");
   if (stages.is_array())

@@ -4,13 +4,14 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl::acmap {
 
 /** \brief A field of an object; null where there is none, or no object. */
 const nlohmann::ordered_json&
-fieldOf(const nlohmann::ordered_json& json, const std::string& name);
+fieldOf(const nlohmann::ordered_json& json, std::string_view name);
 
 /** \brief A field that is a finite number. */
 std::optional<double>
@@ -26,7 +27,7 @@ textsOf(const nlohmann::ordered_json& json, const std::string& name);
 
 /** \brief A field of the details of the last stage that has it, else null. */
 const nlohmann::ordered_json&
-detailOf(const nlohmann::ordered_json& report, const std::string& name);
+detailOf(const nlohmann::ordered_json& report, std::string_view name);
 
 /** \brief Of such a field: the number, or how many are in the list. */
 std::optional<double>

@@ -10,7 +10,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::chrono::milliseconds between_looks(50);
+constexpr std::chrono::milliseconds between_frames(50);
 
 } // namespace
 
@@ -60,7 +60,7 @@ GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
 {
   for (;;) {
     const bool is_running = grabber_->isRunning();
-    const TrinocularFrame::ConstPtr frame = queue_.pop(between_looks);
+    const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
     if (frame) {
       ++frames_;
       if (live_)
@@ -184,7 +184,7 @@ GrabRun::waitForWindow()
   status_.note("done; close the window to end");
   while (!live_->isClosed() && !interrupted()) {
     live_->update();
-    std::this_thread::sleep_for(between_looks);
+    std::this_thread::sleep_for(between_frames);
   }
 }
 

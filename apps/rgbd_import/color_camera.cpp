@@ -1,5 +1,7 @@
 #include "color_camera.h"
 
+#include "text_rows.h"
+
 #include <pcl/core/yaml_node.h>
 
 namespace pcl::acmap {
@@ -7,8 +9,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double most_pixels = 1e6;
-constexpr double farthest = 10.0;       // metres, of two cameras in one device
-constexpr double rotation_slack = 0.01; // text with few digits
+constexpr double most_distance = 10.0; // metres, of two cameras in one device
 
 Pinhole
 pinholeOf(const YamlNode& camera)
@@ -43,11 +44,11 @@ poseOf(const YamlNode& camera)
   Eigen::Matrix3d rotation;
   for (std::size_t i = 0; i < 3; ++i)
     rotation.row(static_cast<Eigen::Index>(i)) =
-        threeNumbersOf(rows.list(3, 3)[i], 1.0 + rotation_slack);
-  if (!rotation.isUnitary(rotation_slack) || !(rotation.determinant() > 0))
+        threeNumbersOf(rows.list(3, 3)[i], 1.0 + text_slack);
+  if (!isRotation(rotation))
     rows.fail("is no rotation");
   Eigen::Isometry3d pose(Eigen::Quaterniond(rotation).normalized());
-  pose.translation() = threeNumbersOf(camera.at("position"), farthest).transpose();
+  pose.translation() = threeNumbersOf(camera.at("position"), most_distance).transpose();
   return pose;
 }
 

@@ -11,16 +11,14 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double rotation_slack = 0.01; // text with few digits
-constexpr double farthest = 1e9;        // metres
+constexpr double farthest = 1e9; // metres
 
 void
 requireRigid(const Eigen::Matrix4d& matrix, const std::string& path)
 {
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
   const Eigen::RowVector4d last_row(0, 0, 0, 1);
-  if (!rotation.isUnitary(rotation_slack) || !(rotation.determinant() > 0) ||
-      !matrix.row(3).isApprox(last_row, rotation_slack))
+  if (!isRotation(rotation) || !matrix.row(3).isApprox(last_row, text_slack))
     throw InputFileException(path + ": is no rigid motion: rotation and translation, "
                                     "0 0 0 1 below them, are needed");
 }

@@ -2,6 +2,8 @@
 
 #include <pcl/core/exceptions.h>
 
+#include <Eigen/LU>
+
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -120,6 +122,12 @@ loadSquareMatrix(const std::string& path, std::size_t size)
       values.push_back(numberOf(path, row, word));
   }
   return values;
+}
+
+bool
+isRotation(const Eigen::Matrix3d& matrix)
+{
+  return matrix.isUnitary(text_slack) && matrix.determinant() > 0;
 }
 
 } // namespace pcl::acmap

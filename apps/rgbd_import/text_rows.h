@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <string>
 #include <vector>
 
@@ -34,5 +36,12 @@ numberOf(const std::string& path, const TextRow& row, std::size_t word);
  * numbers */
 std::vector<double>
 loadSquareMatrix(const std::string& path, std::size_t size);
+
+/** How far numbers with few digits may be off what they must be. */
+constexpr double text_slack = 0.01;
+
+/** \brief A proper rotation, as far as the few digits of a text tell. */
+bool
+isRotation(const Eigen::Matrix3d& matrix);
 
 } // namespace pcl::acmap

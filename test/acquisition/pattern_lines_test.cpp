@@ -8,8 +8,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 std::vector<PatternLine>
 manyLines(const PatternLaw& changed = {})
 {
@@ -54,11 +52,11 @@ TEST(PatternLines, AnglesAndDistancesAreUniform)
   const auto lines = manyLines();
   const auto angle = [](const PatternLine& line) { return line.angle; };
   const auto distance = [](const PatternLine& line) { return line.distance; };
-  EXPECT_LT(chiSquare(lines, 0, pi, 40, angle), limitOf(40));
+  EXPECT_LT(chiSquare(lines, 0, M_PI, 40, angle), limitOf(40));
   EXPECT_LT(chiSquare(lines, -640, 640, 40, distance), limitOf(40));
   // and independent of each other: a cell of both is as likely as any
   const auto both = [](const PatternLine& line) {
-    const double column = std::floor(line.angle / pi * 8);
+    const double column = std::floor(line.angle / M_PI * 8);
     return column + (line.distance + 640) / 1280;
   };
   EXPECT_LT(chiSquare(lines, 0, 8, 64, both), limitOf(64));
@@ -98,7 +96,7 @@ TEST(PatternLines, KeepOffTheRowsWhereAskedTo)
   law.minimum_angle = 0.3;
   EXPECT_LT(chiSquare(manyLines(law),
                       0.3,
-                      pi - 0.3,
+                      M_PI - 0.3,
                       40,
                       [](const PatternLine& line) { return line.angle; }),
             limitOf(40));

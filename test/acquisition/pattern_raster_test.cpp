@@ -9,8 +9,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 RgbImage
 blank(int width, int height)
 {
@@ -33,7 +31,7 @@ TEST(PatternRaster, LinesAlongTheAxesHaveTheirWidthEverywhere)
       RgbImage image = blank(64, 48);
       paintLine({0, distance, width, {200, 0, 0}}, image);
       RgbImage turned = blank(64, 48);
-      paintLine({pi / 2, distance, width, {200, 0, 0}}, turned);
+      paintLine({M_PI / 2, distance, width, {200, 0, 0}}, turned);
       for (int column = 0; column < 64; ++column) {
         int lit = 0;
         for (int row = 0; row < 48; ++row)
@@ -53,7 +51,7 @@ TEST(PatternRaster, PixelsAreThoseWhoseCentresAreWithinTheBand)
 {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
-    const PatternLine line{random.uniform(0, pi),
+    const PatternLine line{random.uniform(0, M_PI),
                            random.uniform(-40, 40),
                            1 + static_cast<int>(random.uniform(0, 8)),
                            {255, 255, 255}};
@@ -74,7 +72,7 @@ TEST(PatternRaster, PixelsAreThoseWhoseCentresAreWithinTheBand)
 
 TEST(PatternRaster, LinesSideBySideLeaveNoGapAndDoNotOverlap)
 {
-  for (const double angle : {0.0, 0.4, pi / 4, 1.3, pi / 2, 2.0, 3.1}) {
+  for (const double angle : {0.0, 0.4, M_PI / 4, 1.3, M_PI / 2, 2.0, 3.1}) {
     std::vector<int> hits(64 * 48);
     for (int i = -20; i <= 20; ++i) {
       RgbImage image = blank(64, 48);
@@ -92,7 +90,7 @@ TEST(PatternRaster, LaterLinesCoverEarlierOnes)
   law.width = 16;
   law.height = 16;
   const RgbImage image =
-      paintLines(law, {{0, 0, 4, {10, 20, 30}}, {pi / 2, 0, 4, {40, 50, 60}}});
+      paintLines(law, {{0, 0, 4, {10, 20, 30}}, {M_PI / 2, 0, 4, {40, 50, 60}}});
   EXPECT_EQ(image.at(8, 8)[0], 40);
   EXPECT_EQ(image.at(8, 8)[2], 60);
   EXPECT_EQ(image.at(0, 8)[0], 10);
@@ -103,7 +101,7 @@ TEST(PatternRaster, LaterLinesCoverEarlierOnes)
 TEST(PatternRaster, LinesBesideTheImageLeaveItBlack)
 {
   RgbImage image = blank(16, 16);
-  for (const double angle : {0.0, 0.5, pi / 2, 3.0})
+  for (const double angle : {0.0, 0.5, M_PI / 2, 3.0})
     for (const double distance : {-30.0, 30.0})
       paintLine({angle, distance, 6, {255, 255, 255}}, image);
   EXPECT_EQ(coverageOf(image), 0.0);

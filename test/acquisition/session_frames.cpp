@@ -4,6 +4,7 @@
 
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/random.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <gtest/gtest.h>
 
@@ -44,10 +45,8 @@ frameOf(const TrinocularRig& rig,
   frame.observation = observation;
   frame.pattern = pattern;
   frame.stamp = 1'700'000'000'000'000 + number;
-  const std::array<bool, 3> is_there{
-      true, rig.baseline_horizontal != 0.0, rig.baseline_vertical != 0.0};
   for (std::size_t camera = 0; camera < frame.images.size(); ++camera)
-    if (is_there[camera])
+    if (hasCamera(rig, rig_cameras[camera]))
       frame.images[camera] =
           noisyImage(rig.width, rig.height, channels, 3 * number + camera);
   return frame;

@@ -1,6 +1,7 @@
 #include "chain_runs.h"
 
 #include "plane_runs.h"
+#include "small_session.h"
 
 #include <filesystem>
 
@@ -22,16 +23,7 @@ class Kept {
 public:
   Kept()
   {
-    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
-                                {"-o",
-                                 session(),
-                                 "--scene",
-                                 "corridor_drive",
-                                 "--observations",
-                                 "3",
-                                 "--patterns",
-                                 "3"});
-    EXPECT_EQ(rig.exit_code, 0) << rig.err;
+    filmSmallSession(session());
     const ToolRun chain = runSessionChain(session(), map(), {"--threads", "2"});
     EXPECT_EQ(chain.exit_code, 0) << chain.err;
     EXPECT_EQ(chain.err, "");

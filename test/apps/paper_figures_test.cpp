@@ -1,4 +1,5 @@
 #include "run_tool.h"
+#include "small_session.h"
 #include "temporary_folder.h"
 #include "virtual_display.h"
 
@@ -44,16 +45,7 @@ protected:
   {
     folder_ = new TemporaryFolder;
     display_ = new VirtualDisplay;
-    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
-                                {"-o",
-                                 session(),
-                                 "--scene",
-                                 "corridor_drive",
-                                 "--observations",
-                                 "3",
-                                 "--patterns",
-                                 "3"});
-    ASSERT_EQ(rig.exit_code, 0) << rig.err;
+    filmSmallSession(session());
     const ToolRun mapped =
         runTool(ACMAP_COMPACT_MAPPING, {session(), "-o", map(), "--no-pictures"});
     ASSERT_EQ(mapped.exit_code, 0) << mapped.err;

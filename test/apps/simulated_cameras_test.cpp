@@ -25,7 +25,7 @@ using testing::HasSubstr;
 constexpr const char* built_rig = ACMAP_SHARE "/rigs/digiclops_built.yaml";
 
 /** A slanted wall and a box before it, filmed from two places in different directions. */
-constexpr const char* room = R"(name: room
+constexpr const char* painted_room = R"(name: room
 looks:
   wall: {color: [150, 140, 130], texture: 2}
 surfaces:
@@ -180,7 +180,7 @@ protected:
   {
     std::vector<std::string> all = noiseless;
     all.insert(all.end(), {"--cameras", built_rig});
-    const ToolRun run = film(room, "raw", all);
+    const ToolRun run = film(painted_room, "raw", all);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     ASSERT_EQ(run.err, "");
   }
@@ -241,7 +241,7 @@ TEST_F(SimulatedCameras, RectifiedFramesAreThoseOfTheRectifiedRig)
   for (std::string line; std::getline(lines, line);)
     if (line.find(": ") != std::string::npos)
       rig += "  " + line + "\n";
-  ASSERT_EQ(film(rig + room, "ideal", noiseless).exit_code, 0);
+  ASSERT_EQ(film(rig + painted_room, "ideal", noiseless).exit_code, 0);
 
   for (const char* name : {"disparity_0000.pfm",
                            "disparity_0001.pfm",
@@ -316,8 +316,9 @@ TEST_F(SimulatedCameras, TrueDisparitiesAreFoundInTheFrames)
 TEST_F(SimulatedCameras, CamerasThatCannotBeAreRefused)
 {
   const auto refused = [&](const std::string& rig, int exit_code, const char* word) {
-    expectRefused(
-        film(room, "session", {"--cameras", rig, "--patterns", "1"}), exit_code, word);
+    expectRefused(film(painted_room, "session", {"--cameras", rig, "--patterns", "1"}),
+                  exit_code,
+                  word);
   };
   const std::string text = contentOf(built_rig);
   const auto changed = [&](const std::string& from, const std::string& to) {

@@ -66,15 +66,6 @@ protected:
 };
 
 double
-meanOf(const CameraImage& image)
-{
-  double sum = 0;
-  for (const std::uint8_t value : image.values)
-    sum += value;
-  return sum / static_cast<double>(image.values.size());
-}
-
-double
 varianceOf(const CameraImage& image, std::size_t channel)
 {
   double sum = 0;

@@ -20,4 +20,13 @@ framesOf(const std::string& session)
   return frames;
 }
 
+double
+meanOf(const CameraImage& image)
+{
+  double sum = 0;
+  for (const std::uint8_t value : image.values)
+    sum += value;
+  return sum / static_cast<double>(image.values.size());
+}
+
 } // namespace pcl::acmap::test

@@ -11,4 +11,8 @@ namespace pcl::acmap::test {
 std::vector<TrinocularFrame::ConstPtr>
 framesOf(const std::string& session);
 
+/** \brief Grey levels, of all channels. */
+double
+meanOf(const CameraImage& image);
+
 } // namespace pcl::acmap::test

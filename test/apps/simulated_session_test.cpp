@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 /** A wall and a box before it, filmed from two places. */
-constexpr const char* room = R"(name: room
+constexpr const char* small_room = R"(name: room
 rig: {width: 64, height: 48, focal_length: 52, center_x: 31.5, center_y: 23.5,
       baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
 sensor: {reach: 6, points: 1500}
@@ -48,18 +48,9 @@ protected:
   }
 
   TemporaryFolder folder_;
-  std::string scene_ = folder_.write("room.yaml", room);
+  std::string scene_ = folder_.write("room.yaml", small_room);
   std::string session_ = folder_.path("session");
 };
-
-double
-meanOf(const CameraImage& image)
-{
-  double sum = 0;
-  for (const std::uint8_t value : image.values)
-    sum += value;
-  return sum / static_cast<double>(image.values.size());
-}
 
 TEST_F(SimulatedSession, HoldsAllShots)
 {
@@ -134,7 +125,7 @@ TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
 /** What stands too near, or too far away, is not looked for. */
 TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
 {
-  std::string text = room;
+  std::string text = small_room;
   for (const auto& [before, after] :
        {std::pair{"corner: [-9, 9, 3]", "corner: [-9, 9, 9.8]"},
         std::pair{"least: [-0.5, -0.5, 2]", "least: [-0.5, -0.5, -0.05]"},
@@ -192,7 +183,7 @@ TEST_F(SimulatedSession, WhatFailsLeavesNothing)
   RunSettings full;
   full.file_size_limit = 5000;
   EXPECT_EQ(film({}, full).exit_code, 5);
-  std::string text = room;
+  std::string text = small_room;
   text.replace(text.find("from: [-0.5, 0, -0.5]"), 21, "from: [-0.5, 0, 99.0]");
   text.replace(text.find("to: [-0.5, 0, 1]"), 16, "to: [-0.5, 0, 100]");
   scene_ = folder_.write("room.yaml", text);

@@ -5,7 +5,7 @@
 namespace pcl::acmap::bench {
 
 /** \brief Region growing on points from the flattest ones on; each region is fitted by
- * least squares. */
+ * least squares. Needs CGAL 5. */
 FoundPlanes
 cgalRegionPlanes(const PlaneInput& input);
 

@@ -22,21 +22,6 @@ struct Patch {
   Eigen::Vector3d middle, normal;
 };
 
-Moments
-momentsOf(const Eigen::Vector3d& p)
-{
-  return {1,
-          p.x(),
-          p.y(),
-          p.z(),
-          p.x() * p.x(),
-          p.x() * p.y(),
-          p.x() * p.z(),
-          p.y() * p.y(),
-          p.y() * p.z(),
-          p.z() * p.z()};
-}
-
 /** The pieces in a view's cubes that are plane, in the camera's frame. */
 std::vector<Patch>
 patchesOf(const ChainView& view)

@@ -17,8 +17,10 @@ peers()
       {"PCL SAC, iterated", sacPlanes, false, million},
       {"PCL region growing", pclRegionPlanes, false, one_view},
   };
-#ifdef ACMAP_HAVE_CGAL
+#ifdef ACMAP_HAVE_CGAL_REGIONS
   all.push_back({"CGAL region growing", cgalRegionPlanes, false, million});
+#endif
+#ifdef ACMAP_HAVE_CGAL
   all.push_back({"CGAL efficient RANSAC", cgalRansacPlanes, false, million});
 #endif
   return all;

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 PointCloudFile
-loadText(const std::string& text)
+loadPly(const std::string& text)
 {
   const TemporaryFolder folder;
   return loadPointCloud(folder.write("cloud.PLY", text));
@@ -93,10 +93,10 @@ expectTwoVertices(const PointCloudFile& file)
 
 TEST(PlyReader, findsVerticesBetweenOtherElementsInText)
 {
-  expectTwoVertices(loadText("ply\r\nformat ascii 1.0\r\ncomment of mine\r\n" +
-                             vertex_between_others +
-                             "0.5 3 1 2 3\n1 0 2 513 3 10 11 12 13\n"
-                             "4 2 9 9 5 1027 6 20 21 22 23\n3 0 1 1\n"));
+  expectTwoVertices(loadPly("ply\r\nformat ascii 1.0\r\ncomment of mine\r\n" +
+                            vertex_between_others +
+                            "0.5 3 1 2 3\n1 0 2 513 3 10 11 12 13\n"
+                            "4 2 9 9 5 1027 6 20 21 22 23\n3 0 1 1\n"));
 }
 
 template <typename Store>
@@ -113,12 +113,12 @@ binaryRows(const Store& store)
 
 TEST(PlyReader, findsVerticesBetweenOtherElementsInBothBinaryOrders)
 {
-  expectTwoVertices(loadText("ply\nformat binary_little_endian 1.0\n" +
-                             vertex_between_others +
-                             binaryRows([](auto value) { return rawBytes(value); })));
-  expectTwoVertices(loadText("ply\nformat binary_big_endian 1.0\n" +
-                             vertex_between_others +
-                             binaryRows([](auto value) { return bigEndian(value); })));
+  expectTwoVertices(loadPly("ply\nformat binary_little_endian 1.0\n" +
+                            vertex_between_others +
+                            binaryRows([](auto value) { return rawBytes(value); })));
+  expectTwoVertices(loadPly("ply\nformat binary_big_endian 1.0\n" +
+                            vertex_between_others +
+                            binaryRows([](auto value) { return bigEndian(value); })));
 }
 
 TEST(PlyReader, readsEveryTypeOfBothBinaryOrders)
@@ -134,15 +134,15 @@ TEST(PlyReader, readsEveryTypeOfBothBinaryOrders)
            store(0.125) + store(std::int16_t{-300});
   };
   const PCLPointCloud2 little =
-      loadText("ply\nformat binary_little_endian 1.0\n" + properties +
-               rows([](auto value) { return rawBytes(value); }))
+      loadPly("ply\nformat binary_little_endian 1.0\n" + properties +
+              rows([](auto value) { return rawBytes(value); }))
           .cloud;
   const PCLPointCloud2 big =
-      loadText("ply\nformat binary_big_endian 1.0\n" + properties +
-               rows([](auto value) { return bigEndian(value); }))
+      loadPly("ply\nformat binary_big_endian 1.0\n" + properties +
+              rows([](auto value) { return bigEndian(value); }))
           .cloud;
-  const PCLPointCloud2 text = loadText("ply\nformat ascii 1.0\n" + properties +
-                                       "1 2 3 -5 6 60000 -70000 4000000000 0.125 -300")
+  const PCLPointCloud2 text = loadPly("ply\nformat ascii 1.0\n" + properties +
+                                      "1 2 3 -5 6 60000 -70000 4000000000 0.125 -300")
                                   .cloud;
   EXPECT_THAT(floatsOf(little, "z"), ElementsAre(3));
   expectEqual(big, little);
@@ -151,7 +151,7 @@ TEST(PlyReader, readsEveryTypeOfBothBinaryOrders)
 
 TEST(PlyReader, leavesColoursOfOtherTypesAsTheyAre)
 {
-  const PointCloudFile file = loadText(
+  const PointCloudFile file = loadPly(
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nproperty float red\nproperty float green\nproperty float "
       "blue\n"
@@ -164,10 +164,10 @@ TEST(PlyReader, takesAnHonestEmptyCloud)
 {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const PointCloudFile file =
-        loadText(std::string("ply\nformat ") + format +
-                 " 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-                 "property float z\nelement face 0\n"
-                 "property list uchar int vertex_indices\nend_header\n");
+        loadPly(std::string("ply\nformat ") + format +
+                " 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                "property float z\nelement face 0\n"
+                "property list uchar int vertex_indices\nend_header\n");
     EXPECT_EQ(file.points().size(), 0U);
     EXPECT_EQ(file.cloud.fields.size(), 3U);
   }
@@ -175,14 +175,14 @@ TEST(PlyReader, takesAnHonestEmptyCloud)
 
 TEST(PlyReader, remarksOnCoordinatesTooLargeForFloat)
 {
-  EXPECT_THAT(loadText("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
-                       "property double y\nproperty double z\nend_header\n"
-                       "0 5100000.25 nan\n0 5100000.25 0\n")
+  EXPECT_THAT(loadPly("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+                      "property double y\nproperty double z\nend_header\n"
+                      "0 5100000.25 nan\n0 5100000.25 0\n")
                   .remarks,
               ElementsAre());
-  EXPECT_THAT(loadText("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
-                       "property double y\nproperty double z\nend_header\n"
-                       "0 5100000.25 0\n")
+  EXPECT_THAT(loadPly("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+                      "property double y\nproperty double z\nend_header\n"
+                      "0 5100000.25 0\n")
                   .remarks,
               ElementsAre(HasSubstr("rounds them to 0.5 m")));
 }

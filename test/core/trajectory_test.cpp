@@ -62,7 +62,7 @@ TEST(Trajectory, ReadsTheFormOfTum)
 }
 
 std::string
-faultOf(const std::string& text)
+faultOfWay(const std::string& text)
 {
   const TemporaryFolder folder;
   try {
@@ -77,16 +77,16 @@ faultOf(const std::string& text)
 TEST(Trajectory, FaultsAreNamedWithTheirLine)
 {
   const std::string good = "0 0 0 0 0 0 0 1\n";
-  EXPECT_THAT(faultOf(good + "1 0 0 0 0 0 0\n"),
+  EXPECT_THAT(faultOfWay(good + "1 0 0 0 0 0 0\n"),
               HasSubstr("t.txt: line 2: has 7 numbers, 8 are needed"));
-  EXPECT_THAT(faultOf("#\n" + good + "1 0 0 0 0 0 0 1 9\n"),
+  EXPECT_THAT(faultOfWay("#\n" + good + "1 0 0 0 0 0 0 1 9\n"),
               HasSubstr("line 3: has 9"));
-  EXPECT_THAT(faultOf("0 0 0 x 0 0 0 1\n"), HasSubstr("line 1: 'x' is no finite"));
-  EXPECT_THAT(faultOf("0 0 0 nan 0 0 0 1\n"), HasSubstr("'nan' is no finite"));
-  EXPECT_THAT(faultOf("0 0 0 0 0 0 0 1.02\n"), HasSubstr("line 1: the quaternion"));
-  EXPECT_THAT(faultOf("0 0 0 0 0 0 0 0\n"), HasSubstr("has length 0"));
-  EXPECT_THAT(faultOf("# nothing\n"), HasSubstr("has no row"));
-  EXPECT_THAT(faultOf(""), HasSubstr("is empty"));
+  EXPECT_THAT(faultOfWay("0 0 0 x 0 0 0 1\n"), HasSubstr("line 1: 'x' is no finite"));
+  EXPECT_THAT(faultOfWay("0 0 0 nan 0 0 0 1\n"), HasSubstr("'nan' is no finite"));
+  EXPECT_THAT(faultOfWay("0 0 0 0 0 0 0 1.02\n"), HasSubstr("line 1: the quaternion"));
+  EXPECT_THAT(faultOfWay("0 0 0 0 0 0 0 0\n"), HasSubstr("has length 0"));
+  EXPECT_THAT(faultOfWay("# nothing\n"), HasSubstr("has no row"));
+  EXPECT_THAT(faultOfWay(""), HasSubstr("is empty"));
 }
 
 TEST(Trajectory, AlmostUnitQuaternionIsNormalised)

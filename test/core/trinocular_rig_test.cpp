@@ -58,7 +58,7 @@ TEST(TrinocularRig, ReadsWhatACalibrationWrites)
 }
 
 std::string
-faultOf(const std::string& text)
+faultOfRig(const std::string& text)
 {
   const TemporaryFolder folder;
   try {
@@ -73,14 +73,14 @@ faultOf(const std::string& text)
 TEST(TrinocularRig, NonsenseIsRefusedByFileKeyAndValue)
 {
   for (const char* value : {"-520", "0", ".nan", ".inf", "wide", "1e300", "[1]", "~"}) {
-    const std::string fault = faultOf(rigText(value));
+    const std::string fault = faultOfRig(rigText(value));
     EXPECT_THAT(fault, HasSubstr("rig.yaml: line 5"));
     EXPECT_THAT(fault, HasSubstr("focal_length: ")) << value;
   }
-  EXPECT_THAT(faultOf(rigText("-520")), HasSubstr("'-520'"));
-  EXPECT_THAT(faultOf("width: 640\n"), HasSubstr("'height' is missing"));
-  EXPECT_THAT(faultOf("width: 1000000\n"), HasSubstr("width: '1000000'"));
-  EXPECT_THAT(faultOf("width: 2.5\n"), HasSubstr("width: '2.5'"));
+  EXPECT_THAT(faultOfRig(rigText("-520")), HasSubstr("'-520'"));
+  EXPECT_THAT(faultOfRig("width: 640\n"), HasSubstr("'height' is missing"));
+  EXPECT_THAT(faultOfRig("width: 1000000\n"), HasSubstr("width: '1000000'"));
+  EXPECT_THAT(faultOfRig("width: 2.5\n"), HasSubstr("width: '2.5'"));
 }
 
 TEST(TrinocularRig, NonsenseIsNotWritten)

@@ -66,6 +66,10 @@ viewOf(const Room& room,
 Eigen::Isometry3d
 poseOf(const Eigen::Vector3d& place, double turn, double tilt = 0, double roll = 0);
 
+/** \brief Two poses in the room that see much of the same. */
+inline const Eigen::Isometry3d before = poseOf({-0.3, 0, -0.5}, 0.1);
+inline const Eigen::Isometry3d now = before * poseOf({0.1, 0, 0.15}, 0.05);
+
 /** \brief Small motion from one pose to the other: tx, ty, tz in metres, rx, ry, rz in
  * radians, in the frame of both. */
 Eigen::Matrix<double, 6, 1>

@@ -16,9 +16,6 @@ namespace {
 using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-const Eigen::Isometry3d before = poseOf({-0.3, 0, -0.5}, 0.1);
-const Eigen::Isometry3d now = before * poseOf({0.1, 0, 0.15}, 0.05);
-
 /** \brief A room with grey levels of one's own. */
 Room
 roomOf(std::function<double(const Eigen::Vector3d&, const Eigen::Vector2d&)> brightness)

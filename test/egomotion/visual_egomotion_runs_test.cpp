@@ -44,9 +44,9 @@ numbersOf(const Correspondences& matches)
 }
 
 Outcome
-outcomeOf(Egomotion& egomotion,
-          const Cloud::ConstPtr& source,
-          const Cloud::ConstPtr& target)
+runOn(Egomotion& egomotion,
+      const Cloud::ConstPtr& source,
+      const Cloud::ConstPtr& target)
 {
   egomotion.setInputSource(source);
   egomotion.setInputTarget(target);
@@ -86,8 +86,8 @@ TEST(VisualEgomotionRuns, sequencesGiveWhatPairsGive)
   Egomotion sequence;
   for (std::size_t i = 1; i < views.size(); ++i) {
     Egomotion fresh;
-    EXPECT_EQ(outcomeOf(sequence, views[i], views[i - 1]),
-              outcomeOf(fresh, views[i], views[i - 1]));
+    EXPECT_EQ(runOn(sequence, views[i], views[i - 1]),
+              runOn(fresh, views[i], views[i - 1]));
   }
 }
 
@@ -98,12 +98,12 @@ TEST(VisualEgomotionRuns, viewsAreLookedAtOnce)
   const Cloud::ConstPtr a = walk(3)[0], c = walk(3)[2];
   const Cloud::Ptr b(new Cloud(*walk(3)[1]));
   Egomotion egomotion;
-  EXPECT_FALSE(outcomeOf(egomotion, b, a).motion.isZero());
+  EXPECT_FALSE(runOn(egomotion, b, a).motion.isZero());
   for (PointXYZRGBSigma& point : *b)
     point.r = point.g = point.b = 0;
-  EXPECT_FALSE(outcomeOf(egomotion, c, b).motion.isZero());
-  EXPECT_FALSE(outcomeOf(egomotion, a, c).motion.isZero()); // forgets b
-  EXPECT_TRUE(outcomeOf(egomotion, c, b).motion.isZero());
+  EXPECT_FALSE(runOn(egomotion, c, b).motion.isZero());
+  EXPECT_FALSE(runOn(egomotion, a, c).motion.isZero()); // forgets b
+  EXPECT_TRUE(runOn(egomotion, c, b).motion.isZero());
   EXPECT_EQ(egomotion.getReport().outcome, EgomotionOutcome::BlankView);
 }
 
@@ -112,20 +112,20 @@ TEST(VisualEgomotionRuns, settersOfWhatIsLookedAtDropTheViews)
   const std::vector<Cloud::ConstPtr> views = walk(2);
   const auto withKeypoints = [&](Egomotion& egomotion) {
     egomotion.setMaximumKeypoints(150);
-    return outcomeOf(egomotion, views[1], views[0]);
+    return runOn(egomotion, views[1], views[0]);
   };
   const auto withoutRefinement = [&](Egomotion& egomotion) {
     egomotion.setRefinement(false);
-    return outcomeOf(egomotion, views[1], views[0]);
+    return runOn(egomotion, views[1], views[0]);
   };
   Egomotion used, fresh, other;
-  const Outcome first = outcomeOf(used, views[1], views[0]);
+  const Outcome first = runOn(used, views[1], views[0]);
   EXPECT_EQ(withKeypoints(used), withKeypoints(fresh));
   EXPECT_FALSE(withKeypoints(used) == first);
   EXPECT_EQ(withoutRefinement(used), withoutRefinement(fresh));
   withoutRefinement(other);
   other.setRefinement(true);
-  EXPECT_EQ(outcomeOf(other, views[1], views[0]), first);
+  EXPECT_EQ(runOn(other, views[1], views[0]), first);
 }
 
 TEST(VisualEgomotionRuns, threadsDoNotChangeAByte)
@@ -137,7 +137,7 @@ TEST(VisualEgomotionRuns, threadsDoNotChangeAByte)
       Egomotion egomotion;
       egomotion.setMotionModel(model);
       egomotion.setNumberOfThreads(threads);
-      outcomes.push_back(outcomeOf(egomotion, views[1], views[0]));
+      outcomes.push_back(runOn(egomotion, views[1], views[0]));
       EXPECT_EQ(outcomes.back(), outcomes.front()) << threads;
     }
     EXPECT_TRUE(outcomes.front().is_refined);
@@ -148,29 +148,29 @@ TEST(VisualEgomotionRuns, cancelledRunsChangeNothing)
 {
   const std::vector<Cloud::ConstPtr> views = walk(3);
   Egomotion egomotion;
-  const Outcome first = outcomeOf(egomotion, views[1], views[0]);
+  const Outcome first = runOn(egomotion, views[1], views[0]);
   std::vector<double> told;
   egomotion.setProgressCallback([&](double fraction, const std::string& step) {
     EXPECT_FALSE(step.empty());
     told.push_back(fraction);
     return true;
   });
-  Outcome wanted = outcomeOf(egomotion, views[2], views[1]);
+  Outcome wanted = runOn(egomotion, views[2], views[1]);
   ASSERT_GT(told.size(), 2u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   const std::size_t calls = told.size();
   for (std::size_t last = 0; last < calls; ++last) {
     Egomotion stopped;
-    EXPECT_EQ(outcomeOf(stopped, views[1], views[0]), first);
+    EXPECT_EQ(runOn(stopped, views[1], views[0]), first);
     std::size_t call = 0;
     stopped.setProgressCallback(
         [&](double, const std::string&) { return call++ != last; });
-    EXPECT_THROW(outcomeOf(stopped, views[2], views[1]), CancelledException);
+    EXPECT_THROW(runOn(stopped, views[2], views[1]), CancelledException);
     EXPECT_EQ(numbersOf(stopped.getMatches()), first.matches);
     EXPECT_EQ(numbersOf(stopped.getInliers()), first.inliers);
     EXPECT_EQ(stopped.getReport().source_keypoints, first.keypoints);
     stopped.setProgressCallback({});
-    EXPECT_EQ(outcomeOf(stopped, views[2], views[1]), wanted);
+    EXPECT_EQ(runOn(stopped, views[2], views[1]), wanted);
   }
 }
 
@@ -181,11 +181,11 @@ TEST(VisualEgomotionRuns, failuresLeaveNoMatchesOfEarlierRuns)
   for (PointXYZRGBSigma& point : *black)
     point.r = point.g = point.b = 0;
   Egomotion egomotion;
-  EXPECT_FALSE(outcomeOf(egomotion, views[1], views[0]).matches.empty());
-  EXPECT_TRUE(outcomeOf(egomotion, black, views[0]).matches.empty());
+  EXPECT_FALSE(runOn(egomotion, views[1], views[0]).matches.empty());
+  EXPECT_TRUE(runOn(egomotion, black, views[0]).matches.empty());
   EXPECT_TRUE(egomotion.getInliers().empty());
   EXPECT_EQ(egomotion.getReport().matches, 0u);
-  EXPECT_FALSE(outcomeOf(egomotion, views[1], views[0]).matches.empty());
+  EXPECT_FALSE(runOn(egomotion, views[1], views[0]).matches.empty());
   EXPECT_TRUE(egomotion.getReport().reason.empty());
 }
 
@@ -193,7 +193,7 @@ TEST(VisualEgomotionRuns, countsAreOfTheMatches)
 {
   const std::vector<Cloud::ConstPtr> views = walk(2);
   Egomotion egomotion;
-  outcomeOf(egomotion, views[1], views[0]);
+  runOn(egomotion, views[1], views[0]);
   const EgomotionReport& report = egomotion.getReport();
   EXPECT_EQ(report.matches, egomotion.getMatches().size());
   EXPECT_EQ(report.inliers, egomotion.getInliers().size());

@@ -16,8 +16,6 @@ namespace {
 
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-const Eigen::Isometry3d before = poseOf({-0.3, 0, -0.5}, 0.1);
-const Eigen::Isometry3d now = before * poseOf({0.1, 0, 0.15}, 0.05);
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 

@@ -12,9 +12,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 template <typename PointT>
 class AnyPointVotes : public testing::Test {};
 
@@ -102,13 +99,13 @@ TEST(VotingClass, indicesChooseVerticesAndNotTriangles)
 TEST(VotingClass, wrongSettingsAreRefused)
 {
   Voting voting;
-  for (const double wrong : {-0.1, -1e-300, 2e9, nan, infinity, -infinity})
+  for (const double wrong : {-0.1, -1e-300, 2e9, std::nan(""), HUGE_VAL, -HUGE_VAL})
     EXPECT_THROW(voting.setRadiusSearch(wrong), BadArgumentException) << wrong;
-  for (const double wrong : {0.0, -2.0, nan, infinity}) {
+  for (const double wrong : {0.0, -2.0, std::nan(""), HUGE_VAL}) {
     EXPECT_THROW(voting.setCreaseWeight(wrong), BadArgumentException) << wrong;
     EXPECT_THROW(voting.setCornerWeight(wrong), BadArgumentException) << wrong;
   }
-  for (const double wrong : {nan, infinity, -infinity, 1e10})
+  for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e10})
     EXPECT_THROW(voting.setViewpoints({{0, 0, 0}, {1, static_cast<float>(wrong), 2}}),
                  BadArgumentException)
         << wrong;

@@ -8,8 +8,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 TEST(VotedCreases, roofHasOneAlongItsRidge)
 {
   for (const double angle : {60.0, 90.0, 120.0, 145.0}) {

@@ -8,8 +8,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 double
 angleBetween(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
 {

@@ -4,9 +4,12 @@
 
 #include <pcl/features/normal_vector_voting.h>
 
+#include <cmath>
 #include <functional>
 
 namespace pcl::acmap::test {
+
+constexpr double degree = M_PI / 180; // radians
 
 /** \brief All that a run gives. */
 struct Voted {

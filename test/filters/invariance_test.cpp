@@ -10,7 +10,7 @@ namespace pcl::acmap::test {
 namespace {
 
 NoisyCloud
-makeScene()
+makeRoomOfTwoViews()
 {
   NoisyCloud cloud = makeNoisyRoom(150, 0.01, 71);
   cloud.viewpoints.emplace_back(1.3F, 0.4F, 0.2F);
@@ -48,14 +48,14 @@ TEST(Invariance, threadsDoNotChangeAByte)
 
 TEST(Invariance, threadsDoNotChangeTheAutomaticVoxel)
 {
-  const NoisyCloud cloud = makeScene();
+  const NoisyCloud cloud = makeRoomOfTwoViews();
   const Consolidated alone = consolidate(cloud, 0, 1);
   expectSameBytes(consolidate(cloud, 0, 8), alone);
 }
 
 TEST(Invariance, orderOfThePointsDoesNotMatter)
 {
-  const NoisyCloud cloud = makeScene();
+  const NoisyCloud cloud = makeRoomOfTwoViews();
   const NoisyCloud mixed = shuffled(cloud, 3);
   for (const double voxel : {0.2, 0.0}) {
     const Consolidated found = consolidate(cloud, voxel);
@@ -75,7 +75,7 @@ TEST(Invariance, orderOfThePointsDoesNotMatter)
 TEST(Invariance, wholeVoxelsMoveTheOutput)
 {
   constexpr float voxel = 0.125;
-  NoisyCloud cloud = makeScene();
+  NoisyCloud cloud = makeRoomOfTwoViews();
   for (Eigen::Vector3f& point : cloud.points) // exact also after the shift
     point = (point * 65536).array().round().matrix() / 65536;
   for (Eigen::Vector3f& viewpoint : cloud.viewpoints)

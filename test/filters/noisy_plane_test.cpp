@@ -9,7 +9,7 @@ namespace pcl::acmap::test {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr double sigma = 0.01;
+constexpr double noise = 0.01;
 
 struct PlaneCase {
   double inclination;
@@ -24,7 +24,7 @@ protected:
   {
     Random random(21);
     cloud_.viewpoints = {{0.3F, -0.2F, 5.0F}, {0.3F, -0.2F, -5.0F}};
-    cloud_.addPatch(patch_, GetParam().density, sigma, random, 0);
+    cloud_.addPatch(patch_, GetParam().density, noise, random, 0);
   }
 
   const Patch patch_ = squarePatch(2, GetParam().inclination);
@@ -37,7 +37,7 @@ TEST_P(NoisyPlane, pointsLieOnThePlane)
   const Consolidated found = consolidate(cloud_, voxel);
   const double residual = found.report.residual;
   // an inclined slab is cut off unevenly by the faces of its windows
-  const double cut = GetParam().inclination > 0 ? sigma * sigma / (2.5 * voxel) : 0;
+  const double cut = GetParam().inclination > 0 ? noise * noise / (2.5 * voxel) : 0;
   std::size_t points = 0, within = 0;
   double largest = 0;
   for (const MapPoint& point : found.cloud) {
@@ -50,9 +50,9 @@ TEST_P(NoisyPlane, pointsLieOnThePlane)
   }
   ASSERT_GT(points, 200U);
   EXPECT_GT(static_cast<double>(within), 0.985 * static_cast<double>(points));
-  EXPECT_LT(largest, 0.7 * sigma) << "a spike";
-  EXPECT_LT(residual, sigma / 5);
-  EXPECT_NEAR(found.report.sigma, sigma, 0.15 * sigma);
+  EXPECT_LT(largest, 0.7 * noise) << "a spike";
+  EXPECT_LT(residual, noise / 5);
+  EXPECT_NEAR(found.report.sigma, noise, 0.15 * noise);
 }
 
 TEST_P(NoisyPlane, normalsAreThoseOfThePlane)
@@ -62,7 +62,7 @@ TEST_P(NoisyPlane, normalsAreThoseOfThePlane)
   const SheetFit fit = fitOf(found.cloud, patch_, voxel, 0.5, 2.5 * voxel);
   // the noise of a plane's slope through 5 x 5 voxels, or 3 x 3 where these are thin
   EXPECT_LT(fit.median_angle, std::max(degree, 5 * found.report.residual / voxel / 2));
-  EXPECT_NEAR(fit.mean, 0, 0.1 * sigma);
+  EXPECT_NEAR(fit.mean, 0, 0.1 * noise);
   EXPECT_GT(fit.coverage, 0.7);
   EXPECT_LT(fit.coverage, 1.3);
 }
@@ -84,7 +84,7 @@ TEST_P(NoisyPlane, normalsLookToTheSensor)
 TEST_P(NoisyPlane, curvatureIsTheShareOfTheNoise)
 {
   const double voxel = GetParam().voxel;
-  const double across = sigma * sigma;
+  const double across = noise * noise;
   const double along = std::pow(5 * voxel, 2) / 12;
   const double flat = across / (across + 2 * along);
   std::size_t points = 0, within = 0;
@@ -117,12 +117,12 @@ TEST(NoisyPlaneTail, leavesHardlyASpike)
       NoisyCloud cloud;
       cloud.viewpoints = {{0.3F, -0.2F, 5.0F}};
       Random random(31 + static_cast<std::uint64_t>(offset));
-      cloud.addPatch(patch, density, sigma, random, 0);
+      cloud.addPatch(patch, density, noise, random, 0);
       for (const MapPoint& point : consolidate(cloud, 0.03).cloud) {
         if (insetIn(patch, placeOf(point)) < 0.1)
           continue;
         ++points;
-        spikes += std::abs(patch.depthOf(placeOf(point))) > 2 * sigma;
+        spikes += std::abs(patch.depthOf(placeOf(point))) > 2 * noise;
       }
     }
     EXPECT_LE(static_cast<double>(spikes), largest_share * static_cast<double>(points))

@@ -10,7 +10,7 @@ namespace {
 
 /** A thin wall seen from both sides, a floor and a few lonely points. */
 NoisyCloud
-makeScene()
+makeThinWallScene()
 {
   NoisyCloud cloud;
   cloud.viewpoints = {{0.31F, -0.22F, 5.0F}, {0.33F, -0.24F, -4.0F}};
@@ -30,7 +30,7 @@ makeScene()
 
 class Sources : public testing::TestWithParam<double> {
 protected:
-  const NoisyCloud cloud_ = makeScene();
+  const NoisyCloud cloud_ = makeThinWallScene();
   const Consolidated found_ = consolidate(cloud_, GetParam());
 };
 
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Consolidation, Sources, testing::Values(0.05, 0.08, 0.1
 
 TEST(Witness, givesAllOtherFields)
 {
-  const NoisyCloud cloud = makeScene();
+  const NoisyCloud cloud = makeThinWallScene();
   PointCloud<PointXYZI>::Ptr input(new PointCloud<PointXYZI>);
   for (const Eigen::Vector3f& place : cloud.points) {
     PointXYZI point;
@@ -171,7 +171,7 @@ TEST(Witness, givesAllOtherFields)
 
 TEST(Indices, referToTheWholeCloud)
 {
-  const NoisyCloud all = makeScene();
+  const NoisyCloud all = makeThinWallScene();
   NoisyCloud part;
   part.viewpoints = all.viewpoints;
   const auto indices = std::make_shared<Indices>();

@@ -9,8 +9,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr Drift drift{0.06, 0.012, 0.004};
-
 /** A room that comes drifted and is rectified in a fraction of a second. */
 struct DriftedRoom {
   explicit DriftedRoom(std::uint64_t seed)

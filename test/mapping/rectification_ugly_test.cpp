@@ -10,7 +10,6 @@ namespace pcl::acmap::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Drift drift{0.06, 0.012, 0.004};
 constexpr RectificationMode modes[] = {RectificationMode::Guarded,
                                        RectificationMode::Paper};
 

@@ -28,6 +28,9 @@ struct Drift {
   double bias = 0.002;            ///< radians a step
 };
 
+/** \brief That of the rooms that come drifted. */
+constexpr Drift drift{0.06, 0.012, 0.004};
+
 /** \brief Walls round a rectangle. */
 void
 addRectangle(FloorPlan& plan, double x0, double z0, double x1, double z1);

@@ -18,6 +18,14 @@ struct Clustered {
   PlaneClusteringReport report;
 };
 
+/** \brief Points of the cloud that have no plane. */
+inline std::size_t
+leftOut(const Clustered& found)
+{
+  return static_cast<std::size_t>(
+      std::count(found.labels.begin(), found.labels.end(), -1));
+}
+
 template <typename PointT>
 Clustered
 runClustering(PlaneHypothesisClustering<PointT>& clustering)

@@ -1,3 +1,4 @@
+#include "axes.h"
 #include "known_boards.h"
 
 #include "labeling/junctions.h"
@@ -10,10 +11,6 @@
 
 namespace pcl::acmap::test {
 namespace {
-
-const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
 
 /** Inner and outer edges by the thousand: a table of all pairs would not fit in memory. */
 TEST(Junctions, knowTheirSidesOfManyPlanes)

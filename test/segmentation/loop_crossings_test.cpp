@@ -12,7 +12,7 @@ using outlines::signedArea;
 constexpr double distance = 1e-4;
 
 double
-areaOf(const std::vector<Loop>& loops)
+areaOfAll(const std::vector<Loop>& loops)
 {
   double area = 0;
   for (const Loop& loop : loops)
@@ -34,7 +34,7 @@ TEST(LoopCrossings, HoleAcrossTheRimIsABay)
   const auto loops = disentangled({square, {{3, 1}, {3, 2}, {5, 2}, {5, 1}}}, distance);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0].size(), 8U);
-  EXPECT_NEAR(areaOf(loops), 15, 1e-9);
+  EXPECT_NEAR(areaOfAll(loops), 15, 1e-9);
 }
 
 TEST(LoopCrossings, OverlappingHolesAndRimsAreOne)
@@ -43,10 +43,10 @@ TEST(LoopCrossings, OverlappingHolesAndRimsAreOne)
   const Loop b{{1.5, 1.5}, {1.5, 3}, {3, 3}, {3, 1.5}};
   const auto holes = disentangled({square, a, b}, distance);
   EXPECT_EQ(holes.size(), 2U);
-  EXPECT_NEAR(areaOf(holes), 16 - 1 - 2.25 + 0.25, 1e-9);
+  EXPECT_NEAR(areaOfAll(holes), 16 - 1 - 2.25 + 0.25, 1e-9);
   const auto rims = disentangled({square, {{3, 3}, {6, 3}, {6, 6}, {3, 6}}}, distance);
   EXPECT_EQ(rims.size(), 1U);
-  EXPECT_NEAR(areaOf(rims), 16 + 9 - 1, 1e-9);
+  EXPECT_NEAR(areaOfAll(rims), 16 + 9 - 1, 1e-9);
 }
 
 TEST(LoopCrossings, BothPartsOfANeckStay)
@@ -56,7 +56,7 @@ TEST(LoopCrossings, BothPartsOfANeckStay)
     const auto loops =
         disentangled({{{0, 0}, {4, 0}, {8, 0}, {8, 4}, {4, off}, {0, 4}}}, distance);
     ASSERT_EQ(loops.size(), 2U) << off;
-    EXPECT_NEAR(areaOf(loops), 16, 1e-4);
+    EXPECT_NEAR(areaOfAll(loops), 16, 1e-4);
     EXPECT_GT(signedArea(loops[0]), 7);
     EXPECT_GT(signedArea(loops[1]), 7);
   }
@@ -67,7 +67,7 @@ TEST(LoopCrossings, SpikesAndLoopsWithoutAreaGo)
   const auto spiked = disentangled(
       {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 9}, {2, 4}, {0, 4}}}, distance);
   ASSERT_EQ(spiked.size(), 1U);
-  EXPECT_NEAR(areaOf(spiked), 16, 1e-9);
+  EXPECT_NEAR(areaOfAll(spiked), 16, 1e-9);
   EXPECT_TRUE(disentangled({{{0, 0}, {1, 0}, {2, 0}}}, distance).empty());
   EXPECT_TRUE(disentangled({Loop(5, {1, 1})}, distance).empty());
 }

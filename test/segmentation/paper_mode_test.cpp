@@ -9,8 +9,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 using PaperClustering = PlaneHypothesisClustering<PointNormal>;
 using Hypotheses = PointCloud<PointNormal>;
 

@@ -9,20 +9,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 void
 setPaperMode(Clustering& clustering)
 {
   clustering.setNoiseDriven(false);
-}
-
-/** Points of the cloud that have no plane. */
-std::size_t
-leftOut(const Clustered& found)
-{
-  return static_cast<std::size_t>(
-      std::count(found.labels.begin(), found.labels.end(), -1));
 }
 
 TEST(PartedPlanes, boardsTwelveCentimetresApartAreTwo)

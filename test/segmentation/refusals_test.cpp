@@ -4,29 +4,26 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(ClusteringRefusals, wrongSettingsAreRefused)
 {
   Clustering clustering;
-  for (const double wrong : {0.0, -0.1, 1e10, nan, infinity, -infinity}) {
+  for (const double wrong : {0.0, -0.1, 1e10, std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     EXPECT_THROW(clustering.setClusterTolerance(wrong), BadArgumentException) << wrong;
     EXPECT_THROW(clustering.setSmoothnessThreshold(wrong), BadArgumentException)
         << wrong;
     EXPECT_THROW(clustering.setDistanceThreshold(wrong), BadArgumentException) << wrong;
   }
   EXPECT_THROW(clustering.setSmoothnessThreshold(1.6), BadArgumentException);
-  for (const double wrong : {-0.1, nan, infinity})
+  for (const double wrong : {-0.1, std::nan(""), HUGE_VAL})
     EXPECT_THROW(clustering.setMinArea(wrong), BadArgumentException) << wrong;
   const Cloud::ConstPtr source = makeWall(1, 1).cloud.makeShared();
   EXPECT_THROW(
-      clustering.setSourceCloud(source, {{static_cast<float>(infinity), 0, 0}}),
+      clustering.setSourceCloud(source, {{static_cast<float>(HUGE_VAL), 0, 0}}),
       BadArgumentException);
   EXPECT_EQ(clustering.getClusterTolerance(), 0.8);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0.25);

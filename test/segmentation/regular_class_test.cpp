@@ -7,8 +7,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 void
 setRegular(Clustering& clustering)
 {

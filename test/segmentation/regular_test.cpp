@@ -1,3 +1,4 @@
+#include "axes.h"
 #include "planes/regular.h"
 
 #include <Eigen/Geometry>
@@ -38,10 +39,6 @@ leaning(const Eigen::Vector3d& axis, const Eigen::Vector3d& towards, double angl
 {
   return std::cos(angle) * axis + std::sin(angle) * towards;
 }
-
-const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
 
 TEST(RegularPlanes, areParallelOrUprightToLargerOnes)
 {

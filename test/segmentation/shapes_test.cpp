@@ -9,16 +9,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
-/** Points of the cloud that have no plane. */
-std::size_t
-leftOut(const Clustered& found)
-{
-  return static_cast<std::size_t>(
-      std::count(found.labels.begin(), found.labels.end(), -1));
-}
-
 void
 expectNoPlane(const VotingMesh& mesh)
 {

@@ -10,8 +10,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double degree = M_PI / 180;
-
 TEST(SourceLabels, planesAreThoseOfTheTruth)
 {
   const SeenRoom room = seeSharply(makeRoomWithDoor(0.01, 0.1));

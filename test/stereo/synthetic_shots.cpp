@@ -1,6 +1,7 @@
 #include "synthetic_shots.h"
 
 #include <pcl/core/random.h>
+#include <pcl/core/rig_cameras.h>
 #include <pcl/stereo/matched_disparity.h>
 
 #include <algorithm>
@@ -92,13 +93,6 @@ imageOf(const SyntheticScene& scene, RigCamera camera, int shot)
   return image;
 }
 
-bool
-isThere(RigCamera camera, const TrinocularRig& rig)
-{
-  return (camera != RigCamera::Horizontal || rig.baseline_horizontal != 0) &&
-         (camera != RigCamera::Vertical || rig.baseline_vertical != 0);
-}
-
 constexpr std::array<RigCamera, 3> cameras = {
     RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
 
@@ -149,7 +143,7 @@ shotsOf(const SyntheticScene& scene, int shots)
     frames.push_back(std::make_shared<TrinocularFrame>());
     frames.back()->pattern = shot;
     for (const RigCamera camera : cameras)
-      if (isThere(camera, scene.rig))
+      if (hasCamera(scene.rig, camera))
         frames.back()->image(camera) = imageOf(scene, camera, shot);
   }
   return frames;
@@ -162,7 +156,7 @@ isSeenBy(RigCamera neighbour, const SyntheticScene& scene, int column, int row)
   const auto [u, v] = motionIn(neighbour, scene.rig);
   const double disparity = scene.sheets[here.sheet].disparity(here.x, here.y);
   const double x = column + u * disparity, y = row + v * disparity;
-  return isThere(neighbour, scene.rig) && x >= 0 && x <= scene.rig.width - 1 &&
+  return hasCamera(scene.rig, neighbour) && x >= 0 && x <= scene.rig.width - 1 &&
          y >= 0 && y <= scene.rig.height - 1 &&
          seenAt(scene, neighbour, x, y).sheet == here.sheet;
 }
@@ -188,7 +182,7 @@ trueDisparities(const SyntheticScene& scene)
 {
   return trueDisparities(scene, [&](int column, int row) {
     return std::all_of(cameras.begin() + 1, cameras.end(), [&](RigCamera camera) {
-      return !isThere(camera, scene.rig) || isSeenBy(camera, scene, column, row);
+      return !hasCamera(scene.rig, camera) || isSeenBy(camera, scene, column, row);
     });
   });
 }

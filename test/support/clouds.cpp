@@ -12,13 +12,6 @@ namespace pcl::acmap::test {
 namespace {
 
 PointXYZ
-toPoint(const Eigen::Vector3d& p)
-{
-  return {
-      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
-PointXYZ
 onExactPlane(float x, float y, ExactPlane plane)
 {
   return {x, y, plane == ExactPlane::Level ? 0.0F : x};
@@ -37,6 +30,13 @@ shuffledNumbers(std::size_t size, std::uint64_t seed)
 }
 
 } // namespace
+
+PointXYZ
+toPoint(const Eigen::Vector3d& p)
+{
+  return {
+      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
 
 Cloud
 makeGrid(int columns, int rows, double spacing, ExactPlane plane)

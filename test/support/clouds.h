@@ -13,6 +13,9 @@ namespace pcl::acmap::test {
 
 using Cloud = PointCloud<PointXYZ>;
 
+PointXYZ
+toPoint(const Eigen::Vector3d& p);
+
 /** \brief Points on a surface that unrolls: each has its place (u, v) on the truth. */
 struct SheetCloud {
   Cloud cloud;

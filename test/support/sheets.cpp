@@ -7,13 +7,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-PointXYZ
-toPoint(const Eigen::Vector3d& p)
-{
-  return {
-      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 /** Samples a sheet; \a place turns (u, v, height) into a point of space. */
 template <typename Place>
 SheetCloud

@@ -3,6 +3,7 @@
 
 #include <pcl/acquisition/usb_camera.h>
 #include <pcl/core/arguments.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
 #include <utility>
@@ -101,12 +102,10 @@ DigiclopsGrabber::setCalibration(const RigCalibration& calibration)
     throw BadArgumentException("a calibration of " + std::to_string(calibration.width) +
                                " x " + std::to_string(calibration.height) +
                                " pixels is refused: the rig has others");
-  const auto isMissing = [&](RigCamera camera, double baseline) {
-    return baseline != 0 && !calibration.camera(camera).is_there;
-  };
-  if (isMissing(RigCamera::Horizontal, state_->rig.baseline_horizontal) ||
-      isMissing(RigCamera::Vertical, state_->rig.baseline_vertical))
-    throw BadArgumentException("a calibration without a camera of the rig is refused");
+  for (const RigCamera camera : acmap::rig_cameras)
+    if (acmap::hasCamera(state_->rig, camera) && !calibration.camera(camera).is_there)
+      throw BadArgumentException(
+          "a calibration without a camera of the rig is refused");
   const std::lock_guard lock(state_->mutex);
   state_->calibration = calibration;
   state_->checks_left = most_order_checks;

@@ -35,7 +35,7 @@ nextNumber(Words& words, std::uint64_t beams, const ByteSource& source)
   const std::string_view word = nextWord(words, beams, source);
   Number value = 0;
   if (!acmap::parseNumber(word, value))
-    source.failAtLine(acmap::quoted(word) + " is no number");
+    source.failAtLine(acmap::inQuotes(word) + " is no number");
   return value;
 }
 
@@ -54,7 +54,7 @@ readBeams(Words& words, const ByteSource& source)
   std::string_view word;
   std::uint64_t beams = 0;
   if (!words.next(word) || !acmap::parseCount(word, beams) || beams < 2)
-    source.failAtLine(acmap::quoted(word) + " is no number of beams (2 or more)");
+    source.failAtLine(acmap::inQuotes(word) + " is no number of beams (2 or more)");
   return beams;
 }
 

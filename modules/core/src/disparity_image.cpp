@@ -41,7 +41,7 @@ readKind(acmap::ByteSource& source)
   if (kind == "PF")
     source.fail("is a PFM of three channels; a disparity image has one (Pf)");
   if (kind != "Pf")
-    source.fail("is no PFM: begins with " + acmap::quoted(kind) + ", not with Pf");
+    source.fail("is no PFM: begins with " + acmap::inQuotes(kind) + ", not with Pf");
 }
 
 void
@@ -54,7 +54,7 @@ readSize(acmap::ByteSource& source, PfmHeader& header)
     std::uint64_t pixels = 0;
     words.next(word);
     if (!acmap::parseCount(word, pixels) || pixels == 0 || pixels > longest_side)
-      source.failAtLine(acmap::quoted(word) + " is no width or height in pixels");
+      source.failAtLine(acmap::inQuotes(word) + " is no width or height in pixels");
     *side = pixels;
   }
   if (header.width * header.height > acmap::most_pixels)
@@ -71,7 +71,7 @@ readHeader(acmap::ByteSource& source)
   const std::string_view word = nextLine(source);
   double scale = 0;
   if (!acmap::parseNumber(word, scale) || !std::isfinite(scale) || scale == 0.0)
-    source.failAtLine(acmap::quoted(word) +
+    source.failAtLine(acmap::inQuotes(word) +
                       " is no scale: a number below 0 (little-endian) or above");
   header.big_endian = scale > 0.0;
   return header;

@@ -24,9 +24,9 @@ cornerOf(std::string_view word, std::uint64_t vertices, const ByteSource& source
     number.remove_prefix(1);
   std::uint64_t value = 0;
   if (!parseCount(number, value))
-    source.failAtLine("corner " + quoted(word) + " is not the number of a vertex");
+    source.failAtLine("corner " + inQuotes(word) + " is not the number of a vertex");
   if (value == 0 || value > most_vertices || (backwards && value > vertices))
-    source.failAtLine("corner " + quoted(word) + " lies outside of the vertices");
+    source.failAtLine("corner " + inQuotes(word) + " lies outside of the vertices");
   return static_cast<std::int32_t>(backwards ? vertices - value : value - 1);
 }
 

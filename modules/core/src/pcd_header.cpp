@@ -30,7 +30,7 @@ toCount(std::string_view word, std::string_view key, const ByteSource& source)
 {
   std::uint64_t count = 0;
   if (!parseCount(word, count))
-    source.failAtLine(std::string(key) + " " + quoted(word) + " is not a count");
+    source.failAtLine(std::string(key) + " " + inQuotes(word) + " is not a count");
   return count;
 }
 
@@ -61,7 +61,7 @@ readFieldCounts(Words& words, const ByteSource& source)
     if (!storeNumber(
             word, PCLPointField::INT64, reinterpret_cast<std::uint8_t*>(&count)) ||
         count < -most || count > most)
-      source.failAtLine("COUNT " + quoted(word) + " is not a count");
+      source.failAtLine("COUNT " + inQuotes(word) + " is not a count");
   }
   return counts;
 }
@@ -97,7 +97,7 @@ readEncoding(Words& words, const ByteSource& source)
     return PcdHeader::Encoding::binary;
   if (word == "binary_compressed")
     return PcdHeader::Encoding::binary_compressed;
-  source.failAtLine("DATA " + quoted(word) + " is not known");
+  source.failAtLine("DATA " + inQuotes(word) + " is not known");
 }
 
 /** \return false for a key that a PCD header does not have */
@@ -180,12 +180,12 @@ joinFields(const PcdLines& lines, PcdHeader& header, const ByteSource& source)
   for (std::size_t i = 0; i < lines.names.size(); ++i) {
     const std::uint64_t size = valueOr<std::uint64_t>(lines.sizes, i, 4);
     const char type = valueOr(lines.types, i, 'F');
-    const std::string field = "field " + quoted(lines.names[i]);
+    const std::string field = "field " + inQuotes(lines.names[i]);
     SourceField& added = header.fields.emplace_back();
     added.name = lines.names[i];
     added.datatype = datatypeOf(type, size);
     if (added.datatype == 0)
-      source.fail(field + " has TYPE " + quoted({&type, 1}) + " with SIZE " +
+      source.fail(field + " has TYPE " + inQuotes({&type, 1}) + " with SIZE " +
                   std::to_string(size));
     added.count = valueOr<std::int64_t>(lines.counts, i, 1);
     if (added.count < 1 && !added.isPadding())
@@ -236,7 +236,7 @@ readPcdHeader(ByteSource& source)
       return header;
     }
     if (!readKeyedLine(key, words, lines, header, source))
-      source.failAtLine(quoted(key) + " is no entry of a PCD header");
+      source.failAtLine(inQuotes(key) + " is no entry of a PCD header");
   }
   source.fail("ends before the DATA line of a PCD header");
 }

@@ -32,7 +32,7 @@ public:
     if (!text_)
       return;
     if (!source_.readFilledLine(line))
-      source_.fail("ends within element " + quoted(element.name));
+      source_.fail("ends within element " + inQuotes(element.name));
     row_ = Words(line);
   }
 
@@ -56,7 +56,7 @@ public:
     const auto most = static_cast<double>(source_.remaining());
     if (!(length >= 0) || (!text_ && length > most) ||
         (text_ && length > static_cast<double>(ByteSource::maximum_line)))
-      source_.fail("list " + quoted(list.name) + " has an impossible length");
+      source_.fail("list " + inQuotes(list.name) + " has an impossible length");
     values.resize(static_cast<std::size_t>(length));
     for (double& value : values)
       value = next(list.datatype);
@@ -93,7 +93,7 @@ private:
     std::string_view word;
     double value = 0;
     if (!row_.next(word) || !parseNumber(word, value))
-      source_.failAtLine(quoted(word) + " is not a number");
+      source_.failAtLine(inQuotes(word) + " is not a number");
     return value;
   }
 
@@ -102,7 +102,7 @@ private:
   {
     const std::uint64_t bytes = element.leastBytes();
     if (bytes > 0 && element.rows > source_.remaining() / bytes)
-      source_.fail("ends within element " + quoted(element.name));
+      source_.fail("ends within element " + inQuotes(element.name));
     source_.skip(element.rows * bytes);
   }
 

@@ -34,7 +34,7 @@ datatypeOf(std::string_view type, const ByteSource& source)
   for (const Name& name : names)
     if (type == name.first || type == name.second)
       return static_cast<std::uint8_t>(name.datatype);
-  source.failAtLine(quoted(type) + " is no type of PLY");
+  source.failAtLine(inQuotes(type) + " is no type of PLY");
 }
 
 void
@@ -49,7 +49,7 @@ readFormat(Words& words, PlyHeader& header, const ByteSource& source)
   else if (word == "binary_big_endian")
     header.encoding = PlyHeader::Encoding::big_endian;
   else
-    source.failAtLine("format " + quoted(word) + " is not known");
+    source.failAtLine("format " + inQuotes(word) + " is not known");
 }
 
 void
@@ -67,7 +67,7 @@ readElement(Words& words, PlyHeader& header, const ByteSource& source)
   std::string_view rows;
   PlyElement element;
   if (!words.next(name) || !words.next(rows) || !parseCount(rows, element.rows))
-    source.failAtLine("element " + quoted(name) + " has the count " + quoted(rows));
+    source.failAtLine("element " + inQuotes(name) + " has the count " + inQuotes(rows));
   element.name = name;
   header.elements.push_back(std::move(element));
 }
@@ -86,7 +86,7 @@ readProperty(Words& words, PlyHeader& header, const ByteSource& source)
     property.length_datatype = datatypeOf(type, source);
     if (property.length_datatype == PCLPointField::FLOAT32 ||
         property.length_datatype == PCLPointField::FLOAT64)
-      source.failAtLine("length of a list is " + quoted(type));
+      source.failAtLine("length of a list is " + inQuotes(type));
     words.next(type);
   }
   property.datatype = datatypeOf(type, source);
@@ -155,7 +155,7 @@ readPlyHeader(ByteSource& source)
       return header;
     }
     else
-      source.failAtLine(quoted(key) + " is no entry of a PLY header");
+      source.failAtLine(inQuotes(key) + " is no entry of a PLY header");
   }
   source.fail("ends before the end_header line of PLY");
 }

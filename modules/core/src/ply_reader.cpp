@@ -90,7 +90,7 @@ PlyRows::nextRow(const PlyElement& element, std::uint64_t row)
   std::string_view line;
   if (!source_.readFilledLine(line))
     source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
-                 quoted(element.name) + ", the file has " + std::to_string(row));
+                 inQuotes(element.name) + ", the file has " + std::to_string(row));
   return Words(line);
 }
 
@@ -100,7 +100,7 @@ PlyRows::skipList(Words& row, const ByteSource& source)
   std::uint64_t length = 0;
   const std::string_view word = nextWord(row, source);
   if (!parseCount(word, length))
-    source.failAtLine(quoted(word) + " is no length of a list");
+    source.failAtLine(inQuotes(word) + " is no length of a list");
   for (std::uint64_t i = 0; i < length; ++i)
     nextWord(row, source);
 }
@@ -115,7 +115,7 @@ PlyRows::skipList(const PlyProperty& list)
     swapValues(bytes.data(), size, size, 1);
   const double length = valueOfType(list.length_datatype, bytes.data());
   if (length < 0.0)
-    source_.fail("list " + quoted(list.name) + " has a negative length");
+    source_.fail("list " + inQuotes(list.name) + " has a negative length");
   source_.skip(static_cast<std::uint64_t>(length) * sizeOfType(list.datatype));
 }
 
@@ -182,7 +182,7 @@ PlyRows::skip(const PlyElement& element)
   const std::uint64_t least = element.leastBytes();
   if (element.rows > source_.remaining() / least)
     source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
-                 quoted(element.name) + ", " + std::to_string(source_.remaining()) +
+                 inQuotes(element.name) + ", " + std::to_string(source_.remaining()) +
                  " bytes follow");
   if (!element.hasList())
     return source_.skip(element.rows * least);

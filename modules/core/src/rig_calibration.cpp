@@ -1,5 +1,7 @@
 #include <pcl/core/rig_calibration.h>
 
+#include <pcl/core/rig_cameras.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -103,9 +105,8 @@ calibrationOf(const TrinocularRig& rig)
   CameraCalibration& vertical = calibration.camera(RigCamera::Vertical);
   horizontal.T_reference_camera.translation().x() = rig.baseline_horizontal;
   vertical.T_reference_camera.translation().y() = rig.baseline_vertical;
-  calibration.camera(RigCamera::Reference).is_there = true;
-  horizontal.is_there = rig.baseline_horizontal != 0.0;
-  vertical.is_there = rig.baseline_vertical != 0.0;
+  for (const RigCamera camera : acmap::rig_cameras)
+    calibration.camera(camera).is_there = acmap::hasCamera(rig, camera);
   return calibration;
 }
 

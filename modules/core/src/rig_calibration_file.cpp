@@ -3,6 +3,7 @@
 #include "rig_text.h"
 
 #include <pcl/core/output_file.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
 #include <functional>
@@ -20,12 +21,9 @@ faultUnder(const TrinocularRig& rig, const RigCalibration& calibration)
 {
   if (rig.width != calibration.width || rig.height != calibration.height)
     return "the rectified rig and its cameras differ in size";
-  const auto there = [&](RigCamera camera) {
-    return calibration.camera(camera).is_there;
-  };
-  if (there(RigCamera::Horizontal) != (rig.baseline_horizontal != 0.0) ||
-      there(RigCamera::Vertical) != (rig.baseline_vertical != 0.0))
-    return "a camera must be there exactly when its baseline is not 0";
+  for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})
+    if (calibration.camera(camera).is_there != acmap::hasCamera(rig, camera))
+      return "a camera must be there exactly when its baseline is not 0";
   return "";
 }
 

@@ -28,7 +28,8 @@ storeField(Words& row,
     if (from.isPadding())
       continue;
     if (!storeNumber(word, target.datatype, to))
-      source.failAtLine(quoted(word) + " is no value of field " + quoted(from.name));
+      source.failAtLine(inQuotes(word) + " is no value of field " +
+                        inQuotes(from.name));
     to += sizeOfType(target.datatype);
   }
 }

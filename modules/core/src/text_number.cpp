@@ -138,7 +138,7 @@ storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to)
 }
 
 std::string
-quoted(std::string_view word)
+inQuotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
   std::string text = "'";

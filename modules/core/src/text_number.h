@@ -74,6 +74,6 @@ storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to);
 
 /** \brief A word in quotes for a message: short, and printable whatever the file holds. */
 std::string
-quoted(std::string_view word);
+inQuotes(std::string_view word);
 
 } // namespace pcl::acmap

@@ -145,8 +145,9 @@ readXyz(ByteSource& source)
     if (numbers.count == 3)
       appendPoint(points, numbers.values.data(), source);
     else if (!points.empty() || !preamble.accepts(numbers, line))
-      source.failAtLine(numbers.bad.empty() ? "has fewer than three numbers"
-                                            : quoted(numbers.bad) + " is not a number");
+      source.failAtLine(numbers.bad.empty()
+                            ? "has fewer than three numbers"
+                            : inQuotes(numbers.bad) + " is not a number");
   }
   if (points.empty())
     source.fail("has no row of three numbers");
@@ -167,8 +168,9 @@ readObj(ByteSource& source)
       continue;
     const Numbers<6> numbers(words);
     if (numbers.count < 3)
-      source.failAtLine(numbers.bad.empty() ? "vertex has fewer than three numbers"
-                                            : quoted(numbers.bad) + " is not a number");
+      source.failAtLine(numbers.bad.empty()
+                            ? "vertex has fewer than three numbers"
+                            : inQuotes(numbers.bad) + " is not a number");
     appendPoint(points, numbers.values.data(), source);
     if (numbers.count == 6)
       colours.insert(colours.end(), &numbers.values[3], &numbers.values[3] + 3);

@@ -28,7 +28,7 @@ readRow(std::string_view line, const acmap::ByteSource& source)
   for (std::string_view word; words.next(word); ++count) {
     double value = 0;
     if (!acmap::parseNumber(word, value) || !std::isfinite(value))
-      source.failAtLine(acmap::quoted(word) + " is no finite number");
+      source.failAtLine(acmap::inQuotes(word) + " is no finite number");
     if (count < row.size())
       row[count] = value;
   }

@@ -22,7 +22,7 @@ YamlNode::at(const std::string& key) const
 {
   const YamlNode* const value = find(key);
   if (!value)
-    fail("key " + quoted(key) + " is missing");
+    fail("key " + inQuotes(key) + " is missing");
   return *value;
 }
 
@@ -43,7 +43,7 @@ YamlNode::requireKeys(const std::vector<std::string>& known) const
     std::string list;
     for (const std::string& name : known)
       list += (list.empty() ? "" : ", ") + name;
-    key.fail("key " + quoted(key.text_) + " is not known here; known are " + list);
+    key.fail("key " + inQuotes(key.text_) + " is not known here; known are " + list);
   }
 }
 
@@ -75,7 +75,7 @@ YamlNode::number(double least, double most) const
       value <= most)
     return value;
   std::ostringstream fault;
-  fault << quoted(text_) << " is refused: a number within [" << least << ", " << most
+  fault << inQuotes(text_) << " is refused: a number within [" << least << ", " << most
         << "] is needed here";
   fail(fault.str());
 }
@@ -86,15 +86,15 @@ YamlNode::count(std::size_t least, std::size_t most) const
   std::uint64_t value = 0;
   if (parseCount(text(), value) && value >= least && value <= most)
     return static_cast<std::size_t>(value);
-  fail(quoted(text_) + " is refused: a whole number within [" + std::to_string(least) +
-       ", " + std::to_string(most) + "] is needed here");
+  fail(inQuotes(text_) + " is refused: a whole number within [" +
+       std::to_string(least) + ", " + std::to_string(most) + "] is needed here");
 }
 
 bool
 YamlNode::boolean() const
 {
   if (text() != "true" && text_ != "false")
-    fail(quoted(text_) + " is refused: true or false is needed here");
+    fail(inQuotes(text_) + " is refused: true or false is needed here");
   return text_ == "true";
 }
 

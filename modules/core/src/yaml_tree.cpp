@@ -153,7 +153,7 @@ private:
   {
     Open& map = open_.back();
     if (!map.keys.insert(key.text()).second)
-      key.fail("key " + quoted(key.text()) + " stands twice");
+      key.fail("key " + inQuotes(key.text()) + " stands twice");
     map.node.keys_.push_back(std::move(key));
   }
 

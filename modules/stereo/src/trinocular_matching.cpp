@@ -6,6 +6,7 @@
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/parallel.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -77,10 +78,10 @@ struct TrinocularMatching::Memory {
 
   explicit Memory(const TrinocularRig& rig)
   {
-    if (rig.baseline_horizontal != 0.0)
+    if (acmap::hasCamera(rig, RigCamera::Horizontal))
       pairs.push_back(
           {RigCamera::Horizontal, rig.baseline_horizontal, rig.width, {}, {}});
-    if (rig.baseline_vertical != 0.0)
+    if (acmap::hasCamera(rig, RigCamera::Vertical))
       pairs.push_back({RigCamera::Vertical, rig.baseline_vertical, rig.height, {}, {}});
   }
 

@@ -14,7 +14,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
 constexpr double view_angle = 36.0; // degrees
 constexpr int most_pixels = 16384;
 

@@ -4,9 +4,12 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <vector>
 
 namespace pcl::acmap {
+
+constexpr double degree = M_PI / 180; // radians
 
 /** \brief A camera, perspective unless it has a height in metres. */
 struct Camera {

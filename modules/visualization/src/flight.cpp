@@ -10,7 +10,6 @@ using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180;
 constexpr double wide_angle = 70;    // degrees, as of a view from inside
 constexpr double speed = 1.5;        // m/s
 constexpr double turn = 45 * degree; // a second

@@ -65,9 +65,9 @@ cutForPlan(const LayerMaking& making, const Trajectory& trajectory, Scene& point
 }
 
 Actors
-pointsOf(const LayerMaking& making,
-         const PCLPointCloud2& cloud,
-         const Trajectory& trajectory)
+pointLayer(const LayerMaking& making,
+           const PCLPointCloud2& cloud,
+           const Trajectory& trajectory)
 {
   Scene points = sceneOf(cloud, {}, making.view);
   cutForPlan(making, trajectory, points);
@@ -120,7 +120,7 @@ actorsOfLayer(const LayerMaking& making, SceneLayer layer)
   const LayeredScene& scene = making.scene;
   switch (layer) {
   case SceneLayer::Points:
-    return pointsOf(making, cloudOf(scene), scene.map.trajectory);
+    return pointLayer(making, cloudOf(scene), scene.map.trajectory);
   case SceneLayer::Mesh: {
     const Scene mesh = sceneOf(scene.vertices, scene.mesh, making.view);
     Actors actors = actorsOfMesh(mesh, hidesBacks(making));
@@ -149,7 +149,7 @@ actorsBefore(const LayerMaking& making, SceneLayer layer)
 {
   const Trajectory& trajectory = making.scene.trajectory_before;
   if (layer == SceneLayer::Points)
-    return pointsOf(making, pointsBefore(making.scene), trajectory);
+    return pointLayer(making, pointsBefore(making.scene), trajectory);
   return wayOf(making, trajectory);
 }
 

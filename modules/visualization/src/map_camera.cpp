@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Eigen::Vector3f>;
 
-constexpr double degree = M_PI / 180;
 constexpr double outside_yaw = 25 * degree;
 constexpr double outside_pitch = 45 * degree;
 constexpr double outside_margin = 0.08;

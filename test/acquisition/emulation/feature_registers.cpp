@@ -13,7 +13,6 @@ namespace {
 
 using namespace iidc;
 
-constexpr std::uint32_t present = 0x80000000;
 constexpr std::uint32_t has_absolute = 0x40000000;
 constexpr std::uint32_t value_bits = 0x00000FFF;
 

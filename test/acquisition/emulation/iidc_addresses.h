@@ -11,6 +11,8 @@ constexpr std::uint64_t config_rom = csr_space + 0x400;
 constexpr std::uint32_t command_base = 0xF00000; ///< of the command registers, from CSR
 constexpr std::uint64_t commands = csr_space + command_base;
 
+constexpr std::uint32_t present = 0x80000000; ///< in inquiries and absolute values
+
 // Offsets from the command registers.
 constexpr std::uint32_t initialize = 0x000;
 constexpr std::uint32_t format_inquiry = 0x100;

@@ -10,7 +10,6 @@ namespace {
 
 using namespace iidc;
 
-constexpr std::uint32_t present = 0x80000000;
 constexpr std::uint32_t frame_info_bits = 0x000003FF;
 
 // The identifier 0x00B09D000004 in two registers; the low half of the second one is how

@@ -28,7 +28,6 @@ constexpr std::uint32_t packets = 0x048;
 constexpr std::uint32_t value_setting = 0x07C;
 
 // Bits of VALUE_SETTING.
-constexpr std::uint32_t present = 0x80000000;
 constexpr std::uint32_t setting_1 = 0x40000000;
 constexpr std::uint32_t error_1 = 0x00800000;
 constexpr std::uint32_t error_2 = 0x00400000;

@@ -1,5 +1,7 @@
 #include "grabber_state.h"
 
+#include <pcl/core/rig_cameras.h>
+
 #include <utility>
 
 namespace pcl {
@@ -8,17 +10,10 @@ namespace {
 
 using Way = acmap::CameraStream::Way;
 
-int
-camerasOf(const TrinocularRig& rig)
-{
-  return 1 + (rig.baseline_horizontal != 0 ? 1 : 0) +
-         (rig.baseline_vertical != 0 ? 1 : 0);
-}
-
 ChannelOrder
 defaultOrder(const TrinocularRig& rig)
 {
-  if (rig.baseline_horizontal == 0)
+  if (!acmap::hasCamera(rig, RigCamera::Horizontal))
     return {RigCamera::Reference, RigCamera::Vertical, RigCamera::Horizontal};
   return {RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
 }
@@ -37,7 +32,7 @@ DigiclopsGrabber::State::State(const TrinocularRig& frame_rig, IidcBusOpener ope
 IidcMode
 DigiclopsGrabber::State::findMode() const
 {
-  return camera.findMode(rig.width, rig.height, camerasOf(rig));
+  return camera.findMode(rig.width, rig.height, acmap::countCameras(rig));
 }
 
 void
@@ -51,10 +46,10 @@ void
 DigiclopsGrabber::State::setMode(const IidcMode& new_mode, float new_rate)
 {
   if (new_mode.width != rig.width || new_mode.height != rig.height ||
-      new_mode.cameras() != camerasOf(rig))
+      new_mode.cameras() != acmap::countCameras(rig))
     throw BadArgumentException("mode " + new_mode.text() + " is refused: the rig has " +
-                               std::to_string(camerasOf(rig)) + " cameras of " +
-                               std::to_string(rig.width) + " x " +
+                               std::to_string(acmap::countCameras(rig)) +
+                               " cameras of " + std::to_string(rig.width) + " x " +
                                std::to_string(rig.height) + " pixels");
   requireIdle();
   const float possible = camera.setMode(new_mode, new_rate);

@@ -7,12 +7,12 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double nearest = 0.3;         // metres
-constexpr int most_beside = 2;          // px off its line, of an aged calibration
-constexpr float least_agreement = 0.8F; // correlation
-constexpr float least_lead = 0.05F;     // of the best depth before any other
-constexpr int same_place = 3;           // steps between depths that are one
-constexpr double least_shift = 5;       // px from where it lay at infinity
+constexpr double nearest = 0.3;           // metres
+constexpr int most_beside = 2;            // px off its line, of an aged calibration
+constexpr float least_agreement = 0.8F;   // correlation
+constexpr float least_difference = 0.05F; // of the best depth before any other
+constexpr int same_place = 3;             // steps between depths that are one
+constexpr double least_shift = 5;         // px from where it lay at infinity
 
 constexpr std::array neighbours{RigCamera::Horizontal, RigCamera::Vertical};
 
@@ -100,7 +100,7 @@ bool
 isAlone(const Agreements& agreements, Agreements::const_iterator best)
 {
   for (auto other = agreements.begin(); other != agreements.end(); ++other)
-    if (std::abs(other - best) > same_place && *other > *best - least_lead)
+    if (std::abs(other - best) > same_place && *other > *best - least_difference)
       return false;
   return true;
 }
@@ -124,7 +124,7 @@ isFound(const std::array<const SmoothImage*, 3>& images,
     const SmoothImage& image = *images[static_cast<std::size_t>(camera)];
     for (int step = 0; step <= steps; ++step) {
       float& joint = agreements[static_cast<std::size_t>(step)];
-      if (joint >= least_agreement - least_lead) // else it cannot matter any more
+      if (joint >= least_agreement - least_difference) // else it cannot matter any more
         joint = std::min(joint, agreementAt(image, patch, line, step));
     }
   }

@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_contrast = 1.0; // grey levels, of a mean over many pixels
+constexpr double least_turn = 1.0; // grey levels, of a mean over many pixels
 constexpr double change_to_wait_for = 0.95;
 constexpr double most_unrest = 0.3; // of the contrast
 
@@ -55,7 +55,7 @@ findSettleTime(const std::vector<LightTurn>& turns, double tail)
     if (i > 1) // the room itself
       unrest = std::max(unrest, std::abs(ends[i].level - ends[i - 2].level) / 2);
   }
-  if (contrast < least_contrast || unrest > most_unrest * contrast)
+  if (contrast < least_turn || unrest > most_unrest * contrast)
     return std::nullopt;
 
   const double wanted = std::min(change_to_wait_for, 1 - 2 * unrest / contrast);

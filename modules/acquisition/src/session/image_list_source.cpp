@@ -2,6 +2,8 @@
 #include "frame_source.h"
 #include "session_folder.h"
 
+#include <pcl/core/rig_cameras.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -92,11 +94,10 @@ private:
 void
 requireComplete(const CameraLists& lists, const TrinocularRig& rig)
 {
-  const std::array<bool, 3> expected{
-      true, rig.baseline_horizontal != 0.0, rig.baseline_vertical != 0.0};
   for (std::size_t camera = 0; camera < lists.size(); ++camera) {
     const std::size_t has = lists[camera]->size();
-    const std::size_t needed = expected[camera] ? lists.front()->size() : 0;
+    const std::size_t needed =
+        hasCamera(rig, rig_cameras[camera]) ? lists.front()->size() : 0;
     if (has != needed)
       throw BadArgumentException(placeOf(std::min(has, needed), camera) + ": " +
                                  std::to_string(has) + " images, " +

@@ -3,6 +3,7 @@
 #include "disk_sync.h"
 
 #include <pcl/core/output_file.h>
+#include <pcl/core/rig_cameras.h>
 #include <pcl/core/yaml_node.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t version = 1;
+constexpr std::size_t session_version = 1;
 constexpr std::size_t number_digits = 6; // at least
 constexpr const char* summary_name = "session.yaml";
 const std::string frame_begin = "frame_";
@@ -74,12 +75,12 @@ saveSessionSummary(const std::string& folder, const SessionSummary& summary)
     if (summary.cameras[camera])
       cameras += (cameras.empty() ? "" : ", ") +
                  std::string(nameOf(static_cast<RigCamera>(camera)));
-  const std::string text = "%YAML:1.0\n---\nversion: " + std::to_string(version) +
-                           "\nrig: " + summary.rig +
-                           "\nframes: " + std::to_string(summary.frames) +
-                           "\nobservations: " + std::to_string(summary.observations) +
-                           "\npatterns: " + std::to_string(summary.patterns) +
-                           "\ncameras: [" + cameras + "]\n";
+  const std::string text =
+      "%YAML:1.0\n---\nversion: " + std::to_string(session_version) +
+      "\nrig: " + summary.rig + "\nframes: " + std::to_string(summary.frames) +
+      "\nobservations: " + std::to_string(summary.observations) +
+      "\npatterns: " + std::to_string(summary.patterns) + "\ncameras: [" + cameras +
+      "]\n";
   const std::string path = pathIn(folder, summary_name);
   OutputFile file(path);
   file.write(text.data(), text.size());
@@ -96,7 +97,7 @@ loadSessionSummary(const std::string& folder)
     return std::nullopt;
   const YamlNode map = loadYaml(path);
   constexpr std::size_t most = std::size_t{1} << 31;
-  map.at("version").count(version, version);
+  map.at("version").count(session_version, session_version);
   map.requireKeys({"version", "rig", "frames", "observations", "patterns", "cameras"});
   SessionSummary summary;
   summary.rig = map.at("rig").text();
@@ -148,18 +149,17 @@ faultOfSize(const ImageRecord& image, const TrinocularRig& rig)
 std::string
 faultUnderRig(const FrameHeader& header, const TrinocularRig& rig)
 {
-  const std::array<bool, 3> expected{
-      true, rig.baseline_horizontal != 0.0, rig.baseline_vertical != 0.0};
-  for (std::size_t camera = 0; camera < expected.size(); ++camera) {
-    const ImageRecord& image = header.images[camera];
+  for (const RigCamera camera : rig_cameras) {
+    const ImageRecord& image = header.images[static_cast<std::size_t>(camera)];
+    const bool is_expected = hasCamera(rig, camera);
     std::string fault;
-    if (expected[camera] != (image.width > 0))
-      fault = expected[camera] ? "has no image, the rig has such a camera"
-                               : "has an image, the rig has no such camera";
-    else if (expected[camera])
+    if (is_expected != (image.width > 0))
+      fault = is_expected ? "has no image, the rig has such a camera"
+                          : "has an image, the rig has no such camera";
+    else if (is_expected)
       fault = faultOfSize(image, rig);
     if (!fault.empty())
-      return std::string(nameOf(static_cast<RigCamera>(camera))) + " camera: " + fault;
+      return std::string(nameOf(camera)) + " camera: " + fault;
   }
   return "";
 }

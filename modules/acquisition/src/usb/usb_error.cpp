@@ -30,7 +30,7 @@ helpFor(int error)
 {
   switch (error) {
   case LIBUSB_ERROR_ACCESS:
-    return "; copy share/acmap/udev/70-acmap-digiclops.rules to /etc/udev/rules.d, "
+    return "; copy acmap's udev rule, 70-acmap-digiclops.rules, to /etc/udev/rules.d, "
            "then plug the camera in again";
   case LIBUSB_ERROR_BUSY:
     return "; another program has it";

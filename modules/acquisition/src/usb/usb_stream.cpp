@@ -18,7 +18,7 @@ constexpr std::size_t most_bytes = std::size_t{1} << 28; // no sensor has as man
 constexpr int most_faults = 3;
 constexpr auto longest_recall = 1s;
 // A hub takes a moment to notice that a device is gone; until then transfers fail.
-constexpr auto pause_after_failure = 100ms;
+constexpr auto restart_pause = 100ms;
 
 using UsbTransfer = std::unique_ptr<libusb_transfer, UsbRelease<libusb_free_transfer>>;
 
@@ -248,7 +248,7 @@ UsbStream::halt(bool is_stall)
   is_halted_ = true;
   restart_at_ = Clock::now();
   if (!is_stall)
-    restart_at_ += pause_after_failure;
+    restart_at_ += restart_pause;
   if (++faults_ == most_faults) {
     faults_ = 0;
     throw CameraException(CameraFault::Failed,

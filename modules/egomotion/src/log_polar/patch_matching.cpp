@@ -12,7 +12,7 @@ namespace pcl::acmap {
 namespace {
 
 /** A source patch, its best target, and the best score that either has elsewhere. */
-struct Candidate {
+struct BestMatch {
   std::int32_t source = 0;
   BestScore target;
   std::int32_t second = no_score;
@@ -21,7 +21,7 @@ struct Candidate {
 /** How far the best is from being certain, by how far the second is. Without noise two
  * that are all but alike would differ by any factor: cameras have some. */
 float
-ambiguityOf(const Candidate& candidate)
+ambiguityOf(const BestMatch& candidate)
 {
   constexpr float noise = 0.003F;
   return (1 - coefficientOf(candidate.target.score) + noise) /
@@ -43,23 +43,23 @@ public:
   , counts_(counts)
   {}
 
-  std::vector<Candidate>
+  std::vector<BestMatch>
   run() const
   {
-    std::vector<Candidate> candidates = mutualMatches();
+    std::vector<BestMatch> candidates = mutualMatches();
     keepDistinctTargets(candidates);
     return candidates;
   }
 
 private:
   /** Strong and distinct targets of sources that are the best of these. */
-  std::vector<Candidate>
+  std::vector<BestMatch>
   mutualMatches() const
   {
     const std::size_t targets = target_.patches.pixels.size();
     std::vector<std::int32_t> rows(source_.patches.pixels.size());
     std::iota(rows.begin(), rows.end(), 0);
-    std::vector<Candidate> candidates(rows.size());
+    std::vector<BestMatch> candidates(rows.size());
     oneapi::tbb::combinable<ColumnBests> parts([&] { return ColumnBests(targets); });
     const ScoreTable table(source_, target_, gate_, settings_);
     table.forEachRow(rows, [&](std::size_t row, const std::int32_t* scores) {
@@ -71,8 +71,8 @@ private:
     ColumnBests bests(targets);
     parts.combine_each([&](const ColumnBests& part) { bests.add(part); });
 
-    std::vector<Candidate> kept;
-    for (const Candidate& candidate : candidates) {
+    std::vector<BestMatch> kept;
+    for (const BestMatch& candidate : candidates) {
       const auto target = static_cast<std::size_t>(candidate.target.index);
       if (!isStrong(candidate))
         ++counts_.weak;
@@ -88,16 +88,16 @@ private:
 
   /** The same test from the other side, so that both may be swapped. */
   void
-  keepDistinctTargets(std::vector<Candidate>& candidates) const
+  keepDistinctTargets(std::vector<BestMatch>& candidates) const
   {
     std::vector<std::int32_t> rows;
-    for (const Candidate& candidate : candidates)
+    for (const BestMatch& candidate : candidates)
       rows.push_back(candidate.target.index);
     const ScoreTable table(target_, source_, gate_, settings_);
     table.forEachRow(rows, [&](std::size_t k, const std::int32_t* scores) {
       findSecond(scores, source_.places, candidates[k].source, candidates[k]);
     });
-    const auto is_ambiguous = [&](const Candidate& candidate) {
+    const auto is_ambiguous = [&](const BestMatch& candidate) {
       return !isDistinct(candidate);
     };
     const auto end = std::remove_if(candidates.begin(), candidates.end(), is_ambiguous);
@@ -109,7 +109,7 @@ private:
   findSecond(const std::int32_t* scores,
              const PatchPlaces& places,
              std::int32_t best,
-             Candidate& candidate) const
+             BestMatch& candidate) const
   {
     if (isStrong(candidate))
       candidate.second = std::max(candidate.second,
@@ -120,14 +120,14 @@ private:
   }
 
   bool
-  isStrong(const Candidate& candidate) const
+  isStrong(const BestMatch& candidate) const
   {
     return candidate.target.index >= 0 &&
            coefficientOf(candidate.target.score) >= settings_.least_score;
   }
 
   bool
-  isDistinct(const Candidate& candidate) const
+  isDistinct(const BestMatch& candidate) const
   {
     return ambiguityOf(candidate) < settings_.most_ambiguity;
   }
@@ -159,10 +159,10 @@ matchPatches(const LogPolarPatches& source,
       placesOf(target, target_points, gate, gate.distance_per_metre);
   const PatchMatching matching(
       {source, source_places}, {target, target_places}, gate, settings, counts);
-  const std::vector<Candidate> candidates =
+  const std::vector<BestMatch> candidates =
       withThreads(settings.threads, [&] { return matching.run(); });
   std::vector<PatchMatch> matches;
-  for (const Candidate& candidate : candidates)
+  for (const BestMatch& candidate : candidates)
     matches.push_back(
         {source.keypoint[static_cast<std::size_t>(candidate.source)],
          target.keypoint[static_cast<std::size_t>(candidate.target.index)],

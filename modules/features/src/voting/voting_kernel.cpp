@@ -95,6 +95,26 @@ describe(const Electorate& electorate,
                              " vertices got less than 3 votes and have no normal");
 }
 
+void
+voteCurvatures(const PointView& points,
+               const Electorate& electorate,
+               double radius,
+               const Progress& progress,
+               VotedNormals& result)
+{
+  result.curvatures.resize(points.size());
+  pollAll(
+      points.size(),
+      progress,
+      0.7,
+      1.0,
+      "curvatures",
+      [&] { return CurvatureVoter(points, electorate.rings, result.normals, radius); },
+      [&](CurvatureVoter& voter, std::size_t v) {
+        result.curvatures[v] = voter.vote(static_cast<std::int32_t>(v));
+      });
+}
+
 } // namespace
 } // namespace voting
 
@@ -141,20 +161,7 @@ voteNormals(const PointView& points,
     timer.finish("votes");
 
     if (settings.compute_curvatures) {
-      result.curvatures.resize(points.size());
-      pollAll(
-          points.size(),
-          progress,
-          0.7,
-          1.0,
-          "curvatures",
-          [&] {
-            return CurvatureVoter(
-                points, electorate.rings, result.normals, report.radius);
-          },
-          [&](CurvatureVoter& voter, std::size_t v) {
-            result.curvatures[v] = voter.vote(static_cast<std::int32_t>(v));
-          });
+      voteCurvatures(points, electorate, report.radius, progress, result);
       timer.finish("curvatures");
     }
     describe(electorate, result.normals, report);

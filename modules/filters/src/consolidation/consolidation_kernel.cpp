@@ -59,6 +59,21 @@ remarkOnPoints(const VoxelMoments& voxels, ConsolidationReport& report)
                              "and were left out");
 }
 
+void
+faceSensors(std::vector<Representative>& representatives,
+            const SensorView& sensors,
+            double edge,
+            ConsolidationReport& report)
+{
+  report.sensors_fit = fitTheirSensors(representatives, sensors);
+  if (report.sensors_fit)
+    return;
+  makeNormalsAgree(representatives, edge);
+  report.remarks.emplace_back("where the sensors stood is unknown, or does not fit "
+                              "the surface: the normals "
+                              "agree with their neighbours' instead");
+}
+
 } // namespace
 
 Consolidation
@@ -105,13 +120,7 @@ consolidatePoints(const PointView& points,
         ++report.without_normal;
     }
     report.representatives = result.representatives.size();
-    report.sensors_fit = fitTheirSensors(result.representatives, sensors);
-    if (!report.sensors_fit) {
-      makeNormalsAgree(result.representatives, edge);
-      report.remarks.emplace_back("where the sensors stood is unknown, or does not fit "
-                                  "the surface: the normals "
-                                  "agree with their neighbours' instead");
-    }
+    faceSensors(result.representatives, sensors, edge, report);
     const std::vector<std::int32_t> of_cell =
         representativesOfCells(windows, candidates, thinning);
     setMeanColors(voxels, of_cell, result.representatives);

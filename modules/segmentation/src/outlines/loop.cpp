@@ -7,12 +7,6 @@ namespace pcl::acmap::outlines {
 namespace {
 
 double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double
 squaredDistance(const Eigen::Vector2d& point,
                 const Eigen::Vector2d& begin,
                 const Eigen::Vector2d& end)
@@ -66,11 +60,11 @@ markKept(const Loop& loop,
 
 /** \param[out] place where segments ab and cd cross inside of both */
 bool
-cross(const Eigen::Vector2d& a,
-      const Eigen::Vector2d& b,
-      const Eigen::Vector2d& c,
-      const Eigen::Vector2d& d,
-      Eigen::Vector2d& place)
+segmentsCross(const Eigen::Vector2d& a,
+              const Eigen::Vector2d& b,
+              const Eigen::Vector2d& c,
+              const Eigen::Vector2d& d,
+              Eigen::Vector2d& place)
 {
   const double c_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(c - a));
   const double d_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(d - a));
@@ -89,12 +83,18 @@ firstCrossing(const Loop& loop, std::size_t i, Eigen::Vector2d& place)
 {
   const std::size_t size = loop.size();
   for (std::size_t j = i + 2; j < size; ++j)
-    if (cross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % size], place))
+    if (segmentsCross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % size], place))
       return j;
   return 0;
 }
 
 } // namespace
+
+double
+cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 double
 signedArea(const Loop& loop)

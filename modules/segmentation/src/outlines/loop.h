@@ -9,6 +9,10 @@ namespace pcl::acmap::outlines {
 /** A closed line in a plane, metres; the last point joins the first. */
 using Loop = std::vector<Eigen::Vector2d>;
 
+/** Positive where \a b points to the left of \a a. */
+double
+cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
 /** Square metres, positive where it runs counter-clockwise. */
 double
 signedArea(const Loop& loop);

@@ -11,12 +11,6 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-double
-cross(const Place& a, const Place& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 struct Edge {
   std::int32_t from, to;
   std::size_t loop;

@@ -179,6 +179,35 @@ describe(const PlaneClusters& clusters,
         " are curved; the points may be too far apart, too noisy, or on no plane");
 }
 
+/** What growing goes by; noise may bow and warp a plane where nobody says how far off it
+ * points may be. */
+PlaneLimits
+growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
+{
+  const bool is_distance_set = settings.plane_distance > 0;
+  PlaneLimits limits;
+  limits.distance =
+      is_distance_set ? settings.plane_distance : automaticDistance(graph);
+  limits.cosine = std::cos(settings.normal_angle);
+  limits.refit_always = !settings.noise_driven;
+  if (settings.noise_driven && !is_distance_set) {
+    limits.bow = 0.004;
+    limits.most_bow = 0.01;
+    limits.most_warp = 0.025;
+  }
+  return limits;
+}
+
+/** Labels and patches, without what else was known on the way. */
+void
+takeOver(KnownPlanes&& known, PlaneClusters& clusters)
+{
+  clusters.labels = std::move(known.labels);
+  for (KnownPlane& plane : known.planes)
+    clusters.patches.push_back(std::move(plane.patch));
+  sortByArea(clusters);
+}
+
 } // namespace
 } // namespace planes
 
@@ -196,18 +225,9 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     StepTimer timer(report);
     progress.tell(0.0, "growing");
     const CellGraph graph(hypotheses, settings.threads);
-    PlaneLimits limits;
-    limits.distance = settings.plane_distance > 0 ? settings.plane_distance
-                                                  : automaticDistance(graph);
-    limits.cosine = std::cos(settings.normal_angle);
-    limits.refit_always = !settings.noise_driven;
+    const PlaneLimits limits = growthLimits(settings, graph);
     report.spacing = graph.spacing;
     report.sigma = graph.sigma;
-    if (settings.noise_driven && !(settings.plane_distance > 0)) {
-      limits.bow = 0.004;
-      limits.most_bow = 0.01;
-      limits.most_warp = 0.025;
-    }
     report.plane_distance = limits.distance;
     const std::vector<std::int32_t> seeds = orderSeeds(hypotheses, graph);
     report.hypotheses = seeds.size();
@@ -246,10 +266,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     StepTimer outlines(report);
     outlinePlanes(hypotheses.triangles, known);
     outlines.finish("outlines");
-    clusters.labels = std::move(known.labels);
-    for (KnownPlane& plane : known.planes)
-      clusters.patches.push_back(std::move(plane.patch));
-    sortByArea(clusters);
+    takeOver(std::move(known), clusters);
     describe(clusters, hypotheses, report);
     progress.tell(1.0, "done");
     return clusters;

@@ -11,21 +11,6 @@ constexpr double refit_growth = 1.2;
 
 } // namespace
 
-Moments
-momentsOf(const Eigen::Vector3d& p)
-{
-  return {1,
-          p.x(),
-          p.y(),
-          p.z(),
-          p.x() * p.x(),
-          p.x() * p.y(),
-          p.x() * p.z(),
-          p.y() * p.y(),
-          p.y() * p.z(),
-          p.z() * p.z()};
-}
-
 Plane
 planeThrough(const PlaneFit& fit, const Eigen::Vector3d& front)
 {

@@ -83,9 +83,6 @@ private:
   double refit_at_;
 };
 
-Moments
-momentsOf(const Eigen::Vector3d& point);
-
 /** The plane of least squares, to the side of \a front. */
 Plane
 planeThrough(const PlaneFit& fit, const Eigen::Vector3d& front);

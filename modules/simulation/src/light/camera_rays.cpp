@@ -1,6 +1,7 @@
 #include "camera_rays.h"
 
 #include <pcl/core/arguments.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +82,9 @@ raysOf(const TrinocularRig& rig)
   requireSoundRig(rig);
   RigRays rays;
   rays[0] = idealCamera(rig, Eigen::Vector3d::Zero());
-  if (rig.baseline_horizontal != 0.0)
+  if (hasCamera(rig, RigCamera::Horizontal))
     rays[1] = idealCamera(rig, {rig.baseline_horizontal, 0, 0});
-  if (rig.baseline_vertical != 0.0)
+  if (hasCamera(rig, RigCamera::Vertical))
     rays[2] = idealCamera(rig, {0, rig.baseline_vertical, 0});
   return rays;
 }

@@ -1,5 +1,6 @@
 #include "shot_check.h"
 
+#include <pcl/core/rig_cameras.h>
 #include <pcl/exceptions.h>
 
 #include <cmath>
@@ -37,7 +38,7 @@ void
 requireStereoRig(const TrinocularRig& rig)
 {
   requireSoundRig(rig);
-  if (rig.baseline_horizontal == 0.0 && rig.baseline_vertical == 0.0)
+  if (countCameras(rig) == 1)
     throw BadArgumentException(
         "baseline_horizontal = 0 and baseline_vertical = 0 m are refused: the rig must "
         "have a neighbour");
@@ -54,11 +55,9 @@ requireStereoRig(const TrinocularRig& rig)
 void
 requireShotOf(const TrinocularRig& rig, const TrinocularFrame& shot)
 {
-  requireImageOf(rig, shot, RigCamera::Reference);
-  if (rig.baseline_horizontal != 0.0)
-    requireImageOf(rig, shot, RigCamera::Horizontal);
-  if (rig.baseline_vertical != 0.0)
-    requireImageOf(rig, shot, RigCamera::Vertical);
+  for (const RigCamera camera : rig_cameras)
+    if (hasCamera(rig, camera))
+      requireImageOf(rig, shot, camera);
 }
 
 } // namespace pcl::acmap

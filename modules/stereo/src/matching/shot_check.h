@@ -2,14 +2,11 @@
 
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/core/trinocular_rig.h>
+#include <pcl/stereo/matched_disparity.h>
 
-#include <cstddef>
 #include <string>
 
 namespace pcl::acmap {
-
-/** \brief Of an observation, or matched at once. */
-inline constexpr std::size_t most_shots = 256;
 
 /** \brief "640 x 480 pixels". */
 std::string

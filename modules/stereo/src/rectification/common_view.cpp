@@ -75,7 +75,7 @@ commonRotation(const RigCalibration& calibration)
 }
 
 /** \brief What all cameras see, on the plane z = 1 of the common frame. */
-struct Window {
+struct CommonBounds {
   Eigen::Vector2d least = Eigen::Vector2d::Constant(-1e9);
   Eigen::Vector2d most = Eigen::Vector2d::Constant(1e9);
 };
@@ -98,7 +98,7 @@ void
 narrow(const RigCalibration& calibration,
        const CameraCalibration& camera,
        const Eigen::Matrix3d& R_common_camera,
-       Window& window)
+       CommonBounds& window)
 {
   const double right = calibration.width - 1;
   const double bottom = calibration.height - 1;
@@ -117,7 +117,7 @@ narrow(const RigCalibration& calibration,
 
 /** \brief The shortest focal length that fills the image from the window. */
 void
-setPinhole(const Window& window, TrinocularRig& rig)
+setPinhole(const CommonBounds& window, TrinocularRig& rig)
 {
   const Eigen::Vector2d extent = window.most - window.least;
   const Eigen::Vector2d pixels(rig.width - 1, rig.height - 1);
@@ -154,7 +154,7 @@ commonViewOf(const RigCalibration& calibration)
   view.rig.baseline_horizontal = horizontal.is_there ? offset(horizontal).x() : 0.0;
   view.rig.baseline_vertical = vertical.is_there ? offset(vertical).y() : 0.0;
   view.column_offset = vertical.is_there ? offset(vertical).x() : 0.0;
-  Window window;
+  CommonBounds window;
   for (const CameraCalibration& camera : calibration.cameras)
     if (camera.is_there)
       narrow(calibration, camera, view.rotationOf(camera), window);

@@ -82,6 +82,31 @@ returnFreeMemory()
 #endif
 }
 
+void
+remarkOnSearch(const Spacing& spacing, DeWallReport& report)
+{
+  if (spacing.unanswered > 0)
+    report.remarks.push_back("the search method found no neighbour of " +
+                             std::to_string(spacing.unanswered) + " of " +
+                             std::to_string(spacing.asked) +
+                             " points; the nearest ones were taken there");
+}
+
+/** \brief Those of the parts and those that came last. Counts what the parts refused. */
+std::vector<TriangleList>
+listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
+{
+  std::vector<TriangleList> lists;
+  for (Part& part : parts) {
+    lists.push_back({&part.triangles, static_cast<std::uint8_t>(part.node.depth)});
+    report.refused_moebius += part.refused_moebius;
+    report.removed_fans += part.removed_fans;
+  }
+  lists.push_back({&mesh.triangles(), TriangleMesh::no_wall});
+  report.refused_moebius += mesh.refusedMoebius();
+  return lists;
+}
+
 TriangleMesh
 triangulate(const PointView& view,
             const DeWallSettings& settings,
@@ -99,7 +124,8 @@ triangulate(const PointView& view,
                              " distinct finite points");
     return {};
   }
-  const Spacing spacing = measureSpacing(tree);
+  const Spacing spacing = measureSpacing(tree, settings.neighbours);
+  remarkOnSearch(spacing, report);
   report.median_spacing = spacing.median();
   const SizeConstraint size = settings.maximum_edge_length > 0
                                   ? SizeConstraint(tree, settings.maximum_edge_length)
@@ -122,14 +148,7 @@ triangulate(const PointView& view,
   report.refused_moebius = contradictions.size();
   report.removed_fans =
       finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
-  std::vector<TriangleList> lists;
-  for (Part& part : parts) {
-    lists.push_back({&part.triangles, static_cast<std::uint8_t>(part.node.depth)});
-    report.refused_moebius += part.refused_moebius;
-    report.removed_fans += part.removed_fans;
-  }
-  lists.push_back({&mesh.triangles(), TriangleMesh::no_wall});
-  report.refused_moebius += mesh.refusedMoebius();
+  const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
   timer.finish("last passes");
   arrays.edges.clear(); // the rest needs the triangles alone
   returnFreeMemory();

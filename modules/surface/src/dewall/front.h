@@ -54,13 +54,6 @@ public:
   void
   startAt(std::int32_t p1, std::int32_t p2, const Range& range);
 
-  /** \brief Longest edge at p1, within which p2 is to be sought. */
-  double
-  reachOf(std::int32_t p1) const
-  {
-    return size_.longest(p1);
-  }
-
   /** \brief Hands over the sides not cut by alpha (L_l and L_r). */
   std::vector<Side>
   takeUncut()

@@ -4,6 +4,8 @@
 
 #include <pcl/core/parallel.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl::acmap::dewall {
@@ -39,6 +41,39 @@ nearestSquared(const PointTree& tree, std::int32_t i)
   return nearest;
 }
 
+/** \brief The same from a search of the caller's, as far as it makes sense; where a place
+ * is repeated, its points are none of its neighbours. */
+std::vector<double>
+usableSquared(const std::vector<float>& found)
+{
+  std::vector<double> squared;
+  for (const float distance : found)
+    if (std::isfinite(distance) && distance > 0)
+      squared.push_back(distance);
+  std::sort(squared.begin(), squared.end());
+  if (squared.size() > most_neighbours)
+    squared.resize(most_neighbours);
+  return squared;
+}
+
+/** \brief Fills in what the points around one in each quarter of a leaf say. */
+template <typename Search>
+void
+measureLeaf(const PointTree& tree,
+            std::size_t leaf,
+            const Search& search,
+            Spacing& spacing)
+{
+  const auto number = static_cast<std::int32_t>(leaf);
+  const std::int32_t first_point = tree.firstOfLeaf(number);
+  const std::int32_t end_point = tree.firstOfLeaf(number + 1);
+  const std::int32_t quarter = (end_point - first_point) / 4;
+  const auto first = search(first_point + quarter);
+  const auto second = search(end_point - 1 - quarter);
+  spacing.nearest[leaf] = std::sqrt(std::min(first.front(), second.front()));
+  spacing.eighth[leaf] = std::sqrt(std::min(first.back(), second.back()));
+}
+
 } // namespace
 
 double
@@ -51,22 +86,28 @@ Spacing::median() const
 }
 
 Spacing
-measureSpacing(const PointTree& tree)
+measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours)
 {
   Spacing spacing;
   const auto leaves = static_cast<std::size_t>(tree.leafCount());
   spacing.nearest.resize(leaves);
   spacing.eighth.resize(leaves);
+  if (neighbours) {
+    const auto ask = [&](std::int32_t i) {
+      std::vector<double> squared =
+          usableSquared(neighbours(tree.source(i), most_neighbours + 1));
+      ++spacing.asked;
+      spacing.unanswered += squared.empty();
+      return squared.empty() ? nearestSquared(tree, i) : squared;
+    };
+    for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+      measureLeaf(tree, leaf, ask, spacing);
+    return spacing;
+  }
   parallelForChunks(leaves, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t l = begin; l < end; ++l) {
-      const std::int32_t first_point = tree.firstOfLeaf(static_cast<std::int32_t>(l));
-      const std::int32_t end_point = tree.firstOfLeaf(static_cast<std::int32_t>(l + 1));
-      const std::int32_t quarter = (end_point - first_point) / 4;
-      const auto first = nearestSquared(tree, first_point + quarter);
-      const auto second = nearestSquared(tree, end_point - 1 - quarter);
-      spacing.nearest[l] = std::sqrt(std::min(first.front(), second.front()));
-      spacing.eighth[l] = std::sqrt(std::min(first.back(), second.back()));
-    }
+    const auto look = [&](std::int32_t i) { return nearestSquared(tree, i); };
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      measureLeaf(tree, leaf, look, spacing);
   });
   return spacing;
 }

@@ -51,7 +51,7 @@ medianOf(const Samples& samples, const std::vector<double>& gains)
 }
 
 std::array<std::uint8_t, 3>
-colorOf(const Samples& samples, const std::vector<double>& gains)
+blendedColor(const Samples& samples, const std::vector<double>& gains)
 {
   constexpr double most_off = 30; // of 255, in any channel
   const std::array<double, 3> median = medianOf(samples, gains);
@@ -116,7 +116,7 @@ blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& char
   for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel) {
     if (!(canvas.samples[texel].front().weight > 0))
       continue;
-    const auto color = colorOf(canvas.samples[texel], gains);
+    const auto color = blendedColor(canvas.samples[texel], gains);
     std::copy(color.begin(), color.end(), &chart.colors.values[3 * texel]);
     chart.kinds[texel] = TexelKind::Seen;
   }

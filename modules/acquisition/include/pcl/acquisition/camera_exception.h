@@ -21,7 +21,7 @@ enum class CameraFault {
   Failed            ///< the bus or the system refuses; the message says what
 };
 
-/** \brief A word for messages and scripts, say `unplugged`. */
+/** \brief A word for messages and scripts, say `unplugged`. \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(CameraFault fault);
 

@@ -13,7 +13,7 @@ namespace pcl {
  * \ingroup acquisition */
 using ChannelOrder = std::array<RigCamera, 3>;
 
-/** \brief Say `reference,horizontal,vertical`. */
+/** \brief Say `reference,horizontal,vertical`. \ingroup acquisition */
 ACMAP_EXPORT std::string
 textOf(const ChannelOrder& order);
 

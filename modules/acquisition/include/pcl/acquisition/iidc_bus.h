@@ -89,7 +89,7 @@ protected:
 };
 
 /** \brief Opens a bus to one camera, each time it is called: again after the camera was
- * gone. */
+ * gone. \ingroup acquisition */
 using IidcBusOpener = std::function<std::unique_ptr<IidcBus>()>;
 
 } // namespace pcl

@@ -22,7 +22,8 @@ struct IidcIdentity {
   serial() const;
 };
 
-/** \brief How a pixel is coded; the numbers are those of the register. */
+/** \brief How a pixel is coded; the numbers are those of the register.
+ * \ingroup acquisition */
 enum class IidcColor : std::uint8_t {
   Mono8,
   Yuv411,
@@ -37,7 +38,7 @@ enum class IidcColor : std::uint8_t {
   Raw16 ///< of two cameras: a byte of each
 };
 
-/** \brief Say `RGB8`. */
+/** \brief Say `RGB8`. \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(IidcColor color);
 
@@ -66,7 +67,8 @@ struct IidcMode {
   text() const;
 };
 
-/** \brief What can be set; the numbers are those of the registers. */
+/** \brief What can be set; the numbers are those of the registers.
+ * \ingroup acquisition */
 enum class IidcFeature : std::uint8_t {
   Brightness = 0,
   Exposure = 1,
@@ -80,7 +82,7 @@ enum class IidcFeature : std::uint8_t {
   Pan = 33        ///< which camera, where one alone is sent
 };
 
-/** \brief Say `shutter`. */
+/** \brief Say `shutter`. \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(IidcFeature feature);
 
@@ -105,7 +107,7 @@ struct IidcFeatureState {
   std::optional<Physical> physical;
 };
 
-/** \brief What makes a camera take an image. */
+/** \brief What makes a camera take an image. \ingroup acquisition */
 enum class IidcTrigger {
   Off,     ///< one after another, by itself
   External ///< a falling edge at its trigger input (mode 0 of IIDC)

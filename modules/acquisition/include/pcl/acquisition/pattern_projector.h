@@ -15,8 +15,8 @@ public:
   PatternProjector&
   operator=(const PatternProjector&) = delete;
 
-  /** \brief Casts a pattern; it stays until the next call.
-   * \return after the pattern was handed to the device
+  /** \brief Casts a pattern; it stays until the next call. Returns when the pattern was
+   * handed to the device.
    * \throws BadArgumentException when the image is empty or has not all its values
    * \throws IOException when the device fails */
   virtual void

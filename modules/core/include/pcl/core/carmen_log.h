@@ -27,7 +27,8 @@ struct CarmenLog {
  * for all scans, excludes the reading that the log's laser gives without an echo.
  * \throws InputFileException naming file, line and fault: fewer numbers than
  * announced, a word that is no number, fewer than two beams, a pose or stamp that is
- * not finite; a file that is missing, empty, or damaged in its compression; no scan */
+ * not finite; a file that is missing, empty, or damaged in its compression; no scan
+ * \ingroup core */
 ACMAP_EXPORT CarmenLog
 loadCarmenLog(const std::string& path);
 

@@ -12,7 +12,7 @@
 
 namespace pcl {
 
-/** \brief What is known of a texel. */
+/** \brief What is known of a texel. \ingroup core */
 enum class TexelKind : std::uint8_t {
   None = 0,  ///< no observation saw it
   Seen = 1,  ///< coloured by observations

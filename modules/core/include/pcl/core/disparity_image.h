@@ -43,14 +43,14 @@ private:
  * Middlebury benchmark has it.
  * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
  * all its values
- * \throws OutputFileException when the file could not be written whole */
+ * \throws OutputFileException when the file could not be written whole \ingroup core */
 ACMAP_EXPORT void
 savePfm(const std::string& path, const DisparityImage& image);
 
 /** \brief Reads a grey PFM of either byte order; its scale is not applied. What is not
  * finite becomes NaN.
  * \throws InputFileException naming file and fault: missing, no grey PFM, no size that can
- * be, fewer or more bytes than it claims */
+ * be, fewer or more bytes than it claims \ingroup core */
 ACMAP_EXPORT DisparityImage
 loadPfm(const std::string& path);
 

@@ -41,23 +41,23 @@ struct GrayImage16 {
 /** \brief Reads a PNG, a JPEG, or a binary PGM or PPM of 8 bits; its first bytes tell
  * which, not its name. Grey ones become colour, transparency is dropped.
  * \throws InputFileException when it is missing, none of these, truncated, damaged, or
- * has more than 2^28 pixels */
+ * has more than 2^28 pixels \ingroup core */
 ACMAP_EXPORT RgbImage
 loadRgbImage(const std::string& path);
 
 /** \brief Reads a PNG of one channel, of 8 or 16 bits, as it is stored.
- * \throws InputFileException as above, and when it has colours */
+ * \throws InputFileException as above, and when it has colours \ingroup core */
 ACMAP_EXPORT GrayImage16
 loadGrayImage16(const std::string& path);
 
 /** \brief The bytes of a PNG file.
  * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
- * all its values */
+ * all its values \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodePng(const RgbImage& image);
 
 /** \brief The same of a grey image: 8 bits a pixel, rows from the top.
- * \throws BadArgumentException as above */
+ * \throws BadArgumentException as above \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodePng(std::int32_t width,
           std::int32_t height,
@@ -65,11 +65,11 @@ encodePng(std::int32_t width,
 
 /** \brief Writes a PNG.
  * \throws BadArgumentException as above
- * \throws OutputFileException when the file could not be written whole */
+ * \throws OutputFileException when the file could not be written whole \ingroup core */
 ACMAP_EXPORT void
 savePng(const std::string& path, const RgbImage& image);
 
-/** \brief The same of a grey image. */
+/** \brief The same of a grey image. \ingroup core */
 ACMAP_EXPORT void
 savePng(const std::string& path,
         std::int32_t width,
@@ -79,7 +79,7 @@ savePng(const std::string& path,
 /** \brief The bytes of a JPEG file.
  * \param[in] quality 1 to 100
  * \throws BadArgumentException as above, when the quality is none, or a side is above
- * 65,500 pixels */
+ * 65,500 pixels \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodeJpeg(const RgbImage& image, int quality);
 

@@ -65,6 +65,22 @@ struct Moments {
   }
 };
 
+/** \brief Those of one point. */
+inline Moments
+momentsOf(const Eigen::Vector3d& p)
+{
+  return {1,
+          p.x(),
+          p.y(),
+          p.z(),
+          p.x() * p.x(),
+          p.x() * p.y(),
+          p.x() * p.z(),
+          p.y() * p.y(),
+          p.y() * p.z(),
+          p.z() * p.z()};
+}
+
 /** \brief The plane of least squares through some points. */
 struct PlaneFit {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

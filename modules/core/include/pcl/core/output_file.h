@@ -15,7 +15,7 @@ ACMAP_EXPORT std::string
 followLinks(const std::string& path);
 
 /** \brief A file that is written beside its target and renamed into place by
- * \ref commit: a killed run, an exception or a full disk leaves the old file or none.
+ * commit (): a killed run, an exception or a full disk leaves the old file or none.
  *
  * A target that is a link keeps being one: the file that it points to is replaced, with
  * its permissions kept. A device or a pipe is written straight into. \ingroup core */

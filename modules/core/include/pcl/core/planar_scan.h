@@ -31,7 +31,7 @@ struct PlanarScanPoints {
 };
 
 /** \brief Turns echoes into points.
- * \throws BadArgumentException when an angle is not finite */
+ * \throws BadArgumentException when an angle is not finite \ingroup core */
 ACMAP_EXPORT PlanarScanPoints
 pointsOf(const PlanarScan& scan);
 

@@ -54,35 +54,36 @@ struct RigCalibration {
 /** \brief Refuses cameras that no rig can have: no reference or one whose place is not
  * the identity, a size beyond 32768 px, what is not finite, a focal length below 1 px, a
  * place that is no rigid motion or more than 100 m away.
- * \throws BadArgumentException naming camera, value and legal range */
+ * \throws BadArgumentException naming camera, value and legal range \ingroup core */
 ACMAP_EXPORT void
 requireSoundCalibration(const RigCalibration& calibration);
 
 /** \brief The unit ray a pixel looks along, in the frame of its camera; the distortion is
  * taken off by iteration.
- * \return NaN where the distortion has no inverse near the pixel */
+ * \return NaN where the distortion has no inverse near the pixel \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 pixelRay(const CameraCalibration& camera, const Eigen::Vector2d& pixel);
 
 /** \brief Where a camera sees a point, in px.
- * \param[in] point metres, in the frame of this camera, before it (z > 0) */
+ * \param[in] point metres, in the frame of this camera, before it (z > 0)
+ * \ingroup core */
 ACMAP_EXPORT Eigen::Vector2d
 projectPoint(const CameraCalibration& camera, const Eigen::Vector3d& point);
 
 /** \brief The cameras that a rectified rig is made of: without distortion, on its
- * baselines. */
+ * baselines. \ingroup core */
 ACMAP_EXPORT RigCalibration
 calibrationOf(const TrinocularRig& rig);
 
 /** \brief Reads the cameras from a `rig.yaml`; see doc/core/rig_calibration.md.
  * \throws InputFileException naming file, line, key and value; also when the file has
- * only a rectified rig, or one of other cameras */
+ * only a rectified rig, or one of other cameras \ingroup core */
 ACMAP_EXPORT RigCalibration
 loadRigCalibration(const std::string& path);
 
 /** \brief Writes a `rig.yaml` that holds both: the rectified rig and its cameras.
  * \throws BadArgumentException for a rig or cameras that cannot be
- * \throws OutputFileException when the file could not be written whole */
+ * \throws OutputFileException when the file could not be written whole \ingroup core */
 ACMAP_EXPORT void
 saveRigCalibration(const std::string& path,
                    const TrinocularRig& rig,

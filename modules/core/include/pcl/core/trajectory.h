@@ -26,7 +26,7 @@ isRigid(const Eigen::Isometry3d& pose);
  * normalised.
  * \throws InputFileException naming file, line and fault: a word that is no finite
  * number, too few or too many of them, a quaternion that is no rotation; no row at all
- */
+ * \ingroup core */
 ACMAP_EXPORT Trajectory
 loadTrajectory(const std::string& path);
 
@@ -34,7 +34,7 @@ loadTrajectory(const std::string& path);
  * same numbers back. Quaternions have qw >= 0.
  * \throws BadArgumentException when stamps and poses differ in number, a value is not
  * finite or a pose no rigid motion
- * \throws OutputFileException when the file could not be written whole */
+ * \throws OutputFileException when the file could not be written whole \ingroup core */
 ACMAP_EXPORT void
 saveTrajectory(const std::string& path, const Trajectory& trajectory);
 

@@ -33,7 +33,8 @@ operator==(const CameraImage& a, const CameraImage& b)
          a.values == b.values;
 }
 
-/** \brief Whether an image has at least a pixel, 1 or 3 channels, and all its values. */
+/** \brief Whether an image has at least a pixel, 1 or 3 channels, and all its values.
+ * \ingroup core */
 inline bool
 isWhole(const CameraImage& image)
 {
@@ -47,14 +48,16 @@ isWhole(const CameraImage& image)
 }
 
 /** \brief Reads an image as \ref loadRgbImage does; three channels.
- * \throws InputFileException likewise */
+ * \throws InputFileException likewise \ingroup core */
 ACMAP_EXPORT CameraImage
 loadCameraImage(const std::string& path);
 
-/** \brief The cameras of a \ref TrinocularRig, in the order in which a frame has them. */
+/** \brief The cameras of a TrinocularRig, in the order in which a frame has them.
+ * \ingroup core */
 enum class RigCamera { Reference, Horizontal, Vertical };
 
-/** \brief `reference`, `horizontal` or `vertical`, as files and messages call it. */
+/** \brief `reference`, `horizontal` or `vertical`, as files and messages call it.
+ * \ingroup core */
 inline const char*
 nameOf(RigCamera camera)
 {

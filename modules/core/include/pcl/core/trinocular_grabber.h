@@ -22,7 +22,7 @@ class ACMAP_EXPORT TrinocularGrabber : public Grabber {
 public:
   ~TrinocularGrabber() noexcept override;
 
-  /** \brief Signature of the one signal, for \ref Grabber::registerCallback. */
+  /** \brief Signature of the one signal, for PCL's registerCallback. */
   using FrameCallback = void(const TrinocularFrame::ConstPtr& frame);
 
   /** \brief Streams on from where it stands; does nothing while it streams. */

@@ -33,20 +33,20 @@ struct TrinocularRig {
 };
 
 /** \brief Refuses a rig that no camera can have.
- * \throws BadArgumentException naming value and legal range */
+ * \throws BadArgumentException naming value and legal range \ingroup core */
 ACMAP_EXPORT void
 requireSoundRig(const TrinocularRig& rig);
 
 /** \brief Reads a `rig.yaml`; keys it does not know (a calibration holds more) are left
  * out, keys that are missing are refused.
- * \throws InputFileException naming file, line, key and value */
+ * \throws InputFileException naming file, line, key and value \ingroup core */
 ACMAP_EXPORT TrinocularRig
 loadTrinocularRig(const std::string& path);
 
 /** \brief Writes a `rig.yaml` in the form of OpenCV's FileStorage (`%YAML:1.0`); what is
  * read back is equal.
  * \throws BadArgumentException as \ref requireSoundRig
- * \throws OutputFileException when the file could not be written whole */
+ * \throws OutputFileException when the file could not be written whole \ingroup core */
 ACMAP_EXPORT void
 saveTrinocularRig(const std::string& path, const TrinocularRig& rig);
 

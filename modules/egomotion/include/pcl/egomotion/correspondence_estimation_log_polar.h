@@ -13,8 +13,8 @@
 
 namespace pcl::registration {
 
-/** \brief What CorrespondenceEstimationLogPolar tells about its last run. \ingroup
- * egomotion */
+/** \brief What CorrespondenceEstimationLogPolar tells about its last run.
+ * \ingroup egomotion */
 struct LogPolarReport : Report {
   std::size_t source_keypoints = 0, target_keypoints = 0; ///< with a place
   std::size_t source_patches = 0,
@@ -33,7 +33,7 @@ struct LogPolarReport : Report {
  * A match is strong (\ref setMinimumScore), distinct from the second best that lies
  * elsewhere (\ref setMaximumAmbiguity) and mutual: swapping source and target gives the
  * same matches. Source and target are the clouds as they came from the camera, organized,
- * colour at every pixel; keypoints are their indices (\ref setIndicesSource, \ref
+ * colour at every pixel; keypoints are their indices (setIndicesSource,
  * setIndicesTarget), or those that \ref GradientMaximumKeypoint finds without them. In an
  * ICP loop the clouds may be moved, only distances use their coordinates; but give ICP no
  * guess, for it would drop the colours and the rows.

@@ -32,7 +32,7 @@ struct GradientMaximumReport : Report {
  * strength alone would end are left out, and of the others cells of 32 x 24 pixels give
  * their strongest in turn, so that they spread over the image.
  *
- * Output: the points themselves, metres, in the order of their indices (\ref
+ * Output: the points themselves, metres, in the order of their indices (PCL's
  * getKeypointsIndices). No search tree, no radius. Where indices are set, only these can
  * be keypoints. Time O(n) for n pixels; the same bytes for every number of threads.
  * \code

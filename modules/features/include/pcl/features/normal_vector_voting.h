@@ -4,7 +4,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/feature.h>
 #include <pcl/features/voting_types.h>
@@ -45,7 +45,8 @@ namespace pcl {
  * \ingroup features
  */
 template <typename PointInT>
-class NormalVectorVoting : public Feature<PointInT, Normal> {
+class NormalVectorVoting : public Feature<PointInT, Normal>,
+                           public StageControls<VotingReport> {
 public:
   using Ptr = shared_ptr<NormalVectorVoting<PointInT>>;
   using ConstPtr = shared_ptr<const NormalVectorVoting<PointInT>>;
@@ -129,33 +130,6 @@ public:
     return compute_curvatures_;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, seconds and remarks of the last run. */
-  const VotingReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief Votes at each vertex (at the indices, where set; all triangles vote).
    * \param[out] output one normal a vertex, in the order of the cloud (or indices)
    * \throws InitFailedException without an input cloud, with indices or corners outside
@@ -198,9 +172,6 @@ private:
   double corner_weight_ = 0.3;
   std::vector<Eigen::Vector3f> viewpoints_;
   bool compute_curvatures_ = false;
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  VotingReport report_;
   PointCloud<Label> classes_;
   PointCloud<PrincipalCurvatures> curvatures_;
 };

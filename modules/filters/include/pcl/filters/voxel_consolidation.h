@@ -2,11 +2,10 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/point_types.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/filter.h>
 
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -42,7 +41,8 @@ namespace pcl {
  * \ingroup filters
  */
 template <typename PointT>
-class VoxelConsolidation : public Filter<PointT> {
+class VoxelConsolidation : public Filter<PointT>,
+                           public StageControls<ConsolidationReport> {
 public:
   using Ptr = shared_ptr<VoxelConsolidation<PointT>>;
   using ConstPtr = shared_ptr<const VoxelConsolidation<PointT>>;
@@ -102,33 +102,6 @@ public:
     return keep_sources_;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, seconds and remarks of the last run. */
-  const ConsolidationReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief Consolidates the input cloud (its indices, where set).
    * \param[out] output may be the input; empty, with the reason in the report, where no
    * point is finite or no voxel size can be told
@@ -168,9 +141,6 @@ private:
   double voxel_size_ = 0;
   std::vector<Eigen::Vector3f> viewpoints_;
   bool keep_sources_ = false;
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  ConsolidationReport report_;
   SourceIndices sources_;
   Indices voxel_of_point_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/rectification_kernel.h>
 #include <pcl/memory.h>
@@ -10,14 +10,13 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace pcl {
 
 /** \brief Straightens a map: finds the poses of observations under which their points
  * fit together best, without matching any of them, as in II-B.2 of
- * "Active Stereo Based Compact Mapping". In the shape of \ref registration::LUM.
+ * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM.
  *
  * Guarded mode (default) minimises F = kappa N (E - E_wide) + |u|^2 / 2. E is the
  * direction-aware entropy of \ref MapEntropy, E_wide the same in bins four times as wide:
@@ -48,7 +47,7 @@ namespace pcl {
  * \ingroup mapping
  */
 template <typename PointT>
-class EntropyRectification {
+class EntropyRectification : public StageControls<EntropyRectificationReport> {
 public:
   using Ptr = shared_ptr<EntropyRectification<PointT>>;
   using ConstPtr = shared_ptr<const EntropyRectification<PointT>>;
@@ -160,33 +159,6 @@ public:
     return settings_.seed;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Outcome and its reason, energy curve, evidence, moves of the last run. */
-  const EntropyRectificationReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief Rectifies the poses, beginning with those that were given, whatever an
    * earlier run has found.
    * \throws InitFailedException without an observation
@@ -207,16 +179,10 @@ public:
   getConcatenatedCloud() const;
 
 private:
-  void
-  requirePose(const Eigen::Isometry3d& pose) const;
-
   acmap::RectificationSettings settings_;
   std::vector<PointCloudConstPtr> clouds_;
   std::vector<std::vector<float>> weights_;
   std::vector<Eigen::Isometry3d> given_, poses_;
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  EntropyRectificationReport report_;
 };
 
 } // namespace pcl

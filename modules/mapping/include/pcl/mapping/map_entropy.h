@@ -2,7 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/planar_pose.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/map_entropy_kernel.h>
 #include <pcl/mapping/map_entropy_types.h>
 #include <pcl/memory.h>
@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -54,7 +53,7 @@ namespace pcl {
  * \ingroup mapping
  */
 template <typename PointT>
-class MapEntropy {
+class MapEntropy : public StageControls<MapEntropyReport> {
 public:
   using Ptr = shared_ptr<MapEntropy<PointT>>;
   using ConstPtr = shared_ptr<const MapEntropy<PointT>>;
@@ -140,33 +139,6 @@ public:
     return settings_.direction_aware;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, seconds and remarks of the last run. */
-  const MapEntropyReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief The entropy of the map under the poses.
    * \return all 0, and the report says why, where no point is finite, one is 1e9 m
    * from its sensor, or the map takes more than 2^25 bins (all layers)
@@ -204,9 +176,6 @@ private:
   std::vector<std::vector<float>> weights_;
   std::vector<acmap::EntropyCells> cells_; ///< of the first observations; kept
   std::optional<acmap::MapEntropyEvaluator> evaluator_; ///< of all of them; kept
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  MapEntropyReport report_;
 };
 
 } // namespace pcl

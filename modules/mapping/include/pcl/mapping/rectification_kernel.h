@@ -2,10 +2,11 @@
 
 #include <pcl/core/export.h>
 #include <pcl/core/planar_pose.h>
+#include <pcl/core/point_view.h>
 #include <pcl/core/progress.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +31,26 @@ struct LevelledPoints {
   std::vector<float> weights;           ///< one a point; empty: 1 each
   double sensor_height = 0;             ///< metres, y of the sensor
 };
+
+/** \throws BadArgumentException unless T_map_camera is a rigid motion of at most 1e9 m
+ * along each axis */
+ACMAP_EXPORT void
+requireMapPose(const Eigen::Isometry3d& T_map_camera);
+
+/** \brief Height and tilt of a pose, from the sensor's frame into the levelled one:
+ * T_map_camera is isometryOf (planarPartOf (T_map_camera)) times this. */
+ACMAP_EXPORT Eigen::Isometry3d
+levelOf(const Eigen::Isometry3d& T_map_camera);
+
+/** \brief An observation in its levelled frame.
+ * \param[in] points metres, sensor's frame
+ * \param[in] normals of the same points; empty: none
+ * \param[in] weights one a point; empty: 1 each */
+ACMAP_EXPORT LevelledPoints
+levelledPoints(const PointView& points,
+               const PointView& normals,
+               const Eigen::Isometry3d& T_map_camera,
+               const std::vector<float>& weights);
 
 /** \brief The poses that fit observations together.
  * \param[in] poses one for each observation, in the order in which they were made

@@ -5,7 +5,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_fields.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
@@ -48,7 +48,8 @@ namespace pcl {
  * \ingroup segmentation
  */
 template <typename PointT>
-class PlaneHypothesisClustering : public PCLBase<PointT> {
+class PlaneHypothesisClustering : public PCLBase<PointT>,
+                                  public StageControls<PlaneClusteringReport> {
 public:
   using Ptr = shared_ptr<PlaneHypothesisClustering<PointT>>;
   using ConstPtr = shared_ptr<const PlaneHypothesisClustering<PointT>>;
@@ -185,33 +186,6 @@ public:
     return regularize_;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, seconds and remarks of the last run. */
-  const PlaneClusteringReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief Finds all planes of the input cloud (of its indices, where set).
    * \param[out] patches the planes by falling area, without a mesh, where it is 0, those
    * grown larger first; none, with the reason in the report, where there are none
@@ -266,9 +240,6 @@ private:
   std::size_t least_support_ = 50;
   double least_area_ = 0;
   bool regularize_ = false;
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  PlaneClusteringReport report_;
   std::vector<std::int32_t> labels_;
   std::vector<std::int32_t> source_labels_;
 };

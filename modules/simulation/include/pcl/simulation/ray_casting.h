@@ -22,7 +22,8 @@ struct SurfaceImage {
   std::vector<std::int32_t> surface; ///< index in the scene, -1 for nothing
 };
 
-/** \brief The direction a pixel looks along, of unit length, in the camera frame. */
+/** \brief The direction a pixel looks along, of unit length, in the camera frame.
+ * \ingroup simulation */
 ACMAP_EXPORT Eigen::Vector3d
 pixelRay(const TrinocularRig& rig, int column, int row);
 
@@ -36,7 +37,7 @@ pixelRay(const TrinocularRig& rig, int column, int row);
  * \param[in] T_scene_camera place of the camera in the scene's frame
  * \param[in] reach largest depth z that is seen, metres
  * \throws BadArgumentException for a rig that cannot be or a reach that is not above 0
- */
+ * \ingroup simulation */
 ACMAP_EXPORT SurfaceImage
 castView(const SceneGeometry& scene,
          const TrinocularRig& rig,

@@ -75,7 +75,7 @@ struct TruthPlane {
 
 /** \brief The same plane in another frame.
  * \param[in] plane in frame b
- * \param[in] T_a_b the motion from frame b to frame a */
+ * \param[in] T_a_b the motion from frame b to frame a \ingroup simulation */
 ACMAP_EXPORT TruthPlane
 transformPlane(const TruthPlane& plane, const Eigen::Isometry3d& T_a_b);
 

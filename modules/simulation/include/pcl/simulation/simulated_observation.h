@@ -37,18 +37,20 @@ struct SimulatedObservation {
  * beyond gives colour only
  * \param[in] view its index in the scene
  * \param[in] seed of all randomness
- * \throws BadArgumentException when the image is not of such a view */
+ * \throws BadArgumentException when the image is not of such a view
+ * \ingroup simulation */
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene,
         const SurfaceImage& image,
         std::size_t view,
         std::uint64_t seed);
 
-/** \brief Casts a view without limit and measures it. */
+/** \brief Casts a view without limit and measures it. \ingroup simulation */
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene, std::size_t view, std::uint64_t seed);
 
-/** \brief The observation as an organized cloud of x y z rgb sigma label. */
+/** \brief The observation as an organized cloud of x y z rgb sigma label.
+ * \ingroup simulation */
 ACMAP_EXPORT PCLPointCloud2
 cloudOf(const SimulatedObservation& observation);
 
@@ -66,7 +68,7 @@ struct MergedObservations {
 /** \brief Adds the finite points of an observation.
  * \param[in] observation in its camera's frame
  * \param[in] view index of its pose in the merged trajectory, which must be there
- * \param[in,out] merged what is added to */
+ * \param[in,out] merged what is added to \ingroup simulation */
 ACMAP_EXPORT void
 appendObservation(const SimulatedObservation& observation,
                   std::size_t view,
@@ -79,14 +81,14 @@ appendObservation(const SimulatedObservation& observation,
  * \param[in] seed of all randomness
  * \param[in] progress told after each view
  * \throws BadArgumentException when the scene has fewer views
- * \throws CancelledException when the callback asked to stop */
+ * \throws CancelledException when the callback asked to stop \ingroup simulation */
 ACMAP_EXPORT MergedObservations
 mergeObservations(const SimulatedScene& scene,
                   std::size_t views,
                   std::uint64_t seed,
                   const ProgressCallback& progress = {});
 
-/** \brief The merged points as a cloud of x y z rgb view label. */
+/** \brief The merged points as a cloud of x y z rgb view label. \ingroup simulation */
 ACMAP_EXPORT PCLPointCloud2
 cloudOf(const MergedObservations& merged);
 

@@ -34,7 +34,8 @@ struct SimulatedTruth {
  * \param[in] scene what is seen
  * \param[in] view index of its pose in the scene
  * \param[in] projector on the rig
- * \throws BadArgumentException when the scene has no such view, or its rig cannot be */
+ * \throws BadArgumentException when the scene has no such view, or its rig cannot be
+ * \ingroup simulation */
 ACMAP_EXPORT SimulatedTruth
 truthOf(const SimulatedScene& scene,
         std::size_t view,

@@ -12,7 +12,7 @@
 namespace pcl {
 
 /** \brief Where a point lies on its surface, metres: along the two edges of a rectangle,
- * round and along a cylinder, across a disc. */
+ * round and along a cylinder, across a disc. \ingroup simulation */
 ACMAP_EXPORT Eigen::Vector2d
 surfaceCoordinates(const SimulatedSurface& surface, const Eigen::Vector3d& point);
 

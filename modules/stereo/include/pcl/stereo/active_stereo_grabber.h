@@ -59,7 +59,7 @@ struct ActiveStereoObservation {
  * \ingroup stereo */
 class ACMAP_EXPORT ActiveStereoGrabber : public Grabber {
 public:
-  /** \brief Signatures of the two signals, for \ref Grabber::registerCallback. */
+  /** \brief Signatures of the two signals, for PCL's registerCallback. */
   using CloudCallback = void(const PointCloud<PointXYZRGBSigma>::ConstPtr& cloud);
   using ObservationCallback = void(const ActiveStereoObservation& observation);
 

@@ -154,7 +154,7 @@ private:
 };
 
 /** \brief The method a name means: `median`, `statistical` or `spacetime`.
- * \throws BadArgumentException for another name */
+ * \throws BadArgumentException for another name \ingroup stereo */
 ACMAP_EXPORT DisparityFusion::Method
 disparityFusionMethod(const std::string& name);
 

@@ -27,10 +27,10 @@ enum class DisparityOutcome : std::uint8_t {
   Inconsistent,  ///< fusion: the shots tell different disparities
 };
 
-/** \brief How many outcomes there are. */
+/** \brief How many outcomes there are. \ingroup stereo */
 inline constexpr std::size_t disparity_outcomes = 9;
 
-/** \brief The outcome in a word or two, as reports have it. */
+/** \brief The outcome in a word or two, as reports have it. \ingroup stereo */
 ACMAP_EXPORT const char*
 nameOf(DisparityOutcome outcome);
 
@@ -49,13 +49,20 @@ struct MatchedDisparity {
   std::vector<DisparityOutcome> outcome;
 };
 
-/** \brief Pixels by \ref DisparityOutcome. */
+namespace acmap {
+
+/** \brief Shots that an observation has, or that are matched at once. \ingroup stereo */
+inline constexpr std::size_t most_shots = 256;
+
+} // namespace acmap
+
+/** \brief Pixels by \ref DisparityOutcome. \ingroup stereo */
 ACMAP_EXPORT std::array<std::size_t, disparity_outcomes>
 countOutcomes(const MatchedDisparity& matched);
 
 /** \brief The baseline that disparities are of, metres, above 0: the horizontal one where
  * there is a horizontal neighbour, else the vertical one; 0 without neighbours. The depth
- * of a disparity d is focal_length * baseline / d. */
+ * of a disparity d is focal_length * baseline / d. \ingroup stereo */
 inline double
 disparityBaseline(const TrinocularRig& rig)
 {

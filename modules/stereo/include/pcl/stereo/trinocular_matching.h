@@ -1,15 +1,14 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/progress.h>
 #include <pcl/core/report.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/stereo/matched_disparity.h>
 
 #include <array>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -53,7 +52,7 @@ struct TrinocularMatchingReport : Report {
  * matching.match (shots, matched);
  * \endcode
  * \ingroup stereo */
-class ACMAP_EXPORT TrinocularMatching {
+class ACMAP_EXPORT TrinocularMatching : public StageControls<TrinocularMatchingReport> {
 public:
   TrinocularMatching();
   ~TrinocularMatching();
@@ -182,26 +181,6 @@ public:
     return require_agreement_;
   }
 
-  /** \param[in] threads 0 for all; the result does not depend on it */
-  void
-  setNumberOfThreads(unsigned threads)
-  {
-    threads_ = threads;
-  }
-
-  unsigned
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Shows progress and can cancel. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
   /** \brief Matches one shot.
    * \param[in] shot grey or in colour, with all cameras of the rig
    * \param[out] matched untouched after an exception
@@ -219,12 +198,6 @@ public:
    * \throws as above; BadArgumentException also for no shot, too many, and a null one */
   void
   match(const std::vector<TrinocularFrame::ConstPtr>& shots, MatchedDisparity& matched);
-
-  TrinocularMatchingReport
-  getReport() const
-  {
-    return report_;
-  }
 
 private:
   struct Memory;
@@ -246,9 +219,6 @@ private:
   int left_right_threshold_ = 1;
   double pair_agreement_ = 1.0;
   bool require_agreement_ = false;
-  unsigned threads_ = 0;
-  ProgressCallback progress_;
-  TrinocularMatchingReport report_;
   std::unique_ptr<Memory> memory_; // kept between runs: it is large
 };
 

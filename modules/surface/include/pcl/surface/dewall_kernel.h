@@ -6,7 +6,17 @@
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 namespace pcl::acmap {
+
+/** \brief A search of the caller's: squared distances, in square metres and any order,
+ * from a point of the array under the view to its nearest \a count points, itself
+ * included. Called by one thread at a time. */
+using NeighbourDistances =
+    std::function<std::vector<float>(std::int32_t point, int count)>;
 
 /** \brief Settings of \ref triangulateDeWall; see DeWallTriangulation. */
 struct DeWallSettings {
@@ -22,14 +32,16 @@ struct DeWallSettings {
    * empty: unknown. */
   PointView normals;
 
+  NeighbourDistances neighbours; ///< who tells the spacing; empty: the kernel's cells
+
   /** Halves of at most so many points are grown without a further wall. The mesh
    * depends on it, so it depends on nothing else. */
   std::int32_t leaf_size = 65536;
 };
 
 /** \brief Bytes that \ref triangulateDeWall takes at most for so many points, its result
- * included, the input not. Measured on raw clouds, the most demanding ones. \ingroup
- * surface */
+ * included, the input not. Measured on raw clouds, the most demanding ones.
+ * \ingroup surface */
 ACMAP_EXPORT std::size_t
 estimateDeWallMemory(std::size_t points, bool with_normals);
 

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_types.h>
 #include <pcl/surface/reconstruction.h>
-
-#include <utility>
 
 namespace pcl {
 
@@ -28,7 +27,7 @@ namespace pcl {
  * than the relative tolerance 1e-6 of its radius. The same input gives the same bytes
  * for every number of threads.
  *
- * Coordinates in metres. Time O(n log n), memory about 220 bytes a point.
+ * Coordinates in metres. Time O(n log n), memory at most 170 bytes a point.
  * \code
  * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
  * dewall.setInputCloud (cloud);
@@ -38,7 +37,8 @@ namespace pcl {
  * \ingroup surface
  */
 template <typename PointInT>
-class DeWallTriangulation : public MeshConstruction<PointInT> {
+class DeWallTriangulation : public MeshConstruction<PointInT>,
+                            public StageControls<DeWallReport> {
 public:
   using Ptr = shared_ptr<DeWallTriangulation<PointInT>>;
   using ConstPtr = shared_ptr<const DeWallTriangulation<PointInT>>;
@@ -57,7 +57,9 @@ public:
 
   /** \brief Sets the size constraint L: no edge is longer.
    * \param[in] length metres; 0 (default): automatic, for each point a multiple of the
-   * spacing around it, and an edge obeys the smaller one of its two ends
+   * spacing around it, and an edge obeys the smaller one of its two ends. Who is around it
+   * is up to PCL's \c setSearchMethod, where one was set; the search for triangles has
+   * cells of its own.
    * \throws BadArgumentException when negative or not finite */
   void
   setMaximumEdgeLength(double length);
@@ -81,19 +83,6 @@ public:
     return compute_wall_depth_;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
   /** \brief Sets how much memory reconstruct () may take beside its input, in bytes (0 =
    * no limit, default); a cloud for which the estimate exceeds it is refused. */
   void
@@ -106,20 +95,6 @@ public:
   getMemoryLimit() const
   {
     return memory_limit_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, seconds and remarks of the last run. */
-  const DeWallReport&
-  getReport() const
-  {
-    return report_;
   }
 
   /** \brief Triangulates the input cloud (its indices, where set).
@@ -143,6 +118,7 @@ protected:
   using MeshConstruction<PointInT>::input_;
   using MeshConstruction<PointInT>::indices_;
   using MeshConstruction<PointInT>::check_tree_;
+  using MeshConstruction<PointInT>::tree_;
 
   std::string
   getClassName() const override
@@ -157,13 +133,13 @@ private:
   void
   performReconstruction(std::vector<Vertices>& polygons) override;
 
+  acmap::NeighbourDistances
+  givenSearch();
+
   DeWallRule rule_ = DeWallRule::Paper;
   double maximum_edge_length_ = 0;
   bool compute_wall_depth_ = false;
-  unsigned int threads_ = 0;
   std::size_t memory_limit_ = 0;
-  ProgressCallback progress_;
-  DeWallReport report_;
 };
 
 } // namespace pcl

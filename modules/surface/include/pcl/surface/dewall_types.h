@@ -6,7 +6,7 @@
 
 namespace pcl {
 
-/** \brief How \ref DeWallTriangulation accepts a triangle. */
+/** \brief How DeWallTriangulation accepts a triangle. \ingroup surface */
 enum class DeWallRule {
   /** The paper's empty sphere, and at most two triangles a side, one fan a vertex. */
   Paper,

@@ -2,7 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/compact_map.h>
-#include <pcl/core/progress.h>
+#include <pcl/core/stage_controls.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
 #include <pcl/texture/texturing_types.h>
@@ -41,7 +41,7 @@ namespace pcl {
  * \ingroup texture
  */
 template <typename PointT>
-class PlaneTexturing {
+class PlaneTexturing : public StageControls<TexturingReport> {
 public:
   using Ptr = shared_ptr<PlaneTexturing<PointT>>;
   using ConstPtr = shared_ptr<const PlaneTexturing<PointT>>;
@@ -142,33 +142,6 @@ public:
     return correct_exposure_;
   }
 
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    threads_ = threads;
-  }
-
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Sets who is told about the progress and may stop the run. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
-  /** \brief Counts, gains, seconds and remarks of the last run. */
-  const TexturingReport&
-  getReport() const
-  {
-    return report_;
-  }
-
   /** \brief Paints the planes.
    * \param[out] map the planes with their charts, which observations saw which plane, and
    * the poses; of no planes it is empty, and the report says why
@@ -192,9 +165,6 @@ private:
   int maximum_texture_size_ = 4096;
   int fill_distance_ = 5;
   bool correct_exposure_ = true;
-  unsigned int threads_ = 0;
-  ProgressCallback progress_;
-  TexturingReport report_;
 };
 
 } // namespace pcl

@@ -54,23 +54,24 @@ struct LayeredView : MapView {
   std::optional<std::size_t> at_pose;
 };
 
-/** \brief The layers a scene has something for. */
+/** \brief The layers a scene has something for. \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 layersOf(const LayeredScene& scene);
 
 /** \brief The layers that show how it was before rectification: the trajectory where each
- * pose has one before, and points that name their poses. */
+ * pose has one before, and points that name their poses. \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 layersBefore(const LayeredScene& scene);
 
 /** \brief In how many steps the walls of a mesh are shown: one for each depth of walls, and
  * one more for the halves that were divided no further, whose triangles have the
- * greatest depth. 0 without wall depths, or where nothing was divided. */
+ * greatest depth. 0 without wall depths, or where nothing was divided.
+ * \ingroup visualization */
 ACMAP_EXPORT std::size_t
 wallSteps(const TriangleMesh& mesh);
 
 /** \brief What is shown when nobody chooses: texture, else planes, else mesh, else points;
- * and the trajectory. */
+ * and the trajectory. \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 usualLayers(const LayeredScene& scene);
 

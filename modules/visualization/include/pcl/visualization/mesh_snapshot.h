@@ -75,7 +75,8 @@ saveSnapshot(const std::string& path,
              const TriangleMesh& mesh,
              const SceneView& view = {});
 
-/** \brief As above, of PCL's mesh; polygons are drawn as fans. */
+/** \brief As above, of PCL's mesh; polygons are drawn as fans.
+ * \ingroup visualization */
 ACMAP_EXPORT void
 saveSnapshot(const std::string& path,
              const PolygonMesh& mesh,
@@ -83,14 +84,15 @@ saveSnapshot(const std::string& path,
 
 /** \brief Draws a mesh or cloud as \ref saveSnapshot does, into a window that follows the
  * mouse; returns when it is closed (key q).
- * \throws InitFailedException, BadArgumentException as \ref saveSnapshot */
+ * \throws InitFailedException, BadArgumentException as \ref saveSnapshot
+ * \ingroup visualization */
 ACMAP_EXPORT void
 showScene(const std::string& title,
           const PCLPointCloud2& cloud,
           const TriangleMesh& mesh,
           const SceneView& view = {});
 
-/** \brief As above, of PCL's mesh. */
+/** \brief As above, of PCL's mesh. \ingroup visualization */
 ACMAP_EXPORT void
 showScene(const std::string& title,
           const PolygonMesh& mesh,

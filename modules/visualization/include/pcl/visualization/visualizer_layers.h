@@ -2,7 +2,8 @@
 
 #include <pcl/visualization/map_layers.h>
 
-/** \file The layers of map_layers.h for `pcl::visualization::PCLVisualizer`, or for
+/** \file
+ * The layers of map_layers.h for `pcl::visualization::PCLVisualizer`, or for
  * anything else with a `getRendererCollection ()`: they go into its first renderer. Templates,
  * so that who does not use it does not link it. Include beside this
  * `<pcl/visualization/pcl_visualizer.h>` and `<vtkRendererCollection.h>`. */

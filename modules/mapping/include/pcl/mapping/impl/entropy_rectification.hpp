@@ -5,19 +5,11 @@
 #include <pcl/core/parallel.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/point_fields.h>
-#include <pcl/core/trajectory.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_entropy_kernel.h>
 
 namespace pcl {
 namespace acmap {
-
-/** \brief Height and tilt of a pose: from the sensor's frame into the levelled one. */
-inline Eigen::Isometry3d
-levelOf(const Eigen::Isometry3d& T_map_camera)
-{
-  return isometryOf(planarPartOf(T_map_camera)).inverse() * T_map_camera;
-}
 
 template <typename PointT>
 LevelledPoints
@@ -25,29 +17,16 @@ levelled(const PointCloud<PointT>& cloud,
          const Eigen::Isometry3d& T_map_camera,
          const std::vector<float>& weights)
 {
-  const Eigen::Isometry3f level = levelOf(T_map_camera).cast<float>();
-  LevelledPoints seen;
-  seen.points.reserve(cloud.size());
-  for (const PointT& point : cloud) {
-    seen.points.push_back(level * point.getVector3fMap());
+  PointView points, normals;
+  if (!cloud.empty()) {
+    points = PointView(&cloud.front().x, sizeof(PointT), cloud.size());
     if constexpr (has_normal<PointT>)
-      seen.normals.push_back(level.linear() * point.getNormalVector3fMap());
+      normals = PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
   }
-  seen.weights = weights;
-  seen.sensor_height = level.translation().y();
-  return seen;
+  return levelledPoints(points, normals, T_map_camera, weights);
 }
 
 } // namespace acmap
-
-template <typename PointT>
-void
-EntropyRectification<PointT>::requirePose(const Eigen::Isometry3d& pose) const
-{
-  if (!isRigid(pose) || !(pose.translation().cwiseAbs().maxCoeff() <= 1e9))
-    throw BadArgumentException(
-        "a pose must be a rigid motion of at most 1e9 m along each axis");
-}
 
 template <typename PointT>
 std::size_t
@@ -57,7 +36,7 @@ EntropyRectification<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  requirePose(pose);
+  acmap::requireMapPose(pose);
   acmap::requirePointWeights(weights, cloud->size());
   clouds_.push_back(cloud);
   weights_.push_back(weights);
@@ -71,7 +50,7 @@ void
 EntropyRectification<PointT>::setPose(std::size_t number, const Eigen::Isometry3d& pose)
 {
   acmap::requireObservation(number, poses_.size());
-  requirePose(pose);
+  acmap::requireMapPose(pose);
   given_[number] = pose;
   poses_[number] = pose;
 }

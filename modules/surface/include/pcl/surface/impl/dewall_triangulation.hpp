@@ -14,7 +14,7 @@ namespace pcl {
 template <typename PointInT>
 DeWallTriangulation<PointInT>::DeWallTriangulation()
 {
-  check_tree_ = false; // the kernel has cells of its own
+  check_tree_ = false; // without a search method the kernel's own cells do
 }
 
 template <typename PointInT>
@@ -59,6 +59,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
     if (!input_->empty())
       settings.normals =
           acmap::PointView(&input_->front().normal_x, sizeof(PointInT), input_->size());
+  settings.neighbours = givenSearch();
   settings.is_single_view =
       input_->isOrganized() && indices_->size() == input_->size() &&
       acmap::isSingleView(view, input_->width, settings.sensor_origin);
@@ -68,6 +69,21 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   this->deinitCompute();
   mesh = std::move(result);
   report_ = std::move(report);
+}
+
+template <typename PointInT>
+acmap::NeighbourDistances
+DeWallTriangulation<PointInT>::givenSearch()
+{
+  if (!tree_)
+    return {};
+  tree_->setInputCloud(input_, this->fake_indices_ ? nullptr : indices_);
+  return [this](std::int32_t point, int count) {
+    Indices found;
+    std::vector<float> squared_distances;
+    tree_->nearestKSearch((*input_)[point], count, found, squared_distances);
+    return squared_distances;
+  };
 }
 
 template <typename PointInT>

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <pcl/core/trinocular_frame.h>
+#include <pcl/core/trinocular_rig.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl::acmap {
+
+/** \brief All that a rig can have, in their order. \ingroup core */
+inline constexpr std::array<RigCamera, 3> rig_cameras = {
+    RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
+
+/** \brief Has the rig such a camera? A baseline of 0 says that it has not.
+ * \ingroup core */
+inline bool
+hasCamera(const TrinocularRig& rig, RigCamera camera)
+{
+  return (camera != RigCamera::Horizontal || rig.baseline_horizontal != 0.0) &&
+         (camera != RigCamera::Vertical || rig.baseline_vertical != 0.0);
+}
+
+/** \brief How many cameras the rig has, 1 to 3. \ingroup core */
+inline int
+countCameras(const TrinocularRig& rig)
+{
+  return static_cast<int>(
+      std::count_if(rig_cameras.begin(), rig_cameras.end(), [&](RigCamera camera) {
+        return hasCamera(rig, camera);
+      }));
+}
+
+} // namespace pcl::acmap
