@@ -1,0 +1,109 @@
+#include "array_view.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
+
+std::string
+shapeOf(const py::array& array)
+{
+  return py::str(array.attr("shape"));
+}
+
+/** Values that one step of as many bytes leads through.
+ * \throws py::value_error where rows or columns do not allow for that */
+Column
+stepThrough(const std::string& name, const py::array& array, int leading)
+{
+  Column column{array.data(), 0, 1};
+  for (int axis = 0; axis < leading; ++axis)
+    column.size *= static_cast<std::size_t>(array.shape(axis));
+  if (column.size > most_points)
+    throw py::value_error(name + ": " + std::to_string(column.size) +
+                          " points are more than 2**31 - 1");
+  if (column.size == 0)
+    return {nullptr, 0, 0};
+  const py::ssize_t stride = array.strides(leading - 1);
+  const bool is_one_column = leading == 2 && array.shape(1) == 1;
+  const bool is_even = leading == 1 || array.shape(0) == 1 || is_one_column ||
+                       array.strides(0) == stride * array.shape(1);
+  const py::ssize_t step = is_one_column ? array.strides(0) : stride;
+  if (step < 0 || !is_even)
+    throw py::value_error(
+        name +
+        (step < 0 ? ": runs backwards" : ": its rows do not follow each other evenly") +
+        "; pass numpy.ascontiguousarray(" + name + "), which copies it");
+  column.stride = static_cast<std::size_t>(step);
+  return column;
+}
+
+} // namespace
+
+py::array
+arrayOf(const std::string& name,
+        const py::handle& argument,
+        const py::dtype& type,
+        const std::vector<py::ssize_t>& ranks,
+        const std::string& shape)
+{
+  const std::string wanted = "numpy." + std::string(py::str(type.attr("name")));
+  if (!py::isinstance<py::array>(argument))
+    throw py::type_error(name + ": must be a numpy array of " + wanted + ", not " +
+                         std::string(py::str(py::type::of(argument).attr("__name__"))));
+  auto array = py::reinterpret_borrow<py::array>(argument);
+  if (!array.dtype().equal(type))
+    throw py::type_error(name + ": " + std::string(py::str(array.dtype())) +
+                         " is refused, nothing is converted unasked: pass " + name +
+                         ".astype(" + wanted + ")");
+  if (std::find(ranks.begin(), ranks.end(), array.ndim()) == ranks.end())
+    throw py::value_error(name + ": must have the shape " + shape + ", not " +
+                          shapeOf(array));
+  return array;
+}
+
+PointRows
+pointRowsOf(const std::string& name, const py::handle& argument)
+{
+  const std::string shape = "(n, 3) or (h, w, 3)";
+  const py::array array =
+      arrayOf(name, argument, py::dtype::of<float>(), {2, 3}, shape);
+  const int axis = static_cast<int>(array.ndim()) - 1;
+  if (array.shape(axis) != 3)
+    throw py::value_error(name + ": must have the shape " + shape + ", not " +
+                          shapeOf(array));
+  const Column column = stepThrough(name, array, axis);
+  if (column.size > 0 && array.strides(axis) != sizeof(float))
+    throw py::value_error(name +
+                          ": the coordinates of a point do not stand together; pass "
+                          "numpy.ascontiguousarray(" +
+                          name + "), which copies it");
+  return {{column.first, column.stride, column.size},
+          axis == 2 ? static_cast<std::size_t>(array.shape(1)) : 0};
+}
+
+void
+requireAsMany(const std::string& name, std::size_t number, std::size_t points)
+{
+  if (number != points)
+    throw py::value_error(name + ": there are " + std::to_string(number) + " for " +
+                          std::to_string(points) + " points");
+}
+
+Column
+columnOf(const std::string& name,
+         const py::handle& argument,
+         const py::dtype& type,
+         std::size_t points)
+{
+  const py::array array = arrayOf(name, argument, type, {1, 2}, "(n,) or (h, w)");
+  const Column column = stepThrough(name, array, static_cast<int>(array.ndim()));
+  requireAsMany(name, column.size, points);
+  return column;
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <pcl/core/point_view.h>
+#include <pcl/core/triangle_mesh.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap::python {
+
+namespace py = pybind11;
+
+/** \brief Any object: it is checked by the functions below, whose messages name it, and
+ * not by pybind11, which would convert it. Signatures show what it ought to be. */
+class PointArgument : public py::object {
+  PYBIND11_OBJECT_DEFAULT(PointArgument, object, anything)
+  static bool
+  anything(PyObject*)
+  {
+    return true;
+  }
+};
+
+/** \brief As \ref PointArgument, for one int32 a point. */
+class IndexArgument : public PointArgument {
+  PYBIND11_OBJECT_DEFAULT(IndexArgument, PointArgument, anything)
+  static bool
+  anything(PyObject*)
+  {
+    return true;
+  }
+};
+
+/** \brief As \ref PointArgument, for one float32 a point. */
+class WeightArgument : public PointArgument {
+  PYBIND11_OBJECT_DEFAULT(WeightArgument, PointArgument, anything)
+  static bool
+  anything(PyObject*)
+  {
+    return true;
+  }
+};
+
+/** \brief As \ref PointArgument, for (k, 4, 4) float64. */
+class PoseArgument : public PointArgument {
+  PYBIND11_OBJECT_DEFAULT(PoseArgument, PointArgument, anything)
+  static bool
+  anything(PyObject*)
+  {
+    return true;
+  }
+};
+
+/** \brief Points of an array, which must live as long as the view. */
+struct PointRows {
+  PointView view;
+  std::size_t width = 0; ///< points a row; 0 unless the array is (h, w, 3)
+};
+
+/** \brief Looks at an array of (n, 3) or (h, w, 3) float32 where it is.
+ * \param[in] name of the argument, for messages
+ * \throws py::type_error when it is no array of float32
+ * \throws py::value_error when its shape or strides are others */
+PointRows
+pointRowsOf(const std::string& name, const py::handle& argument);
+
+/** \brief A column of an array, one value a point. */
+struct Column {
+  const void* first = nullptr;
+  std::size_t stride = 0; ///< bytes
+  std::size_t size = 0;
+};
+
+/** \brief Looks at an array of (n,), or (h, w), values of a type where it is.
+ * \throws as \ref pointRowsOf, also when there is not one value a point */
+Column
+columnOf(const std::string& name,
+         const py::handle& argument,
+         const py::dtype& type,
+         std::size_t points);
+
+/** \brief An array of a given type and rank, as it is.
+ * \throws as \ref pointRowsOf */
+py::array
+arrayOf(const std::string& name,
+        const py::handle& argument,
+        const py::dtype& type,
+        const std::vector<py::ssize_t>& ranks,
+        const std::string& shape);
+
+/** \brief Lets as many pass as there are points. \throws py::value_error */
+void
+requireAsMany(const std::string& name, std::size_t number, std::size_t points);
+
+/** \brief Hands a value to Python, for arrays over it to keep. */
+template <typename Value>
+std::pair<Value&, py::capsule>
+owned(Value&& value)
+{
+  auto* const moved = new Value(std::move(value));
+  return {*moved, py::capsule(moved, [](void* pointer) {
+            delete static_cast<Value*>(pointer);
+          })};
+}
+
+/** \brief An array over one field of each record of a vector, without a copy.
+ * \param[in] address of the field's first value, for a record
+ * \param[in] columns values a record; 0: one, and the array has one dimension
+ * \param[in] owner of the vector, kept by the array */
+template <typename Value, typename Record, typename Address>
+py::array
+fieldOf(const std::vector<Record>& records,
+        py::ssize_t columns,
+        const py::handle& owner,
+        const Address& address)
+{
+  const Value* const first = records.empty() ? nullptr : address(records.front());
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(records.size())};
+  std::vector<py::ssize_t> strides = {sizeof(Record)};
+  if (columns > 0) {
+    shape.push_back(columns);
+    strides.push_back(sizeof(Value));
+  }
+  return py::array(py::dtype::of<Value>(), shape, strides, first, owner);
+}
+
+/** \brief An array over a vector of numbers, which it takes over. */
+template <typename Value>
+py::array
+arrayOver(std::vector<Value>&& values)
+{
+  const auto [kept, owner] = owned(std::move(values));
+  return fieldOf<Value>(kept, 0, owner, [](const Value& value) { return &value; });
+}
+
+} // namespace pcl::acmap::python
+
+namespace pybind11::detail {
+
+template <>
+struct handle_type_name<pcl::acmap::python::PointArgument> {
+  static constexpr auto name = const_name("numpy.ndarray[float32[n, 3]]");
+};
+
+template <>
+struct handle_type_name<pcl::acmap::python::IndexArgument> {
+  static constexpr auto name = const_name("numpy.ndarray[int32[n]]");
+};
+
+template <>
+struct handle_type_name<pcl::acmap::python::WeightArgument> {
+  static constexpr auto name = const_name("numpy.ndarray[float32[n]]");
+};
+
+template <>
+struct handle_type_name<pcl::acmap::python::PoseArgument> {
+  static constexpr auto name = const_name("numpy.ndarray[float64[k, 4, 4]]");
+};
+
+} // namespace pybind11::detail

@@ -1,0 +1,213 @@
+#include "bindings.h"
+#include "mesh_argument.h"
+
+#include <pcl/core/mesh_file.h>
+#include <pcl/core/point_cloud_file.h>
+
+#include <pybind11/stl.h>
+
+#include <cstring>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+/** What read_cloud returns: arrays over a PointCloudFile. */
+struct Cloud {
+  py::array points;
+  py::dict fields;
+  py::array sensor_origin, sensor_orientation;
+  std::vector<std::string> remarks;
+};
+
+/** numpy's name of a field's type; none for those that a cloud cannot have. */
+const char*
+typeNameOf(const PCLPointField& field)
+{
+  switch (field.datatype) {
+  case PCLPointField::INT8:
+    return "i1";
+  case PCLPointField::UINT8:
+    return "u1";
+  case PCLPointField::INT16:
+    return "i2";
+  case PCLPointField::UINT16:
+    return "u2";
+  case PCLPointField::INT32:
+    return "i4";
+  case PCLPointField::UINT32:
+    return "u4";
+  case PCLPointField::FLOAT32:
+    return "f4";
+  case PCLPointField::FLOAT64:
+    return "f8";
+  default:
+    return nullptr;
+  }
+}
+
+/** Values of all points at an offset, as (n, columns) or (h, w, columns); 0 columns: one
+ * value a point. */
+py::array
+pointArray(const PCLPointCloud2& cloud,
+           std::size_t offset,
+           const py::dtype& type,
+           py::ssize_t columns,
+           const py::handle& owner)
+{
+  const auto step = static_cast<py::ssize_t>(cloud.point_step);
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cloud.width)};
+  std::vector<py::ssize_t> strides = {step};
+  if (cloud.height > 1) {
+    shape.insert(shape.begin(), static_cast<py::ssize_t>(cloud.height));
+    strides.insert(strides.begin(), step * shape.back());
+  }
+  if (columns > 0) {
+    shape.push_back(columns);
+    strides.push_back(type.itemsize());
+  }
+  return py::array(type, shape, strides, cloud.data.data() + offset, owner);
+}
+
+Cloud
+readCloud(const std::string& path)
+{
+  PointCloudFile read;
+  {
+    const py::gil_scoped_release others_may_run;
+    read = loadPointCloud(path);
+  }
+  const auto [file, owner] = owned(std::move(read));
+  Cloud cloud;
+  for (const PCLPointField& field : file.cloud.fields) {
+    const char* const type = typeNameOf(field);
+    if (field.name == "x")
+      cloud.points =
+          pointArray(file.cloud, field.offset, py::dtype::of<float>(), 3, owner);
+    else if (type && field.name != "y" && field.name != "z")
+      cloud.fields[py::str(field.name)] =
+          pointArray(file.cloud,
+                     field.offset,
+                     py::dtype(type),
+                     field.count > 1 ? static_cast<py::ssize_t>(field.count) : 0,
+                     owner);
+  }
+  cloud.sensor_origin =
+      py::array(py::dtype::of<float>(), {3}, {}, file.sensor_origin.data(), owner);
+  cloud.sensor_orientation = py::array(
+      py::dtype::of<float>(), {4}, {}, file.sensor_orientation.coeffs().data(), owner);
+  cloud.remarks = file.remarks;
+  return cloud;
+}
+
+void
+addField(PCLPointCloud2& cloud, const std::string& name)
+{
+  PCLPointField field;
+  field.name = name;
+  field.offset = cloud.point_step;
+  field.datatype = PCLPointField::FLOAT32;
+  field.count = 1;
+  cloud.fields.push_back(field);
+  cloud.point_step += sizeof(float);
+}
+
+/** A cloud of x y z, and of normals where there are some. */
+PCLPointCloud2
+cloudOfRows(const PointRows& points, const PointView* normals)
+{
+  PCLPointCloud2 cloud;
+  for (const char* name : {"x", "y", "z"})
+    addField(cloud, name);
+  if (normals)
+    for (const char* name : {"normal_x", "normal_y", "normal_z"})
+      addField(cloud, name);
+  const std::size_t size = points.view.size();
+  cloud.height = points.width > 0 ? static_cast<std::uint32_t>(size / points.width) : 1;
+  cloud.width = static_cast<std::uint32_t>(points.width > 0 ? points.width : size);
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data.resize(size * cloud.point_step);
+  for (std::size_t i = 0; i < size; ++i) {
+    std::uint8_t* const place = cloud.data.data() + i * cloud.point_step;
+    const Eigen::Vector3f point = points.view[i];
+    std::memcpy(place, point.data(), 3 * sizeof(float));
+    if (normals) {
+      const Eigen::Vector3f normal = (*normals)[i];
+      std::memcpy(place + 3 * sizeof(float), normal.data(), 3 * sizeof(float));
+    }
+  }
+  return cloud;
+}
+
+void
+writeMesh(const std::string& path,
+          const PointArgument& points,
+          const MeshArgument& triangles,
+          const std::optional<PointArgument>& normals)
+{
+  const PointRows rows = pointRowsOf("points", points);
+  const std::shared_ptr<const TriangleMesh> mesh = meshOf(triangles, rows.view.size());
+  PointView sides;
+  if (normals) {
+    sides = pointRowsOf("normals", *normals).view;
+    requireAsMany("normals", sides.size(), rows.view.size());
+  }
+  const py::gil_scoped_release others_may_run;
+  saveTriangleMesh(path, cloudOfRows(rows, normals ? &sides : nullptr), *mesh);
+}
+
+void
+bindCloud(py::module_& module)
+{
+  py::class_<Cloud>(module, "Cloud", "A point cloud as it came from a file.")
+      .def_readonly("points",
+                    &Cloud::points,
+                    "(n, 3) float32, or (h, w, 3) of an organized cloud, metres")
+      .def_readonly(
+          "fields",
+          &Cloud::fields,
+          "dict of the other fields by name, one value a point: 'view', 'rgb' "
+          "(packed), 'normal_x' ...")
+      .def_readonly("sensor_origin", &Cloud::sensor_origin, "(3,) float32, metres")
+      .def_readonly("sensor_orientation",
+                    &Cloud::sensor_orientation,
+                    "(4,) float32, quaternion x y z w")
+      .def_readonly(
+          "remarks", &Cloud::remarks, "oddities that did not prevent reading");
+}
+
+} // namespace
+
+void
+bindFiles(py::module_& module)
+{
+  bindCloud(module);
+  module.def(
+      "read_cloud",
+      &readCloud,
+      "Reads a point cloud: .pcd, .ply, .obj or .xyz. Returns a Cloud, whose arrays "
+      "look at what was read. Raises OSError.",
+      "path"_a);
+  module.def(
+      "read_mesh",
+      [](const std::string& path) {
+        return pythonMesh(loadTriangleMesh(path), py::none());
+      },
+      "Reads the faces of a .ply or .obj, polygons as triangles. Returns a Mesh, whose "
+      "corners are the points that read_cloud gives. Raises OSError.",
+      "path"_a);
+  module.def(
+      "write_mesh",
+      &writeMesh,
+      "Writes a mesh as binary .ply or .vtk, beside its place first: an older file "
+      "stays whole if it fails. points and normals are (n, 3) float32 arrays. "
+      "Raises OSError.",
+      "path"_a,
+      "points"_a,
+      "triangles"_a,
+      "normals"_a = py::none());
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/progress.h>
+
+#include <pybind11/pybind11.h>
+
+#include <exception>
+#include <optional>
+#include <string>
+
+namespace pcl::acmap::python {
+
+namespace py = pybind11;
+
+/** \brief What a Python caller gives as `progress`: called with (fraction, step). */
+using Listener = std::optional<py::function>;
+
+/** \brief Tells Python about the progress of a kernel that works without the GIL, and
+ * lets Ctrl-C through. */
+class ProgressRelay {
+public:
+  explicit ProgressRelay(const Listener& listener)
+  : listener_(listener)
+  {}
+
+  /** \return false when Python wants to stop */
+  bool
+  tell(double fraction, const std::string& step);
+
+  /** \brief Throws what Python raised, if it did. */
+  void
+  raise() const;
+
+private:
+  const Listener& listener_;
+  std::exception_ptr error_;
+};
+
+/** \brief Calls kernel (progress) without the GIL.
+ * \throws py::error_already_set what the listener or a signal raised */
+template <typename Kernel>
+auto
+callKernel(const Listener& listener, const Kernel& kernel)
+{
+  ProgressRelay relay(listener);
+  try {
+    const py::gil_scoped_release others_may_run;
+    return kernel(Progress([&relay](double fraction, const std::string& step) {
+      return relay.tell(fraction, step);
+    }));
+  }
+  catch (const CancelledException&) {
+    relay.raise();
+    throw;
+  }
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,135 @@
+#include "bindings.h"
+#include "kernel_call.h"
+#include "mesh_argument.h"
+#include "named_choice.h"
+#include "reports.h"
+#include "sensors.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/surface/dewall_kernel.h>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+constexpr NamedChoices<DeWallRule, 3> dewall_rules = {{{"paper", DeWallRule::Paper},
+                                                       {"dense", DeWallRule::Dense},
+                                                       {"strict", DeWallRule::Strict}}};
+
+py::object
+reportOfMesh(const DeWallReport& report)
+{
+  return reportOf(py::dict("points"_a = report.points,
+                           "invalid_points"_a = report.invalid_points,
+                           "duplicate_points"_a = report.duplicate_points,
+                           "used_points"_a = report.used_points,
+                           "clusters"_a = report.clusters,
+                           "triangles"_a = report.triangles,
+                           "edges"_a = report.edges,
+                           "boundary_edges"_a = report.boundary_edges,
+                           "components"_a = report.components,
+                           "refused_moebius"_a = report.refused_moebius,
+                           "removed_fans"_a = report.removed_fans,
+                           "median_spacing"_a = report.median_spacing,
+                           "least_maximum_edge"_a = report.least_maximum_edge,
+                           "largest_maximum_edge"_a = report.largest_maximum_edge),
+                  report);
+}
+
+Mesh
+triangulate(const PointArgument& points,
+            const std::optional<PointArgument>& normals,
+            DeWallSettings settings,
+            const Listener& listener)
+{
+  requireInRange(
+      "maximum_edge_length", settings.maximum_edge_length, 0, 1e9, "m (0 = automatic)");
+  const PointRows rows = pointRowsOf("points", points);
+  if (normals) {
+    settings.normals = pointRowsOf("normals", *normals).view;
+    requireAsMany("normals", settings.normals.size(), rows.view.size());
+  }
+  DeWallReport report;
+  TriangleMesh mesh = callKernel(listener, [&](const Progress& progress) {
+    settings.is_single_view =
+        rows.width > 0 && isSingleView(rows.view, rows.width, settings.sensor_origin);
+    return triangulateDeWall(rows.view, settings, progress, report);
+  });
+  return pythonMesh(std::move(mesh), reportOfMesh(report));
+}
+
+constexpr const char* about_mesh =
+    R"(Makes an open, manifold triangle mesh of a point cloud (pcl::DeWallTriangulation, II-C.1
+of the paper). Returns a Mesh, whose corners are the points in their order; those of an
+(h, w, 3) array count as in points.reshape(-1, 3).
+
+points              (n, 3) or (h, w, 3) float32, metres; read where they are. Points that
+                    are not finite, or repeated, are skipped and counted in the report.
+maximum_edge_length metres, no edge is longer; 0: automatic, from the spacing around each
+                    point. 2.5 voxels suit consolidated points.
+rule                'paper': no point inside the smallest sphere through a triangle;
+                    'dense': no such test, covers noisy surfaces better; 'strict': as
+                    printed in the paper, without guard, not manifold
+normals             as points, unit; off the side from which the points were seen
+sensor_origin       metres; faces look there where there are no normals
+compute_wall_depth  asks for Mesh.wall_depth
+memory_limit        bytes beside the input; 0: none. More raises MemoryError.
+threads             0: all; the result is the same bytes for every number
+progress            called with (fraction, step); stops the run when it returns False)";
+
+} // namespace
+
+void
+bindMesh(py::module_& module)
+{
+  py::class_<Mesh>(module, "Mesh", "A triangle mesh over points that stand beside it.")
+      .def_readonly("triangles",
+                    &Mesh::triangles,
+                    "(m, 3) int32, indices of points, counter-clockwise seen from the "
+                    "side the face looks to")
+      .def_readonly("wall_depth",
+                    &Mesh::wall_depth,
+                    "(m,) uint8, depth of the dividing wall that made a triangle, 255 "
+                    "for none; None unless asked for")
+      .def_readonly("report",
+                    &Mesh::report,
+                    "counts, seconds and remarks, named as in pcl::DeWallReport; None "
+                    "for a mesh from a file");
+  const DeWallSettings defaults;
+  module.def(
+      "triangulate",
+      [](const PointArgument& points,
+         double maximum_edge_length,
+         const std::string& rule,
+         const std::optional<PointArgument>& normals,
+         const std::array<double, 3>& sensor_origin,
+         bool compute_wall_depth,
+         std::size_t memory_limit,
+         unsigned threads,
+         const Listener& progress) {
+        requireOrigin(sensor_origin);
+        DeWallSettings settings;
+        settings.rule = chosen("rule", rule, dewall_rules);
+        settings.maximum_edge_length = maximum_edge_length;
+        settings.compute_wall_depth = compute_wall_depth;
+        settings.threads = threads;
+        settings.memory_limit = memory_limit;
+        settings.sensor_origin << sensor_origin[0], sensor_origin[1], sensor_origin[2];
+        return triangulate(points, normals, settings, progress);
+      },
+      about_mesh,
+      "points"_a,
+      py::kw_only(),
+      "maximum_edge_length"_a = defaults.maximum_edge_length,
+      "rule"_a = nameOf(defaults.rule, dewall_rules),
+      "normals"_a = py::none(),
+      "sensor_origin"_a = std::array<double, 3>{},
+      "compute_wall_depth"_a = defaults.compute_wall_depth,
+      "memory_limit"_a = defaults.memory_limit,
+      "threads"_a = defaults.threads,
+      "progress"_a = py::none());
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "array_view.h"
+
+#include <pcl/core/triangle_mesh.h>
+
+#include <memory>
+
+namespace pcl::acmap::python {
+
+/** \brief What triangulate returns. The arrays look at the mesh. */
+struct Mesh {
+  std::shared_ptr<TriangleMesh> mesh;
+  py::array triangles;
+  py::object wall_depth;
+  py::object report;
+};
+
+/** \brief A Mesh, or an array: checked by \ref meshOf. */
+class MeshArgument : public PointArgument {
+  PYBIND11_OBJECT_DEFAULT(MeshArgument, PointArgument, anything)
+  static bool
+  anything(PyObject*)
+  {
+    return true;
+  }
+};
+
+/** \brief A mesh with arrays over it. */
+Mesh
+pythonMesh(TriangleMesh&& mesh, py::object report);
+
+/** \brief The triangles of an argument: those of a Mesh as they are, those of an array,
+ * (m, 3) int32, as a copy.
+ * \throws py::type_error, py::value_error when it is neither
+ * \throws InitFailedException when a corner is none of so many points */
+std::shared_ptr<const TriangleMesh>
+meshOf(const MeshArgument& argument, std::size_t points);
+
+} // namespace pcl::acmap::python
+
+namespace pybind11::detail {
+
+template <>
+struct handle_type_name<pcl::acmap::python::MeshArgument> {
+  static constexpr auto name =
+      const_name("Union[acmap.Mesh, numpy.ndarray[int32[m, 3]]]");
+};
+
+} // namespace pybind11::detail

@@ -1,0 +1,17 @@
+#include "bindings.h"
+
+PYBIND11_MODULE(acmap, module)
+{
+  using namespace pcl::acmap::python;
+  module.doc() = "From noisy point clouds to a few planes: acmap's stages on numpy "
+                 "arrays. Metres, radians; camera frame x right, y down, z forward.";
+  module.attr("__version__") = ACMAP_VERSION;
+  bindErrors();
+  bindConsolidation(module);
+  bindMesh(module);
+  bindNormals(module);
+  bindPlanePatches(module);
+  bindPlanes(module);
+  bindRectification(module);
+  bindFiles(module);
+}

@@ -1,0 +1,140 @@
+#include "bindings.h"
+#include "kernel_call.h"
+#include "mesh_argument.h"
+#include "normals_argument.h"
+#include "reports.h"
+#include "sensors.h"
+
+#include <pcl/core/arguments.h>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+py::object
+reportOfVoting(const VotingReport& report)
+{
+  return reportOf(py::dict("vertices"_a = report.vertices,
+                           "invalid_points"_a = report.invalid_points,
+                           "triangles"_a = report.triangles,
+                           "degenerate_triangles"_a = report.degenerate_triangles,
+                           "surface"_a = report.surface,
+                           "crease"_a = report.crease,
+                           "corner"_a = report.corner,
+                           "unknown"_a = report.unknown,
+                           "radius"_a = report.radius,
+                           "mean_edge"_a = report.mean_edge,
+                           "sigma"_a = report.sigma),
+                  report);
+}
+
+Normals
+voteOnMesh(const PointArgument& points,
+           const MeshArgument& triangles,
+           const VotingSettings& settings,
+           const SensorArguments& sensors,
+           const Listener& listener)
+{
+  requireInRange("radius", settings.radius, 0, 1e9, "m (0 = automatic)");
+  requireInRange("crease_weight", settings.crease_weight, 1e-6, 1e6, "");
+  requireInRange("corner_weight", settings.corner_weight, 1e-6, 1e6, "");
+  const PointView view = pointRowsOf("points", points).view;
+  const std::shared_ptr<const TriangleMesh> mesh = meshOf(triangles, view.size());
+  const SensorView seen_by = sensorViewOf(sensors, view.size());
+  VotingReport report;
+  VotedNormals votes = callKernel(listener, [&](const Progress& progress) {
+    return voteNormals(view, mesh->triangles, seen_by, settings, progress, report);
+  });
+  return pythonNormals(
+      std::move(votes), settings.compute_curvatures, reportOfVoting(report));
+}
+
+constexpr const char* about_normals =
+    R"(Votes for the normals at the vertices of a mesh, and tells creases and corners from
+surfaces (pcl::NormalVectorVoting, II-C.2 of the paper). Returns Normals.
+
+points             (n, 3) or (h, w, 3) float32, metres: the vertices; read where they are
+triangles          a Mesh, read where it is, or an array of index triples, copied
+radius             metres along the surface, how far votes come from; 0: automatic
+crease_weight      eps: how much a crease counts against a surface
+corner_weight      eta: how much a corner counts against a crease
+sensor_origin      metres, where normals look; None: where the faces look
+viewpoints         (k, 3) float32, metres: where observations stood, instead
+view               int32, for each point which of the viewpoints saw it
+compute_curvatures asks for Normals.curvatures and Normals.curvature_directions
+threads            0: all; the result is the same bytes for every number
+progress           called with (fraction, step); stops the run when it returns False)";
+
+void
+bindNormalsClass(py::module_& module)
+{
+  py::class_<Normals>(module, "Normals", "What vote_normals found at n vertices.")
+      .def_readonly("normals",
+                    &Normals::normals,
+                    "(n, 3) float32, unit; NaN where less than three triangles vote")
+      .def_readonly(
+          "directions", &Normals::directions, "(n, 3) float32, unit, along the crease")
+      .def_readonly("saliency",
+                    &Normals::saliency,
+                    "(n,) float32, 1 on a plane; 1 - saliency is PCL's curvature")
+      .def_readonly("vertex_class",
+                    &Normals::vertex_class,
+                    "(n,) uint8: 0 unknown, 1 surface, 2 crease, 3 corner")
+      .def_readonly("curvatures",
+                    &Normals::curvatures,
+                    "(n, 2) float32, 1/m, the larger by magnitude first; None unless "
+                    "asked for")
+      .def_readonly(
+          "curvature_directions",
+          &Normals::curvature_directions,
+          "(n, 3) float32, unit, of the first curvature; None unless asked for")
+      .def_readonly("report",
+                    &Normals::report,
+                    "counts, seconds and remarks, named as in pcl::VotingReport");
+}
+
+} // namespace
+
+void
+bindNormals(py::module_& module)
+{
+  bindNormalsClass(module);
+  const VotingSettings defaults;
+  module.def(
+      "vote_normals",
+      [](const PointArgument& points,
+         const MeshArgument& triangles,
+         double radius,
+         double crease_weight,
+         double corner_weight,
+         std::optional<std::array<double, 3>> sensor_origin,
+         std::optional<PointArgument> viewpoints,
+         std::optional<IndexArgument> view,
+         bool compute_curvatures,
+         unsigned threads,
+         const Listener& progress) {
+        return voteOnMesh(
+            points,
+            triangles,
+            {radius, crease_weight, corner_weight, compute_curvatures, threads},
+            {sensor_origin, std::move(viewpoints), std::move(view)},
+            progress);
+      },
+      about_normals,
+      "points"_a,
+      "triangles"_a,
+      py::kw_only(),
+      "radius"_a = defaults.radius,
+      "crease_weight"_a = defaults.crease_weight,
+      "corner_weight"_a = defaults.corner_weight,
+      "sensor_origin"_a = py::none(),
+      "viewpoints"_a = py::none(),
+      "view"_a = py::none(),
+      "compute_curvatures"_a = defaults.compute_curvatures,
+      "threads"_a = defaults.threads,
+      "progress"_a = py::none());
+}
+
+} // namespace pcl::acmap::python

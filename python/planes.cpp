@@ -1,0 +1,207 @@
+#include "bindings.h"
+#include "kernel_call.h"
+#include "mesh_argument.h"
+#include "normals_argument.h"
+#include "reports.h"
+#include "sensors.h"
+
+#include <pcl/core/arguments.h>
+
+#include <cmath>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+/** What find_planes returns. */
+struct Planes {
+  py::list patches;
+  py::array labels;
+  py::object source_labels;
+  py::object report;
+};
+
+/** The points from which the hypotheses were consolidated. */
+struct SourceArguments {
+  std::optional<PointArgument> points;
+  SensorArguments sensors;
+};
+
+py::object
+reportOfPlanes(const PlaneClusteringReport& report)
+{
+  return reportOf(py::dict("points"_a = report.points,
+                           "invalid_points"_a = report.invalid_points,
+                           "hypotheses"_a = report.hypotheses,
+                           "planes"_a = report.planes,
+                           "points_on_planes"_a = report.points_on_planes,
+                           "small_regions"_a = report.small_regions,
+                           "curved_regions"_a = report.curved_regions,
+                           "points_on_curved"_a = report.points_on_curved,
+                           "refuted_regions"_a = report.refuted_regions,
+                           "merged"_a = report.merged,
+                           "regular_planes"_a = report.regular_planes,
+                           "largest_turn"_a = report.largest_turn,
+                           "spacing"_a = report.spacing,
+                           "sigma"_a = report.sigma,
+                           "plane_distance"_a = report.plane_distance),
+                  report);
+}
+
+void
+requireLegal(const PlaneClusteringSettings& settings)
+{
+  requireInRange("member_distance", settings.member_distance, 1e-9, 1e9, "m");
+  requireInRange("normal_angle", settings.normal_angle, 1e-6, M_PI / 2, "rad");
+  requireInRange("least_area", settings.least_area, 0, 1e12, "m^2 (0 = automatic)");
+}
+
+Planes
+findPlanes(const PointArgument& points,
+           const NormalsArgument& normals,
+           const std::optional<MeshArgument>& triangles,
+           const SourceArguments& source,
+           const PlaneClusteringSettings& settings,
+           const Listener& listener)
+{
+  requireLegal(settings);
+  PlaneHypotheses hypotheses;
+  hypotheses.points = pointRowsOf("points", points).view;
+  setNormals(normals, hypotheses);
+  if (triangles)
+    hypotheses.triangles = meshOf(*triangles, hypotheses.points.size())->triangles;
+  PlaneSource raw;
+  if (source.points) {
+    raw.points = pointRowsOf("source", *source.points).view;
+    raw.sensors = sensorViewOf(source.sensors, raw.points.size());
+  }
+  PlaneClusteringReport report;
+  PlaneClusters clusters = callKernel(listener, [&](const Progress& progress) {
+    return clusterPlanes(hypotheses, raw, settings, progress, report);
+  });
+  Planes planes;
+  for (PlanePatch& patch : clusters.patches)
+    planes.patches.append(py::cast(std::move(patch)));
+  planes.labels = arrayOver(std::move(clusters.labels));
+  planes.source_labels = py::none();
+  if (source.points)
+    planes.source_labels = arrayOver(std::move(clusters.source_labels));
+  planes.report = reportOfPlanes(report);
+  return planes;
+}
+
+constexpr const char* about_planes =
+    R"(Finds all planes of points with normals (pcl::PlaneHypothesisClustering, II-C.2 of the
+paper). Returns Planes.
+
+points          (n, 3) or (h, w, 3) float32, metres; read where they are
+normals         Normals of vote_normals, which also tell of creases, or an array as points
+triangles       a Mesh or (m, 3) int32: gives outlines, and neighbours if noise_driven
+source          as points: the cloud that points were consolidated from; it judges the
+                planes if noise_driven
+sensor_origin   metres: where the source was seen from; None: unknown
+viewpoints      (k, 3) float32, metres: where observations stood, instead
+view            int32, for each point of the source which of the viewpoints saw it
+noise_driven    the mesh and the noise decide instead of the paper's thresholds
+member_distance W_d, metres: how near a supporter is to another; unless there is a mesh
+normal_angle    W_n, radians, up to pi / 2
+plane_distance  W_t, metres; None: 0.25, or by the noise if noise_driven
+least_support   W_h: a plane has more supporters; unless noise_driven
+least_area      square metres; if noise_driven; 0: automatic
+regular         turns planes to be parallel or upright to larger ones, where their
+                uncertainty allows
+threads         0: all; the result is the same bytes for every number
+progress        called with (fraction, step); stops the run when it returns False)";
+
+void
+bindPlanesClass(py::module_& module)
+{
+  py::class_<Planes>(module, "Planes", "What find_planes found.")
+      .def_readonly("patches",
+                    &Planes::patches,
+                    "list of PlanePatch, by falling area, or as grown without a mesh")
+      .def_readonly("labels",
+                    &Planes::labels,
+                    "(n,) int32, for each point its patch, -1 for none")
+      .def_readonly("source_labels",
+                    &Planes::source_labels,
+                    "the same for each point of the source; None without one")
+      .def_readonly("report",
+                    &Planes::report,
+                    "counts, seconds and remarks, named as in "
+                    "pcl::PlaneClusteringReport");
+}
+
+/** W_t as it was given, or as the mode has it. */
+double
+planeDistance(std::optional<double> given, bool noise_driven)
+{
+  if (!given)
+    return noise_driven ? 0 : PlaneClusteringSettings().plane_distance;
+  requireInRange("plane_distance", *given, 1e-9, 1e9, "m");
+  return *given;
+}
+
+} // namespace
+
+void
+bindPlanes(py::module_& module)
+{
+  bindPlanesClass(module);
+  const PlaneClusteringSettings defaults;
+  module.def(
+      "find_planes",
+      [](const PointArgument& points,
+         const NormalsArgument& normals,
+         const std::optional<MeshArgument>& triangles,
+         std::optional<PointArgument> source,
+         std::optional<std::array<double, 3>> sensor_origin,
+         std::optional<PointArgument> viewpoints,
+         std::optional<IndexArgument> view,
+         bool noise_driven,
+         double member_distance,
+         double normal_angle,
+         std::optional<double> plane_distance,
+         std::size_t least_support,
+         double least_area,
+         bool regular,
+         unsigned threads,
+         const Listener& progress) {
+        return findPlanes(points,
+                          normals,
+                          triangles,
+                          {std::move(source),
+                           {sensor_origin, std::move(viewpoints), std::move(view)}},
+                          {noise_driven,
+                           member_distance,
+                           normal_angle,
+                           planeDistance(plane_distance, noise_driven),
+                           least_support,
+                           least_area,
+                           regular,
+                           threads},
+                          progress);
+      },
+      about_planes,
+      "points"_a,
+      "normals"_a,
+      "triangles"_a = py::none(),
+      py::kw_only(),
+      "source"_a = py::none(),
+      "sensor_origin"_a = std::array<double, 3>{},
+      "viewpoints"_a = py::none(),
+      "view"_a = py::none(),
+      "noise_driven"_a = defaults.noise_driven,
+      "member_distance"_a = defaults.member_distance,
+      "normal_angle"_a = defaults.normal_angle,
+      "plane_distance"_a = py::none(),
+      "least_support"_a = defaults.least_support,
+      "least_area"_a = defaults.least_area,
+      "regular"_a = defaults.regular,
+      "threads"_a = defaults.threads,
+      "progress"_a = py::none());
+}
+
+} // namespace pcl::acmap::python

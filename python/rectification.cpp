@@ -1,0 +1,294 @@
+#include "array_view.h"
+#include "bindings.h"
+#include "kernel_call.h"
+#include "named_choice.h"
+#include "rectification_report.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/parallel.h>
+#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/rectification_kernel.h>
+
+#include <pybind11/stl.h>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+constexpr NamedChoices<RectificationMode, 2> modes = {
+    {{"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}}};
+
+using Poses = std::vector<Eigen::Isometry3d>;
+
+/** What rectify returns. */
+struct Rectified {
+  py::array poses;
+  py::object report;
+};
+
+/** An observation as it came, not yet copied. */
+struct Observation {
+  PointView points;
+  PointView normals;
+  std::vector<float> weights;
+};
+
+Poses
+posesOf(const PoseArgument& argument)
+{
+  const py::array array =
+      arrayOf("poses", argument, py::dtype::of<double>(), {3}, "(k, 4, 4)");
+  if (array.shape(1) != 4 || array.shape(2) != 4)
+    throw py::value_error("poses: must have the shape (k, 4, 4), not " +
+                          std::string(py::str(array.attr("shape"))));
+  const py::array_t<double> values(array);
+  const auto at = values.unchecked<3>();
+  Poses poses(static_cast<std::size_t>(at.shape(0)));
+  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+    Eigen::Matrix4d matrix;
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column)
+        matrix(row, column) = at(i, row, column);
+    Eigen::Isometry3d& pose = poses[static_cast<std::size_t>(i)];
+    pose.matrix() = matrix;
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+      throw py::value_error("poses: the last row of pose " + std::to_string(i) +
+                            " is not 0 0 0 1");
+    requireMapPose(pose);
+  }
+  return poses;
+}
+
+std::vector<float>
+weightsOf(const std::string& name, const py::handle& argument, std::size_t points)
+{
+  const Column column = columnOf(name, argument, py::dtype::of<float>(), points);
+  std::vector<float> weights(column.size);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    std::memcpy(&weights[i],
+                static_cast<const char*>(column.first) + column.stride * i,
+                sizeof(float));
+  requirePointWeights(weights, points);
+  return weights;
+}
+
+/** The lists that rectify takes, one entry an observation. */
+struct ObservationArguments {
+  std::vector<PointArgument> clouds;
+  std::optional<std::vector<PointArgument>> normals;
+  std::optional<std::vector<WeightArgument>> weights;
+};
+
+void
+requireOneEach(const std::string& name, std::size_t number, std::size_t clouds)
+{
+  if (number != clouds)
+    throw py::value_error(name + ": there are " + std::to_string(number) + " for " +
+                          std::to_string(clouds) + " clouds");
+}
+
+std::vector<Observation>
+observationsOf(const ObservationArguments& arguments)
+{
+  const std::size_t size = arguments.clouds.size();
+  if (arguments.normals)
+    requireOneEach("normals", arguments.normals->size(), size);
+  if (arguments.weights)
+    requireOneEach("weights", arguments.weights->size(), size);
+  std::vector<Observation> observations(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::string place = "[" + std::to_string(i) + "]";
+    Observation& seen = observations[i];
+    seen.points = pointRowsOf("clouds" + place, arguments.clouds[i]).view;
+    if (arguments.normals) {
+      seen.normals = pointRowsOf("normals" + place, (*arguments.normals)[i]).view;
+      requireAsMany("normals" + place, seen.normals.size(), seen.points.size());
+    }
+    if (arguments.weights)
+      seen.weights =
+          weightsOf("weights" + place, (*arguments.weights)[i], seen.points.size());
+  }
+  return observations;
+}
+
+void
+requireLegal(const RectificationSettings& settings)
+{
+  requireInRange("bin_size", settings.bin_size, 0.001, 25, "m");
+  requireInRange("entropy_weight", settings.entropy_weight, 1e-3, 1e3, "(no unit)");
+  const OdometryNoise& noise = settings.odometry;
+  requireInRange("odometry_length", noise.length, 1e-6, 1e3, "m");
+  requireInRange("odometry_length_per_metre", noise.length_per_metre, 0, 10, "m/m");
+  requireInRange("odometry_turn", noise.turn, 1e-6, 10, "rad");
+  requireInRange("odometry_turn_per_radian", noise.turn_per_radian, 0, 10, "rad/rad");
+}
+
+/** The poses of the sensors, where the outcome is new. */
+Poses
+search(const std::vector<Observation>& observations,
+       const Poses& given,
+       const RectificationSettings& settings,
+       unsigned threads,
+       const Progress& progress,
+       EntropyRectificationReport& report)
+{
+  StepTimer timer(report);
+  std::vector<LevelledPoints> levelled(observations.size());
+  std::vector<PlanarPose> planar;
+  for (const Eigen::Isometry3d& pose : given)
+    planar.push_back(planarPartOf(pose));
+  withThreads(threads, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, given.size(), [&](std::size_t i) {
+      const Observation& seen = observations[i];
+      levelled[i] = levelledPoints(seen.points, seen.normals, given[i], seen.weights);
+    });
+    timer.finish("level");
+    planar = rectify(levelled, planar, settings, progress, report);
+  });
+  timer.finish("search");
+  if (report.outcome != RectificationOutcome::Rectified)
+    return given;
+  Poses poses;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    poses.push_back(isometryOf(planar[i]) * levelOf(given[i]));
+  return poses;
+}
+
+py::array
+arrayOfPoses(Poses&& poses)
+{
+  static_assert(sizeof(Eigen::Isometry3d) == 16 * sizeof(double));
+  const auto [kept, owner] = owned(std::move(poses));
+  constexpr py::ssize_t size = sizeof(double);
+  return py::array(
+      py::dtype::of<double>(),
+      {static_cast<py::ssize_t>(kept.size()), py::ssize_t{4}, py::ssize_t{4}},
+      {16 * size, size, 4 * size}, // columns stand together
+      kept.empty() ? nullptr : kept.front().data(),
+      owner);
+}
+
+Rectified
+rectifyClouds(const ObservationArguments& arguments,
+              const PoseArgument& poses,
+              const RectificationSettings& settings,
+              unsigned threads,
+              const Listener& listener)
+{
+  requireLegal(settings);
+  const std::vector<Observation> observations = observationsOf(arguments);
+  const Poses given = posesOf(poses);
+  requireOneEach("poses", given.size(), observations.size());
+  if (given.empty())
+    throw py::value_error("clouds: there is none");
+  EntropyRectificationReport report;
+  Poses found = callKernel(listener, [&](const Progress& progress) {
+    return search(observations, given, settings, threads, progress, report);
+  });
+  return {arrayOfPoses(std::move(found)), reportOfRectification(std::move(report))};
+}
+
+constexpr const char* about_rectification =
+    R"(Straightens a map: finds the poses of observations under which their points fit
+together best, without matching any of them (pcl::EntropyRectification, II-B.2 of the
+paper). Returns a Rectified.
+
+clouds            a list of (n, 3) or (h, w, 3) float32, metres, each in its sensor's frame
+                  (y down), in the order in which they were made
+poses             (k, 4, 4) float64: T_map_camera of each; poses move in the XZ plane and
+                  turn about y, heights and tilts stay
+normals           a list as clouds, unit; should be given (consolidate makes them)
+weights           a list of (n,) float32: how much each point counts; None: 1
+mode              'guarded': entropy with an odometry prior, judged by rays; 'paper': Eq. 3
+                  alone, by voting, without a guard
+bin_size          metres, edge of the finest bins
+entropy_weight    how much a bit of entropy counts against the odometry, times the default
+projection_weight mu, of the entropies along the building's main directions; None: 0 if
+                  guarded, 0.1 as the paper
+odometry_length, odometry_length_per_metre, odometry_turn, odometry_turn_per_radian
+                  what the odometry is expected to err by, one standard deviation: metres,
+                  m/m, radians, rad/rad
+seed              of the voting
+threads           0: all; the result is the same bytes for every number
+progress          called with (fraction, step); stops the run when it returns False)";
+
+std::optional<double>
+legalWeight(std::optional<double> mu)
+{
+  if (mu)
+    requireInRange("projection_weight", *mu, 0, 1000, "(no unit)");
+  return mu;
+}
+
+} // namespace
+
+void
+bindRectification(py::module_& module)
+{
+  py::class_<Rectified>(module, "Rectified", "What rectify found.")
+      .def_readonly("poses",
+                    &Rectified::poses,
+                    "(k, 4, 4) float64, T_map_camera; as they came unless "
+                    "report.outcome is 'rectified'")
+      .def_readonly("report",
+                    &Rectified::report,
+                    "outcome, its reason, evidence, seconds and remarks, named as in "
+                    "pcl::EntropyRectificationReport");
+  const RectificationSettings defaults;
+  module.def(
+      "rectify",
+      [](std::vector<PointArgument> clouds,
+         const PoseArgument& poses,
+         std::optional<std::vector<PointArgument>> normals,
+         std::optional<std::vector<WeightArgument>> weights,
+         const std::string& mode,
+         double bin_size,
+         double entropy_weight,
+         std::optional<double> projection_weight,
+         double odometry_length,
+         double odometry_length_per_metre,
+         double odometry_turn,
+         double odometry_turn_per_radian,
+         std::uint64_t seed,
+         unsigned threads,
+         const Listener& progress) {
+        RectificationSettings settings;
+        settings.mode = chosen("mode", mode, modes);
+        settings.bin_size = bin_size;
+        settings.entropy_weight = entropy_weight;
+        settings.projection_weight =
+            legalWeight(projection_weight).value_or(settings.projection_weight);
+        settings.odometry = {odometry_length,
+                             odometry_length_per_metre,
+                             odometry_turn,
+                             odometry_turn_per_radian};
+        settings.seed = seed;
+        return rectifyClouds(
+            {std::move(clouds), std::move(normals), std::move(weights)},
+            poses,
+            settings,
+            threads,
+            progress);
+      },
+      about_rectification,
+      "clouds"_a,
+      "poses"_a,
+      py::kw_only(),
+      "normals"_a = py::none(),
+      "weights"_a = py::none(),
+      "mode"_a = nameOf(defaults.mode, modes),
+      "bin_size"_a = defaults.bin_size,
+      "entropy_weight"_a = defaults.entropy_weight,
+      "projection_weight"_a = py::none(),
+      "odometry_length"_a = defaults.odometry.length,
+      "odometry_length_per_metre"_a = defaults.odometry.length_per_metre,
+      "odometry_turn"_a = defaults.odometry.turn,
+      "odometry_turn_per_radian"_a = defaults.odometry.turn_per_radian,
+      "seed"_a = defaults.seed,
+      "threads"_a = 0u,
+      "progress"_a = py::none());
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,152 @@
+"""What the stages find in a simulated room, from the noisy view to its planes."""
+
+import inspect
+import unittest
+
+import numpy
+
+import acmap
+from rooms import noisy_wall, room_view
+
+# Walls of the room: axis, place in metres.
+walls = ((2, 3.5), (0, -2.0), (0, 2.0), (1, -1.2), (1, 1.3))
+
+
+def off_walls(points):
+    return numpy.min([abs(points[:, axis] - at) for axis, at in walls], axis=0)
+
+
+def chain(threads):
+    view = room_view(120, 160, noise=0.01)
+    found = acmap.consolidate(view, keep_sources=True, threads=threads)
+    mesh = acmap.triangulate(
+        found.points,
+        normals=found.normals,
+        maximum_edge_length=2.5 * found.report.voxel_size,
+        threads=threads,
+    )
+    normals = acmap.vote_normals(found.points, mesh, threads=threads)
+    planes = acmap.find_planes(
+        found.points, normals, mesh, source=view, noise_driven=True, threads=threads
+    )
+    return view, found, mesh, normals, planes
+
+
+class Room(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.view, cls.found, cls.mesh, cls.normals, cls.planes = chain(threads=1)
+
+    def test_consolidated_points_lie_on_the_walls(self):
+        noise = numpy.median(off_walls(self.view.reshape(-1, 3)))
+        self.assertLess(numpy.median(off_walls(self.found.points)), noise / 3)
+        lengths = numpy.linalg.norm(self.found.normals, axis=1)
+        self.assertTrue(numpy.allclose(lengths, 1, atol=1e-5))
+        towards = (self.found.normals * self.found.points).sum(axis=1)
+        self.assertLess(numpy.mean(towards > 0), 0.01, "the sensor is the origin")
+
+    def test_sources_are_near_their_points(self):
+        points = self.view.reshape(-1, 3)
+        of = self.found.representative_of
+        self.assertEqual(of.shape, (len(points),))
+        reach = 3 * self.found.report.voxel_size
+        moved = numpy.linalg.norm(points - self.found.points[of], axis=1)[of >= 0]
+        self.assertLess(moved.max(), reach)
+        witnesses = points[self.found.witness]
+        self.assertLess(numpy.linalg.norm(witnesses - self.found.points, axis=1).max(), reach)
+
+    def test_mesh_is_open_and_manifold(self):
+        edges = numpy.sort(self.mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        _, uses = numpy.unique(edges, axis=0, return_counts=True)
+        self.assertEqual(uses.max(), 2)
+        self.assertEqual((uses == 1).sum(), self.mesh.report.boundary_edges)
+        self.assertEqual(len(self.mesh.triangles), self.mesh.report.triangles)
+
+    def test_every_wall_is_a_plane(self):
+        found = {
+            (int(abs(patch.coefficients[:3]).argmax()), round(float(at), 1))
+            for patch in self.planes.patches
+            for at in [patch.center[abs(patch.coefficients[:3]).argmax()]]
+        }
+        self.assertEqual(found, set(walls))
+
+    def test_patches_describe_their_points(self):
+        points = self.view.reshape(-1, 3)
+        self.assertEqual(self.planes.source_labels.shape, (len(points),))
+        for number, patch in enumerate(self.planes.patches):
+            normal, offset = patch.coefficients[:3], patch.coefficients[3]
+            self.assertAlmostEqual(numpy.linalg.norm(normal), 1)
+            mine = points[self.planes.source_labels == number]
+            self.assertGreater(len(mine), 100)
+            self.assertLess(numpy.median(abs(mine @ normal + offset)), 0.015)
+            self.assertTrue((numpy.linalg.eigvalsh(patch.covariance) > 0).all())
+            self.assertAlmostEqual(patch.axis_u @ normal, 0)
+            self.assertAlmostEqual(patch.center @ normal + offset, 0)
+            for polygon in patch.polygons:
+                self.assertLess(abs(polygon.outer @ normal + offset).max(), 1e-3)
+
+    def test_creases_lie_where_walls_meet(self):
+        off = numpy.sort([abs(self.found.points[:, axis] - at) for axis, at in walls], axis=0)
+        is_crease = self.normals.vertex_class >= 2
+        self.assertGreater(is_crease.sum(), 20)
+        self.assertLess(numpy.median(off[1][is_crease]), 0.1)
+        self.assertGreater(numpy.median(off[1][self.normals.vertex_class == 1]), 0.2)
+
+    def test_threads_do_not_matter(self):
+        _, found, mesh, normals, planes = chain(threads=2)
+        self.assertEqual(found.points.tobytes(), self.found.points.tobytes())
+        self.assertEqual(mesh.triangles.tobytes(), self.mesh.triangles.tobytes())
+        self.assertEqual(normals.normals.tobytes(), self.normals.normals.tobytes())
+        self.assertEqual(planes.labels.tobytes(), self.planes.labels.tobytes())
+        for one, other in zip(planes.patches, self.planes.patches):
+            self.assertEqual(one.coefficients.tobytes(), other.coefficients.tobytes())
+            self.assertEqual(one.polygons[0].outer.tobytes(), other.polygons[0].outer.tobytes())
+
+
+class Settings(unittest.TestCase):
+    def test_sensors_turn_the_normals(self):
+        wall = noisy_wall()
+        for origin, sign in (((0, 0, 0), -1), ((0, 0, 6), 1)):
+            normals = acmap.consolidate(wall, sensor_origin=origin).normals
+            self.assertTrue((sign * normals[:, 2] > 0).all())
+        unknown = acmap.consolidate(wall, sensor_origin=None)
+        self.assertFalse(unknown.report.sensors_fit)
+        places = numpy.array([[0, 0, 0], [0, 0, 6]], numpy.float32)
+        records = numpy.zeros(len(wall), [("label", "u1"), ("view", "i4")])
+        records["view"] = 1
+        seen = acmap.consolidate(wall, viewpoints=places, view=records["view"])
+        self.assertTrue((seen.normals[:, 2] > 0).all())
+
+    def test_what_is_not_asked_for_is_none(self):
+        view = room_view()
+        mesh = acmap.triangulate(view)
+        self.assertIsNone(mesh.wall_depth)
+        self.assertIsNone(acmap.consolidate(view).representative_of)
+        self.assertIsNone(acmap.vote_normals(view, mesh).curvatures)
+        depth = acmap.triangulate(view, compute_wall_depth=True).wall_depth
+        self.assertEqual(depth.shape, (len(mesh.triangles),))
+
+    def test_rules(self):
+        wall = noisy_wall(5000)
+        paper, dense = (acmap.triangulate(wall, rule=rule) for rule in ("paper", "dense"))
+        self.assertGreater(dense.report.triangles, paper.report.triangles)
+
+    def test_paper_thresholds_find_the_wall(self):
+        wall = noisy_wall(2000)
+        normals = numpy.zeros_like(wall)
+        normals[:, 2] = -5  # any length
+        planes = acmap.find_planes(wall, normals)
+        self.assertEqual(len(planes.patches), 1)
+        self.assertEqual(planes.patches[0].support, 2000)
+        self.assertEqual(planes.patches[0].polygons, [])
+
+    def test_help_tells_units_and_shapes(self):
+        for name in ("consolidate", "triangulate", "vote_normals", "find_planes", "rectify"):
+            text = inspect.getdoc(getattr(acmap, name))
+            for word in ("float32", "metres", "threads", "Returns"):
+                self.assertIn(word, text, name)
+        self.assertRegex(acmap.__version__, r"^\d+\.\d+\.\d+$")
+
+
+if __name__ == "__main__":
+    unittest.main()
