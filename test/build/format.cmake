@@ -10,7 +10,7 @@ if(NOT version MATCHES "version 14\\.")
 endif()
 
 set(files)
-foreach(folder IN ITEMS modules apps test share)
+foreach(folder IN ITEMS modules apps python test share)
   file(GLOB_RECURSE found "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.hpp"
        "${ROOT}/${folder}/*.cpp")
   list(APPEND files ${found})

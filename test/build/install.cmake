@@ -1,9 +1,42 @@
-# Installs the build folder FROM into a fresh PREFIX; nothing of how it was built may reach
-# its users.
+# Installs the build folder FROM into a fresh PREFIX, one component after the other: each has
+# its places, and together they are all there is. Nothing of how it was built may reach its
+# users.
 cmake_minimum_required(VERSION 3.25)
+set(document "share/doc/[a-z0-9.-]*acmap[a-z0-9.-]*/")
+set(library "lib[^ ]*/libacmap_[a-z]+\\.so")
+set(places_of_libraries "${document}|${library}\\.[0-9.]+$")
+set(places_of_dev "${document}|${library}$|include/acmap-|lib[^ ]*/cmake/acmap/")
+set(places_of_tools "${document}|bin/pcl_|share/acmap/|lib/udev/rules\\.d/")
+set(places_of_python "${document}|lib/python3[^ ]*/(dist|site)-packages/acmap")
+
+# install_into_prefix (<result> [<option>...]): files, relative, that came into the prefix.
+set(known)
+function(install_into_prefix result)
+  execute_process(COMMAND ${CMAKE_COMMAND} --install "${FROM}" --prefix "${PREFIX}" ${ARGN}
+                  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB_RECURSE files RELATIVE "${PREFIX}" "${PREFIX}/*")
+  set(new ${files})
+  list(REMOVE_ITEM new ${known})
+  set(known ${files} PARENT_SCOPE)
+  set(${result} ${new} PARENT_SCOPE)
+endfunction()
+
 file(REMOVE_RECURSE "${PREFIX}")
-execute_process(COMMAND ${CMAKE_COMMAND} --install "${FROM}" --prefix "${PREFIX}"
-                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+foreach(component IN ITEMS libraries dev tools python)
+  install_into_prefix(files --component ${component})
+  if(NOT files AND NOT component STREQUAL python)
+    message(SEND_ERROR "component ${component} has no files")
+  endif()
+  list(FILTER files EXCLUDE REGEX "^(${places_of_${component}})")
+  if(files)
+    message(SEND_ERROR "not where component ${component} has its files: ${files}")
+  endif()
+endforeach()
+install_into_prefix(files)
+if(files)
+  message(SEND_ERROR "in no component, so in no package: ${files}")
+endif()
+
 file(GLOB_RECURSE files "${PREFIX}/lib*/cmake/acmap/*.cmake")
 if(NOT files)
   message(FATAL_ERROR "no package files were installed")

@@ -1,4 +1,5 @@
-# Every public class and every tool has a page under doc. ROOT: the repository.
+# Every public class and every tool has a page under doc; that of a class with setters tells
+# of each of them, and which to touch when. ROOT: the repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB classes "${ROOT}/modules/*/include/pcl/*/impl/*.hpp")
 file(GLOB tools "${ROOT}/apps/pcl_*.cpp")
@@ -9,4 +10,29 @@ foreach(file IN LISTS classes tools)
   if(NOT "${name}.md" IN_LIST pages)
     message(SEND_ERROR "${file} has no page ${name}.md under doc")
   endif()
+endforeach()
+
+file(GLOB headers RELATIVE "${ROOT}/modules" "${ROOT}/modules/*/include/pcl/*/*.h")
+list(FILTER headers EXCLUDE REGEX "^core/") # no stages there, but what they share
+foreach(header IN LISTS headers)
+  # The return type stands on a line of its own.
+  file(STRINGS "${ROOT}/modules/${header}" setters REGEX "^  set[A-Z][A-Za-z]*\\(")
+  if(NOT setters)
+    continue()
+  endif()
+  string(REGEX REPLACE "^([^/]*)/.*/([^/]*)\\.h$" "doc/\\1/\\2.md" page "${header}")
+  set(text)
+  if(EXISTS "${ROOT}/${page}")
+    file(READ "${ROOT}/${page}" text)
+  endif()
+  string(REGEX MATCHALL "set[A-Z][A-Za-z]*\\(" setters "${setters}")
+  list(TRANSFORM setters REPLACE "\\(" "")
+  list(REMOVE_DUPLICATES setters)
+  foreach(wanted IN ITEMS "\n## Which parameter when\n" LISTS setters)
+    string(FIND "${text}" "${wanted}" place)
+    if(place EQUAL -1)
+      string(STRIP "${wanted}" wanted)
+      message(SEND_ERROR "${page} has no ${wanted}")
+    endif()
+  endforeach()
 endforeach()

@@ -1,5 +1,5 @@
 # Modules have a README; files stay short; libraries leave the process to its owner and are
-# deterministic. ROOT: the repository.
+# deterministic; CITATION.cff is of the version that is built. ROOT: the repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB modules "${ROOT}/modules/*/CMakeLists.txt")
 foreach(module IN LISTS modules)
@@ -9,20 +9,31 @@ foreach(module IN LISTS modules)
   endif()
 endforeach()
 
-foreach(folder IN ITEMS modules apps test share)
-  file(GLOB_RECURSE files "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.hpp"
-       "${ROOT}/${folder}/*.cpp")
-  foreach(file IN LISTS files)
-    file(READ "${file}" text)
-    string(REGEX REPLACE "[^\n]" "" line_ends "${text}")
-    string(LENGTH "${line_ends}" length)
-    if(length GREATER 400)
-      message(SEND_ERROR "${file} has ${length} lines: split it")
-    endif()
-    file(STRINGS "${file}" found
-         REGEX "[^_a-z](exit|abort|rand|srand) *\\(|random_device|march=|-mavx")
-    if(folder STREQUAL "modules" AND found)
-      message(SEND_ERROR "${file}: not in a library: ${found}")
-    endif()
-  endforeach()
+find_program(grep grep REQUIRED)
+set(sources --include=*.h --include=*.hpp --include=*.cpp)
+execute_process(COMMAND "${grep}" -rc ${sources} "" modules apps python test share
+                WORKING_DIRECTORY "${ROOT}" OUTPUT_VARIABLE lengths)
+string(REGEX MATCHALL "[^:\n]+:[0-9]+" lengths "${lengths}")
+if(NOT lengths)
+  message(FATAL_ERROR "no sources were found")
+endif()
+foreach(length IN LISTS lengths)
+  string(REGEX MATCH "^(.*):([0-9]+)$" whole "${length}")
+  if(CMAKE_MATCH_2 GREATER 400)
+    message(SEND_ERROR "${CMAKE_MATCH_1} has ${CMAKE_MATCH_2} lines: split it")
+  endif()
 endforeach()
+execute_process(
+  COMMAND "${grep}" -rnE ${sources}
+          "(^|[^_a-z])(exit|abort|rand|srand) *\\(|random_device|march=|-mavx" modules
+  WORKING_DIRECTORY "${ROOT}" OUTPUT_VARIABLE found)
+if(found)
+  message(SEND_ERROR "not in a library:\n${found}")
+endif()
+
+file(STRINGS "${ROOT}/CMakeLists.txt" version REGEX "^project\\(acmap VERSION")
+string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+" version "${version}")
+file(STRINGS "${ROOT}/CITATION.cff" cited REGEX "^version: ${version}$")
+if(NOT cited)
+  message(SEND_ERROR "CITATION.cff is not of version ${version}")
+endif()

@@ -1,0 +1,142 @@
+#!/bin/sh
+# Tries the Debian packages in a bare Debian of this machine's release: do the tools run, can
+# others build with the headers, does anything stay when the packages go? Needs root,
+# debootstrap, the network, 4 GB and ten minutes, which is why ctest does not run it.
+set -eu
+
+usage="usage: sh test/build/packages.sh [FOLDER]    FOLDER: of the .deb files [build/package]"
+source=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+packages=$(CDPATH='' cd -- "${1:-$source/build/package}" && pwd) || {
+  echo "$usage" >&2
+  exit 2
+}
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+work=$source/build/bare
+root=$work/root
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+# Runs the script on stdin inside, with its own processes: none outlives it. The script may
+# say: get PACKAGE..., never COMMAND...
+inside() {
+  {
+    cat <<'END'
+get() {
+  apt-get -q -y -o Dpkg::Options::=--force-unsafe-io -o Dpkg::Use-Pty=0 \
+    install --no-install-recommends "$@"
+}
+never() {
+  if "$@"; then
+    echo "packages.sh: that should not be" >&2
+    exit 1
+  fi
+}
+END
+    cat
+  } | unshare --mount --pid --fork --mount-proc="$root/proc" chroot "$root" \
+    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
+    sh -eu
+}
+
+# The bare tree is made once and kept.
+make_root() {
+  mkdir -p "$work"
+  if [ ! -e "$work/$release.tar" ]; then
+    debootstrap --variant=minbase "$release" "$work/new"
+    tar -C "$work/new" -cf "$work/new.tar" .
+    mv "$work/new.tar" "$work/$release.tar"
+    rm -rf "$work/new"
+  fi
+  rm -rf "$root"
+  mkdir "$root"
+  tar -C "$root" -xf "$work/$release.tar"
+  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  mkdir "$root/try"
+  cp "$packages"/*.deb "$source/test/consumer" "$source/share/examples" "$root/try" -r
+}
+
+# list_files FILE: what is there, but for the kernel's files and our own.
+list_files() {
+  (cd "$root" && find . \( -path ./proc -o -path ./sys -o -path ./dev -o -path ./try \) \
+    -prune -o -print) | LC_ALL=C sort >"$1"
+}
+
+# What a user of the tools alone does.
+use_tools() {
+  say "libraries and tools"
+  inside <<'END'
+apt-get -q update
+get /try/libacmap[0-9]*.deb /try/acmap-tools_*.deb
+for tool in $(dpkg -L acmap-tools | grep ^/usr/bin/); do
+  echo "$($tool --version) in $tool"
+done
+cd /try
+pcl_simulated_rig -o clouds --observations 1 --clouds
+pcl_simulated_rig -o raw --observations 1 --patterns 4 --cameras /usr/share/acmap/rigs/*.yaml
+pcl_active_stereo raw -o observations
+pcl_dewall_surface clouds/observation_0000.pcd mesh.ply --consolidate
+pcl_plane_extraction mesh.ply planes.json
+get $(dpkg-query -W -f '${Suggests}' acmap-tools | tr -d ,)
+xvfb-run -a -s "-screen 0 1280x960x24" pcl_compact_viewer mesh.ply --screenshot mesh.png
+xvfb-run -a -s "-screen 0 1280x960x24" pcl_compact_mapping clouds -o map
+END
+}
+
+# What a programmer does: an outside project, and each example, alone.
+use_headers() {
+  say "headers"
+  inside <<'END'
+get /try/libacmap-dev_*.deb g++ cmake make
+readelf -d /usr/bin/pcl_* /usr/lib/*/libacmap_* >/try/dynamic.txt
+never grep -E 'RPATH|RUNPATH' /try/dynamic.txt
+cd /try
+for project in consumer examples/[0-9]*; do
+  cmake -S "$project" -B build/"$project" -DCMAKE_BUILD_TYPE=Release
+  cmake --build build/"$project"
+done
+build/consumer/mesh_grid
+END
+}
+
+use_module() {
+  [ -e "$(echo "$packages"/python3-acmap_*.deb)" ] || return 0
+  say "Python module"
+  inside <<'END'
+get /try/python3-acmap_*.deb
+python3 -c 'import acmap; print(acmap.__file__)'
+END
+}
+
+# purge: our packages and all that came with them, then what is still there of ours.
+purge() {
+  say "purge"
+  inside <<'END'
+ours=$(dpkg-query -W -f '${Package}\n' | grep acmap)
+for package in $ours; do
+  dpkg -L "$package"
+done | sort -u >/try/owned.txt
+apt-get -q -y -o Dpkg::Use-Pty=0 purge $ours
+dpkg-query -W >/try/packages.txt
+ldconfig -p >/try/libraries.txt
+never grep acmap /try/packages.txt /try/libraries.txt
+apt-get -q -y -o Dpkg::Use-Pty=0 autoremove --purge >/dev/null
+END
+  list_files "$work/after.txt"
+  LC_ALL=C comm -13 "$work/before.txt" "$work/after.txt" >"$work/stayed.txt"
+  sed 's/^/./' "$root/try/owned.txt" >"$work/owned.txt"
+  if grep -Fx -f "$work/owned.txt" "$work/stayed.txt" || grep acmap "$work/stayed.txt"; then
+    echo "packages.sh: that stays of acmap" >&2
+    exit 1
+  fi
+  echo "nothing stays of acmap; of the packages it needed, $(wc -l <"$work/stayed.txt") files"
+}
+
+make_root
+list_files "$work/before.txt"
+use_tools
+use_headers
+use_module
+purge
+say "all passed; pictures and results are in $root/try"
