@@ -17,9 +17,11 @@ namespace pcl::acmap::python {
 namespace py = pybind11;
 
 /** \brief Any object: it is checked by the functions below, whose messages name it, and
- * not by pybind11, which would convert it. Signatures show what it ought to be. */
-class PointArgument : public py::object {
-  PYBIND11_OBJECT_DEFAULT(PointArgument, object, anything)
+ * not by pybind11, which would convert it.
+ * \tparam Shown has as name what signatures show that it ought to be */
+template <typename Shown>
+class Argument : public py::object {
+  PYBIND11_OBJECT_DEFAULT(Argument, object, anything)
   static bool
   anything(PyObject*)
   {
@@ -27,35 +29,24 @@ class PointArgument : public py::object {
   }
 };
 
-/** \brief As \ref PointArgument, for one int32 a point. */
-class IndexArgument : public PointArgument {
-  PYBIND11_OBJECT_DEFAULT(IndexArgument, PointArgument, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
+struct ShownPoints {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray[float32[n, 3]]");
+};
+struct ShownIndices {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray[int32[n]]");
+};
+struct ShownWeights {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray[float32[n]]");
+};
+struct ShownPoses {
+  static constexpr auto name =
+      py::detail::const_name("numpy.ndarray[float64[k, 4, 4]]");
 };
 
-/** \brief As \ref PointArgument, for one float32 a point. */
-class WeightArgument : public PointArgument {
-  PYBIND11_OBJECT_DEFAULT(WeightArgument, PointArgument, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
-};
-
-/** \brief As \ref PointArgument, for (k, 4, 4) float64. */
-class PoseArgument : public PointArgument {
-  PYBIND11_OBJECT_DEFAULT(PoseArgument, PointArgument, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
-};
+using PointArgument = Argument<ShownPoints>;
+using IndexArgument = Argument<ShownIndices>;
+using WeightArgument = Argument<ShownWeights>;
+using PoseArgument = Argument<ShownPoses>;
 
 /** \brief Points of an array, which must live as long as the view. */
 struct PointRows {
@@ -143,24 +134,9 @@ arrayOver(std::vector<Value>&& values)
 
 namespace pybind11::detail {
 
-template <>
-struct handle_type_name<pcl::acmap::python::PointArgument> {
-  static constexpr auto name = const_name("numpy.ndarray[float32[n, 3]]");
-};
-
-template <>
-struct handle_type_name<pcl::acmap::python::IndexArgument> {
-  static constexpr auto name = const_name("numpy.ndarray[int32[n]]");
-};
-
-template <>
-struct handle_type_name<pcl::acmap::python::WeightArgument> {
-  static constexpr auto name = const_name("numpy.ndarray[float32[n]]");
-};
-
-template <>
-struct handle_type_name<pcl::acmap::python::PoseArgument> {
-  static constexpr auto name = const_name("numpy.ndarray[float64[k, 4, 4]]");
+template <typename Shown>
+struct handle_type_name<pcl::acmap::python::Argument<Shown>> {
+  static constexpr auto name = Shown::name;
 };
 
 } // namespace pybind11::detail

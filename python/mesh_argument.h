@@ -16,15 +16,13 @@ struct Mesh {
   py::object report;
 };
 
-/** \brief A Mesh, or an array: checked by \ref meshOf. */
-class MeshArgument : public PointArgument {
-  PYBIND11_OBJECT_DEFAULT(MeshArgument, PointArgument, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
+struct ShownMesh {
+  static constexpr auto name =
+      py::detail::const_name("Union[acmap.Mesh, numpy.ndarray[int32[m, 3]]]");
 };
+
+/** \brief A Mesh, or an array: checked by \ref meshOf. */
+using MeshArgument = Argument<ShownMesh>;
 
 /** \brief A mesh with arrays over it. */
 Mesh
@@ -38,13 +36,3 @@ std::shared_ptr<const TriangleMesh>
 meshOf(const MeshArgument& argument, std::size_t points);
 
 } // namespace pcl::acmap::python
-
-namespace pybind11::detail {
-
-template <>
-struct handle_type_name<pcl::acmap::python::MeshArgument> {
-  static constexpr auto name =
-      const_name("Union[acmap.Mesh, numpy.ndarray[int32[m, 3]]]");
-};
-
-} // namespace pybind11::detail

@@ -17,15 +17,13 @@ struct Normals {
   py::object report;
 };
 
-/** \brief Normals, or an array of them: checked by \ref setNormals. */
-class NormalsArgument : public PointArgument {
-  PYBIND11_OBJECT_DEFAULT(NormalsArgument, PointArgument, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
+struct ShownNormals {
+  static constexpr auto name =
+      py::detail::const_name("Union[acmap.Normals, numpy.ndarray[float32[n, 3]]]");
 };
+
+/** \brief Normals, or an array of them: checked by \ref setNormals. */
+using NormalsArgument = Argument<ShownNormals>;
 
 /** \brief Normals with arrays over them. */
 Normals
@@ -39,13 +37,3 @@ void
 setNormals(const NormalsArgument& argument, PlaneHypotheses& hypotheses);
 
 } // namespace pcl::acmap::python
-
-namespace pybind11::detail {
-
-template <>
-struct handle_type_name<pcl::acmap::python::NormalsArgument> {
-  static constexpr auto name =
-      const_name("Union[acmap.Normals, numpy.ndarray[float32[n, 3]]]");
-};
-
-} // namespace pybind11::detail
