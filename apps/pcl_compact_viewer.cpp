@@ -2,6 +2,7 @@
 #include "compact_viewer/viewer_input.h"
 #include "compact_viewer/viewer_options.h"
 #include "interruption.h"
+#include "memory.h"
 #include "output_target.h"
 #include "tool.h"
 
@@ -84,6 +85,7 @@ show(Tool& tool, const ViewerOptions& options)
   choosePlace(options, input.scene, view);
   tool.stopIfInterrupted();
 
+  const UnlimitedMemory while_drawing;
   if (options.screenshot.empty()) {
     obeyInterruptions();
     pcl::showScene(options.input, input.scene, view, tellUser);

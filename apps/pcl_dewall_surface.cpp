@@ -31,7 +31,6 @@ struct Options {
   double maximum_edge_length = 0;
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;
-  std::size_t memory_limit = 0;
 };
 
 const std::map<std::string, pcl::DeWallRule> rules = {
@@ -71,13 +70,6 @@ addOptions(Tool& tool, Options& options)
                options.wall_depth,
                "Write with each triangle the depth of the dividing wall that made it "
                "(.ply only)");
-  app.add_option("--memory-limit",
-                 options.memory_limit,
-                 "Memory the triangulation may take beside its input, as 500MB or 2GB; "
-                 "what needs more is refused [default: what this machine has left]")
-      ->type_name("SIZE")
-      ->default_str("")
-      ->transform(CLI::AsSizeValue(true).description(""));
   tool.addThreads();
   tool.addScale();
 }
@@ -133,7 +125,6 @@ triangulate(Tool& tool,
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
   dewall.setNumberOfThreads(tool.threads());
-  dewall.setMemoryLimit(options.memory_limit);
   tool.withProgress([&](const pcl::ProgressCallback& progress) {
     dewall.setProgressCallback(progress);
     dewall.reconstruct(mesh);

@@ -92,7 +92,7 @@ run(Tool& tool, const PlaneOptions& options)
           ? extractFromCloud(tool, options, timer, file)
           : extractFromMesh(tool, options, timer, file, std::move(triangles));
   collectWarnings(tool, extraction.mesh);
-  requirePlanes(tool, options, extraction);
+  requirePlanes(tool, options.input, extraction);
   writeOutputs(tool, options, extraction, std::move(file));
   timer.finish("write");
   summarize(tool, options, extraction);

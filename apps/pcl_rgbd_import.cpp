@@ -69,6 +69,24 @@ warnOfCameras(Tool& tool,
               "depths; --color-camera names it, --registered says that this is right");
 }
 
+/** Rooms are smaller: the numbers are not of the unit that they are taken for. */
+void
+warnOfLengths(Tool& tool, const RgbdCameras& cameras, const RgbdImport& import)
+{
+  constexpr double farthest_depth = 100, farthest_pose = 1000;
+  const double depth = import.medianDepth() / cameras.meaning.scale;
+  if (depth > farthest_depth)
+    tool.warn("half of the points are farther than " + shortNumber(depth) +
+              " m: are there " + shortNumber(cameras.meaning.scale) +
+              " of the depth images' numbers in a metre? --depth-scale tells");
+  double pose = 0;
+  for (const Eigen::Isometry3d& T_map_camera : import.trajectory.poses)
+    pose = std::max(pose, T_map_camera.translation().norm());
+  if (pose > farthest_pose)
+    tool.warn("the camera moves " + shortNumber(pose) +
+              " m away from its first place: are the poses in metres?");
+}
+
 void
 warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
 {
@@ -166,6 +184,7 @@ convert(Tool& tool, const ImportOptions& options)
   folder.commit();
   timer.finish("write");
   warnOfCameras(tool, options, sequence, cameras, import);
+  warnOfLengths(tool, cameras, import);
   warnOfFrames(tool, sequence, import);
   tellResults(tool, options, sequence, cameras, import);
 }

@@ -23,6 +23,7 @@ function(acmap_install_module name)
           DESTINATION ${ACMAP_INSTALL_CMAKEDIR} COMPONENT dev)
   install(DIRECTORY include/ DESTINATION ${ACMAP_INSTALL_INCLUDEDIR} COMPONENT dev
           FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+  acmap_join(product acmap_${name})
 endfunction()
 
 # The package files of all modules declared so far, and the generated headers.

@@ -1,7 +1,9 @@
 # acmap_add_tool (<pcl_name> SOURCES <file>... LIBRARIES <target>...): an installed program.
+# Target product builds all that is installed.
 function(acmap_add_tool name)
   acmap_add_program(${name} ${ARGN})
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  acmap_join(product ${name})
 endfunction()
 
 # acmap_add_tool_part (<name> SOURCES <file>... LIBRARIES <target>...): what a tool is made
@@ -25,6 +27,9 @@ function(acmap_add_program name)
   add_executable(${name} ${arg_SOURCES})
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
+  if(ACMAP_BUILD_TESTS AND CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=address")
+    target_link_libraries(${name} PRIVATE acmap_leaks_of_drivers)
+  endif()
 endfunction()
 
 # Makes target <all> build target <one> too.

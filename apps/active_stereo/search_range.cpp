@@ -34,7 +34,9 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   if (from > longest)
     throw UsageError("--max-depth: at " + shortNumber(farthest) +
                      " m disparities are longer than the image, " +
-                     std::to_string(static_cast<long>(longest)) + " px");
+                     std::to_string(static_cast<long>(longest)) +
+                     " px; the rig's baseline is " +
+                     shortNumber(disparityBaseline(rig)) + " m");
   const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
   SearchRange range;
   range.least = static_cast<int>(std::max(from, 0.0));

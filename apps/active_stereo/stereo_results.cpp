@@ -114,7 +114,8 @@ StereoResults::requireAny(Tool& tool,
     throw InputFileException(
         options.session + ": has no frame that can be read" +
         (tool.warnings().empty() ? "" : ", " + tool.warnings()[0]));
-  tool.failWithNothing("no pixel has a place: " + rejected());
+  tool.failWithNothing((options.session.empty() ? "" : options.session + ": ") +
+                       "no pixel has a place: " + rejected());
 }
 
 double

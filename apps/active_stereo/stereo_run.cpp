@@ -1,5 +1,6 @@
 #include "stereo_run.h"
 
+#include "json_file.h"
 #include "known_poses.h"
 #include "memory.h"
 #include "output_target.h"
@@ -9,7 +10,6 @@
 #include <pcl/core/output_file.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <future>
 #include <optional>
@@ -58,8 +58,35 @@ read(ShotSource& source)
   return coming;
 }
 
+/** \brief What was finished so far, where a later run is to go on from there. */
+constexpr const char* finished_name = "finished.json";
+
+void
+saveFinished(const StereoResults& results, const OutputFolder& folder)
+{
+  const std::string text = results.entries().dump() + "\n";
+  OutputFile file(folder.path(finished_name));
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+/** \brief Puts an observation into place with the counts so far: what comes to a killed run
+ * costs it no more than the next one. */
+void
+commitObservation(const StereoOptions& options,
+                  const ObservationShots& shots,
+                  const MadeObservation& made,
+                  const Eigen::Isometry3d& pose,
+                  const StereoResults& results)
+{
+  OutputFolder folder(options.output);
+  saveResults(folder, options, shots, made, pose);
+  saveFinished(results, folder);
+  folder.commit();
+}
+
 /** \brief Makes the observations one after another, and reads the next one meanwhile; their
- * files are in the folder's hidden part. */
+ * files are in the folder's hidden part, unless a later run is to go on from them. */
 void
 writeObservations(Tool& tool,
                   const StereoOptions& options,
@@ -92,8 +119,11 @@ writeObservations(Tool& tool,
               return progress(from + fraction * (to - from), step);
             });
         timer.finish("match");
-        saveResults(folder, options, *shots, made, poses.of(shots->number));
         results.add(*shots, made);
+        if (options.goes_on)
+          commitObservation(options, *shots, made, poses.of(shots->number), results);
+        else
+          saveResults(folder, options, *shots, made, poses.of(shots->number));
         timer.finish("write");
       }
       begin = done;
@@ -102,23 +132,21 @@ writeObservations(Tool& tool,
   addSums(steps, tool.report());
 }
 
-/** \brief What an interrupted run finished, of which it left the counts. */
-constexpr const char* finished_name = "finished.json";
-
 StereoResults
 finishedBefore(const StereoOptions& options)
 {
   namespace fs = std::filesystem;
   const fs::path folder = options.output;
-  std::ifstream file(folder / finished_name);
-  auto entries = nlohmann::ordered_json::parse(file, nullptr, false);
+  const auto entries = readJson((folder / finished_name).string());
   if (!options.goes_on || !entries.is_array())
     return {};
   try {
     auto there = nlohmann::ordered_json::array();
-    for (const auto& entry : entries)
-      if (fs::exists(folder / entry.at("file").get<std::string>()))
+    for (const auto& entry : entries) {
+      const auto name = entry.at("file").get<std::string>();
+      if (isPlainName(name) && fs::exists(folder / name))
         there.push_back(entry);
+    }
     StereoResults results;
     results.takeEntries(there);
     return results;
@@ -126,15 +154,6 @@ finishedBefore(const StereoOptions& options)
   catch (const nlohmann::json::exception&) {
     return {}; // damaged: all is made again
   }
-}
-
-void
-saveFinished(const StereoResults& results, const OutputFolder& folder)
-{
-  const std::string text = results.entries().dump() + "\n";
-  OutputFile file(folder.path(finished_name));
-  file.write(text.data(), text.size());
-  file.commit();
 }
 
 /** \brief What was finished before an interruption is a whole result each.
@@ -146,8 +165,6 @@ keepFinished(const StereoOptions& options,
 {
   if (results.points() == 0)
     return;
-  if (options.goes_on)
-    saveFinished(results, folder);
   folder.commit();
   throw InterruptedPartway("interrupted; observations finished by then, in " +
                            options.output + ": " +

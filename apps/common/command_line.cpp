@@ -79,6 +79,21 @@ positiveNumber()
 }
 
 CLI::Validator
+memorySize()
+{
+  return CLI::Validator(
+      [bytes = CLI::AsSizeValue(true)](std::string& text) -> std::string {
+        const std::string size = text;
+        // a sign would wrap round to a large number
+        if (text.empty() || !std::isdigit(static_cast<unsigned char>(text[0])))
+          return size + " is no size such as 500MB";
+        const std::string fault = bytes(text);
+        return fault.empty() && text == "0" ? size + " is no memory at all" : fault;
+      },
+      "SIZE");
+}
+
+CLI::Validator
 imageName()
 {
   return CLI::Validator(

@@ -32,6 +32,10 @@ crossedNumbers(const std::string& text);
 CLI::Validator
 positiveNumber();
 
+/** \brief Makes a number of bytes, above zero, of a size such as 500MB (powers of ten). */
+CLI::Validator
+memorySize();
+
 /** \brief Lets names of images pass. Without it, a list that was left empty would take the
  * next option for an image. */
 CLI::Validator

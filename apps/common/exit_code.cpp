@@ -1,9 +1,12 @@
 #include "exit_code.h"
 
+#include "memory.h"
+
 #include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <new>
+#include <system_error>
 
 namespace pcl::acmap {
 namespace {
@@ -15,6 +18,14 @@ oneLine(std::string text)
   text.erase(0, std::min(text.find_first_not_of(": \n"), text.size()));
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+std::string
+memoryFault()
+{
+  return memoryLimit()
+             ? "not enough memory: --memory-limit is " + gigabytes(memoryLimit())
+             : "not enough memory";
 }
 
 } // namespace
@@ -53,7 +64,14 @@ failureOf(const std::exception_ptr& error)
     return {exit_memory, oneLine(e.what())};
   }
   catch (const std::bad_alloc&) {
-    return {exit_memory, "not enough memory"};
+    return {exit_memory, memoryFault()};
+  }
+  catch (const std::system_error& e) {
+    // so fails a thread for whose stack there is no memory
+    if (e.code() == std::errc::resource_unavailable_try_again ||
+        e.code() == std::errc::not_enough_memory)
+      return {exit_memory, memoryFault()};
+    return {exit_failed, oneLine(e.what())};
   }
   catch (const std::exception& e) {
     return {exit_failed, oneLine(e.what())};

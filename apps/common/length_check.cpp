@@ -1,6 +1,9 @@
 #include "length_check.h"
 
+#include "tool.h"
+
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace pcl::acmap {
@@ -9,6 +12,12 @@ namespace {
 /** Rooms and streets are scanned denser than this, and stretch less far. */
 constexpr double suspicious_spacing = 0.5;
 constexpr double suspicious_extent = 1000.0;
+
+/** Not even in millimetres does a building stretch so far. */
+constexpr double absurd_extent = 1000.0 * suspicious_extent;
+
+/** Coordinates are floats; where neighbouring ones are farther apart, walls get steps. */
+constexpr double coarse_step = 0.001;
 
 /** A point this many extents away from the others belongs to no scene. */
 constexpr double far_extents = 100.0;
@@ -60,10 +69,30 @@ millimetreRemark(double median_spacing, double extent, double scale)
     return {};
   std::ostringstream text;
   text.precision(3);
+  if (extent > absurd_extent) {
+    text << "these cannot be metres: the points spread over " << extent
+         << " m; --scale tells the unit of the input";
+    return text.str();
+  }
   text << "looks like millimetres: the points spread over " << extent << " m";
   if (median_spacing > 0)
     text << " and stand " << median_spacing << " m apart";
   text << "; --scale " << scale * 0.001 << " would make metres of millimetres";
+  return text.str();
+}
+
+std::string
+coarsenessRemark(const CloudExtent& extent)
+{
+  const double farthest =
+      std::max(extent.least.cwiseAbs().maxCoeff(), extent.most.cwiseAbs().maxCoeff());
+  const double step = farthest * double{std::numeric_limits<float>::epsilon()};
+  if (step <= coarse_step || extent.diagonal() > suspicious_extent)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "lies " << farthest << " m from the origin, where coordinates are kept in "
+       << "steps of about " << step << " m; take an offset off them";
   return text.str();
 }
 
@@ -93,9 +122,17 @@ lengthRemarks(const PointView& points, double median_spacing, double scale)
   std::vector<std::string> remarks;
   if (extent.diagonal() > 0)
     remarks.push_back(farRemark(points, extent));
+  remarks.push_back(coarsenessRemark(extent));
   remarks.push_back(millimetreRemark(median_spacing, extent.diagonal(), scale));
   remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
   return remarks;
+}
+
+void
+warnOfLengths(Tool& tool, const PointCloudFile& file)
+{
+  for (const std::string& remark : lengthRemarks(file.points(), 0, tool.scale()))
+    tool.warn(remark);
 }
 
 } // namespace pcl::acmap

@@ -3,6 +3,7 @@
 #include "output_target.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/folder_entries.h>
 
 #include <algorithm>
 #include <charconv>
@@ -25,11 +26,9 @@ pcdNames(const std::string& folder)
   if (!fs::is_directory(folder, error))
     throw InputFileException(folder + ": is no folder");
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (endingOf(entry.path().string()) == ".pcd" && !entry.is_directory(error))
-      names.push_back(entry.path().filename().string());
-  if (error)
-    throw InputFileException(folder + ": cannot be read (" + error.message() + ")");
+  for (const fs::path& entry : folderEntries(folder))
+    if (endingOf(entry.string()) == ".pcd")
+      names.push_back(entry.filename().string());
   if (names.empty())
     throw InputFileException(folder + ": holds no .pcd file");
   return names;

@@ -13,15 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string
-placeBeside(const fs::path& target, std::size_t number)
-{
-  constexpr std::size_t longest = 200; // keeps the whole below the usual limit of 255
-  const std::string name = "." + target.stem().string().substr(0, longest) + ".tmp-" +
-                           std::to_string(getpid()) + "-" + std::to_string(number);
-  return (target.parent_path() / (name + target.extension().string())).string();
-}
-
-std::string
 replaced(std::string text, const std::string& what, const std::string& by)
 {
   const std::size_t at = text.find(what);
@@ -30,28 +21,27 @@ replaced(std::string text, const std::string& what, const std::string& by)
 
 } // namespace
 
-OutputGroup::~OutputGroup()
-{
-  std::error_code error;
-  for (const Entry& entry : entries_)
-    fs::remove(entry.place, error);
-}
+OutputGroup::Entry::Entry(const std::string& path)
+: path(path)
+, target(followLinks(path))
+, hidden(fs::path(target).parent_path(), fs::path(target).filename().string(), path)
+, place((hidden.path() / fs::path(target).filename()).string())
+{}
 
 void
 OutputGroup::write(const std::string& path,
                    const std::function<void(const std::string& place)>& save)
 {
-  const fs::path target = followLinks(path);
   std::error_code error;
-  if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0)
+  if (fs::exists(path, error) && access(path.c_str(), W_OK) != 0)
     throw OutputFileException(path + ": " + std::strerror(errno));
-  const std::string place = placeBeside(target, entries_.size());
-  entries_.push_back({path, target.string(), place});
+  const Entry& entry = entries_.emplace_back(path);
   try {
-    save(place);
+    save(entry.place);
   }
   catch (const OutputFileException& e) {
-    throw OutputFileException(replaced(e.what(), place, path));
+    throw OutputFileException(
+        replaced(replaced(e.what(), entry.place, path), entry.target, path));
   }
 }
 

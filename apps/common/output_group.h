@@ -1,25 +1,18 @@
 #pragma once
 
+#include <pcl/core/hidden_folder.h>
+
 #include <functional>
+#include <list>
 #include <string>
-#include <vector>
 
 namespace pcl::acmap {
 
-/** \brief Files of a run that appear together: each is written to a hidden place beside
+/** \brief Files of a run that appear together: each is written into a hidden folder beside
  * its target, and \ref commit renames them all. A run that fails before leaves the old
  * files, or none. */
 class OutputGroup {
 public:
-  OutputGroup() = default;
-
-  /** \brief Removes what was not committed. */
-  ~OutputGroup();
-
-  OutputGroup(const OutputGroup&) = delete;
-  OutputGroup&
-  operator=(const OutputGroup&) = delete;
-
   /** \brief Writes a file.
    * \param[in] path its target
    * \param[in] save writes to the place that it is given, whose ending is the target's
@@ -34,12 +27,15 @@ public:
 
 private:
   struct Entry {
+    explicit Entry(const std::string& path);
+
     std::string path;   ///< as the user named it
     std::string target; ///< with links followed
-    std::string place;
+    HiddenFolder hidden;
+    std::string place; ///< in there
   };
 
-  std::vector<Entry> entries_;
+  std::list<Entry> entries_;
 };
 
 } // namespace pcl::acmap

@@ -3,6 +3,7 @@
 #include "observation_folder.h"
 #include "observation_names.h"
 #include "scaled_cloud.h"
+#include "tool.h"
 
 #include <filesystem>
 #include <numeric>
@@ -65,6 +66,17 @@ PosedFolder::PosedFolder(const std::string& path,
   std::iota(rows_.begin(), rows_.end(), std::size_t{0});
 }
 
+std::vector<std::string>
+PosedFolder::remarks() const
+{
+  const std::size_t poses = trajectory_.poses.size();
+  if (poses <= names_.size())
+    return {};
+  return {(fs::path(path_) / trajectory_name).string() + ": has " +
+          std::to_string(poses) + " poses, the folder " +
+          std::to_string(names_.size()) + " observations: the others are missing"};
+}
+
 std::string
 PosedFolder::path(std::size_t i) const
 {
@@ -86,7 +98,7 @@ PosedFolder::load(std::size_t i, std::vector<std::string>& remarks) const
       (observation.T_map_camera.translation() - viewpoint.translation()).norm();
   constexpr double most_apart = 0.001; // metres
   if (!is_given_ && isKnown(viewpoint) && apart > most_apart)
-    remarks.push_back(path(i) + ": its VIEWPOINT is " + std::to_string(apart) +
+    remarks.push_back(path(i) + ": its VIEWPOINT is " + shortNumber(apart) +
                       " m from its pose in " + trajectory_name + ", which holds");
   return observation;
 }

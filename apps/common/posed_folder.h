@@ -57,6 +57,10 @@ public:
     return names_.size();
   }
 
+  /** \brief What is odd about the folder, a line each: poses without an observation. */
+  std::vector<std::string>
+  remarks() const;
+
   /** \brief Path of an observation's file. */
   std::string
   path(std::size_t i) const;

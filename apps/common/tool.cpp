@@ -4,9 +4,11 @@
 #include "interruption.h"
 #include "memory.h"
 #include "output_target.h"
+#include "printable.h"
 
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 
 #include <CLI/CLI.hpp>
@@ -51,6 +53,13 @@ Tool::Tool(std::string name, const std::string& purpose)
       ->type_name("FILE.json")
       ->capture_default_str();
   app_.add_flag("--quiet", quiet_, "Print nothing but errors");
+  app_.add_option("--memory-limit",
+                  memory_limit_,
+                  "Memory this run may take, as 500MB or 2GB; one that needs more ends "
+                  "with exit code 6 [default: what this machine has left]")
+      ->type_name("SIZE")
+      ->default_str("")
+      ->transform(memorySize().description(""));
 }
 
 void
@@ -113,17 +122,23 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
   console::setVerbosityLevel(console::L_ALWAYS);
   // a file beyond the limit of its size is an error to report, not a reason to die
   std::signal(SIGXFSZ, SIG_IGN);
+  // a reader of stdout or stderr that went away ends the tool once its files are in place
+  pipe_action_ = std::signal(SIGPIPE, SIG_IGN);
   noteInterruptions();
   try {
     if (const int code = parse(argc, argv); code >= 0)
       return code;
+    limitMemory(memory_limit_, threads_);
     work();
     writeReport();
     flushSummary();
     return exit_done;
   }
   catch (...) {
-    const Failure failure = failureOf(std::current_exception());
+    Failure failure = failureOf(std::current_exception());
+    if (failure.code == exit_memory) // what was odd about the input is often why
+      for (const std::string& remark : told_.report.remarks)
+        failure.line += "; " + remark;
     complain(failure.code == exit_usage ? failure.line + " (see --help)"
                                         : failure.line);
     return failure.code;
@@ -145,7 +160,10 @@ Tool::parse(int argc, const char* const* argv)
     app_.parse(std::move(arguments));
   }
   catch (const CLI::Success& e) {
-    return app_.exit(e, std::cout, std::cerr);
+    std::ostringstream text;
+    const int code = app_.exit(e, text, std::cerr);
+    print(text.str());
+    return code;
   }
   catch (const CLI::ParseError& e) {
     throw UsageError(e.what());
@@ -216,8 +234,10 @@ Tool::failWithNothing(std::string reason) const
 nlohmann::ordered_json
 Tool::fullReport() const
 {
-  nlohmann::ordered_json json = {
-      {"tool", name_}, {"version", ACMAP_VERSION}, {"command_line", command_line_}};
+  nlohmann::ordered_json json = {{"tool", name_},
+                                 {"version", ACMAP_VERSION},
+                                 {"format", file_formats::report},
+                                 {"command_line", command_line_}};
   json.update(told_.details);
   for (const auto& [step, seconds] : told_.report.seconds)
     json["seconds"][step] = seconds;
@@ -250,7 +270,14 @@ Tool::flushSummary() const
   std::string summary;
   for (const auto& [name, value] : told_.lines)
     summary += summaryLine(name, value);
-  std::cout << summary << std::flush;
+  print(summary);
+}
+
+void
+Tool::print(const std::string& text) const
+{
+  std::signal(SIGPIPE, pipe_action_);
+  std::cout << text << std::flush;
   if (!std::cout)
     throw OutputFileException("standard output: could not be written");
 }
@@ -258,7 +285,7 @@ Tool::flushSummary() const
 void
 Tool::complain(const std::string& line) const
 {
-  std::cerr << name_ + ": " + line + "\n";
+  std::cerr << name_ + ": " + printable(line) + "\n";
 }
 
 std::string

@@ -158,6 +158,10 @@ private:
   void
   flushSummary() const;
 
+  /** \brief Prints on stdout. \throws OutputFileException when it could not */
+  void
+  print(const std::string& text) const;
+
   void
   complain(const std::string& line) const;
 
@@ -168,7 +172,9 @@ private:
   std::vector<std::string> automatic_options_;
   std::string report_path_;
   bool quiet_ = false;
+  std::size_t memory_limit_ = 0; // bytes; 0: none
   std::vector<std::string> command_line_;
+  void (*pipe_action_)(int) = nullptr; // what SIGPIPE did when the tool was started
   Told told_;
 };
 

@@ -1,5 +1,6 @@
 #include "map_pictures.h"
 
+#include "memory.h"
 #include "plane_extraction/plane_outputs.h"
 
 #include <pcl/visualization/map_snapshot.h>
@@ -14,6 +15,7 @@ savePictures(const OutputFolder& folder,
              const Extraction& extraction,
              const CompactMap& map)
 {
+  const UnlimitedMemory while_drawing;
   const HypothesisMesh& mesh = extraction.mesh;
   saveSnapshot(
       folder.path("mesh.png"), mesh.vertices.cloud, mesh.mesh, sceneViewOf(mesh));

@@ -1,5 +1,6 @@
 #include "map_stage.h"
 
+#include "length_check.h"
 #include "map_pictures.h"
 #include "merged_map.h"
 #include "observation_folder.h"
@@ -35,6 +36,7 @@ mapSequence(Tool& tool,
     const MergedMap merged = mergeObservations(
         tool, posed, options.texture.skip_broken, options.most_points);
     timer.finish("read");
+    warnOfLengths(tool, merged.file);
     tool.details()["observations"] = merged.observations;
     tool.tell("read",
               std::to_string(merged.observations) + " observations, " +
@@ -44,7 +46,7 @@ mapSequence(Tool& tool,
     savePointCloud(folder.path("map.pcd"), thinned(merged.file.cloud));
     timer.finish("write");
   }
-  requirePlanes(tool, options.planes, result.extraction);
+  requirePlanes(tool, options.input, result.extraction);
   result.map =
       paintPlanes(tool, result.extraction.clusters.patches, posed, options.texture);
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
@@ -56,9 +58,10 @@ mapCloud(Tool& tool, const ChainOptions& options, StepTimer& timer)
 {
   const PointCloudFile file = loadScaledCloud(options.input, tool.scale());
   timer.finish("read");
+  warnOfLengths(tool, file);
   Mapped result;
   result.extraction = extractFromCloud(tool, options.planes, timer, file);
-  requirePlanes(tool, options.planes, result.extraction);
+  requirePlanes(tool, options.input, result.extraction);
   result.map =
       paintPlanes(tool, result.extraction.clusters.patches, file, options.texture);
   return result;

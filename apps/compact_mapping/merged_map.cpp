@@ -22,7 +22,7 @@ mergeObservations(Tool& tool,
   MergedMap map;
   MapRows rows(0, true);
   rows.setMost(most_points);
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = folder.remarks();
   std::vector<Eigen::Isometry3d> poses;
   tool.withProgress([&](const ProgressCallback& callback) {
     const Progress progress(callback);

@@ -2,7 +2,7 @@
 
 #include "observation_folder.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/file_format.h>
 
 #include <Eigen/Geometry>
 
@@ -96,14 +96,22 @@ SessionTruth::mainPlanes() const
   return main;
 }
 
+std::vector<TruePlane>
+readTruePlanes(const YamlNode& file)
+{
+  requireFormat(file, file_formats::truth);
+  std::vector<TruePlane> planes;
+  for (const YamlNode& plane : file.at("planes").list(1, most_planes))
+    planes.push_back(planeOf(plane));
+  return planes;
+}
+
 SessionTruth
 loadSessionTruth(const std::string& folder)
 {
   const std::string path = folder + "/truth.json";
-  const YamlNode file = loadYaml(path); // which JSON is a part of
   SessionTruth truth;
-  for (const YamlNode& plane : file.at("planes").list(1, most_planes))
-    truth.planes.push_back(planeOf(plane));
+  truth.planes = readTruePlanes(loadYaml(path)); // which JSON is a part of
   if (pointsOf(truth.planes) == 0)
     throw InputFileException(path + ": none of its planes has points");
   truth.trajectory_path = folder + "/" + trajectory_name;

@@ -2,6 +2,7 @@
 
 #include <pcl/core/chart_clip.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/core/yaml_node.h>
 
 #include <Eigen/Core>
 
@@ -38,5 +39,10 @@ struct SessionTruth {
  * normal that is not of unit length, corners of no rectangle, no plane that has points */
 SessionTruth
 loadSessionTruth(const std::string& folder);
+
+/** \brief The planes of a truth.json.
+ * \throws InputFileException likewise */
+std::vector<TruePlane>
+readTruePlanes(const YamlNode& file);
 
 } // namespace pcl::acmap

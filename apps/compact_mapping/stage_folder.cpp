@@ -1,15 +1,17 @@
 #include "stage_folder.h"
 
-#include "killed_runs.h"
+#include "json_file.h"
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/file_format.h>
+#include <pcl/core/folder_entries.h>
+#include <pcl/core/hidden_folder.h>
 #include <pcl/core/output_file.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace pcl::acmap {
@@ -21,24 +23,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* state_name = "stage.json";
 
+/** What the folder's stage.json tells.
+ * \return a discarded value where it is missing or damaged
+ * \throws OutputFileException when a newer acmap wrote it, which knows what it is for */
 Json
-readState(const fs::path& path)
+readState(const fs::path& folder)
 {
-  std::ifstream file(path);
-  return Json::parse(file, nullptr, false);
+  const Json state = readJson((folder / state_name).string());
+  if (!state.is_object() || !state.contains("format") ||
+      !state["format"].is_number_unsigned())
+    return state;
+  const std::string fault =
+      faultOfFormat(state["format"].get<std::uint64_t>(), file_formats::stage);
+  if (!fault.empty())
+    throw OutputFileException((folder / state_name).string() + ": " + fault);
+  return state;
 }
 
 std::string
 dumped(const Json& json, int indent)
 {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-/** Whether a name stays in its folder: stage.json may be anybody's. */
-bool
-isPlain(const std::string& name)
-{
-  return !name.empty() && name.find('/') == std::string::npos && name != "..";
 }
 
 /** As it comes back from a file, where bytes that are no text were replaced. */
@@ -62,7 +67,7 @@ std::optional<Told>
 StageFolder::finished() const
 {
   try {
-    const Json state = readState(fs::path(path_) / state_name);
+    const Json state = readState(path_);
     if (!state.is_object() || state.at("made_of") != made_of_ ||
         !state.at("finished").get<bool>())
       return std::nullopt;
@@ -81,7 +86,7 @@ StageFolder::finished() const
 bool
 StageFolder::isInterrupted() const
 {
-  const Json state = readState(fs::path(path_) / state_name);
+  const Json state = readState(path_);
   return state.is_object() && state.contains("made_of") &&
          state["made_of"] == made_of_ && state.contains("finished") &&
          state["finished"] == false;
@@ -91,13 +96,13 @@ Json
 StageFolder::earlierResults() const
 {
   try {
-    const Json state = readState(fs::path(path_) / state_name);
+    const Json state = readState(path_);
     if (!state.is_object())
       return Json::array();
     Json entries = Json::array();
     for (const Json& entry :
          state.at(state.at("finished").get<bool>() ? "results" : "earlier"))
-      if (entry.at(0).is_string() && isPlain(entry.at(0).get<std::string>()))
+      if (entry.at(0).is_string() && isPlainName(entry.at(0).get<std::string>()))
         entries.push_back(entry);
     return entries;
   }
@@ -144,23 +149,37 @@ StageFolder::abandon() const
 void
 StageFolder::begin() const
 {
-  removeLeftovers(path_);
-  removeLeftovers(result_folder_);
+  removeLeftoversIn(path_);
   if (isInterrupted())
     return;
   std::error_code error;
   const Json earlier = earlierResults();
   if (fs::exists(path_, error)) {
     requireNoStrangers(earlier);
-    fs::remove_all(path_, error);
+    removeAllButState(error);
   }
   if (!error)
     fs::create_directories(path_, error);
   if (error)
     throw OutputFileException(path_ + ": " + error.message());
-  write({{"made_of", made_of_},
-         {"finished", false},
-         {"earlier", result_folder_ == path_ ? Json::array() : earlier}});
+  try {
+    write({{"format", file_formats::stage},
+           {"made_of", made_of_},
+           {"finished", false},
+           {"earlier", result_folder_ == path_ ? Json::array() : earlier}});
+  }
+  catch (...) {
+    abandon();
+    throw;
+  }
+}
+
+void
+StageFolder::removeAllButState(std::error_code& error) const
+{
+  for (const std::string& name : filesIn(path_))
+    if (name != state_name && !error)
+      fs::remove(fs::path(path_) / name, error);
 }
 
 void
@@ -180,7 +199,8 @@ void
 StageFolder::finish(const Told& told, const std::vector<std::string>& names) const
 {
   removeStale(names);
-  write({{"made_of", made_of_},
+  write({{"format", file_formats::stage},
+         {"made_of", made_of_},
          {"finished", true},
          {"results", results(names)},
          {"told", jsonOf(told)}});
@@ -214,15 +234,11 @@ filesIn(const std::string& folder)
 {
   std::vector<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.front() != '.' && entry->is_regular_file(error))
+  for (const fs::path& entry : folderEntries(folder)) {
+    const std::string name = entry.filename().string();
+    if (name.front() != '.' && fs::is_regular_file(entry, error))
       names.push_back(name);
   }
-  if (error)
-    throw InputFileException(folder + ": " + error.message());
-  std::sort(names.begin(), names.end());
   return names;
 }
 

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace pcl::acmap {
@@ -67,6 +68,11 @@ private:
   /** \throws OutputFileException when the folder holds what no run put there */
   void
   requireNoStrangers(const nlohmann::ordered_json& earlier) const;
+
+  /** \brief Empties the folder, but for what tells whose the results elsewhere are until a
+   * new state does. */
+  void
+  removeAllButState(std::error_code& error) const;
 
   /** \brief Removes results of the runs before that this one has not, as far as nobody has
    * changed them. */

@@ -207,7 +207,10 @@ void
 requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
 {
   if (options.rig.empty())
-    throw UsageError("--rig is needed, the rig of the camera");
+    throw UsageError("--rig is needed, the rig of the camera" +
+                     (options.device.empty()
+                          ? ""
+                          : "; " + options.device + " is no folder with a recording"));
   if (!options.isStream()) {
     refuse(app, for_stream, "is for a stream of frames, --patterns 0");
     // Both are measured with shots of their own, for which nobody triggers.

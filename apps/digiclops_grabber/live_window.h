@@ -1,5 +1,7 @@
 #pragma once
 
+#include "memory.h"
+
 #include <pcl/core/point_types.h>
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/point_cloud.h>
@@ -39,6 +41,7 @@ public:
   isClosed() const;
 
 private:
+  UnlimitedMemory while_open_;
   struct Window;
   std::unique_ptr<Window> window_;
 };

@@ -1,11 +1,13 @@
 #include "map_observations.h"
 
 #include "cloud_fields.h"
+#include "length_check.h"
 
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/consolidation_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::acmap {
 
@@ -54,7 +56,8 @@ count(const ConsolidationReport& report, Counts& counts)
 }
 
 void
-consolidate(const PointView& points,
+consolidate(const std::string& path,
+            const PointView& points,
             unsigned threads,
             const Progress& progress,
             MapObservations& observations,
@@ -70,22 +73,29 @@ consolidate(const PointView& points,
       consolidatePoints(points, sensor, ColorView(), settings, progress, report);
   observations.clouds.push_back(cloudOf(consolidation.representatives));
   const double edges = report.voxel_size / least_voxel;
-  observations.weights.emplace_back(consolidation.representatives.size(),
-                                    static_cast<float>(edges * edges));
+  const auto weight = static_cast<float>(edges * edges);
+  if (!std::isfinite(weight))
+    throw InputFileException(path + ": its points are " +
+                             shortNumber(report.voxel_size) +
+                             " m apart: these cannot be metres");
+  observations.weights.emplace_back(consolidation.representatives.size(), weight);
   count(report, counts);
 }
 
-void
+/** \brief Counts an observation. \return its finite points */
+std::size_t
 add(const PosedFolder& folder,
     std::size_t i,
     const PosedObservation& seen,
     MapObservations& observations)
 {
-  observations.points += finitePoints(seen.file.points());
+  const std::size_t points = finitePoints(seen.file.points());
+  observations.points += points;
   observations.colored = observations.colored || findColor(seen.file.cloud);
   observations.files.push_back(folder.names()[i]);
   observations.trajectory.stamps.push_back(folder.stamp(i));
   observations.trajectory.poses.push_back(seen.T_map_camera);
+  return points;
 }
 
 void
@@ -131,9 +141,16 @@ readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
                     "reading");
       try {
         const PosedObservation seen = folder.load(i, remarks);
-        add(folder, i, seen, observations);
-        consolidate(
-            seen.file.points(), tool.threads(), Progress(), observations, counts);
+        if (i == 0)
+          warnOfLengths(tool, seen.file);
+        if (add(folder, i, seen, observations) == 0)
+          tool.warn(folder.path(i) + ": has no point");
+        consolidate(folder.path(i),
+                    seen.file.points(),
+                    tool.threads(),
+                    Progress(),
+                    observations,
+                    counts);
         places.push_back(i);
       }
       catch (const InputFileException& error) {
@@ -144,6 +161,8 @@ readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
     }
   });
   warnOf(tool, remarks);
+  for (const std::string& remark : folder.remarks())
+    tool.warn(remark);
   if (places.empty())
     throw InputFileException("none of the observations can be read");
   folder.requireDifferent(observations.trajectory.poses);

@@ -4,6 +4,7 @@
 #include "observation_folder.h"
 #include "observation_names.h"
 
+#include <pcl/core/file_format.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/core/yaml_node.h>
@@ -83,6 +84,7 @@ loadFilmedSession(const std::string& folder)
   requireThere(path,
                "the figures need the truth of a session that pcl_simulated_rig filmed");
   const YamlNode truth = loadYaml(path); // which JSON is a part of
+  requireFormat(truth, file_formats::truth);
   FilmedSession session;
   session.folder = folder;
   session.scene = truth.at("scene").text();

@@ -2,6 +2,8 @@
 
 #include "standard_figures.h"
 
+#include <pcl/core/file_format.h>
+
 #include <initializer_list>
 
 namespace pcl::acmap {
@@ -90,7 +92,9 @@ planOf(const YamlNode& file)
 {
   constexpr std::size_t least_width = 200, most_width = 8000; // px
   constexpr std::size_t most_examples = 8, most_steps = 16;
-  file.requireKeys({"scene",
+  requireFormat(file, file_formats::figures);
+  file.requireKeys({"format",
+                    "scene",
                     "observations",
                     "width",
                     "fig2",

@@ -2,6 +2,7 @@
 
 #include "cloud_fields.h"
 #include "drawing.h"
+#include "memory.h"
 
 #include <algorithm>
 #include <array>
@@ -191,7 +192,10 @@ drawn(const OutputFolder& folder,
       const std::function<void(const std::string& path)>& draw)
 {
   const std::string path = folder.path("drawing.png");
-  draw(path);
+  {
+    const UnlimitedMemory while_drawing;
+    draw(path);
+  }
   RgbImage image = loadRgbImage(path);
   std::filesystem::remove(path);
   return image;

@@ -106,12 +106,10 @@ labelsOfPoints(const std::vector<std::int32_t>& of_vertices,
 } // namespace
 
 void
-requirePlanes(const Tool& tool,
-              const PlaneOptions& options,
-              const Extraction& extraction)
+requirePlanes(const Tool& tool, const std::string& input, const Extraction& extraction)
 {
   if (extraction.clusters.patches.empty())
-    tool.failWithNothing(options.input + ": no plane was found");
+    tool.failWithNothing(input + ": no plane was found");
 }
 
 Extraction

@@ -15,11 +15,10 @@ struct Extraction {
   std::size_t finite_points = 0;          ///< of the input
 };
 
-/** \throws NothingFound, with the reasons, when there is no plane */
+/** \param[in] input what the planes were looked for in
+ * \throws NothingFound, with the reasons, when there is no plane */
 void
-requirePlanes(const Tool& tool,
-              const PlaneOptions& options,
-              const Extraction& extraction);
+requirePlanes(const Tool& tool, const std::string& input, const Extraction& extraction);
 
 /** \brief Takes the vertices of a mesh for hypotheses. */
 Extraction

@@ -2,6 +2,7 @@
 
 #include "cloud_fields.h"
 #include "cloud_labels.h"
+#include "memory.h"
 
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_writer.h>
@@ -73,6 +74,7 @@ savePicture(const std::string& path,
             const HypothesisMesh& mesh,
             const std::vector<std::int32_t>& planes)
 {
+  const UnlimitedMemory while_drawing;
   saveSnapshot(path,
                coloredByLabel(withLabels(mesh.vertices.cloud, planes)),
                mesh.mesh,

@@ -2,7 +2,7 @@
 
 #include "text_rows.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/file_format.h>
 
 namespace pcl::acmap {
 
@@ -69,8 +69,15 @@ kinectColorCamera()
 ColorCamera
 loadColorCamera(const std::string& path)
 {
-  const YamlNode camera = loadYaml(path);
-  camera.requireKeys({"focal_length",
+  return readColorCamera(loadYaml(path));
+}
+
+ColorCamera
+readColorCamera(const YamlNode& camera)
+{
+  requireFormat(camera, file_formats::camera);
+  camera.requireKeys({"format",
+                      "focal_length",
                       "focal_length_x",
                       "focal_length_y",
                       "center_x",

@@ -2,6 +2,8 @@
 
 #include "pinhole.h"
 
+#include <pcl/core/yaml_node.h>
+
 #include <Eigen/Geometry>
 
 #include <string>
@@ -26,5 +28,9 @@ kinectColorCamera();
  * \throws InputFileException naming file, line and fault */
 ColorCamera
 loadColorCamera(const std::string& path);
+
+/** \brief The reader behind it. */
+ColorCamera
+readColorCamera(const YamlNode& camera);
 
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #include "rgbd_sequence.h"
 
 #include "text_rows.h"
+#include "tool.h"
 
 #include <pcl/core/exceptions.h>
 
@@ -58,7 +59,7 @@ poseOf(const RgbdFrame& frame)
   }
   if (!(pose.translation().cwiseAbs().maxCoeff() < farthest))
     throw InputFileException(frame.depth + ": its camera is " +
-                             std::to_string(pose.translation().norm()) +
+                             shortNumber(pose.translation().norm()) +
                              " m away from the origin");
   return pose;
 }

@@ -1,6 +1,7 @@
 #include "rgbd_sequence.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/folder_entries.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -42,9 +43,8 @@ FrameFiles
 listFrames(const std::string& folder)
 {
   FrameFiles frames;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+  for (const fs::path& entry : folderEntries(folder)) {
+    const std::string name = entry.filename().string();
     const std::size_t begin = std::string(prefix).size();
     if (name.rfind(prefix, 0) != 0)
       continue;
@@ -55,8 +55,6 @@ listFrames(const std::string& folder)
         (isPicture(ending) || ending == pose_ending))
       frames[name.substr(begin, end - begin)].insert(ending);
   }
-  if (error)
-    throw InputFileException(folder + ": " + error.message());
   return frames;
 }
 

@@ -65,9 +65,15 @@ loadTextRows(const std::string& path)
   std::ifstream file(path);
   if (!file)
     fail(path, "cannot be read");
+  return readTextRows(file, path);
+}
+
+std::vector<TextRow>
+readTextRows(std::istream& stream, const std::string& path)
+{
   std::vector<TextRow> rows;
   std::size_t line = 0;
-  for (std::string text; std::getline(file, text);) {
+  for (std::string text; std::getline(stream, text);) {
     TextRow row{++line, {}};
     std::istringstream words(text.substr(0, text.find('#')));
     for (std::string word; words >> word;)
@@ -75,7 +81,7 @@ loadTextRows(const std::string& path)
     if (!row.words.empty())
       rows.push_back(std::move(row));
   }
-  if (file.bad())
+  if (stream.bad())
     fail(path, "cannot be read to its end");
   if (rows.empty())
     fail(path, "is empty");

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct TextRow {
  * \throws InputFileException when it is missing, empty, unreadable or too long */
 std::vector<TextRow>
 loadTextRows(const std::string& path);
+
+/** \brief The same of a stream.
+ * \param[in] path stands for it in messages
+ * \throws InputFileException when it is empty or cannot be read to its end */
+std::vector<TextRow>
+readTextRows(std::istream& stream, const std::string& path);
 
 /** \brief Throws an InputFileException that names file, line and word.
  * \param[in] fault what follows the word, as "is no finite number" */

@@ -1,6 +1,7 @@
 #include "truth_file.h"
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 
 namespace pcl::acmap {
@@ -39,6 +40,7 @@ Json
 truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations)
 {
   return {{"version", ACMAP_VERSION},
+          {"format", file_formats::truth},
           {"scene", scene.name},
           {"seed", seed},
           {"observations", observations}};

@@ -2,6 +2,7 @@
 
 #include "cloud_fields.h"
 #include "command_line.h"
+#include "length_check.h"
 #include "memory.h"
 #include "stage_reports.h"
 
@@ -132,7 +133,7 @@ paintPlanes(Tool& tool,
   requireRoom(planes, settings);
   TextureBuilder builder(planes, settings);
   Trajectory trajectory;
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = folder.remarks();
   tool.withProgress([&](const ProgressCallback& callback) {
     const Progress progress(callback);
     for (std::size_t i = 0; i < folder.size(); ++i) {
@@ -140,6 +141,8 @@ paintPlanes(Tool& tool,
                     "painting");
       try {
         const PosedObservation seen = folder.load(i, remarks);
+        if (i == 0 && tool.warnings().empty()) // else who merged them has told
+          warnOfLengths(tool, seen.file);
         builder.add(viewOf(seen.file, seen.T_map_camera));
         trajectory.stamps.push_back(folder.stamp(i));
         trajectory.poses.push_back(seen.T_map_camera);

@@ -26,13 +26,6 @@ sizeText(const PointCloud<PointXYZRGBSigma>& cloud)
   return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " points";
 }
 
-void
-warnOfLengths(Tool& tool, const PointCloudFile& file)
-{
-  for (const std::string& remark : lengthRemarks(file.points(), 0, tool.scale()))
-    tool.warn(remark);
-}
-
 /** \brief Estimates pairs, and keeps what they told. */
 class PairEstimator {
 public:

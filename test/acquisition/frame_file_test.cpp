@@ -155,7 +155,8 @@ TEST(FrameFile, RefusesHeadersThatLie)
 {
   const Bytes same = frameWith<std::uint64_t>(number_place, 17);
   EXPECT_EQ(faultOf(same), "");
-  EXPECT_THAT(faultOf(frameWith<std::uint32_t>(8, 2)), HasSubstr("version 2"));
+  EXPECT_THAT(faultOf(frameWith<std::uint32_t>(8, 2)),
+              HasSubstr("written by a newer acmap (format 2"));
   for (const auto& [place, value, fault] :
        {std::tuple{first_image_place, 17U, "horizontal camera: 16 x 12 pixels"},
         {first_image_place + 8, 4U, "4 channels"},

@@ -1,5 +1,6 @@
 #include "active_stereo_runs.h"
 #include "simulated_runs.h"
+#include "unfinished_file.h"
 
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/trajectory.h>
@@ -202,22 +203,6 @@ TEST_F(ActiveStereoSession, RawFramesAreRectified)
   EXPECT_THAT(runLists({"--min-depth", "1"}).err, HasSubstr("--rectify"));
 }
 
-TEST_F(ActiveStereoSession, SameBytesForAnyThreads)
-{
-  const auto bytes = [&](const std::string& threads) {
-    EXPECT_EQ(runSession({"--disparity", "--threads", threads}).exit_code, 0);
-    std::string all;
-    for (const char* name :
-         {"observation_0000.pcd", "observation_0001.pcd", "disparity_0001.pfm"})
-      all += contentOf(out(name));
-    std::filesystem::remove_all(out_);
-    return all;
-  };
-  const std::string once = bytes("1");
-  EXPECT_EQ(bytes("2"), once);
-  EXPECT_EQ(bytes("7"), once);
-}
-
 TEST_F(ActiveStereoSession, ReportTellsOfEachObservation)
 {
   const std::string report = folder_.path("report.json");
@@ -325,18 +310,6 @@ recordRepeated(const std::string& folder,
   recorder.finish();
 }
 
-/** \brief Whether a run has begun to write its second observation: the first is whole. */
-bool
-writesTheSecond(const std::string& folder)
-{
-  namespace fs = std::filesystem;
-  std::error_code error; // files come and go
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (fs::exists(entry.path() / "observation_0001.pcd", error))
-      return true;
-  return false;
-}
-
 TEST_F(ActiveStereoSession, AnInterruptedRunKeepsWhatIsFinished)
 {
   constexpr int observations = 250; // seconds of work, so that it cannot finish before
@@ -344,7 +317,7 @@ TEST_F(ActiveStereoSession, AnInterruptedRunKeepsWhatIsFinished)
   recordRepeated(
       input_, loadTrinocularRig(rig_), *framesOf(session())[1], observations);
   RunSettings settings;
-  settings.interrupt_when = [&] { return writesTheSecond(out_); };
+  settings.interrupt_when = [&] { return isUnfinished(out_, "observation_0001.pcd"); };
   const ToolRun run =
       runSession({"--disparity", "--min-depth", "0.05", "--threads", "1"}, settings);
   ASSERT_EQ(run.exit_code, 130) << run.err;

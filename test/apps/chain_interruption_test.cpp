@@ -15,18 +15,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/** \brief Whether a run has a file in the hidden part of a folder. */
-bool
-isWriting(const std::string& folder, const std::string& name)
-{
-  std::error_code error; // files come and go
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (fs::exists(entry->path() / name, error))
-      return true;
-  return false;
-}
-
 class ChainInterruption : public ChainTest {
 protected:
   std::string
@@ -35,13 +23,13 @@ protected:
     return out_ + "/stages/" + name;
   }
 
-  /** \brief Settings that stop a run as soon as an observation is written. */
+  /** \brief Settings that stop a run as soon as its first observation is there. */
   RunSettings
-  stopAfterObservation(const std::string& name, int signal = SIGINT) const
+  stopAfterObservation(int signal) const
   {
     RunSettings settings;
     settings.interruption = signal;
-    settings.interrupt_when = [=] { return isWriting(stage("observations"), name); };
+    settings.interrupt_when = [=] { return fs::exists(first_); };
     return settings;
   }
 
@@ -62,22 +50,22 @@ protected:
   }
 
   std::string out_ = folder_.path("out");
+  std::string first_ = stage("observations") + "/observation_0000.pcd";
 };
 
 TEST_F(ChainInterruption, FinishedObservationsAreNotMatchedAnew)
 {
-  const ToolRun stopped = run(stopAfterObservation("observation_0000.pcd"));
+  const ToolRun stopped = run(stopAfterObservation(SIGINT));
   expectRefused(stopped, 130, "kept in " + out_ + "/stages");
   EXPECT_THAT(stopped.err, HasSubstr("observations in part"));
   EXPECT_THAT(hiddenIn(out_), IsEmpty());
   EXPECT_FALSE(fs::exists(out_ + "/map.json"));
   EXPECT_FALSE(fs::exists(out_ + "/report.json"));
-  const std::string first = stage("observations") + "/observation_0000.pcd";
-  ASSERT_TRUE(fs::exists(first));
+  ASSERT_TRUE(fs::exists(first_));
   ASSERT_FALSE(fs::exists(stage("observations") + "/observation_0002.pcd"));
-  const auto time = fs::last_write_time(first);
+  const auto time = fs::last_write_time(first_);
   finish();
-  EXPECT_EQ(fs::last_write_time(first), time);
+  EXPECT_EQ(fs::last_write_time(first_), time);
   const auto report = jsonOfFile(out_ + "/report.json");
   const auto whole = jsonOfFile(map_ + "/report.json");
   EXPECT_EQ(report.at("stages")[0].at("details").at("observations"),
@@ -125,12 +113,14 @@ TEST_F(ChainInterruption, AMapThatIsThereSurvivesTheNextOnesInterruption)
   EXPECT_FALSE(fs::exists(map_ + "/energy.png"));
 }
 
-TEST_F(ChainInterruption, AKilledRunLeavesNothingThatStays)
+TEST_F(ChainInterruption, AKilledRunKeepsItsObservationsAndLeavesNothingThatStays)
 {
-  const ToolRun killed = run(stopAfterObservation("observation_0000.pcd", SIGKILL));
+  const ToolRun killed = run(stopAfterObservation(SIGKILL));
   EXPECT_EQ(killed.signal, SIGKILL);
   EXPECT_THAT(hiddenIn(out_), Not(IsEmpty()));
+  const auto time = fs::last_write_time(first_);
   finish();
+  EXPECT_EQ(fs::last_write_time(first_), time);
 }
 
 } // namespace

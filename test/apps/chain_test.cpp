@@ -73,13 +73,6 @@ TEST_F(ChainTest, ThePointsTellWhoSawThem)
             jsonOfFile(map_ + "/report.json").at("finite_points"));
 }
 
-TEST_F(ChainTest, GivesTheSameBytesForAnyThreads)
-{
-  const std::string out = folder_.path("one");
-  ASSERT_EQ(runSessionChain(session_, out, {"--threads", "1"}).exit_code, 0);
-  EXPECT_THAT(differing(resultsIn(out), resultsIn(map_)), IsEmpty());
-}
-
 TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
 {
   const std::string out = folder_.path("thin");

@@ -174,25 +174,6 @@ TEST(RectificationTool, ObservationsAreASequenceAgain)
   EXPECT_THAT(again.err, Not(HasSubstr("VIEWPOINT")));
 }
 
-TEST(RectificationTool, TheSameRunGivesTheSameFiles)
-{
-  const TemporaryFolder folder;
-  const auto run = [&](const std::string& name, const std::string& threads) {
-    const ToolRun made = runRectification(
-        {driftedRoom().session, "-o", folder.path(name), "--threads", threads});
-    EXPECT_EQ(made.exit_code, 0) << made.err;
-  };
-  run("one", "1");
-  run("two", "3");
-  for (const std::string& name : all_outputs) {
-    if (name == "report.json") // has seconds
-      continue;
-    EXPECT_EQ(contentOf(folder.path("one/" + name)),
-              contentOf(folder.path("two/" + name)))
-        << name;
-  }
-}
-
 TEST(RectificationTool, StraightensALog)
 {
   const TemporaryFolder folder;

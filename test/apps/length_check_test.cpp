@@ -58,6 +58,27 @@ TEST(LengthCheck, NamesAFarPointButDoesNotTakeItForMillimetres)
       << remarks[0];
 }
 
+TEST(LengthCheck, NamesLengthsThatNoBuildingHas)
+{
+  const Cloud vast = test::scaled(makePlane(), 1e30F);
+  const auto remarks = lengthRemarks(viewOf(vast), 1e28, 1);
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].find("cannot be metres"), std::string::npos) << remarks[0];
+}
+
+TEST(LengthCheck, NamesPlacesThatFloatsAreTooCoarseFor)
+{
+  const auto at = [](double place) {
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    motion.translation().y() = place;
+    return lengthRemarks(viewOf(test::moved(makePlane(), motion)), 0.01, 1);
+  };
+  EXPECT_TRUE(at(8000).empty());
+  const auto remarks = at(5e6);
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].find("take an offset off"), std::string::npos) << remarks[0];
+}
+
 TEST(LengthCheck, SurvivesCloudsWithoutExtent)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();

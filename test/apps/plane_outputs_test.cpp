@@ -150,20 +150,6 @@ TEST_F(PlaneOutputs, SummaryAndReportTellWhatWasDone)
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
-TEST_F(PlaneOutputs, SameBytesForAnyNumberOfThreads)
-{
-  const auto bytes = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"--labels", labels_, "--normals", normals_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_EQ(run(arguments).exit_code, 0);
-    return contentOf(json_) + contentOf(labels_) + contentOf(normals_);
-  };
-  const std::string once = bytes({"--threads", "1"});
-  for (const char* threads : {"2", "8", "0"})
-    EXPECT_EQ(bytes({"-threads", threads}), once) << threads;
-  EXPECT_EQ(bytes({"--threads", "1", "--paper"}), bytes({"--threads", "8", "--paper"}));
-}
-
 TEST_F(PlaneOutputs, AFullDiskLeavesTheOldFilesAll)
 {
   folder_.write("p.json", "old planes");

@@ -30,12 +30,9 @@ protected:
   TemporaryFolder folder_;
 };
 
-TEST_F(RectificationFaults, InputsThatAreNone)
+TEST_F(RectificationFaults, LogsThatAreNone)
 {
-  refuse({folder_.path("no where")}, 3, "no where");
-  refuse({folder_.write("file", "x")}, 3, "is no folder");
   fs::create_directory(folder_.path("empty"));
-  refuse({folder_.path("empty")}, 3, "holds no .pcd");
   refuse({"--carmen", folder_.path("no log")}, 3, "no log");
   refuse({"--carmen", folder_.write("log", "")}, 3, "is empty");
   refuse({"--carmen", folder_.write("log", "ODOM 0 0 0\n")}, 3, "no FLASER");
@@ -61,17 +58,6 @@ TEST_F(RectificationFaults, OdometryNoiseThatIsNone)
     arguments.insert(arguments.end(), noise.begin(), noise.end());
     refuse(arguments, 2, "--odometry-noise");
   }
-}
-
-TEST_F(RectificationFaults, ObservationsThatCannotBeRead)
-{
-  const std::string session = copyOfRoom(folder_.path("session"));
-  const std::string path = session + "/observation_0003.pcd";
-  const std::string whole = contentOf(path);
-  folder_.write("session/observation_0003.pcd", whole.substr(0, whole.size() / 2));
-  refuse({session}, 3, "observation_0003.pcd");
-  folder_.write("session/observation_0003.pcd", "");
-  refuse({session}, 3, "observation_0003.pcd");
 }
 
 TEST_F(RectificationFaults, PosesThatAreMissing)

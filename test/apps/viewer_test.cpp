@@ -106,19 +106,34 @@ TEST_F(Viewer, RefusesDamagedVtk)
 {
   const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n";
   const std::string points = "POINTS 3 float\n0 0 1 1 0 1 0 1 1\n";
-  for (const std::string& text :
-       {std::string(),
-        std::string("garbage"),
-        head,
-        head + "POINTS 4000000000 float\n0 0 0\n",
-        head + "POINTS -3 float\n0 0 0\n",
-        head + points + "POLYGONS 1 4\n3 0 1 7\n",
-        head + points + "POLYGONS 1 4\n300 0 1 2\n",
-        head + points + "POLYGONS 4000000000 16000000000\n3 0 1 2\n",
-        head + points + "POLYGONS -1 -4\n3 0 1 2\n"}) {
+  for (const std::string& text : {std::string(),
+                                  std::string("garbage"),
+                                  head,
+                                  head + "POINTS -3 float\n0 0 0\n",
+                                  head + points + "POLYGONS 1 4\n3 0 1 7\n",
+                                  head + points + "POLYGONS 1 4\n300 0 1 2\n",
+                                  head + points + "POLYGONS -1 -4\n3 0 1 2\n"}) {
     SCOPED_TRACE(text);
     const std::string input = folder_.write("in.vtk", text);
     expectRefused(runViewer({input, "--screenshot", picture_}), 3, input);
+  }
+}
+
+TEST_F(Viewer, RefusesVtkThatClaimsBillions)
+{
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n";
+  const std::string points = "POINTS 3 float\n0 0 1 1 0 1 0 1 1\n";
+  for (const std::string& text :
+       {head + "POINTS 4000000000 float\n0 0 0\n",
+        head + points + "POLYGONS 4000000000 16000000000\n3 0 1 2\n",
+        head + points + "POLYGONS 1 16000000000\n3 0 1 2\n",
+        head + points + "TRIANGLE_STRIPS 4000000000 4\n3 0 1 2\n",
+        head + points + "POINT_DATA 4000000000\nSCALARS c float\n1 2 3\n"}) {
+    SCOPED_TRACE(text);
+    const std::string input = folder_.write("in.vtk", text);
+    expectRefused(runViewer({input, "--memory-limit", "2GB", "--screenshot", picture_}),
+                  3,
+                  "in.vtk: claims more");
   }
 }
 

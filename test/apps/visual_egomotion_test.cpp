@@ -176,30 +176,6 @@ TEST(EgomotionTool, NothingIsWrittenWhenAllAreLost)
   EXPECT_FALSE(fs::exists(folder.path("out")));
 }
 
-TEST(EgomotionTool, TheSameRunGivesTheSameFiles)
-{
-  const TemporaryFolder folder;
-  const std::vector<std::pair<const char*, const char*>> runs = {
-      {"one", "1"}, {"two", "1"}, {"three", "3"}};
-  for (const auto& [name, threads] : runs)
-    ASSERT_EQ(runEgomotion({hall().session,
-                            "-o",
-                            folder.path(name),
-                            "--pictures",
-                            "--threads",
-                            threads})
-                  .exit_code,
-              0);
-  for (const std::string& name : filesIn(folder.path("one"))) {
-    if (name == "report.json") // has seconds
-      continue;
-    for (const char* other : {"two/", "three/"})
-      EXPECT_EQ(contentOf(folder.path("one/" + name)),
-                contentOf(folder.path(other + name)))
-          << name;
-  }
-}
-
 TEST(EgomotionTool, FilesInTheOrderOfTheCommandLine)
 {
   const TemporaryFolder folder;

@@ -18,7 +18,7 @@ struct NormalVectorVotingTraits {
   using Class = NormalVectorVoting<PointXYZ>;
 
   struct Output : PointCloud<Normal> {
-    /** Byte by byte: normals may be NaN. */
+    /** Byte by byte: normals may be NaN. What is behind the curvature is nobody's. */
     bool
     operator==(const Output& other) const
     {
@@ -26,7 +26,8 @@ struct NormalVectorVotingTraits {
              std::equal(
                  begin(), end(), other.begin(), [](const auto& a, const auto& b) {
                    return std::memcmp(a.data_n, b.data_n, sizeof a.data_n) == 0 &&
-                          std::memcmp(a.data_c, b.data_c, sizeof a.data_c) == 0;
+                          std::memcmp(&a.curvature, &b.curvature, sizeof a.curvature) ==
+                              0;
                  });
     }
   };

@@ -129,7 +129,9 @@ TEST_F(MapFile, FaultsAreNamed)
   using Json = nlohmann::json;
   for (const auto& [pointer, value, word] :
        std::vector<std::tuple<std::string, Json, std::string>>{
-           {"/format", 2, "format is 2, this acmap knows up to 1"},
+           {"/format",
+            2,
+            "was written by a newer acmap (format 2; this one reads up to 1)"},
            {"/format", "one", "format is no whole number"},
            {"/unit", "mm", "unit is not \"m\""},
            {"/planes", 3, "planes is no array"},
@@ -157,6 +159,8 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/charts/0/polygon", 2, "charts[0].polygon is 2, the plane has 2"},
            {"/planes/0/charts/0/image", 2, "charts[0].image is no text"},
            {"/planes/0/charts/1/kinds", 2, "charts[1].kinds is no text"},
+           {"/planes/0/charts/0/image", "\n.png", "image has letters that are not"},
+           {"/planes/0/charts/1/kinds", "\u00fc.png", "kinds has letters that are not"},
            {"/planes/0/charts/0/origin/0", nullptr, "origin[0] is no number"},
            {"/planes/0/charts/0/texel_u",
             {0, 0, 0},

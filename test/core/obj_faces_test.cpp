@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -34,6 +36,17 @@ TEST_F(ObjFaces, TexturesAndNormalsArePassedOver)
       load("mtllib a.mtl\nvn 0 0 1\nvt 0 0\n" + vertices +
            "g wall\ns off\nf 1/1 2/1 3/1\nf 1//1 3//1 4//1\nf 2/1/1 3/1/1 4/1/1\n"),
       (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}}));
+}
+
+TEST_F(ObjFaces, MaterialsAreNeverOpened)
+{
+  // who opened it would wait for ever
+  ASSERT_EQ(::mkfifo(folder_.path("pipe").c_str(), 0600), 0);
+  for (const std::string& name :
+       {folder_.path("pipe"), std::string("pipe"), std::string("../../etc/passwd")})
+    EXPECT_EQ(
+        load("mtllib " + name + "\nusemtl ../" + name + "\n" + vertices + "f 1 2 3\n"),
+        (std::vector<Triangle>{{0, 1, 2}}));
 }
 
 TEST_F(ObjFaces, NegativeCornersCountFromTheLastVertex)

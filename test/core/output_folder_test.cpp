@@ -1,21 +1,20 @@
 #include "temporary_folder.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <unistd.h>
-
-#include <set>
 
 namespace pcl::acmap::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 void
 write(const std::string& path, const std::string& content)
@@ -50,38 +49,71 @@ TEST(OutputFolder, FilesAppearAtTheCommit)
   EXPECT_EQ(folder.count(), 2);
 }
 
-TEST(OutputFolder, LeftoversOfAKilledRunStayHidden)
+TEST(OutputFolder, ANewFolderAppearsAsAWhole)
 {
   const TemporaryFolder folder;
-  // A run of the same number, as happens after a restart, may have been any of these.
-  const std::string hidden = ".acmap.tmp-" + std::to_string(::getpid());
-  std::set<std::string> leftovers = {hidden};
-  for (int i = 0; i < 100; ++i)
-    leftovers.insert(hidden + "-" + std::to_string(i));
-  for (const std::string& name : leftovers) {
-    fs::create_directory(folder.path(name));
-    folder.write(name + "/leftover", "x");
+  const std::string path = folder.path("new/");
+  {
+    OutputFolder output(path);
+    write(output.path("a"), "gone");
+    EXPECT_THAT(output.names(), IsEmpty());
   }
-  OutputFolder output(folder.path(""));
+  EXPECT_EQ(folder.count(), 0);
+  OutputFolder output(path);
   write(output.path("a"), "new");
+  EXPECT_TRUE(fs::is_empty(path));
   output.commit();
-  EXPECT_FALSE(fs::exists(folder.path("leftover")));
-  EXPECT_EQ(contentOf(folder.path("a")), "new");
-  for (const std::string& name : leftovers)
-    EXPECT_TRUE(fs::exists(folder.path(name + "/leftover"))) << name;
-  EXPECT_EQ(folder.count(), 102);
+  EXPECT_EQ(contentOf(path + "a"), "new");
+  EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(OutputFolder, AFileOfTheHiddenNameIsPassedOver)
+TEST(OutputFolder, WhatOthersPutIntoTheNewFolderStays)
 {
   const TemporaryFolder folder;
-  for (int i = 0; i < 100; ++i)
-    folder.write(".acmap.tmp-" + std::to_string(::getpid()) + "-" + std::to_string(i),
-                 "x");
-  OutputFolder output(folder.path(""));
+  OutputFolder output(folder.path("new"));
   write(output.path("a"), "new");
+  folder.write("new/theirs", "stays");
   output.commit();
-  EXPECT_EQ(folder.count(), 101);
+  EXPECT_EQ(contentOf(folder.path("new/a")), "new");
+  EXPECT_EQ(contentOf(folder.path("new/theirs")), "stays");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(OutputFolder, LeftoversOfKilledRunsAreRemoved)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.path("out");
+  // of a run that made the folder, of one that found it, and of a file in it
+  for (const char* const name : {".out.acmap-unfinished-0/out",
+                                 "out/.acmap-unfinished-1",
+                                 "out/.a.acmap-unfinished-0"}) {
+    fs::create_directories(folder.path(name));
+    folder.write(std::string(name) + "/a", "half");
+  }
+  const OutputFolder output(path);
+  EXPECT_THAT(output.names(), IsEmpty());
+  EXPECT_EQ(folder.count(), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 1); // its own
+}
+
+TEST(OutputFolder, FaultsNameThePlaceThatTheUserKnows)
+{
+  const TemporaryFolder folder;
+  for (const char* const name : {"new", "old"}) {
+    const std::string path = folder.path(name);
+    if (path.back() == 'd')
+      fs::create_directory(path);
+    const OutputFolder output(path);
+    EXPECT_EQ(shownPath(output.path("a")), path + "/a");
+    fs::create_directory(output.path("a"));
+    try {
+      OutputFile file(output.path("a"));
+      FAIL();
+    }
+    catch (const OutputFileException& exception) {
+      EXPECT_THAT(exception.what(), EndsWith(": " + path + "/a: is a folder"));
+    }
+  }
 }
 
 TEST(OutputFolder, TwoAtATimeShareNothing)

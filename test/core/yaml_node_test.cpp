@@ -8,6 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 template <typename Action>
@@ -92,6 +93,16 @@ PrintTo(const BadYaml& bad, std::ostream* stream)
 
 class BadYamlTest : public testing::TestWithParam<BadYaml> {};
 
+TEST(YamlNode, FaultsAreOnePrintableLine)
+{
+  const YamlNode document = parseYaml("s.yaml", "\"a\\n\\e[2J\": x\n");
+  const YamlNode& key = document.keys().front();
+  EXPECT_THAT(faultOf([&] { document.at(key.text()).number(0, 1); }),
+              HasSubstr("a??[2J: 'x' is refused"));
+  EXPECT_THAT(faultOf([] { parseYaml("s.yaml", "a: \"\\\x1b\"\n"); }),
+              EndsWith("unknown escape character: ?"));
+}
+
 TEST_P(BadYamlTest, IsRefused)
 {
   const std::string fault = faultOf([] { parseYaml("bad.yaml", GetParam().text); });
@@ -121,8 +132,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadYaml{"list", "- 1\n- 2\n", "has no map"},
         BadYaml{"word", "hello\n", "has no map"},
         BadYaml{"comments", "# nothing\n", "has no map"},
-        BadYaml{"deep", "a: " + repeated("[", 100000), "no YAML"},
-        BadYaml{"deepMap", repeated("{a: ", 100000), "no YAML"},
+        BadYaml{"deep", "a: " + repeated("[", 100000), "nested more than 64 deep"},
+        BadYaml{"deepMap", repeated("{a: ", 100000), "nested more than 64 deep"},
+        BadYaml{"many", "a: [" + repeated("1,", 300001) + "1]", "300000 values"},
         BadYaml{"mapAsKey", "{[1, 2]: 3}\n", "a single value"},
         BadYaml{"bytes", std::string("a: \xff\xfe\x00 \x01: [\n", 11), ""}));
 

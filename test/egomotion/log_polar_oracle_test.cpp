@@ -303,5 +303,19 @@ TEST(ScoreKernels, everyVariantGivesTheNaiveSums)
 #endif
 }
 
+#ifdef ACMAP_SIMD_AVX2
+TEST(ScoreKernels, bothGiveTheSameForAllSizes)
+{
+  if (!__builtin_cpu_supports("avx2"))
+    GTEST_SKIP() << "this processor has no AVX2";
+  for (std::size_t pairs = 0; pairs <= 40; ++pairs)
+    for (std::size_t blocks = 0; blocks <= 5; ++blocks)
+      for (const int range : {1, 5000})
+        ASSERT_EQ(scoresOf(raiseScoresAvx2, pairs, blocks, range),
+                  scoresOf(raiseScoresBase, pairs, blocks, range))
+            << pairs << " pairs, " << blocks << " blocks";
+}
+#endif
+
 } // namespace
 } // namespace pcl::acmap::test

@@ -46,7 +46,9 @@ SpacePaint::SpacePaint(std::uint64_t seed, double contrast)
 {
   Random random(seed);
   for (Wave& wave : waves_) {
-    const Eigen::Vector3d direction(random.normal(), random.normal(), random.normal());
+    // one after another: compilers differ in the order of arguments
+    const double z = random.normal(), y = random.normal(), x = random.normal();
+    const Eigen::Vector3d direction(x, y, z);
     wave.frequency = full_turn / random.uniform(0.1, 0.6) * direction.normalized();
     wave.phase = random.uniform(0, full_turn);
   }

@@ -1,5 +1,5 @@
 #include "entropy/filled_runs.h"
-#include "simd/entropy_bins.h"
+#include "entropy_bins_scene.h"
 
 #include <pcl/core/random.h>
 
@@ -7,68 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap::test {
 namespace {
-
-struct Variant {
-  std::string name;
-  const EntropyBins* loops;
-};
-
-/** What this processor can run. */
-std::vector<Variant>
-variants()
-{
-  std::vector<Variant> all{{"base", &entropy_bins_base}};
-#ifdef ACMAP_SIMD_AVX2
-  if (__builtin_cpu_supports("avx2"))
-    all.push_back({"avx2", &entropy_bins_avx2});
-#endif
-  return all;
-}
-
-/** A grid of 40 x 40 bins in nine layers with cells in the middle of it. */
-struct Scene {
-  static constexpr std::int64_t row = 40, rows = 40, layers = 9;
-
-  std::vector<float> bins = std::vector<float>(row * rows * layers + 4, 0);
-  std::vector<std::uint8_t> marks = std::vector<std::uint8_t>(bins.size() / 4, 0);
-  std::vector<float> x, z, weight, direction;
-
-  Scene(std::uint64_t seed, std::size_t cells)
-  {
-    Random random(seed);
-    for (std::size_t i = 0; i < cells; ++i) {
-      x.push_back(static_cast<float>(random.uniform(-8, 8)));
-      z.push_back(static_cast<float>(random.uniform(-8, 8)));
-      weight.push_back(static_cast<float>(random.uniform(0, 100)));
-      direction.push_back(static_cast<float>(random.uniform(-4, 4)));
-    }
-    x[0] = z[0] = 0.5; // between bins
-  }
-
-  CellArrays
-  cells() const
-  {
-    return {x.data(),
-            z.data(),
-            weight.data(),
-            direction.data(),
-            static_cast<std::int64_t>(x.size())};
-  }
-
-  BinArray
-  grid()
-  {
-    return {bins.data(), row, row * rows, marks.data()};
-  }
-};
-
-constexpr CellMotion motion{0.8, 0.6, 19.5, 20.25, 13.7};
 
 double
 splineAt(double t)
@@ -247,71 +190,6 @@ TEST(EntropyBins, sumsOfMillionsStayExact)
                     values.data(), {&one, 0}, 4000000, logarithms.data()),
                 wanted,
                 1e-8 * std::abs(wanted));
-}
-
-/** What all variants make of the same input. */
-struct Bytes {
-  std::vector<double> values;
-
-  explicit Bytes(const EntropyBins& loops)
-  {
-    Scene scene(5, 400);
-    loops.fill(scene.cells(), motion, scene.grid());
-    loops.fillDirected(scene.cells(), motion, scene.grid());
-    keep(scene.bins);
-    values.insert(values.end(), scene.marks.begin(), scene.marks.end());
-    for (const auto& forces :
-         {loops.forces(scene.cells(), motion, scene.grid()),
-          loops.forcesDirected(scene.cells(), motion, scene.grid())})
-      keep<double>({forces.x, forces.z, forces.turn, forces.layers});
-    std::vector<double> sums(400, 0.1);
-    keep<double>({loops.sumUp(scene.bins.data(), 400, sums.data())});
-    keep(sums);
-    for (const std::int64_t radius : {1, 3, 5, 13})
-      smooth(loops, scene, radius);
-    keep<double>({loops.takeExactLogarithms(sums.data(), 400)});
-    keep(sums);
-  }
-
-  template <typename Number>
-  void
-  keep(const std::vector<Number>& more)
-  {
-    values.insert(values.end(), more.begin(), more.end());
-  }
-
-  void
-  smooth(const EntropyBins& loops, const Scene& scene, std::int64_t radius)
-  {
-    std::vector<float> weights, across(80, 0), out(40, 7);
-    const std::vector<float> levels(40, 0.3F);
-    for (std::int64_t i = 0; i <= radius; ++i)
-      weights.push_back(1 / static_cast<float>(3 + i));
-    const SmoothingKernel kernel{weights.data(), radius};
-    for (const std::int64_t size : {40, 12, 8, 4}) {
-      loops.smoothAcross(&scene.bins[20 * 40], 40, kernel, size, &across[20]);
-      keep(across);
-      keep<double>({loops.takeLogarithms(&across[20], kernel, size, out.data())});
-      keep(out);
-      loops.takeFromLevels(
-          &across[20], kernel, {0.7F, levels.data()}, size, out.data());
-      keep(out);
-    }
-  }
-};
-
-TEST(EntropyBins, allVariantsGiveTheSameBytes)
-{
-  const Bytes wanted(entropy_bins_base);
-  for (const Variant& variant : variants()) {
-    const Bytes found(*variant.loops);
-    ASSERT_EQ(found.values.size(), wanted.values.size());
-    EXPECT_EQ(std::memcmp(found.values.data(),
-                          wanted.values.data(),
-                          wanted.values.size() * sizeof(double)),
-              0)
-        << variant.name;
-  }
 }
 
 TEST(EntropyBins, smoothingIsConvolution)

@@ -59,14 +59,17 @@ TEST(MapEntropyEvaluator, remembersNothing)
       for (const auto& poses : posesInTurn(map.poses)) {
         MapEntropyReport report;
         std::vector<Eigen::Vector3d> gradient, wanted;
-        MapEntropyEvaluator copy(evaluator);
+        MapEntropyEvaluator copy(evaluator), assigned({}, {});
+        assigned = evaluator;
         const MapEntropyTerms terms =
             mapEntropy(cells, poses, settings, report, &wanted);
         EXPECT_TRUE(areSame(evaluator.evaluate(poses, report), terms));
         EXPECT_TRUE(areSame(evaluator.evaluate(poses, report, &gradient), terms));
         EXPECT_EQ(gradient, wanted);
-        EXPECT_TRUE(areSame(copy.evaluate(poses, report, &gradient), terms));
-        EXPECT_EQ(gradient, wanted);
+        for (MapEntropyEvaluator* other : {&copy, &assigned}) {
+          EXPECT_TRUE(areSame(other->evaluate(poses, report, &gradient), terms));
+          EXPECT_EQ(gradient, wanted);
+        }
       }
     }
 }

@@ -174,10 +174,12 @@ boardPoses(std::size_t count)
     const double depth = within(0.5, 0.85);
     // What all three see narrows with the depth of the baselines.
     const double reach = depth - 0.42;
-    const Eigen::Vector3d middle(
-        within(-0.5, 0.5) * reach - 0.05, within(-0.38, 0.38) * reach - 0.05, depth);
+    // One draw after another: compilers differ in the order of arguments.
+    const double y = within(-0.38, 0.38) * reach, x = within(-0.5, 0.5) * reach;
+    const Eigen::Vector3d middle(x - 0.05, y - 0.05, depth);
+    const double c = within(-25, 25), b = within(-35, 35), a = within(-35, 35);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = turned(within(-35, 35), within(-35, 35), within(-25, 25));
+    pose.linear() = turned(a, b, c);
     pose.translation() = middle - pose.linear() * Eigen::Vector3d(0.12, 0.075, 0);
     poses.push_back(pose);
   }

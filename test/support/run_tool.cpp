@@ -32,6 +32,18 @@ redirect(int descriptor, const std::string& path)
   close(file);
 }
 
+void
+talkToNobody()
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+    _exit(127);
+  dup2(ends[1], STDOUT_FILENO);
+  dup2(ends[1], STDERR_FILENO);
+  close(ends[0]);
+  close(ends[1]);
+}
+
 [[noreturn]] void
 becomeTool(const std::string& program,
            const std::vector<std::string>& arguments,
@@ -41,10 +53,17 @@ becomeTool(const std::string& program,
 {
   redirect(STDOUT_FILENO, out);
   redirect(STDERR_FILENO, err);
+  if (settings.reader_is_gone)
+    talkToNobody();
+  for (const int signal : {SIGINT, SIGPIPE, SIGTERM})
+    std::signal(signal, SIG_DFL); // whatever whoever runs the test ignores
   for (const auto& [name, value] : settings.environment)
     value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
   limit(RLIMIT_FSIZE, settings.file_size_limit);
   limit(RLIMIT_AS, settings.memory_limit);
+  if (!settings.folder.empty() && chdir(settings.folder.c_str()) != 0)
+    _exit(127);
+  alarm(settings.time_limit); // outlives the exec
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
@@ -65,6 +84,14 @@ heedsInterruptions(pid_t process)
   return (caught >> (SIGINT - 1)) & 1;
 }
 
+bool
+hasEnded(pid_t process)
+{
+  siginfo_t info = {};
+  const auto id = static_cast<id_t>(process);
+  return waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
+}
+
 /** \brief Waits for something, but no longer than half a minute. */
 void
 waitFor(const std::function<bool()>& condition)
@@ -78,7 +105,7 @@ waitFor(const std::function<bool()>& condition)
 void
 interrupt(pid_t process, const RunSettings& settings)
 {
-  waitFor([&] { return heedsInterruptions(process); });
+  waitFor([&] { return heedsInterruptions(process) || hasEnded(process); });
   if (settings.interrupt_when)
     waitFor(settings.interrupt_when);
   if (settings.interrupt_after)
@@ -101,7 +128,8 @@ runTool(const std::string& program,
         const RunSettings& settings)
 {
   const TemporaryFolder folder;
-  const std::string out = folder.path("out");
+  const std::string out =
+      settings.out_file.empty() ? folder.path("out") : settings.out_file;
   const std::string err = folder.path("err");
   const pid_t process = fork();
   if (process == 0)
@@ -116,7 +144,8 @@ runTool(const std::string& program,
     run.exit_code = WEXITSTATUS(status);
   else
     run.signal = WTERMSIG(status);
-  run.out = contentOf(out);
+  if (settings.out_file.empty())
+    run.out = contentOf(out);
   run.err = contentOf(err);
   return run;
 }

@@ -21,6 +21,12 @@ struct RunSettings {
   /** \brief Address space of the program, in bytes. */
   std::optional<std::size_t> memory_limit;
 
+  /** \brief Where the program runs; empty: where the test does. */
+  std::string folder;
+
+  /** \brief Seconds after which the program is ended by SIGALRM; 0 for never. */
+  unsigned time_limit = 0;
+
   /** \brief Seconds after which the program gets an interruption (SIGINT), counted from
    * when it began to heed it. */
   std::optional<double> interrupt_after;
@@ -30,6 +36,12 @@ struct RunSettings {
 
   /** \brief The signal that comes as interruption. */
   int interruption = SIGINT;
+
+  /** \brief A file that takes stdout, as /dev/full. */
+  std::string out_file;
+
+  /** \brief Whether stdout and stderr are a pipe that nobody reads any more. */
+  bool reader_is_gone = false;
 };
 
 /** \brief What came of it. */

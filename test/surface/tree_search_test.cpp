@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
+#include <string>
 
 namespace pcl::acmap::test {
 namespace {
@@ -174,6 +176,52 @@ TEST(TreeSearch, variantsFindTheSameApexes)
       }
     }
   }
+}
+
+/** As a text, so that a difference shows. */
+std::string
+told(bool is_occupied, const SearchHits& hits)
+{
+  std::string text = is_occupied ? "occupied" : "hits";
+  for (std::int32_t i = 0; i < std::min(hits.count, SearchHits::capacity); ++i)
+    text += " " + std::to_string(hits.index[i]);
+  return text + " of " + std::to_string(hits.count);
+}
+
+std::string
+searched(const TreeSearch& search,
+         const PointTree& tree,
+         const ApexQuery& apex,
+         const BallQuery& ball)
+{
+  SearchHits hits;
+  search.apexes(tree.cells(), apex, hits);
+  const std::string apexes = told(false, hits);
+  const bool is_occupied = search.ball(tree.cells(), ball, hits);
+  return apexes + ", " + told(is_occupied, hits);
+}
+
+TEST(TreeSearch, variantsFindTheSameInCloudsOfAnySizeAndScale)
+{
+  // Leaves that fill no vector; squares that are no normal numbers, or nearly too large.
+  for (const float scale : {1.0F, 1e-22F, 1e-38F, 1e18F})
+    for (std::size_t points = 3; points <= 40; ++points) {
+      Cloud cloud = makeRandomBox(points, points);
+      for (auto& point : cloud)
+        point.getVector3fMap() *= scale;
+      const auto tree = treeOf(cloud);
+      const SizeConstraint size(*tree, 2 * double{scale});
+      for (std::int32_t a = 0; a + 2 < tree->size(); ++a) {
+        const SideFrame side(*tree, size, a, a + 1, a + 2);
+        const ApexQuery apex = apexQuery(*tree, size, side, {});
+        const std::array<std::int32_t, 3> corners{a, a + 1, a + 2};
+        const BallQuery ball = ballQuery(*tree, corners, sphereOf(*tree, corners));
+        const std::string wanted = searched(tree_search_base, *tree, apex, ball);
+        for (const Variant& variant : variants())
+          ASSERT_EQ(searched(*variant.search, *tree, apex, ball), wanted)
+              << variant.name << ", " << points << " points, scale " << scale;
+      }
+    }
 }
 
 TEST(TreeSearch, manyPointsOnOneCircleAreTied)

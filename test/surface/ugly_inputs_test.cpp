@@ -1,5 +1,6 @@
 #include "dewall_runs.h"
 
+#include <cmath>
 #include <limits>
 
 namespace pcl::acmap::test {
@@ -62,6 +63,39 @@ TEST(DeWallUgly, allInvalid)
   EXPECT_EQ(triangulate(cloud, {}).report.invalid_points, 1000U);
 }
 
+/** Fewer points than a spacing asks for, and distances beyond the floats: the search for
+ * neighbours has no end. */
+TEST(DeWallUgly, fewPointsHaveNoNeighboursButEachOther)
+{
+  for (const float far : {0.0F, 4096.0F}) {
+    const Cloud square = makeGrid(2, 2, 0.25, ExactPlane::Level);
+    const DeWallResult result = triangulate(
+        moved(square, Eigen::Isometry3d(Eigen::Translation3d(far, far, far))), {});
+    EXPECT_EQ(result.mesh.triangles.size(), 2U);
+    EXPECT_FLOAT_EQ(result.report.largest_maximum_edge, 2.5F * 0.25F * std::sqrt(2.0F));
+  }
+  Cloud huge;
+  for (const float far : {0.0F, 3e38F, -3e38F})
+    huge.push_back({far, std::abs(far), 1});
+  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+    EXPECT_TRUE(keepsGuarantees(triangulate(huge, {rule}), {rule})) << nameOf(rule);
+}
+
+TEST(DeWallUgly, unitsBeyondAllReasonKeepTheGuarantees)
+{
+  const Cloud sheet = makeJitteredPlane({10, 10, 1, 0.25, 0.2, 8}).cloud;
+  const DeWallRun run{DeWallRule::Paper, 0};
+  const std::size_t triangles = triangulate(sheet, run).mesh.triangles.size();
+  for (const float factor : {1e-30F, 1e-20F, 1e20F, 1e30F}) {
+    const DeWallResult result = triangulate(scaled(sheet, factor), run);
+    EXPECT_TRUE(keepsGuarantees(result, run)) << factor;
+    EXPECT_NEAR(static_cast<double>(result.mesh.triangles.size()),
+                static_cast<double>(triangles),
+                2)
+        << factor;
+  }
+}
+
 TEST(DeWallUgly, oneTriangle)
 {
   const Cloud three = makeRandomBox(3, 1);
@@ -86,6 +120,30 @@ TEST(DeWallUgly, outlierDoesNotHarmTheRest)
                     0.01 * static_cast<double>(clean));
       }
     }
+}
+
+TEST(DeWallUgly, squaresOfDistancesMayOverflow)
+{
+  // Sizes with which the tree's last group of cells is full, and not.
+  for (const std::size_t size : {20, 90, 120, 300, 900}) {
+    const Cloud cloud = withOutlier(makeRandomBox(size, 17), 3e38F);
+    for (const double length : {0.0, 0.5})
+      EXPECT_TRUE(keepsGuarantees(triangulate(cloud, {DeWallRule::Paper, length}),
+                                  {DeWallRule::Paper, length}))
+          << size << " points, length " << length;
+  }
+}
+
+TEST(DeWallUgly, moreTiesThanTheSearchHasRoomFor)
+{
+  const Cloud circle = makeExactCircle(1105, false);
+  ASSERT_EQ(circle.size(), 108U);
+  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+    const DeWallRun run{rule, 3000};
+    const DeWallResult result = triangulate(circle, run);
+    EXPECT_TRUE(keepsGuarantees(result, run));
+    EXPECT_EQ(result.mesh.triangles.size(), circle.size() - 2) << nameOf(rule);
+  }
 }
 
 TEST(DeWallUgly, twoClustersFarApart)

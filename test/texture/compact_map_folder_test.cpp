@@ -134,6 +134,23 @@ TEST_F(CompactMapFolder, NamesThatClimbOutAreRefused)
   EXPECT_LT(fault.size(), path().size() + 400);
 }
 
+TEST_F(CompactMapFolder, LinksThatLeadOutAreRefused)
+{
+  namespace fs = std::filesystem;
+  saveCompactMap(path(), map_);
+  fs::rename(path("texture_0000.png"), path("same.png"));
+  fs::create_symlink("same.png", path("texture_0000.png"));
+  EXPECT_EQ(fault(), "no fault");
+  fs::rename(path("same.png"), folder_.path("x.png"));
+  fs::remove(path("texture_0000.png"));
+  fs::create_symlink("../x.png", path("texture_0000.png"));
+  EXPECT_THAT(fault(), HasSubstr("texture_0000.png: is a link to outside"));
+  fs::create_directory_symlink(path(), folder_.path("alias"));
+  fs::remove(path("texture_0000.png"));
+  fs::rename(folder_.path("x.png"), path("texture_0000.png"));
+  EXPECT_NO_THROW(loadCompactMap(folder_.path("alias")));
+}
+
 TEST_F(CompactMapFolder, AChartWithoutAnImageHasNoColours)
 {
   EXPECT_EQ(faultAfter("texture_0001.png", ""), "no fault");

@@ -259,7 +259,7 @@ TEST_F(MapSnapshot, SurvivesUglyPlanes)
   map_.planes[2].coefficients.setConstant(NAN);
   map_.planes[3].polygons[0].outer[0].setConstant(INFINITY);
   map_.planes.emplace_back();
-  map_.trajectory.poses.resize(3);
+  map_.trajectory.poses.resize(3, Eigen::Isometry3d::Identity());
   map_.trajectory.poses[1].matrix().setConstant(NAN);
   for (const Place place : {Place::Outside, Place::Inside, Place::Plan}) {
     view_.place = place;

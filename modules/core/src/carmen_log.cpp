@@ -1,6 +1,7 @@
 #include <pcl/core/carmen_log.h>
 
 #include "byte_source.h"
+#include "carmen_reader.h"
 #include "gzip_text.h"
 #include "text_number.h"
 
@@ -128,8 +129,10 @@ setMaximumRange(std::vector<PlanarScan>& scans)
     scan.maximum_range = maximum;
 }
 
+} // namespace
+
 CarmenLog
-readLog(ByteSource& source)
+acmap::readCarmenLog(ByteSource& source)
 {
   CarmenLog log;
   for (std::string_view line; source.readLine(line);) {
@@ -148,18 +151,16 @@ readLog(ByteSource& source)
   return log;
 }
 
-} // namespace
-
 CarmenLog
 loadCarmenLog(const std::string& path)
 {
   const bool packed = acmap::isGzip(path);
   ByteSource file(path);
   if (!packed)
-    return readLog(file);
+    return acmap::readCarmenLog(file);
   const std::string text = acmap::unpackGzip(file);
   ByteSource unpacked(path, text.data(), text.size());
-  return readLog(unpacked);
+  return acmap::readCarmenLog(unpacked);
 }
 
 } // namespace pcl

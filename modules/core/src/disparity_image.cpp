@@ -2,6 +2,7 @@
 
 #include "byte_source.h"
 #include "images/image_codecs.h"
+#include "pfm_codec.h"
 #include "text_number.h"
 
 #include <pcl/core/output_file.h>
@@ -100,10 +101,10 @@ appendValue(float value, std::vector<std::uint8_t>& bytes)
 
 } // namespace
 
-void
-savePfm(const std::string& path, const DisparityImage& image)
+std::vector<std::uint8_t>
+acmap::encodePfm(const DisparityImage& image)
 {
-  acmap::requireImageValues(image.width, image.height, 1, image.values.size());
+  requireImageValues(image.width, image.height, 1, image.values.size());
   const std::string header = "Pf\n" + std::to_string(image.width) + " " +
                              std::to_string(image.height) + "\n-1.0\n";
   std::vector<std::uint8_t> bytes(header.begin(), header.end());
@@ -111,15 +112,21 @@ savePfm(const std::string& path, const DisparityImage& image)
   for (std::int32_t row = image.height; row-- > 0;) // a PFM begins at the bottom
     for (std::int32_t column = 0; column < image.width; ++column)
       appendValue(image.at(column, row), bytes);
+  return bytes;
+}
+
+void
+savePfm(const std::string& path, const DisparityImage& image)
+{
+  const std::vector<std::uint8_t> bytes = acmap::encodePfm(image);
   acmap::OutputFile file(path);
   file.write(bytes.data(), bytes.size());
   file.commit();
 }
 
 DisparityImage
-loadPfm(const std::string& path)
+acmap::readPfm(ByteSource& source)
 {
-  acmap::ByteSource source(path);
   const PfmHeader header = readHeader(source);
   const std::uint64_t needed = value_bytes * header.width * header.height;
   if (source.remaining() != needed)
@@ -139,6 +146,13 @@ loadPfm(const std::string& path)
           &bytes[value_bytes * static_cast<std::size_t>(column)], header.big_endian);
   }
   return image;
+}
+
+DisparityImage
+loadPfm(const std::string& path)
+{
+  acmap::ByteSource source(path);
+  return acmap::readPfm(source);
 }
 
 } // namespace pcl

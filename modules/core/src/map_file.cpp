@@ -1,8 +1,10 @@
 #include <pcl/core/map_file.h>
 
 #include "map_format.h"
+#include "map_text.h"
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 
 #include <nlohmann/json.hpp>
@@ -117,16 +119,16 @@ chartsOfPlanes(const CompactMap& map)
   return charts;
 }
 
+using Write = std::function<void(const std::string&)>;
+
 /** One element a line. */
 void
-writeLines(acmap::OutputFile& file,
+writeLines(const Write& write,
            std::size_t count,
            const std::function<Json(std::size_t)>& line)
 {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string text = (i ? ",\n" : "\n") + line(i).dump();
-    file.write(text.data(), text.size());
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    write((i ? ",\n" : "\n") + line(i).dump());
 }
 
 bool
@@ -141,19 +143,15 @@ hasPlanesAlone(const CompactMap& map)
 } // namespace
 
 void
-saveMapFile(const std::string& path, const CompactMap& map)
+acmap::writeMap(const CompactMap& map, const Write& write)
 {
-  acmap::requireConsistent(map);
+  requireConsistent(map);
   const std::vector<Json> charts = chartsOfPlanes(map);
-  acmap::OutputFile file(path);
-  const auto write = [&](const std::string& text) {
-    file.write(text.data(), text.size());
-  };
   write("{\"version\":" + Json(ACMAP_VERSION).dump());
   if (!hasPlanesAlone(map)) // files of planes are older than the formats' numbers
-    write(",\"format\":" + std::to_string(acmap::map_format));
+    write(",\"format\":" + std::to_string(file_formats::map));
   write(",\"unit\":\"m\",\"frame\":\"of the input\",\"planes\":[");
-  writeLines(file, map.planes.size(), [&](std::size_t id) {
+  writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);
     if (!map.observations.empty() && !map.observations[id].empty())
       plane["observations"] = map.observations[id];
@@ -163,11 +161,20 @@ saveMapFile(const std::string& path, const CompactMap& map)
   });
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
-    writeLines(file, map.trajectory.poses.size(), [&](std::size_t i) {
+    writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {
       return jsonOf(map.trajectory.stamps[i], map.trajectory.poses[i]);
     });
   }
   write("\n]}\n");
+}
+
+void
+saveMapFile(const std::string& path, const CompactMap& map)
+{
+  acmap::requireConsistent(map); // before a file is begun
+  acmap::OutputFile file(path);
+  acmap::writeMap(
+      map, [&](const std::string& text) { file.write(text.data(), text.size()); });
   file.commit();
 }
 

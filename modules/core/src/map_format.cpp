@@ -5,6 +5,7 @@
 #include <pcl/core/chart_clip.h>
 #include <pcl/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -62,9 +63,8 @@ requireChart(const CompactMap& map, std::size_t index)
   if (!fault.empty())
     refuse("chart", index, fault);
   for (const std::string& name : {chart.image, chart.kinds_image})
-    for (const char c : name)
-      if (c < ' ' || c > '~')
-        refuse("chart", index, "names an image in letters that are not ASCII");
+    if (const std::string unsound = faultOfImageName(name); !unsound.empty())
+      refuse("chart", index, "has an image whose name " + unsound);
 }
 
 void
@@ -113,6 +113,14 @@ faultOfTexels(std::int64_t texels)
   if (texels <= maximum_texels)
     return "";
   return "brings the map to " + std::to_string(texels) + " texels, 2^28 are legal";
+}
+
+std::string
+faultOfImageName(const std::string& name)
+{
+  const bool is_ascii = std::all_of(
+      name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  return is_ascii ? "" : "has letters that are not ASCII";
 }
 
 void

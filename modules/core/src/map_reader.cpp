@@ -1,8 +1,10 @@
 #include "byte_source.h"
 #include "json_cursor.h"
 #include "map_format.h"
+#include "map_text.h"
 
 #include <pcl/core/chart_clip.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/map_file.h>
 
 #include <cmath>
@@ -18,9 +20,8 @@ constexpr double rotation_slack = 0.01;   // of the length of a quaternion
 constexpr std::size_t longest_text = 200; // the parser quotes words of any length
 
 nlohmann::json
-parseFile(const std::string& path)
+parseText(acmap::ByteSource& source)
 {
-  acmap::ByteSource source(path);
   std::string text(source.remaining(), '\0');
   source.read(text.data(), text.size());
   try {
@@ -32,14 +33,15 @@ parseFile(const std::string& path)
 }
 
 void
-requireKnownFormat(const JsonCursor& file)
+requireKnownFormat(const JsonCursor& file, const std::string& path)
 {
   if (file.has("format")) {
     const JsonCursor format = file.at("format");
     const auto number = format.integer(1, std::numeric_limits<std::int64_t>::max());
-    if (number > acmap::map_format)
-      format.fail("is " + std::to_string(number) + ", this acmap knows up to " +
-                  std::to_string(acmap::map_format));
+    const std::string fault = acmap::faultOfFormat(static_cast<std::uint64_t>(number),
+                                                   acmap::file_formats::map);
+    if (!fault.empty())
+      throw InputFileException(path + ": " + fault);
   }
   if (file.has("unit") && file.at("unit").text() != "m")
     file.at("unit").fail("is not \"m\"");
@@ -119,6 +121,14 @@ planeOf(const JsonCursor& json, std::size_t number)
   return plane;
 }
 
+std::string
+imageNameOf(const JsonCursor& json)
+{
+  std::string name = json.text();
+  requireNone(acmap::faultOfImageName(name), json);
+  return name;
+}
+
 TextureChart
 chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
 {
@@ -130,9 +140,9 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
   if (chart.polygon >= polygons)
     json.at("polygon").fail("is " + std::to_string(polygon) + ", the plane has " +
                             std::to_string(polygons));
-  chart.image = json.at("image").text();
+  chart.image = imageNameOf(json.at("image"));
   if (json.has("kinds"))
-    chart.kinds_image = json.at("kinds").text();
+    chart.kinds_image = imageNameOf(json.at("kinds"));
   chart.origin = json.at("origin").vector<3>();
   chart.texel_u = json.at("texel_u").vector<3>();
   chart.texel_v = json.at("texel_v").vector<3>();
@@ -174,11 +184,11 @@ appendPose(const JsonCursor& json, Trajectory& trajectory)
 } // namespace
 
 CompactMap
-loadMapFile(const std::string& path)
+acmap::readMap(const std::string& name, ByteSource& source)
 {
-  const nlohmann::json json = parseFile(path);
-  const JsonCursor file(json, path);
-  requireKnownFormat(file);
+  const nlohmann::json json = parseText(source);
+  const JsonCursor file(json, name);
+  requireKnownFormat(file, name);
   const JsonCursor planes = file.at("planes");
   CompactMap map;
   if (file.has("trajectory")) {
@@ -201,10 +211,17 @@ loadMapFile(const std::string& path)
       map.charts.push_back(chartOf(charts[k], i, map.planes[i].polygons.size()));
       const RgbImage& size = map.charts.back().colors;
       texels += std::int64_t{size.width} * size.height;
-      requireNone(acmap::faultOfTexels(texels), charts[k]);
+      requireNone(faultOfTexels(texels), charts[k]);
     }
   }
   return map;
+}
+
+CompactMap
+loadMapFile(const std::string& path)
+{
+  acmap::ByteSource source(path);
+  return acmap::readMap(path, source);
 }
 
 } // namespace pcl

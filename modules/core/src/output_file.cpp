@@ -1,9 +1,9 @@
 #include <pcl/core/output_file.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -20,14 +20,34 @@ fail(const std::string& path, const std::string& fault)
   throw OutputFileException(path + ": " + fault);
 }
 
-fs::path
-nameBeside(const fs::path& target)
+/** By this name a file without one is linked to a place. */
+std::string
+nameOfOpen(int file)
 {
-  static std::atomic<unsigned> number{0};
-  constexpr std::size_t longest = 200; // keeps the whole below the usual limit of 255
-  return target.parent_path() /
-         ("." + target.filename().string().substr(0, longest) + ".tmp-" +
-          std::to_string(::getpid()) + "-" + std::to_string(number++));
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
+/** \return -1 where there are no files without a name */
+int
+openUnnamed(const fs::path& folder)
+{
+  const int file = ::open(
+      folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0 || ::access(nameOfOpen(file).c_str(), F_OK) == 0)
+    return file;
+  ::close(file);
+  return -1;
+}
+
+/** Gives a file without a name one that is not there yet. */
+bool
+linkTo(int unnamed, const std::string& path)
+{
+  return ::linkat(AT_FDCWD,
+                  nameOfOpen(unnamed).c_str(),
+                  AT_FDCWD,
+                  path.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0;
 }
 
 } // namespace
@@ -41,39 +61,63 @@ followLinks(const std::string& path)
 }
 
 OutputFile::OutputFile(const std::string& path)
-: path_(path)
+: path_(shownPath(path))
+, target_(followLinks(path))
 {
-  const fs::path target = followLinks(path);
   struct stat status;
-  const bool exists = ::stat(target.c_str(), &status) == 0;
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode))
-    fail(path, "is a folder");
-  if (target.filename().empty())
-    fail(path, "names no file");
-  if (exists && ::access(target.c_str(), W_OK) != 0)
-    fail(path, std::strerror(errno));
-  target_ = target.string();
+    fail(path_, "is a folder");
+  if (fs::path(target_).filename().empty())
+    fail(path_, "names no file");
+  if (exists && ::access(target_.c_str(), W_OK) != 0)
+    fail(path_, std::strerror(errno));
   if (exists && !S_ISREG(status.st_mode)) {
     file_ = std::fopen(target_.c_str(), "wb"); // a device or pipe has no old content
+    if (!file_)
+      fail(path_, std::strerror(errno));
+    return;
+  }
+  openBeside();
+  if (exists)
+    ::fchmod(::fileno(file_), status.st_mode & 07777);
+}
+
+void
+OutputFile::openBeside()
+{
+  const fs::path target = target_;
+  unnamed_ = openUnnamed(target.parent_path());
+  if (unnamed_ >= 0) {
+    const int copy = ::fcntl(unnamed_, F_DUPFD_CLOEXEC, 0);
+    file_ = copy < 0 ? nullptr : ::fdopen(copy, "wb");
   }
   else {
-    do {
-      temporary_ = nameBeside(target).string();
-      file_ = std::fopen(temporary_.c_str(), "wbx");
-    } while (!file_ && errno == EEXIST);
+    hide();
+    file_ = std::fopen(temporary_.c_str(), "wbx");
   }
-  if (!file_)
-    fail(path, std::strerror(errno));
-  if (exists && !temporary_.empty())
-    ::fchmod(::fileno(file_), status.st_mode & 07777);
+  if (file_)
+    return;
+  const std::string fault = std::strerror(errno);
+  if (unnamed_ >= 0)
+    ::close(unnamed_);
+  fail(path_, fault);
+}
+
+void
+OutputFile::hide()
+{
+  const fs::path target = target_;
+  hidden_.emplace(target.parent_path(), target.filename().string(), path_);
+  temporary_ = (hidden_->path() / target.filename()).string();
 }
 
 OutputFile::~OutputFile()
 {
   if (file_)
     std::fclose(file_);
-  if (!temporary_.empty())
-    std::remove(temporary_.c_str());
+  if (unnamed_ >= 0)
+    ::close(unnamed_);
 }
 
 void
@@ -90,11 +134,16 @@ OutputFile::commit()
   file_ = nullptr;
   if (std::fclose(file) != 0)
     fail(path_, std::strerror(errno));
-  if (temporary_.empty())
-    return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+  if (unnamed_ >= 0) {
+    if (linkTo(unnamed_, target_))
+      return;
+    hide(); // a link replaces nothing, a rename does
+    if (!linkTo(unnamed_, temporary_))
+      fail(path_, std::strerror(errno));
+  }
+  if (hidden_ && std::rename(temporary_.c_str(), target_.c_str()) != 0)
     fail(path_, std::strerror(errno));
-  temporary_.clear();
+  hidden_.reset();
 }
 
 } // namespace pcl::acmap

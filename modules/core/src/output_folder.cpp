@@ -2,30 +2,19 @@
 
 #include <pcl/core/exceptions.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 
 namespace pcl::acmap {
 namespace fs = std::filesystem;
 
 namespace {
 
-/** A folder that was not there: what a killed run of the same number left is none. */
+/** Without a slash at its end, so that it has a name. */
 fs::path
-makeHidden(const fs::path& folder, std::error_code& error)
+normalized(const std::string& path)
 {
-  static std::atomic<std::uint64_t> counter{0};
-  for (;;) {
-    const fs::path hidden = folder / (".acmap.tmp-" + std::to_string(getpid()) + "-" +
-                                      std::to_string(counter++));
-    error.clear();
-    if (fs::create_directory(hidden, error))
-      return hidden;
-    if (error && error != std::errc::file_exists)
-      return {};
-  }
+  const fs::path folder = fs::path(path).lexically_normal();
+  return folder.has_filename() ? folder : folder.parent_path();
 }
 
 /** \throws OutputFileException when not all could be listed */
@@ -46,7 +35,7 @@ entriesOf(const fs::path& folder, const std::string& name)
 
 OutputFolder::OutputFolder(const std::string& path)
 : name_(path)
-, folder_(fs::path(path).lexically_normal())
+, folder_(normalized(path))
 {
   const auto fail = [&](const std::string& fault) {
     throw OutputFileException(path + ": " + fault);
@@ -59,20 +48,39 @@ OutputFolder::OutputFolder(const std::string& path)
   made_ = fs::create_directory(folder_, error);
   if (error)
     fail(error.message());
-  hidden_ = makeHidden(folder_, error);
-  if (error) {
-    const std::string fault = error.message();
+  try {
+    hide();
+  }
+  catch (const OutputFileException&) {
     if (made_)
       fs::remove(folder_, error);
-    fail(fault);
+    throw;
   }
+}
+
+void
+OutputFolder::hide()
+{
+  const std::string own_name = folder_.filename().string();
+  if (made_) {
+    hidden_.emplace(folder_.parent_path(), own_name, name_);
+    files_ = hidden_->path() / own_name;
+    std::error_code error;
+    fs::create_directory(files_, error);
+    if (error)
+      throw OutputFileException(name_ + ": " + error.message());
+    return;
+  }
+  removeLeftoversOf(folder_.parent_path(), own_name);
+  removeLeftoversIn(folder_.string());
+  hidden_.emplace(folder_, "", name_);
+  files_ = hidden_->path();
 }
 
 OutputFolder::~OutputFolder()
 {
   std::error_code error;
-  if (!hidden_.empty())
-    fs::remove_all(hidden_, error);
+  hidden_.reset();
   if (made_)
     fs::remove(folder_, error); // fails when something else lies in it by now
 }
@@ -80,7 +88,7 @@ OutputFolder::~OutputFolder()
 std::string
 OutputFolder::path(const std::string& name) const
 {
-  return (hidden_ / name).string();
+  return (files_ / name).string();
 }
 
 std::vector<std::string>
@@ -88,7 +96,7 @@ OutputFolder::names() const
 {
   std::vector<std::string> names;
   for (const fs::path& entry : entriesOf(folder_, name_))
-    if (entry.filename() != hidden_.filename())
+    if (!isHiddenFolderName(entry.filename().string()))
       names.push_back(entry.filename().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -105,20 +113,31 @@ OutputFolder::holds(const std::string& path) const
 void
 OutputFolder::commit()
 {
-  const std::vector<fs::path> files = entriesOf(hidden_, name_);
+  std::error_code error;
+  if (made_)
+    fs::rename(files_, folder_, error);
+  if (!made_ || error) // others have put files there meanwhile
+    putFilesInPlace();
+  hidden_.reset();
+  made_ = false;
+}
+
+void
+OutputFolder::putFilesInPlace() const
+{
+  const std::vector<fs::path> files = entriesOf(files_, name_);
+  const auto fail = [&](const fs::path& place, const std::string& fault) {
+    throw OutputFileException(place.string() + ": " + fault);
+  };
   std::error_code error;
   for (const fs::path& file : files) // all or none, where that can be foreseen
     if (fs::is_directory(folder_ / file.filename(), error))
-      throw OutputFileException((folder_ / file.filename()).string() + ": is a folder");
+      fail(folder_ / file.filename(), "is a folder");
   for (const fs::path& file : files) {
     fs::rename(file, folder_ / file.filename(), error);
     if (error)
-      throw OutputFileException((folder_ / file.filename()).string() + ": " +
-                                error.message());
+      fail(folder_ / file.filename(), error.message());
   }
-  fs::remove(hidden_, error);
-  hidden_.clear();
-  made_ = false;
 }
 
 } // namespace pcl::acmap

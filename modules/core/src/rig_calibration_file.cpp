@@ -2,6 +2,7 @@
 #include "rig_limits.h"
 #include "rig_text.h"
 
+#include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
 
@@ -138,24 +139,43 @@ readCamera(const acmap::YamlNode& node, bool is_reference)
 } // namespace
 
 RigCalibration
-loadRigCalibration(const std::string& path)
+acmap::readRigCalibration(const std::string& name, const YamlNode& map)
 {
-  const acmap::YamlNode map = acmap::loadYaml(path);
+  requireFormat(map, file_formats::rig);
   RigCalibration calibration;
-  calibration.width =
-      static_cast<int>(map.at("width").count(1, acmap::longest_camera_side));
-  calibration.height =
-      static_cast<int>(map.at("height").count(1, acmap::longest_camera_side));
+  calibration.width = static_cast<int>(map.at("width").count(1, longest_camera_side));
+  calibration.height = static_cast<int>(map.at("height").count(1, longest_camera_side));
   for (std::size_t i = 0; i < camera_keys.size(); ++i)
-    if (const acmap::YamlNode* const node = map.find(camera_keys[i]))
+    if (const YamlNode* const node = map.find(camera_keys[i]))
       calibration.cameras[i] = readCamera(*node, i == 0);
   if (!calibration.camera(RigCamera::Reference).is_there)
-    throw InputFileException(path + ": has no 'camera_reference', so only a rectified "
+    throw InputFileException(name + ": has no 'camera_reference', so only a rectified "
                                     "rig; the cameras come from pcl_rig_calibration");
-  const std::string fault = faultUnder(acmap::readTrinocularRig(map), calibration);
+  const std::string fault = faultUnder(readTrinocularRig(map), calibration);
   if (!fault.empty())
-    throw InputFileException(path + ": " + fault);
+    throw InputFileException(name + ": " + fault);
   return calibration;
+}
+
+RigCalibration
+loadRigCalibration(const std::string& path)
+{
+  return acmap::readRigCalibration(path, acmap::loadYaml(path));
+}
+
+std::string
+acmap::rigCalibrationText(const TrinocularRig& rig, const RigCalibration& calibration)
+{
+  requireSoundRig(rig);
+  requireSoundCalibration(calibration);
+  const std::string fault = faultUnder(rig, calibration);
+  if (!fault.empty())
+    throw BadArgumentException(fault);
+  std::string text = rigText(rig);
+  for (std::size_t i = 0; i < camera_keys.size(); ++i)
+    if (calibration.cameras[i].is_there)
+      text += cameraText(camera_keys[i], calibration.cameras[i]);
+  return text;
 }
 
 void
@@ -163,15 +183,7 @@ saveRigCalibration(const std::string& path,
                    const TrinocularRig& rig,
                    const RigCalibration& calibration)
 {
-  requireSoundRig(rig);
-  requireSoundCalibration(calibration);
-  const std::string fault = faultUnder(rig, calibration);
-  if (!fault.empty())
-    throw BadArgumentException(fault);
-  std::string text = acmap::rigText(rig);
-  for (std::size_t i = 0; i < camera_keys.size(); ++i)
-    if (calibration.cameras[i].is_there)
-      text += cameraText(camera_keys[i], calibration.cameras[i]);
+  const std::string text = acmap::rigCalibrationText(rig, calibration);
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

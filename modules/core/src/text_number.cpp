@@ -138,13 +138,19 @@ storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to)
 }
 
 std::string
+inPrint(std::string_view text, std::size_t longest)
+{
+  std::string shown;
+  for (const char c : text.substr(0, longest))
+    shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (text.size() > longest ? "..." : "");
+}
+
+std::string
 inQuotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
-  std::string text = "'";
-  for (const char c : word.substr(0, longest))
-    text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > longest ? "...'" : "'");
+  return "'" + inPrint(word, longest) + "'";
 }
 
 } // namespace pcl::acmap

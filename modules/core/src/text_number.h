@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -71,6 +72,12 @@ parseCount(std::string_view word, std::uint64_t& value);
  * \return false when the word is not a number or does not fit the type */
 bool
 storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to);
+
+/** \brief What a file or a library says, for a message: one line that a terminal shows as
+ * it is.
+ * \param[in] longest characters that are given */
+std::string
+inPrint(std::string_view text, std::size_t longest);
 
 /** \brief A word in quotes for a message: short, and printable whatever the file holds. */
 std::string

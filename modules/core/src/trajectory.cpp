@@ -4,6 +4,7 @@
 #include "number_text.h"
 #include "text_number.h"
 #include "trajectory_checks.h"
+#include "trajectory_text.h"
 
 #include <pcl/core/output_file.h>
 
@@ -83,19 +84,25 @@ isRigid(const Eigen::Isometry3d& pose)
 }
 
 Trajectory
-loadTrajectory(const std::string& path)
+acmap::readTrajectory(ByteSource& source)
 {
-  acmap::ByteSource source(path);
   Trajectory trajectory;
   for (std::string_view line; source.readLine(line);) {
     line = line.substr(0, line.find('#'));
     std::string_view word;
-    if (acmap::Words(line).next(word))
+    if (Words(line).next(word))
       appendRow(readRow(line, source), source, trajectory);
   }
   if (trajectory.poses.empty())
     source.fail("has no row of stamp tx ty tz qx qy qz qw");
   return trajectory;
+}
+
+Trajectory
+loadTrajectory(const std::string& path)
+{
+  acmap::ByteSource source(path);
+  return acmap::readTrajectory(source);
 }
 
 void
@@ -112,13 +119,20 @@ acmap::requireTrajectory(const Trajectory& trajectory)
                                  "is not finite");
 }
 
-void
-saveTrajectory(const std::string& path, const Trajectory& trajectory)
+std::string
+acmap::trajectoryText(const Trajectory& trajectory)
 {
-  acmap::requireTrajectory(trajectory);
+  requireTrajectory(trajectory);
   std::string text = "# stamp tx ty tz qx qy qz qw (T_map_camera; seconds, metres)\n";
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i)
     text += textOfRow(trajectory.stamps[i], trajectory.poses[i]);
+  return text;
+}
+
+void
+saveTrajectory(const std::string& path, const Trajectory& trajectory)
+{
+  const std::string text = acmap::trajectoryText(trajectory);
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

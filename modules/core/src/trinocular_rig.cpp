@@ -4,6 +4,7 @@
 #include "rig_text.h"
 
 #include <pcl/core/arguments.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 
 #include <vector>
@@ -69,6 +70,7 @@ loadTrinocularRig(const std::string& path)
 TrinocularRig
 acmap::readTrinocularRig(const YamlNode& map)
 {
+  requireFormat(map, file_formats::rig);
   TrinocularRig rig;
   rig.width = static_cast<int>(map.at("width").count(1, most_pixels));
   rig.height = static_cast<int>(map.at("height").count(1, most_pixels));

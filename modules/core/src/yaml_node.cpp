@@ -101,9 +101,11 @@ YamlNode::boolean() const
 void
 YamlNode::fail(const std::string& fault) const
 {
+  constexpr std::size_t longest_name = 40;
   throw InputFileException(*file_ + ": line " + std::to_string(line_) + ", column " +
                            std::to_string(column_) + ": " +
-                           (name_.empty() ? "" : name_ + ": ") + fault);
+                           (name_.empty() ? "" : inPrint(name_, longest_name) + ": ") +
+                           fault);
 }
 
 } // namespace pcl::acmap

@@ -66,7 +66,7 @@ public:
                   YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override
   {
-    open_.push_back({begin(YamlNode::Kind::list, mark, anchor), {}});
+    open(begin(YamlNode::Kind::list, mark, anchor));
   }
 
   void
@@ -81,7 +81,7 @@ public:
              YAML::anchor_t anchor,
              YAML::EmitterStyle::value) override
   {
-    open_.push_back({begin(YamlNode::Kind::map, mark, anchor), {}});
+    open(begin(YamlNode::Kind::map, mark, anchor));
   }
 
   void
@@ -109,11 +109,23 @@ private:
   }
 
   YamlNode
-  begin(YamlNode::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) const
+  begin(YamlNode::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor)
   {
     if (anchor != YAML::NullAnchor)
       refuseAnchor(mark);
-    return nodeAt(kind, mark);
+    YamlNode node = nodeAt(kind, mark);
+    if (++count_ > most_values)
+      node.fail("has more than " + std::to_string(most_values) +
+                " values, more than a YAML file of acmap ever has");
+    return node;
+  }
+
+  void
+  open(YamlNode node)
+  {
+    if (open_.size() == deepest)
+      node.fail("is nested more than " + std::to_string(deepest) + " deep");
+    open_.push_back({std::move(node), {}});
   }
 
   void
@@ -157,8 +169,12 @@ private:
     map.node.keys_.push_back(std::move(key));
   }
 
+  static constexpr std::size_t most_values = 300000;
+  static constexpr std::size_t deepest = 64;
+
   std::shared_ptr<const std::string> file_;
   std::vector<Open> open_;
+  std::size_t count_ = 0;
   std::optional<YamlNode> root_;
 };
 
@@ -172,9 +188,11 @@ parseYaml(const std::string& name, const std::string& text)
     parser.HandleNextDocument(tree);
   }
   catch (const YAML::Exception& exception) {
-    throw InputFileException(
-        name + ": line " + std::to_string(exception.mark.line + 1) + ", column " +
-        std::to_string(exception.mark.column + 1) + ": is no YAML: " + exception.msg);
+    constexpr std::size_t longest = 200; // of a message
+    throw InputFileException(name + ": line " +
+                             std::to_string(exception.mark.line + 1) + ", column " +
+                             std::to_string(exception.mark.column + 1) +
+                             ": is no YAML: " + inPrint(exception.msg, longest));
   }
   return tree.take();
 }

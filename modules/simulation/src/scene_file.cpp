@@ -5,6 +5,7 @@
 #include "surface_reader.h"
 #include "yaml_values.h"
 
+#include <pcl/core/file_format.h>
 #include <pcl/simulation/standard_scenes.h>
 
 #include <algorithm>
@@ -61,8 +62,9 @@ namespace acmap {
 SimulatedScene
 readScene(const YamlNode& document)
 {
+  requireFormat(document, file_formats::scene);
   document.requireKeys(
-      {"name", "rig", "sensor", "building", "looks", "surfaces", "path"});
+      {"format", "name", "rig", "sensor", "building", "looks", "surfaces", "path"});
   SimulatedScene scene;
   scene.name = document.at("name").text();
   if (const YamlNode* const rig = document.find("rig"))

@@ -18,7 +18,7 @@ writePng(const std::string& path, vtkImageData* picture)
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();
   if (!bytes || bytes->GetNumberOfValues() == 0)
-    throw OutputFileException(path + ": the picture could not be encoded");
+    throw OutputFileException(shownPath(path) + ": the picture could not be encoded");
   OutputFile file(path);
   file.write(bytes->GetPointer(0),
              static_cast<std::size_t>(bytes->GetNumberOfValues()));

@@ -16,7 +16,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <new>
+#include <string>
 
 namespace pcl::acmap {
 namespace {
@@ -42,24 +42,44 @@ requireFile(const std::string& path)
     fail(path, "is empty");
 }
 
-/** \brief Refuses a header that claims more points than its file has bytes for, because
- * VTK takes the memory before it looks. */
+/** \brief A word of the format, and the least bytes that each of what it counts takes. */
+struct Claim {
+  const char* word;
+  int bytes;
+};
+
+/** \brief Refuses a line that claims more than its file has bytes for, because VTK takes
+ * the memory before it looks. */
 void
-requirePointsFit(const std::string& path)
+requireClaimFits(const std::string& path, const std::string& line, double file_size)
 {
-  constexpr int most_lines = 50;
-  std::ifstream file(path, std::ios::binary);
-  std::string line;
-  for (int i = 0; i < most_lines && std::getline(file, line); ++i) {
-    double count = 0;
-    if (std::sscanf(line.c_str(), "POINTS %lf", &count) != 1)
+  // an ASCII number takes two characters or more, a value of a point one byte
+  constexpr Claim claims[] = {{"POINTS", 6},
+                              {"VERTICES", 2},
+                              {"LINES", 2},
+                              {"POLYGONS", 2},
+                              {"TRIANGLE_STRIPS", 2},
+                              {"POINT_DATA", 1},
+                              {"CELL_DATA", 1}};
+  for (const Claim& claim : claims) {
+    const std::size_t length = std::strlen(claim.word);
+    if (line.compare(0, length, claim.word) != 0)
       continue;
-    // a coordinate takes two characters or more
-    if (!(count >= 0 &&
-          count * 6 <= static_cast<double>(std::filesystem::file_size(path)) + 1))
-      fail(path, "the header claims more points than the file can hold");
-    return;
+    double counts[] = {0, 0};
+    std::sscanf(line.c_str() + length, " %lf %lf", &counts[0], &counts[1]);
+    for (const double count : counts)
+      if (!(count >= 0 && count * claim.bytes <= file_size + 1))
+        fail(path, "claims more " + std::string(claim.word) + " than it can hold");
   }
+}
+
+void
+requireClaimsFit(const std::string& path)
+{
+  const auto size = static_cast<double>(std::filesystem::file_size(path));
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);)
+    requireClaimFits(path, line, size);
 }
 
 /** \brief Keeps VTK from printing as long as it lives. */
@@ -96,12 +116,7 @@ update(vtkPolyDataReader* reader, const std::string& path)
   });
   reader->AddObserver(vtkCommand::ErrorEvent, note);
   reader->AddObserver(vtkCommand::WarningEvent, note);
-  try {
-    reader->Update();
-  }
-  catch (const std::bad_alloc&) {
-    complained = true;
-  }
+  reader->Update();
   reader->RemoveObserver(note);
   if (complained)
     fail(path, "is no legacy VTK file of polygons, or a damaged one");
@@ -190,7 +205,7 @@ SceneFile
 readVtkMesh(const std::string& path)
 {
   requireFile(path);
-  requirePointsFit(path);
+  requireClaimsFit(path);
   vtkNew<vtkPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   update(reader, path);

@@ -150,6 +150,14 @@ TEST_F(FrameCounts, AClockThatJumpsCountsNoBillions)
   EXPECT_LE(count_.add(std::nullopt, 5).value(), 1); // far back
 }
 
+TEST_F(FrameCounts, ACounterThatJumpsWithTheClockCountsNoBillions)
+{
+  constexpr std::uint64_t years = 10000000000;
+  EXPECT_EQ(counted(1, 0), 0);
+  EXPECT_EQ(counted(0xFFFFFFFF, years), std::nullopt);
+  EXPECT_EQ(counted(0, years + 1), 0); // goes on from there
+}
+
 /** Images whose bytes are their places. */
 IidcFrame
 placesOf(const IidcMode& mode)

@@ -5,6 +5,12 @@
 
 namespace pcl::acmap {
 
+namespace {
+
+constexpr double most_lost = 1e6; // at once; more is no count
+
+} // namespace
+
 void
 FrameCount::begin(double period)
 {
@@ -40,7 +46,8 @@ FrameCount::lostByCounter(std::uint32_t counter, double periods)
   const std::uint32_t step = counter - *counter_;
   // Frames that waited come in a bunch, and after them the one that follows what did not
   // fit: the clock bounds steps only roughly, and over all that it has not seen yet.
-  if (step == 0 || step > 2.0 * std::max(periods, 0.0) + behind_ + 16) {
+  const double possible = 2.0 * std::max(periods, 0.0) + behind_ + 16;
+  if (step == 0 || step > std::min(possible, most_lost)) {
     odd_ = counter;
     return std::nullopt;
   }
@@ -55,7 +62,7 @@ FrameCount::lostByTime(double periods)
 {
   int change = 0;
   if (periods > 1.5)
-    change = static_cast<int>(std::lround(std::min(periods, 1e6))) - 1;
+    change = static_cast<int>(std::lround(std::min(periods, most_lost))) - 1;
   else if (periods < 0.5 && missing_ > 0)
     change = -1;
   missing_ += change;

@@ -1,6 +1,7 @@
 #include "disk_sync.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/hidden_folder.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -22,7 +23,7 @@ sync(const std::string& path, int flags)
     ::close(file);
   // Devices have nothing to wait for; not every folder that may be written may be read.
   if (fault != 0 && fault != EINVAL && fault != EACCES)
-    throw OutputFileException(path + ": " + std::strerror(fault));
+    throw OutputFileException(shownPath(path) + ": " + std::strerror(fault));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "little_endian.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/file_format.h>
 
 #include <zlib.h>
 
@@ -19,7 +20,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr char magic[] = "ACFRAME\n";
 constexpr std::size_t magic_bytes = sizeof(magic) - 1;
-constexpr std::uint32_t frame_version = 1;
 constexpr std::size_t checksum_bytes = sizeof(std::uint32_t);
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
 
@@ -76,7 +76,7 @@ void
 putHeader(std::uint8_t*& to, const FrameHeader& header)
 {
   to = std::copy_n(magic, magic_bytes, to);
-  putNumber(to, frame_version);
+  putNumber(to, static_cast<std::uint32_t>(file_formats::frame));
   putNumber(to, header.number);
   putNumber(to, static_cast<std::uint32_t>(header.observation));
   putNumber(to, static_cast<std::uint32_t>(header.pattern));
@@ -235,10 +235,9 @@ decodeFrameHeader(const std::string& name,
     fail(name, "is truncated within its header");
   data += magic_bytes;
   const auto file_version = takeNumber<std::uint32_t>(data);
-  if (file_version != frame_version)
-    fail(name,
-         "is of version " + std::to_string(file_version) + ", known is " +
-             std::to_string(frame_version));
+  const std::string newer = faultOfFormat(file_version, file_formats::frame);
+  if (file_version == 0 || !newer.empty())
+    fail(name, newer.empty() ? "is of version 0, which there is not" : newer);
   const FrameHeader header = takeHeader(data);
   const std::string fault = faultOf(header);
   if (!fault.empty())

@@ -2,9 +2,10 @@
 
 #include "disk_sync.h"
 
+#include <pcl/core/file_format.h>
+#include <pcl/core/folder_entries.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
-#include <pcl/core/yaml_node.h>
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t session_version = 1;
 constexpr std::size_t number_digits = 6; // at least
 constexpr const char* summary_name = "session.yaml";
 const std::string frame_begin = "frame_";
@@ -67,25 +67,48 @@ pathIn(const std::string& folder, const std::string& name)
   return (fs::path(folder) / name).string();
 }
 
-void
-saveSessionSummary(const std::string& folder, const SessionSummary& summary)
+std::string
+sessionText(const SessionSummary& summary)
 {
   std::string cameras;
   for (std::size_t camera = 0; camera < summary.cameras.size(); ++camera)
     if (summary.cameras[camera])
       cameras += (cameras.empty() ? "" : ", ") +
                  std::string(nameOf(static_cast<RigCamera>(camera)));
-  const std::string text =
-      "%YAML:1.0\n---\nversion: " + std::to_string(session_version) +
-      "\nrig: " + summary.rig + "\nframes: " + std::to_string(summary.frames) +
-      "\nobservations: " + std::to_string(summary.observations) +
-      "\npatterns: " + std::to_string(summary.patterns) + "\ncameras: [" + cameras +
-      "]\n";
+  return "%YAML:1.0\n---\nversion: " + std::to_string(file_formats::session) +
+         "\nrig: " + summary.rig + "\nframes: " + std::to_string(summary.frames) +
+         "\nobservations: " + std::to_string(summary.observations) +
+         "\npatterns: " + std::to_string(summary.patterns) + "\ncameras: [" + cameras +
+         "]\n";
+}
+
+void
+saveSessionSummary(const std::string& folder, const SessionSummary& summary)
+{
+  const std::string text = sessionText(summary);
   const std::string path = pathIn(folder, summary_name);
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();
   syncToDisk(path);
+}
+
+SessionSummary
+readSessionSummary(const YamlNode& map)
+{
+  constexpr std::size_t most = std::size_t{1} << 31;
+  requireFormat(map, file_formats::session, "version");
+  map.requireKeys({"version", "rig", "frames", "observations", "patterns", "cameras"});
+  SessionSummary summary;
+  summary.rig = map.at("rig").text();
+  if (fs::path(summary.rig).filename() != summary.rig || summary.rig == ".." ||
+      summary.rig == "." || summary.rig.find('\0') != std::string::npos)
+    map.at("rig").fail("must name a file in the folder of the session");
+  summary.frames = map.at("frames").count(0, most);
+  summary.observations = map.at("observations").count(0, most);
+  summary.patterns = map.at("patterns").count(0, most);
+  summary.cameras = readCameras(map.at("cameras"));
+  return summary;
 }
 
 std::optional<SessionSummary>
@@ -95,32 +118,16 @@ loadSessionSummary(const std::string& folder)
   std::error_code error;
   if (!fs::exists(path, error) && !error)
     return std::nullopt;
-  const YamlNode map = loadYaml(path);
-  constexpr std::size_t most = std::size_t{1} << 31;
-  map.at("version").count(session_version, session_version);
-  map.requireKeys({"version", "rig", "frames", "observations", "patterns", "cameras"});
-  SessionSummary summary;
-  summary.rig = map.at("rig").text();
-  if (fs::path(summary.rig).filename() != summary.rig)
-    map.at("rig").fail("must name a file in the folder of the session");
-  summary.frames = map.at("frames").count(0, most);
-  summary.observations = map.at("observations").count(0, most);
-  summary.patterns = map.at("patterns").count(0, most);
-  summary.cameras = readCameras(map.at("cameras"));
-  return summary;
+  return readSessionSummary(loadYaml(path));
 }
 
 std::vector<std::uint64_t>
 listFrames(const std::string& folder)
 {
   std::vector<std::uint64_t> numbers;
-  std::error_code error;
-  fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (const auto number = numberOfFile(entry->path().filename().string()))
+  for (const fs::path& entry : folderEntries(folder))
+    if (const auto number = numberOfFile(entry.filename().string()))
       numbers.push_back(*number);
-  if (error)
-    throw InputFileException(folder + ": " + error.message());
   std::sort(numbers.begin(), numbers.end());
   return numbers;
 }

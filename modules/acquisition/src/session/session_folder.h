@@ -3,6 +3,7 @@
 #include "frame_codec.h"
 
 #include <pcl/core/trinocular_rig.h>
+#include <pcl/core/yaml_node.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,15 @@ struct SessionSummary {
   std::size_t patterns = 0;      ///< different ones, "none" not counted
   std::array<bool, 3> cameras{}; ///< which the frames have
 };
+
+/** \brief The text of a `session.yaml`. */
+std::string
+sessionText(const SessionSummary& summary);
+
+/** \brief The reader behind \ref loadSessionSummary.
+ * \throws InputFileException naming file, line and fault */
+SessionSummary
+readSessionSummary(const YamlNode& map);
 
 /** \brief Writes `session.yaml`, onto the disk.
  * \throws OutputFileException when it could not be written whole */

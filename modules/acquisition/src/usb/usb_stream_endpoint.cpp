@@ -43,12 +43,18 @@ sendsInBulk(const libusb_endpoint_descriptor& endpoint)
 UsbStreamEndpoint
 findUsbStreamEndpoint(libusb_device& device, const std::string& place)
 {
-  const UsbConfiguration configuration = configurationOf(device, place);
+  return streamEndpointIn(*configurationOf(device, place), place);
+}
+
+UsbStreamEndpoint
+streamEndpointIn(const libusb_config_descriptor& configuration,
+                 const std::string& place)
+{
   std::optional<UsbStreamEndpoint> found;
-  for (int i = 0; i < configuration->bNumInterfaces; ++i)
-    for (int k = 0; k < configuration->interface[i].num_altsetting; ++k) {
+  for (int i = 0; i < configuration.bNumInterfaces; ++i)
+    for (int k = 0; k < configuration.interface[i].num_altsetting; ++k) {
       const libusb_interface_descriptor& setting =
-          configuration->interface[i].altsetting[k];
+          configuration.interface[i].altsetting[k];
       // of descriptors that end too early, libusb has the number alone
       const int endpoints = setting.endpoint ? setting.bNumEndpoints : 0;
       for (int n = 0; n < endpoints; ++n) {
@@ -56,7 +62,7 @@ findUsbStreamEndpoint(libusb_device& device, const std::string& place)
         const bool is_better = !found || (found->address != usual_address &&
                                           endpoint.bEndpointAddress == usual_address);
         if (sendsInBulk(endpoint) && is_better)
-          found = UsbStreamEndpoint{configuration->bConfigurationValue,
+          found = UsbStreamEndpoint{configuration.bConfigurationValue,
                                     setting.bInterfaceNumber,
                                     setting.bAlternateSetting,
                                     endpoint.bEndpointAddress,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+struct libusb_config_descriptor;
 struct libusb_device;
 
 namespace pcl::acmap {
@@ -22,5 +23,10 @@ struct UsbStreamEndpoint {
  * \throws CameraException Malformed when there is none, or none that can be */
 UsbStreamEndpoint
 findUsbStreamEndpoint(libusb_device& device, const std::string& place);
+
+/** \brief The same in one configuration. */
+UsbStreamEndpoint
+streamEndpointIn(const libusb_config_descriptor& configuration,
+                 const std::string& place);
 
 } // namespace pcl::acmap

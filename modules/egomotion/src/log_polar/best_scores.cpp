@@ -38,10 +38,10 @@ ColumnBests::add(std::int32_t row, const std::int32_t* scores)
 {
   // of equal scores the lower row, in whatever order
   for (std::size_t j = 0; j < scores_.size(); ++j) {
-    const bool better = scores[j] > scores_[j];
-    const bool sooner = (scores[j] == scores_[j]) & (row < rows_[j]);
-    rows_[j] = better | sooner ? row : rows_[j];
-    scores_[j] = better ? scores[j] : scores_[j];
+    const int better = scores[j] > scores_[j];
+    const int sooner = int(scores[j] == scores_[j]) & int(row < rows_[j]);
+    rows_[j] = (better | sooner) != 0 ? row : rows_[j];
+    scores_[j] = better != 0 ? scores[j] : scores_[j];
   }
 }
 

@@ -20,6 +20,18 @@ unknown()
   return curvature;
 }
 
+/** 2 sin (phi / 2) where phi = atan2 (s, c); by roots and quotients, which every processor
+ * and every library round alike. */
+double
+twiceSineOfHalf(double s, double c)
+{
+  const double r = std::sqrt(s * s + c * c);
+  if (!(r > 0))
+    return 0;
+  return c > 0 ? s * std::sqrt(2 / (r * (r + c)))
+               : std::copysign(std::sqrt(2 * (r - c) / r), s);
+}
+
 /** Of the arc between two points whose normals, in its plane, are phi apart: the chord is
  * 2 sin (phi / 2) / kappa. */
 float
@@ -28,8 +40,9 @@ curvatureAlong(const Eigen::Vector3f& tangent,
                const Eigen::Vector3f& other_normal,
                float chord)
 {
-  const float phi = std::atan2(other_normal.dot(tangent), other_normal.dot(normal));
-  return 2 * std::sin(phi / 2) / chord;
+  return static_cast<float>(twiceSineOfHalf(double{other_normal.dot(tangent)},
+                                            double{other_normal.dot(normal)}) /
+                            double{chord});
 }
 
 /** The curvature along t = (x, y) of the tangent plane is a x^2 + 2 b x y + c y^2; a, b, c

@@ -9,6 +9,13 @@ namespace {
 
 using Samples = std::vector<PlaneNoise>;
 
+/** \brief Whether there is a range; one whose square overflowed is none. */
+bool
+isKnown(double range)
+{
+  return range > 0 && std::isfinite(range);
+}
+
 int
 binOf(double range)
 {
@@ -42,9 +49,10 @@ NoiseProfile::NoiseProfile(Samples& samples)
     return plane.thickness;
   });
   slope_ = medianOf(samples.begin(), samples.end(), slopeOf);
-  const auto known = std::partition(samples.begin(),
-                                    samples.end(),
-                                    [](const PlaneNoise& s) { return !(s.range > 0); });
+  const auto known =
+      std::partition(samples.begin(), samples.end(), [](const PlaneNoise& s) {
+        return !isKnown(s.range);
+      });
   std::sort(known, samples.end(), [](const PlaneNoise& a, const PlaneNoise& b) {
     return a.range < b.range;
   });
@@ -66,7 +74,7 @@ NoiseProfile::NoiseProfile(Samples& samples)
 double
 NoiseProfile::expectedThickness(const PlaneNoise& plane) const
 {
-  if (slopes_.empty() || !(plane.range > 0))
+  if (slopes_.empty() || !isKnown(plane.range))
     return slope_ * plane.height;
   const int last = static_cast<int>(slopes_.size()) - 1;
   const int bin = std::clamp(binOf(plane.range) - first_bin_, 0, last);

@@ -32,7 +32,7 @@ PointWeights::PointWeights(const float* weights, float largest)
   std::frexp(largest, &exponent); // largest < 2^exponent
   scale_ = std::ldexp(1.0, 15 - exponent);
   unit_ = 1 / scale_;
-  one_ = static_cast<std::uint64_t>(scale_);
+  one_ = weights ? 0 : static_cast<std::uint64_t>(scale_);
 }
 
 float

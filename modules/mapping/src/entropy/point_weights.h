@@ -31,7 +31,7 @@ public:
 private:
   const float* weights_;
   double scale_, unit_;
-  std::uint64_t one_;
+  std::uint64_t one_; ///< where there are no weights, which may all be tiny
 };
 
 /** \brief The largest weight, 1 for nullptr.

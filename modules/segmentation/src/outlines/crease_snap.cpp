@@ -11,7 +11,6 @@ CreaseSnap::CreaseSnap(const labeling::CandidateGrid& grid,
                        double reach)
 : grid_(grid)
 , frame_{planes[own].patch}
-, own_(own)
 , reach_(reach)
 , lines_(planes.size())
 {

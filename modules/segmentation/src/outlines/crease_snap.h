@@ -79,7 +79,6 @@ private:
 
   const labeling::CandidateGrid& grid_;
   PatchFrame frame_;
-  std::size_t own_;
   double reach_;
   std::vector<Line> lines_; ///< with each plane; zero where there is none
 };

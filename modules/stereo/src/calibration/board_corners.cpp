@@ -1,5 +1,7 @@
 #include "board_corners.h"
 
+#include "opencv_values.h"
+
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -102,7 +104,7 @@ faultOf(const cv::Mat& grey, const cv::Size& size, const Corners& corners, float
 
 BoardCorners
 findBoard(const CameraImage& image, const CalibrationBoard& board)
-{
+try {
   const cv::Mat grey = greyOf(image);
   const cv::Size size(board.columns, board.rows);
   Corners corners;
@@ -121,6 +123,10 @@ findBoard(const CameraImage& image, const CalibrationBoard& board)
   for (const cv::Point2f& corner : corners)
     found.corners.emplace_back(corner.x, corner.y);
   return found;
+}
+catch (const cv::Exception& error) {
+  requireMemoryWasThere(error);
+  throw;
 }
 
 } // namespace pcl::acmap

@@ -99,7 +99,8 @@ fitOrFail(const CalibrationBoard& board,
     if (isTold(fit))
       return fit;
   }
-  catch (const cv::Exception&) {
+  catch (const cv::Exception& error) {
+    requireMemoryWasThere(error);
     // Told below, in words that say what to do.
   }
   throw InitFailedException("the boards do not tell the focal length of the " + name +

@@ -3,6 +3,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include <cstdio>
+#include <new>
 
 namespace pcl::acmap {
 
@@ -45,6 +46,14 @@ matrixOf(const CameraCalibration& camera)
 {
   return {
       camera.focal_x, 0, camera.center_x, 0, camera.focal_y, camera.center_y, 0, 0, 1};
+}
+
+void
+requireMemoryWasThere(const cv::Exception& error)
+{
+  // cv::Mat catches the error of its allocator, and asserts that it has memory
+  if (error.code == cv::Error::StsNoMem || error.err == "u != 0")
+    throw std::bad_alloc();
 }
 
 std::string

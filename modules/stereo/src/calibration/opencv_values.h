@@ -19,6 +19,11 @@ cameraOf(const cv::Matx33d& matrix, const cv::Mat& distortion);
 cv::Matx33d
 matrixOf(const CameraCalibration& camera);
 
+/** \brief Tells of want of memory as everybody does.
+ * \throws std::bad_alloc when OpenCV lacked memory */
+void
+requireMemoryWasThere(const cv::Exception& error);
+
 /** \brief Two digits after the point. */
 std::string
 pixelText(double pixels);

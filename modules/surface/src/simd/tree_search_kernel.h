@@ -49,8 +49,8 @@ struct ApexVisitor {
     const float bar = cotangent + 1e-4f * (1 + size);
     limit = bar < 0 ? -bar * bar : bar * bar;
     // All better apexes lie in balls through a and b, hence within this of the middle.
-    const float half = query.length / 2, t = half * bar;
-    const float radius = t > 0 ? t + __builtin_sqrtf(t * t + half * half) : half;
+    const float half = query.length / 2;
+    const float radius = bar > 0 ? half * (bar + __builtin_sqrtf(bar * bar + 1)) : half;
     ball.radius = radius < ball.radius ? radius : ball.radius;
   }
 
@@ -104,7 +104,7 @@ struct ApexVisitor {
     const Lanes square = dot * maxLanes(dot, -dot) / cross2;
     const Lanes far2 = maxLanes(a2, b2);
     const Lanes doubt = allLanes(1e-6f) * (allLanes(1) + a2);
-    const float limit2 = longest * longest * scale * scale;
+    const float sides = longest * scale, limit2 = sides * sides;
     const LaneMask maybe = (square <= allLanes(limit)) & (forward > -doubt) &
                            (far2 <= allLanes(limit2 * (1 + 1e-5f)));
     unsigned candidates = bitsOf(maybe) & alive;
@@ -164,11 +164,13 @@ findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
     visitor.prune();
 }
 
+/** In units of the radius: squares of metres leave the floats below 1e-19 and above 1e19. */
 struct BallVisitor {
   const TreeCells& tree;
   const BallQuery& query;
   SearchHits& hits;
   Ball ball;
+  float scale;
   bool is_occupied = false;
 
   ACMAP_INLINE unsigned
@@ -185,15 +187,15 @@ struct BallVisitor {
       const Lanes v =
           (loadLanes(tree.coordinates[axis] + first) - allLanes(query.origin[axis])) -
           allLanes(query.centre[axis]);
-      squared += v * v;
+      const Lanes radii = v * allLanes(scale);
+      squared += radii * radii;
     }
-    const float radius2 = query.radius * query.radius;
-    if (bitsOf(squared < allLanes(radius2 * (1 - 1e-4f))) & alive) {
+    if (bitsOf(squared < allLanes(1 - 1e-4f)) & alive) {
       is_occupied = true;
       ball.radius = -1;
       return;
     }
-    unsigned candidates = bitsOf(squared < allLanes(radius2 * (1 + 1e-4f))) & alive;
+    unsigned candidates = bitsOf(squared < allLanes(1 + 1e-4f)) & alive;
     for (; candidates; candidates &= candidates - 1) {
       const std::int32_t index =
           first + static_cast<std::int32_t>(lowestBit(candidates));
@@ -224,8 +226,11 @@ bool
 findInBall(const TreeCells& tree, const BallQuery& query, SearchHits& hits)
 {
   hits.count = 0;
-  BallVisitor visitor{
-      tree, query, hits, ballAt(query.middle, query.radius * (1 + 1e-4f))};
+  BallVisitor visitor{tree,
+                      query,
+                      hits,
+                      ballAt(query.middle, query.radius * (1 + 1e-4f)),
+                      1 / query.radius};
   walkTree(tree, visitor, query.leaf);
   return visitor.is_occupied;
 }

@@ -78,6 +78,15 @@ membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inwar
   return bitsOf(most >= allLanes(-1e-6f) * size);
 }
 
+/** A bit for each member that a group of a level has; only the highest may have fewer than
+ * eight. A ball without end would reach the others, too. */
+ACMAP_INLINE unsigned
+membersOf(const TreeCells& tree, int level)
+{
+  const int depth = tree.depth - 3 * (level - 1);
+  return depth < 3 ? (1u << (1u << depth)) - 1 : 0xffu;
+}
+
 /** Visits the members of a group, and what is below them, all but one (-1: all).
  * Visitor: ball; keep (level, group) gives a bit a member; visit (leaf) may shrink the
  * ball. */
@@ -89,8 +98,8 @@ walkGroup(
   const SiblingBoxes& boxes = tree.boxes[level][group];
   const Lanes squared = squaredDistances(boxes, visitor.ball);
   const float reach = visitor.ball.reach();
-  unsigned left =
-      bitsOf(squared <= allLanes(reach * reach)) & visitor.keep(level, group);
+  unsigned left = bitsOf(squared <= allLanes(reach * reach)) & membersOf(tree, level) &
+                  visitor.keep(level, group);
   if (without >= 0)
     left &= ~(1u << without);
   while (left) {

@@ -181,23 +181,11 @@ saveCompactMap(const std::string& folder,
   requireWholeCharts(map);
   ImageNames names(map.charts, outputs.jpeg_images);
   OutputFolder target(folder);
-  try {
-    const std::vector<std::string> written =
-        MapFolderWriter(target, map, outputs).writeAll();
-    target.commit();
-    names.keep();
-    return written;
-  }
-  catch (const OutputFileException& error) {
-    // The hidden place means nothing to the user.
-    const std::string text = error.what();
-    const std::string hidden = target.path("");
-    const std::size_t at = text.find(hidden);
-    if (at == std::string::npos)
-      throw;
-    throw OutputFileException((std::filesystem::path(folder) / "").string() +
-                              text.substr(at + hidden.size()));
-  }
+  const std::vector<std::string> written =
+      MapFolderWriter(target, map, outputs).writeAll();
+  target.commit();
+  names.keep();
+  return written;
 }
 
 } // namespace pcl

@@ -63,7 +63,12 @@ private:
         name.find_first_of(std::string("/\\\0", 3)) != std::string::npos)
       throw InputFileException(map_path_ + ": \"" + name.substr(0, longest) +
                                "\" is no name of an image in the folder");
-    return (fs::path(folder_) / name).string();
+    const fs::path path = fs::path(folder_) / name;
+    std::error_code error;
+    const fs::path target = fs::canonical(path, error); // what is missing is told later
+    if (!error && target.parent_path() != fs::canonical(folder_, error))
+      throw InputFileException(path.string() + ": is a link to outside of the folder");
+    return path.string();
   }
 
   static void

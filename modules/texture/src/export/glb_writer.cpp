@@ -60,12 +60,13 @@ public:
     if (!model_.buffers.empty() &&
         model_.buffers[0].data.size() >
             std::numeric_limits<std::uint32_t>::max() - room_for_text)
-      throw OutputFileException(path + ": a GLB cannot be longer than 4 GiB");
+      throw OutputFileException(shownPath(path) +
+                                ": a GLB cannot be longer than 4 GiB");
     std::ostringstream stream;
     const bool is_written =
         tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true);
     if (!is_written || !stream) // a stream without memory is bad and throws nothing
-      throw OutputFileException(path + ": could not be composed");
+      throw OutputFileException(shownPath(path) + ": could not be composed");
     return stream.str();
   }
 

@@ -1,20 +1,23 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/hidden_folder.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief A folder of results that appear all together: files are written into a hidden
- * folder inside of it, and \ref commit renames them into place. A run that fails before
- * leaves the folder as it was; a killed one leaves its hidden folder behind, which later
- * runs do not touch. \ingroup core */
+/** \brief A folder of results that appear all together: files are written into a
+ * \ref HiddenFolder, inside of it or, where it is new, beside it, and \ref commit renames
+ * them into place. A run that fails before leaves the folder as it was, a killed one what
+ * the next one for this folder removes. \ingroup core */
 class ACMAP_EXPORT OutputFolder {
 public:
-  /** \brief Makes the folder where it is missing; what it lies in must be there.
+  /** \brief Makes the folder where it is missing; what it lies in must be there. Removes
+   * what killed runs left.
    * \throws OutputFileException when it cannot be made or written to */
   explicit OutputFolder(const std::string& path);
 
@@ -36,7 +39,8 @@ public:
   std::string
   path(const std::string& name) const;
 
-  /** \brief Names of what lies in it, in order; of nothing that this run wrote.
+  /** \brief Names of what lies in it, in order, hidden folders of runs apart; of nothing
+   * that this run wrote.
    * \throws OutputFileException when it cannot be listed */
   std::vector<std::string>
   names() const;
@@ -45,17 +49,27 @@ public:
   bool
   holds(const std::string& path) const;
 
-  /** \brief Renames what was written into place, file by file: where a rename fails
-   * midway, new files stand beside old ones, and the hidden ones that are left are removed.
-   * A name that belongs to a folder is foreseen: then nothing is put into place.
+  /** \brief Puts what was written into place: a new folder that is empty by then all at
+   * once, else file by file. Where such a rename fails midway, new files stand beside old
+   * ones, and those that are left are removed. A name that belongs to a folder is
+   * foreseen: then nothing is put into place.
    * \throws OutputFileException when a file could not be put into place */
   void
   commit();
 
 private:
+  /** \brief Makes the hidden folder. */
+  void
+  hide();
+
+  /** \brief Renames them one by one. */
+  void
+  putFilesInPlace() const;
+
   std::string name_;
   std::filesystem::path folder_;
-  std::filesystem::path hidden_;
+  std::optional<HiddenFolder> hidden_;
+  std::filesystem::path files_; // in there
   bool made_ = false;
 };
 

@@ -1,0 +1,167 @@
+#include "sanitized.h"
+#include "small_session.h"
+#include "temporary_folder.h"
+#include "tool_cases.h"
+#include "virtual_display.h"
+
+#include <pcl/core/image_file.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** A session, its observations with poses, a photograph and planes, made once. */
+class MemoryLimit : public testing::Test {
+protected:
+  static void
+  SetUpTestSuite()
+  {
+    folder_ = new TemporaryFolder;
+    filmSmallSession(path("session"));
+    const ToolRun clouds = runTool(ACMAP_SIMULATED_RIG,
+                                   {"-o",
+                                    path("clouds"),
+                                    "--scene",
+                                    "corridor_drive",
+                                    "--observations",
+                                    "2",
+                                    "--clouds"});
+    ASSERT_EQ(clouds.exit_code, 0) << clouds.err;
+    RgbImage photograph{1000, 800, {}};
+    photograph.values.assign(std::size_t{3} * 1000 * 800, 90);
+    for (int number = 0; number < 6; ++number)
+      savePng(path("photograph_" + std::to_string(number) + ".png"), photograph);
+    fs::create_directory(path("rgbd"));
+    savePng(path("rgbd/frame-000000.color.png"), photograph);
+    savePng(path("rgbd/frame-000000.depth.png"), photograph);
+    folder_->write("planes.json",
+                   R"({"planes":[{"id":0,"coefficients":[0,0,-1,3],"center":[0,0,3],)"
+                   R"("axes":[[1,0,0],[0,1,0]],"covariance":[[1,0,0],[0,1,0],[0,0,1]],)"
+                   R"("support":9,"effective_support":9,"rmse":0.01,"area":1,)"
+                   R"("polygons":[{"outer":[[0,0,3],[1,0,3],[1,1,3]],"holes":[]}]}]})");
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  static std::string
+  path(const std::string& name)
+  {
+    return folder_->path(name);
+  }
+
+  static std::string
+  cloud()
+  {
+    return path("clouds/observation_0000.pcd");
+  }
+
+  void
+  TearDown() override
+  {
+    fs::remove_all(path("out"));
+  }
+
+  /** Runs a tool whose output is out, or begins with it. */
+  static ToolRun
+  run(const std::string& tool, std::vector<std::string> arguments, const char* limit)
+  {
+    arguments.insert(arguments.end(), {"--memory-limit", limit});
+    return runTool(tool, arguments);
+  }
+
+  static TemporaryFolder* folder_;
+};
+
+TemporaryFolder* MemoryLimit::folder_ = nullptr;
+
+TEST_F(MemoryLimit, EndsEachToolWithNothingLeftBehind)
+{
+  if (is_sanitized)
+    GTEST_SKIP() << "a sanitizer ends the process where memory is refused";
+  const VirtualDisplay display;
+  const std::string out = path("out");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> runs = {
+      {ACMAP_DEWALL_SURFACE, {cloud(), out + ".ply"}},
+      {ACMAP_PLANE_EXTRACTION, {cloud(), out + ".json"}},
+      {ACMAP_COMPACT_VIEWER, {cloud(), "--screenshot", out + ".png"}},
+      {ACMAP_SIMULATED_RIG, {"-o", out, "--scene", "corridor_drive"}},
+      {ACMAP_SIMULATED_RIG, {"-o", out, "--scene", "corridor_drive", "--clouds"}},
+      {ACMAP_ACTIVE_STEREO, {path("session"), "-o", out}},
+      {ACMAP_DIGICLOPS_GRABBER, {"--device", path("session"), "-o", out}},
+      {ACMAP_DIGICLOPS_GRABBER, {"--device", path("session"), "--pcd", out}},
+      {ACMAP_VISUAL_EGOMOTION, {path("clouds"), "-o", out}},
+      {ACMAP_ENTROPY_RECTIFICATION, {path("clouds"), "-o", out}},
+      {ACMAP_PLANE_TEXTURING, {path("planes.json"), path("clouds"), "-o", out}},
+      {ACMAP_COMPACT_MAPPING, {path("session"), "-o", out}},
+      {ACMAP_COMPACT_MAPPING, {cloud(), "-o", out}},
+      {ACMAP_LINE_PATTERN, {out + ".png"}},
+      {ACMAP_RGBD_IMPORT, {path("rgbd"), "-o", out, "--no-poses"}},
+      {ACMAP_RIG_CALIBRATION,
+       {"--square",
+        "0.03",
+        "-o",
+        out + ".yaml",
+        "--reference",
+        path("photograph_0.png"),
+        path("photograph_1.png"),
+        path("photograph_2.png"),
+        "--horizontal",
+        path("photograph_3.png"),
+        path("photograph_4.png"),
+        path("photograph_5.png")}}};
+  const auto before = folder_->count();
+  for (const auto& [tool, arguments] : runs) {
+    SCOPED_TRACE(tool + " " + arguments.front());
+    expectRefused(run(tool, arguments, "100KB"), 6, "--memory-limit");
+    EXPECT_EQ(folder_->count(), before);
+  }
+}
+
+TEST_F(MemoryLimit, RoomyChangesNothing)
+{
+  ASSERT_EQ(runSurface({cloud(), path("without.ply")}).exit_code, 0);
+  const ToolRun roomy = run(ACMAP_DEWALL_SURFACE, {cloud(), path("with.ply")}, "6GB");
+  ASSERT_EQ(roomy.exit_code, 0) << roomy.err;
+  EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
+  fs::remove(path("with.ply"));
+  fs::remove(path("without.ply"));
+}
+
+TEST_F(MemoryLimit, MeetsWorkersOnTheWayWithoutHarm)
+{
+  if (is_sanitized)
+    GTEST_SKIP() << "a sanitizer ends the process where memory is refused";
+  std::size_t done = 0;
+  for (const char* limit : {"3MB", "12MB", "25MB", "50MB", "75MB", "100MB", "3GB"}) {
+    const std::string clouds = path("out");
+    const ToolRun stereo = run(
+        ACMAP_ACTIVE_STEREO, {path("session"), "-o", clouds, "--threads", "8"}, limit);
+    SCOPED_TRACE(limit);
+    if (stereo.exit_code == 0)
+      ++done;
+    else
+      expectRefused(stereo, 6, "--memory-limit");
+    EXPECT_EQ(fs::exists(clouds), stereo.exit_code == 0);
+    fs::remove_all(clouds);
+  }
+  EXPECT_GE(done, 1U);
+}
+
+TEST_F(MemoryLimit, NonsenseIsRefused)
+{
+  for (const char* size : {"much", "-5MB", "0", "", "1.5GB", "99999999999GB", "5 fish"})
+    expectRefused(
+        run(ACMAP_DEWALL_SURFACE, {cloud(), path("out.ply")}, size), 2, "--help");
+}
+
+} // namespace
+} // namespace pcl::acmap::test

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ugly_case.h"
+
+namespace pcl::acmap::test {
+
+/** \name Cases of each tool
+ * \{ */
+UglyTool
+uglyDewallSurface();
+
+UglyTool
+uglyPlaneExtraction();
+
+UglyTool
+uglyCompactViewer();
+
+UglyTool
+uglyEntropyRectification();
+
+UglyTool
+uglyVisualEgomotion();
+
+UglyTool
+uglyCompactMapping();
+
+UglyTool
+uglyActiveStereo();
+
+UglyTool
+uglyDigiclopsGrabber();
+
+UglyTool
+uglyRgbdImport();
+
+UglyTool
+uglyRigCalibration();
+
+UglyTool
+uglyLinePattern();
+
+UglyTool
+uglySimulatedRig();
+
+UglyTool
+uglyPlaneTexturing();
+
+UglyTool
+uglyPaperFigures();
+/** \} */
+
+} // namespace pcl::acmap::test

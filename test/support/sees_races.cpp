@@ -1,0 +1,19 @@
+#include <pcl/core/parallel.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+/** Adds to one number from all threads: ThreadSanitizer has to say so. */
+int
+main()
+{
+  std::size_t sum = 0;
+  pcl::acmap::parallelForChunks(
+      64 * pcl::acmap::parallel_chunk, [&](std::size_t begin, std::size_t end) {
+        sum += end - begin;
+        std::this_thread::sleep_for(
+            std::chrono::milliseconds(1)); // one is not done alone
+      });
+  std::printf("%zu\n", sum);
+}
