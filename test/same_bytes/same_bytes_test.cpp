@@ -1,0 +1,163 @@
+#include "fingerprint.h"
+#include "stage_runs.h"
+#include "virtual_display.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace pcl::acmap::test {
+
+void
+PrintTo(const Stage& stage, std::ostream* out)
+{
+  *out << stage.name;
+}
+
+namespace {
+
+using testing::IsEmpty;
+using testing::UnorderedElementsAreArray;
+
+/** Rounds of runs: 1, or what ACMAP_SAME_BYTES_ROUNDS says. */
+int
+roundsAsked()
+{
+  const char* asked = std::getenv("ACMAP_SAME_BYTES_ROUNDS");
+  return asked ? std::stoi(asked) : 1;
+}
+
+std::vector<Variant>
+variantsOf(const Stage& stage)
+{
+  if (!stage.has_threads)
+    return {{0, false}, {0, true}};
+  return {{1, false}, {2, false}, {8, false}, {2, true}};
+}
+
+std::vector<std::string>
+differingNames(const Files& a, const Files& b)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, content] : a)
+    if (const auto other = b.find(name); other == b.end() || other->second != content)
+      names.push_back(name);
+  for (const auto& [name, content] : b)
+    if (a.count(name) == 0)
+      names.push_back(name);
+  return names;
+}
+
+nlohmann::json
+storedFingerprints()
+{
+  std::ifstream file(ACMAP_FINGERPRINTS);
+  return file ? nlohmann::json::parse(file) : nlohmann::json::object();
+}
+
+/** A summary a line, so that a change shows as lines that changed. */
+void
+store(const nlohmann::json& fingerprints)
+{
+  std::ofstream file(ACMAP_FINGERPRINTS);
+  const char* before_stage = "{\n";
+  for (const auto& [stage, summaries] : fingerprints.items()) {
+    file << before_stage << nlohmann::json(stage) << ": {";
+    const char* before = "\n  ";
+    for (const auto& [name, summary] : summaries.items()) {
+      file << before << nlohmann::json(name) << ": " << summary;
+      before = ",\n  ";
+    }
+    file << "\n}";
+    before_stage = ",\n";
+  }
+  file << "\n}\n";
+}
+
+/** Made once for all tests. */
+StageRuns&
+runs()
+{
+  static StageRuns runs;
+  return runs;
+}
+
+std::vector<Stage>
+stagesWithFingerprints()
+{
+  std::vector<Stage> stages;
+  for (const Stage& stage : stageTable())
+    if (!stage.needs_display)
+      stages.push_back(stage);
+  return stages;
+}
+
+class SameBytes : public testing::TestWithParam<Stage> {};
+
+TEST_P(SameBytes, WhateverThreadsAndInstructions)
+{
+  static const VirtualDisplay display;
+  if (GetParam().needs_display && !display.exists())
+    GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  const Files& wanted = runs().firstOf(GetParam());
+  EXPECT_GT(wanted.size(), 1U) << "the report, and something it is about";
+  const int rounds = roundsAsked();
+  for (int round = 0; round < rounds; ++round)
+    for (const Variant& variant : variantsOf(GetParam()))
+      EXPECT_THAT(differingNames(runs().run(GetParam(), variant), wanted), IsEmpty())
+          << variant.threads << " threads" << (variant.is_plain ? ", plain" : "");
+}
+
+class StoredNumbers : public testing::TestWithParam<Stage> {};
+
+/** ACMAP_REFRESH_FINGERPRINTS stores what is found in place of comparing. */
+TEST_P(StoredNumbers, AreThoseOfTheFiles)
+{
+  const Stage& stage = GetParam();
+  runs().firstOf(stage);
+  const auto found = fingerprintOf(numbersIn(runs().folderOf(stage)));
+  auto stored = storedFingerprints();
+  if (std::getenv("ACMAP_REFRESH_FINGERPRINTS")) {
+    stored[stage.name] = found;
+    store(stored);
+  }
+  EXPECT_THAT(differencesOf(found, stored.value(stage.name, nlohmann::json::object())),
+              IsEmpty());
+}
+
+std::string
+stageName(const testing::TestParamInfo<Stage>& info)
+{
+  return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, SameBytes, testing::ValuesIn(stageTable()), stageName);
+INSTANTIATE_TEST_SUITE_P(Tools,
+                         StoredNumbers,
+                         testing::ValuesIn(stagesWithFingerprints()),
+                         stageName);
+
+TEST(StoredFingerprints, AreOfTheStagesThatThereAre)
+{
+  std::vector<std::string> wanted, stored;
+  for (const Stage& stage : stagesWithFingerprints())
+    wanted.push_back(stage.name);
+  const auto fingerprints = storedFingerprints();
+  for (const auto& item : fingerprints.items())
+    stored.push_back(item.key());
+  EXPECT_THAT(stored, UnorderedElementsAreArray(wanted));
+}
+
+TEST(Comparable, ReportsWithoutWhatChanges)
+{
+  const std::string report =
+      R"({"seconds": {"read": 1}, "planes": 3, "peak_memory_bytes": 4,
+          "command_line": ["a"], "rows": [["seconds", "1.2"], ["points", "5"]]})";
+  EXPECT_EQ(nlohmann::json::parse(comparable("report.json", report)),
+            nlohmann::json::parse(R"({"planes": 3, "rows": [[], ["points", "5"]]})"));
+  EXPECT_EQ(comparable("planes.json", report), report);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
