@@ -1,0 +1,17 @@
+#include "checks.h"
+#include "rgbd_import/color_camera.h"
+#include "rgbd_import/text_rows.h"
+
+using namespace pcl::acmap;
+
+/** Bytes are refused, or give a camera that stands somewhere and looks some way. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const std::string text = test::textOfInput(data, size);
+  const auto camera =
+      test::acceptedBy([&] { return readColorCamera(parseYaml("input", text)); });
+  test::require(!camera || (camera->T_depth_color.matrix().allFinite() &&
+                            isRotation(camera->T_depth_color.linear())));
+  return 0;
+}

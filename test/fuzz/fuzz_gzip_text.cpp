@@ -1,0 +1,13 @@
+#include "gzip_text.h"
+#include "source_checks.h"
+
+using namespace pcl::acmap;
+
+/** Bytes are refused, or unpack to no more than deflate can pack into them. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const auto text = test::acceptedBy(unpackGzip, data, size);
+  test::require(!text || text->size() <= 1032 * size);
+  return 0;
+}

@@ -1,0 +1,23 @@
+#include "fuzzed_reader.h"
+#include "obj_faces.h"
+#include "point_cloud_readers.h"
+#include "source_checks.h"
+
+using namespace pcl::acmap;
+
+/** Corners of faces are vertices, and those that the cloud has. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  test::readFuzzed(data, size, readObj);
+  const auto mesh = test::acceptedBy(readObjFaces, data, size);
+  const auto file = test::acceptedBy(readObj, data, size);
+  if (mesh && file) {
+    const std::size_t points = file->points().size();
+    test::require(mesh->wall_depth.empty());
+    for (const pcl::TriangleMesh::Triangle& triangle : mesh->triangles)
+      for (const std::int32_t corner : triangle)
+        test::require(corner >= 0 && static_cast<std::size_t>(corner) < points);
+  }
+  return 0;
+}

@@ -1,0 +1,249 @@
+#include "fuzzed_mesh.h"
+
+#include <pcl/segmentation/plane_clustering_kernel.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pcl::acmap::test {
+namespace {
+
+constexpr std::size_t most_points = 64;
+
+/** Points with normals, a source, and how their planes are to be found. */
+struct ClusteringTask {
+  PointStyle style;
+  FuzzedMesh mesh;
+  PlaneHypotheses hypotheses;
+  std::vector<std::int32_t> views;
+  PlaneSource source;
+  PlaneClusteringSettings settings;
+
+  explicit ClusteringTask(FuzzedBytes bytes)
+  : style(bytes)
+  , mesh(bytes, style, most_points)
+  {
+    const std::uint8_t choice = bytes.byte(), more = bytes.byte();
+    const std::size_t size = mesh.points.size();
+    hypotheses.points = viewOf(mesh.points);
+    if (choice & 1)
+      hypotheses.triangles = mesh.triangles;
+    // A few directions at first, so that neighbours agree.
+    const bool has_one = choice & 2;
+    const Eigen::Vector3f one = fuzzedNormal(bytes);
+    while (hypotheses.normals.size() < size)
+      hypotheses.normals.push_back(has_one ? one : fuzzedNormal(bytes));
+    while (choice & 4 && hypotheses.is_crease.size() < size)
+      hypotheses.is_crease.push_back(bytes.byte() & 1);
+    while (choice & 8 && hypotheses.curvatures.size() < size)
+      hypotheses.curvatures.push_back(style.coordinate(bytes));
+    settings.noise_driven = choice & 16;
+    if (choice & 32)
+      source = {viewOf(mesh.points), fuzzedSensors(bytes, style, size, views)};
+    settings.regular = choice & 64;
+    settings.threads = choice & 128 && more >= 0xc0 ? 2 : 1;
+    const auto length = [&](int steps) {
+      return std::clamp(static_cast<double>(style.scale) * steps, 1e-9, 1e9);
+    };
+    settings.least_support = more & 7;
+    settings.plane_distance =
+        settings.noise_driven && more & 8 ? 0 : length(1 + bytes.byte()) / 16;
+    settings.member_distance = length(1 + (bytes.byte() & 15));
+    settings.normal_angle = (1 + bytes.byte()) / 256.0 * M_PI / 2;
+    settings.least_area = more & 16 ? length(1 + bytes.byte()) : 0;
+  }
+};
+
+PlaneClusters
+cluster(const ClusteringTask& task, unsigned threads, PlaneClusteringReport& report)
+{
+  PlaneClusteringSettings settings = task.settings;
+  settings.threads = threads;
+  return clusterPlanes(task.hypotheses, task.source, settings, Progress(), report);
+}
+
+/** Unit normal, right-handed axes, the middle on the plane. */
+void
+requireFrame(const PlanePatch& patch)
+{
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  require(patch.coefficients.allFinite() && patch.center.allFinite());
+  Eigen::Matrix3d axes;
+  axes << patch.axis_u, patch.axis_v, normal;
+  require((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() < 1e-6);
+  require(axes.determinant() > 0);
+  const double far = patch.center.norm() + std::abs(patch.coefficients[3]);
+  require(std::abs(normal.dot(patch.center) + patch.coefficients[3]) <= 1e-9 * far);
+}
+
+/** NaN, or what a covariance may be: in units of its own deviations. */
+void
+requireCovariance(const Eigen::Matrix3d& covariance)
+{
+  if (covariance.array().isNaN().any())
+    return;
+  require(covariance.allFinite());
+  const Eigen::Vector3d deviations =
+      covariance.diagonal().cwiseMax(0.0).cwiseSqrt().cwiseMax(1e-300);
+  require(covariance.diagonal().minCoeff() >= 0);
+  const Eigen::Matrix3d scaled = deviations.cwiseInverse().asDiagonal() * covariance *
+                                 deviations.cwiseInverse().asDiagonal();
+  require((scaled - scaled.transpose()).norm() < 1e-6);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+  require(solver.eigenvalues()[0] >= -1e-6);
+}
+
+double
+areaOf(const PlanePatch& patch, const std::vector<Eigen::Vector3f>& loop)
+{
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  const Eigen::Vector3d first = loop.front().cast<double>();
+  double twice = 0;
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i)
+    twice += (loop[i].cast<double>() - first)
+                 .cross(loop[i + 1].cast<double>() - first)
+                 .dot(normal);
+  return twice / 2;
+}
+
+/** Rims counter-clockwise, holes clockwise, and the area theirs. */
+void
+requirePolygons(const ClusteringTask& task, const PlanePatch& patch)
+{
+  require(std::isfinite(patch.area) && patch.area >= 0);
+  require(!task.hypotheses.triangles.empty() || patch.polygons.empty());
+  require(!patch.polygons.empty() || patch.area == 0);
+  double area = 0;
+  for (const PlanePolygon& polygon : patch.polygons) {
+    require(polygon.outer.size() >= 3);
+    const double outer = areaOf(patch, polygon.outer);
+    require(!task.style.isModerate() || outer > 0);
+    area += outer;
+    for (const std::vector<Eigen::Vector3f>& hole : polygon.holes) {
+      require(hole.size() >= 3);
+      const double inner = areaOf(patch, hole);
+      require(!task.style.isModerate() || inner < 0);
+      area += inner;
+    }
+  }
+  if (task.style.isModerate() && task.style.far == 0)
+    require(std::abs(patch.area - area) <=
+            1e-3 * patch.area + 1e-6 * task.style.scale * task.style.scale);
+}
+
+void
+requireSound(const ClusteringTask& task, const PlanePatch& patch)
+{
+  requireFrame(patch);
+  requireCovariance(patch.covariance);
+  require(patch.support <= task.mesh.points.size());
+  require(patch.effective_support >= 0 &&
+          patch.effective_support <= static_cast<double>(patch.support));
+  require(std::isfinite(patch.rms) && patch.rms >= 0);
+  requirePolygons(task, patch);
+}
+
+void
+requireLabels(const ClusteringTask& task,
+              const std::vector<std::int32_t>& labels,
+              std::size_t patches)
+{
+  require(labels.size() == task.mesh.points.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    require(labels[i] >= -1 && labels[i] < static_cast<std::int32_t>(patches));
+    require(labels[i] < 0 || task.mesh.points[i].allFinite());
+  }
+}
+
+/** As the paper, a supporter is on its plane as far as W_t; what is gathered later, as far
+ * as the noise. */
+void
+requireOnPlanes(const ClusteringTask& task,
+                const PlaneClusters& found,
+                const PlaneClusteringReport& report)
+{
+  if (task.settings.noise_driven || !task.style.isModerate())
+    return;
+  const double most =
+      2 * report.plane_distance + std::max(5 * report.sigma, report.spacing);
+  for (std::size_t i = 0; i < found.labels.size(); ++i) {
+    if (found.labels[i] < 0)
+      continue;
+    const Eigen::Vector4d& plane = found.patches[found.labels[i]].coefficients;
+    const Eigen::Vector3d point = task.mesh.points[i].cast<double>();
+    require(std::abs(plane.head<3>().dot(point) + plane[3]) <= most);
+  }
+}
+
+void
+requireTrueReport(const ClusteringTask& task,
+                  const PlaneClusters& found,
+                  const PlaneClusteringReport& report)
+{
+  const auto count = std::count_if(found.labels.begin(),
+                                   found.labels.end(),
+                                   [](std::int32_t label) { return label >= 0; });
+  require(report.points == task.mesh.points.size());
+  require(report.planes == found.patches.size());
+  require(report.points_on_planes == static_cast<std::size_t>(count));
+  require(report.planes > 0 || !report.remarks.empty());
+  require(std::is_sorted(found.patches.begin(),
+                         found.patches.end(),
+                         [](const auto& a, const auto& b) { return a.area > b.area; }));
+}
+
+/** A second run gives the same bytes, whatever the number of threads. */
+void
+requireSame(const PlaneClusters& a, const PlaneClusters& b)
+{
+  require(a.labels == b.labels && a.source_labels == b.source_labels &&
+          a.patches.size() == b.patches.size());
+  for (std::size_t p = 0; p < a.patches.size(); ++p) {
+    const PlanePatch &one = a.patches[p], &other = b.patches[p];
+    require(one.coefficients == other.coefficients && one.center == other.center &&
+            one.area == other.area && one.support == other.support);
+    require(std::memcmp(one.covariance.data(),
+                        other.covariance.data(),
+                        sizeof one.covariance) == 0);
+    require(std::equal(one.polygons.begin(),
+                       one.polygons.end(),
+                       other.polygons.begin(),
+                       other.polygons.end(),
+                       [](const PlanePolygon& x, const PlanePolygon& y) {
+                         return x.outer == y.outer && x.holes == y.holes;
+                       }));
+  }
+}
+
+void
+clusterFuzzed(const ClusteringTask& task)
+{
+  PlaneClusteringReport report, again;
+  const PlaneClusters found = cluster(task, task.settings.threads, report);
+  requireLabels(task, found.labels, found.patches.size());
+  if (task.settings.noise_driven && task.source.points.size() > 0)
+    requireLabels(task, found.source_labels, found.patches.size());
+  else
+    require(found.source_labels.empty());
+  for (const PlanePatch& patch : found.patches)
+    requireSound(task, patch);
+  requireOnPlanes(task, found, report);
+  requireTrueReport(task, found, report);
+  requireSame(found, cluster(task, 1, again));
+}
+
+} // namespace
+} // namespace pcl::acmap::test
+
+/** Any points give planes that keep what PlaneHypothesisClustering promises. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  using namespace pcl::acmap::test;
+  clusterFuzzed(ClusteringTask(FuzzedBytes(data, size)));
+  return 0;
+}

@@ -1,0 +1,29 @@
+#include "checks.h"
+#include "rgbd_import/text_rows.h"
+
+#include <cmath>
+#include <sstream>
+
+using namespace pcl::acmap;
+
+/** Bytes are refused, or give rows of words, each of which is a finite number or not. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  std::istringstream stream(test::textOfInput(data, size));
+  const auto rows = test::acceptedBy([&] { return readTextRows(stream, "input"); });
+  if (!rows)
+    return 0;
+  std::size_t line = 0;
+  for (const TextRow& row : *rows) {
+    test::require(row.line > line && !row.words.empty());
+    line = row.line;
+    for (std::size_t word = 0; word < row.words.size(); ++word) {
+      test::require(!row.words[word].empty());
+      const auto number =
+          test::acceptedBy([&] { return numberOf("input", row, word); });
+      test::require(!number || std::isfinite(*number));
+    }
+  }
+  return 0;
+}

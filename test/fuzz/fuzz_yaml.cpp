@@ -1,0 +1,48 @@
+#include "checks.h"
+
+#include <pcl/core/yaml_node.h>
+
+#include <cmath>
+
+using namespace pcl::acmap;
+
+namespace {
+
+/** What a node says of itself holds, whatever it is asked for. */
+void
+walk(const YamlNode& node)
+{
+  constexpr std::size_t most = std::size_t{1} << 31;
+  test::acceptedBy([&] { return node.text().size(); });
+  test::acceptedBy([&] { return node.boolean(); });
+  if (const auto number = test::acceptedBy([&] { return node.number(-1e9, 1e9); }))
+    test::require(std::abs(*number) <= 1e9);
+  if (const auto count = test::acceptedBy([&] { return node.count(1, most); }))
+    test::require(*count >= 1 && *count <= most);
+  switch (node.kind()) {
+  case YamlNode::Kind::scalar:
+    break;
+  case YamlNode::Kind::list:
+    for (const YamlNode& value : node.list(0, most))
+      walk(value);
+    break;
+  case YamlNode::Kind::map:
+    for (const YamlNode& key : node.keys()) {
+      test::require(node.find(key.text()) == &node.at(key.text()));
+      walk(node.at(key.text()));
+    }
+    break;
+  }
+}
+
+} // namespace
+
+/** Bytes are refused, or give a tree of which all can be reached. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const std::string text = test::textOfInput(data, size);
+  if (const auto tree = test::acceptedBy([&] { return parseYaml("input", text); }))
+    walk(*tree);
+  return 0;
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace pcl::acmap::test {
+
+/** \brief What a fuzzer's bytes say, one after the other; zeros when they are at an end. */
+class FuzzedBytes {
+public:
+  FuzzedBytes(const std::uint8_t* data, std::size_t size)
+  : data_(data)
+  , size_(size)
+  {}
+
+  std::size_t
+  left() const
+  {
+    return size_;
+  }
+
+  std::uint8_t
+  byte()
+  {
+    if (size_ == 0)
+      return 0;
+    --size_;
+    return *data_++;
+  }
+
+  std::int8_t
+  small()
+  {
+    return static_cast<std::int8_t>(byte());
+  }
+
+  /** \brief A number as it lies in memory. */
+  template <typename Number>
+  Number
+  number()
+  {
+    Number value{};
+    const std::size_t bytes = std::min(sizeof value, size_);
+    std::memcpy(&value, data_, bytes);
+    data_ += bytes;
+    size_ -= bytes;
+    return value;
+  }
+
+private:
+  const std::uint8_t* data_;
+  std::size_t size_;
+};
+
+/** \brief Stops the fuzzer where something that is promised does not hold. */
+inline void
+require(bool holds)
+{
+  if (!holds)
+    std::abort();
+}
+
+} // namespace pcl::acmap::test

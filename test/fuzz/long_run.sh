@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Runs every fuzzer for RUNS executions, in rounds, one fuzzer after the other.
+#   long_run.sh run BUILD STATE     goes on where the last call stopped; BUILD: of preset fuzz
+#   long_run.sh table STATE         what the logs say, as a table
+#   long_run.sh page STATE PAGE.md  puts the table into the page, in place of its own
+# Environment: RUNS (10000000), ROUND (seconds, 300), ONLY (names of fuzzers).
+# Two calls for different ONLY may run at once. What counts stands in the logs of STATE
+# alone, so nothing is lost with the machine but what a round did since its last line.
+set -euo pipefail
+
+runs=${RUNS:-10000000}
+round=${ROUND:-300}
+
+# Executions by a fuzzer's log; with the second argument, its row of the table.
+summarize() {
+  awk -v row="${2:-}" '
+    function close_round() {
+      total += last
+      if (cpu) { seconds += cpu; timed += last }
+      last = cpu = 0
+    }
+    function grouped(number, text, groups) {
+      for (text = sprintf("%d", number); length(text) > 3; text = substr(text, 1, length(text) - 3))
+        groups = "," substr(text, length(text) - 2) groups
+      return text groups
+    }
+    /^round / { close_round() }
+    /^#[0-9]+\t/ && substr($1, 2) + 0 > last { last = substr($1, 2) + 0 }
+    /^stat::number_of_executed_units:/ && $2 + 0 > last { last = $2 + 0 }
+    /^cpu / { cpu = $2 + $3 }
+    /^#[0-9]+\t.* cov: / {
+      for (i = 1; i < NF; ++i) {
+        if ($i == "cov:" && $(i + 1) > edges) edges = $(i + 1)
+        if ($i == "ft:" && $(i + 1) > features) features = $(i + 1)
+        if ($i == "corp:") inputs = $(i + 1) + 0
+      }
+    }
+    END {
+      close_round()
+      if (!row) { printf "%d\n", total; exit }
+      printf "| `%s` | %s | %s | %s | %s | %s |\n", row, grouped(total),
+        seconds ? grouped(timed / seconds) : "-", grouped(edges), grouped(features),
+        grouped(inputs)
+    }' "$1"
+}
+
+# Programs, as far as they are built, their options and their seeds, so that a build beside
+# the run does no harm; what runs already keeps the files it has open.
+takeBuild() {
+  mkdir -p "$2/bin"
+  exec 9> "$2/lock"
+  flock 9
+  find "$1/modules" -name 'lib*.so.*' -exec cp -P --remove-destination -t "$2/bin" {} +
+  cp "$1/test/fuzz/fuzzers.txt" "$2/fuzzers.txt"
+  while read -r name options; do
+    mkdir -p "$2/$name/corpus" "$2/$name/found"
+    touch "$2/$name/log"
+    [ -x "$1/bin/$name" ] || continue
+    cp --remove-destination "$1/bin/$name" "$2/bin/$name"
+    for option in $options; do
+      if [ -d "$option" ]; then find "$option" -type f -exec cp -t "$2/$name/corpus" {} +; fi
+    done
+  done < "$2/fuzzers.txt"
+  exec 9>&-
+}
+
+# One round of a fuzzer; fails where it found something. It may be short of processor time,
+# so that ten seconds say nothing.
+runRound() {
+  local state=$1 name=$2 remaining=$3 flags=() log code=0
+  shift 3
+  for option in "$@"; do [[ $option != -* ]] || flags+=("$option"); done
+  log="$state/$name/log"
+  printf '\nround %s\n' "$(date -u +%FT%TZ)" >> "$log"
+  TIMEFORMAT='cpu %U %S'
+  flags+=(-runs="$remaining" -max_total_time="$round" -timeout=120 -print_final_stats=1
+    -artifact_prefix="$state/$name/found/")
+  {
+    time LD_LIBRARY_PATH="$state/bin" "$state/bin/$name" "${flags[@]}" "$state/$name/corpus" \
+      > /dev/null 2>> "$log" || code=$?
+  } 2>> "$log"
+  return $code
+}
+
+runAll() {
+  local state=$1 left=1 failed=() name options counted
+  while [ $left = 1 ]; do
+    left=0
+    while read -r -u 3 name options; do
+      [ -x "$state/bin/$name" ] || continue
+      [ -z "${ONLY:-}" ] || [[ " $ONLY " == *" $name "* ]] || continue
+      [[ " ${failed[*]} " != *" $name "* ]] || continue
+      counted=$(summarize "$state/$name/log")
+      [ "$counted" -lt "$runs" ] || continue
+      left=1
+      # shellcheck disable=SC2086
+      runRound "$state" "$name" $((runs - counted)) $options || {
+        [ $? != 72 ] || exit 130 # interrupted
+        failed+=("$name")
+        echo "$name found something: see $state/$name/found" >&2
+      }
+    done 3< "$state/fuzzers.txt"
+  done
+  [ ${#failed[@]} = 0 ]
+}
+
+table() {
+  local name options
+  echo "| fuzzer | executions | a second of one core | edges | features | inputs kept |"
+  echo "|---|---|---|---|---|---|"
+  while read -r name options; do
+    summarize "$1/$name/log" "$name"
+  done < "$1/fuzzers.txt"
+}
+
+page() {
+  table "$1" > "$2.table"
+  awk -v table="$2.table" '
+    /^\| fuzzer \| executions / { while ((getline line < table) > 0) print line; inside = 1; next }
+    inside && /^\|/ { next }
+    { inside = 0; print }' "$2" > "$2.new"
+  rm "$2.table"
+  mv "$2.new" "$2"
+}
+
+case ${1:-} in
+  run) takeBuild "$2" "$3"; runAll "$3" ;;
+  table) table "$2" ;;
+  page) page "$2" "$3" ;;
+  *) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2 ;;
+esac

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "byte_source.h"
+#include "checks.h"
+
+namespace pcl::acmap::test {
+
+/** \brief \ref acceptedBy of a reader of bytes, which is one inside of core. */
+template <typename Reader>
+auto
+acceptedBy(const Reader& reader, const void* data, std::size_t size)
+{
+  return acceptedBy([&] {
+    ByteSource source("input", data, size);
+    return reader(source);
+  });
+}
+
+} // namespace pcl::acmap::test
