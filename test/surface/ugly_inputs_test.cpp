@@ -96,6 +96,38 @@ TEST(DeWallUgly, unitsBeyondAllReasonKeepTheGuarantees)
   }
 }
 
+/** The third corner's distance from the longest side is below what a first subtraction
+ * leaves: the triangle must not find it again beyond that side. */
+TEST(DeWallUgly, needlesAreBuiltOnce)
+{
+  for (const float far : {1e6F, 1e9F}) {
+    Cloud needle;
+    needle.push_back({83, 116, 0});
+    needle.push_back({121, -far, 0});
+    needle.push_back({87, 87, 0});
+    for (const DeWallRule rule : all_rules) {
+      const DeWallResult result = triangulate(needle, {rule});
+      EXPECT_EQ(result.mesh.triangles.size(), 1U) << nameOf(rule) << ", " << far;
+      EXPECT_TRUE(keepsGuarantees(result, {rule})) << nameOf(rule) << ", " << far;
+    }
+  }
+}
+
+TEST(DeWallUgly, spheresMayLeaveTheFloats)
+{
+  const float near = 1e35F, most = std::numeric_limits<float>::max();
+  Cloud cloud;
+  cloud.push_back({1.00005996F * near, 1.00007976F * near, 0});
+  cloud.push_back({most, 1.00007204F * near, 0});
+  cloud.push_back({0, 1.00007016F * near, 0}); // with the others a radius of 2e43 m
+  cloud.push_back({-most, -most, 0});          // inside, by 3e38 m
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper});
+  MeshDemands demands;
+  demands.empty_spheres = true;
+  demands.sphere_tolerance = 1e-5;
+  EXPECT_EQ(checkMesh(result.points, result.mesh.triangles, demands).total(), 0U);
+}
+
 TEST(DeWallUgly, oneTriangle)
 {
   const Cloud three = makeRandomBox(3, 1);

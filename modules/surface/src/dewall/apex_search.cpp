@@ -22,6 +22,13 @@ SideFrame::SideFrame(const PointTree& tree,
 
 namespace {
 
+/** \brief Can a search in floats count in units of this length? */
+bool
+isWithinFloats(double length)
+{
+  return length > 1e-37 && length < 1e37;
+}
+
 /** \brief The nearest apex among points looked at one by one. */
 class NearestApex {
 public:
@@ -56,7 +63,8 @@ private:
   Apex best_;
 };
 
-/** \brief The same without lanes, for more ties than the search has room for. */
+/** \brief The same without lanes, for more ties than the search has room for and for what
+ * leaves the floats. */
 std::int32_t
 findApexOneByOne(const PointTree& tree,
                  const SizeConstraint& size,
@@ -152,6 +160,8 @@ findApex(const PointTree& tree,
          const SideFrame& side,
          const PassedOver& passed_over)
 {
+  if (!isWithinFloats(side.half_length))
+    return findApexOneByOne(tree, size, side, passed_over);
   SearchHits hits;
   treeSearch().apexes(tree.cells(), apexQuery(tree, size, side, passed_over), hits);
   if (hits.count > SearchHits::capacity)
@@ -178,6 +188,8 @@ bool
 isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 {
   const Sphere sphere = sphereOf(tree, corners);
+  if (!isWithinFloats(sphere.radius))
+    return isSphereEmptyOneByOne(tree, corners, sphere);
   SearchHits hits;
   if (treeSearch().ball(tree.cells(), ballQuery(tree, corners, sphere), hits))
     return false;

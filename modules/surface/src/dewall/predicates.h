@@ -56,14 +56,18 @@ smallestSphere(const Eigen::Vector3d& a,
   return {a + to_centre, to_centre.norm()};
 }
 
-/** \brief Part of p - a at right angles to the line a b. */
+/** \brief Part of p - a at right angles to the line a b. Of a needle's corner the first
+ * subtraction leaves rounding that is longer than the part itself. */
 inline Eigen::Vector3d
 perpendicular(const Eigen::Vector3d& a,
               const Eigen::Vector3d& b,
               const Eigen::Vector3d& p)
 {
   const Eigen::Vector3d u = b - a, v = p - a;
-  return v - u * (v.dot(u) / u.squaredNorm());
+  const Eigen::Vector3d part = v - u * (v.dot(u) / u.squaredNorm());
+  if (part.squaredNorm() > 1e-8 * v.squaredNorm())
+    return part;
+  return part - u * (part.dot(u) / u.squaredNorm());
 }
 
 /** \brief Cosine of the turn at side a b from triangle (a, b, o) to (a, b, p): positive

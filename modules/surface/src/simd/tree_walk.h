@@ -42,8 +42,8 @@ isInside(const Ball& ball, const CellBox& cell)
 {
   const float reach = ball.reach();
   for (int axis = 0; axis < 3; ++axis)
-    if (ball.centre[axis] - reach <= cell.low[axis] ||
-        ball.centre[axis] + reach >= cell.high[axis])
+    if (!(ball.centre[axis] - reach > cell.low[axis] && // NaN is not inside
+          ball.centre[axis] + reach < cell.high[axis]))
       return false;
   return true;
 }
