@@ -5,7 +5,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr VoxelKey no_key = ~VoxelKey{0};
-constexpr int first_bits = 12;
+constexpr int least_bits = 4, most_bits = 12; // of the first slots
 
 std::size_t
 slotOf(VoxelKey key, int shift)
@@ -55,10 +55,15 @@ toVoxelCell(const CellSums& sums, double edge)
   return cell;
 }
 
-CellTable::CellTable()
-: slots_(std::size_t{1} << first_bits, Slot{no_key, 0})
-, shift_(64 - first_bits)
-{}
+CellTable::CellTable(std::size_t most)
+{
+  int bits = least_bits;
+  while (bits < most_bits && std::size_t{1} << bits < 2 * most)
+    ++bits;
+  slots_.assign(std::size_t{1} << bits, Slot{no_key, 0});
+  shift_ = 64 - bits;
+  cells.reserve(most);
+}
 
 std::size_t
 CellTable::find(VoxelKey key)

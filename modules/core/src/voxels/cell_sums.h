@@ -65,7 +65,8 @@ toVoxelCell(const CellSums& sums, double edge);
  * table. */
 class CellTable {
 public:
-  CellTable();
+  /** \param[in] most cells that are to be expected; more are taken, too */
+  explicit CellTable(std::size_t most = 0);
 
   /** \brief Position of the key's cell, which is made where it was not yet. */
   std::size_t

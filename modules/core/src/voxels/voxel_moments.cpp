@@ -47,9 +47,8 @@ public:
   sum(std::size_t begin, std::size_t end, Stretch& stretch) const
   {
     Batch batch;
-    CellTable near;
-    near.cells.reserve(points_of_near_cells);
-    stretch.table.cells.reserve(2 * points_of_near_cells);
+    CellTable near(std::min(end - begin, points_of_near_cells));
+    stretch.table = CellTable(std::min(end - begin, 2 * points_of_near_cells));
     for (std::size_t next; begin < end; begin = next) {
       next = std::min(begin + points_of_near_cells, end);
       for (std::size_t first = begin; first < next; first += Batch::capacity) {
