@@ -35,7 +35,8 @@ struct DeWallTask {
     const bool has_normals = choice & 64;
     const PointStyle style(bytes);
     is_moderate = style.isModerate();
-    settings.maximum_edge_length = std::min(0.25 * bytes.byte() * style.scale, 1e9);
+    settings.maximum_edge_length = // a float: what it counts as
+        std::min(0.25F * static_cast<float>(bytes.byte()) * style.scale, 1e9F);
     for (int axis = 0; axis < 3; ++axis)
       settings.sensor_origin[axis] = style.coordinate(bytes);
     points = fuzzedPoints(bytes, style, most_points);

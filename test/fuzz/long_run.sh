@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for RUNS executions, in rounds, one fuzzer after the other.
-#   long_run.sh run BUILD STATE     goes on where the last call stopped; BUILD: of preset fuzz
+#   long_run.sh run BUILD STATE     goes on where the last call stopped; BUILD: of preset fuzz,
+#                                   or fuzz_plain, which is faster and has no sanitizers
 #   long_run.sh table STATE         what the logs say, as a table
 #   long_run.sh page STATE PAGE.md  puts the table into the page, in place of its own
 # Environment: RUNS (10000000), ROUND (seconds, 300), ONLY (names of fuzzers).
@@ -11,11 +12,13 @@ set -euo pipefail
 runs=${RUNS:-10000000}
 round=${ROUND:-300}
 
-# Executions by a fuzzer's log; with the second argument, its row of the table.
+# Executions by a fuzzer's log; with the second argument, its row of the table. What was
+# reached is what rounds with sanitizers say: builds differ in their edges.
 summarize() {
   awk -v row="${2:-}" '
     function close_round() {
       total += last
+      if (!plain) sanitized += last
       if (cpu) { seconds += cpu; timed += last }
       last = cpu = 0
     }
@@ -24,11 +27,11 @@ summarize() {
         groups = "," substr(text, length(text) - 2) groups
       return text groups
     }
-    /^round / { close_round() }
+    /^round / { close_round(); plain = $3 == "fuzz_plain" }
     /^#[0-9]+\t/ && substr($1, 2) + 0 > last { last = substr($1, 2) + 0 }
     /^stat::number_of_executed_units:/ && $2 + 0 > last { last = $2 + 0 }
     /^cpu / { cpu = $2 + $3 }
-    /^#[0-9]+\t.* cov: / {
+    /^#[0-9]+\t.* cov: / && !plain {
       for (i = 1; i < NF; ++i) {
         if ($i == "cov:" && $(i + 1) > edges) edges = $(i + 1)
         if ($i == "ft:" && $(i + 1) > features) features = $(i + 1)
@@ -38,7 +41,7 @@ summarize() {
     END {
       close_round()
       if (!row) { printf "%d\n", total; exit }
-      printf "| `%s` | %s | %s | %s | %s | %s |\n", row, grouped(total),
+      printf "| `%s` | %s | %s | %s | %s | %s | %s |\n", row, grouped(total), grouped(sanitized),
         seconds ? grouped(timed / seconds) : "-", grouped(edges), grouped(features),
         grouped(inputs)
     }' "$1"
@@ -47,16 +50,18 @@ summarize() {
 # Programs, as far as they are built, their options and their seeds, so that a build beside
 # the run does no harm; what runs already keeps the files it has open.
 takeBuild() {
-  mkdir -p "$2/bin"
+  local bin name options option
+  bin="$2/bin/$(basename "$1")"
+  mkdir -p "$bin"
   exec 9> "$2/lock"
   flock 9
-  find "$1/modules" -name 'lib*.so.*' -exec cp -P --remove-destination -t "$2/bin" {} +
+  find "$1/modules" -name 'lib*.so.*' -exec cp -P --remove-destination -t "$bin" {} +
   cp "$1/test/fuzz/fuzzers.txt" "$2/fuzzers.txt"
   while read -r name options; do
     mkdir -p "$2/$name/corpus" "$2/$name/found"
     touch "$2/$name/log"
     [ -x "$1/bin/$name" ] || continue
-    cp --remove-destination "$1/bin/$name" "$2/bin/$name"
+    cp --remove-destination "$1/bin/$name" "$bin/$name"
     for option in $options; do
       if [ -d "$option" ]; then find "$option" -type f -exec cp -t "$2/$name/corpus" {} +; fi
     done
@@ -67,34 +72,35 @@ takeBuild() {
 # One round of a fuzzer; fails where it found something. It may be short of processor time,
 # so that ten seconds say nothing.
 runRound() {
-  local state=$1 name=$2 remaining=$3 flags=() log code=0
-  shift 3
+  local state=$1 kind=$2 name=$3 remaining=$4 flags=() log code=0
+  shift 4
   for option in "$@"; do [[ $option != -* ]] || flags+=("$option"); done
   log="$state/$name/log"
-  printf '\nround %s\n' "$(date -u +%FT%TZ)" >> "$log"
+  printf '\nround %s %s\n' "$(date -u +%FT%TZ)" "$kind" >> "$log"
   TIMEFORMAT='cpu %U %S'
   flags+=(-runs="$remaining" -max_total_time="$round" -timeout=120 -print_final_stats=1
     -artifact_prefix="$state/$name/found/")
   {
-    time LD_LIBRARY_PATH="$state/bin" "$state/bin/$name" "${flags[@]}" "$state/$name/corpus" \
+    time LD_LIBRARY_PATH="$state/bin/$kind" "$state/bin/$kind/$name" "${flags[@]}" \
+      "$state/$name/corpus" \
       > /dev/null 2>> "$log" || code=$?
   } 2>> "$log"
   return $code
 }
 
 runAll() {
-  local state=$1 left=1 failed=() name options counted
+  local state=$1 kind=$2 left=1 failed=() name options counted
   while [ $left = 1 ]; do
     left=0
     while read -r -u 3 name options; do
-      [ -x "$state/bin/$name" ] || continue
+      [ -x "$state/bin/$kind/$name" ] || continue
       [ -z "${ONLY:-}" ] || [[ " $ONLY " == *" $name "* ]] || continue
       [[ " ${failed[*]} " != *" $name "* ]] || continue
       counted=$(summarize "$state/$name/log")
       [ "$counted" -lt "$runs" ] || continue
       left=1
       # shellcheck disable=SC2086
-      runRound "$state" "$name" $((runs - counted)) $options || {
+      runRound "$state" "$kind" "$name" $((runs - counted)) $options || {
         [ $? != 72 ] || exit 130 # interrupted
         failed+=("$name")
         echo "$name found something: see $state/$name/found" >&2
@@ -106,8 +112,8 @@ runAll() {
 
 table() {
   local name options
-  echo "| fuzzer | executions | a second of one core | edges | features | inputs kept |"
-  echo "|---|---|---|---|---|---|"
+  echo "| fuzzer | executions | with sanitizers | a second of one core | edges | features | inputs kept |"
+  echo "|---|---|---|---|---|---|---|"
   while read -r name options; do
     summarize "$1/$name/log" "$name"
   done < "$1/fuzzers.txt"
@@ -124,8 +130,8 @@ page() {
 }
 
 case ${1:-} in
-  run) takeBuild "$2" "$3"; runAll "$3" ;;
+  run) takeBuild "$2" "$3"; runAll "$3" "$(basename "$2")" ;;
   table) table "$2" ;;
   page) page "$2" "$3" ;;
-  *) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2 ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "$0"; exit 2 ;;
 esac
