@@ -204,7 +204,7 @@ searched(const TreeSearch& search,
 TEST(TreeSearch, variantsFindTheSameInCloudsOfAnySizeAndScale)
 {
   // Leaves that fill no vector; squares that are no normal numbers, or nearly too large.
-  for (const float scale : {1.0F, 1e-22F, 1e-38F, 1e18F})
+  for (const float scale : {1.0F, 1e-22F, 1e-38F, 1e18F, 1e25F})
     for (std::size_t points = 3; points <= 40; ++points) {
       Cloud cloud = makeRandomBox(points, points);
       for (auto& point : cloud)
