@@ -141,8 +141,10 @@ requireSound(const ClusteringTask& task, const PlanePatch& patch)
   requireFrame(patch);
   requireCovariance(patch.covariance);
   require(patch.support <= task.mesh.points.size());
-  require(patch.effective_support >= 0 &&
-          patch.effective_support <= static_cast<double>(patch.support));
+  require(std::isnan(patch.effective_support)
+              ? patch.covariance.array().isNaN().any()
+              : patch.effective_support >= 0 &&
+                    patch.effective_support <= static_cast<double>(patch.support));
   require(std::isfinite(patch.rms) && patch.rms >= 0);
   requirePolygons(task, patch);
 }

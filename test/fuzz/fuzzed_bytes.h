@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -57,8 +58,10 @@ private:
 
 /** \brief Stops the fuzzer where something that is promised does not hold. */
 inline void
-require(bool holds)
+require(bool holds, int line = __builtin_LINE())
 {
+  if (!holds)
+    std::fprintf(stderr, "line %d does not hold\n", line);
   if (!holds)
     std::abort();
 }

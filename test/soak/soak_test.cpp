@@ -9,6 +9,7 @@
 #include "voxel_consolidation_traits.h"
 
 #include <pcl/PolygonMesh.h>
+#include <pcl/core/parallel.h>
 
 namespace pcl::acmap::test {
 namespace {
@@ -60,6 +61,22 @@ struct Rectifications : EntropyRectificationTraits {
                                   : RectificationMode::Guarded);
   }
 };
+
+/** What every class runs its kernel in. */
+TEST(Soak, arenas)
+{
+  const auto use_after = [](unsigned calls) {
+    for (unsigned call = 0; call < calls; ++call)
+      withThreads(1 + call % 3,
+                  [] { parallelForChunks(5 * parallel_chunk, [](auto, auto) {}); });
+    return currentUse();
+  };
+  const ProcessUse before = use_after(100);
+  const ProcessUse growth = use_after(1000 * soakRounds()) - before;
+  std::cout << "arenas, " << 1000 * soakRounds() << " rounds: " << growth << std::endl;
+  EXPECT_LE(growth.allocated, 16 << 10);
+  EXPECT_LE(growth.resident, 4 << 20);
+}
 
 TEST(Soak, meshes)
 {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <pcl/core/arena_lease.h>
+
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,9 +27,8 @@ withThreads(unsigned threads, Function&& function)
   std::optional<global_control> allowed;
   if (threads > global_control::active_value(global_control::max_allowed_parallelism))
     allowed.emplace(global_control::max_allowed_parallelism, threads);
-  oneapi::tbb::task_arena arena(threads ? static_cast<int>(threads)
-                                        : oneapi::tbb::task_arena::automatic);
-  return arena.execute(std::forward<Function>(function));
+  const ArenaLease arena(threads);
+  return (*arena).execute(std::forward<Function>(function));
 }
 
 /** \brief Calls body (begin, end) for each chunk of [0, size), in any order. */

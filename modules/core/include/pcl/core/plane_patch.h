@@ -32,7 +32,7 @@ struct PlanePatch {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   std::size_t support = 0;      ///< points
-  double effective_support = 0; ///< independent ones among them
+  double effective_support = 0; ///< independent ones among them; NaN as the covariance
   double rms = 0;               ///< metres, of the support about the plane
   double area = 0;              ///< square metres, of the polygons
   std::vector<PlanePolygon> polygons;
