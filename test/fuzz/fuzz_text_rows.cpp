@@ -6,7 +6,7 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give rows of words, each of which is a finite number or not. */
+/** Bytes are refused, or give rows of words, finite numbers up to the first that is none. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -22,7 +22,9 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       test::require(!row.words[word].empty());
       const auto number =
           test::acceptedBy([&] { return numberOf("input", row, word); });
-      test::require(!number || std::isfinite(*number));
+      if (!number)
+        return 0; // as its reader does
+      test::require(std::isfinite(*number));
     }
   }
   return 0;
