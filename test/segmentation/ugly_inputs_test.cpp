@@ -165,6 +165,30 @@ TEST(ClusteringUgly, unknownCurvaturesComeLast)
   EXPECT_TRUE(areSame(found, clusterWith(infinity)));
 }
 
+/** No plane can be fitted to them: theirs stays where its seed put it. */
+TEST(ClusteringUgly, pointsOnALineHaveTheirMiddleOnTheirPlane)
+{
+  for (const std::int32_t points : {2, 3, 20}) {
+    PointCloud<PointNormal> cloud;
+    TriangleMesh mesh;
+    for (std::int32_t i = 0; i < points; ++i) {
+      const auto step = static_cast<float>(i);
+      cloud.push_back({0.02F * step, 0, 0.001F * step, 0, 0, 1});
+      mesh.triangles.push_back({i, i, std::max(i - 1, 0)});
+    }
+    const Clustered found = clusterAsPaper(cloud, [&](auto& clustering) {
+      clustering.setTriangles(mesh);
+      clustering.setMinClusterSize(1);
+    });
+    ASSERT_EQ(found.patches.size(), 1U) << points;
+    const PlanePatch& patch = found.patches[0];
+    EXPECT_NEAR(patch.coefficients.head<3>().dot(patch.center) + patch.coefficients[3],
+                0,
+                1e-12)
+        << points;
+  }
+}
+
 TEST(ClusteringUgly, wrongTrianglesEndWell)
 {
   VotingMesh wall = makeWall(2, 1.5);

@@ -97,7 +97,9 @@ knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
     const Plane& plane = grown[p].plane;
     PlanePatch patch;
     patch.coefficients << plane.normal, plane.offset - plane.normal.dot(graph.origin);
-    patch.center = grown[p].moments.mean() + graph.origin;
+    // that of members on a line, to which no plane was fitted, may be beside the plane
+    const Eigen::Vector3d middle = grown[p].moments.mean();
+    patch.center = middle - plane.distance(middle) * plane.normal + graph.origin;
     patch.axis_u = plane.normal.unitOrthogonal();
     patch.axis_v = plane.normal.cross(patch.axis_u);
     patch.support = grown[p].members.size();
