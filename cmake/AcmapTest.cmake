@@ -45,8 +45,9 @@ function(acmap_add_fuzzer name)
       list(APPEND options "${folder}")
     endif()
   endforeach()
-  add_test(NAME ${name} COMMAND ${name} -max_total_time=${ACMAP_FUZZ_SECONDS} "${found}"
-                                ${options})
+  # The same inputs each time: new ones are for the long run.
+  add_test(NAME ${name} COMMAND ${name} -seed=1 -max_total_time=${ACMAP_FUZZ_SECONDS}
+                                "${found}" ${options})
   list(JOIN options " " options)
   set_property(GLOBAL APPEND_STRING PROPERTY ACMAP_FUZZERS "${name} ${options}\n")
   set_tests_properties(${name} PROPERTIES LABELS fuzz)

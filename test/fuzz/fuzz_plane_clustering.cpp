@@ -66,9 +66,21 @@ cluster(const ClusteringTask& task, unsigned threads, PlaneClusteringReport& rep
   return clusterPlanes(task.hypotheses, task.source, settings, Progress(), report);
 }
 
+/** Of the points, whose middle is the origin of the sums: of what is far off it less is
+ * known. */
+double
+largestCoordinate(const ClusteringTask& task)
+{
+  double largest = 0;
+  for (const Eigen::Vector3f& point : task.mesh.points)
+    if (point.allFinite())
+      largest = std::max(largest, double{point.cwiseAbs().maxCoeff()});
+  return largest;
+}
+
 /** Unit normal, right-handed axes, the middle on the plane. */
 void
-requireFrame(const PlanePatch& patch)
+requireFrame(const ClusteringTask& task, const PlanePatch& patch)
 {
   const Eigen::Vector3d normal = patch.coefficients.head<3>();
   require(patch.coefficients.allFinite() && patch.center.allFinite());
@@ -76,7 +88,7 @@ requireFrame(const PlanePatch& patch)
   axes << patch.axis_u, patch.axis_v, normal;
   require((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() < 1e-6);
   require(axes.determinant() > 0);
-  const double far = patch.center.norm() + std::abs(patch.coefficients[3]);
+  const double far = patch.center.norm() + largestCoordinate(task);
   require(std::abs(normal.dot(patch.center) + patch.coefficients[3]) <= 1e-9 * far);
 }
 
@@ -138,7 +150,7 @@ requirePolygons(const ClusteringTask& task, const PlanePatch& patch)
 void
 requireSound(const ClusteringTask& task, const PlanePatch& patch)
 {
-  requireFrame(patch);
+  requireFrame(task, patch);
   requireCovariance(patch.covariance);
   require(patch.support <= task.mesh.points.size());
   require(std::isnan(patch.effective_support)
