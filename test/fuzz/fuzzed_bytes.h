@@ -60,10 +60,10 @@ private:
 inline void
 require(bool holds, int line = __builtin_LINE())
 {
-  if (!holds)
-    std::fprintf(stderr, "line %d does not hold\n", line);
-  if (!holds)
-    std::abort();
+  if (holds)
+    return;
+  std::fprintf(stderr, "line %d does not hold\n", line);
+  std::abort();
 }
 
 } // namespace pcl::acmap::test
