@@ -132,5 +132,18 @@ TEST(SourceLabels, everyPatchHasAnArea)
       }
 }
 
+/** Nor have the strips, whose area was that of the cells they grew over. */
+TEST(SourceLabels, noPatchHasAnAreaWithoutAMesh)
+{
+  const RoomPlanes found =
+      findPlanes(seeSharply(makeRoomWithDoor(0.01, 0.1)),
+                 [](auto& clustering) { clustering.setTriangles(TriangleMesh()); });
+  EXPECT_GE(found.patches.size(), 5U);
+  for (const PlanePatch& patch : found.patches) {
+    EXPECT_EQ(patch.area, 0);
+    EXPECT_TRUE(patch.polygons.empty());
+  }
+}
+
 } // namespace
 } // namespace pcl::acmap::test

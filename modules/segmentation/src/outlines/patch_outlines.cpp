@@ -95,8 +95,6 @@ setPolygons(const std::vector<Loop>& shaped,
   std::stable_sort(rims.begin(), rims.end(), [](const Loop* a, const Loop* b) {
     return signedArea(*a) > signedArea(*b);
   });
-  patch.polygons.clear();
-  patch.area = 0;
   for (const Loop* rim : rims) {
     patch.polygons.push_back({lift(*rim, frame), {}});
     patch.area += signedArea(*rim);
@@ -183,6 +181,7 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
     PlanePatch& patch = known.planes[p].patch;
     const CreaseSnap snap(grid, known.planes, p, reach);
+    patch.area = 0; // of the outlines now, of its members before
     if (known.planes[p].trust != PlaneTrust::Strip)
       setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
                   least_area,
