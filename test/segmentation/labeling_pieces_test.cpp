@@ -5,6 +5,8 @@
 #include "labeling/label_points.h"
 #include "labeling/ray_fit.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,6 +143,37 @@ TEST(FitSums, knowNoTiltOfALine)
   EXPECT_FALSE(labeling::knowsTilt(sums, 0.1));
   add({0, 1, 0});
   EXPECT_TRUE(labeling::knowsTilt(sums, 0.1));
+}
+
+/** Points on a line, some of them very far: what rounds is no negative variance. */
+TEST(FitSums, haveACovarianceWithoutNegativeVariances)
+{
+  KnownBoards board(0.1);
+  board.add({0, 0, 0}, x, 10, y, 10);
+  const PlanePatch patch = board.known().planes[0].patch;
+  for (const float far : {1e3F, 1e5F, 1e7F}) {
+    std::vector<labeling::FitSums> clusters(8);
+    labeling::FitSums sums;
+    for (int i = 0; i < 80; ++i) {
+      const float along = i % 7 == 0 ? far : static_cast<float>(i);
+      const Eigen::Vector3f point(
+          along, 0.3F * along + 1e-3F * static_cast<float>(i % 3), 0.01F * (i % 5));
+      const labeling::Crossing crossing(labeling::Sight(point, nullptr), patch);
+      for (labeling::FitSums* to : {&sums, &clusters[static_cast<std::size_t>(i % 8)]})
+        to->add(crossing, patch, 1e4);
+    }
+    PlanePatch moved = patch;
+    const Eigen::Vector3d solution = labeling::moveToFit(sums, moved);
+    const Eigen::Matrix3d covariance =
+        labeling::clusteredCovariance(sums, 0, solution, clusters);
+    const Eigen::Vector3d deviations = covariance.diagonal().cwiseSqrt();
+    ASSERT_GT(deviations.minCoeff(), 0) << far;
+    const Eigen::Matrix3d scaled = deviations.cwiseInverse().asDiagonal() * covariance *
+                                   deviations.cwiseInverse().asDiagonal();
+    EXPECT_EQ(covariance, covariance.transpose()) << far;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+    EXPECT_GT(solver.eigenvalues()[0], -1e-12) << far;
+  }
 }
 
 } // namespace

@@ -120,6 +120,13 @@ TEST_F(IidcFeatures, PhysicalValuesThatAreNoNumbersAreNotThere)
             CameraFault::Unsupported);
 }
 
+TEST_F(IidcFeatures, PhysicalValuesAtTheEndOfTheRegisterSpaceAreNotThere)
+{
+  emulated_.faults().overrideRegister(iidc::absolute_csr + 4 * iidc::Shutter,
+                                      0x03FFFFFF); // room for one of the three
+  EXPECT_FALSE(camera_.feature(IidcFeature::Shutter).physical);
+}
+
 TEST_F(IidcFeatures, TriggerIsSwitched)
 {
   const std::uint32_t trigger = iidc::feature_status + 4 * iidc::Trigger;

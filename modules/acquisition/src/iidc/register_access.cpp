@@ -21,8 +21,10 @@ std::optional<RegisterAccess>
 RegisterAccess::behind(std::uint64_t offset) const
 {
   const std::uint32_t quadlets = tryRead(offset).value_or(0);
-  // The register space is 28 bits wide: no quadlet lies beyond.
-  if (quadlets == 0 || quadlets >= 0x04000000)
+  // The register space is 28 bits wide: no register lies beyond, those of the largest block
+  // included.
+  constexpr std::uint64_t most = (0x10000000 - iidc::scalable::bytes) / 4;
+  if (quadlets == 0 || quadlets > most)
     return std::nullopt;
   return RegisterAccess(bus_, iidc::register_space + 4 * std::uint64_t{quadlets});
 }

@@ -73,6 +73,7 @@ constexpr std::uint64_t packet_bytes = 0x044;
 constexpr std::uint64_t packets = 0x048;
 constexpr std::uint64_t color_filter = 0x058;
 constexpr std::uint64_t value_setting = 0x07C;
+constexpr std::uint64_t bytes = 0x080; ///< of all of them
 
 constexpr std::uint32_t apply = 0x40000000;
 constexpr std::uint32_t wrong_size = 0x00800000;

@@ -7,6 +7,8 @@
 namespace pcl::acmap::labeling {
 namespace {
 
+constexpr double guess_weight = 1 / (0.0175 * 0.0175); // one degree, radians
+
 /** Are there points to fit to? All may be beyond the gate. */
 bool
 canBeFitted(const PlaneSums& sums)
@@ -15,26 +17,30 @@ canBeFitted(const PlaneSums& sums)
   return sums.points >= least_points && sums.best().matrix(2, 2) > 0;
 }
 
-/** Adds what a guessed normal knows of the slopes: one degree. */
+/** Adds what a guessed normal knows of the slopes. */
 void
 addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
 {
-  constexpr double deviation = 0.0175; // radians
   const double along = guess.dot(patch.coefficients.head<3>());
   const Eigen::Vector2d slopes(-guess.dot(patch.axis_u) / along,
                                -guess.dot(patch.axis_v) / along);
-  const double weight = 1 / (deviation * deviation);
-  sums.matrix.topLeftCorner<2, 2>() += weight * Eigen::Matrix2d::Identity();
-  sums.right.head<2>() += weight * slopes;
+  sums.matrix.topLeftCorner<2, 2>() += guess_weight * Eigen::Matrix2d::Identity();
+  sums.right.head<2>() += guess_weight * slopes;
+}
+
+bool
+needsGuess(const PlaneSums& sums, const KnownPlane& plane)
+{
+  constexpr double most_tilt =
+      0.1; // radians; beyond it the points as good as know none
+  return plane.trust == PlaneTrust::Strip || !knowsTilt(sums.best(), most_tilt);
 }
 
 FitSums
 withGuess(const PlaneSums& sums, const KnownPlane& plane, const Eigen::Vector3d& guess)
 {
-  constexpr double most_tilt =
-      0.1; // radians; beyond it the points as good as know none
   FitSums fit = sums.best();
-  if (plane.trust == PlaneTrust::Strip || !knowsTilt(fit, most_tilt))
+  if (needsGuess(sums, plane))
     addGuess(guess, plane.patch, fit);
   return fit;
 }
@@ -100,7 +106,7 @@ finishPlanes(const std::vector<PlaneSums>& sums,
     if (!canBeFitted(sums[p]))
       continue;
     const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
-    const Eigen::Matrix3d guess = fit.matrix - sums[p].best().matrix;
+    const double guess = needsGuess(sums[p], planes[p]) ? guess_weight : 0;
     const double count = static_cast<double>(sums[p].points);
     planes[p].half_size = halfSize(sums[p].fit);
     const Eigen::Vector3d solution = moveToFit(fit, patch);

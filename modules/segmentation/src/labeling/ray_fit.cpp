@@ -65,22 +65,27 @@ moveToFit(const FitSums& sums, PlanePatch& patch)
 
 Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
-                    const Eigen::Matrix3d& guess,
+                    double guess_weight,
                     const Eigen::Vector3d& solution,
                     const std::vector<FitSums>& clusters)
 {
   constexpr std::size_t least_clusters = 6;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d unknown =
+      Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   if (clusters.size() < least_clusters)
-    return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  for (const FitSums& cluster : clusters) {
-    const Eigen::Vector3d score = cluster.right - cluster.matrix * solution;
-    spread += score * score.transpose();
-  }
+    return unknown;
   const Eigen::Matrix3d inverse = sums.matrix.inverse();
+  // A sum of squares, so that no rounding takes a variance below 0.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const FitSums& cluster : clusters) {
+    const Eigen::Vector3d shift = inverse * (cluster.right - cluster.matrix * solution);
+    covariance += shift * shift.transpose();
+  }
   const double count = static_cast<double>(clusters.size());
-  spread *= count / (count - 3); // three were fitted
-  return inverse * (spread + guess) * inverse;
+  covariance *= count / (count - 3); // three were fitted
+  for (const int slope : {0, 1})
+    covariance += guess_weight * inverse.col(slope) * inverse.col(slope).transpose();
+  return covariance.allFinite() ? covariance : unknown;
 }
 
 } // namespace pcl::acmap::labeling

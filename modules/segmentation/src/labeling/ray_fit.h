@@ -56,12 +56,13 @@ moveToFit(const FitSums& sums, PlanePatch& patch);
 
 /** Covariance of the fit from how the residuals of clusters vary: noise that points of a
  * cluster share does not average out.
- * \param[in] guess what the sums hold beside the clusters: inverse covariance
+ * \param[in] guess_weight of the guess of both slopes that the sums hold beside the
+ * clusters: an inverse variance, 0 for none
  * \param[in] solution what \ref moveToFit gave
- * \return NaN where there are too few clusters to tell */
+ * \return NaN where there are too few clusters to tell, or it is beyond numbers */
 Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
-                    const Eigen::Matrix3d& guess,
+                    double guess_weight,
                     const Eigen::Vector3d& solution,
                     const std::vector<FitSums>& clusters);
 
