@@ -122,27 +122,28 @@ areaOf(const PlanePatch& patch, const std::vector<Eigen::Vector3f>& loop)
   return twice / 2;
 }
 
-/** Rims counter-clockwise, holes clockwise, and the area theirs. */
+/** Rims counter-clockwise, holes clockwise, and the area theirs, as far as floats tell. */
 void
 requirePolygons(const ClusteringTask& task, const PlanePatch& patch)
 {
   require(std::isfinite(patch.area) && patch.area >= 0);
   require(!task.hypotheses.triangles.empty() || patch.polygons.empty());
   require(!patch.polygons.empty() || patch.area == 0);
+  const bool is_exact = task.style.isModerate() && task.style.far == 0;
   double area = 0;
   for (const PlanePolygon& polygon : patch.polygons) {
     require(polygon.outer.size() >= 3);
     const double outer = areaOf(patch, polygon.outer);
-    require(!task.style.isModerate() || outer > 0);
+    require(!is_exact || outer > 0);
     area += outer;
     for (const std::vector<Eigen::Vector3f>& hole : polygon.holes) {
       require(hole.size() >= 3);
       const double inner = areaOf(patch, hole);
-      require(!task.style.isModerate() || inner < 0);
+      require(!is_exact || inner < 0);
       area += inner;
     }
   }
-  if (task.style.isModerate() && task.style.far == 0)
+  if (is_exact)
     require(std::abs(patch.area - area) <=
             1e-3 * patch.area + 1e-6 * task.style.scale * task.style.scale);
 }

@@ -145,6 +145,28 @@ TEST(FitSums, knowNoTiltOfALine)
   EXPECT_TRUE(labeling::knowsTilt(sums, 0.1));
 }
 
+TEST(FitSums, turnAPlaneHoweverFar)
+{
+  KnownBoards board(0.1);
+  board.add({1, 2, 3}, x, 10, y, 10);
+  const PlanePatch before = board.known().planes[0].patch;
+  for (const double slope : {0.0, 0.1, 1.0, 1e9, 1e38, 1e200}) {
+    labeling::FitSums sums;
+    sums.matrix.setIdentity();
+    sums.right = Eigen::Vector3d(slope, -slope / 3, 0.5);
+    PlanePatch patch = before;
+    labeling::moveToFit(sums, patch);
+    const Eigen::Vector3d normal = patch.coefficients.head<3>();
+    Eigen::Matrix3d axes;
+    axes << patch.axis_u, patch.axis_v, normal;
+    EXPECT_TRUE((axes.transpose() * axes).isIdentity(1e-9)) << slope;
+    EXPECT_NEAR(axes.determinant(), 1, 1e-9) << slope;
+    const double tilt = std::atan(slope * std::sqrt(10.0) / 3);
+    EXPECT_NEAR(normal.dot(before.coefficients.head<3>()), std::cos(tilt), 1e-9)
+        << slope;
+  }
+}
+
 /** Points on a line, some of them very far: what rounds is no negative variance. */
 TEST(FitSums, haveACovarianceWithoutNegativeVariances)
 {

@@ -55,9 +55,11 @@ moveToFit(const FitSums& sums, PlanePatch& patch)
     return Eigen::Vector3d::Zero();
   const Eigen::Vector3d normal = patch.coefficients.head<3>();
   const Eigen::Vector3d turned =
-      (normal - solution[0] * patch.axis_u - solution[1] * patch.axis_v).normalized();
+      (normal - solution[0] * patch.axis_u - solution[1] * patch.axis_v)
+          .stableNormalized();
   patch.center += solution[2] * normal;
-  patch.axis_u = (patch.axis_u - patch.axis_u.dot(turned) * turned).normalized();
+  // along the plane, however far it turned
+  patch.axis_u = (patch.axis_u + solution[0] * normal).stableNormalized();
   patch.axis_v = turned.cross(patch.axis_u);
   patch.coefficients << turned, -turned.dot(patch.center);
   return solution;
