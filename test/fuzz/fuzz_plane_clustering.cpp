@@ -174,8 +174,9 @@ requireLabels(const ClusteringTask& task,
   }
 }
 
-/** As the paper, a supporter is on its plane as far as W_t; what is gathered later, as far
- * as the noise. */
+/** As the paper, a supporter is as near as W_t to its plane and what is gathered later as
+ * near as the noise, before the plane is fitted once more. How far that moves it has no
+ * sharp bound; another plane's points may be a hundred spacings off. */
 void
 requireOnPlanes(const ClusteringTask& task,
                 const PlaneClusters& found,
@@ -184,7 +185,7 @@ requireOnPlanes(const ClusteringTask& task,
   if (task.settings.noise_driven || !task.style.isModerate())
     return;
   const double most =
-      2 * report.plane_distance + std::max(5 * report.sigma, report.spacing);
+      10 * (report.plane_distance + std::max(report.sigma, report.spacing));
   for (std::size_t i = 0; i < found.labels.size(); ++i) {
     if (found.labels[i] < 0)
       continue;
