@@ -72,5 +72,20 @@ TEST(LoopCrossings, SpikesAndLoopsWithoutAreaGo)
   EXPECT_TRUE(disentangled({Loop(5, {1, 1})}, distance).empty());
 }
 
+/** Cuts that rounding puts beside their edges made new crossings, by the hundred thousand. */
+TEST(LoopCrossings, LoopsFarAwayAreCutAsFarAsNumbersTell)
+{
+  constexpr double far = -82083207153158, ulp = 1.0 / 64, across = 1494.75,
+                   y = -4885924;
+  const Eigen::Vector2d a(far, y), b(far + 2 * ulp, y - 2), c(far + across, 994995754);
+  const Eigen::Vector2d d(far + 2 * ulp, y), e(far + across + 2 * ulp, c.y());
+  const Eigen::Vector2d f(far + 3 * ulp, y - 2), g(far + 5 * ulp, y);
+  const Eigen::Vector2d h(far + 5 * ulp, y - 2), i(far + 3 * ulp, y - 0.9999043169);
+  const std::vector<Loop> loops{
+      {g, h, c}, {e, a, d, b}, {d, b, c}, {c, a, b}, {f, e, a, b, i}};
+  for (const Loop& loop : disentangled(loops, 2.95e-5))
+    EXPECT_LE(loop.size(), 20U);
+}
+
 } // namespace
 } // namespace pcl::acmap::test

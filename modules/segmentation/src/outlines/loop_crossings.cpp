@@ -16,11 +16,23 @@ struct Edge {
   std::size_t loop;
 };
 
+/** Cuts are off their edges by as much: nearer places are one, or each cut would make new
+ * ones. */
+double
+roundingOf(const std::vector<Loop>& loops)
+{
+  double largest = 0;
+  for (const Loop& loop : loops)
+    for (const Place& place : loop)
+      largest = std::max(largest, place.cwiseAbs().maxCoeff());
+  return 1e-12 * largest;
+}
+
 /** \brief Edges of loops between numbered places, cut where they meet. */
 class CutEdges {
 public:
   CutEdges(const std::vector<Loop>& loops, double distance)
-  : distance_(distance)
+  : distance_(std::max(distance, roundingOf(loops)))
   , is_met_(loops.size(), 0)
   {
     for (std::size_t l = 0; l < loops.size(); ++l) {
