@@ -72,6 +72,18 @@ TEST(LoopCrossings, SpikesAndLoopsWithoutAreaGo)
   EXPECT_TRUE(disentangled({Loop(5, {1, 1})}, distance).empty());
 }
 
+/** Each corner of such a triangle is near the opposite side, which was cut there, and the
+ * pieces again. */
+TEST(LoopCrossings, SmallTrianglesComeToAnEnd)
+{
+  for (const double side : {0.9, 1.0, 1.05, 1.15, 1.3, 2.0, 2.5}) {
+    const double d = side * distance;
+    const auto loops = disentangled(
+        {square, {{1, 1}, {1 + d / 2, 1 + d * 0.85}, {1 + d, 1}}}, distance);
+    EXPECT_NEAR(areaOfAll(loops), 16, 1e-7) << side;
+  }
+}
+
 /** Cuts that rounding puts beside their edges made new crossings, by the hundred thousand. */
 TEST(LoopCrossings, LoopsFarAwayAreCutAsFarAsNumbersTell)
 {

@@ -147,6 +147,9 @@ private:
                  edges_.end());
   }
 
+  /** Nearer than places are to each other by more than the square root of two, so that of
+   * three places one at most is near the edge of the others: else each would cut it for
+   * ever. */
   bool
   isNear(const Edge& edge, std::int32_t place) const
   {
@@ -156,7 +159,7 @@ private:
     const Place there = at(place) - at(edge.from);
     const double along = there.dot(way) / way.squaredNorm();
     return along > 0 && along < 1 &&
-           std::abs(cross(way, there)) <= distance_ * way.norm();
+           std::abs(cross(way, there)) <= distance_ / 2 * way.norm();
   }
 
   /** Where two edges cross inside of both; -1 where they do not. */
