@@ -50,44 +50,52 @@ dot(const IntegerVector& a, const IntegerVector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** \brief dot |dot|, to be compared across candidates after division by cross^2. */
 Integer
 signedSquare(const Integer& value)
 {
   return value < 0 ? Integer(-value * value) : Integer(value * value);
 }
 
-/** \brief Sign of (p.dot / p.cross - q.dot / q.cross), exact. */
+/** \brief Products of a candidate p's triangle, in powers of the unit of u and v = p - a. */
+struct ExactApex {
+  Integer at_apex; ///< (a - p) . (b - p)
+  Integer at_a;    ///< u . v
+  Integer sine;    ///< |u x v|^2
+
+  ExactApex(const IntegerVector& v, const IntegerVector& u)
+  : at_a(dot(u, v))
+  {
+    const Integer square = dot(v, v);
+    at_apex = square - at_a;
+    sine = dot(u, u) * square - at_a * at_a;
+  }
+};
+
+/** \brief Sign of the difference of the cotangents of two candidates' angles, exact.
+ * \param[in] cosine where the angle is */
 int
-compareExactly(const Apex& p, const Apex& q, const Eigen::Vector3d& u)
+compareCotangents(const ExactApex& p, const ExactApex& q, Integer ExactApex::*cosine)
 {
-  const int exponent = commonExponent({&u, &p.from_a, &q.from_a});
-  const IntegerVector iu = scaled(u, exponent);
-  const auto parts = [&](const Apex& apex) {
-    const IntegerVector v = scaled(apex.from_a, exponent);
-    const Integer uv = dot(iu, v), vv = dot(v, v);
-    return std::pair<Integer, Integer>(signedSquare(vv - uv),
-                                       dot(iu, iu) * vv - uv * uv);
-  };
-  const auto [dot_p, cross_p] = parts(p);
-  const auto [dot_q, cross_q] = parts(q);
-  const Integer left = dot_p * cross_q, right = dot_q * cross_p;
+  const Integer left = signedSquare(p.*cosine) * q.sine;
+  const Integer right = signedSquare(q.*cosine) * p.sine;
   return left < right ? -1 : (right < left ? 1 : 0);
 }
 
 /** \brief Which of two candidates on one circle through a and b the pulled
- * triangulation puts over side a b. */
+ * triangulation puts over side a b. Of those on several circles of one size, round the
+ * side, the same by where they are on theirs, so that any of them are in one order. */
 bool
-winsTie(const Apex& p,
-        const Apex& q,
+winsTie(std::int32_t p,
+        std::int32_t q,
         std::int32_t a,
         std::int32_t b,
-        const Eigen::Vector3d& u)
+        const std::array<ExactApex, 2>& exact)
 {
-  const Eigen::Vector3d turn = (p.from_a - u).cross(q.from_a - u);
-  const bool p_follows_b = turn.dot(u.cross(p.from_a)) > 0; // round the circle: a b p q
-  const std::int32_t lowest = std::min(std::min(a, b), std::min(p.index, q.index));
-  return lowest == p.index || lowest == (p_follows_b ? a : b);
+  if (std::min(p, q) < std::min(a, b))
+    return p < q;
+  // Round the circle: a b p q, when the angle b a p is the smaller one.
+  const int p_follows_b = compareCotangents(exact[0], exact[1], &ExactApex::at_a);
+  return p_follows_b != 0 ? (p_follows_b > 0) == (a < b) : p < q;
 }
 
 } // namespace
@@ -113,8 +121,12 @@ isNearerApex(const Apex& p,
     return true;
   if (left > right + bound)
     return false;
-  const int sign = compareExactly(p, q, u);
-  return sign != 0 ? sign < 0 : winsTie(p, q, a, b, u);
+  const int exponent = commonExponent({&u, &p.from_a, &q.from_a});
+  const IntegerVector side = scaled(u, exponent);
+  const std::array<ExactApex, 2> exact{ExactApex(scaled(p.from_a, exponent), side),
+                                       ExactApex(scaled(q.from_a, exponent), side)};
+  const int sign = compareCotangents(exact[0], exact[1], &ExactApex::at_apex);
+  return sign != 0 ? sign < 0 : winsTie(p.index, q.index, a, b, exact);
 }
 
 } // namespace pcl::acmap::dewall

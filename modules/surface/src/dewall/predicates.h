@@ -99,7 +99,9 @@ makeApex(std::int32_t index, const Eigen::Vector3d& u, const Eigen::Vector3d& v)
  * signs decide in double where an error bound allows, in exact arithmetic otherwise.
  * Exact ties (cocircular points) are broken as if the point of lowest index were
  * lowered onto the paraboloid: the diagonal of four cocircular points starts at their
- * lowest index, which gives one triangulation from whichever side it is grown.
+ * lowest index, which gives one triangulation from whichever side it is grown. The order
+ * is strict and weak for any candidates, also for those round the side that are on
+ * circles of one size.
  * \param[in] a, b indices of the side's ends
  * \param[in] u b - a */
 bool

@@ -1,0 +1,103 @@
+#include "dewall/predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace pcl::acmap::test {
+namespace {
+
+using dewall::Apex;
+using dewall::isNearerApex;
+using dewall::makeApex;
+
+/** A side of a lattice and all that may be its apex: many are on one circle, and many more
+ * on circles of the same size round the side. Numbers are as scattered as a tree's. */
+struct LatticeSide {
+  std::int32_t a, b;
+  Eigen::Vector3d u;
+  std::vector<Apex> apexes;
+
+  LatticeSide(std::int32_t a_index, std::int32_t b_index, const Eigen::Vector3d& along)
+  : a(a_index)
+  , b(b_index)
+  , u(along)
+  {
+    constexpr int half = 2, points = 125;
+    for (int i = 0; i < points; ++i) {
+      const Eigen::Vector3d v(
+          i % 5 - half, i / 5 % 5 - half, static_cast<double>(i / 25) - half);
+      const std::int32_t index = i * 57 % points + (i % 2 ? 0 : 200);
+      if (u.cross(v).norm() > 0 && index != a && index != b)
+        apexes.push_back(makeApex(index, u, v));
+    }
+  }
+
+  bool
+  isNearer(const Apex& p, const Apex& q) const
+  {
+    return isNearerApex(p, q, a, b, u);
+  }
+};
+
+std::vector<LatticeSide>
+latticeSides()
+{
+  std::vector<LatticeSide> sides;
+  for (const Eigen::Vector3d& along :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, -2, 1)})
+    for (const std::int32_t a : {-1, 150, 400})
+      for (const std::int32_t b : {-2, 151, 401})
+        sides.emplace_back(a, b, along);
+  return sides;
+}
+
+/** What std::sort needs: else it reads and writes beyond what it sorts. */
+TEST(ApexOrder, isOneOfAllCandidates)
+{
+  for (const LatticeSide& side : latticeSides())
+    for (const Apex& p : side.apexes) {
+      ASSERT_FALSE(side.isNearer(p, p));
+      for (const Apex& q : side.apexes) {
+        if (p.index == q.index)
+          continue;
+        ASSERT_NE(side.isNearer(p, q), side.isNearer(q, p))
+            << p.index << " " << q.index;
+        if (!side.isNearer(p, q))
+          continue;
+        for (const Apex& r : side.apexes)
+          ASSERT_TRUE(!side.isNearer(q, r) || side.isNearer(p, r))
+              << p.index << " " << q.index << " " << r.index;
+      }
+    }
+}
+
+/** Whichever of its ends the side begins with. */
+TEST(ApexOrder, isThatOfTheTurnedSide)
+{
+  for (const LatticeSide& side : latticeSides()) {
+    const auto turned = [&](const Apex& apex) {
+      return makeApex(apex.index, -side.u, apex.from_a - side.u);
+    };
+    for (const Apex& p : side.apexes)
+      for (const Apex& q : side.apexes)
+        ASSERT_EQ(side.isNearer(p, q),
+                  isNearerApex(turned(p), turned(q), side.b, side.a, -side.u))
+            << p.index << " " << q.index;
+  }
+}
+
+/** Four points of a circle: the diagonal starts at their lowest number. */
+TEST(ApexOrder, lowestOfACircleIsJoined)
+{
+  const Eigen::Vector3d u(3, 0, 0), left(0, 4, 0), right(3, 4, 0);
+  const auto isRightNearer = [&](std::int32_t a, std::int32_t b) {
+    return isNearerApex(makeApex(8, u, right), makeApex(9, u, left), a, b, u);
+  };
+  EXPECT_TRUE(isRightNearer(1, 2)) << "the diagonal from a to the right";
+  EXPECT_FALSE(isRightNearer(2, 1)) << "from b to the left";
+  EXPECT_TRUE(isRightNearer(11, 12)) << "from the right itself";
+}
+
+} // namespace
+} // namespace pcl::acmap::test
