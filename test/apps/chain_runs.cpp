@@ -3,6 +3,8 @@
 #include "plane_runs.h"
 #include "small_session.h"
 
+#include <gmock/gmock.h>
+
 #include <filesystem>
 
 namespace pcl::acmap::test {
@@ -26,7 +28,11 @@ public:
     filmSmallSession(session());
     const ToolRun chain = runSessionChain(session(), map(), {"--threads", "2"});
     EXPECT_EQ(chain.exit_code, 0) << chain.err;
-    EXPECT_EQ(chain.err, "");
+    // three views leave noise that may look bent; nothing else is to be told
+    EXPECT_THAT(
+        chain.err,
+        testing::MatchesRegex("(pcl_compact_mapping: warning: [0-9]+ points lie "
+                              "on curved surfaces, which are no planes\n)?"));
     copyWhole(session(), folder_.path("kept session"));
     copyWhole(map(), folder_.path("kept map"));
   }

@@ -92,6 +92,25 @@ TEST(ClusteringUgly, degenerateCloudsEndWell)
     expectSane(scaled(makeWall(1, 1).cloud, factor));
 }
 
+TEST(ClusteringUgly, onePointFarOffTakesNoPrecision)
+{
+  const VotingMesh door = withNoise(makeDoor(0.2), {0, 0, 1}, 0.001);
+  const Clustered wanted = clusterOn(door);
+  ASSERT_EQ(wanted.patches.size(), 2U);
+  for (const float distance : {1e15F, 1e30F, 3e38F}) {
+    VotingMesh with = door;
+    with.cloud.push_back({distance, -distance, 1});
+    const Clustered found = clusterOn(with);
+    ASSERT_EQ(found.patches.size(), 2U) << distance;
+    for (std::size_t p = 0; p < 2; ++p) {
+      EXPECT_LT((found.patches[p].coefficients - wanted.patches[p].coefficients).norm(),
+                1e-9)
+          << distance;
+      EXPECT_EQ(found.patches[p].support, wanted.patches[p].support) << distance;
+    }
+  }
+}
+
 TEST(ClusteringUgly, pointsTwice)
 {
   const VotingMesh wall = makeWall(2, 1.5);

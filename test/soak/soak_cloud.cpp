@@ -24,8 +24,10 @@ makeFairCloud(unsigned kind, std::uint64_t seed)
     return makeFoldedPlane(sheet, random.uniform(-1.5, 1.5)).cloud;
   case 2:
     return makeSphereCap(sheet, random.uniform(2, 4)).cloud;
-  case 3:
-    return makeRoom(random.uniform(0.18, 0.25), random.uniform(0, 0.02), seed);
+  case 3: {
+    const double noise = random.uniform(0, 0.02);
+    return makeRoom(random.uniform(0.18, 0.25), noise, seed);
+  }
   case 4:
     return makeCorridorView(2000, seed);
   default:

@@ -15,7 +15,7 @@ The tests `tools_ugly_...` make these runs and compare them with this page;
 
 Exit codes: 0 done, 2 usage, 3 input unreadable or malformed, 4 nothing found, 5 output could not be written, 6 refused
 for memory; `0!` is done, with a warning. Where a cell has several, the tool's list below tells which input gives which.
-`–` makes no sense for that tool, and the list says why. `…` is a number that differs from machine to machine.
+`–` makes no sense for that tool, and the list says why. `…` differs from machine to machine.
 
 A device or a pipe is never read, as nobody knows how long one would wait for it, and readers take no more memory than a
 file can back, so they must know its size. It is refused at once as no regular file; `cat` it into a file first.

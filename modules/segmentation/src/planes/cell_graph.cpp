@@ -28,6 +28,22 @@ finiteTriangles(const PlaneHypotheses& hypotheses)
   return triangles;
 }
 
+/** Median coordinates, which one point far off does not move away from the others. */
+Eigen::Vector3d
+middleOf(const std::vector<Eigen::Vector3d>& points)
+{
+  Eigen::Vector3d middle;
+  std::vector<double> coordinates;
+  for (int axis = 0; axis < 3; ++axis) {
+    coordinates.clear();
+    for (const Eigen::Vector3d& point : points)
+      if (point.allFinite())
+        coordinates.push_back(point[axis]);
+    middle[axis] = medianOf(coordinates);
+  }
+  return middle;
+}
+
 /** Of the lengths of the edges. */
 double
 meanEdge(const CellGraph& graph)
@@ -71,17 +87,12 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
 {
   const std::size_t size = hypotheses.points.size();
   points.reserve(size);
-  std::size_t finite = 0;
   for (std::size_t i = 0; i < size; ++i) {
     points.push_back(hypotheses.points[i].cast<double>());
-    if (points.back().allFinite()) {
-      origin += points.back();
-      ++finite;
-    }
-    else
+    if (!points.back().allFinite())
       normals[i].setConstant(std::nanf(""));
   }
-  origin /= std::max<double>(static_cast<double>(finite), 1);
+  origin = middleOf(points);
   for (Eigen::Vector3d& point : points)
     point -= origin;
 

@@ -14,7 +14,7 @@ struct CellGraph {
   std::vector<Eigen::Vector3f> normals; ///< NaN where there is none
   std::vector<double> areas;            ///< square metres each one stands for
   VertexNeighbours neighbours;          ///< in the mesh, or near
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d origin;
   double spacing = 0; ///< metres
   double sigma = 0;   ///< metres
 
