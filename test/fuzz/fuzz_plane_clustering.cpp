@@ -92,7 +92,8 @@ requireFrame(const ClusteringTask& task, const PlanePatch& patch)
   require(std::abs(normal.dot(patch.center) + patch.coefficients[3]) <= 1e-9 * far);
 }
 
-/** NaN, or what a covariance may be: in units of its own deviations. */
+/** NaN, or what a covariance may be: in units of its own deviations, or of the least whose
+ * squares doubles hold. */
 void
 requireCovariance(const Eigen::Matrix3d& covariance)
 {
@@ -100,7 +101,7 @@ requireCovariance(const Eigen::Matrix3d& covariance)
     return;
   require(covariance.allFinite());
   const Eigen::Vector3d deviations =
-      covariance.diagonal().cwiseMax(0.0).cwiseSqrt().cwiseMax(1e-300);
+      covariance.diagonal().cwiseMax(0.0).cwiseSqrt().cwiseMax(1e-145);
   require(covariance.diagonal().minCoeff() >= 0);
   const Eigen::Matrix3d scaled = deviations.cwiseInverse().asDiagonal() * covariance *
                                  deviations.cwiseInverse().asDiagonal();
