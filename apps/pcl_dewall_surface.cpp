@@ -1,6 +1,7 @@
 #include "cloud_sensors.h"
 #include "command_line.h"
 #include "consolidation_stage.h"
+#include "depth_stage.h"
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
@@ -28,6 +29,7 @@ struct Options {
   std::string input;
   std::string output;
   std::optional<double> voxel_size;
+  DepthSensor sensor = DepthSensor::Automatic;
   double maximum_edge_length = 0;
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;
@@ -50,7 +52,10 @@ addOptions(Tool& tool, Options& options)
                        options.voxel_size,
                        "First replace the points of each voxel by one on their plane; "
                        "the voxel's edge in "
-                       "metres, or automatic from noise and spacing. For noisy clouds");
+                       "metres, or automatic from noise and spacing. For noisy clouds. "
+                       "Automatic: the steps of a depth camera's view are taken out in "
+                       "its picture instead");
+  addSensor(tool, options.sensor);
   app.add_option("--max-edge",
                  options.maximum_edge_length,
                  "No edge is longer, in metres [default: automatic, from the spacing "
@@ -188,12 +193,24 @@ meshCloud(Tool& tool, const Options& options)
   tool.stopIfInterrupted();
 
   double maximum_edge_length = options.maximum_edge_length;
-  if (options.voxel_size) {
+  const bool is_automatic = !options.voxel_size || *options.voxel_size == 0;
+  const std::optional<MeasuredView> measured =
+      is_automatic ? viewOfFile(file, options.sensor) : std::nullopt;
+  if (measured && options.voxel_size) {
+    tellDepthNoise(tool, *measured);
+    refineInput(tool, *measured, file);
+    timer.finish("refine");
+  }
+  else if (options.voxel_size) {
     const double voxel_size = consolidate(tool, options, file);
     timer.finish("consolidate");
     if (maximum_edge_length == 0)
       maximum_edge_length = edges_of_voxel * voxel_size;
   }
+  else if (measured && measured->noise.step > 0)
+    tool.warn(
+        "the depth is quantised, and the mesh shows its steps: --consolidate takes "
+        "them out");
   pcl::TriangleMesh mesh;
   const pcl::DeWallReport report =
       hasNormals(file)

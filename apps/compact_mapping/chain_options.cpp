@@ -47,6 +47,7 @@ addMapOptions(Tool& tool, ChainOptions& options)
   CLI::App& app = tool.options();
   inGroup(tool, map_group, [&] {
     addPlaneChoices(tool, options.planes);
+    options.planes.keeps_mesh = true;
     addTextureOptions(tool, options.texture);
     app.add_option("--max-points",
                    options.most_points,

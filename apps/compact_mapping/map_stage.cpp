@@ -34,13 +34,21 @@ mapSequence(Tool& tool,
   Mapped result;
   {
     const MergedMap merged = mergeObservations(
-        tool, posed, options.texture.skip_broken, options.most_points);
+        tool,
+        posed,
+        options.planes.isInSpace() ? DepthSensor::Laser : options.planes.sensor,
+        options.texture.skip_broken,
+        options.most_points);
     timer.finish("read");
     warnOfLengths(tool, merged.file);
     tool.details()["observations"] = merged.observations;
     tool.tell("read",
               std::to_string(merged.observations) + " observations, " +
                   std::to_string(merged.file.points().size()) + " points");
+    if (merged.refined > 0)
+      tool.tell("refined",
+                "the quantised depth of " + std::to_string(merged.refined) +
+                    " observations");
     result.extraction =
         extractFromCloud(tool, options.planes, timer, merged.file, merged.sensors());
     savePointCloud(folder.path("map.pcd"), thinned(merged.file.cloud));

@@ -16,6 +16,7 @@ MergedMap::sensors() const
 MergedMap
 mergeObservations(Tool& tool,
                   const PosedFolder& folder,
+                  DepthSensor sensor,
                   bool skip_broken,
                   std::size_t most_points)
 {
@@ -30,7 +31,8 @@ mergeObservations(Tool& tool,
       progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
                     "reading");
       try {
-        const PosedObservation seen = folder.load(i, remarks);
+        PosedObservation seen = folder.load(i, remarks);
+        map.refined += refineIfQuantised(seen.file, sensor, tool.threads()) ? 1 : 0;
         rows.append(seen.file,
                     seen.T_map_camera,
                     static_cast<std::int32_t>(map.viewpoints.size()));

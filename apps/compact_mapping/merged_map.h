@@ -1,5 +1,6 @@
 #pragma once
 
+#include "depth_stage.h"
 #include "posed_folder.h"
 #include "tool.h"
 
@@ -15,12 +16,14 @@ struct MergedMap {
   PointCloudFile file; ///< x y z rgb view; metres
   std::vector<Eigen::Vector3f> viewpoints;
   std::size_t observations = 0; ///< that could be read
+  std::size_t refined = 0;      ///< whose depth was quantised
 
   SensorView
   sensors() const;
 };
 
 /** \brief Merges the finite points of a sequence, as a step of the tool.
+ * \param[in] sensor the depth of views that are quantised is refined before
  * \param[in] most_points of more only each second, fourth ... is kept, with a warning
  * \param[in] skip_broken observations that cannot be read are left out and named
  * \throws InputFileException when one cannot be read and none may be skipped, or all poses
@@ -29,6 +32,7 @@ struct MergedMap {
 MergedMap
 mergeObservations(Tool& tool,
                   const PosedFolder& folder,
+                  DepthSensor sensor,
                   bool skip_broken,
                   std::size_t most_points);
 

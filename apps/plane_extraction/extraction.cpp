@@ -3,8 +3,10 @@
 #include "cloud_fields.h"
 #include "cloud_sensors.h"
 #include "length_check.h"
+#include "plane_reports.h"
 
 #include <pcl/core/noise_scale.h>
+#include <pcl/segmentation/depth_plane_kernel.h>
 
 namespace pcl::acmap {
 
@@ -81,6 +83,8 @@ meshCloud(Tool& tool,
   if (options.voxel_size)
     return consolidateAndMesh(tool, options, *options.voxel_size, timer, file, sensors);
   const NoiseScale scale = measureNoiseScale(file.points(), sensors, tool.threads());
+  if (scale.inverse_depth)
+    tool.warn(scale.remarks.front());
   timer.finish("noise scale");
   if (needsConsolidation(scale))
     return consolidateAndMesh(
@@ -89,6 +93,44 @@ meshCloud(Tool& tool,
   // its faces look to the file's sensor; the points' own ones know better
   const bool names_views = findField(file.cloud, "view", PCLPointField::INT32);
   return {meshAsItIs(tool, file), sensors, names_views ? sensors : SensorView(), {}};
+}
+
+/** Planes in the picture of one view; the mesh only where it is asked for. */
+Extraction
+extractFromView(Tool& tool,
+                const PlaneOptions& options,
+                StepTimer& timer,
+                const PointCloudFile& file,
+                const MeasuredView& measured)
+{
+  tellDepthNoise(tool, measured);
+  timer.finish("noise scale");
+  DepthSegmentationSettings settings;
+  settings.least_area = options.least_area.value_or(settings.least_area);
+  settings.regular = options.regular;
+  DepthPlaneReport report;
+  Extraction result;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    result.clusters = segmentDepthPlanes(
+        measured.view, measured.noise, settings, Progress(progress), report);
+  });
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tool.details()["report"] = jsonOf(report);
+  result.input_labels = result.clusters.labels;
+  result.finite_points = measured.view.measured();
+  timer.finish("planes");
+  result.mesh.vertices.remarks = file.remarks;
+  if (!options.wantsMesh() || result.clusters.patches.empty())
+    return result;
+  PointCloudFile refined = file;
+  refineInput(tool, measured, refined);
+  timer.finish("refine");
+  result.mesh = meshAsItIs(tool, refined);
+  timer.finish("triangulate");
+  voteOnMesh(tool, result.mesh, SensorView(file.sensor_origin));
+  timer.finish("votes");
+  return result;
 }
 
 std::vector<std::int32_t>
@@ -148,6 +190,9 @@ extractFromCloud(Tool& tool,
                  const PointCloudFile& file,
                  const SensorView& sensors)
 {
+  if (!options.isInSpace())
+    if (const std::optional<MeasuredView> measured = viewOfFile(file, options.sensor))
+      return extractFromView(tool, options, timer, file, *measured);
   CloudMesh cloud = meshCloud(tool, options, timer, file, sensors);
   timer.finish("triangulate");
   PlaneSource source;

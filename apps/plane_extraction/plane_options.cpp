@@ -44,6 +44,7 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
                  "[default: by the noise, warped walls up to 0.025]")
       ->type_name("M")
       ->check(positiveNumber().description(""));
+  addSensor(tool, options.sensor);
   app.add_flag("--regular",
                options.regular,
                "Turn planes to be exactly parallel or at right angles to larger ones, "
@@ -98,6 +99,10 @@ checkChoices(const PlaneOptions& options)
   };
   refuse(options.least_area.has_value(), "--min-area");
   refuse(options.tolerance.has_value(), "--tolerance");
+  if (options.sensor != DepthSensor::Automatic && options.isInSpace())
+    throw UsageError(
+        "--sensor is not used with --consolidate, --tolerance and --paper, "
+        "which work in space: leave it out");
 }
 
 void

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "depth_stage.h"
 #include "tool.h"
 
 #include <optional>
@@ -17,8 +18,25 @@ struct PlaneOptions {
   std::optional<double> voxel_size; ///< metres; 0: automatic
   std::optional<double> least_area; ///< square metres
   std::optional<double> tolerance;  ///< metres
+  DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;
   bool paper = false;
+
+  /** \brief The mesh is used even where no output of these names it. */
+  bool keeps_mesh = false;
+
+  bool
+  wantsMesh() const
+  {
+    return keeps_mesh || !normals.empty() || !picture.empty();
+  }
+
+  /** \brief Is a cloud to be worked on in space, be it a view or not? */
+  bool
+  isInSpace() const
+  {
+    return voxel_size || tolerance || paper;
+  }
 };
 
 /** \brief Adds what decides which planes are found. */

@@ -68,6 +68,21 @@ jsonOf(const PlaneClusteringReport& report)
           {"seconds", secondsOf(report)}};
 }
 
+nlohmann::ordered_json
+jsonOf(const DepthPlaneReport& report)
+{
+  return {{"points", report.points},
+          {"invalid_points", report.invalid_points},
+          {"planes", report.planes},
+          {"points_on_planes", report.points_on_planes},
+          {"small_regions", report.small_regions},
+          {"curved_regions", report.curved_regions},
+          {"merged", report.merged},
+          {"regular_planes", report.regular_planes},
+          {"largest_turn", report.largest_turn},
+          {"seconds", secondsOf(report)}};
+}
+
 void
 tellPlanes(Tool& tool,
            const std::vector<PlanePatch>& planes,

@@ -4,6 +4,7 @@
 
 #include <pcl/core/plane_patch.h>
 #include <pcl/features/voting_types.h>
+#include <pcl/segmentation/depth_plane_types.h>
 #include <pcl/segmentation/plane_clustering_types.h>
 
 #include <vector>
@@ -16,6 +17,9 @@ jsonOf(const VotingReport& report);
 
 nlohmann::ordered_json
 jsonOf(const PlaneClusteringReport& report);
+
+nlohmann::ordered_json
+jsonOf(const DepthPlaneReport& report);
 
 /** \brief Lines of the summary: how many planes, the share of the points on them, and
  * each plane where they are few.

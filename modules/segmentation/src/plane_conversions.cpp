@@ -64,6 +64,21 @@ spreadOf(const PlanePatch& patch)
   return axes * along * axes.transpose() + across;
 }
 
+std::vector<PointIndices>
+clustersOf(const std::vector<std::int32_t>& labels,
+           std::size_t planes,
+           const PCLHeader& header)
+{
+  std::vector<PointIndices> clusters(planes);
+  for (PointIndices& indices : clusters)
+    indices.header = header;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] >= 0)
+      clusters[static_cast<std::size_t>(labels[i])].indices.push_back(
+          static_cast<index_t>(i));
+  return clusters;
+}
+
 Loop
 largestRim(const PlanePatch& patch)
 {

@@ -1,4 +1,5 @@
 #include "noise/base_edge.h"
+#include "noise/depth_step_noise.h"
 #include "noise/range_noise.h"
 
 #include <pcl/core/noise_scale.h>
@@ -285,33 +286,45 @@ occupancyFor(std::size_t points)
   return std::clamp(static_cast<double>(points) / (1 << 14), 3.0, 64.0);
 }
 
+NoiseScale
+measureInSpace(const PointView& points, const SensorView& sensors, unsigned threads)
+{
+  NoiseScale scale;
+  const double edge = edgeForOccupancy(points, occupancyFor(points.size()));
+  if (!(edge > 0)) {
+    scale.remarks.emplace_back("no noise scale: the points have no extent");
+    return scale;
+  }
+  Pyramid pyramid;
+  pyramid.add(sumVoxels(points, sensors, edge, threads));
+  const int plateau = climbToPlateau(pyramid);
+  if (plateau < 0) {
+    concludeWithoutPlateau(pyramid.levels, scale);
+    return scale;
+  }
+  const auto fine = static_cast<std::size_t>(plateau);
+  setSpacing(pyramid.levels[fine], pyramid.levels[fine + 1], scale);
+  setSigma(pyramid.levels[fine], pyramid.levels[fine + 1], scale);
+  if (sensors.isKnown() && scale.hasNoise()) {
+    const bool is_wide = pyramid.levels[fine].edge > 8 * scale.sigma;
+    scale.ranges =
+        measureRangeNoise(points, sensors, pyramid.voxels[is_wide ? fine : fine + 1]);
+  }
+  return scale;
+}
+
 } // namespace
 
 NoiseScale
-measureNoiseScale(const PointView& points, const SensorView& sensors, unsigned threads)
+measureNoiseScale(const PointView& points,
+                  const SensorView& sensors,
+                  unsigned threads,
+                  std::size_t width)
 {
   return withThreads(threads, [&] {
-    NoiseScale scale;
-    const double edge = edgeForOccupancy(points, occupancyFor(points.size()));
-    if (!(edge > 0)) {
-      scale.remarks.emplace_back("no noise scale: the points have no extent");
-      return scale;
-    }
-    Pyramid pyramid;
-    pyramid.add(sumVoxels(points, sensors, edge, threads));
-    const int plateau = climbToPlateau(pyramid);
-    if (plateau < 0) {
-      concludeWithoutPlateau(pyramid.levels, scale);
-      return scale;
-    }
-    const auto fine = static_cast<std::size_t>(plateau);
-    setSpacing(pyramid.levels[fine], pyramid.levels[fine + 1], scale);
-    setSigma(pyramid.levels[fine], pyramid.levels[fine + 1], scale);
-    if (sensors.isKnown() && scale.hasNoise()) {
-      const bool is_wide = pyramid.levels[fine].edge > 8 * scale.sigma;
-      scale.ranges =
-          measureRangeNoise(points, sensors, pyramid.voxels[is_wide ? fine : fine + 1]);
-    }
+    NoiseScale scale = measureInSpace(points, sensors, threads);
+    if (scale.spacing > 0)
+      applyDepthSteps(points, width, scale);
     return scale;
   });
 }

@@ -73,9 +73,8 @@ lift(const Loop& loop, const PatchFrame& frame)
   return points;
 }
 
-/** Loops as polygons: each hole in the least rim around it. Holes and islands of a few
- * triangles are what the mesh happened to miss or to catch. Loops that were drawn to lines
- * and simplified each on its own may cross. */
+} // namespace
+
 void
 setPolygons(const std::vector<Loop>& shaped,
             double least_area,
@@ -111,6 +110,8 @@ setPolygons(const std::vector<Loop>& shaped,
       }
   }
 }
+
+namespace {
 
 std::vector<Loop>
 meshLoops(const PointView& points,

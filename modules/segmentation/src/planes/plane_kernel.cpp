@@ -4,6 +4,7 @@
 #include "planes/narrow_strips.h"
 #include "planes/noise_driven.h"
 #include "planes/paper_growth.h"
+#include "planes/patch_order.h"
 #include "planes/plane_merge.h"
 #include "planes/regular.h"
 #include "planes/rims.h"
@@ -129,24 +130,26 @@ dropUnsure(KnownPlanes& known, PlaneClusteringReport& report)
     label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
 }
 
-void
-sortByArea(PlaneClusters& clusters)
+/** Patches that look like layers of a quantised depth: parallel to others like them, and
+ * with far fewer points than their area asks for. */
+std::size_t
+countLayers(const std::vector<PlanePatch>& patches, double spacing)
 {
-  std::vector<std::int32_t> order(clusters.patches.size()), numbers(order.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return clusters.patches[static_cast<std::size_t>(a)].area >
-           clusters.patches[static_cast<std::size_t>(b)].area;
-  });
-  std::vector<PlanePatch> sorted;
-  for (const std::int32_t patch : order) {
-    numbers[static_cast<std::size_t>(patch)] = static_cast<std::int32_t>(sorted.size());
-    sorted.push_back(std::move(clusters.patches[static_cast<std::size_t>(patch)]));
-  }
-  clusters.patches = std::move(sorted);
-  for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
-    for (std::int32_t& label : *labels)
-      label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  constexpr double least_filling = 0.25;
+  const double parallel = std::cos(0.0175);
+  std::vector<Eigen::Vector3d> normals;
+  for (const PlanePatch& patch : patches)
+    if (static_cast<double>(patch.support) * spacing * spacing <
+        least_filling * patch.area)
+      normals.push_back(patch.coefficients.head<3>());
+  constexpr std::ptrdiff_t fewest = 3;
+  return static_cast<std::size_t>(
+      std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& normal) {
+        return std::count_if(
+                   normals.begin(), normals.end(), [&](const Eigen::Vector3d& other) {
+                     return std::abs(normal.dot(other)) > parallel;
+                   }) >= fewest;
+      }));
 }
 
 /** Counts, and the reason where nothing was found. */
@@ -162,6 +165,13 @@ describe(const PlaneClusters& clusters,
     report.points_on_planes += label >= 0 ? 1 : 0;
   if (hypotheses.triangles.empty())
     report.remarks.emplace_back("without a mesh the planes have no outlines");
+  if (const std::size_t layers = countLayers(clusters.patches, report.spacing))
+    report.remarks.push_back(
+        std::to_string(layers) + " of the " + std::to_string(report.planes) +
+        " planes look like layers of a quantised depth: they are parallel and have "
+        "less "
+        "than a quarter of the points that their area asks for; segment the organized "
+        "view (DepthPlaneSegmentation), or consolidate the cloud");
   if (100 * report.points_on_curved > report.points)
     report.remarks.push_back(std::to_string(report.points_on_curved) +
                              " points lie on curved surfaces, which are no planes");

@@ -4,6 +4,8 @@
 #include <pcl/core/point_view.h>
 #include <pcl/core/sensor_view.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,24 @@ struct NoiseScale {
   /** \brief Bins of a factor of sqrt (2), ascending; empty where no sensor is known. */
   std::vector<Range> ranges;
 
+  /** \brief Noise of the depth of one organized view, which is even in inverse depth for
+   * cameras that triangulate. All in 1/m; a depth z has z^2 times it in metres. */
+  struct InverseDepth {
+    double step = 0;        ///< the sensor's rounding; 0: not quantised
+    double independent = 0; ///< standard deviation of a pixel about its neighbours
+    double correlated = 0;  ///< what pixels share with others over tens of pixels
+
+    /** \brief Standard deviation of a pixel. */
+    double
+    sigma() const
+    {
+      return std::sqrt(independent * independent + correlated * correlated);
+    }
+  };
+
+  /** \brief Where the cloud is one view whose depth is quantised. */
+  std::optional<InverseDepth> inverse_depth;
+
   /** \brief Why there is no answer, or a doubtful one. */
   std::vector<std::string> remarks;
 
@@ -57,13 +77,19 @@ namespace acmap {
  * scale is the first one whose voxel is three times as large as the thickness, and at
  * whose double the thickness is much the same; what it grows is taken for curvature and
  * removed. Linear time, memory of the voxels.
+ *
+ * Points in their sensor's frame whose depth is quantised (\ref measureDepthStep) have the
+ * noise of their steps: sigma and the ranges are then z^2 times that of inverse depth.
  * \param[in] points metres
  * \param[in] sensors who saw them; without it there are no ranges
- * \param[in] threads 0 for all; the answer is the same */
+ * \param[in] threads 0 for all; the answer is the same
+ * \param[in] width pixels of a row where the points are one organized view, whose noise is
+ * then measured in its picture; 0 for other clouds */
 ACMAP_EXPORT NoiseScale
 measureNoiseScale(const PointView& points,
                   const SensorView& sensors,
-                  unsigned threads = 0);
+                  unsigned threads = 0,
+                  std::size_t width = 0);
 
 } // namespace acmap
 } // namespace pcl

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <pcl/ModelCoefficients.h>
+#include <pcl/PointIndices.h>
 #include <pcl/core/export.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/segmentation/planar_region.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace pcl {
 
@@ -24,6 +27,12 @@ namespace acmap {
  * tells how surely the plane lies where it does. \ingroup segmentation */
 ACMAP_EXPORT Eigen::Matrix3d
 spreadOf(const PlanePatch& patch);
+
+/** \brief The points of each plane, from the plane of each point (-1 for none). */
+ACMAP_EXPORT std::vector<PointIndices>
+clustersOf(const std::vector<std::int32_t>& labels,
+           std::size_t planes,
+           const PCLHeader& header);
 
 /** \brief Rim of the largest polygon, empty where there is none. */
 ACMAP_EXPORT std::vector<Eigen::Vector3f>

@@ -4,6 +4,7 @@
 #include <pcl/core/input_check.h>
 #include <pcl/core/mesh_input.h>
 #include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/plane_conversions.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 
 #include <algorithm>
@@ -153,14 +154,7 @@ PlaneHypothesisClustering<PointT>::extract(std::vector<PointIndices>& clusters)
 {
   std::vector<PlanePatch> patches;
   segment(patches);
-  std::vector<PointIndices> result(patches.size());
-  for (PointIndices& indices : result)
-    indices.header = input_->header;
-  for (std::size_t i = 0; i < labels_.size(); ++i)
-    if (labels_[i] >= 0)
-      result[static_cast<std::size_t>(labels_[i])].indices.push_back(
-          static_cast<index_t>(i));
-  clusters = std::move(result);
+  clusters = acmap::clustersOf(labels_, patches.size(), input_->header);
 }
 
 } // namespace pcl

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "tool.h"
+
+#include <pcl/core/depth_view.h>
+#include <pcl/core/point_cloud_file.h>
+
+#include <optional>
+
+namespace pcl::acmap {
+
+/** \brief What measured a cloud: decides whether its planes and surfaces are looked for in
+ * the picture, where the noise of cameras that triangulate is even, or in space. */
+enum class DepthSensor {
+  Automatic, ///< in the picture where the depth is quantised
+  Quantised, ///< structured light, such as a Kinect
+  Stereo,
+  TimeOfFlight,
+  Laser
+};
+
+/** \brief Adds `--sensor`. */
+void
+addSensor(Tool& tool, DepthSensor& sensor);
+
+/** \brief One view with the noise of its depth. */
+struct MeasuredView {
+  DepthView view;
+  NoiseScale::InverseDepth noise;
+};
+
+/** \brief The picture in which a file's cloud is to be worked on; nothing where it is to be
+ * in space.
+ * \throws UsageError when the sensor that the user named needs a picture and the cloud is
+ * not an organized view in its sensor's frame */
+std::optional<MeasuredView>
+viewOfFile(const PointCloudFile& file, DepthSensor sensor);
+
+/** \brief Tells the noise of a view in the summary and the report. */
+void
+tellDepthNoise(Tool& tool, const MeasuredView& measured);
+
+/** \brief Takes the steps out of a view as DepthRefinement does, as a step of a tool: moves
+ * the points, sets their normals. */
+void
+refineInput(Tool& tool, const MeasuredView& measured, PointCloudFile& file);
+
+/** \brief Moves the points of an observation likewise where its depth is quantised, without
+ * a word and without normals. \return whether it was */
+bool
+refineIfQuantised(PointCloudFile& file, DepthSensor sensor, unsigned threads);
+
+} // namespace pcl::acmap

@@ -1,0 +1,189 @@
+#include "depth/tile_regions.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl::acmap::depth {
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/** How a region's tiles bend away from its plane: a quadratic over the picture. */
+struct Bend {
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< of the most bend
+  double height = 0; ///< standard deviation of the bent part of the residuals, 1/m
+  double sign = 0;   ///< of the residuals at both ends
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Vector6 coefficients = Vector6::Zero();
+
+  Vector6
+  termsAt(const Eigen::Vector2d& place) const
+  {
+    const Eigen::Vector2d p = place - middle;
+    Vector6 terms;
+    terms << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
+    return terms;
+  }
+};
+
+Eigen::Vector2d
+placeOf(const TileMoments& tiles, std::uint32_t tile)
+{
+  return {static_cast<double>(tile % tiles.columns()),
+          static_cast<double>(tile / tiles.columns())};
+}
+
+/** Regression of the tiles' mean residuals. */
+Bend
+bendOf(const TileMoments& tiles, const TileRegion& region)
+{
+  Bend bend;
+  const double count = static_cast<double>(region.tiles.size());
+  for (const std::uint32_t tile : region.tiles)
+    bend.middle += placeOf(tiles, tile) / count;
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Vector6 right = Vector6::Zero();
+  for (const std::uint32_t tile : region.tiles) {
+    const Vector6 terms = bend.termsAt(placeOf(tiles, tile));
+    matrix += terms * terms.transpose();
+    right += residualOf(tiles[tile], region.fit.plane).mean * terms;
+  }
+  matrix.diagonal().array() += 1e-9;
+  bend.coefficients = matrix.ldlt().solve(right);
+  const Vector6& c = bend.coefficients;
+  double sum = 0, squares = 0;
+  for (const std::uint32_t tile : region.tiles) {
+    const double bent = bend.termsAt(placeOf(tiles, tile)).tail<3>().dot(c.tail<3>());
+    sum += bent;
+    squares += bent * bent;
+  }
+  bend.height = std::sqrt(std::max(squares / count - sum * sum / count / count, 0.0));
+  Eigen::Matrix2d hessian;
+  hessian << 2 * c[3], c[4], c[4], 2 * c[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(hessian);
+  const Eigen::Array2d bends = axes.eigenvalues().cwiseAbs();
+  const int most = bends[0] > bends[1] ? 0 : 1;
+  bend.direction = axes.eigenvectors().col(most);
+  bend.sign = axes.eigenvalues()[most] < 0 ? -1 : 1;
+  return bend;
+}
+
+/** How a region ends in the direction of its bend. */
+struct Ends {
+  std::array<std::size_t, 2> ended{};   ///< tiles at either end
+  std::array<std::size_t, 2> went_on{}; ///< beyond which the surface bends further
+  std::array<std::size_t, 2> curved{};  ///< beyond which lies a curved surface
+
+  bool
+  goesOn(std::size_t end) const
+  {
+    return ended[end] > 0 && 2 * went_on[end] > ended[end];
+  }
+
+  bool
+  isBesideCurved(std::size_t end) const
+  {
+    return 2 * curved[end] > ended[end];
+  }
+};
+
+/** What a tile of a view is to the region that is looked at. */
+enum class TileRole : std::uint8_t { Other, Inside, Curved };
+
+/** Looks beyond the ends. At an edge between planes the surface does not go on with the
+ * same bend. */
+Ends
+endsOf(const TileMoments& tiles,
+       double sigma,
+       const TileRegion& region,
+       const std::vector<TileRole>& roles,
+       const Bend& bend)
+{
+  // standard deviations
+  constexpr double left_plane = 1.8;
+  constexpr double band = 2.5;
+  constexpr double along = 0.7; // cosine between a step and the bend
+  constexpr double fewest_pixels = 16;
+  Ends ends;
+  const auto look =
+      [&](std::int64_t dx, std::int64_t dy, bool exists, std::size_t beside) {
+        const double cosine = bend.direction.dot(
+            Eigen::Vector2d(static_cast<double>(dx), static_cast<double>(dy)));
+        if (std::abs(cosine) < along || (exists && roles[beside] == TileRole::Inside))
+          return;
+        const std::size_t end = cosine > 0 ? 1 : 0;
+        ++ends.ended[end];
+        if (!exists || tiles[beside].count < fewest_pixels)
+          return;
+        ends.curved[end] += roles[beside] == TileRole::Curved ? 1 : 0;
+        const Vector6 terms =
+            bend.termsAt(placeOf(tiles, static_cast<std::uint32_t>(beside)));
+        const double off = residualOf(tiles[beside], region.fit.plane).mean;
+        if (off * bend.sign > left_plane * sigma &&
+            std::abs(off - terms.dot(bend.coefficients)) < band * sigma)
+          ++ends.went_on[end];
+      };
+  for (const std::uint32_t tile : region.tiles) {
+    const std::size_t column = tile % tiles.columns(), row = tile / tiles.columns();
+    look(-1, 0, column > 0, tile - 1);
+    look(1, 0, column + 1 < tiles.columns(), tile + 1);
+    look(0, -1, row > 0, tile - tiles.columns());
+    look(0, 1, row + 1 < tiles.rows(), tile + tiles.columns());
+  }
+  return ends;
+}
+
+/** Is the region bent, with a surface that goes on at both ends, or at one end into what
+ * is known to be curved? */
+bool
+isCurved(const TileMoments& tiles,
+         const PixelDeviation& deviation,
+         const TileRegion& region,
+         std::vector<TileRole>& roles)
+{
+  constexpr double least_bend = 0.4; // standard deviations; what is flat bends less
+  constexpr std::size_t fewest_tiles = 9;
+  if (region.tiles.size() < fewest_tiles)
+    return false;
+  const Bend bend = bendOf(tiles, region);
+  const double sigma = deviation.on(region.fit.plane);
+  if (bend.height < least_bend * sigma)
+    return false;
+  for (const std::uint32_t tile : region.tiles)
+    roles[tile] = TileRole::Inside;
+  const Ends ends = endsOf(tiles, sigma, region, roles, bend);
+  const bool is_curved = (ends.goesOn(0) && ends.goesOn(1)) ||
+                         (ends.goesOn(0) && ends.isBesideCurved(0)) ||
+                         (ends.goesOn(1) && ends.isBesideCurved(1));
+  for (const std::uint32_t tile : region.tiles)
+    roles[tile] = is_curved ? TileRole::Curved : TileRole::Other;
+  return is_curved;
+}
+
+} // namespace
+
+std::size_t
+dropCurvedRegions(const TileMoments& tiles,
+                  const PixelDeviation& deviation,
+                  std::vector<TileRegion>& regions)
+{
+  std::vector<TileRole> roles(tiles.size(), TileRole::Other);
+  const std::size_t all = regions.size();
+  for (std::size_t before = all + 1; regions.size() < before;) {
+    before = regions.size();
+    regions.erase(std::remove_if(regions.begin(),
+                                 regions.end(),
+                                 [&](const TileRegion& region) {
+                                   return isCurved(tiles, deviation, region, roles);
+                                 }),
+                  regions.end());
+  }
+  return all - regions.size();
+}
+
+} // namespace pcl::acmap::depth

@@ -1,0 +1,166 @@
+#include <pcl/core/depth_view.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr std::size_t enough_pixels = 1000;
+
+bool
+isMeasured(const Eigen::Vector3f& point)
+{
+  return point.allFinite() && point.z() > 0;
+}
+
+/** Regression of one coordinate of the rays over that of the pixels. */
+class PinholeAxis {
+public:
+  void
+  add(double pixel, double ray)
+  {
+    samples_.push_back({pixel, ray});
+  }
+
+  /** \return false where the rays are not linear in the pixels */
+  bool
+  fit(double& focal, double& center) const
+  {
+    double pixel_mean = 0, ray_mean = 0;
+    for (const auto& [pixel, ray] : samples_) {
+      pixel_mean += pixel;
+      ray_mean += ray;
+    }
+    const double count = static_cast<double>(samples_.size());
+    pixel_mean /= count;
+    ray_mean /= count;
+    double covariance = 0, variance = 0;
+    for (const auto& [pixel, ray] : samples_) {
+      covariance += (pixel - pixel_mean) * (ray - ray_mean);
+      variance += (pixel - pixel_mean) * (pixel - pixel_mean);
+    }
+    const double slope = covariance / variance;
+    if (!(std::abs(slope) > 1e-9 && std::abs(slope) < 1))
+      return false;
+    focal = 1 / slope;
+    center = pixel_mean - ray_mean * focal;
+    std::size_t outliers = 0;
+    for (const auto& [pixel, ray] : samples_)
+      outliers += !(std::abs(ray * focal + center - pixel) < 1) ? 1 : 0;
+    return 20 * outliers < samples_.size();
+  }
+
+private:
+  std::vector<std::array<double, 2>> samples_;
+};
+
+} // namespace
+
+DepthView::DepthView(std::size_t width, std::vector<float> inverse_depths)
+: width_(width)
+, height_(inverse_depths.size() / width)
+, measured_(static_cast<std::size_t>(
+      std::count_if(inverse_depths.begin(),
+                    inverse_depths.end(),
+                    [](float inverse) { return inverse > 0; })))
+, inverse_depths_(std::move(inverse_depths))
+{}
+
+bool
+DepthView::fitPinhole(const PointView& points)
+{
+  constexpr std::size_t wanted = 4096;
+  const std::size_t step = measured_ / wanted + 1;
+  PinholeAxis columns, rows;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!(inverse_depths_[i] > 0) || seen++ % step != 0)
+      continue;
+    const Eigen::Vector3d point = points[i].cast<double>();
+    columns.add(static_cast<double>(i % width_), point.x() / point.z());
+    rows.add(static_cast<double>(i / width_), point.y() / point.z());
+  }
+  return columns.fit(focal_.x(), center_.x()) && rows.fit(focal_.y(), center_.y());
+}
+
+std::optional<DepthView>
+DepthView::recognize(const PointView& points, std::size_t width)
+{
+  if (width < 2 || points.size() < enough_pixels || points.size() % width != 0)
+    return std::nullopt;
+  std::vector<float> inverse_depths(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f point = points[i];
+    const float inverse = 1 / point.z();
+    if (isMeasured(point) && std::isfinite(inverse))
+      inverse_depths[i] = inverse;
+  }
+  DepthView view(width, std::move(inverse_depths));
+  if (view.measured() < enough_pixels || !view.fitPinhole(points))
+    return std::nullopt;
+  return view;
+}
+
+namespace {
+
+/** The steps between neighbouring ones of sorted values. */
+struct Steps {
+  std::size_t number = 0;
+  double median = 0;
+  double spread = 0; ///< of the middle half, in medians
+};
+
+Steps
+stepsOf(std::vector<double>& values)
+{
+  std::sort(values.begin(), values.end());
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    constexpr double rounding_of_floats = 1e-6;
+    if (step > rounding_of_floats * values[i])
+      steps.push_back(step);
+  }
+  Steps result;
+  result.number = steps.size();
+  if (steps.empty())
+    return result;
+  std::sort(steps.begin(), steps.end());
+  result.median = steps[steps.size() / 2];
+  result.spread =
+      (steps[3 * steps.size() / 4] - steps[steps.size() / 4]) / result.median;
+  return result;
+}
+
+} // namespace
+
+double
+measureDepthStep(const PointView& points)
+{
+  constexpr std::size_t wanted = 1 << 15;
+  const std::size_t stride = points.size() / wanted + 1;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < points.size(); i += stride)
+    if (isMeasured(points[i]))
+      depths.push_back(static_cast<double>(points[i].z()));
+  if (depths.size() < enough_pixels)
+    return 0;
+  const Steps of_depth = stepsOf(depths);
+  // with fewer distinct depths there is no telling, with more each point has its own
+  constexpr std::size_t fewest = 8, points_a_depth = 8;
+  if (of_depth.number < fewest || of_depth.number * points_a_depth > depths.size())
+    return 0;
+  for (double& depth : depths)
+    depth = 1 / depth;
+  const Steps of_inverse = stepsOf(depths);
+  // even steps of depth are a lattice, or a file in millimetres
+  constexpr double even = 0.4;
+  return of_inverse.spread < even && of_inverse.spread < of_depth.spread + 0.05
+             ? of_inverse.median
+             : 0;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,52 @@
+#include "depth/tile_moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** Lower quartile of the rms of full tiles about their planes, 1/m; 0 where there are too
+ * few tiles. Objects and edges lift the others. */
+double
+flatTiles(const DepthView& view, std::size_t edge)
+{
+  constexpr double full = 0.9;
+  constexpr std::size_t fewest = 8;
+  const depth::TileMoments tiles(view, edge);
+  const double pixels = static_cast<double>(edge * edge);
+  std::vector<double> deviations;
+  for (std::size_t t = 0; t < tiles.size(); ++t)
+    if (tiles[t].count >= full * pixels)
+      deviations.push_back(depth::fitInverse(tiles[t]).rms *
+                           std::sqrt(tiles[t].count / (tiles[t].count - 3)));
+  if (deviations.size() < fewest)
+    return 0;
+  const auto quartile =
+      deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 4);
+  std::nth_element(deviations.begin(), quartile, deviations.end());
+  return *quartile;
+}
+
+} // namespace
+
+NoiseScale::InverseDepth
+measureInverseDepthNoise(const DepthView& view, double step)
+{
+  NoiseScale::InverseDepth noise;
+  noise.step = step;
+  const double rounding = step / std::sqrt(12.0);
+  noise.independent = std::max(flatTiles(view, 4), rounding);
+  const double middle = flatTiles(view, 8);
+  // where no large tile is plane the small ones tell how far noise may grow with them
+  constexpr double largest_growth = 2.5;
+  double all = flatTiles(view, 32);
+  if (all == 0 || (middle > 0 && all > largest_growth * middle))
+    all = largest_growth * middle;
+  noise.correlated =
+      std::sqrt(std::max(all * all - noise.independent * noise.independent, 0.0));
+  return noise;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <pcl/core/depth_view.h>
+#include <pcl/core/moments.h>
+
+namespace pcl::acmap::depth {
+
+/** Coefficients (a, b, c) of 1/z = a x + b y + c. */
+using InversePlane = Eigen::Vector3d;
+
+/** Regression of inverse depth over the rays of some pixels. */
+struct InverseFit {
+  InversePlane plane = InversePlane::Zero();
+  double rms = 0; ///< 1/m, about the plane
+};
+
+/** \param[in] moments of (x, y, 1/z) */
+InverseFit
+fitInverse(const Moments& moments);
+
+/** What pixels are off a plane. */
+struct Residual {
+  double mean = 0; ///< 1/m
+  double rms = 0;  ///< 1/m, about zero
+};
+
+Residual
+residualOf(const Moments& moments, const InversePlane& plane);
+
+/** Moments of (x, y, 1/z) over square tiles of a view. */
+class TileMoments {
+public:
+  /** \param[in] edge pixels; tiles at the right and lower rim may be smaller */
+  TileMoments(const DepthView& view, std::size_t edge);
+
+  std::size_t
+  columns() const
+  {
+    return columns_;
+  }
+
+  std::size_t
+  rows() const
+  {
+    return rows_;
+  }
+
+  std::size_t
+  size() const
+  {
+    return tiles_.size();
+  }
+
+  const Moments&
+  operator[](std::size_t tile) const
+  {
+    return tiles_[tile];
+  }
+
+  /** Sum over tiles x tiles of them; the upper left one is given. */
+  Moments
+  block(std::size_t column, std::size_t row, std::size_t tiles) const;
+
+private:
+  std::size_t columns_;
+  std::size_t rows_;
+  std::vector<Moments> tiles_;
+};
+
+} // namespace pcl::acmap::depth

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <pcl/core/depth_planes.h>
+#include <pcl/core/depth_view.h>
+#include <pcl/core/progress.h>
+#include <pcl/filters/depth_refinement_types.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief A view after its refinement, pixel by pixel. */
+struct RefinedDepth {
+  std::vector<Eigen::Vector3f> points;  ///< metres; NaN where there is none
+  std::vector<Eigen::Vector3f> normals; ///< unit, towards the sensor; NaN as the points
+};
+
+/** \brief The kernel behind DepthRefinement, free of PCL's point types.
+ * \param[in] noise of the view
+ * \param[out] report counts, seconds; begun anew
+ * \throws CancelledException when the progress was told to stop \ingroup filters */
+ACMAP_EXPORT RefinedDepth
+refineDepth(const DepthView& view,
+            const NoiseScale::InverseDepth& noise,
+            unsigned threads,
+            const Progress& progress,
+            DepthRefinementReport& report);
+
+} // namespace pcl::acmap

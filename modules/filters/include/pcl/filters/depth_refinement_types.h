@@ -1,0 +1,21 @@
+#pragma once
+
+#include <pcl/core/noise_scale.h>
+#include <pcl/core/report.h>
+
+#include <cstddef>
+
+namespace pcl {
+
+/** \brief What DepthRefinement tells about its last run. \ingroup filters */
+struct DepthRefinementReport : Report {
+  std::size_t points = 0;
+  std::size_t invalid_points = 0; ///< pixels without a measurement
+  std::size_t on_planes = 0;      ///< laid onto a plane of the view
+  std::size_t smoothed = 0;       ///< moved to the surface of their neighbourhood
+  std::size_t withdrawn = 0;      ///< without a neighbour at their depth
+  std::size_t planes = 0;         ///< of the view
+  NoiseScale::InverseDepth noise; ///< of the view, 1/m
+};
+
+} // namespace pcl

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/input_check.h>
+#include <pcl/core/point_fields.h>
+#include <pcl/filters/depth_refinement.h>
+#include <pcl/filters/depth_refinement_kernel.h>
+
+#include <limits>
+
+namespace pcl {
+
+template <typename PointT>
+DepthRefinement<PointT>::DepthRefinement()
+{
+  filter_name_ = "DepthRefinement";
+}
+
+template <typename PointT>
+void
+DepthRefinement<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  Filter<PointT>::setInputCloud(cloud);
+}
+
+template <typename PointT>
+void
+DepthRefinement<PointT>::filter(PointCloud& output)
+{
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  if (!input_->empty() && !input_->isOrganized())
+    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                        "the cloud is not organized: give a view as rows of pixels");
+  PointCloud result;
+  Filter<PointT>::filter(result);
+  output = std::move(result);
+}
+
+template <typename PointT>
+void
+DepthRefinement<PointT>::applyFilter(PointCloud& output)
+{
+  PointCloud result = *input_;
+  if (!this->fake_indices_) {
+    std::vector<std::uint8_t> is_chosen(input_->size(), 0);
+    for (const index_t index : *indices_)
+      is_chosen[static_cast<std::size_t>(index)] = 1;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (!is_chosen[i])
+        result[i].getVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
+  }
+  const acmap::PointView points(
+      result.empty() ? nullptr : &result.front().x, sizeof(PointT), result.size());
+  DepthRefinementReport report;
+  report.points = report.invalid_points = result.size();
+  const std::optional<acmap::DepthView> view =
+      acmap::DepthView::recognize(points, result.width);
+  if (view) {
+    const acmap::RefinedDepth refined = acmap::refineDepth(
+        *view,
+        acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
+        threads_,
+        acmap::Progress(progress_),
+        report);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i].getVector3fMap() = refined.points[i];
+      acmap::setNormal(result[i], refined.normals[i], 0);
+    }
+  }
+  else
+    report.remarks.emplace_back("nothing was refined: fewer than 1000 pixels are "
+                                "measured, or no pinhole camera "
+                                "fits them: the view is not in its sensor's frame");
+  result.is_dense = false;
+  output = std::move(result);
+  report_ = std::move(report);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_DepthRefinement(T) \
+  template class ACMAP_EXPORT pcl::DepthRefinement<T>;

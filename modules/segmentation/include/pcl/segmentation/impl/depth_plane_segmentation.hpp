@@ -1,0 +1,78 @@
+#pragma once
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/depth_view.h>
+#include <pcl/core/export.h>
+#include <pcl/core/input_check.h>
+#include <pcl/segmentation/depth_plane_kernel.h>
+#include <pcl/segmentation/depth_plane_segmentation.h>
+#include <pcl/segmentation/plane_conversions.h>
+
+#include <limits>
+
+namespace pcl {
+
+template <typename PointT>
+void
+DepthPlaneSegmentation<PointT>::setMinArea(double area)
+{
+  acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
+  least_area_ = area;
+}
+
+template <typename PointT>
+void
+DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
+{
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  if (!input_->empty() && !input_->isOrganized())
+    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                        "the cloud is not organized: give a view as rows of pixels");
+  std::vector<Eigen::Vector3f> chosen;
+  if (!this->fake_indices_) {
+    chosen.assign(input_->size(),
+                  Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    for (const index_t index : *indices_)
+      chosen[static_cast<std::size_t>(index)] = (*input_)[index].getVector3fMap();
+  }
+  const acmap::PointView points =
+      chosen.empty() ? acmap::PointView(input_->empty() ? nullptr : &input_->front().x,
+                                        sizeof(PointT),
+                                        input_->size())
+                     : acmap::PointView(chosen.data(), sizeof chosen[0], chosen.size());
+  DepthPlaneReport report;
+  acmap::PlaneClusters clusters;
+  const std::optional<acmap::DepthView> view =
+      acmap::DepthView::recognize(points, input_->width);
+  if (view)
+    clusters = acmap::segmentDepthPlanes(
+        *view,
+        acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
+        {least_area_, regularize_},
+        acmap::Progress(progress_),
+        report);
+  else {
+    clusters.labels.assign(input_->size(), -1);
+    report.points = report.invalid_points = input_->size();
+    report.remarks.emplace_back(
+        "no planes: fewer than 1000 pixels are measured, or no pinhole camera fits "
+        "them: the view is not in its sensor's frame");
+  }
+  patches = std::move(clusters.patches);
+  labels_ = std::move(clusters.labels);
+  report_ = std::move(report);
+}
+
+template <typename PointT>
+void
+DepthPlaneSegmentation<PointT>::extract(std::vector<PointIndices>& clusters)
+{
+  std::vector<PlanePatch> patches;
+  segment(patches);
+  clusters = acmap::clustersOf(labels_, patches.size(), input_->header);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_DepthPlaneSegmentation(T) \
+  template class ACMAP_EXPORT pcl::DepthPlaneSegmentation<T>;

@@ -1,0 +1,176 @@
+#include "depth/pixel_outlines.h"
+#include "planes/patch_order.h"
+#include "planes/regular.h"
+
+#include <pcl/core/moments.h>
+#include <pcl/segmentation/depth_plane_kernel.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace depth {
+namespace {
+
+/** Noise is shared within squares of so many pixels. */
+constexpr std::size_t cluster_edge = 32;
+
+/** What the pixels of a plane sum up to. */
+struct PatchSums {
+  Moments points;                                   ///< where their rays meet the plane
+  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();   ///< of ray ray^T
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(); ///< of the clusters' residuals
+  Eigen::Vector3d cluster = Eigen::Vector3d::Zero(); ///< residual . ray, not yet closed
+  std::size_t clusters = 0;
+  double squares = 0; ///< of distances from the plane, square metres
+
+  void
+  closeCluster()
+  {
+    if (cluster.isZero())
+      return;
+    spread += cluster * cluster.transpose();
+    cluster.setZero();
+    ++clusters;
+  }
+};
+
+/** Visits the pixels of the planes, one cluster after the other. */
+std::vector<PatchSums>
+sumPlanes(const DepthView& view, const DepthPlanes& found)
+{
+  std::vector<PatchSums> sums(found.planes.size());
+  for (std::size_t top = 0; top < view.height(); top += cluster_edge)
+    for (std::size_t left = 0; left < view.width(); left += cluster_edge) {
+      for (std::size_t row = top; row < std::min(top + cluster_edge, view.height());
+           ++row)
+        for (std::size_t column = left;
+             column < std::min(left + cluster_edge, view.width());
+             ++column) {
+          const std::size_t pixel = row * view.width() + column;
+          if (found.labels[pixel] < 0)
+            continue;
+          const auto p = static_cast<std::size_t>(found.labels[pixel]);
+          const Eigen::Vector3d& inverse = found.planes[p].inverse;
+          const Eigen::Vector3d ray =
+              view.ray(static_cast<double>(column), static_cast<double>(row));
+          const double measured = static_cast<double>(view.inverseDepth(pixel));
+          const double of_plane = inverse.dot(ray);
+          PatchSums& sum = sums[p];
+          sum.points += momentsOf(ray / of_plane);
+          sum.rays += ray * ray.transpose();
+          sum.cluster += (measured - of_plane) * ray;
+          const double off = (of_plane - measured) / (measured * inverse.norm());
+          sum.squares += off * off;
+        }
+      for (PatchSums& sum : sums)
+        sum.closeCluster();
+    }
+  return sums;
+}
+
+/** Covariance of slopes and offset from how the clusters' residuals vary.
+ * \return NaN where there are too few clusters to tell */
+Eigen::Matrix3d
+covarianceOf(const PatchSums& sums, const DepthPlane& plane, const PlanePatch& patch)
+{
+  constexpr std::size_t fewest = 8;
+  if (sums.clusters < fewest)
+    return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Eigen::Matrix3d inverse = sums.rays.inverse();
+  const double count = static_cast<double>(sums.clusters);
+  const Eigen::Matrix3d of_plane =
+      inverse * sums.spread * inverse * (count / (count - 3));
+  // a point X of the plane moves by -X . d(a, b, c) / |(a, b, c)| along the normal
+  Eigen::Matrix3d moved;
+  moved << patch.axis_u.transpose(), patch.axis_v.transpose(), patch.center.transpose();
+  moved /= plane.inverse.norm();
+  const Eigen::Matrix3d covariance = moved * of_plane * moved.transpose();
+  return (covariance + covariance.transpose()) / 2;
+}
+
+PlanePatch
+patchOf(const DepthPlane& plane, const PatchSums& sums)
+{
+  PlanePatch patch;
+  const Eigen::Vector3d normal = -plane.normal(); // towards the sensor
+  patch.coefficients << normal, plane.distance();
+  const PlaneFit spread = fitPlane(sums.points);
+  patch.center = spread.mean;
+  const Eigen::Vector3d along =
+      spread.long_axis - spread.long_axis.dot(normal) * normal;
+  patch.axis_u = along.norm() > 0.5 ? along.normalized() : normal.unitOrthogonal();
+  patch.axis_v = normal.cross(patch.axis_u);
+  patch.support = plane.pixels;
+  patch.rms = std::sqrt(sums.squares / static_cast<double>(plane.pixels));
+  patch.covariance = covarianceOf(sums, plane, patch);
+  patch.effective_support = std::min(patch.rms * patch.rms / patch.covariance(2, 2),
+                                     static_cast<double>(plane.pixels));
+  if (std::isnan(patch.covariance(2, 2)))
+    patch.effective_support = patch.covariance(2, 2);
+  return patch;
+}
+
+void
+describe(const DepthView& view, const DepthPlanes& found, DepthPlaneReport& report)
+{
+  report.points = view.size();
+  report.invalid_points = view.size() - view.measured();
+  report.planes = found.planes.size();
+  for (const DepthPlane& plane : found.planes)
+    report.points_on_planes += plane.pixels;
+  report.small_regions = found.small;
+  report.curved_regions = found.curved;
+  report.merged = found.merged;
+  if (found.planes.empty())
+    report.remarks.push_back("no planes: " + std::to_string(found.small) +
+                             " regions of the view are too small or of unknown tilt, " +
+                             std::to_string(found.curved) +
+                             " are strips of curved surfaces");
+}
+
+} // namespace
+} // namespace depth
+
+PlaneClusters
+segmentDepthPlanes(const DepthView& view,
+                   const NoiseScale::InverseDepth& noise,
+                   const DepthSegmentationSettings& settings,
+                   const Progress& progress,
+                   DepthPlaneReport& report)
+{
+  using namespace depth;
+  report = {};
+  report.noise = noise;
+  StepTimer timer(report);
+  DepthPlaneSettings finding;
+  finding.noise = noise;
+  finding.least_area = settings.least_area;
+  DepthPlanes found = findDepthPlanes(view, finding, progress);
+  timer.finish("planes");
+  const std::vector<PatchSums> sums = sumPlanes(view, found);
+  std::vector<KnownPlane> planes;
+  for (std::size_t p = 0; p < sums.size(); ++p)
+    planes.push_back({patchOf(found.planes[p], sums[p])});
+  if (settings.regular) {
+    const planes::Regularity regularity = planes::makeRegular(planes);
+    report.regular_planes = regularity.turned;
+    report.largest_turn = regularity.largest_turn;
+  }
+  timer.finish("fits");
+  outlinePixels(view, found.labels, planes);
+  timer.finish("outlines");
+  describe(view, found, report);
+  PlaneClusters clusters;
+  clusters.labels = std::move(found.labels);
+  for (KnownPlane& plane : planes)
+    clusters.patches.push_back(std::move(plane.patch));
+  planes::sortByArea(clusters);
+  return clusters;
+}
+
+} // namespace pcl::acmap

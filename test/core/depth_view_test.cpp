@@ -1,0 +1,154 @@
+#include "depth_room.h"
+
+#include <pcl/core/depth_view.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::test {
+namespace {
+
+PointView
+viewOf(const std::vector<Eigen::Vector3f>& points)
+{
+  return {points.data(), sizeof points[0], points.size()};
+}
+
+TEST(DepthView, recognizesItsCamera)
+{
+  const DepthRoom room({});
+  const auto view = DepthView::recognize(viewOf(room.points), DepthRoom::width);
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->height(), DepthRoom::height);
+  EXPECT_EQ(view->measured(), room.points.size());
+  EXPECT_NEAR(view->focal().x(), DepthRoom::focal, 0.01);
+  EXPECT_NEAR(view->focal().y(), DepthRoom::focal, 0.01);
+  for (const std::size_t pixel : {0u, 12345u, 76799u}) {
+    const Eigen::Vector3d ray =
+        view->ray(static_cast<double>(pixel % DepthRoom::width),
+                  static_cast<double>(pixel / DepthRoom::width));
+    const Eigen::Vector3d point = room.points[pixel].cast<double>();
+    EXPECT_LT((ray - point / point.z()).norm(), 1e-5);
+    EXPECT_NEAR(view->inverseDepth(pixel) * point.z(), 1, 1e-6);
+  }
+}
+
+TEST(DepthView, recognizesAMirroredAxis)
+{
+  DepthRoom room({});
+  for (Eigen::Vector3f& point : room.points)
+    point.x() = -point.x();
+  const auto view = DepthView::recognize(viewOf(room.points), DepthRoom::width);
+  ASSERT_TRUE(view);
+  EXPECT_NEAR(view->focal().x(), -DepthRoom::focal, 0.01);
+}
+
+TEST(DepthView, isNoneInAnotherFrameOrWithoutPoints)
+{
+  DepthRoom room({});
+  EXPECT_FALSE(DepthView::recognize(viewOf(room.points), DepthRoom::width - 1));
+  EXPECT_FALSE(DepthView::recognize(viewOf(room.points), 0));
+  EXPECT_FALSE(DepthView::recognize({}, 640));
+  std::vector<Eigen::Vector3f> moved = room.points;
+  for (Eigen::Vector3f& point : moved)
+    point += Eigen::Vector3f(1, 0.5F, 2);
+  EXPECT_FALSE(DepthView::recognize(viewOf(moved), DepthRoom::width));
+  const std::vector<Eigen::Vector3f> nothing(
+      room.points.size(),
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_FALSE(DepthView::recognize(viewOf(nothing), DepthRoom::width));
+  const std::vector<Eigen::Vector3f> same(room.points.size(), Eigen::Vector3f(1, 2, 3));
+  EXPECT_FALSE(DepthView::recognize(viewOf(same), DepthRoom::width));
+}
+
+TEST(DepthStep, isFoundWhateverItIs)
+{
+  for (const double step : {0.0007, 0.0029, 0.006}) {
+    DepthRoom::Camera camera;
+    camera.step = step;
+    EXPECT_NEAR(measureDepthStep(viewOf(DepthRoom(camera).points)), step, 0.02 * step);
+  }
+}
+
+TEST(DepthStep, isFoundInDepthsOfMillimetres)
+{
+  DepthRoom room({});
+  for (Eigen::Vector3f& point : room.points)
+    point *= std::round(1000 * point.z()) / 1000 / point.z();
+  EXPECT_NEAR(measureDepthStep(viewOf(room.points)), 0.0029, 0.05 * 0.0029);
+}
+
+TEST(DepthStep, isNoneWhereDepthIsNotQuantised)
+{
+  DepthRoom::Camera camera;
+  camera.step = 0;
+  const DepthRoom room(camera);
+  EXPECT_EQ(measureDepthStep(viewOf(room.points)), 0);
+  EXPECT_EQ(measureDepthStep({}), 0);
+  // even in depth, not in its inverse: a file in centimetres, a lattice
+  std::vector<Eigen::Vector3f> lattice;
+  for (const Eigen::Vector3f& point : room.points)
+    lattice.push_back({point.x(), point.y(), std::round(100 * point.z()) / 100});
+  EXPECT_EQ(measureDepthStep(viewOf(lattice)), 0);
+}
+
+TEST(InverseDepthNoise, tellsWhatNeighboursShareFromWhatIsAPixelsOwn)
+{
+  for (const auto& [independent, correlated] :
+       {std::pair(2e-3, 0.0), std::pair(3e-4, 1.5e-3), std::pair(1e-3, 1e-3)}) {
+    DepthRoom::Camera camera;
+    camera.step = 0;
+    camera.independent = independent;
+    camera.correlated = correlated;
+    const DepthRoom room(camera);
+    const auto view = DepthView::recognize(viewOf(room.points), DepthRoom::width);
+    ASSERT_TRUE(view);
+    const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, 0);
+    const double sigma = std::hypot(independent, correlated);
+    EXPECT_NEAR(noise.sigma(), sigma, 0.2 * sigma);
+    // smoothed noise also changes within the smallest tiles
+    EXPECT_GT(noise.independent, 0.8 * independent);
+    EXPECT_LT(noise.independent, std::hypot(independent, 0.5 * correlated));
+  }
+}
+
+TEST(InverseDepthNoise, isNotBelowTheRounding)
+{
+  DepthRoom::Camera camera;
+  camera.independent = camera.correlated = 0;
+  const DepthRoom room(camera);
+  const auto view = DepthView::recognize(viewOf(room.points), DepthRoom::width);
+  ASSERT_TRUE(view);
+  const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, camera.step);
+  EXPECT_GE(noise.independent, camera.step / std::sqrt(12.0));
+  EXPECT_LT(noise.sigma(), 0.5 * camera.step);
+}
+
+TEST(NoiseScale, ofQuantisedDepthIsThatOfItsSteps)
+{
+  const DepthRoom room({});
+  const SensorView sensor{Eigen::Vector3f(0, 0, 0)};
+  for (const std::size_t width : {DepthRoom::width, std::size_t{0}}) {
+    const NoiseScale scale = measureNoiseScale(viewOf(room.points), sensor, 0, width);
+    ASSERT_TRUE(scale.inverse_depth);
+    EXPECT_NEAR(scale.inverse_depth->step, 0.0029, 1e-4);
+    // two steps of rounding at most: at 3 m a step is 26 mm
+    EXPECT_GT(scale.sigma, 0.0029 * 4 / std::sqrt(12.0));
+    EXPECT_LT(scale.sigma, 0.0029 * 16);
+    ASSERT_GT(scale.ranges.size(), 2u);
+    for (const NoiseScale::Range& range : scale.ranges)
+      EXPECT_NEAR(range.sigma,
+                  scale.inverse_depth->sigma() * range.distance * range.distance,
+                  1e-9);
+  }
+  DepthRoom::Camera smooth;
+  smooth.step = 0;
+  EXPECT_FALSE(
+      measureNoiseScale(viewOf(DepthRoom(smooth).points), sensor, 0, DepthRoom::width)
+          .inverse_depth);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
