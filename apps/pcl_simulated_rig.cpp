@@ -63,7 +63,7 @@ requireMemoryForMerging(const pcl::SimulatedScene& scene, std::size_t views)
 {
   // coordinates, colour, view, label, and the same again as a cloud
   constexpr std::size_t bytes_per_point = 48;
-  requireMemory(scene.sensor.points * views * bytes_per_point, "the merged cloud");
+  requireMemory(scene.mostPointsOfView() * views * bytes_per_point, "the merged cloud");
 }
 
 void
@@ -96,7 +96,8 @@ writeObservations(Tool& tool,
       if (!options.merged.empty())
         pcl::appendObservation(observation, view, merged);
       count(observation, counts);
-      if (observation.points < scene.sensor.pointsOfView(view) && counts.sparse++ == 0)
+      if (!scene.depth_camera && observation.points < scene.sensor.pointsOfView(view) &&
+          counts.sparse++ == 0)
         counts.first_sparse =
             observationName(view) + " with " + std::to_string(observation.points);
     }
@@ -105,20 +106,37 @@ writeObservations(Tool& tool,
   return counts;
 }
 
+/** \brief What measured, and with what noise. */
+void
+addSensor(const pcl::SimulatedScene& scene, Json& json)
+{
+  const pcl::RangeSensor& sensor = scene.sensor;
+  if (!scene.depth_camera) {
+    json["reach"] = sensor.reach;
+    json["noise"] = {{"along", "ray"},
+                     {"growth", sensor.noise_growth},
+                     {"least", sensor.least_noise},
+                     {"most", sensor.most_noise}};
+    return;
+  }
+  const pcl::DepthCamera& camera = *scene.depth_camera;
+  json["sensor"] = kinect_sensor;
+  json["reach"] = camera.farthest;
+  json["noise"] = {{"along", "disparity"},
+                   {"sigma", scene.rig.disparity_sigma},
+                   {"step", camera.disparity_step},
+                   {"window", camera.window}};
+}
+
 void
 saveCloudTruth(const std::string& path,
                const SimulationOptions& options,
                const pcl::SimulatedScene& scene,
                const Counts& counts)
 {
-  const pcl::RangeSensor& sensor = scene.sensor;
   Json json = truthHead(scene, options.seed, counts.observations);
   json["points"] = counts.points.all;
-  json["reach"] = sensor.reach;
-  json["noise"] = {{"along", "ray"},
-                   {"growth", sensor.noise_growth},
-                   {"least", sensor.least_noise},
-                   {"most", sensor.most_noise}};
+  addSensor(scene, json);
   json["planes"] = truthPlanes(scene, counts.points);
   saveTruth(path, json);
 }
@@ -132,6 +150,7 @@ tellResults(Tool& tool, const SimulationOptions& options, const Counts& counts)
               counts.first_sparse);
   tool.details() = {{"scene", options.scene},
                     {"output", options.output},
+                    {"sensor", options.sensor},
                     {"seed", options.seed},
                     {"observations", counts.observations},
                     {"points", counts.points.all},
@@ -229,6 +248,8 @@ simulate(Tool& tool, const SimulationOptions& options)
   requireSense(tool, options);
   StepTimer timer(tool.report());
   pcl::SimulatedScene scene = openScene(options.scene);
+  if (options.sensor == kinect_sensor)
+    pcl::useKinect(scene);
   pcl::Trajectory trajectory = pcl::trajectoryOf(
       scene, options.observations ? options.observations : scene.views.size());
   if (options.clouds)

@@ -67,6 +67,13 @@ addCloudOptions(CLI::App& app, SimulationOptions& options)
                options.clouds,
                "Write organized point clouds with truth (metres, camera frame) instead "
                "of a raw session of camera frames");
+  app.add_option(
+         "--sensor",
+         options.sensor,
+         "With --clouds, what measures: the stereo of the scene's rig, or a depth "
+         "camera as the first Kinect, with its quantised depths, shadows and rims")
+      ->type_name("stereo|kinect")
+      ->check(CLI::IsMember({stereo_sensor, kinect_sensor}).description(""));
   app.add_option("--merged",
                  options.merged,
                  "With --clouds, write all points as one cloud too: x y z rgb view "
@@ -114,8 +121,10 @@ requireSense(Tool& tool, const SimulationOptions& options)
     if (option.count() > 0 && option.as<std::string>().empty())
       throw UsageError(std::string(name) + " names nothing");
   }
-  if (!options.clouds && !options.merged.empty())
-    throw UsageError("--merged needs --clouds");
+  if (!options.clouds)
+    for (const char* const name : {"--merged", "--sensor"})
+      if (tool.options().count(name) > 0)
+        throw UsageError(std::string(name) + " needs --clouds");
   if (options.clouds)
     for (const char* const name : {"--patterns",
                                    "--cameras",

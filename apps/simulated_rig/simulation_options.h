@@ -9,6 +9,9 @@
 
 namespace pcl::acmap {
 
+inline constexpr const char* stereo_sensor = "stereo";
+inline constexpr const char* kinect_sensor = "kinect";
+
 /** \brief What the user asks for. */
 struct SimulationOptions {
   std::string output;
@@ -19,6 +22,7 @@ struct SimulationOptions {
   std::uint32_t patterns = 10;
   SimulatedLight light;
   bool clouds = false;
+  std::string sensor = stereo_sensor; ///< what makes the clouds
   std::string merged;
 };
 

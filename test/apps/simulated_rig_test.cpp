@@ -197,6 +197,48 @@ TEST_F(SimulatedRig, FewerObservationsAreTheFirstOnes)
   EXPECT_EQ(loadTrajectory(inSession("trajectory.txt")).poses.size(), 2u);
 }
 
+TEST_F(SimulatedRig, KinectMakesCloudsOfRoundedDisparities)
+{
+  const ToolRun run = runRig(arguments({"--sensor", "kinect", "--observations", "2"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(loadTrinocularRig(inSession("rig.yaml")).focal_length, 575.0);
+  EXPECT_EQ(loadTrajectory(inSession("trajectory.txt")).poses.size(), 2u);
+  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  EXPECT_EQ(truth["sensor"], "kinect");
+  EXPECT_EQ(truth["noise"]["step"], 0.125);
+  const PointCloudFile file = loadPointCloud(inSession("observation_0001.pcd"));
+  std::string names;
+  for (const PCLPointField& field : file.cloud.fields)
+    names += field.name + " ";
+  EXPECT_EQ(names, "x y z rgb label ");
+  EXPECT_EQ(file.cloud.width, 640u);
+  EXPECT_EQ(file.cloud.height, 480u);
+  std::size_t finite = 0;
+  for (const Eigen::Vector3f point : file.points())
+    if (point.allFinite()) {
+      ++finite;
+      const double steps = 575.0 * 0.075 / static_cast<double>(point.z()) / 0.125;
+      // of depths rounded to a millimetre
+      const double slack = 0.0006 * steps / static_cast<double>(point.z());
+      EXPECT_NEAR(steps, std::round(steps), slack);
+    }
+  EXPECT_GT(finite, 250000u);
+  EXPECT_LT(finite, 632u * 480u); // the right rim is blind
+}
+
+TEST_F(SimulatedRig, StereoIsTheDefaultSensor)
+{
+  ASSERT_EQ(runRig(arguments()).exit_code, 0);
+  const std::string by_default =
+      contentOf(inSession("observation_0001.pcd")) + contentOf(inSession("truth.json"));
+  session_ = folder_.path("named");
+  ASSERT_EQ(runRig(arguments({"--sensor", "stereo"})).exit_code, 0);
+  EXPECT_EQ(contentOf(inSession("observation_0001.pcd")) +
+                contentOf(inSession("truth.json")),
+            by_default);
+}
+
 TEST_F(SimulatedRig, HelpAndReport)
 {
   const ToolRun help = runRig({"--help"});
@@ -229,6 +271,8 @@ TEST_F(SimulatedRig, NonsenseIsRefused)
   expectRefused(runRig({"-o", session_, "--merged", folder_.path("map.pcd")}),
                 2,
                 "--merged needs --clouds");
+  expectRefused(
+      runRig({"-o", session_, "--sensor", "kinect"}), 2, "--sensor needs --clouds");
   expectRefused(runRig({"-o", session_, "--clouds", "stray"}), 2, "--help");
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"--observations", "0"},
@@ -238,6 +282,8 @@ TEST_F(SimulatedRig, NonsenseIsRefused)
                                              {"--seed", "-1"},
                                              {"--seed", "1.5"},
                                              {"--threads", "-2"},
+                                             {"--sensor", "lidar"},
+                                             {"--sensor", ""},
                                              {"--patterns", "10"},
                                              {"--patterns", "0"},
                                              {"--patterns", "101"}})

@@ -1,6 +1,5 @@
 #include <pcl/simulation/simulated_observation.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -36,9 +35,7 @@ mergeObservations(const SimulatedScene& scene,
   merged.trajectory = trajectoryOf(scene, views == 0 ? scene.views.size() : views);
   merged.planes = planesInMap(scene);
   const std::size_t count = merged.trajectory.poses.size();
-  const std::size_t pixels = static_cast<std::size_t>(scene.rig.width) *
-                             static_cast<std::size_t>(scene.rig.height);
-  const std::size_t expected = count * std::min(scene.sensor.points + 1, pixels);
+  const std::size_t expected = count * scene.mostPointsOfView();
   merged.points.reserve(expected);
   merged.rgb.reserve(expected);
   merged.view.reserve(expected);

@@ -19,6 +19,13 @@ struct MapPoint {
   std::uint32_t label;
 };
 
+/** \brief An \ref ObservationPixel of a sensor that does not tell its noise. */
+struct PlainPixel {
+  float x, y, z;
+  std::uint32_t rgb;
+  std::uint32_t label;
+};
+
 PCLPointField
 field(const char* name, std::size_t offset, std::uint8_t datatype)
 {
@@ -46,11 +53,31 @@ emptyCloud(std::size_t width, std::size_t height)
   return cloud;
 }
 
+PCLPointCloud2
+cloudWithoutSigma(const SimulatedObservation& observation)
+{
+  auto cloud = emptyCloud<PlainPixel>(static_cast<std::size_t>(observation.width),
+                                      static_cast<std::size_t>(observation.height));
+  cloud.fields.push_back(
+      field("label", offsetof(PlainPixel, label), PCLPointField::UINT32));
+  cloud.is_dense = observation.points == observation.pixels.size() ? 1 : 0;
+  cloud.data.resize(observation.pixels.size() * sizeof(PlainPixel));
+  std::uint8_t* to = cloud.data.data();
+  for (const ObservationPixel& pixel : observation.pixels) {
+    const PlainPixel plain{pixel.x, pixel.y, pixel.z, pixel.rgb, pixel.label};
+    std::memcpy(to, &plain, sizeof(plain));
+    to += sizeof(plain);
+  }
+  return cloud;
+}
+
 } // namespace
 
 PCLPointCloud2
 cloudOf(const SimulatedObservation& observation)
 {
+  if (!observation.has_sigma)
+    return cloudWithoutSigma(observation);
   using Pixel = ObservationPixel;
   auto cloud = emptyCloud<Pixel>(static_cast<std::size_t>(observation.width),
                                  static_cast<std::size_t>(observation.height));

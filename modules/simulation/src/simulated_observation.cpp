@@ -1,5 +1,6 @@
 #include <pcl/simulation/simulated_observation.h>
 
+#include "depth_measurement.h"
 #include "mixed_bits.h"
 
 #include <pcl/core/parallel.h>
@@ -149,6 +150,8 @@ observe(const SimulatedScene& scene,
       image.surface.size() != pixels)
     throw BadArgumentException("the image is none of view " + std::to_string(view) +
                                " of scene '" + scene.name + "'");
+  if (scene.depth_camera)
+    return acmap::measureDepths(scene, image, view, seed);
   return Measurement(scene, image, view, seed).run();
 }
 

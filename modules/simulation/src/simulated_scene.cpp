@@ -12,6 +12,13 @@ RangeSensor::sigma(double depth) const
   return std::clamp(noise_growth * depth * depth, least_noise, most_noise);
 }
 
+void
+useKinect(SimulatedScene& scene)
+{
+  scene.rig = kinectRig();
+  scene.depth_camera = DepthCamera();
+}
+
 Trajectory
 trajectoryOf(const SimulatedScene& scene, std::size_t views)
 {

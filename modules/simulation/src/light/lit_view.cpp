@@ -1,5 +1,7 @@
 #include "lit_view.h"
 
+#include "../surface_normal.h"
+
 #include <pcl/core/parallel.h>
 #include <pcl/simulation/surface_color.h>
 
@@ -21,32 +23,6 @@ pinholeOf(const SimulatedProjector& projector)
   pinhole.center_y = projector.center_y;
   return pinhole;
 }
-
-/** \brief Of unit length, to either side. */
-struct NormalAt {
-  const Eigen::Vector3d& point;
-
-  Eigen::Vector3d
-  operator()(const SimulatedRectangle& rectangle) const
-  {
-    return rectangle.normal();
-  }
-
-  Eigen::Vector3d
-  operator()(const SimulatedDisc& disc) const
-  {
-    return disc.normal;
-  }
-
-  Eigen::Vector3d
-  operator()(const SimulatedCylinder& cylinder) const
-  {
-    const Eigen::Vector3d from_base = point - cylinder.base;
-    const Eigen::Vector3d along =
-        cylinder.axis * (from_base.dot(cylinder.axis) / cylinder.axis.squaredNorm());
-    return (from_base - along).normalized();
-  }
-};
 
 /** \brief One camera at one place. */
 class ViewCaster {
@@ -84,7 +60,7 @@ private:
     const auto index = static_cast<std::size_t>(hit.surface);
     const SimulatedSurface& surface = scene_.surfaces()[index];
     const Eigen::Vector3d point = T_scene_camera_ * (hit.depth * ray);
-    Eigen::Vector3d normal = std::visit(NormalAt{point}, surface.shape);
+    Eigen::Vector3d normal = surfaceNormal(surface, point);
     if (normal.dot(T_scene_camera_.linear() * ray) > 0.0)
       normal = -normal;
     const PlacedProjector::Light light = projector_.lightAt(point, normal);

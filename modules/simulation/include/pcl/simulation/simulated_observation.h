@@ -17,7 +17,7 @@ struct ObservationPixel {
   float x, y, z;       ///< metres, NaN where nothing was measured
   std::uint32_t rgb;   ///< packed as PCL does (0x00rrggbb), valid at every pixel
   float sigma;         ///< metres, one standard deviation along the ray, NaN as x y z
-  std::uint32_t label; ///< truth: index of the plane + 1; 0 for none
+  std::uint32_t label; ///< truth: index of the measured plane + 1; 0 for none
 };
 
 /** \brief What the range sensor saw from one pose. \ingroup simulation */
@@ -26,18 +26,20 @@ struct SimulatedObservation {
   int height = 0;                       ///< px
   std::vector<ObservationPixel> pixels; ///< row by row
   std::size_t in_reach = 0;             ///< pixels that see something in reach
-  std::size_t points = 0;               ///< of these, the ones that were measured
+  std::size_t points = 0;               ///< pixels that were measured
+  bool has_sigma = true;                ///< whether the sensor tells its noise
 };
 
 /** \brief Measures a view: of the pixels that see something in reach a random part gets
- * a point, with normal noise along its ray. Each pixel has a random stream of its own, so
- * that nothing depends on order or threads.
+ * a point, with normal noise along its ray; or as the scene's \ref DepthCamera does. Each
+ * pixel has a random stream of its own, so that nothing depends on order or threads.
  * \param[in] scene that was cast
  * \param[in] image of this view, cast at least as far as the sensor reaches; what it sees
  * beyond gives colour only
  * \param[in] view its index in the scene
  * \param[in] seed of all randomness
- * \throws BadArgumentException when the image is not of such a view
+ * \throws BadArgumentException when the image is not of such a view, or the scene's depth
+ * camera cannot be
  * \ingroup simulation */
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene,
@@ -49,8 +51,8 @@ observe(const SimulatedScene& scene,
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene, std::size_t view, std::uint64_t seed);
 
-/** \brief The observation as an organized cloud of x y z rgb sigma label.
- * \ingroup simulation */
+/** \brief The observation as an organized cloud of x y z rgb sigma label; without sigma
+ * where the sensor does not tell it. \ingroup simulation */
 ACMAP_EXPORT PCLPointCloud2
 cloudOf(const SimulatedObservation& observation);
 

@@ -4,11 +4,14 @@
 #include <pcl/core/export.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/core/trinocular_rig.h>
+#include <pcl/simulation/depth_camera.h>
 #include <pcl/simulation/scene_geometry.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +51,24 @@ struct SimulatedScene {
   TrinocularRig rig;
   RangeSensor sensor;
   std::vector<Eigen::Isometry3d> views; ///< T_scene_camera, at least one
+
+  /** \brief Where it is set it measures, and \ref sensor does not. */
+  std::optional<DepthCamera> depth_camera = std::nullopt;
+
+  /** \brief No view has more points. */
+  std::size_t
+  mostPointsOfView() const
+  {
+    const std::size_t pixels =
+        static_cast<std::size_t>(rig.width) * static_cast<std::size_t>(rig.height);
+    return depth_camera ? pixels : std::min(sensor.points + 1, pixels);
+  }
 };
+
+/** \brief Has the views of a scene be seen by a Kinect: its rig becomes \ref kinectRig, and
+ * what measures a \ref DepthCamera. \ingroup simulation */
+ACMAP_EXPORT void
+useKinect(SimulatedScene& scene);
 
 /** \brief The poses of the first views in the map frame, which is the frame of the first
  * camera; a second lies between two views.
