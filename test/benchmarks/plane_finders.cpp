@@ -15,10 +15,10 @@ peers()
   constexpr std::size_t million = 1000000;
   std::vector<NamedFinder> all{
       {"PCL SAC, iterated", sacPlanes, false, million},
-      {"PCL region growing", pclRegionPlanes, false, one_view},
+      {"PCL region growing", pclRegionPlanes, false, one_view, true},
   };
 #ifdef ACMAP_HAVE_CGAL_REGIONS
-  all.push_back({"CGAL region growing", cgalRegionPlanes, false, million});
+  all.push_back({"CGAL region growing", cgalRegionPlanes, false, million, true});
 #endif
 #ifdef ACMAP_HAVE_CGAL
   all.push_back({"CGAL efficient RANSAC", cgalRansacPlanes, false, million});

@@ -30,6 +30,8 @@ struct NamedFinder {
 
   /** \brief Larger clouds take it too long, and are left out. */
   std::size_t most_points = std::numeric_limits<std::size_t>::max();
+
+  bool is_slow = false; ///< takes several seconds for a view of 300,000 points
 };
 
 /** \brief Runs a function that gives found planes, and notes what it took. */

@@ -39,7 +39,8 @@ centroidsOf(const PlaneCase& plane_case, const PlaneOverlaps& overlaps)
 PlaneMatches
 matchPlanes(const PlaneCase& plane_case,
             const FoundPlanes& found,
-            const PlaneOverlaps& overlaps)
+            const PlaneOverlaps& overlaps,
+            const PlaneLimits& limits)
 {
   const std::vector<TruthPlane>& planes = plane_case.truth.planes;
   const std::vector<Eigen::Vector3d> centroids = centroidsOf(plane_case, overlaps);
@@ -50,9 +51,12 @@ matchPlanes(const PlaneCase& plane_case,
     const auto t = static_cast<std::size_t>(std::max(overlaps.majority(f), 0));
     const PlaneDeviation deviation =
         deviationOf(found.planes[f], planes[t].coefficients, centroids[t]);
-    if (2 * overlaps.common(f, t) < std::max<std::size_t>(overlaps.foundSize(f), 1) ||
-        deviation.angle > most_plane_angle || deviation.offset > most_plane_offset) {
+    const bool is_of_truth =
+        2 * overlaps.common(f, t) >= std::max<std::size_t>(overlaps.foundSize(f), 1);
+    if (!is_of_truth || deviation.angle > limits.angle ||
+        deviation.offset > limits.offset) {
       ++matches.spurious;
+      matches.astray += is_of_truth;
       continue;
     }
     std::int32_t& finder = matches.finder[t];

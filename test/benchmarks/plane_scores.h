@@ -23,7 +23,7 @@ struct PlaneErrors {
 };
 
 /** \brief How well planes were found. A true plane is found when a found plane has most of
- * its points from it and deviates from it by less than \ref most_plane_angle and \ref most_plane_offset. */
+ * its points from it and deviates from it by less than \ref PlaneLimits. */
 struct PlaneScores {
   FoundShare main;  ///< floor, ceiling, walls, ends
   FoundShare doors; ///< planes of doors
