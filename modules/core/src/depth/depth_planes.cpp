@@ -217,10 +217,23 @@ private:
   std::vector<double> bands_; ///< how far off each plane its pixels may be, 1/m
 };
 
-/** Single pixels follow the eight around them. */
+/** Single pixels follow the eight around them, unless they are far off their plane. */
 std::vector<std::int32_t>
-withoutSpecks(const DepthView& view, const std::vector<std::int32_t>& labels)
+withoutSpecks(const DepthView& view,
+              const std::vector<TileRegion>& regions,
+              const PixelDeviation& deviation,
+              const std::vector<std::int32_t>& labels)
 {
+  const auto isNear = [&](std::size_t pixel, std::int32_t label) {
+    if (label == no_plane)
+      return true;
+    constexpr double deviations = 7;
+    const InversePlane& plane = regions[static_cast<std::size_t>(label)].fit.plane;
+    const Eigen::Vector3d ray = view.ray(static_cast<double>(pixel % view.width()),
+                                         static_cast<double>(pixel / view.width()));
+    return std::abs(plane.dot(ray) - static_cast<double>(view.inverseDepth(pixel))) <
+           deviations * deviation.on(plane);
+  };
   std::vector<std::int32_t> result = labels;
   const std::size_t width = view.width();
   for (std::size_t row = 1; row + 1 < view.height(); ++row)
@@ -242,7 +255,8 @@ withoutSpecks(const DepthView& view, const std::vector<std::int32_t>& labels)
                                                   labels[pixel + width],
                                                   labels[pixel + width + 1]};
       for (const std::int32_t other : others)
-        if (other != own && std::count(others.begin(), others.end(), other) >= 6) {
+        if (other != own && isNear(pixel, other) &&
+            std::count(others.begin(), others.end(), other) >= 6) {
           result[pixel] = other;
           break;
         }
@@ -390,8 +404,8 @@ findDepthPlanes(const DepthView& view,
   result.curved = dropCurvedRegions(tiles, deviation, regions);
   result.small = dropSmall(view, least_area, deviation, regions);
   progress.tell(0.5, "labels");
-  result.labels =
-      withoutSpecks(view, PixelLabels(view, tiles, regions, deviation).choose());
+  result.labels = withoutSpecks(
+      view, regions, deviation, PixelLabels(view, tiles, regions, deviation).choose());
   for (const TileRegion& region : regions) {
     result.planes.emplace_back();
     result.planes.back().inverse = region.fit.plane;
