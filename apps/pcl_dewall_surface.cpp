@@ -18,7 +18,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <optional>
 
 namespace {
@@ -34,9 +33,6 @@ struct Options {
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;
 };
-
-const std::map<std::string, pcl::DeWallRule> rules = {
-    {"paper", pcl::DeWallRule::Paper}, {"dense", pcl::DeWallRule::Dense}};
 
 void
 addOptions(Tool& tool, Options& options)
@@ -63,14 +59,13 @@ addOptions(Tool& tool, Options& options)
       ->type_name("M")
       ->default_str("")
       ->check(positiveNumber().description(""));
-  app.add_option(
-         "--rule",
-         options.rule,
-         "paper: no point inside the smallest sphere through a triangle; dense: "
-         "no such test, covers noisy surfaces better [default: paper]")
-      ->type_name("paper|dense")
-      ->default_str("")
-      ->transform(CLI::CheckedTransformer(rules).description(""));
+  addChoice<pcl::DeWallRule>(
+      app,
+      "--rule",
+      options.rule,
+      {{"paper", pcl::DeWallRule::Paper}, {"dense", pcl::DeWallRule::Dense}},
+      "paper: no point inside the smallest sphere through a triangle; dense: no such "
+      "test, covers noisy surfaces better");
   app.add_flag("--wall-depth",
                options.wall_depth,
                "Write with each triangle the depth of the dividing wall that made it "

@@ -110,13 +110,15 @@ StereoOptions::allImages() const
 void
 addStereoChoices(CLI::App& app, StereoOptions& options)
 {
-  app.add_option(
-         "--method",
-         options.method,
-         "How shots are fused: spacetime (all at once), median (of the shots' own "
-         "disparities, as the paper) or statistical (mean of those that agree)")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"median", "statistical", "spacetime"}).description(""));
+  addChoice<std::string>(
+      app,
+      "--method",
+      options.method,
+      {{"spacetime", "spacetime"},
+       {"median", "median"},
+       {"statistical", "statistical"}},
+      "how shots are fused: spacetime (all at once), median (of the shots' own "
+      "disparities, as the paper) or statistical (mean of those that agree)");
   addDepths(app, options);
   addThresholds(app, options);
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 namespace pcl::acmap {
 namespace {
@@ -24,7 +25,100 @@ withDoubleDash(const std::string& argument, const CLI::App& app)
   return "--" + name + argument.substr(end);
 }
 
+/** \brief How many letters to insert, remove, replace or swap with their neighbour turn
+ * one word into the other. */
+std::size_t
+editDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] =
+          std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+    before_last = last;
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+/** \brief How far a word is from the name of an option; nothing where it is probably not
+ * what was meant. Of words that are part of one another, the shorter one was probably
+ * taken for the whole name. */
+std::optional<std::size_t>
+misspelling(const std::string& word, const std::string& name)
+{
+  constexpr std::size_t letters_per_fault = 3, least_part = 3;
+  const std::size_t distance = editDistance(word, name);
+  const std::size_t length = std::min(word.size(), name.size());
+  if (distance <= std::max<std::size_t>(1, word.size() / letters_per_fault))
+    return distance;
+  const bool is_part = length >= least_part && (name.find(word) != std::string::npos ||
+                                                word.find(name) != std::string::npos);
+  return is_part ? std::optional(distance + name.size()) : std::nullopt;
+}
+
+/** \brief Names of the options nearest to a word, without dashes. */
+std::vector<std::string>
+nearestNames(const std::string& word, const CLI::App& app)
+{
+  constexpr std::size_t most = 3;
+  std::vector<std::pair<std::size_t, std::string>> found;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames())
+      if (const auto distance = misspelling(word, name))
+        found.emplace_back(*distance, name);
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> names;
+  for (const auto& [distance, name] : found)
+    if (distance == found.front().first && names.size() < most)
+      names.push_back(name);
+  return names;
+}
+
+/** \brief Whether a word begins as options do, and negative numbers do not. */
+bool
+looksLikeOption(const std::string& word)
+{
+  const std::size_t begin = word.find_first_not_of('-');
+  return (begin == 1 || begin == 2) &&
+         std::isalpha(static_cast<unsigned char>(word[begin]));
+}
+
+/** \brief In the spelling of the user: dashes before the name, and underscores in it. */
+std::string
+spelledAs(const std::string& word, std::string name)
+{
+  if (word.find('_') != std::string::npos)
+    std::replace(name.begin(), name.end(), '-', '_');
+  return word.substr(0, word.find_first_not_of('-')) + name;
+}
+
 } // namespace
+
+std::string
+unknownOptionFault(const std::vector<std::string>& words, const CLI::App& app)
+{
+  std::string fault;
+  for (const std::string& given : words) {
+    if (!looksLikeOption(given))
+      continue;
+    const std::string word = given.substr(0, given.find('='));
+    std::string letters =
+        CLI::detail::to_lower(word.substr(word.find_first_not_of('-')));
+    std::replace(letters.begin(), letters.end(), '_', '-');
+    std::string meant;
+    for (const std::string& name : nearestNames(letters, app))
+      meant += (meant.empty() ? "" : " or ") + spelledAs(word, name);
+    fault += (fault.empty() ? "" : "; ") + word + " is not an option of this tool" +
+             (meant.empty() ? "" : ", did you mean " + meant + "?");
+  }
+  return fault;
+}
 
 std::vector<std::string>
 withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app)
@@ -35,6 +129,20 @@ withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app)
     argument = withDoubleDash(argument, app);
   }
   return arguments;
+}
+
+std::string
+usageOf(const CLI::App& app)
+{
+  std::string positionals, needed;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (option->get_positional())
+      positionals += option->get_required() ? " " + type : " [" + type + "]";
+    else if (option->get_required())
+      needed += " " + option->get_name() + " " + type;
+  }
+  return app.get_name() + positionals + needed + " [OPTIONS]";
 }
 
 std::vector<std::string>
@@ -63,6 +171,27 @@ crossedNumbers(const std::string& text)
   if (second.ec != std::errc() || second.ptr != end)
     return std::nullopt;
   return numbers;
+}
+
+std::string
+oneOf(const std::vector<std::string>& names)
+{
+  std::string text = "one of ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return text;
+}
+
+CLI::Validator
+nameAmong(const std::vector<std::string>& names)
+{
+  return CLI::Validator(
+      [names](const std::string& text) {
+        return std::find(names.begin(), names.end(), text) != names.end()
+                   ? std::string()
+                   : text + " is not " + oneOf(names);
+      },
+      "");
 }
 
 CLI::Validator

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap {
@@ -17,6 +18,18 @@ namespace pcl::acmap {
 std::vector<std::string>
 withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app);
 
+/** \brief Explains options that a tool does not have, and suggests those that were
+ * probably meant, with the dashes and underscores of the user.
+ * \param[in] words that the parser did not recognise, with their dashes
+ * \return empty where none of the words looks like an option */
+std::string
+unknownOptionFault(const std::vector<std::string>& words, const CLI::App& app);
+
+/** \brief What must be given, and what may be: "pcl_tool IN [OUT] --rig RIG.yaml
+ * [OPTIONS]". */
+std::string
+usageOf(const CLI::App& app);
+
 /** \brief Gives an option whose value may be left out the value `auto` where what follows
  * it is no value: a number or `auto`.
  * \param[in] name of the option, with its dashes */
@@ -27,6 +40,45 @@ withAutomaticValue(std::vector<std::string> arguments, const std::string& name);
  * text is anything else. */
 std::optional<std::array<int, 2>>
 crossedNumbers(const std::string& text);
+
+/** \brief For help and messages: "one of paper, dense". */
+std::string
+oneOf(const std::vector<std::string>& names);
+
+/** \brief Refuses all values but the names. */
+CLI::Validator
+nameAmong(const std::vector<std::string>& names);
+
+/** \brief Adds an option whose value is chosen by its name.
+ * \param[in,out] value the default, then the choice
+ * \param[in] choices names and values, in the order of the help */
+template <typename Value>
+CLI::Option*
+addChoice(CLI::App& app,
+          const std::string& option,
+          Value& value,
+          const std::vector<std::pair<std::string, Value>>& choices,
+          const std::string& description)
+{
+  std::vector<std::string> names;
+  std::string default_name;
+  for (const auto& [name, chosen] : choices) {
+    names.push_back(name);
+    if (chosen == value)
+      default_name = name;
+  }
+  const auto choose = [&value, choices](const std::string& text) {
+    for (const auto& [name, chosen] : choices)
+      if (name == text)
+        value = chosen;
+  };
+  return app
+      .add_option_function<std::string>(
+          option, choose, oneOf(names) + "; " + description)
+      ->type_name("NAME")
+      ->default_str(default_name)
+      ->check(nameAmong(names));
+}
 
 /** \brief Lets finite numbers above zero pass. */
 CLI::Validator

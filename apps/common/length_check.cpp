@@ -22,6 +22,11 @@ constexpr double coarse_step = 0.001;
 /** A point this many extents away from the others belongs to no scene. */
 constexpr double far_extents = 100.0;
 
+/** A length that divides a cloud is beyond it, or leaves only few parts, in extents. Most
+ * points may lie closer together than all of them. */
+constexpr double extents_beyond = 2.0;
+constexpr double coarse_extents = 0.1;
+
 /** \brief The 10 % and 90 % quantiles; reorders the values. */
 std::pair<double, double>
 quantiles(std::vector<float>& values)
@@ -133,6 +138,25 @@ warnOfLengths(Tool& tool, const PointCloudFile& file)
 {
   for (const std::string& remark : lengthRemarks(file.points(), 0, tool.scale()))
     tool.warn(remark);
+}
+
+void
+requireFineLength(Tool& tool,
+                  const std::string& option,
+                  double metres,
+                  const PointView& points)
+{
+  const double extent = cloudExtent(points).diagonal();
+  if (!(extent > 0) || metres <= coarse_extents * extent)
+    return;
+  std::string text = option + " " + shortNumber(metres) +
+                     ": lengths are in metres, and most of the cloud lies within " +
+                     shortNumber(extent) + " m";
+  if (const double millimetres = 0.001 * metres; millimetres <= coarse_extents * extent)
+    text += "; for " + shortNumber(metres) + " mm give " + shortNumber(millimetres);
+  if (metres > extents_beyond * extent)
+    throw UsageError(text);
+  tool.warn(text);
 }
 
 } // namespace pcl::acmap

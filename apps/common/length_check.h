@@ -40,4 +40,15 @@ lengthRemarks(const PointView& points, double median_spacing, double scale);
 void
 warnOfLengths(Tool& tool, const PointCloudFile& file);
 
+/** \brief Compares a length that the user gave in metres with the cloud that it divides:
+ * warns where it leaves only few parts.
+ * \param[in] option its name, with its dashes
+ * \param[in] points in metres
+ * \throws UsageError where it is beyond the cloud, as millimetres taken for metres are */
+void
+requireFineLength(Tool& tool,
+                  const std::string& option,
+                  double metres,
+                  const PointView& points);
+
 } // namespace pcl::acmap

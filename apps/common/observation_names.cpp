@@ -1,5 +1,6 @@
 #include "observation_names.h"
 
+#include "input_kind.h"
 #include "output_target.h"
 
 #include <pcl/core/exceptions.h>
@@ -31,6 +32,10 @@ pcdNames(const std::string& folder)
       names.push_back(entry.filename().string());
   if (names.empty())
     throw InputFileException(folder + ": holds no .pcd file");
+  const InputKind kind = inputKindOf(folder);
+  if (kind == InputKind::MergedMap || kind == InputKind::CompactMap)
+    throw InputFileException(folder + ": its only .pcd file is a merged map, and no "
+                                      "observation");
   return names;
 }
 

@@ -112,7 +112,9 @@ PosedFolder::requireDifferent(const std::vector<Eigen::Isometry3d>& poses) const
     if (pose.matrix() != poses.front().matrix())
       return;
   throw InputFileException(path_ + ": the observations have no poses: there is no " +
-                           trajectory_name + ", and their VIEWPOINTs are all the same");
+                           trajectory_name +
+                           ", and their VIEWPOINTs are all the same; "
+                           "pcl_visual_egomotion finds poses");
 }
 
 double

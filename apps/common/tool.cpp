@@ -1,6 +1,7 @@
 #include "tool.h"
 
 #include "command_line.h"
+#include "input_kind.h"
 #include "interruption.h"
 #include "memory.h"
 #include "output_target.h"
@@ -139,8 +140,12 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     if (failure.code == exit_memory) // what was odd about the input is often why
       for (const std::string& remark : told_.report.remarks)
         failure.line += "; " + remark;
-    complain(failure.code == exit_usage ? failure.line + " (see --help)"
-                                        : failure.line);
+    if (failure.code == exit_usage)
+      failure.line += " (see --help)";
+    if (failure.code == exit_usage || failure.code == exit_input)
+      if (const std::string advice = otherDoor(); !advice.empty())
+        failure.line += "; " + advice;
+    complain(failure.line);
     return failure.code;
   }
 }
@@ -166,9 +171,30 @@ Tool::parse(int argc, const char* const* argv)
     return code;
   }
   catch (const CLI::ParseError& e) {
-    throw UsageError(e.what());
+    // an option that is not known leaves its value where an input is expected
+    const std::string unknown = unknownOptionFault(app_.remaining(), app_);
+    if (!unknown.empty())
+      throw UsageError(unknown);
+    const bool is_incomplete = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
+    throw UsageError(e.what() +
+                     (is_incomplete ? "; usage: " + usageOf(app_) : std::string()));
   }
   return -1;
+}
+
+std::string
+Tool::otherDoor() const
+{
+  for (const CLI::Option* option : app_.get_options()) {
+    const bool is_input = option->get_positional() && option->get_name() != "output";
+    if (!is_input)
+      continue;
+    for (const std::string& path : option->results())
+      if (std::string advice = toolForInput(name_, option->get_name(), path);
+          !advice.empty())
+        return advice;
+  }
+  return {};
 }
 
 void

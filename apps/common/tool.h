@@ -152,6 +152,10 @@ private:
   int
   parse(int argc, const char* const* argv);
 
+  /** \brief Where an input is for another tool, what to do with it; else empty. */
+  std::string
+  otherDoor() const;
+
   void
   writeReport() const;
 

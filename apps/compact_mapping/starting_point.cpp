@@ -1,5 +1,6 @@
 #include "starting_point.h"
 
+#include "input_kind.h"
 #include "posed_folder.h"
 
 #include <pcl/core/exceptions.h>
@@ -37,19 +38,6 @@ hasPoses(const PosedFolder& folder, bool skip_broken)
   return readable < 2; // nothing to be told apart
 }
 
-/** \brief Whether a recording filled it, even one that was not finished. */
-bool
-isSession(const fs::path& folder)
-{
-  std::error_code error;
-  if (fs::exists(folder / "session.yaml", error))
-    return true;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".acf")
-      return true;
-  return false;
-}
-
 } // namespace
 
 const char*
@@ -73,7 +61,7 @@ startingPointOf(const std::string& input, bool skip_broken)
   std::error_code error;
   if (!fs::is_directory(input, error))
     return StartingPoint::Cloud;
-  if (isSession(input))
+  if (inputKindOf(input) == InputKind::RawSession)
     return StartingPoint::Session;
   return hasPoses(PosedFolder(input, 1), skip_broken) ? StartingPoint::PosedObservations
                                                       : StartingPoint::Observations;

@@ -1,5 +1,7 @@
 #include "viewer_options.h"
 
+#include "command_line.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -23,6 +25,16 @@ const std::map<std::string, MapView::Place> place_names = {
     {"inside", MapView::Place::Inside},
     {"plan", MapView::Place::Plan}};
 
+template <typename Value>
+std::vector<std::string>
+namesIn(const std::map<std::string, Value>& values)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : values)
+    names.push_back(entry.first);
+  return names;
+}
+
 void
 addVector(CLI::App& app,
           const std::string& name,
@@ -40,10 +52,12 @@ addPlaces(CLI::App& app, ViewerOptions& options)
 {
   app.add_option("--view",
                  options.place,
-                 "outside (oblique), plan (from above), and of planes inside (wide) "
-                 "[default: plan of a folder without planes, else outside]")
+                 oneOf(namesIn(place_names)) +
+                     "; outside is oblique, plan from above, and inside, for planes, "
+                     "wide [default: plan of a folder without planes, else outside]")
       ->type_name("PLACE")
-      ->default_str("");
+      ->default_str("")
+      ->check(nameAmong(namesIn(place_names)));
   app.add_option("--at",
                  options.at_pose,
                  "The eye is that of pose N of the trajectory, counted from 0")
@@ -93,21 +107,6 @@ vectorOf(const std::vector<float>& values)
   return Eigen::Vector3f(values[0], values[1], values[2]);
 }
 
-template <typename Value>
-Value
-named(const std::map<std::string, Value>& names,
-      const std::string& name,
-      const std::string& option)
-{
-  const auto place = names.find(name);
-  if (place != names.end())
-    return place->second;
-  std::string known;
-  for (const auto& entry : names)
-    known += (known.empty() ? "" : ", ") + entry.first;
-  throw UsageError(option + ": \"" + name + "\" is none of " + known);
-}
-
 } // namespace
 
 void
@@ -127,11 +126,12 @@ addOptions(Tool& tool, ViewerOptions& options)
       ->type_name("OUT.png");
   app.add_option("--layers",
                  options.layers,
-                 "What is shown: points, mesh, normals, planes, texture, trajectory "
-                 "[default: texture, else planes, mesh, points]")
+                 "What is shown, each " + oneOf(namesIn(layer_names)) +
+                     " [default: texture, else planes, mesh, points]")
       ->delimiter(',')
       ->type_name("LAYER,..")
-      ->default_str("");
+      ->default_str("")
+      ->check(nameAmong(namesIn(layer_names)));
   addStates(app, options);
   addPlaces(app, options);
   app.add_flag("--boundary", options.boundary, "Draw the boundary of a mesh as lines");
@@ -154,9 +154,9 @@ viewOf(const ViewerOptions& options)
       2)
     throw UsageError("--size: " + options.size + " is not of the form WxH");
   if (!options.place.empty())
-    view.place = named(place_names, options.place, "--view");
+    view.place = place_names.at(options.place);
   for (const std::string& layer : options.layers)
-    view.layers.insert(named(layer_names, layer, "--layers"));
+    view.layers.insert(layer_names.at(layer));
   if (view.place == MapView::Place::Plan && !options.from.empty())
     throw UsageError("--from has no meaning for a plan, which is seen from above");
   requireOnePlace(options);

@@ -159,12 +159,12 @@ addCamera(CLI::App& app, GrabberOptions& options)
                   100.0,
                   "Gain, dB [default: as the camera is set]")
       ->type_name("DB|auto");
-  app.add_option("--trigger",
-                 options.trigger,
-                 "What exposes a frame: the camera by itself (off), or its input "
-                 "(external)")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"off", "external"}).description(""));
+  addChoice<std::string>(
+      app,
+      "--trigger",
+      options.trigger,
+      {{"off", "off"}, {"external", "external"}},
+      "what exposes a frame: the camera by itself (off), or its input (external)");
   app.add_option("--channel-order",
                  options.channel_order,
                  "Cameras of a pixel's bytes, some order of r,h,v (reference, "

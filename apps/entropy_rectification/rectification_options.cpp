@@ -4,14 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <map>
-
 namespace pcl::acmap {
 
 namespace {
-
-const std::map<std::string, RectificationMode> mode_names = {
-    {"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}};
 
 void
 addInputs(Tool& tool, RectificationOptions& options)
@@ -72,16 +67,13 @@ void
 addRectificationChoices(Tool& tool, RectificationOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option_function<std::string>(
-         "--mode",
-         [&options](const std::string& name) {
-           options.settings.mode = mode_names.at(name);
-         },
-         "guarded: descent, taken only where independent evidence agrees; paper: the "
-         "paper's voting, taken as it comes")
-      ->type_name("MODE")
-      ->default_str("guarded")
-      ->check(CLI::IsMember({"guarded", "paper"}).description(""));
+  addChoice<RectificationMode>(
+      app,
+      "--mode",
+      options.settings.mode,
+      {{"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}},
+      "guarded: descent, taken only where independent evidence agrees; paper: the "
+      "paper's voting, taken as it comes");
   app.add_option(
          "--bin", options.asked_bin_size, "Edge of the entropy's finest bins, metres")
       ->type_name("M")

@@ -1,8 +1,23 @@
 #include "consolidation_stage.h"
 
+#include "length_check.h"
 #include "stage_reports.h"
 
 namespace pcl::acmap {
+namespace {
+
+constexpr const char* option_name = "--consolidate";
+
+/** \brief Whether the user named the size of the voxel: an automatic one is not to be
+ * blamed on the user. */
+bool
+isGiven(Tool& tool)
+{
+  const CLI::Option* const option = tool.options().get_option_no_throw(option_name);
+  return option && option->count() > 0 && option->results().front() != "auto";
+}
+
+} // namespace
 
 ConsolidatedCloud
 consolidateInput(Tool& tool,
@@ -11,6 +26,8 @@ consolidateInput(Tool& tool,
                  ConsolidationSettings settings,
                  ConsolidationReport& report)
 {
+  if (isGiven(tool))
+    requireFineLength(tool, option_name, settings.voxel_size, file.points());
   settings.threads = tool.threads();
   ConsolidatedCloud result;
   tool.withProgress([&](const ProgressCallback& progress) {

@@ -11,7 +11,8 @@ inline constexpr double edges_of_voxel = 2.5;
 
 /** \brief Consolidates a file's cloud as a step of a tool: with its progress, warnings,
  * line of the summary and part of the report.
- * \param[in] settings threads are the tool's */
+ * \param[in] settings threads are the tool's
+ * \throws UsageError where the user's `--consolidate` is larger than the cloud */
 ConsolidatedCloud
 consolidateInput(Tool& tool,
                  const PointCloudFile& file,

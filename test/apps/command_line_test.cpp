@@ -44,6 +44,74 @@ TEST_F(CommandLine, CrossedNumbersAreTwoWithNothingElse)
     EXPECT_FALSE(crossedNumbers(bad)) << bad;
 }
 
+TEST_F(CommandLine, MisspeltOptionsAreSuggestedInTheSpellingOfTheUser)
+{
+  app_.add_option("--consolidate", number_);
+  app_.add_option("--min-depth", number_);
+  app_.add_option("--max-depth", number_);
+  const auto meant = [&](const std::string& word) {
+    const std::string fault = unknownOptionFault({word}, app_);
+    const std::string asks = "did you mean ";
+    const std::size_t at = fault.find(asks);
+    EXPECT_EQ(fault.rfind(word.substr(0, word.find('=')), 0), 0u) << fault;
+    return at == std::string::npos ? "" : fault.substr(at + asks.size());
+  };
+  EXPECT_EQ(meant("--consolidat"), "--consolidate?");
+  EXPECT_EQ(meant("--consoildate=0.1"), "--consolidate?");
+  EXPECT_EQ(meant("--Consolidate"), "--consolidate?");
+  EXPECT_EQ(meant("-max_edg"), "-max_edge?");
+  EXPECT_EQ(meant("--max_edg"), "--max_edge?");
+  EXPECT_EQ(meant("--ot"), "") << "what is so short may be anything";
+  EXPECT_EQ(meant("--out"), "--output?");
+  EXPECT_EQ(meant("--edge"), "--max-edge?");
+  EXPECT_EQ(meant("--max-edge-length"), "--max-edge?");
+  EXPECT_EQ(meant("--depth"), "--max-depth or --min-depth?");
+  EXPECT_EQ(meant("--nonsense"), "");
+}
+
+TEST_F(CommandLine, WordsThatAreNoOptionsAreNoMisspeltOnes)
+{
+  EXPECT_EQ(unknownOptionFault({"max-edge", "-1", "-.5", "--", "-", ""}, app_), "");
+  EXPECT_EQ(unknownOptionFault({}, app_), "");
+  const std::string fault = unknownOptionFault({"a.pcd", "--a-word", "--b-word"}, app_);
+  EXPECT_NE(fault.find("--a-word"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("--b-word"), std::string::npos) << fault;
+}
+
+TEST_F(CommandLine, ChoicesAreNamedInHelpAndInMessages)
+{
+  enum class Fruit { Pear, Apple };
+  Fruit fruit = Fruit::Apple;
+  addChoice<Fruit>(app_,
+                   "--fruit",
+                   fruit,
+                   {{"pear", Fruit::Pear}, {"apple", Fruit::Apple}},
+                   "what to eat");
+  EXPECT_NE(app_.help().find("one of pear, apple; what to eat"), std::string::npos);
+  EXPECT_NE(app_.help().find("NAME=apple"), std::string::npos) << app_.help();
+  app_.parse(Words{"pear", "--fruit"});
+  EXPECT_EQ(fruit, Fruit::Pear);
+  try {
+    app_.parse(Words{"plum", "--fruit"});
+    FAIL() << "was not refused";
+  }
+  catch (const CLI::ParseError& e) {
+    EXPECT_STREQ(e.what(), "--fruit: plum is not one of pear, apple");
+  }
+  EXPECT_EQ(fruit, Fruit::Pear);
+}
+
+TEST_F(CommandLine, UsageTellsWhatIsNeeded)
+{
+  CLI::App app("Tests.", "pcl_test");
+  std::string in, more, out, rig;
+  app.add_option("input", in)->type_name("IN.ply")->required();
+  app.add_option("more", more)->type_name("MORE");
+  app.add_option("-o,--output", out)->type_name("OUT_DIR")->required();
+  app.add_option("--rig", rig)->type_name("RIG.yaml");
+  EXPECT_EQ(usageOf(app), "pcl_test IN.ply [MORE] --output OUT_DIR [OPTIONS]");
+}
+
 TEST_F(CommandLine, OnlyFiniteNumbersAboveZeroAreLengths)
 {
   for (const std::string bad : {"0", "-1", "nan", "inf", "1x", "", "1e999"})

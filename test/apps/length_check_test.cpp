@@ -1,6 +1,7 @@
 #include "length_check.h"
 
 #include "clouds.h"
+#include "tool.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,40 @@ TEST(LengthCheck, NamesPlacesThatFloatsAreTooCoarseFor)
   const auto remarks = at(5e6);
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_NE(remarks[0].find("take an offset off"), std::string::npos) << remarks[0];
+}
+
+/** What is said of a voxel; an exception's words where it is refused. */
+std::string
+saidOf(double voxel, const Cloud& cloud)
+{
+  Tool tool("pcl_test", "Tests.");
+  requireFineLength(tool, "--consolidate", voxel, viewOf(cloud));
+  return tool.warnings().empty() ? "" : tool.warnings().front();
+}
+
+TEST(LengthCheck, RefusesLengthsBeyondTheCloudAndSuggestsMillimetres)
+{
+  const Cloud room = test::scaled(makePlane(), 10); // 4 m
+  EXPECT_EQ(saidOf(0.03, room), "");
+  EXPECT_EQ(saidOf(0, room), "") << "automatic";
+  try {
+    saidOf(30, room);
+    FAIL() << "was not refused";
+  }
+  catch (const UsageError& e) {
+    const std::string text = e.what();
+    EXPECT_EQ(text.rfind("--consolidate 30:", 0), 0u) << text;
+    EXPECT_NE(text.find("for 30 mm give 0.03"), std::string::npos) << text;
+  }
+}
+
+TEST(LengthCheck, WarnsOfLengthsThatLeaveFewParts)
+{
+  const Cloud room = test::scaled(makePlane(), 10);
+  EXPECT_NE(saidOf(2, room).find("for 2 mm give 0.002"), std::string::npos);
+  EXPECT_EQ(saidOf(2, test::makeCoincident(100)), "") << "nothing to compare with";
+  EXPECT_THROW(saidOf(2000, room), UsageError);
+  EXPECT_NO_THROW(saidOf(2, test::withOutlier(room, 1e9F)));
 }
 
 TEST(LengthCheck, SurvivesCloudsWithoutExtent)
