@@ -1,0 +1,69 @@
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+// The tutorial lists the point types that each class is compiled for; this compares the
+// list with the instantiations in the modules.
+
+namespace pcl::acmap::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Types = std::map<std::string, std::set<std::string>>; // by class
+
+std::set<std::string>
+allMatches(const std::string& text, const std::regex& expression)
+{
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end;
+       ++at)
+    found.insert((*at)[1]);
+  return found;
+}
+
+Types
+listedTypes()
+{
+  static const std::regex row(R"(\| \[`(\w+)`\]\([^)]*\) \| (.*))");
+  static const std::regex type("`(Point\\w+)`");
+  std::istringstream page(contentOf(ACMAP_TUTORIALS "/use_acmap_in_cmake.md"));
+  Types types;
+  std::smatch found;
+  for (std::string line; std::getline(page, line);)
+    if (std::regex_match(line, found, row))
+      types[found[1]] = allMatches(found[2], type);
+  return types;
+}
+
+Types
+compiledTypes()
+{
+  static const std::regex name(
+      R"((?:PCL_INSTANTIATE\(\s*|PCL_INSTANTIATE_|ACMAP_EXPORT (?=Trans))(\w+))");
+  static const std::regex type(R"(\b(Point(?!Cloud|T\b)\w+))");
+  Types types;
+  for (const auto& module : fs::directory_iterator(ACMAP_MODULES))
+    for (const auto& source : fs::directory_iterator(module.path() / "src")) {
+      const std::string text =
+          source.is_regular_file() ? contentOf(source.path().string()) : "";
+      const std::set<std::string> names = allMatches(text, name);
+      if (names.size() == 1)
+        types[*names.begin()] = allMatches(text, type);
+    }
+  return types;
+}
+
+TEST(PointTypes, OfTheTutorialAreThoseThatClassesAreCompiledFor)
+{
+  const Types compiled = compiledTypes();
+  EXPECT_GE(compiled.size(), 11u);
+  EXPECT_EQ(listedTypes(), compiled);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
