@@ -26,7 +26,8 @@ importFrames(Tool& tool,
       told.tell(static_cast<double>(i) / static_cast<double>(frames.size()),
                 "importing");
       try {
-        importFrame(frames[i], !options.no_poses, cameras, folder, import);
+        importFrame(
+            frames[i], !options.no_poses, cameras, folder, tool.threads(), import);
       }
       catch (const pcl::InputFileException& fault) {
         if (!options.skip_broken)
@@ -136,6 +137,7 @@ tellResults(Tool& tool,
                     {"height", import.color.height},
                     {"color_camera", colors},
                     {"points", points},
+                    {"refined", import.refined},
                     {"finite_share", share},
                     {"median_depth", median},
                     {"has_poses", !options.no_poses},
@@ -148,6 +150,10 @@ tellResults(Tool& tool,
   tool.tell("points", std::to_string(points));
   tool.tell("finite", shortNumber(100.0 * share) + " % of the pixels");
   tool.tell("median depth", shortNumber(median) + " m");
+  if (import.refined > 0)
+    tool.tell("refined",
+              "the quantised depth of " + std::to_string(import.refined) +
+                  " observations");
   if (!import.broken.empty())
     tool.tell("left out", std::to_string(import.broken.size()) + " broken frames");
   tool.tell("folder", options.output);
@@ -161,7 +167,8 @@ convert(Tool& tool, const ImportOptions& options)
   const RgbdCameras cameras{
       cameraOf(options, sequence),
       colorCameraOf(options, sequence),
-      {options.depth_scale.value_or(sequence.depth_scale), options.most_depth}};
+      {options.depth_scale.value_or(sequence.depth_scale), options.most_depth},
+      options.sensor};
   OutputFolder folder(options.output);
   if (folder.holds(options.input + "/any"))
     throw UsageError(options.output + ": is the input's folder, too");

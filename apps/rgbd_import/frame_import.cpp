@@ -46,13 +46,19 @@ loadImages(const RgbdFrame& frame, const RgbdCameras& cameras, const RgbdImport&
   return images;
 }
 
+/** Steps are taken out in the depth camera's own picture. */
 PCLPointCloud2
-cloudOf(const FrameImages& images, const RgbdCameras& cameras)
+cloudOf(const FrameImages& images,
+        const RgbdCameras& cameras,
+        unsigned threads,
+        RgbdImport& import)
 {
-  if (cameras.color)
-    return registeredCloud(
-        images.color, images.depth, cameras.depth, cameras.meaning, *cameras.color);
-  return observationCloud(images.color, images.depth, cameras.depth, cameras.meaning);
+  std::vector<Eigen::Vector3f> points =
+      measuredPoints(images.depth, cameras.depth, cameras.meaning);
+  const auto width = static_cast<std::size_t>(images.depth.width);
+  import.refined += refineIfQuantised(points, width, cameras.sensor, threads) ? 1 : 0;
+  return cameras.color ? registeredCloud(images.color, points, *cameras.color)
+                       : observationCloud(images.color, points);
 }
 
 /** \brief Of the camera whose pixels the observation has. */
@@ -122,13 +128,14 @@ importFrame(const RgbdFrame& frame,
             bool has_poses,
             const RgbdCameras& cameras,
             const OutputFolder& folder,
+            unsigned threads,
             RgbdImport& import)
 {
   const Eigen::Isometry3d T_world_camera =
       has_poses ? poseInWorld(frame, cameras) : Eigen::Isometry3d::Identity();
   const FrameImages images = loadImages(frame, cameras, import);
   const Eigen::Isometry3d T_map_camera = poseInMap(T_world_camera, import);
-  const PCLPointCloud2 cloud = cloudOf(images, cameras);
+  const PCLPointCloud2 cloud = cloudOf(images, cameras, threads, import);
   saveObservation(folder.path(observationName(import.trajectory.poses.size())),
                   cloud,
                   T_map_camera);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "depth_stage.h"
 #include "rgbd_observation.h"
 #include "rgbd_sequence.h"
 
@@ -24,15 +25,17 @@ struct RgbdCameras {
   Pinhole depth;
   std::optional<ColorCamera> color; ///< none: the depth camera saw the colours
   DepthMeaning meaning;
+  DepthSensor sensor = DepthSensor::Automatic;
 };
 
 /** \brief What was done so far. */
 struct RgbdImport {
   pcl::Trajectory trajectory; ///< T_first_camera; identity without poses
   Eigen::Isometry3d T_first_world;
-  ImageSize color;       ///< of all colour images, and so of the observations
-  ImageSize depth;       ///< of all depth images
-  std::size_t empty = 0; ///< observations without a point
+  ImageSize color;         ///< of all colour images, and so of the observations
+  ImageSize depth;         ///< of all depth images
+  std::size_t empty = 0;   ///< observations without a point
+  std::size_t refined = 0; ///< observations whose depth was quantised
   /** \brief How many points have the depth of which number in a depth image. */
   std::vector<std::uint64_t> depths = std::vector<std::uint64_t>(65536);
   std::vector<std::string> broken; ///< why frames were left out
@@ -59,6 +62,7 @@ importFrame(const RgbdFrame& frame,
             bool has_poses,
             const RgbdCameras& cameras,
             const OutputFolder& folder,
+            unsigned threads,
             RgbdImport& import);
 
 } // namespace pcl::acmap

@@ -91,6 +91,7 @@ addOptions(Tool& tool, ImportOptions& options)
                "Leave out frames with a missing or damaged file instead of giving up");
   addCamera(app, options);
   addColorCamera(app, options);
+  addSensor(tool, options.sensor);
   app.add_option("--every", options.every, "Take only each Nth frame")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "depth_stage.h"
 #include "rgbd_sequence.h"
 #include "tool.h"
 
@@ -20,6 +21,7 @@ struct ImportOptions {
   std::optional<double> fx, fy, cx, cy; ///< pixels
   std::optional<double> depth_scale;    ///< numbers in a metre
   double most_depth = 0.0;              ///< metres; 0 for no limit
+  DepthSensor sensor = DepthSensor::Automatic;
   std::size_t every = 1;
   double most_stamp_gap = 0.02; ///< seconds
 };

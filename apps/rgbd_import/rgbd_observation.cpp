@@ -44,25 +44,11 @@ setPoint(Pixel& pixel, const Eigen::Vector3f& point, float sigma)
   pixel.sigma = sigma;
 }
 
-/** \brief Calls use (pixel's index, point, sigma) for all that was measured. */
-template <typename Use>
-void
-forEachPoint(const GrayImage16& depth,
-             const Pinhole& camera,
-             const DepthMeaning& meaning,
-             const Use& use)
+/** Along the ray. */
+float
+sigmaOf(const Eigen::Vector3d& point)
 {
-  std::size_t index = 0;
-  for (std::int32_t row = 0; row < depth.height; ++row)
-    for (std::int32_t column = 0; column < depth.width; ++column, ++index) {
-      const double z = meaning.metres(depth.values[index]);
-      if (z <= 0.0)
-        continue;
-      const Eigen::Vector3d ray(
-          (column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy, 1.0);
-      const Eigen::Vector3d point = z * ray;
-      use(index, point, static_cast<float>(kinectDepthSigma(z) * ray.norm()));
-    }
+  return static_cast<float>(kinectDepthSigma(point.z()) * point.norm() / point.z());
 }
 
 PCLPointCloud2
@@ -86,48 +72,60 @@ cloudOf(const std::vector<Pixel>& pixels, std::int32_t width, std::int32_t heigh
 
 } // namespace
 
+std::vector<Eigen::Vector3f>
+measuredPoints(const GrayImage16& depth,
+               const Pinhole& camera,
+               const DepthMeaning& meaning)
+{
+  const Eigen::Vector3f nothing =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  std::vector<Eigen::Vector3f> points(depth.values.size(), nothing);
+  std::size_t index = 0;
+  for (std::int32_t row = 0; row < depth.height; ++row)
+    for (std::int32_t column = 0; column < depth.width; ++column, ++index) {
+      const double z = meaning.metres(depth.values[index]);
+      if (z > 0.0)
+        points[index] = (z * Eigen::Vector3d((column - camera.cx) / camera.fx,
+                                             (row - camera.cy) / camera.fy,
+                                             1.0))
+                            .cast<float>();
+    }
+  return points;
+}
+
 PCLPointCloud2
-observationCloud(const RgbImage& color,
-                 const GrayImage16& depth,
-                 const Pinhole& camera,
-                 const DepthMeaning& meaning)
+observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points)
 {
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
-  forEachPoint(depth,
-               camera,
-               meaning,
-               [&](std::size_t index, const Eigen::Vector3d& point, float sigma) {
-                 setPoint(pixels[index], point.cast<float>(), sigma);
-               });
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (points[i].z() > 0)
+      setPoint(pixels[i], points[i], sigmaOf(points[i].cast<double>()));
   return cloudOf(pixels, color.width, color.height);
 }
 
 PCLPointCloud2
 registeredCloud(const RgbImage& color,
-                const GrayImage16& depth,
-                const Pinhole& camera,
-                const DepthMeaning& meaning,
+                const std::vector<Eigen::Vector3f>& points,
                 const ColorCamera& color_camera)
 {
   const Pinhole& seen = color_camera.pinhole;
   const Eigen::Isometry3d T_color_depth = color_camera.T_depth_color.inverse();
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
-  const auto put = [&](std::size_t, const Eigen::Vector3d& measured, float sigma) {
-    const Eigen::Vector3d point = T_color_depth * measured;
-    if (!(point.z() > 0.0))
-      return;
+  for (const Eigen::Vector3f& measured : points) {
+    const Eigen::Vector3d point = T_color_depth * measured.cast<double>();
+    if (!(point.z() > 0.0)) // NaN too
+      continue;
     const double column = std::round(seen.fx * point.x() / point.z() + seen.cx);
     const double row = std::round(seen.fy * point.y() / point.z() + seen.cy);
     if (!(column >= 0 && column < color.width && row >= 0 && row < color.height))
-      return;
+      continue;
     Pixel& pixel =
         pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(color.width) +
                static_cast<std::size_t>(column)];
     const Eigen::Vector3f place = point.cast<float>();
     if (!(pixel.z <= place.z())) // NaN: the first one
-      setPoint(pixel, place, sigma);
-  };
-  forEachPoint(depth, camera, meaning, put);
+      setPoint(pixel, place, sigmaOf(measured.cast<double>()));
+  }
   return cloudOf(pixels, color.width, color.height);
 }
 

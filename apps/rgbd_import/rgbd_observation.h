@@ -5,6 +5,8 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/image_file.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <vector>
 
@@ -34,16 +36,20 @@ kinectDepthSigma(double z)
   return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);
 }
 
+/** \brief The points of a depth image, a point a pixel, metres; NaN where nothing was
+ * measured. */
+std::vector<Eigen::Vector3f>
+measuredPoints(const GrayImage16& depth,
+               const Pinhole& camera,
+               const DepthMeaning& meaning);
+
 /** \brief An organized cloud of x y z rgb sigma in the camera's frame, a point a pixel.
  *
  * x y z and sigma are NaN where nothing was measured; rgb is there at every pixel. sigma
  * is along the ray, which is longer than z by the ray's slant.
- * \param[in] color as large as depth */
+ * \param[in] color a pixel a point */
 PCLPointCloud2
-observationCloud(const RgbImage& color,
-                 const GrayImage16& depth,
-                 const Pinhole& camera,
-                 const DepthMeaning& meaning);
+observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points);
 
 /** \brief The same in the frame and the pixels of a colour camera that stands beside.
  *
@@ -51,12 +57,10 @@ observationCloud(const RgbImage& color,
  * the pixel that shows it; of several the nearest is taken. Pixels that no point falls on
  * have rgb alone. sigma is the one along the depth camera's ray.
  * \param[in] color of any size
- * \param[in] camera of the depth image. O(n) */
+ * \param[in] points of the depth camera. O(n) */
 PCLPointCloud2
 registeredCloud(const RgbImage& color,
-                const GrayImage16& depth,
-                const Pinhole& camera,
-                const DepthMeaning& meaning,
+                const std::vector<Eigen::Vector3f>& points,
                 const ColorCamera& color_camera);
 
 } // namespace pcl::acmap

@@ -1,25 +1,16 @@
 #include "depth_stage.h"
 
 #include "cloud_fields.h"
+#include "command_line.h"
 #include "stage_reports.h"
 
 #include <pcl/filters/depth_refinement_kernel.h>
 
-#include <CLI/CLI.hpp>
-
 #include <array>
-#include <map>
 
 namespace pcl::acmap {
 
 namespace {
-
-const std::map<std::string, DepthSensor> sensors = {
-    {"auto", DepthSensor::Automatic},
-    {"quantised", DepthSensor::Quantised},
-    {"stereo", DepthSensor::Stereo},
-    {"tof", DepthSensor::TimeOfFlight},
-    {"laser", DepthSensor::Laser}};
 
 void
 setPlaces(PCLPointCloud2& cloud, const std::vector<Eigen::Vector3f>& points)
@@ -54,32 +45,35 @@ setNormals(PCLPointCloud2& cloud, const std::vector<Eigen::Vector3f>& normals)
 void
 addSensor(Tool& tool, DepthSensor& sensor)
 {
-  tool.options()
-      .add_option(
-          "--sensor",
-          sensor,
-          "What measured an organized cloud: quantised (structured light, as a "
-          "Kinect) and stereo have noise that is even in inverse depth, and are "
-          "worked on in their picture; tof and laser in space [default: auto, "
-          "quantised where the depths have such steps]")
-      ->type_name("auto|quantised|stereo|tof|laser")
-      ->default_str("")
-      ->transform(CLI::CheckedTransformer(sensors).description(""));
+  addChoice<DepthSensor>(
+      tool.options(),
+      "--sensor",
+      sensor,
+      {{"auto", DepthSensor::Automatic},
+       {"quantised", DepthSensor::Quantised},
+       {"stereo", DepthSensor::Stereo},
+       {"tof", DepthSensor::TimeOfFlight},
+       {"laser", DepthSensor::Laser}},
+      "What measured an organized cloud: quantised (structured light, as a Kinect) and "
+      "stereo have noise that is even in inverse depth, and are worked on in their "
+      "picture; tof and laser in space; auto: quantised where the depths have such "
+      "steps");
 }
 
+namespace {
+
 std::optional<MeasuredView>
-viewOfFile(const PointCloudFile& file, DepthSensor sensor)
+viewOfPoints(const PointView& points, std::size_t width, DepthSensor sensor)
 {
   if (sensor == DepthSensor::TimeOfFlight || sensor == DepthSensor::Laser)
     return std::nullopt;
   const bool is_automatic = sensor == DepthSensor::Automatic;
-  const PointView points = file.points();
+  const bool is_organized = width > 0 && width < points.size();
   const double step = measureDepthStep(points);
-  if (is_automatic && (step == 0 || file.cloud.height < 2))
+  if (is_automatic && (step == 0 || !is_organized))
     return std::nullopt;
-  std::optional<DepthView> view = file.cloud.height < 2
-                                      ? std::nullopt
-                                      : DepthView::recognize(points, file.cloud.width);
+  std::optional<DepthView> view =
+      is_organized ? DepthView::recognize(points, width) : std::nullopt;
   if (!view) {
     if (is_automatic)
       return std::nullopt;
@@ -89,6 +83,14 @@ viewOfFile(const PointCloudFile& file, DepthSensor sensor)
   }
   const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, step);
   return MeasuredView{std::move(*view), noise};
+}
+
+} // namespace
+
+std::optional<MeasuredView>
+viewOfFile(const PointCloudFile& file, DepthSensor sensor)
+{
+  return viewOfPoints(file.points(), file.cloud.width, sensor);
 }
 
 void
@@ -137,15 +139,31 @@ refineInput(Tool& tool, const MeasuredView& measured, PointCloudFile& file)
 }
 
 bool
-refineIfQuantised(PointCloudFile& file, DepthSensor sensor, unsigned threads)
+refineIfQuantised(std::vector<Eigen::Vector3f>& points,
+                  std::size_t width,
+                  DepthSensor sensor,
+                  unsigned threads)
 {
-  const std::optional<MeasuredView> measured = viewOfFile(file, sensor);
+  const std::optional<MeasuredView> measured = viewOfPoints(
+      {points.data(), sizeof(Eigen::Vector3f), points.size()}, width, sensor);
   if (!measured)
     return false;
   DepthRefinementReport report;
-  setPlaces(
-      file.cloud,
-      refineDepth(measured->view, measured->noise, threads, Progress(), report).points);
+  points =
+      refineDepth(measured->view, measured->noise, threads, Progress(), report).points;
+  return true;
+}
+
+bool
+refineIfQuantised(PointCloudFile& file, DepthSensor sensor, unsigned threads)
+{
+  std::vector<Eigen::Vector3f> points;
+  const PointView view = file.points();
+  for (std::size_t i = 0; i < view.size(); ++i)
+    points.push_back(view[i]);
+  if (!refineIfQuantised(points, file.cloud.width, sensor, threads))
+    return false;
+  setPlaces(file.cloud, points);
   return true;
 }
 

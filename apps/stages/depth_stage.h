@@ -6,6 +6,7 @@
 #include <pcl/core/point_cloud_file.h>
 
 #include <optional>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -45,8 +46,16 @@ tellDepthNoise(Tool& tool, const MeasuredView& measured);
 void
 refineInput(Tool& tool, const MeasuredView& measured, PointCloudFile& file);
 
-/** \brief Moves the points of an observation likewise where its depth is quantised, without
- * a word and without normals. \return whether it was */
+/** \brief Moves the points of a view likewise where its depth is quantised, without a word
+ * and without normals; those that are withdrawn become NaN. \return whether it was
+ * \param[in] width pixels of a row */
+bool
+refineIfQuantised(std::vector<Eigen::Vector3f>& points,
+                  std::size_t width,
+                  DepthSensor sensor,
+                  unsigned threads);
+
+/** \brief The same of an observation. */
 bool
 refineIfQuantised(PointCloudFile& file, DepthSensor sensor, unsigned threads);
 

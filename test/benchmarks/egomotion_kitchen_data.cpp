@@ -28,12 +28,12 @@ loadKitchen()
   kitchen.camera.center_y = camera.pinhole.cy;
   for (const RgbdFrame& frame : recorded.frames) {
     const auto cloud = std::make_shared<EgomotionCloud>();
-    fromPCLPointCloud2(registeredCloud(loadRgbImage(frame.color),
-                                       loadGrayImage16(frame.depth),
-                                       recorded.camera,
-                                       {},
-                                       camera),
-                       *cloud);
+    fromPCLPointCloud2(
+        registeredCloud(
+            loadRgbImage(frame.color),
+            measuredPoints(loadGrayImage16(frame.depth), recorded.camera, {}),
+            camera),
+        *cloud);
     kitchen.clouds.push_back(cloud);
     kitchen.truth.push_back(poseOf(frame) * camera.T_depth_color);
   }

@@ -2,19 +2,40 @@
 
 #include "acmap_planes.h"
 
+#include <pcl/segmentation/depth_plane_segmentation.h>
+
 namespace pcl::acmap::bench {
 
 FoundPlanes
 ourPlanes(const OneView& view)
 {
-  return findAcmapPlanes(view.finite);
+  std::vector<std::int32_t> labels;
+  FoundPlanes found = timedPlanes([&] {
+    FoundPlanes planes;
+    DepthPlaneSegmentation<PointXYZ> segmentation;
+    segmentation.setNumberOfThreads(1);
+    segmentation.setInputCloud(view.organized);
+    std::vector<PlanePatch> patches;
+    segmentation.segment(patches);
+    for (const PlanePatch& patch : patches)
+      planes.planes.push_back(patch.coefficients);
+    labels = segmentation.getLabels();
+    return planes;
+  });
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (isFinite((*view.organized)[i]))
+      found.labels.push_back(labels[i]);
+  return found;
 }
 
 std::vector<OneViewFinder>
 oneViewFinders()
 {
-  std::vector<OneViewFinder> all{{"acmap", ourPlanes},
-                                 {"PCL organized multi-plane", organizedPlanes}};
+  std::vector<OneViewFinder> all{
+      {"acmap", ourPlanes},
+      {"acmap in space",
+       [](const OneView& view) { return findAcmapPlanes(view.finite); }},
+      {"PCL organized multi-plane", organizedPlanes}};
   for (const NamedFinder& peer : peers())
     all.push_back(
         {peer.name,

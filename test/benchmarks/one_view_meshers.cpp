@@ -1,8 +1,9 @@
 #include "greedy_projection.h"
 #include "one_view_finders.h"
-#include "raw_mesh.h"
 #include "timing.h"
 
+#include <pcl/filters/depth_refinement.h>
+#include <pcl/surface/dewall_triangulation.h>
 #include <pcl/surface/organized_fast_mesh.h>
 
 namespace pcl::acmap::bench {
@@ -10,13 +11,21 @@ namespace pcl::acmap::bench {
 OneViewMesh
 ourMesh(const OneView& view)
 {
-  const PointCloud<PointXYZ>& points = *view.finite.points;
-  OneViewMesh result{test::toPoints(points), {}};
+  OneViewMesh result;
+  PointCloud<PointXYZ>::Ptr refined(new PointCloud<PointXYZ>);
   result.seconds = measureThread([&] {
-    result.triangles =
-        meshRaw({&points.front().x, sizeof(PointXYZ), points.size()}, DeWallRule::Paper)
-            .mesh.triangles;
+    DepthRefinement<PointXYZ> refinement;
+    refinement.setNumberOfThreads(1);
+    refinement.setInputCloud(view.organized);
+    refinement.filter(*refined);
+    DeWallTriangulation<PointXYZ> dewall;
+    dewall.setNumberOfThreads(1);
+    dewall.setInputCloud(refined);
+    TriangleMesh mesh;
+    dewall.reconstruct(mesh);
+    result.triangles = mesh.triangles;
   });
+  result.points = test::toPoints(*refined);
   return result;
 }
 

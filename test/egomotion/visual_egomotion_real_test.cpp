@@ -31,12 +31,12 @@ observationOf(const RgbdSequence& sequence, int number)
       });
   const ColorCamera& camera = sequence.color_camera.value();
   Observation observation;
-  fromPCLPointCloud2(registeredCloud(loadRgbImage(frame->color),
-                                     loadGrayImage16(frame->depth),
-                                     sequence.camera,
-                                     {},
-                                     camera),
-                     *observation.cloud);
+  fromPCLPointCloud2(
+      registeredCloud(
+          loadRgbImage(frame->color),
+          measuredPoints(loadGrayImage16(frame->depth), sequence.camera, {}),
+          camera),
+      *observation.cloud);
   observation.T_world_camera = poseOf(*frame) * camera.T_depth_color;
   return observation;
 }
