@@ -24,15 +24,16 @@ template <typename PointT>
 void
 DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
 {
-  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  const Indices* const wanted = this->fake_indices_ ? nullptr : indices_.get();
+  acmap::requireInput<PointT>(input_, wanted);
   if (!input_->empty() && !input_->isOrganized())
     PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
                         "the cloud is not organized: give a view as rows of pixels");
   std::vector<Eigen::Vector3f> chosen;
-  if (!this->fake_indices_) {
+  if (wanted) {
     chosen.assign(input_->size(),
                   Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-    for (const index_t index : *indices_)
+    for (const index_t index : *wanted)
       chosen[static_cast<std::size_t>(index)] = (*input_)[index].getVector3fMap();
   }
   const acmap::PointView points =
