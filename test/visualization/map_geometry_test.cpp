@@ -95,6 +95,10 @@ TEST(MapFrame, UpIsMinusYUntilCamerasOrLevelPlanesTellOtherwise)
   map.trajectory = makeRoomWay();
   EXPECT_EQ(frameOfMap(map).up, -Vector3d::UnitY());
 
+  const Eigen::AngleAxisd tilt(0.6, Vector3d::UnitX());
+  EXPECT_LT((frameOfMap(turnedRoom(tilt)).up + tilt * Vector3d::UnitY()).norm(), 1e-6)
+      << "the first camera was tilted";
+
   CompactMap turned = turnedRoom(Eigen::AngleAxisd(-M_PI / 2, Vector3d::UnitX()));
   EXPECT_EQ(frameOfMap(turned).up, Vector3d::UnitZ());
   for (PlanePatch& plane : turned.planes)

@@ -275,5 +275,33 @@ TEST_F(MapSnapshot, TwoPicturesAreEqual)
   EXPECT_EQ(contentOf(path_), first);
 }
 
+/** As seen along the floor, walls are lines: a plan of a map whose first camera was tilted
+ * shows none of their faces. */
+TEST_F(MapSnapshot, ThePlanOfATiltedMapIsThatOfALevelOne)
+{
+  view_.place = Place::Plan;
+  view_.paint = Paint::PlaneColors;
+  const ShownPicture level = shoot();
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  map_.charts.clear();
+  for (PlanePatch& plane : map_.planes) {
+    plane.coefficients.head<3>() = turn * plane.coefficients.head<3>().eval();
+    for (PlanePolygon& polygon : plane.polygons) {
+      for (Eigen::Vector3f& point : polygon.outer)
+        point = turn.cast<float>() * point;
+      for (auto& hole : polygon.holes)
+        for (Eigen::Vector3f& point : hole)
+          point = turn.cast<float>() * point;
+    }
+  }
+  const ShownPicture tilted = shoot();
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < level.pixels.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      different += std::abs(level.pixels[i][k] - tilted.pixels[i][k]) > 20;
+  EXPECT_LT(different, level.pixels.size() / 50);
+}
+
 } // namespace
 } // namespace pcl::acmap::test

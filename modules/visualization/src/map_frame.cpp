@@ -1,5 +1,6 @@
-#include "camera_fit.h"
 #include "map_camera.h"
+
+#include <pcl/core/map_up.h>
 
 #include <Eigen/Geometry>
 
@@ -11,45 +12,6 @@ namespace pcl::acmap {
 namespace {
 
 using Eigen::Vector3d;
-
-/** \brief What the cameras take for up, as the nearest axis; zero without cameras. */
-Vector3d
-upOfCameras(const Trajectory& trajectory)
-{
-  Vector3d sum = Vector3d::Zero();
-  for (const Eigen::Isometry3d& pose : trajectory.poses)
-    if (pose.matrix().allFinite())
-      sum -= pose.linear().col(1);
-  int axis = 0;
-  if (!(sum.cwiseAbs().maxCoeff(&axis) > 0))
-    return Vector3d::Zero();
-  return std::copysign(1.0, sum[axis]) * Vector3d::Unit(axis);
-}
-
-/** \brief Area of the planes that look along an axis. */
-double
-areaAlong(const CompactMap& map, int axis)
-{
-  constexpr double nearly = 0.97;
-  double area = 0;
-  for (const PlanePatch& plane : map.planes)
-    if (std::abs(plane.coefficients[axis]) > nearly && std::isfinite(plane.area))
-      area += plane.area;
-  return area;
-}
-
-Vector3d
-upOf(const CompactMap& map, const RobustBox& box, const SceneView& view)
-{
-  if (view.up)
-    return view.up->cast<double>().normalized();
-  const Vector3d up = upOfCameras(map.trajectory);
-  if (up.norm() > 0)
-    return up;
-  const bool z_is_level =
-      box.half.z() < box.half.y() && areaAlong(map, 2) > areaAlong(map, 1);
-  return z_is_level ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY());
-}
 
 /** \brief Direction of the walls, which are square to each other on the whole; any where
  * there are none. */
@@ -98,7 +60,8 @@ frameOf(const CompactMap& map,
         const SceneView& view)
 {
   MapFrame frame;
-  frame.up = upOf(map, RobustBox(samples), view);
+  frame.up =
+      view.up ? Vector3d(view.up->cast<double>().normalized()) : upDirection(map);
   const Vector3d one = wallDirection(map, frame.up);
   const Vector3d other = frame.up.cross(one);
   frame.along =

@@ -30,9 +30,8 @@ struct MapView : SceneView {
 
 /** \brief Draws a compact map into a PNG file.
  *
- * Up, where the view does not tell, is what the cameras of the trajectory take for up;
- * without a trajectory it is -y, or z where level planes say so. Texels of which nothing is
- * known are grey, backs of planes bluish. A chart without colours counts as none; planes
+ * Up, where the view does not tell, is \ref upDirection of the map. Texels of which nothing
+ * is known are grey, backs of planes bluish. A chart without colours counts as none; planes
  * without a normal or an area are left out. Needs an X server as \ref saveSnapshot does.
  * \param[in] path the file, ending in .png
  * \throws OutputFileException when it could not be written

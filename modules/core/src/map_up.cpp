@@ -1,0 +1,185 @@
+#include <pcl/core/map_up.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+/** \brief A plane as far as it tells which direction is up. */
+struct Facing {
+  Vector3d normal;
+  double area;
+};
+
+/** \brief Sum of what the cameras take for up; zero without cameras. */
+Vector3d
+upOfCameras(const Trajectory& trajectory)
+{
+  Vector3d sum = Vector3d::Zero();
+  for (const Eigen::Isometry3d& pose : trajectory.poses)
+    if (pose.matrix().allFinite())
+      sum -= pose.linear().col(1);
+  return sum;
+}
+
+/** \brief The planes that have an area, largest first. */
+std::vector<Facing>
+facingsOf(const CompactMap& map)
+{
+  std::vector<Facing> facings;
+  for (const PlanePatch& plane : map.planes) {
+    const Vector3d normal = plane.coefficients.head<3>();
+    if (normal.allFinite() && normal.norm() > 0 && std::isfinite(plane.area) &&
+        plane.area > 0)
+      facings.push_back({normal.normalized(), plane.area});
+  }
+  std::stable_sort(facings.begin(), facings.end(), [](const auto& a, const auto& b) {
+    return a.area > b.area;
+  });
+  return facings;
+}
+
+/** \brief Mean squares of how far the planes' corners are off their middle, along each
+ * axis; planes count by their areas. */
+Eigen::Array3d
+spreadOf(const CompactMap& map)
+{
+  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
+  double weights = 0;
+  for (const PlanePatch& plane : map.planes)
+    for (const PlanePolygon& polygon : plane.polygons)
+      for (const Eigen::Vector3f& corner : polygon.outer) {
+        const double weight = plane.area / static_cast<double>(polygon.outer.size());
+        if (!corner.allFinite() || !(weight > 0))
+          continue;
+        sum += weight * corner.cast<double>().array();
+        squares += weight * corner.cast<double>().array().square();
+        weights += weight;
+      }
+  if (!(weights > 0))
+    return Eigen::Array3d::Zero();
+  return squares / weights - (sum / weights).square();
+}
+
+/** \brief Area of the planes that look along an axis. */
+double
+areaAlong(const std::vector<Facing>& facings, int axis)
+{
+  constexpr double nearly = 0.97;
+  double area = 0;
+  for (const Facing& facing : facings)
+    if (std::abs(facing.normal[axis]) > nearly)
+      area += facing.area;
+  return area;
+}
+
+bool
+isLevel(const Facing& facing, const Vector3d& up)
+{
+  return std::abs(facing.normal.dot(up)) > std::cos(5 * degree);
+}
+
+bool
+isUpright(const Facing& facing, const Vector3d& up)
+{
+  return std::abs(facing.normal.dot(up)) < std::sin(5 * degree);
+}
+
+/** \brief Directions to which planes are level or upright, those of the largest ones. */
+std::vector<Vector3d>
+candidatesFor(const std::vector<Facing>& facings, const Vector3d& expected)
+{
+  constexpr std::size_t most = 30;
+  const std::size_t count = std::min(facings.size(), most);
+  std::vector<Vector3d> candidates = {expected};
+  const auto add = [&](const Vector3d& direction) {
+    if (direction.norm() > 0.1)
+      candidates.push_back(std::copysign(1.0, direction.dot(expected)) *
+                           direction.normalized());
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d& normal = facings[i].normal;
+    add(normal);
+    add(expected - expected.dot(normal) * normal);
+    for (std::size_t k = 0; k < i; ++k)
+      add(normal.cross(facings[k].normal));
+  }
+  return candidates;
+}
+
+/** \brief The direction to which the planes that are nearly level or upright to a given one
+ * are so best, by least squares. */
+Vector3d
+refined(const std::vector<Facing>& facings, const Vector3d& up)
+{
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  double area = 0;
+  for (const Facing& facing : facings) {
+    const double sign = isUpright(facing, up) ? 1 : isLevel(facing, up) ? -1 : 0;
+    squares += sign * facing.area * facing.normal * facing.normal.transpose();
+    area += facing.area;
+  }
+  constexpr double weight = 1e-3; // keeps what no plane tells
+  squares -= weight * area * up * up.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+  const Vector3d least = solver.eigenvectors().col(0);
+  return std::copysign(1.0, least.dot(up)) * least;
+}
+
+} // namespace
+
+Eigen::Vector3d
+upAxis(const CompactMap& map)
+{
+  const Vector3d cameras = upOfCameras(map.trajectory);
+  int axis = 0;
+  if (cameras.cwiseAbs().maxCoeff(&axis) > 0)
+    return std::copysign(1.0, cameras[axis]) * Vector3d::Unit(axis);
+  const Eigen::Array3d spread = spreadOf(map);
+  const std::vector<Facing> facings = facingsOf(map);
+  const bool z_is_level =
+      spread.z() < spread.y() && areaAlong(facings, 2) > areaAlong(facings, 1);
+  return z_is_level ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY());
+}
+
+Eigen::Vector3d
+upDirection(const CompactMap& map)
+{
+  constexpr double least_share = 1.0 / 3; // of the area
+  const Vector3d axis = upAxis(map);
+  const Vector3d cameras = upOfCameras(map.trajectory);
+  const Vector3d expected = cameras.norm() > 0.1 ? cameras.normalized() : axis;
+  const std::vector<Facing> facings = facingsOf(map);
+  double area = 0;
+  for (const Facing& facing : facings)
+    area += facing.area;
+  double best_merit = 0, best_share = 0;
+  Vector3d best = axis;
+  for (const Vector3d& up : candidatesFor(facings, expected)) {
+    double agreeing = 0;
+    for (const Facing& facing : facings)
+      agreeing += isLevel(facing, up) || isUpright(facing, up) ? facing.area : 0;
+    const double nearness = up.dot(expected);
+    const double merit = nearness < std::cos(60 * degree) ? 0 : nearness * agreeing;
+    if (merit > best_merit) {
+      best_merit = merit;
+      best_share = agreeing / area;
+      best = up;
+    }
+  }
+  if (best_share < least_share)
+    return axis;
+  best = refined(facings, best);
+  return best.dot(axis) > std::cos(0.5 * degree) ? axis : best;
+}
+
+} // namespace pcl
