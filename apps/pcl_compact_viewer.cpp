@@ -82,6 +82,8 @@ show(Tool& tool, const ViewerOptions& options)
     colorByLabel(input.scene);
   view.sensor_origin = input.sensor_origin;
   view.sensor_orientation = input.sensor_orientation;
+  if (!view.up)
+    view.up = input.up;
   choosePlace(options, input.scene, view);
   tool.stopIfInterrupted();
 

@@ -46,6 +46,8 @@ loadFile(const std::string& path, double scale)
   note(file.points, scale, input.remarks);
   input.sensor_origin = file.points.sensor_origin;
   input.sensor_orientation = file.points.sensor_orientation;
+  if (endingOf(path) == ".obj")
+    input.up = Eigen::Vector3f::UnitY();
   LayeredScene& scene = input.scene;
   (file.mesh.triangles.empty() ? scene.points : scene.vertices) =
       std::move(file.points.cloud);

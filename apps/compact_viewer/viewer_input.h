@@ -2,6 +2,7 @@
 
 #include <pcl/visualization/layered_scene.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ struct ViewerInput {
   LayeredScene scene;
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero(); ///< metres
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
-  std::vector<std::string> remarks; ///< what was odd
+  std::optional<Eigen::Vector3f> up; ///< where the file's format has one: y of OBJ
+  std::vector<std::string> remarks;  ///< what was odd
 };
 
 /** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json, or with map.pcd

@@ -107,6 +107,31 @@ TEST_F(ViewerOfMaps, ShowsPlanesOfAFileWithoutColours)
   EXPECT_GT(shoot(bare).covered(), 0.2);
 }
 
+/** As all programs show an OBJ, and as map.obj is written. */
+TEST_F(ViewerOfMaps, AnObjHasYUp)
+{
+  std::string points;
+  const auto addTile = [&](double y, const std::string& color) {
+    for (const auto& [x, z] : {std::pair{-1, -1}, {1, -1}, {1, -5}, {-1, -5}})
+      points += "v " + std::to_string(x) + " " + std::to_string(y) + " " +
+                std::to_string(z) + color + "\n";
+  };
+  addTile(0.5, " 1 0 0");
+  addTile(-0.5, " 0 0 1");
+  const std::string obj = folder_.write("tiles.obj", points + "f 4 3 2 1\nf 5 6 7 8\n");
+  const ShownPicture picture = shoot(obj, {"--from", "0", "0", "4"});
+  const auto is_upper = [](const ShownPicture::Pixel& p) {
+    return p[0] > 2 * p[1] && p[0] > 2 * p[2] && p[0] > 40;
+  };
+  const auto is_lower = [](const ShownPicture::Pixel& p) {
+    return p[2] > 2 * p[0] && p[2] > 2 * p[1] && p[2] > 40;
+  };
+  ASSERT_GT(picture.share(is_upper), 0.005);
+  ASSERT_GT(picture.share(is_lower), 0.005);
+  EXPECT_LT(picture.middle(is_upper)[1], 0.5);
+  EXPECT_GT(picture.middle(is_lower)[1], 0.5);
+}
+
 TEST_F(ViewerOfMaps, LayersAreChosenOneByOne)
 {
   addMeshAndCloud();

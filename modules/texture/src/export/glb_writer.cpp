@@ -14,7 +14,12 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double linear_grey = 0.2159; // of 128 in sRGB
-constexpr const char* unlit = "KHR_materials_unlit";
+
+/** Shares of a colour that shines by itself and that is lit; their sum is 1, so that under
+ * even light all is as it was seen. KHR_materials_unlit would say so, but VTK 9.1 and with
+ * it f3d show the textures of its materials white. Readers that know no emission have the
+ * lit share. */
+constexpr double emitted = 0.7, lit = 1 - emitted;
 
 /** Whole metres near the middle of all points, so that floats suffice around it. */
 Eigen::Vector3d
@@ -158,15 +163,18 @@ private:
     return static_cast<int>(model_.accessors.size()) - 1;
   }
 
+  /** \param[in] level of the colour, or what a texture is multiplied by: 0 to 1, linear */
   int
-  appendMaterial(const std::string& name)
+  appendMaterial(const std::string& name, double level)
   {
     tinygltf::Material material;
     material.name = name;
     material.doubleSided = true;
     material.pbrMetallicRoughness.metallicFactor = 0;
-    material.extensions[unlit] = tinygltf::Value(tinygltf::Value::Object());
-    model_.extensionsUsed = {unlit};
+    material.pbrMetallicRoughness.roughnessFactor = 1;
+    material.pbrMetallicRoughness.baseColorFactor = {
+        lit * level, lit * level, lit * level, 1};
+    material.emissiveFactor.assign(3, emitted * level);
     model_.materials.push_back(material);
     return static_cast<int>(model_.materials.size()) - 1;
   }
@@ -174,11 +182,8 @@ private:
   int
   greyMaterial()
   {
-    if (grey_ < 0) {
-      grey_ = appendMaterial("untextured");
-      model_.materials.back().pbrMetallicRoughness.baseColorFactor = {
-          linear_grey, linear_grey, linear_grey, 1};
-    }
+    if (grey_ < 0)
+      grey_ = appendMaterial("untextured", linear_grey);
     return grey_;
   }
 
@@ -202,21 +207,24 @@ private:
     texture.sampler = 0;
     texture.source = static_cast<int>(model_.images.size()) - 1;
     model_.textures.push_back(texture);
-    const int material = appendMaterial(chart.image);
-    model_.materials.back().pbrMetallicRoughness.baseColorTexture.index =
-        static_cast<int>(model_.textures.size()) - 1;
+    const int index = static_cast<int>(model_.textures.size()) - 1;
+    const int material = appendMaterial(chart.image, 1);
+    model_.materials.back().pbrMetallicRoughness.baseColorTexture.index = index;
+    model_.materials.back().emissiveTexture.index = index;
     return material;
   }
 
-  /** glTF has y up and z towards the viewer: half a turn about x from the camera's. */
   void
   appendScene()
   {
+    const Eigen::Matrix3d turn = turnToYUp(map_);
+    const Eigen::Quaterniond rotation(turn);
+    const Eigen::Vector3d translation = turn * middle_;
     tinygltf::Node node;
     node.name = "map";
     node.mesh = 0;
-    node.rotation = {1, 0, 0, 0};
-    node.translation = {middle_.x(), -middle_.y(), -middle_.z()};
+    node.rotation.assign(rotation.coeffs().data(), rotation.coeffs().data() + 4);
+    node.translation.assign(translation.data(), translation.data() + 3);
     model_.nodes.push_back(node);
     model_.scenes.emplace_back();
     model_.scenes[0].nodes = {0};

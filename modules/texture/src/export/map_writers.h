@@ -8,8 +8,13 @@ namespace pcl::acmap {
 
 constexpr const char* material_file_name = "map.mtl";
 
-/** \brief Writes Wavefront OBJ: a group and a material a surface; texture coordinates
- * begin bottom left. Charts name their images.
+/** \brief From the frame of a map to one with y up, as readers of OBJ and glTF have it: a
+ * turn by quarters. */
+Eigen::Matrix3d
+turnToYUp(const CompactMap& map);
+
+/** \brief Writes Wavefront OBJ, y up: a group and a material a surface; texture
+ * coordinates begin bottom left. Charts name their images.
  * \throws OutputFileException */
 void
 writeObj(const std::string& path,
@@ -22,7 +27,8 @@ writeMtl(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces);
 
-/** \brief Writes binary glTF 2.0 with the images inside.
+/** \brief Writes binary glTF 2.0, y up, with the images inside. Needs no extension: of a
+ * colour a share shines by itself, the rest is lit.
  * \param[in] quality of the JPEGs, 1 to 100
  * \throws OutputFileException also when it would be longer than 4 GiB or there is no
  * memory for it */

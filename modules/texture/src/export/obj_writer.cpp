@@ -1,6 +1,9 @@
 #include "export/map_writers.h"
 
+#include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
+
+#include <Eigen/Geometry>
 
 #include <array>
 #include <charconv>
@@ -13,7 +16,9 @@ std::string
 textOf(double value)
 {
   std::array<char, 40> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value + 0.0) // no -0
+          .ptr;
   return {text.data(), end};
 }
 
@@ -25,14 +30,32 @@ materialOf(const ChartSurface& surface)
              : "chart_" + std::to_string(surface.chart);
 }
 
+/** Where the numbers of a turned point come from, as "x, -y, -z". */
+std::string
+axesOf(const Eigen::Matrix3d& turn)
+{
+  std::string text;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 3; ++column)
+      if (turn(row, column) != 0)
+        text += std::string(row > 0 ? ", " : "") + (turn(row, column) < 0 ? "-" : "") +
+                "xyz"[column];
+  return text;
+}
+
 /** Vertices, texture coordinates and faces of a surface; both count alike. */
 std::string
-textOf(const ChartSurface& surface, const CompactMap& map, std::size_t first)
+textOf(const ChartSurface& surface,
+       const CompactMap& map,
+       const Eigen::Matrix3d& turn,
+       std::size_t first)
 {
   std::string text = "g plane_" + std::to_string(surface.plane) + "_" +
                      materialOf(surface) + "\nusemtl " + materialOf(surface) + "\n";
-  for (const Eigen::Vector3d& p : surface.points)
+  for (const Eigen::Vector3d& point : surface.points) {
+    const Eigen::Vector3d p = turn * point;
     text += "v " + textOf(p.x()) + " " + textOf(p.y()) + " " + textOf(p.z()) + "\n";
+  }
   double width = 1;
   double height = 1;
   if (surface.chart != ChartSurface::no_chart) {
@@ -62,19 +85,28 @@ write(OutputFile& file, const std::string& text)
 
 } // namespace
 
+Eigen::Matrix3d
+turnToYUp(const CompactMap& map)
+{
+  const Eigen::Vector3d up = upAxis(map), y = Eigen::Vector3d::UnitY();
+  if (up == -y) // about x: z comes towards the viewer
+    return Eigen::Vector3d(1, -1, -1).asDiagonal();
+  return Eigen::Quaterniond::FromTwoVectors(up, y).toRotationMatrix().array().round();
+}
+
 void
 writeObj(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces)
 {
   OutputFile file(path);
+  const Eigen::Matrix3d turn = turnToYUp(map);
   write(file,
-        "# acmap: planes of a building; metres, y down in the frame of the map\n"
-        "mtllib " +
-            std::string(material_file_name) + "\n");
+        "# acmap: planes of a building; metres, y up: these are " + axesOf(turn) +
+            " of the map's frame\nmtllib " + material_file_name + "\n");
   std::size_t first = 1;
   for (const ChartSurface& surface : surfaces) {
-    write(file, textOf(surface, map, first));
+    write(file, textOf(surface, map, turn, first));
     first += surface.points.size();
   }
   file.commit();
@@ -86,7 +118,7 @@ writeMtl(const std::string& path,
          const std::vector<ChartSurface>& surfaces)
 {
   OutputFile file(path);
-  write(file, "# acmap: images of the planes, to be shown unlit\n");
+  write(file, "# acmap: images of the planes, which contain their light\n");
   bool has_untextured = false;
   for (const ChartSurface& surface : surfaces) {
     if (surface.chart == ChartSurface::no_chart)
@@ -94,12 +126,13 @@ writeMtl(const std::string& path,
     else
       write(file,
             "newmtl " + materialOf(surface) +
-                "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " +
+                "\nKa 0.3 0.3 0.3\nKd 0.7 0.7 0.7\nKs 0 0 0\nillum 1\nmap_Kd " +
                 map.charts[surface.chart].image + "\n");
   }
   if (has_untextured)
-    write(file,
-          "newmtl untextured\nKa 0.5 0.5 0.5\nKd 0.5 0.5 0.5\nKs 0 0 0\nillum 1\n");
+    write(
+        file,
+        "newmtl untextured\nKa 0.15 0.15 0.15\nKd 0.35 0.35 0.35\nKs 0 0 0\nillum 1\n");
   file.commit();
 }
 

@@ -10,8 +10,8 @@ namespace pcl {
 
 /** \brief What is written beside map.json. \ingroup texture */
 struct CompactMapOutputs {
-  bool obj = true;          ///< map.obj with map.mtl and the images
-  bool glb = true;          ///< map.glb, images inside as JPEG
+  bool obj = true;          ///< map.obj with map.mtl and the images; y up
+  bool glb = true;          ///< map.glb, images inside as JPEG; y up
   bool vertex_ply = false;  ///< map.ply, a coloured vertex for each texel
   int jpeg_quality = 85;    ///< 1 to 100
   bool jpeg_images = false; ///< images beside map.obj as JPEG instead of PNG
