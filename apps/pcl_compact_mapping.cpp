@@ -79,9 +79,15 @@ run(Tool& tool, const ChainOptions& options)
   Sequence sequence;
   if (start != StartingPoint::Cloud)
     sequence = chain.sequenceFrom(start);
+  // pictures of the same map stay, though this run would draw none
+  const auto madeOf = [&](bool has_pictures) {
+    return mapIsMadeOf(tool, options, sequence, has_pictures);
+  };
+  const bool has_pictures =
+      display || chain.isFinished("map", madeOf(true), options.output);
   chain.run(
       "map",
-      mapIsMadeOf(tool, options, sequence, display != nullptr),
+      madeOf(has_pictures),
       [&] {
         return makeMap(tool, options, chain, sequence, display != nullptr, folder);
       },

@@ -58,6 +58,15 @@ Chain::folderOf(const std::string& stage) const
   return (fs::path(folder_) / stage).string();
 }
 
+bool
+Chain::isFinished(const std::string& name,
+                  Json made_of,
+                  const std::string& result_folder) const
+{
+  made_of["stages_before"] = made_of_;
+  return StageFolder(folderOf(name), made_of, result_folder).finished().has_value();
+}
+
 const Told&
 Chain::run(const std::string& name,
            Json made_of,
@@ -68,7 +77,7 @@ Chain::run(const std::string& name,
   const StageFolder folder(folderOf(name), made_of, result_folder);
   made_of_ = fingerprint(made_of);
   if (std::optional<Told> told = folder.finished()) {
-    stages_.push_back({name, std::move(*told), true});
+    stages_.push_back({name, std::move(*told), true, {}});
     return stages_.back().told;
   }
   folder.begin();
@@ -90,11 +99,9 @@ Chain::run(const std::string& name,
     folder.abandon();
     throw;
   }
-  if (results.empty())
-    folder.finish(told);
-  else
-    folder.finish(told, results);
-  stages_.push_back({name, std::move(told), false});
+  std::vector<std::string> removed =
+      results.empty() ? folder.finish(told) : folder.finish(told, results);
+  stages_.push_back({name, std::move(told), false, std::move(removed)});
   return stages_.back().told;
 }
 

@@ -22,6 +22,7 @@ struct RunStage {
   std::string name;
   Told told;
   bool is_reused = false;
+  std::vector<std::string> removed; ///< results of an earlier run that this one has not
 };
 
 /** \brief The stages on the way to a compact map, each kept in a folder of its own so that
@@ -47,6 +48,12 @@ public:
       nlohmann::ordered_json made_of,
       const std::function<std::vector<std::string>()>& work,
       const std::string& result_folder = {});
+
+  /** \brief Whether \ref run would take what an earlier run left. */
+  bool
+  isFinished(const std::string& name,
+             nlohmann::ordered_json made_of,
+             const std::string& result_folder = {}) const;
 
   /** \brief Where a stage keeps its results. */
   std::string

@@ -58,7 +58,8 @@ addMapOptions(Tool& tool, ChainOptions& options)
     app.add_flag_callback(
         "--no-pictures",
         [&options] { options.has_pictures = false; },
-        "Draw no pictures, which need an X server, as xvfb-run gives");
+        "Draw no pictures, which need an X server, as xvfb-run gives; those that an "
+        "earlier run drew of the same map stay");
   });
 }
 

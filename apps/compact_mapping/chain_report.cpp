@@ -1,9 +1,11 @@
 #include "chain_report.h"
 
+#include "compact_mapping/map_stage.h"
 #include "observation_folder.h"
 #include "report_page.h"
 
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 namespace pcl::acmap {
@@ -13,23 +15,41 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+constexpr const char* plan_name = "floor_plan.png";
+
 constexpr std::pair<const char*, const char*> captions[] = {
     {"inside.png", "The map from inside, textured."},
     {"outside.png", "The map from outside, without the faces that look away."},
-    {"floor_plan.png", "Floor plan: walls as lines, and the way of the camera."},
+    {plan_name, "Floor plan: walls as lines, and the way of the camera."},
     {"planes.png", "The mesh, in colours by plane."},
     {"mesh.png", "The mesh of the consolidated points."},
     {"plan.png", "All points from above, before and after rectification."}};
 
+/** \param[in] tilt of the map's frame, degrees */
 Json
-picturesIn(const std::string& folder)
+picturesIn(const std::string& folder, double tilt)
 {
   Json pictures = Json::array();
   std::error_code error;
   for (const auto& [name, caption] : captions)
-    if (fs::exists(fs::path(folder) / name, error))
-      pictures.push_back({{"file", name}, {"caption", caption}});
+    if (fs::exists(fs::path(folder) / name, error)) {
+      std::string text = caption;
+      if (tilt > least_tilt_told && std::string_view(name) == plan_name)
+        text +=
+            " Drawn along the floor, from which the frame of the map is tilted by " +
+            shortNumber(tilt) + " degrees.";
+      pictures.push_back({{"file", name}, {"caption", text}});
+    }
   return pictures;
+}
+
+std::string
+inOneLine(const std::vector<std::string>& names)
+{
+  std::string line;
+  for (const std::string& name : names)
+    line += (line.empty() ? "" : ", ") + name;
+  return line;
 }
 
 /** \brief The folders are the chain's own; seconds have a line for all. */
@@ -49,6 +69,8 @@ tellStage(Tool& tool, const RunStage& stage)
   for (const auto& [name, value] : told.lines)
     if (isForChain(name))
       tool.tell("  " + name, value);
+  if (!stage.removed.empty())
+    tool.tell("  removed", inOneLine(stage.removed) + " of the result before");
   for (const std::string& warning : told.report.remarks)
     tool.warn(warning);
   if (!stage.is_reused)
@@ -60,6 +82,8 @@ jsonOf(const RunStage& stage)
 {
   Json json = {{"name", stage.name}, {"reused", stage.is_reused}};
   json.update(acmap::jsonOf(stage.told));
+  if (!stage.removed.empty())
+    json["removed"] = stage.removed;
   return json;
 }
 
@@ -78,9 +102,11 @@ mapIsMadeOf(Tool& tool,
   }
   else
     files = stateOfFile(options.input);
+  Json values = valuesIn(tool, map_group);
+  values.erase("--no-pictures"); // told below
   return {{"files", files},
           {"scale", tool.scale()},
-          {"options", valuesIn(tool, map_group)},
+          {"options", values},
           {"rectifies", options.rectifies},
           {"pictures", has_pictures}};
 }
@@ -111,7 +137,7 @@ tellChain(Tool& tool,
     for (const auto& [name, value] : linesOf(*figures))
       tool.tell(name, value);
   }
-  details["pictures"] = picturesIn(options.output);
+  details["pictures"] = picturesIn(options.output, map.value("tilt_deg", 0.0));
   tool.tellSeconds();
   tool.tell("folder", options.output);
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);

@@ -8,8 +8,11 @@
 #include "plane_extraction/plane_reports.h"
 #include "scaled_cloud.h"
 
+#include <pcl/core/map_up.h>
 #include <pcl/core/point_cloud_writer.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -116,6 +119,21 @@ jsonOf(const std::vector<PlanePatch>& planes)
   return list;
 }
 
+/** \brief Which direction pictures take for up, and how far the map's frame is off it. */
+void
+tellUp(Tool& tool, const CompactMap& map)
+{
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  const Eigen::Vector3d up = upDirection(map);
+  const double tilt = degrees * std::acos(std::min(1.0, up.dot(upAxis(map))));
+  tool.details()["up"] = {up.x(), up.y(), up.z()};
+  tool.details()["tilt_deg"] = tilt;
+  if (tilt > least_tilt_told)
+    tool.tell("tilted",
+              "the frame of the map by " + shortNumber(tilt) +
+                  " degrees, by its planes; pictures are drawn along the floor");
+}
+
 void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
@@ -124,6 +142,7 @@ tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
              mapped.extraction.input_labels,
              mapped.extraction.finite_points);
   tool.details()["planes"] = jsonOf(mapped.map.planes);
+  tellUp(tool, mapped.map);
   tellCompactness(tool, mapped.extraction.finite_points, mapped.map, options.output);
 }
 

@@ -8,6 +8,9 @@
 
 namespace pcl::acmap {
 
+/** \brief Of less nothing is said, degrees. */
+inline constexpr double least_tilt_told = 2;
+
 /** \brief Makes a compact map of observations, or of one cloud, and writes it with its
  * mesh, thinned points, poses and pictures, as a stage of the chain.
  * \param[in] sequence the observations; without poses: one cloud, the options' input

@@ -182,36 +182,40 @@ StageFolder::removeAllButState(std::error_code& error) const
       fs::remove(fs::path(path_) / name, error);
 }
 
-void
+std::vector<std::string>
 StageFolder::removeStale(const std::vector<std::string>& names) const
 {
+  std::vector<std::string> removed;
   for (const Json& entry : earlierResults()) {
     const auto name = entry.at(0).get<std::string>();
     const bool is_new = std::find(names.begin(), names.end(), name) != names.end();
     if (is_new || asWritten(results({name})) != Json::array({entry}))
       continue;
-    std::error_code ignored;
-    fs::remove(fs::path(result_folder_) / name, ignored);
+    std::error_code error;
+    if (fs::remove(fs::path(result_folder_) / name, error))
+      removed.push_back(name);
   }
+  return removed;
 }
 
-void
+std::vector<std::string>
 StageFolder::finish(const Told& told, const std::vector<std::string>& names) const
 {
-  removeStale(names);
+  std::vector<std::string> removed = removeStale(names);
   write({{"format", file_formats::stage},
          {"made_of", made_of_},
          {"finished", true},
          {"results", results(names)},
          {"told", jsonOf(told)}});
+  return removed;
 }
 
-void
+std::vector<std::string>
 StageFolder::finish(const Told& told) const
 {
   std::vector<std::string> names = filesIn(path_);
   names.erase(std::remove(names.begin(), names.end(), state_name), names.end());
-  finish(told, names);
+  return finish(told, names);
 }
 
 void

@@ -38,12 +38,13 @@ public:
   /** \brief Notes that the results are whole, and removes those of an earlier run that
    * have no successor.
    * \param[in] names of the result files
+   * \return names of what was removed
    * \throws OutputFileException */
-  void
+  std::vector<std::string>
   finish(const Told& told, const std::vector<std::string>& names) const;
 
   /** \brief The same for all files of the folder. */
-  void
+  std::vector<std::string>
   finish(const Told& told) const;
 
   /** \brief Removes the folder, and what it lies in where that is empty by then: nothing
@@ -75,8 +76,9 @@ private:
   removeAllButState(std::error_code& error) const;
 
   /** \brief Removes results of the runs before that this one has not, as far as nobody has
-   * changed them. */
-  void
+   * changed them.
+   * \return their names */
+  std::vector<std::string>
   removeStale(const std::vector<std::string>& names) const;
 
   void

@@ -1,6 +1,7 @@
 #include "chain_runs.h"
 #include "plane_runs.h"
 #include "tool_cases.h"
+#include "virtual_display.h"
 
 #include <gmock/gmock.h>
 
@@ -115,6 +116,36 @@ TEST_F(ChainReuse, WhatTheNewMapHasNotIsRemoved)
   EXPECT_EQ(made(), Stages{"map"});
   first_["mine.txt"] = "mine";
   EXPECT_THAT(differing(resultsIn(map_), first_), IsEmpty());
+}
+
+TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
+{
+  const VirtualDisplay display;
+  if (!display.exists())
+    GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  const std::vector<std::string> command = {
+      session_, "-o", map_, "--min-depth", "1"}; // as the first, but with pictures
+  ASSERT_EQ(runTool(ACMAP_COMPACT_MAPPING, command).exit_code, 0);
+  EXPECT_EQ(madeStages(map_), Stages{"map"});
+  const auto with_pictures = resultsIn(map_);
+  const char* const pictures[] = {
+      "inside.png", "outside.png", "floor_plan.png", "planes.png", "mesh.png"};
+  for (const char* name : pictures)
+    EXPECT_EQ(with_pictures.count(name), 1U) << name;
+
+  EXPECT_THAT(made(), IsEmpty()) << "the same map, now with --no-pictures";
+  EXPECT_THAT(differing(resultsIn(map_), with_pictures), IsEmpty());
+  EXPECT_THAT(contentOf(map_ + "/report.html"), HasSubstr("The map from inside"));
+
+  const ToolRun other = runAgain({"--texel", "0.03"});
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const std::size_t line = other.out.find("removed:");
+  ASSERT_NE(line, std::string::npos) << other.out;
+  for (const char* name : pictures) {
+    EXPECT_FALSE(fs::exists(map_ + "/" + name)) << name;
+    EXPECT_NE(other.out.find(name, line), std::string::npos) << other.out;
+  }
+  EXPECT_TRUE(fs::exists(map_ + "/plan.png")) << "of the rectification, still the same";
 }
 
 TEST_F(ChainReuse, WhatSomebodyChangedSinceIsNotRemoved)
