@@ -86,7 +86,7 @@ bindPlanePatches(py::module_& module)
       .def_readonly("effective_support",
                     &PlanePatch::effective_support,
                     "independent ones among them")
-      .def_readonly("rms", &PlanePatch::rms, "metres, of the support about the plane")
+      .def_readonly("rmse", &PlanePatch::rms, "metres, of the support about the plane")
       .def_readonly("area", &PlanePatch::area, "square metres, of the polygons")
       .def_property_readonly(
           "polygons",

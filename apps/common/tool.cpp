@@ -228,6 +228,13 @@ Tool::warn(const std::string& remark)
 }
 
 void
+Tool::warnAtOnce(const std::string& remark) const
+{
+  if (!quiet_)
+    complain("warning: " + remark);
+}
+
+void
 Tool::tell(const std::string& name, const std::string& value)
 {
   told_.lines.emplace_back(name, value);

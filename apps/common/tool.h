@@ -104,6 +104,11 @@ public:
   void
   warn(const std::string& remark);
 
+  /** \brief A warning that is of use only now, such as that the work will take long: told at
+   * once, and in no report. */
+  void
+  warnAtOnce(const std::string& remark) const;
+
   /** \brief The warnings so far. */
   const std::vector<std::string>&
   warnings() const

@@ -122,7 +122,7 @@ planesTable(const Json& report)
   std::string html =
       "<h2>Planes</h2>\n<div class=\"wide\">\n<table>\n<thead><tr>"
       "<th class=\"number\">plane</th><th>equation, metres</th>"
-      "<th class=\"number\">area, m\xC2\xB2</th><th class=\"number\">rms, mm</th>"
+      "<th class=\"number\">area, m\xC2\xB2</th><th class=\"number\">rmse, mm</th>"
       "<th class=\"number\">points</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < planes.size(); ++i)
     html += "<tr>" + cell(numberText(numberOf(planes[i], "id").value_or(i))) +

@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_lines = 20;
+constexpr std::size_t most_lines = 20, lines_of_many = 5;
 
 std::string
 describe(const PlanePatch& plane)
@@ -20,7 +20,7 @@ describe(const PlanePatch& plane)
   char text[128];
   std::snprintf(text,
                 sizeof text,
-                "%.3g m2, rms %.3g mm, normal %.3f %.3f %.3f",
+                "%.3g m2, rmse %.3g mm, normal %.3f %.3f %.3f",
                 plane.area,
                 1000 * plane.rms,
                 n[0],
@@ -96,9 +96,14 @@ tellPlanes(Tool& tool,
   tool.details()["points_on_planes"] = on_planes;
   tool.tell("planes", std::to_string(planes.size()));
   tool.tell("on planes", percent(on_planes, points) + " of the points");
-  if (planes.size() <= most_lines)
-    for (std::size_t id = 0; id < planes.size(); ++id)
-      tool.tell("plane " + std::to_string(id), describe(planes[id]));
+  // they come by falling area
+  const std::size_t listed =
+      planes.size() <= most_lines ? planes.size() : lines_of_many;
+  for (std::size_t id = 0; id < listed; ++id)
+    tool.tell("plane " + std::to_string(id), describe(planes[id]));
+  if (listed < planes.size())
+    tool.tell("further planes",
+              std::to_string(planes.size() - listed) + " smaller ones, in the file");
 }
 
 } // namespace pcl::acmap

@@ -22,7 +22,7 @@ nlohmann::ordered_json
 jsonOf(const DepthPlaneReport& report);
 
 /** \brief Lines of the summary: how many planes, the share of the points on them, and
- * each plane where they are few.
+ * each plane, or of many the largest ones.
  * \param[in] labels for each point of the input its plane, -1 for none
  * \param[in] points of the input that are finite */
 void

@@ -34,7 +34,13 @@ meshConsolidated(Tool& tool, ConsolidatedCloud cloud, double voxel_size);
 void
 voteOnMesh(Tool& tool, HypothesisMesh& mesh, const SensorView& sensors);
 
-/** \brief Finds the planes, as a step of the tool.
+/** \brief About how long the paper's growth of planes takes, seconds: it looks at each pair
+ * of points within W_d several times.
+ * \param[in] member_distance W_d, metres */
+double
+secondsOfPaperGrowth(const PointView& points, double member_distance);
+
+/** \brief Finds the planes, as a step of the tool; warns before where that takes long.
  * \param[in] source the points that the vertices stand for; may be empty */
 PlaneClusters
 findPlanes(Tool& tool,

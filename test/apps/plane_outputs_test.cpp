@@ -122,6 +122,48 @@ TEST_F(PlaneOutputs, NormalsStandInTheMesh)
   EXPECT_GT(right, surface * 95 / 100);
 }
 
+/** Squares above each other, the larger the higher. */
+std::string
+stairsObj(int steps)
+{
+  constexpr int squares = 10;
+  std::string points, faces;
+  for (int step = 0, at = 1; step < steps; ++step)
+    for (int i = 0; i <= squares; ++i)
+      for (int k = 0; k <= squares; ++k, ++at) {
+        const double size = (1 + 0.05 * step) / squares;
+        points += "v " + std::to_string(i * size) + " " + std::to_string(k * size) +
+                  " " + std::to_string(0.7 * step) + "\n";
+        if (i < squares && k < squares)
+          for (const int other : {at + squares + 2, at + 1}) // halves of a square
+            faces +=
+                "f " + std::to_string(at) + " " +
+                std::to_string(other == at + 1 ? at + squares + 2 : at + squares + 1) +
+                " " + std::to_string(other) + "\n";
+      }
+  return points + faces;
+}
+
+TEST_F(PlaneOutputs, OfManyPlanesTheLargestAreListed)
+{
+  const ToolRun many = runPlanes({folder_.write("many.obj", stairsObj(24)), json_});
+  ASSERT_EQ(many.exit_code, 0) << many.err;
+  ASSERT_EQ(planes().size(), 24U);
+  std::size_t listed = 0;
+  for (std::size_t id = 0; id < 24; ++id) {
+    const bool is_listed =
+        many.out.find("plane " + std::to_string(id) + ":") != std::string::npos;
+    listed += is_listed;
+    EXPECT_EQ(is_listed, planes().at(id).at("area") > 3.7) << id;
+  }
+  EXPECT_EQ(listed, 5U) << many.out;
+  EXPECT_NE(many.out.find("further planes: 19 smaller ones"), std::string::npos)
+      << many.out;
+  const ToolRun few = runPlanes({folder_.write("few.obj", stairsObj(3)), json_});
+  EXPECT_NE(few.out.find("plane 2:"), std::string::npos) << few.out;
+  EXPECT_EQ(few.out.find("further"), std::string::npos) << few.out;
+}
+
 TEST_F(PlaneOutputs, SummaryAndReportTellWhatWasDone)
 {
   const std::string path = folder_.path("r.json");
@@ -131,7 +173,7 @@ TEST_F(PlaneOutputs, SummaryAndReportTellWhatWasDone)
                            "planes:      5\n",
                            "on planes:",
                            "plane 4:",
-                           " m2, rms ",
+                           " m2, rmse ",
                            "seconds:",
                            "p.json\n",
                            "labels.pcd\n"})

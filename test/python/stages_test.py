@@ -79,6 +79,9 @@ class Room(unittest.TestCase):
             mine = points[self.planes.source_labels == number]
             self.assertGreater(len(mine), 100)
             self.assertLess(numpy.median(abs(mine @ normal + offset)), 0.015)
+            self.assertGreater(patch.rmse, 0.002)  # named as in JSON; the noise is 0.01
+            self.assertLess(patch.rmse, 0.02)
+            self.assertFalse(hasattr(patch, "rms"))
             self.assertTrue((numpy.linalg.eigvalsh(patch.covariance) > 0).all())
             self.assertAlmostEqual(patch.axis_u @ normal, 0)
             self.assertAlmostEqual(patch.center @ normal + offset, 0)

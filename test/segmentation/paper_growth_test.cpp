@@ -69,7 +69,9 @@ private:
 
 /** What the kernel grows: for each plane its members, ascending. */
 std::vector<NaivePlane>
-growByKernel(const NaiveHypotheses& all, const NaiveThresholds& limits)
+growByKernel(const NaiveHypotheses& all,
+             const NaiveThresholds& limits,
+             const Progress& progress = Progress())
 {
   std::vector<Eigen::Vector3f> points;
   PlaneHypotheses hypotheses;
@@ -92,6 +94,7 @@ growByKernel(const NaiveHypotheses& all, const NaiveThresholds& limits)
                                                              kernel_limits,
                                                              limits.member_distance,
                                                              limits.support,
+                                                             progress,
                                                              report)) {
     planes.push_back({grown.plane.normal,
                       grown.plane.offset - grown.plane.normal.dot(graph.origin),
@@ -112,6 +115,29 @@ makeRoomHypotheses(std::uint64_t seed)
   maker.addBoard({2, 2, 1.2}, {1, 0, 0}, {0, 1, 0}, 60, 0.01, 0.05);
   maker.addClutter(4, 120);
   return maker.all;
+}
+
+/** All points of two boards, far from each other, are within W_d of their board's. */
+TEST(PaperGrowth, tellsHowFarItIsAndCanBeStopped)
+{
+  HypothesisMaker maker(5);
+  maker.addBoard({0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, 2500, 0.001, 0.01);
+  maker.addBoard({9, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, 2500, 0.001, 0.01);
+  std::vector<double> told;
+  growByKernel(maker.all, {}, Progress([&](double fraction, const std::string&) {
+                 told.push_back(fraction);
+                 return true;
+               }));
+  ASSERT_GE(told.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LT(told.front(), 0.4);
+  EXPECT_GT(told.back(), 0.5);
+  EXPECT_LE(told.back(), 0.85);
+  EXPECT_THROW(
+      growByKernel(maker.all, {}, Progress([](double fraction, const std::string&) {
+                     return fraction < 0.4;
+                   })),
+      CancelledException);
 }
 
 TEST(PaperGrowth, isTheNaiveOneWherePlanesAreClear)

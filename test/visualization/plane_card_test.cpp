@@ -28,7 +28,7 @@ TEST(PlaneCard, TellsWhatIsKnown)
   expectLine(card, "deviation  slopes 0.0573 deg and 0.115 deg, offset 3 mm");
   expectLine(card, "support    1000 points, 250 of them independent");
   expectLine(card, "area       15 m2");
-  expectLine(card, "rms        4 mm");
+  expectLine(card, "rmse       4 mm");
 }
 
 TEST(PlaneCard, SaysWhatIsNotKnown)
@@ -42,7 +42,7 @@ TEST(PlaneCard, SaysWhatIsNotKnown)
   expectLine(card, "deviation  slopes unknown and unknown, offset unknown");
   expectLine(card, "support    0 points");
   expectLine(card, "area       unknown");
-  expectLine(card, "rms        unknown");
+  expectLine(card, "rmse       unknown");
 }
 
 TEST(PlaneOnRay, MeetsTheFirstPlane)

@@ -50,7 +50,7 @@ planeCard(const PlanePatch& plane, std::size_t number)
          format(
              "equation   %.5f x %+.5f y %+.5f z %+.4f = 0\n", c[0], c[1], c[2], c[3]) +
          "deviation  " + deviations(plane.covariance) + "\nsupport    " + support +
-         "\narea       " + known("%.4g m2", plane.area) + "\nrms        " +
+         "\narea       " + known("%.4g m2", plane.area) + "\nrmse       " +
          known("%.3g mm", plane.rms * 1000) + "\n";
 }
 

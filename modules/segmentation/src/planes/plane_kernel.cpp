@@ -68,6 +68,7 @@ growAll(const CellGraph& graph,
         const PlaneLimits& limits,
         double least_area,
         double merge_cosine,
+        const Progress& progress,
         PlaneClusteringReport& report)
 {
   std::vector<GrownPlane> grown =
@@ -77,6 +78,7 @@ growAll(const CellGraph& graph,
                                           limits,
                                           settings.member_distance,
                                           settings.least_support,
+                                          progress,
                                           report);
   report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
   if (limits.bow > 0)
@@ -250,7 +252,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     std::vector<GrownPlane> grown;
     if (graph.spacing > 0)
-      grown = growAll(graph, seeds, settings, limits, least_area, merge_cosine, report);
+      grown = growAll(
+          graph, seeds, settings, limits, least_area, merge_cosine, progress, report);
     timer.finish("growing");
 
     KnownPlanes known = knownPlanes(graph, grown);

@@ -9,7 +9,7 @@
 namespace pcl {
 
 /** \brief What is known of a plane, a line each: number, equation, standard deviations of
- * slopes and offset, support, area, rms. What is not known is called so.
+ * slopes and offset, support, area, rmse. What is not known is called so.
  * \param[in] number of the plane in its map \ingroup visualization */
 ACMAP_EXPORT std::string
 planeCard(const PlanePatch& plane, std::size_t number);
