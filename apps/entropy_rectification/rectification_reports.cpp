@@ -89,13 +89,12 @@ largestOf(const std::vector<double>& values)
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/** A share of the rays before and after, in %. */
+/** A share of rays before and after, in %. */
 std::string
 change(double before, double after, bool is_new)
 {
-  const std::string from = shortNumber(100 * before);
-  const std::string to = shortNumber(100 * after);
-  return is_new ? from + " to " + to + " %" : from + " % (best candidate " + to + " %)";
+  return shortNumber(100 * before) + (is_new ? " % before, " : " % (best candidate ") +
+         shortNumber(100 * after) + (is_new ? " % after" : " %)");
 }
 
 void
@@ -104,11 +103,22 @@ tellEvidence(Tool& tool, const EntropyRectificationReport& report)
   const bool is_new = report.outcome == RectificationOutcome::Rectified;
   const MapEvidence& before = report.before;
   const MapEvidence& after = report.after;
+  const auto near_confirmed = [](const MapEvidence& rays) {
+    return rays.near_rays * (1 - rays.near_contradictions);
+  };
+  const auto far_confirmed = [](const MapEvidence& rays) {
+    return rays.far_rays * (1 - rays.far_contradictions);
+  };
   tool.tell("contradicted",
-            change(before.near_contradictions, after.near_contradictions, is_new) +
-                " of the rays by near observations, " +
-                change(before.far_contradictions, after.far_contradictions, is_new) +
-                " by far ones");
+            "of the rays that near observations tell about " +
+                change(before.near_contradictions, after.near_contradictions, is_new) +
+                "; of those that far ones do " +
+                change(before.far_contradictions, after.far_contradictions, is_new));
+  tool.tell("confirmed",
+            "of all rays by near observations " +
+                change(near_confirmed(before), near_confirmed(after), is_new) +
+                "; by far ones " +
+                change(far_confirmed(before), far_confirmed(after), is_new));
 }
 
 } // namespace

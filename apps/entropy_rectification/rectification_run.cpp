@@ -8,6 +8,7 @@
 
 #include <pcl/mapping/entropy_rectification.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl::acmap {
@@ -46,6 +47,19 @@ posesOf(const Rectification& rectification)
   return poses;
 }
 
+/** \brief Whether all poses turn about y only and have the same height, as motions on a
+ * floor leave them. */
+bool
+areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
+{
+  constexpr double level = 1 - 1e-8, height = 1e-4; // cosine, metres
+  return poses.size() > 1 &&
+         std::all_of(poses.begin(), poses.end(), [&](const Eigen::Isometry3d& pose) {
+           const double rise = pose.translation().y() - poses[0].translation().y();
+           return pose.linear()(1, 1) > level && std::abs(rise) < height;
+         });
+}
+
 void
 warnOfTilt(Tool& tool, const MapObservations& observations)
 {
@@ -53,9 +67,14 @@ warnOfTilt(Tool& tool, const MapObservations& observations)
   constexpr double degrees = 180 / 3.14159265358979323846;
   const double tilt = degrees * tiltOf(observations).value_or(0.0);
   if (tilt > most)
-    tool.warn("floors and ceilings lie " + std::to_string(std::lround(tilt)) +
-              " degrees off the xz plane: the map is not level, and is rectified about "
-              "its y axis all the same");
+    tool.warn(
+        "floors and ceilings lie " + std::to_string(std::lround(tilt)) +
+        " degrees off the xz plane: the map is not level, and is rectified about its y "
+        "axis all the same" +
+        (areOnAFloor(observations.trajectory.poses)
+             ? "; its poses turn about y only: where a hand held the camera, find them "
+               "again with --6dof (of pcl_visual_egomotion or pcl_compact_mapping)"
+             : ""));
 }
 
 } // namespace

@@ -193,6 +193,15 @@ warnOfSkips(Tool& tool, const ObservationList& list, const EgomotionRun& run)
               " further observations were joined past others, the report tells which");
 }
 
+Json
+jsonOf(const FreeMotion& free)
+{
+  return {{"pairs", free.pairs},
+          {"free", free.free},
+          {"tilt", free.tilt},
+          {"rise", free.rise}};
+}
+
 void
 tellMotions(Tool& tool, const EgomotionRun& run)
 {
@@ -260,12 +269,27 @@ addDetails(Tool& tool,
                     {"posed_files", posed_files},
                     {"lost", lost},
                     {"median_deviations", medianDeviations(run)},
+                    {"free_motion", jsonOf(run.free)},
                     {"pairs", pairs}};
   if (comparison)
     tool.details()["truth"] = jsonOf(*comparison);
 }
 
 } // namespace
+
+void
+warnOfFreeMotion(Tool& tool, const EgomotionRun& run)
+{
+  const FreeMotion& free = run.free;
+  if (2 * free.free <= free.pairs)
+    return;
+  tool.warn("the camera does not move level: from one observation to the next it tilts "
+            "by " +
+            shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
+            shortNumber(1000 * free.rise) + " mm (medians of " +
+            std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
+            "), which motions on a floor cannot follow: run again with --6dof");
+}
 
 void
 tellRun(Tool& tool,

@@ -4,6 +4,10 @@
 
 namespace pcl::acmap {
 
+/** \brief Warns where the motions were found on the floor, and the camera left it. */
+void
+warnOfFreeMotion(Tool& tool, const EgomotionRun& run);
+
 /** \brief Tells on stdout and in the report what became of a sequence; lost observations
  * are warned of by name.
  * \param[in] comparison nothing where the truth is not known */

@@ -9,6 +9,7 @@
 #include <pcl/egomotion/visual_egomotion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -92,6 +93,69 @@ private:
   EgomotionRun& run_;
   Egomotion egomotion_;
 };
+
+double
+medianOf(std::vector<double> values)
+{
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** \brief Whether a motion leaves the floor, clearly beyond what it may err by. */
+bool
+isFree(const EgomotionEstimate& estimate, double tilt, double rise)
+{
+  constexpr double least_tilt = 0.5 * pi / 180, least_rise = 0.02; // radians, metres
+  constexpr double sigmas = 4;
+  const auto& covariance = estimate.covariance;
+  return tilt > std::max(least_tilt,
+                         sigmas * std::sqrt(covariance(3, 3) + covariance(5, 5))) ||
+         rise > std::max(least_rise, sigmas * std::sqrt(covariance(1, 1)));
+}
+
+/** \brief Tries neighbouring observations all over the sequence with six degrees of
+ * freedom. */
+FreeMotion
+probeFreeMotion(const Tool& tool,
+                const EgomotionOptions& options,
+                const ObservationList& list,
+                const ProgressCallback& progress)
+{
+  constexpr std::size_t most_pairs = 5;
+  Egomotion egomotion;
+  egomotion.setMotionModel(MotionModel::Rigid);
+  egomotion.setMaximumKeypoints(options.keypoints);
+  egomotion.setRefinement(options.refines);
+  egomotion.setNumberOfThreads(tool.threads());
+  egomotion.setMaximumTranslation(options.most_translation);
+  egomotion.setMaximumRotation(options.most_rotation * pi / 180);
+  egomotion.setProgressCallback(progress);
+  FreeMotion result;
+  std::vector<double> tilts, rises;
+  const std::size_t steps = list.size() - 1; // from one to the next
+  const std::size_t pairs = std::min(steps, most_pairs);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const std::size_t first = (2 * k + 1) * steps / (2 * pairs);
+    egomotion.setInputTarget(
+        loadEgomotionObservation(list.paths[first], first, tool.scale()).cloud);
+    egomotion.setInputSource(
+        loadEgomotionObservation(list.paths[first + 1], first + 1, tool.scale()).cloud);
+    const std::optional<EgomotionEstimate> estimate = egomotion.compute();
+    if (!estimate)
+      continue;
+    const Eigen::Isometry3d& motion = estimate->T_target_source;
+    tilts.push_back(std::acos(std::clamp(motion.linear()(1, 1), -1.0, 1.0)));
+    rises.push_back(std::abs(motion.translation().y()));
+    ++result.pairs;
+    result.free += isFree(*estimate, tilts.back(), rises.back());
+  }
+  result.tilt = medianOf(tilts);
+  result.rise = medianOf(rises);
+  return result;
+}
 
 /** \brief Reads the next observation while the one before is worked on. */
 class ObservationReader {
@@ -216,6 +280,11 @@ runEgomotion(Tool& tool,
         warnOfLengths(tool, observation.file);
       chain.add(std::move(observation));
     }
+    if (!options.is_rigid && list.size() > 1)
+      run.free =
+          probeFreeMotion(tool, options, list, [&](double, const std::string& step) {
+            return callback(1, step);
+          });
   });
   return run;
 }

@@ -31,10 +31,21 @@ struct EgomotionPair {
   }
 };
 
+/** \brief How far a camera leaves what motions in its xz plane and about its y axis can
+ * follow, from one observation to the next. */
+struct FreeMotion {
+  std::size_t pairs =
+      0; ///< that were tried with six degrees of freedom, and have a motion
+  std::size_t free = 0; ///< of these, clearly beyond their noise
+  double tilt = 0;      ///< of its y axis, radians, median
+  double rise = 0;      ///< along y, metres, either way, median
+};
+
 /** \brief What became of a sequence. */
 struct EgomotionRun {
   std::vector<EgomotionPair> pairs;
   std::vector<std::optional<Eigen::Isometry3d>> poses; ///< T_map_camera; lost: none
+  FreeMotion free; ///< of a few pairs, where motions were found on the floor
 
   std::size_t
   posed() const;

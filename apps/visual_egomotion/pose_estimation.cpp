@@ -35,6 +35,7 @@ estimatePoses(Tool& tool, const EgomotionOptions& options)
   timer.finish("list");
 
   const EgomotionRun found = runEgomotion(tool, options, list, folder);
+  warnOfFreeMotion(tool, found);
   requireMotion(tool, list, found);
   timer.finish("estimate");
 

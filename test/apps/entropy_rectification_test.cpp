@@ -3,14 +3,19 @@
 #include "tool_cases.h"
 
 #include <pcl/core/image_file.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_writer.h>
 #include <pcl/io/pcd_io.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstring>
 #include <filesystem>
+#include <regex>
 #include <set>
+#include <sstream>
 
 namespace pcl::acmap::test {
 
@@ -125,6 +130,45 @@ TEST(RectificationTool, StraightensAFolder)
   EXPECT_EQ(report.at("moved").size(), 24U);
   EXPECT_LT(report.at("after").at("far_contradictions"),
             report.at("before").at("far_contradictions"));
+}
+
+/** Near and far observations, before and after: each a share in %. */
+TEST(RectificationTool, SharesOfRaysAreTold)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out");
+  const ToolRun run = runRectification({driftedRoom().session, "-o", output});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json report = reportOf(output);
+  // the reason stands behind the outcome, and has no numbers of its own
+  const std::string reason = report.at("rectified");
+  EXPECT_EQ(reason.find_first_of("0123456789"), std::string::npos) << reason;
+  std::istringstream lines(run.out);
+  std::size_t told = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_contradicted = line.rfind("contradicted:", 0) == 0;
+    if (!is_contradicted && line.rfind("confirmed:", 0) != 0)
+      continue;
+    const std::regex share("([0-9.e+-]+) % (before|after)");
+    std::vector<double> shares;
+    for (std::sregex_iterator i(line.begin(), line.end(), share), end; i != end; ++i)
+      shares.push_back(std::stod((*i)[1]));
+    ASSERT_EQ(shares.size(), 4U) << line;
+    std::size_t next = 0;
+    for (const char* distance : {"near", "far"})
+      for (const char* time : {"before", "after"}) {
+        const nlohmann::json& rays = report.at(time);
+        const double contradicted =
+            rays.at(std::string(distance) + "_contradictions").get<double>();
+        const double confirmed =
+            rays.at(std::string(distance) + "_rays").get<double>() * (1 - contradicted);
+        const double wanted = 100 * (is_contradicted ? contradicted : confirmed);
+        EXPECT_NEAR(shares[next], wanted, 0.01 * wanted) << line;
+        EXPECT_LE(shares[next++], 100) << line;
+      }
+    ++told;
+  }
+  EXPECT_EQ(told, 2U) << run.out;
 }
 
 TEST(RectificationTool, PlansHaveOneScaleAndExtent)
@@ -243,6 +287,26 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTold)
   const ToolRun run = runRectification({session, "-o", folder.path("out")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("20 degrees off the xz plane"));
+  EXPECT_THAT(run.err, Not(HasSubstr("--6dof"))) << "the poses know the tilt";
+
+  // the camera is tilted, and its poses turn about y as those of a robot
+  const std::string unknown = copyOfRoom(folder.path("unknown"));
+  for (std::size_t i = 0; i < driftedRoom().truth.poses.size(); ++i) {
+    PointCloudFile file = loadPointCloud(observationOf(unknown, i));
+    const Eigen::AngleAxisf tilt(0.35F, Eigen::Vector3f::UnitX());
+    for (std::size_t at = 0; at < file.cloud.data.size(); at += file.cloud.point_step) {
+      Eigen::Vector3f place; // x, y, z are the first fields
+      std::memcpy(place.data(), &file.cloud.data[at], sizeof place);
+      place = tilt * place;
+      std::memcpy(&file.cloud.data[at], place.data(), sizeof place);
+    }
+    savePointCloud(observationOf(unknown, i), file.cloud);
+  }
+  const ToolRun floor = runRectification({unknown, "-o", folder.path("floor")});
+  EXPECT_EQ(floor.exit_code, 0) << floor.err;
+  EXPECT_THAT(floor.err, HasSubstr("degrees off the xz plane"));
+  EXPECT_THAT(floor.err, HasSubstr("again with --6dof"));
+
   const ToolRun level =
       runRectification({driftedRoom().session, "-o", folder.path("level"), "--quiet"});
   EXPECT_EQ(level.err, "");

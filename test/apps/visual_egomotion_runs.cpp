@@ -120,6 +120,18 @@ takePlaces(PCLPointCloud2& cloud)
 }
 
 void
+turn(PCLPointCloud2& cloud, const Eigen::AngleAxisf& by)
+{
+  const std::size_t x = fieldOf(cloud, "x").offset; // y and z follow
+  for (std::size_t at = x; at < cloud.data.size(); at += cloud.point_step) {
+    Eigen::Vector3f place;
+    std::memcpy(place.data(), &cloud.data[at], sizeof place);
+    place = by * place;
+    std::memcpy(&cloud.data[at], place.data(), sizeof place);
+  }
+}
+
+void
 dropField(PCLPointCloud2& cloud, const std::string& name)
 {
   cloud.fields.erase(cloud.fields.begin() +

@@ -59,6 +59,10 @@ blacken(PCLPointCloud2& cloud);
 void
 takePlaces(PCLPointCloud2& cloud);
 
+/** \brief Turns all places, as if the camera had turned the other way about its place. */
+void
+turn(PCLPointCloud2& cloud, const Eigen::AngleAxisf& by);
+
 /** \brief Leaves out a field. */
 void
 dropField(PCLPointCloud2& cloud, const std::string& name);

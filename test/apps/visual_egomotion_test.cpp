@@ -99,6 +99,28 @@ TEST(EgomotionTool, ObservationsAreAsTheyWereButForThePose)
   }
 }
 
+/** A hand turns the camera up; on a floor it cannot. */
+TEST(EgomotionTool, ACameraThatLeavesTheFloorIsToldOfWithWhatToDo)
+{
+  const TemporaryFolder folder;
+  const std::string session = copyOfHall(folder.path("session"));
+  constexpr float step = 0.05F; // radians
+  for (std::size_t i = 0; i < 6; ++i)
+    change(observationIn(session, i), [&](PCLPointCloud2& cloud) {
+      const float angle = step * static_cast<float>(i);
+      turn(cloud, Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitX()));
+    });
+  const ToolRun run = runEgomotion({session, "-o", folder.path("floor")});
+  EXPECT_THAT(run.err, HasSubstr("does not move level"));
+  EXPECT_THAT(run.err, HasSubstr("run again with --6dof"));
+  EXPECT_THAT(run.err, HasSubstr("tilts by 2.8")) << "of 0.05 radians";
+
+  const ToolRun free = runEgomotion({session, "-o", folder.path("free"), "--6dof"});
+  EXPECT_EQ(free.exit_code, 0);
+  EXPECT_EQ(free.err, "");
+  EXPECT_THAT(free.out, HasSubstr("posed:       6 of 6 observations"));
+}
+
 TEST(EgomotionTool, LostObservationsLeaveAGap)
 {
   const TemporaryFolder folder;

@@ -100,6 +100,8 @@ TEST(RectificationGuard, refusesWhatRaysContradictAndSaysSo)
   const EntropyRectificationReport& report = rectification.getReport();
   EXPECT_EQ(report.outcome, RectificationOutcome::Refused);
   EXPECT_NE(report.reason.find("rays contradict"), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find(" % of those that near"), std::string::npos)
+      << report.reason;
   EXPECT_TRUE(isUntouched(rectification, odometry));
   EXPECT_GT(report.after.near_contradictions + report.after.far_contradictions, 0.1)
       << "of the candidate that was refused";

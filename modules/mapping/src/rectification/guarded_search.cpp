@@ -42,9 +42,10 @@ distanceBetween(const std::vector<PlanarPose>& a, const std::vector<PlanarPose>&
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/** Share of all rays that end on a wall which others have seen. */
+/** Share of all rays that end on a wall which near observations have seen, and the same of
+ * far ones: up to 2. */
 double
-confirmedShare(const MapEvidence& rays)
+confirmedShares(const MapEvidence& rays)
 {
   return rays.near_rays * (1 - rays.near_contradictions) +
          rays.far_rays * (1 - rays.far_contradictions);
@@ -62,11 +63,11 @@ contradictionsOf(const MapEvidence& rays)
   return rays.near_contradictions + rays.far_contradictions;
 }
 
-/** Confirmed less contradicted rays, a share of all. */
+/** Confirmed less contradicted rays, shares of all by near and by far observations. */
 double
 balanceOf(const MapEvidence& rays)
 {
-  return confirmedShare(rays) - rays.near_rays * rays.near_contradictions -
+  return confirmedShares(rays) - rays.near_rays * rays.near_contradictions -
          rays.far_rays * rays.far_contradictions;
 }
 
@@ -242,26 +243,27 @@ private:
     report_.after = map.evidence;
     report_.odometry_scale = map.scale;
     report_.strongest_action = strongestAction(map);
-    std::ostringstream text;
-    text.precision(3);
-    const MapEvidence& before = report_.before;
     if (!isGood(map)) {
-      text << "rays contradict the best map found: " << map.evidence.near_contradictions
-           << " of what neighbours see and " << map.evidence.far_contradictions
-           << " of what others see, where short windows have "
-           << contradictionsIn(usual_) << "; strongest action "
+      std::ostringstream text;
+      text.precision(3);
+      text << "rays contradict the best map found: "
+           << 100 * map.evidence.near_contradictions
+           << " % of those that near observations tell about and "
+           << 100 * map.evidence.far_contradictions
+           << " % of those that far ones do, where short windows have "
+           << 100 * contradictionsIn(usual_) << " %; its strongest action is "
            << report_.strongest_action << " sigma; its path is "
-           << lengthOf(map.poses) / lengthOf(given_) << " of the odometry's";
+           << lengthOf(map.poses) / lengthOf(given_)
+           << " times as long as the odometry's";
       return end(RectificationOutcome::Refused, text.str());
     }
-    text << "contradicted rays " << contradictionsOf(before) << " before, "
-         << contradictionsOf(map.evidence) << " after (" << map.name
-         << " search); confirmed " << confirmedShare(before) << " before, "
-         << confirmedShare(map.evidence) << " after";
-    if (!isBetter(map.evidence, before))
+    const std::string search = std::string(map.name) + " search";
+    if (!isBetter(map.evidence, report_.before))
       return end(RectificationOutcome::Kept,
-                 "the given map is as good as the best found: " + text.str());
-    end(RectificationOutcome::Rectified, text.str());
+                 "the given map is as good as the best one that was found (" + search +
+                     ")");
+    end(RectificationOutcome::Rectified,
+        "the rays agree better with a map of the " + search);
     return map.poses;
   }
 
