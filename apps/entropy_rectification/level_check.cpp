@@ -45,8 +45,8 @@ gather(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3f& like)
 
 } // namespace
 
-std::optional<double>
-tiltOf(const MapObservations& observations)
+std::optional<Eigen::Vector3d>
+floorNormalOf(const MapObservations& observations)
 {
   std::size_t points = 0;
   const std::vector<Eigen::Vector3f> normals = floorNormals(observations, points);
@@ -60,8 +60,7 @@ tiltOf(const MapObservations& observations)
   if (static_cast<double>(best.first) < least_share * static_cast<double>(points) ||
       best.first == 0)
     return std::nullopt;
-  const Eigen::Vector3f floor = best.second.normalized();
-  return std::acos(std::min(1.0, static_cast<double>(floor.y())));
+  return best.second.cast<double>().normalized();
 }
 
 } // namespace pcl::acmap

@@ -6,10 +6,10 @@
 
 namespace pcl::acmap {
 
-/** \brief How far floors and ceilings are off the map's xz plane, radians: the angle
- * between y and the direction that most of the normals within 45 degrees of it share.
+/** \brief The normal of floors and ceilings, in the map and with y > 0: the direction that
+ * most of the normals within 45 degrees of y share.
  * Nothing where few points have such a normal. */
-std::optional<double>
-tiltOf(const MapObservations& observations);
+std::optional<Eigen::Vector3d>
+floorNormalOf(const MapObservations& observations);
 
 } // namespace pcl::acmap

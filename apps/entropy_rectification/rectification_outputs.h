@@ -13,6 +13,7 @@ namespace pcl::acmap {
  * plan_before.png, plan_after.png, plan.png, energy.png and, where asked for, the
  * observations.
  * \param[in] poses rectified, T_map_camera
+ * \param[in] floor its normal, y > 0: plans are drawn along it
  * \param[in] steps of the search
  * \throws OutputFileException when one could not be written
  * \throws InputFileException when an observation can no longer be read
@@ -22,6 +23,7 @@ writeOutputs(Tool& tool,
              const RectificationOptions& options,
              const MapObservations& observations,
              const std::vector<Eigen::Isometry3d>& poses,
+             const Eigen::Vector3d& floor,
              const std::vector<RectificationStep>& steps,
              const OutputFolder& folder);
 

@@ -60,21 +60,28 @@ areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
          });
 }
 
-void
-warnOfTilt(Tool& tool, const MapObservations& observations)
+/** \brief Warns of a map that is not level.
+ * \return the normal of its floor; y of a level map */
+Eigen::Vector3d
+checkLevel(Tool& tool, const MapObservations& observations)
 {
   constexpr double most = 10; // degrees
   constexpr double degrees = 180 / 3.14159265358979323846;
-  const double tilt = degrees * tiltOf(observations).value_or(0.0);
-  if (tilt > most)
-    tool.warn(
-        "floors and ceilings lie " + std::to_string(std::lround(tilt)) +
-        " degrees off the xz plane: the map is not level, and is rectified about its y "
-        "axis all the same" +
-        (areOnAFloor(observations.trajectory.poses)
-             ? "; its poses turn about y only: where a hand held the camera, find them "
-               "again with --6dof (of pcl_visual_egomotion or pcl_compact_mapping)"
-             : ""));
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d floor = floorNormalOf(observations).value_or(y);
+  const double tilt = degrees * std::acos(std::min(1.0, floor.y()));
+  if (tilt <= most)
+    return y;
+  tool.warn(
+      "floors and ceilings lie " + std::to_string(std::lround(tilt)) +
+      " degrees off the xz plane: the map is not level, and is rectified about its "
+      "y axis all the same; plans are drawn along the floor" +
+      (areOnAFloor(observations.trajectory.poses)
+           ? "; its poses turn about y only: where a hand held the camera, find "
+             "them again with --6dof (of pcl_visual_egomotion or "
+             "pcl_compact_mapping)"
+           : ""));
+  return floor;
 }
 
 } // namespace
@@ -95,8 +102,8 @@ rectifyPoses(Tool& tool,
             : readScans(tool, options.log, options.every);
   if (observations.points == 0)
     throw NothingFound(options.input() + ": has no point");
-  if (posed)
-    warnOfTilt(tool, observations);
+  const Eigen::Vector3d floor =
+      posed ? checkLevel(tool, observations) : Eigen::Vector3d::UnitY();
   timer.finish("read");
 
   Rectification rectification;
@@ -105,7 +112,7 @@ rectifyPoses(Tool& tool,
 
   const EntropyRectificationReport& report = rectification.getReport();
   writeOutputs(
-      tool, options, observations, posesOf(rectification), report.steps, folder);
+      tool, options, observations, posesOf(rectification), floor, report.steps, folder);
   tool.stopIfInterrupted();
   folder.commit();
   timer.finish("write");

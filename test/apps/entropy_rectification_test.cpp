@@ -288,6 +288,12 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTold)
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("20 degrees off the xz plane"));
   EXPECT_THAT(run.err, Not(HasSubstr("--6dof"))) << "the poses know the tilt";
+  const RgbImage plan = loadRgbImage(folder.path("out/plan_before.png"));
+  saveTrajectory(session + "/trajectory.txt", driftedRoom().truth);
+  ASSERT_EQ(runRectification({session, "-o", folder.path("true")}).exit_code, 0);
+  const RgbImage level_plan = loadRgbImage(folder.path("true/plan_before.png"));
+  EXPECT_NEAR(plan.height, level_plan.height, 20) << "drawn along the floor";
+  EXPECT_NEAR(plan.width, level_plan.width, 20);
 
   // the camera is tilted, and its poses turn about y as those of a robot
   const std::string unknown = copyOfRoom(folder.path("unknown"));

@@ -232,16 +232,17 @@ tiltedRoom(double tilt, double floor_share)
 TEST(LevelCheck, TellsTheTiltOfTheFloor)
 {
   for (const double tilt : {0.0, 5.0, 12.0, 30.0, -40.0}) {
-    const std::optional<double> told = tiltOf(tiltedRoom(tilt * degree, 0.3));
+    const auto told = floorNormalOf(tiltedRoom(tilt * degree, 0.3));
     ASSERT_TRUE(told) << tilt;
-    EXPECT_NEAR(*told / degree, std::abs(tilt), 1.0);
+    const Eigen::AngleAxisd turn(tilt * degree, Eigen::Vector3d::UnitZ());
+    EXPECT_LT((*told - turn * Eigen::Vector3d::UnitY()).norm() / degree, 1.0) << tilt;
   }
 }
 
 TEST(LevelCheck, SaysNothingWithoutAFloor)
 {
-  EXPECT_FALSE(tiltOf(tiltedRoom(0, 0)));
-  EXPECT_FALSE(tiltOf(MapObservations()));
+  EXPECT_FALSE(floorNormalOf(tiltedRoom(0, 0)));
+  EXPECT_FALSE(floorNormalOf(MapObservations()));
 }
 
 } // namespace
