@@ -16,14 +16,17 @@ public:
                const RadiusNeighbourhood& near,
                const Progress& progress)
   : progress_(progress)
-  , open_points_(static_cast<double>(graph.size()))
+  , is_closed_(graph.size(), false)
   {
     constexpr std::size_t samples = 100;
+    constexpr double visits =
+        2; // of a point: when it joins, and when all are looked at
     const std::size_t step = 1 + graph.size() / samples;
     std::size_t pairs = 0, points = 0;
     for (std::size_t i = 0; i < graph.size(); i += step, ++points)
       near.visit(static_cast<std::int32_t>(i), [&](std::int32_t) { ++pairs; });
-    pairs_each_ = static_cast<double>(pairs) / std::max(1.0, double(points));
+    pairs_each_ = visits * static_cast<double>(pairs) /
+                  std::max(1.0, static_cast<double>(points));
   }
 
   void
@@ -34,27 +37,33 @@ public:
     if (pairs_ - told_ < pairs_between)
       return;
     told_ = pairs_;
-    constexpr double visits =
-        2; // of a point: when it joins, and when all are looked at
-    progress_.tell(share_of_growth * pairs_ /
-                       (pairs_ + visits * pairs_each_ * open_points_),
-                   "growing");
+    const auto open = static_cast<double>(is_closed_.size() - closed_);
+    share_ = std::max(share_, pairs_ / (pairs_ + pairs_each_ * open));
+    progress_.tell(share_of_growth * share_, "growing");
   }
 
-  /** \brief Points that no pairs will be looked for any more. */
+  /** \brief Notes members of a region, which are no seeds any more. Where regions are
+   * refused, and their members looked at again, those to come take longer too. */
   void
-  close(std::size_t points)
+  close(const std::vector<std::int32_t>& members)
   {
-    open_points_ = std::max(0.0, open_points_ - static_cast<double>(points));
+    for (const std::int32_t member : members) {
+      closed_ += is_closed_[static_cast<std::size_t>(member)] ? 0 : 1;
+      is_closed_[static_cast<std::size_t>(member)] = true;
+    }
+    if (closed_ > 0)
+      pairs_each_ = std::max(pairs_each_, pairs_ / static_cast<double>(closed_));
   }
 
 private:
   static constexpr double share_of_growth = 0.85; ///< of all steps of the clustering
 
   const Progress& progress_;
-  double open_points_;
-  double pairs_each_ = 0;       ///< mean number within W_d of a point
+  std::vector<bool> is_closed_;
+  std::size_t closed_ = 0;
+  double pairs_each_ = 0;       ///< to look at for a point that is open
   double pairs_ = 0, told_ = 0; ///< looked at so far, and when it was last told
+  double share_ = 0;            ///< that was told; it never falls
 };
 
 /** \brief Who is nearer than W_d, counted. */
@@ -105,7 +114,7 @@ growAsPaper(const CellGraph& graph,
              next,
              owner,
              [&](const std::vector<std::int32_t>& members, const PlaneRegion& region) {
-               pairs.close(members.size());
+               pairs.close(members);
                if (members.size() <= least_support) {
                  ++report.small_regions;
                  return false;
