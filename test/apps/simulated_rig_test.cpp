@@ -215,8 +215,9 @@ TEST_F(SimulatedRig, KinectMakesCloudsOfRoundedDisparities)
   EXPECT_EQ(file.cloud.width, 640u);
   EXPECT_EQ(file.cloud.height, 480u);
   std::size_t finite = 0;
-  for (const Eigen::Vector3f point : file.points())
-    if (point.allFinite()) {
+  const PointView points = file.points();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3f point = points[i]; point.allFinite()) {
       ++finite;
       const double steps = 575.0 * 0.075 / static_cast<double>(point.z()) / 0.125;
       // of depths rounded to a millimetre

@@ -43,8 +43,8 @@ private:
   std::vector<Seed>
   seedsOf(std::size_t block, double flatness) const
   {
-    constexpr double full = 0.9, pixels_a_tile = 64;
-    const double enough = full * pixels_a_tile * static_cast<double>(block * block);
+    constexpr double filled = 0.3, pixels_a_tile = 64;
+    const double enough = filled * pixels_a_tile * static_cast<double>(block * block);
     std::vector<Seed> seeds;
     for (std::size_t row = 0; row + block <= tiles_.rows(); ++row)
       for (std::size_t column = 0; column + block <= tiles_.columns(); ++column) {
