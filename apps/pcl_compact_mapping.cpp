@@ -45,17 +45,22 @@ isIn(const std::string& path, const std::string& folder)
          outer.end();
 }
 
-/** \brief What is read must not lie where results are put. */
-void
-checkPlaces(const Tool& tool, const ChainOptions& options)
+std::vector<std::string>
+inputsOf(const ChainOptions& options)
 {
   std::vector<std::string> inputs = {options.input};
   if (!options.stereo.poses.empty())
     inputs.push_back(options.stereo.poses);
   if (!options.truth.empty())
     inputs.push_back(options.truth + "/truth.json");
-  tool.requireReportWritable(inputs);
-  for (const std::string& input : inputs)
+  return inputs;
+}
+
+/** \brief What is read must not lie where results are put. */
+void
+checkPlaces(const ChainOptions& options)
+{
+  for (const std::string& input : inputsOf(options))
     if (isIn(input, options.output))
       throw UsageError(input + ": lies in the folder that is to hold the map; name "
                                "another one");
@@ -64,12 +69,13 @@ checkPlaces(const Tool& tool, const ChainOptions& options)
 void
 run(Tool& tool, const ChainOptions& options)
 {
+  checkPlaces(options);
   const StartingPoint start =
       startingPointOf(options.input, options.texture.skip_broken);
   requireSense(tool, options, start);
   const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
   OutputFolder folder(options.output);
-  checkPlaces(tool, options);
+  tool.requireReportWritable(inputsOf(options));
   std::optional<SessionTruth> truth;
   if (!options.truth.empty())
     truth = loadSessionTruth(options.truth);

@@ -55,6 +55,15 @@ triangulate(Tool& tool, PointCloudFile file, DeWallSettings settings)
   return result;
 }
 
+/** Without normals no plane begins to grow. */
+bool
+hasNormals(const HypothesisMesh& mesh)
+{
+  return std::any_of(mesh.votes.normals.begin(),
+                     mesh.votes.normals.end(),
+                     [](const VotedNormal& voted) { return voted.normal.allFinite(); });
+}
+
 } // namespace
 
 HypothesisMesh
@@ -119,7 +128,7 @@ findPlanes(Tool& tool,
   PlaneClusters clusters;
   constexpr double long_time = 60; // seconds
   const double seconds =
-      settings.noise_driven
+      settings.noise_driven || !hasNormals(mesh)
           ? 0
           : secondsOfPaperGrowth(mesh.vertices.points(), settings.member_distance);
   if (seconds > long_time)

@@ -39,9 +39,10 @@ openSequence(const std::string& folder, const SequenceSettings& settings)
     return openSevenScenesSequence(folder, settings);
   if (inputKindOf(folder) == InputKind::RgbdFolder)
     throw InputFileException(
-        folder + ": its images are not listed; write rgb.txt and depth.txt into it, "
-                 "with a row of number and file for each image, such as: 0 "
-                 "depth/000000.png");
+        folder +
+        ": is no RGB-D folder of a known layout, its images are not listed; "
+        "write rgb.txt and depth.txt into it, with a row of number and file for "
+        "each image, such as: 0 depth/000000.png");
   throw InputFileException(
       folder + ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), and for "
                "frame-000000.color.jpg or .png with frame-000000.depth.png (7-Scenes)");
