@@ -43,12 +43,14 @@ private:
   std::vector<Seed>
   seedsOf(std::size_t block, double flatness) const
   {
+    constexpr double filled = 0.9, pixels_a_tile = 64; // others lie across a rim
+    const double enough = filled * pixels_a_tile * static_cast<double>(block * block);
     std::vector<Seed> seeds;
     for (std::size_t row = 0; row + block <= tiles_.rows(); ++row)
       for (std::size_t column = 0; column + block <= tiles_.columns(); ++column) {
-        if (!isMeasured(column, row, block))
-          continue;
         const Moments sum = tiles_.block(column, row, block);
+        if (sum.count < enough)
+          continue;
         const InverseFit fit = fitInverse(sum);
         if (fit.rms < flatness * deviation_.on(fit.plane))
           seeds.push_back({fit.rms,
@@ -59,17 +61,6 @@ private:
       return a.rms < b.rms;
     });
     return seeds;
-  }
-
-  /** A block with empty tiles lies across a rim. */
-  bool
-  isMeasured(std::size_t column, std::size_t row, std::size_t block) const
-  {
-    for (std::size_t r = row; r < row + block; ++r)
-      for (std::size_t c = column; c < column + block; ++c)
-        if (tiles_[r * tiles_.columns() + c].count < fewest_pixels)
-          return false;
-    return true;
   }
 
   template <typename Visit>
