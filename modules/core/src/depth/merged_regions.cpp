@@ -107,7 +107,7 @@ isBentPart(const TileMoments& tiles,
            const std::vector<std::uint8_t>& is_of_large)
 {
   constexpr double most_share = 0.25, most_turn = 0.2; // radians
-  constexpr double most_bend = 8;                      // standard deviations
+  constexpr double most_bend = 14;                     // standard deviations
   const double bend = residualOf(small.moments, large.fit.plane).rms;
   if (small.moments.count > most_share * large.moments.count ||
       large.fit.plane.normalized().dot(small.fit.plane.normalized()) <
@@ -124,7 +124,7 @@ isBentPart(const TileMoments& tiles,
         (tile + columns < tiles.size() && is_of_large[tile + columns]))
       border += tiles[tile];
   }
-  constexpr double of_a_step = 0.65; // that much of the bend is at the border too
+  constexpr double of_a_step = 0.75; // that much of the bend is at the border too
   return border.count > 0 &&
          std::abs(residualOf(border, large.fit.plane).mean) < of_a_step * bend;
 }
