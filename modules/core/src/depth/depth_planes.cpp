@@ -2,10 +2,7 @@
 
 #include <pcl/core/depth_planes.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "depth/tile_regions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl::acmap::depth {
