@@ -16,11 +16,14 @@ public:
    * \param[in] radius metres, above 0 */
   RadiusGrid(const std::vector<Eigen::Vector3d>& points, double radius);
 
-  /** Calls visit (number) for each point nearer than the radius. */
+  /** Calls visit (number) for each point nearer than the radius; none is near a place
+   * that is not finite. */
   template <typename Visit>
   void
   visitNear(const Eigen::Vector3d& place, const Visit& visit) const
   {
+    if (!place.allFinite())
+      return;
     const Cube middle = cubeOf(place);
     for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x)
       for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
