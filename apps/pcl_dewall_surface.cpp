@@ -193,7 +193,7 @@ meshCloud(Tool& tool, const Options& options)
       is_automatic ? viewOfFile(file, options.sensor) : std::nullopt;
   if (measured && options.voxel_size) {
     tellDepthNoise(tool, *measured);
-    refineInput(tool, *measured, file);
+    refineInput(tool, *measured, nullptr, file);
     timer.finish("refine");
   }
   else if (options.voxel_size) {

@@ -124,7 +124,9 @@ extractFromView(Tool& tool,
   if (!options.wantsMesh() || result.clusters.patches.empty())
     return result;
   PointCloudFile refined = file;
-  refineInput(tool, measured, refined);
+  const DepthPlanes known =
+      depthPlanesOf(result.clusters.patches, result.clusters.labels);
+  refineInput(tool, measured, &known, refined);
   timer.finish("refine");
   result.mesh = meshAsItIs(tool, refined);
   timer.finish("triangulate");

@@ -113,13 +113,20 @@ tellDepthNoise(Tool& tool, const MeasuredView& measured)
 }
 
 void
-refineInput(Tool& tool, const MeasuredView& measured, PointCloudFile& file)
+refineInput(Tool& tool,
+            const MeasuredView& measured,
+            const DepthPlanes* known,
+            PointCloudFile& file)
 {
   DepthRefinementReport report;
   RefinedDepth refined;
   tool.withProgress([&](const ProgressCallback& progress) {
-    refined = refineDepth(
-        measured.view, measured.noise, tool.threads(), Progress(progress), report);
+    refined = refineDepth(measured.view,
+                          measured.noise,
+                          known,
+                          tool.threads(),
+                          Progress(progress),
+                          report);
   });
   setPlaces(file.cloud, refined.points);
   setNormals(file.cloud, refined.normals);
@@ -150,7 +157,8 @@ refineIfQuantised(std::vector<Eigen::Vector3f>& points,
     return false;
   DepthRefinementReport report;
   points =
-      refineDepth(measured->view, measured->noise, threads, Progress(), report).points;
+      refineDepth(measured->view, measured->noise, nullptr, threads, Progress(), report)
+          .points;
   return true;
 }
 

@@ -2,7 +2,7 @@
 
 #include "tool.h"
 
-#include <pcl/core/depth_view.h>
+#include <pcl/core/depth_planes.h>
 #include <pcl/core/point_cloud_file.h>
 
 #include <optional>
@@ -42,9 +42,13 @@ void
 tellDepthNoise(Tool& tool, const MeasuredView& measured);
 
 /** \brief Takes the steps out of a view as DepthRefinement does, as a step of a tool: moves
- * the points, sets their normals. */
+ * the points, sets their normals.
+ * \param[in] known planes of the view; nullptr: they are searched for */
 void
-refineInput(Tool& tool, const MeasuredView& measured, PointCloudFile& file);
+refineInput(Tool& tool,
+            const MeasuredView& measured,
+            const DepthPlanes* known,
+            PointCloudFile& file);
 
 /** \brief Moves the points of a view likewise where its depth is quantised, without a word
  * and without normals; those that are withdrawn become NaN. \return whether it was

@@ -145,6 +145,61 @@ TEST(DepthRefinement, keepsOtherFieldsAndLeavesOutWhatIsNotChosen)
   EXPECT_FALSE(std::isnan(result[100].x));
 }
 
+/** The planes of a room and the pixels that are truly theirs, as a segmentation would give
+ * them. */
+std::vector<PlanePatch>
+patchesOf(const DepthRoom& room)
+{
+  std::vector<PlanePatch> patches;
+  for (const DepthRoom::Plane& plane : room.planes) {
+    patches.emplace_back();
+    patches.back().coefficients << -plane.normal, plane.distance;
+  }
+  return patches;
+}
+
+TEST(DepthRefinement, laysPixelsOntoThePlanesThatItIsGiven)
+{
+  const DepthRoom room({});
+  const Cloud::Ptr cloud = cloudOf(room.points);
+  DepthRefinement<PointNormal> refinement;
+  refinement.setInputCloud(cloud);
+  std::vector<std::int32_t> labels(room.truth.begin(), room.truth.end());
+  refinement.setPlanes(patchesOf(room), labels);
+  Cloud result;
+  refinement.filter(result);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (room.truth[i] >= 0 && std::isfinite((*cloud)[i].z)) {
+      ASSERT_NEAR(result[i].z, room.true_depths[i], 1e-4) << i;
+    }
+  EXPECT_EQ(refinement.getReport().planes, room.planes.size());
+
+  labels.pop_back();
+  refinement.setPlanes(patchesOf(room), labels);
+  EXPECT_THROW(refinement.filter(result), InitFailedException);
+  labels.push_back(99);
+  EXPECT_THROW(refinement.setPlanes(patchesOf(room), labels), BadArgumentException);
+  std::vector<PlanePatch> through_sensor = patchesOf(room);
+  through_sensor[0].coefficients[3] = 0;
+  labels.back() = -1;
+  EXPECT_THROW(refinement.setPlanes(through_sensor, labels), BadArgumentException);
+}
+
+TEST(DepthRefinement, doesNotFollowAPlaneBehindTheSensor)
+{
+  const DepthRoom room({});
+  DepthRefinement<PointNormal> refinement;
+  refinement.setInputCloud(cloudOf(room.points));
+  std::vector<PlanePatch> behind(1);
+  behind[0].coefficients << 0, 0, 1, 2; // z = -2
+  refinement.setPlanes(behind, std::vector<std::int32_t>(room.points.size(), 0));
+  Cloud result;
+  refinement.filter(result);
+  EXPECT_EQ(refinement.getReport().on_planes, 0u);
+  for (const PointNormal& point : result)
+    ASSERT_FALSE(point.z <= 0);
+}
+
 TEST(DepthRefinement, isTheSameForAllNumbersOfThreads)
 {
   const Cloud::Ptr cloud = cloudOf(depthOfCylinder({}, 0.4, 2.0));

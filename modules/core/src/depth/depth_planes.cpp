@@ -1,5 +1,6 @@
 #include "depth/pixel_labels.h"
 
+#include <pcl/core/arguments.h>
 #include <pcl/core/depth_planes.h>
 
 #include <algorithm>
@@ -162,6 +163,30 @@ findDepthPlanes(const DepthView& view,
   result.small += sortPlanes(least_area, result);
   progress.tell(1.0, "done");
   return result;
+}
+
+DepthPlanes
+depthPlanesOf(const std::vector<PlanePatch>& patches,
+              const std::vector<std::int32_t>& labels)
+{
+  DepthPlanes known;
+  for (const PlanePatch& patch : patches) {
+    constexpr double nearest = 1e-6; // metres
+    const double distance = patch.coefficients[3];
+    if (!patch.coefficients.allFinite() || std::abs(distance) < nearest)
+      refuseArgument("distance of a plane from the sensor",
+                     distance,
+                     "finite and not 0: a sensor sees no plane that it lies on");
+    known.planes.emplace_back();
+    known.planes.back().inverse = -patch.coefficients.head<3>() / distance;
+  }
+  for (const std::int32_t label : labels)
+    if (label < -1 || label >= static_cast<std::int32_t>(patches.size()))
+      refuseArgument("label of a pixel",
+                     label,
+                     "-1 or one of the " + std::to_string(patches.size()) + " planes");
+  known.labels = labels;
+  return known;
 }
 
 } // namespace pcl::acmap

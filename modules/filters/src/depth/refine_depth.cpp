@@ -104,6 +104,7 @@ inRays(const LocalPlane& local,
 RefinedDepth
 refineDepth(const DepthView& view,
             const NoiseScale::InverseDepth& noise,
+            const DepthPlanes* known,
             unsigned threads,
             const Progress& progress,
             DepthRefinementReport& report)
@@ -116,7 +117,7 @@ refineDepth(const DepthView& view,
   StepTimer timer(report);
   DepthPlaneSettings settings;
   settings.noise = noise;
-  const DepthPlanes found = findDepthPlanes(view, settings, progress);
+  const DepthPlanes found = known ? *known : findDepthPlanes(view, settings, progress);
   report.planes = found.planes.size();
   timer.finish("planes");
 
@@ -135,14 +136,19 @@ refineDepth(const DepthView& view,
         refined.normals[pixel] = -inverse.normalized().cast<float>();
       };
   std::vector<double> inverse_depths(view.size(), 0);
+  std::vector<std::uint8_t> is_on_plane(view.size(), 0);
   for (std::size_t pixel = 0; pixel < view.size(); ++pixel) {
     inverse_depths[pixel] = static_cast<double>(view.inverseDepth(pixel));
-    if (found.labels[pixel] < 0)
+    if (found.labels[pixel] < 0 || !(inverse_depths[pixel] > 0))
       continue;
     const Eigen::Vector3d& inverse =
         found.planes[static_cast<std::size_t>(found.labels[pixel])].inverse;
-    inverse_depths[pixel] = inverse.dot(rayOf(pixel));
-    set(pixel, inverse_depths[pixel], inverse);
+    const double of_plane = inverse.dot(rayOf(pixel));
+    if (!(of_plane > 0))
+      continue; // its ray never meets the plane
+    inverse_depths[pixel] = of_plane;
+    set(pixel, of_plane, inverse);
+    is_on_plane[pixel] = 1;
     ++report.on_planes;
   }
   const PictureSmoothing smoothing(view, inverse_depths, noise.sigma());
@@ -157,7 +163,7 @@ refineDepth(const DepthView& view,
         [&](std::size_t begin, std::size_t end) {
           Counts some;
           for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            if (found.labels[pixel] >= 0 || !(inverse_depths[pixel] > 0))
+            if (is_on_plane[pixel] || !(inverse_depths[pixel] > 0))
               continue;
             const LocalPlane local = smoothing.at(pixel);
             if (local.support < PictureSmoothing::fewest) {

@@ -5,6 +5,9 @@
 #include "labeling/stragglers.h"
 #include "labeling/verdicts.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap {
 
 namespace labeling {
@@ -81,6 +84,41 @@ struct Scenery {
   }
 };
 
+/** Fits planes anew whose parts poses tore apart, and lets them be as thick as that. */
+void
+settleDrift(const Verdicts& verdicts,
+            const std::vector<std::int32_t>& numbers,
+            const Survey& survey,
+            const std::vector<std::int32_t>& labels,
+            const Scenery& scenery,
+            const std::vector<Eigen::Vector3d>& guesses,
+            KnownPlanes& known)
+{
+  std::vector<double> drift(known.planes.size(), 0);
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+    if (numbers[p] >= 0) {
+      double& largest = drift[static_cast<std::size_t>(numbers[p])];
+      largest = std::max(largest, verdicts.drift[p]);
+    }
+  if (std::all_of(drift.begin(), drift.end(), [](double d) { return d == 0; }))
+    return;
+  const auto widen = [&](double share) {
+    std::vector<KnownPlane> wide = known.planes;
+    for (std::size_t p = 0; p < wide.size(); ++p)
+      wide[p].warp = std::hypot(wide[p].warp, share * drift[p]);
+    return wide;
+  };
+  // from the middle of the larger part to the far side of the other one, then about both
+  std::vector<KnownPlane> wide = widen(1);
+  fitPlanes(
+      sumPlanes(survey, labels, scenery.grid, scenery.noise, wide), guesses, wide);
+  for (std::size_t p = 0; p < wide.size(); ++p)
+    if (drift[p] > 0) {
+      wide[p].warp = std::hypot(known.planes[p].warp, drift[p] / 2);
+      known.planes[p] = wide[p];
+    }
+}
+
 /** Rounds of labelling and fitting, then judgement; grid and guesses follow. */
 void
 settle(const LabelingLimits& limits,
@@ -105,6 +143,7 @@ settle(const LabelingLimits& limits,
   }
   const Verdicts verdicts =
       judge(sums,
+            ViewSteps(survey, labels, grid, noise, known.planes),
             findShadows(survey, labels, grid, noise, known.planes),
             known.planes,
             limits.distance,
@@ -119,6 +158,9 @@ settle(const LabelingLimits& limits,
       left[static_cast<std::size_t>(numbers[p])] = guesses[p];
   guesses = std::move(left);
   scenery.grid.renumber(numbers);
+  for (std::int32_t& label : labels)
+    label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  settleDrift(verdicts, numbers, survey, labels, scenery, guesses, known);
 }
 
 void

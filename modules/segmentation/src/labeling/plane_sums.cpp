@@ -7,8 +7,7 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-constexpr double squared_gate =
-    9; // points beyond three deviations may be of another plane
+// points beyond three deviations may be of another plane
 
 VoxelKey
 clusterKey(VoxelKey key, int coarseness)

@@ -5,6 +5,9 @@
 
 namespace pcl::acmap::labeling {
 
+/** Points beyond three standard deviations of a plane may be of another one. */
+constexpr double squared_gate = 9;
+
 /** What the points of a plane sum up to. */
 struct PlaneSums {
   FitSums fit;                   ///< over all points within the gate

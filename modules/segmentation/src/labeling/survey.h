@@ -31,8 +31,14 @@ public:
   Sight
   sight(std::size_t i) const
   {
-    const std::size_t place = places_.empty() ? i : places_[i];
-    return Sight(points_[place], sensors_[place]);
+    return Sight(points_[place(i)], sensors_[place(i)]);
+  }
+
+  /** Number of the observation that saw the point, -1 where unknown. */
+  std::int32_t
+  observation(std::size_t i) const
+  {
+    return sensors_.observation(place(i));
   }
 
   /** How many points it stands for. */
@@ -47,6 +53,12 @@ private:
   : points_(points)
   , sensors_(sensors)
   {}
+
+  std::size_t
+  place(std::size_t i) const
+  {
+    return places_.empty() ? i : places_[i];
+  }
 
   const PointView& points_;
   const SensorView& sensors_;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <optional>
 
 namespace pcl::acmap::labeling {
 namespace {
@@ -62,29 +63,39 @@ deviation(const PlaneSums& sums, const PlanePatch& patch, const PlanePatch& from
                        fit.matrix(2, 2));
 }
 
-bool
-isPartOf(std::size_t part,
-         std::size_t whole,
-         const std::vector<PlaneSums>& sums,
-         const std::vector<KnownPlane>& planes,
-         double distance,
-         double cosine)
+/** \return how far the part lies off the whole beyond what one plane may deviate, 0 for
+ * within it; nothing where it is no part */
+std::optional<double>
+driftOfPart(std::size_t part,
+            std::size_t whole,
+            const std::vector<PlaneSums>& sums,
+            const ViewSteps& steps,
+            const std::vector<KnownPlane>& planes,
+            double distance,
+            double cosine)
 {
   const PlanePatch& a = planes[part].patch;
   const PlanePatch& b = planes[whole].patch;
   if (a.coefficients.head<3>().dot(b.coefficients.head<3>()) < cosine)
-    return false;
+    return std::nullopt;
   const double unsure = deviationAt(sums[whole], b, a.center);
   if (!(unsure <= distance))
-    return false; // it may lie anywhere so far from its points
+    return std::nullopt; // it may lie anywhere so far from its points
   const double own = std::sqrt(covarianceOf(sums[part].best())(2, 2));
-  return deviation(sums[part], a, b) < distance + 2 * (own + unsure);
+  const double gap = deviation(sums[part], a, b);
+  if (gap < distance + 2 * (own + unsure))
+    return 0;
+  if (gap < max_drift &&
+      steps.ruleOut(gap, std::hypot(distance, planes[whole].warp), part, whole))
+    return gap;
+  return std::nullopt;
 }
 
 } // namespace
 
 Verdicts
 judge(const std::vector<PlaneSums>& sums,
+      const ViewSteps& steps,
       const std::vector<std::int32_t>& shadows,
       const std::vector<KnownPlane>& planes,
       double distance,
@@ -92,20 +103,27 @@ judge(const std::vector<PlaneSums>& sums,
 {
   Verdicts verdicts;
   verdicts.kept_as.assign(planes.size(), -1);
+  verdicts.drift.assign(planes.size(), 0);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (isRefuted(sums[p], planes[p])) {
       ++verdicts.refuted;
       continue;
     }
     verdicts.kept_as[p] = static_cast<std::int32_t>(p);
-    for (std::size_t whole = 0; whole < p; ++whole)
-      if (verdicts.kept_as[whole] == static_cast<std::int32_t>(whole) &&
-          (shadows[p] == static_cast<std::int32_t>(whole) ||
-           isPartOf(p, whole, sums, planes, distance, cosine))) {
-        verdicts.kept_as[p] = static_cast<std::int32_t>(whole);
-        ++verdicts.merged;
-        break;
-      }
+    for (std::size_t whole = 0; whole < p; ++whole) {
+      if (verdicts.kept_as[whole] != static_cast<std::int32_t>(whole))
+        continue;
+      const std::optional<double> drift =
+          shadows[p] == static_cast<std::int32_t>(whole)
+              ? 0.0
+              : driftOfPart(p, whole, sums, steps, planes, distance, cosine);
+      if (!drift)
+        continue;
+      verdicts.kept_as[p] = static_cast<std::int32_t>(whole);
+      verdicts.drift[whole] = std::max(verdicts.drift[whole], *drift);
+      ++verdicts.merged;
+      break;
+    }
   }
   return verdicts;
 }

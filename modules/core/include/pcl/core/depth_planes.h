@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/depth_view.h>
+#include <pcl/core/plane_patch.h>
 #include <pcl/core/progress.h>
 
 #include <cstdint>
@@ -61,5 +62,15 @@ ACMAP_EXPORT DepthPlanes
 findDepthPlanes(const DepthView& view,
                 const DepthPlaneSettings& settings,
                 const Progress& progress);
+
+/** \brief Planes of a view that were found before, by their equations and the labels of
+ * its pixels; the other fields stay empty.
+ * \param[in] patches in the sensor's frame; none passes through the sensor
+ * \param[in] labels for each pixel its patch, -1 for none
+ * \throws BadArgumentException where a label names no patch, or a plane passes through the
+ * sensor */
+ACMAP_EXPORT DepthPlanes
+depthPlanesOf(const std::vector<PlanePatch>& patches,
+              const std::vector<std::int32_t>& labels);
 
 } // namespace pcl::acmap

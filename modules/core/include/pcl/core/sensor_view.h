@@ -49,14 +49,21 @@ public:
   const Eigen::Vector3f*
   operator[](std::size_t i) const
   {
+    const std::int32_t view = observation(i);
+    return view < 0 ? nullptr : &origins_[static_cast<std::size_t>(view)];
+  }
+
+  /** \brief Number of the observation that saw point \a i of the view, 0 where one sensor
+   * saw all; -1 where unknown. */
+  std::int32_t
+  observation(std::size_t i) const
+  {
     if (!first_)
-      return origins_.empty() ? nullptr : origins_.data();
+      return origins_.empty() ? -1 : 0;
     const std::size_t place = indices_ ? static_cast<std::size_t>(indices_[i]) : i;
     std::int32_t view;
     std::memcpy(&view, first_ + stride_ * place, sizeof view);
-    return view >= 0 && static_cast<std::size_t>(view) < origins_.size()
-               ? &origins_[static_cast<std::size_t>(view)]
-               : nullptr;
+    return view >= 0 && static_cast<std::size_t>(view) < origins_.size() ? view : -1;
   }
 
 private:

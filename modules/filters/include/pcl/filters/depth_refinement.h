@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/depth_planes.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/filters/depth_refinement_types.h>
@@ -44,11 +45,23 @@ public:
   void
   setInputCloud(const PointCloudConstPtr& cloud) override;
 
+  /** \brief Sets the planes of the view as DepthPlaneSegmentation found them, so that they
+   * are not searched for again. Pixels whose ray does not meet their plane are smoothed.
+   * \param[in] patches in the sensor's frame
+   * \param[in] labels for each point of the cloud its patch, -1 for none; none at all: the
+   * planes are searched for (default)
+   * \throws BadArgumentException where a label names no patch, or the sensor lies on a
+   * plane */
+  void
+  setPlanes(const std::vector<PlanePatch>& patches,
+            const std::vector<std::int32_t>& labels);
+
   /** \brief Refines the input cloud (its indices, where set: the other pixels count as not
    * measured).
    * \param[out] output may be the input; organized as the input. A copy of it, with the
    * reason in the report, where no pinhole camera fits its points
-   * \throws InitFailedException without an input cloud, or with indices outside of it
+   * \throws InitFailedException without an input cloud, with indices outside of it, or with
+   * labels for another number of points
    * \throws UnorganizedPointCloudException when the cloud is not organized
    * \throws CancelledException when the progress callback stopped it */
   void
@@ -61,6 +74,9 @@ protected:
 
   void
   applyFilter(PointCloud& output) override;
+
+private:
+  acmap::DepthPlanes planes_;
 };
 
 } // namespace pcl

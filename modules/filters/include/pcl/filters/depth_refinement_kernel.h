@@ -19,11 +19,14 @@ struct RefinedDepth {
 
 /** \brief The kernel behind DepthRefinement, free of PCL's point types.
  * \param[in] noise of the view
+ * \param[in] known planes of the view with a label for each of its pixels; nullptr: they
+ * are found first
  * \param[out] report counts, seconds; begun anew
  * \throws CancelledException when the progress was told to stop \ingroup filters */
 ACMAP_EXPORT RefinedDepth
 refineDepth(const DepthView& view,
             const NoiseScale::InverseDepth& noise,
+            const DepthPlanes* known,
             unsigned threads,
             const Progress& progress,
             DepthRefinementReport& report);

@@ -27,12 +27,25 @@ DepthRefinement<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 
 template <typename PointT>
 void
+DepthRefinement<PointT>::setPlanes(const std::vector<PlanePatch>& patches,
+                                   const std::vector<std::int32_t>& labels)
+{
+  planes_ = acmap::depthPlanesOf(patches, labels);
+}
+
+template <typename PointT>
+void
 DepthRefinement<PointT>::filter(PointCloud& output)
 {
   acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!input_->empty() && !input_->isOrganized())
     PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
                         "the cloud is not organized: give a view as rows of pixels");
+  if (!planes_.labels.empty() && planes_.labels.size() != input_->size())
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the planes have " << planes_.labels.size()
+                                           << " labels, the cloud has "
+                                           << input_->size() << " points");
   PointCloud result;
   Filter<PointT>::filter(result);
   output = std::move(result);
@@ -61,6 +74,7 @@ DepthRefinement<PointT>::applyFilter(PointCloud& output)
     const acmap::RefinedDepth refined = acmap::refineDepth(
         *view,
         acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
+        planes_.labels.empty() ? nullptr : &planes_,
         threads_,
         acmap::Progress(progress_),
         report);

@@ -1,0 +1,166 @@
+#include "labeling/view_steps.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace pcl::acmap::labeling {
+namespace {
+
+constexpr double min_points = 30; // of each plane in an observation
+
+/** Is an unlabelled point at the place of the one plane near it, however far poses moved it
+ * off? Exact points that lie off have no label. */
+bool
+isMovedOff(const Sight& sight,
+           std::int32_t entry,
+           const CandidateGrid& grid,
+           const std::vector<KnownPlane>& planes)
+{
+  const Candidates& candidates = grid[entry];
+  if (candidates.size != 1)
+    return false;
+  const std::int32_t plane = candidates.planes[0];
+  const Crossing crossing(sight, planes[static_cast<std::size_t>(plane)].patch);
+  return std::abs(crossing.off) < max_drift && grid.homeAt(crossing.foot) == plane;
+}
+
+/** Points in the frame of a plane: (u, v, height over it). */
+struct Group {
+  double count = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero(); ///< about the mean
+};
+
+Group
+groupOf(const Moments& m, const Eigen::Vector3d& origin, const PlanePatch& frame)
+{
+  Eigen::Matrix3d axes;
+  axes << frame.axis_u.transpose(), frame.axis_v.transpose(),
+      frame.coefficients.head<3>().transpose();
+  Eigen::Matrix3d squares;
+  squares << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+  const Eigen::Vector3d mean = m.mean();
+  Group group;
+  group.count = m.count;
+  group.mean = axes * (mean + origin - frame.center);
+  group.scatter =
+      axes * (squares - m.count * mean * mean.transpose()) * axes.transpose();
+  return group;
+}
+
+/** A measured height with its variance. */
+struct Step {
+  double height;
+  double variance;
+};
+
+/** The step between two parallel planes by least squares (analysis of covariance): both
+ * share the tilt that the observation's pose errs by. */
+std::optional<Step>
+stepBetween(const Group& part, const Group& whole)
+{
+  const Eigen::Matrix3d scatter = part.scatter + whole.scatter;
+  const double freedom = part.count + whole.count - 4;
+  constexpr double pose_tilt = 0.0175;    // radians, expected of a pose
+  constexpr double max_independent = 100; // noise is shared by neighbours
+  const double noise = std::max(scatter(2, 2) / freedom, 1e-12);
+  const Eigen::Matrix2d information =
+      scatter.topLeftCorner<2, 2>() / noise +
+      Eigen::Matrix2d::Identity() / (pose_tilt * pose_tilt);
+  const Eigen::Matrix2d covariance = information.inverse();
+  if (!covariance.allFinite())
+    return std::nullopt;
+  const Eigen::Vector2d tilt = covariance * scatter.block<2, 1>(0, 2) / noise;
+  const Eigen::Vector3d way = part.mean - whole.mean;
+  return Step{way.z() - tilt.dot(way.head<2>()),
+              noise * (1 / std::min(part.count, max_independent) +
+                       1 / std::min(whole.count, max_independent)) +
+                  way.head<2>().dot(covariance * way.head<2>())};
+}
+
+/** The weighted mean; its variance is also what the steps differ by. */
+Step
+meanOf(const std::vector<Step>& steps)
+{
+  double weights = 0, sum = 0, squares = 0;
+  for (const Step& step : steps) {
+    weights += 1 / step.variance;
+    sum += step.height / step.variance;
+  }
+  const double mean = sum / weights;
+  for (const Step& step : steps)
+    squares += (step.height - mean) * (step.height - mean) / step.variance;
+  const double others = static_cast<double>(steps.size()) - 1;
+  const double spread = others > 0 ? squares / others : 1;
+  return {mean, std::max(spread, 1.0) / weights};
+}
+
+} // namespace
+
+ViewSteps::ViewSteps(const Survey& survey,
+                     const std::vector<std::int32_t>& labels,
+                     const CandidateGrid& grid,
+                     const RangeNoise& noise,
+                     const std::vector<KnownPlane>& planes)
+: planes_(planes)
+, seen_(planes.size())
+{
+  std::vector<std::map<std::int32_t, Moments>> sums(planes.size());
+  for (std::size_t i = 0; i < survey.size(); ++i) {
+    const std::int32_t observation = survey.observation(i);
+    const std::int32_t entry = survey.entry(i);
+    if (entry < 0 || observation < 0)
+      continue;
+    const Sight sight = survey.sight(i);
+    std::int32_t label = labels[i];
+    const bool is_moved = label < 0 && isMovedOff(sight, entry, grid, planes);
+    if (is_moved)
+      label = grid[entry].planes[0];
+    if (label < 0)
+      continue;
+    const KnownPlane& plane = planes[static_cast<std::size_t>(label)];
+    const Crossing crossing(sight, plane.patch);
+    const bool is_near =
+        crossing.off * crossing.off <= squared_gate * noise.variance(crossing, plane);
+    if ((is_near || is_moved) && !grid.hasStrangersAt(crossing.foot, entry))
+      sums[static_cast<std::size_t>(label)][observation] +=
+          momentsOf(sight.point - plane.patch.center);
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p)
+    for (const auto& [observation, moments] : sums[p])
+      if (moments.count >= min_points)
+        seen_[p].push_back({observation, moments});
+}
+
+bool
+ViewSteps::ruleOut(double gap,
+                   double tolerance,
+                   std::size_t part,
+                   std::size_t whole) const
+{
+  const PlanePatch& frame = planes_[whole].patch;
+  const Eigen::Vector3d& origin = planes_[part].patch.center;
+  std::vector<Step> steps;
+  auto other = seen_[whole].begin();
+  for (const Seen& seen : seen_[part]) {
+    while (other != seen_[whole].end() && other->observation < seen.observation)
+      ++other;
+    if (other == seen_[whole].end() || other->observation != seen.observation)
+      continue;
+    if (const std::optional<Step> step =
+            stepBetween(groupOf(seen.moments, origin, frame),
+                        groupOf(other->moments, frame.center, frame)))
+      steps.push_back(*step);
+  }
+  if (steps.empty())
+    return false;
+  const Step mean = meanOf(steps);
+  const double height = std::abs(mean.height);
+  return height < std::min(gap / 2, tolerance) &&
+         height + 2 * std::sqrt(mean.variance) < gap;
+}
+
+} // namespace pcl::acmap::labeling
