@@ -116,8 +116,13 @@ extractFromView(Tool& tool,
   });
   for (const std::string& remark : report.remarks)
     tool.warn(remark);
+  if (result.clusters.patches.empty() && options.sensor == DepthSensor::Stereo)
+    tool.warn("--sensor stereo expects noise that is even in inverse depth; where the "
+              "cloud's is not, leave --sensor out");
   tool.details()["report"] = jsonOf(report);
-  result.input_labels = result.clusters.labels;
+  result.input_labels = measured.order
+                            ? measured.order->labelsOfPoints(result.clusters.labels)
+                            : result.clusters.labels;
   result.finite_points = measured.view.measured();
   timer.finish("planes");
   result.mesh.vertices.remarks = file.remarks;

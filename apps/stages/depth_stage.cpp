@@ -7,6 +7,8 @@
 #include <pcl/filters/depth_refinement_kernel.h>
 
 #include <array>
+#include <cstring>
+#include <limits>
 
 namespace pcl::acmap {
 
@@ -70,19 +72,50 @@ viewOfPoints(const PointView& points, std::size_t width, DepthSensor sensor)
   const bool is_automatic = sensor == DepthSensor::Automatic;
   const bool is_organized = width > 0 && width < points.size();
   const double step = measureDepthStep(points);
-  if (is_automatic && (step == 0 || !is_organized))
+  if (is_automatic && step == 0)
     return std::nullopt;
-  std::optional<DepthView> view =
-      is_organized ? DepthView::recognize(points, width) : std::nullopt;
+  std::optional<PictureOrder> order;
+  std::optional<DepthView> view;
+  if (is_organized)
+    view = DepthView::recognize(points, width);
+  else if ((order = findPictureOrder(points))) {
+    const std::vector<Eigen::Vector3f> arranged = order->arrange(points);
+    view = DepthView::recognize({arranged.data(), sizeof arranged[0], arranged.size()},
+                                order->width);
+  }
   if (!view) {
     if (is_automatic)
       return std::nullopt;
-    throw UsageError("--sensor quantised and stereo are for one organized view in its "
-                     "sensor's frame, with at least 1000 points: rows of pixels, z "
-                     "forward; leave --sensor out for this cloud");
+    throw UsageError("--sensor quantised and stereo are for one view in its sensor's "
+                     "frame, z forward, with at least 1000 points: rows of pixels, or "
+                     "what is left of them without NaN; leave --sensor out for this "
+                     "cloud");
   }
   const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, step);
-  return MeasuredView{std::move(*view), noise};
+  return MeasuredView{std::move(*view), noise, std::move(order)};
+}
+
+/** Makes an organized cloud of the points of a view; pixels without one are NaN. */
+PCLPointCloud2
+arrangedCloud(const PCLPointCloud2& cloud, const PictureOrder& order)
+{
+  PCLPointCloud2 arranged = cloud;
+  arranged.width = static_cast<std::uint32_t>(order.width);
+  arranged.height = static_cast<std::uint32_t>(order.height);
+  arranged.row_step = arranged.width * cloud.point_step;
+  arranged.data.assign(order.width * order.height * cloud.point_step, 0);
+  const std::size_t place = findField(cloud, "x")->offset;
+  const Eigen::Vector3f none =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t pixel = 0; pixel < order.width * order.height; ++pixel)
+    std::memcpy(&arranged.data[pixel * cloud.point_step + place], none.data(), 12);
+  for (std::size_t i = 0; i < order.pixels.size(); ++i)
+    if (order.pixels[i] != PictureOrder::nowhere)
+      std::memcpy(&arranged.data[order.pixels[i] * cloud.point_step],
+                  &cloud.data[i * cloud.point_step],
+                  cloud.point_step);
+  arranged.is_dense = 0;
+  return arranged;
 }
 
 } // namespace
@@ -128,6 +161,8 @@ refineInput(Tool& tool,
                           Progress(progress),
                           report);
   });
+  if (measured.order)
+    file.cloud = arrangedCloud(file.cloud, *measured.order);
   setPlaces(file.cloud, refined.points);
   setNormals(file.cloud, refined.normals);
   tool.details()["refinement"] = {{"points", report.points},
@@ -156,9 +191,16 @@ refineIfQuantised(std::vector<Eigen::Vector3f>& points,
   if (!measured)
     return false;
   DepthRefinementReport report;
-  points =
+  std::vector<Eigen::Vector3f> refined =
       refineDepth(measured->view, measured->noise, nullptr, threads, Progress(), report)
           .points;
+  if (!measured->order) {
+    points = std::move(refined);
+    return true;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (measured->order->pixels[i] != PictureOrder::nowhere)
+      points[i] = refined[measured->order->pixels[i]];
   return true;
 }
 

@@ -28,6 +28,7 @@ addSensor(Tool& tool, DepthSensor& sensor);
 struct MeasuredView {
   DepthView view;
   NoiseScale::InverseDepth noise;
+  std::optional<PictureOrder> order; ///< where the file's points are not organized
 };
 
 /** \brief The picture in which a file's cloud is to be worked on; nothing where it is to be

@@ -24,12 +24,13 @@ using testing::Not;
 
 class DepthViewTools : public testing::Test {
 protected:
+  /** \param[in] shift metres along x, out of the sensor's frame */
   std::string
-  writeRoom(const DepthRoom::Camera& camera, bool organized = true)
+  writeRoom(const DepthRoom::Camera& camera, bool organized = true, float shift = 0)
   {
     PointCloud<PointXYZ> cloud;
     for (const Eigen::Vector3f& point : DepthRoom(camera).points)
-      cloud.push_back({point.x(), point.y(), point.z()});
+      cloud.push_back({point.x() + shift, point.y(), point.z()});
     if (organized) {
       cloud.width = DepthRoom::width;
       cloud.height = DepthRoom::height;
@@ -96,14 +97,29 @@ TEST_F(DepthViewTools, theSensorMayBeNamed)
     EXPECT_EQ(refused.exit_code, 2) << more[1];
     EXPECT_THAT(refused.err, HasSubstr("--sensor"));
   }
-  const ToolRun row = runPlanes({writeRoom({}, false), json_, "--sensor", "quantised"});
+  const ToolRun row =
+      runPlanes({writeRoom({}, false, 0.3F), json_, "--sensor", "quantised"});
   EXPECT_EQ(row.exit_code, 2);
-  EXPECT_THAT(row.err, HasSubstr("organized"));
+  EXPECT_THAT(row.err, HasSubstr("in its sensor's frame"));
+}
+
+TEST_F(DepthViewTools, aViewWithoutItsRowsIsPutBackIntoItsPicture)
+{
+  const std::string labels = folder_.path("labels.pcd");
+  const nlohmann::json expected = planesOf(writeRoom({}), {"--labels", labels});
+  const std::vector<std::uint32_t> of_pixels = labelsOfFile(labels);
+  const std::string view = writeRoom({}, false);
+  EXPECT_EQ(planesOf(view, {"--labels", labels}), expected);
+  EXPECT_EQ(run_.err, "");
+  EXPECT_EQ(labelsOfFile(labels), of_pixels);
+  const ToolRun mesh = runSurface({view, folder_.path("mesh.ply"), "--consolidate"});
+  ASSERT_EQ(mesh.exit_code, 0) << mesh.err;
+  EXPECT_THAT(mesh.out, HasSubstr("refined:"));
 }
 
 TEST_F(DepthViewTools, unorganizedStepsAreConsolidatedAndTold)
 {
-  const nlohmann::json planes = planesOf(writeRoom({}, false));
+  const nlohmann::json planes = planesOf(writeRoom({}, false, 0.3F));
   EXPECT_THAT(run_.err, HasSubstr("the depth is quantised"));
   EXPECT_THAT(run_.out, HasSubstr("consolidated:"));
   EXPECT_LT(planes.size(), 10u);

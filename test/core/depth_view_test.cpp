@@ -63,6 +63,51 @@ TEST(DepthView, isNoneInAnotherFrameOrWithoutPoints)
   EXPECT_FALSE(DepthView::recognize(viewOf(same), DepthRoom::width));
 }
 
+/** Every pixel in its place again, whatever the order of the points. */
+TEST(PictureOrder, isFoundAgainWithoutPixelsThatMeasureNothing)
+{
+  const DepthRoom room({});
+  std::vector<std::size_t> kept;
+  for (std::size_t pixel = 0; pixel < room.points.size(); ++pixel)
+    if (pixel % 3 != 0 || pixel % DepthRoom::width < 20)
+      kept.push_back(pixel * 7919 % room.points.size()); // prime: each once
+  std::vector<Eigen::Vector3f> points;
+  for (const std::size_t pixel : kept)
+    points.push_back(room.points[pixel]);
+  points.emplace_back(std::nanf(""), 0, 1);
+  const auto order = findPictureOrder(viewOf(points));
+  ASSERT_TRUE(order);
+  ASSERT_EQ(order->width, DepthRoom::width);
+  ASSERT_EQ(order->height, DepthRoom::height);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    ASSERT_EQ(order->pixels[i], kept[i]) << i;
+  EXPECT_EQ(order->pixels.back(), PictureOrder::nowhere);
+  const std::vector<Eigen::Vector3f> arranged = order->arrange(viewOf(points));
+  EXPECT_EQ(arranged[kept[5]], points[5]);
+  EXPECT_TRUE(DepthView::recognize(viewOf(arranged), order->width));
+  std::vector<std::int32_t> labels(room.points.size(), 4);
+  labels[kept[7]] = 9;
+  EXPECT_EQ(order->labelsOfPoints(labels)[7], 9);
+  EXPECT_EQ(order->labelsOfPoints(labels).back(), -1);
+}
+
+TEST(PictureOrder, isNoneOfOtherClouds)
+{
+  const DepthRoom room({});
+  std::vector<Eigen::Vector3f> moved = room.points, two = room.points;
+  for (Eigen::Vector3f& point : moved)
+    point += Eigen::Vector3f(0.3F, 0.2F, 0);
+  EXPECT_FALSE(findPictureOrder(viewOf(moved)));
+  for (const Eigen::Vector3f& point : room.points)
+    two.push_back(1.1F * point);
+  EXPECT_FALSE(findPictureOrder(viewOf(two))) << "two views";
+  EXPECT_FALSE(findPictureOrder({}));
+  const std::vector<Eigen::Vector3f> same(5000, Eigen::Vector3f(1, 2, 3));
+  EXPECT_FALSE(findPictureOrder(viewOf(same)));
+  const std::vector<Eigen::Vector3f> huge(5000, Eigen::Vector3f(1e30F, 1e30F, 1e-30F));
+  EXPECT_FALSE(findPictureOrder(viewOf(huge)));
+}
+
 TEST(DepthStep, isFoundWhateverItIs)
 {
   for (const double step : {0.0007, 0.0029, 0.006}) {

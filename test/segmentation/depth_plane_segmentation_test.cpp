@@ -196,14 +196,39 @@ TEST(DepthPlaneSegmentation, minAreaAndRightAngles)
   EXPECT_THROW(segmentation.setMinArea(std::nan("")), BadArgumentException);
 }
 
+Cloud::Ptr
+asRow(const Cloud& cloud)
+{
+  Cloud::Ptr row(new Cloud(cloud));
+  row->width = static_cast<std::uint32_t>(row->size());
+  row->height = 1;
+  return row;
+}
+
+TEST(DepthPlaneSegmentation, putsAViewWithoutItsGapsBackIntoItsPicture)
+{
+  Segmentation organized, unorganized;
+  const std::vector<PlanePatch> expected = planesOf(organized, roomCloud());
+  const Cloud::Ptr row = asRow(*roomCloud());
+  std::reverse(row->begin(), row->end());
+  const std::vector<PlanePatch> found = planesOf(unorganized, row);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t p = 0; p < found.size(); ++p)
+    EXPECT_LT((found[p].coefficients - expected[p].coefficients).norm(), 1e-6);
+  std::vector<std::int32_t> labels = unorganized.getLabels();
+  std::reverse(labels.begin(), labels.end());
+  EXPECT_EQ(labels, organized.getLabels());
+  EXPECT_EQ(unorganized.getReport().points, row->size());
+}
+
 TEST(DepthPlaneSegmentation, refusesAndExplains)
 {
   Segmentation segmentation;
   std::vector<PlanePatch> planes(3);
   EXPECT_THROW(segmentation.segment(planes), InitFailedException);
-  Cloud::Ptr row = roomCloud();
-  row->width = static_cast<std::uint32_t>(row->size());
-  row->height = 1;
+  Cloud::Ptr row = asRow(*roomCloud());
+  for (PointXYZ& point : *row)
+    point.x += 0.3F; // no picture of a camera in the origin
   segmentation.setInputCloud(row);
   EXPECT_THROW(segmentation.segment(planes), UnorganizedPointCloudException);
   EXPECT_EQ(planes.size(), 3u) << "untouched";

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -88,6 +89,31 @@ private:
   Eigen::Vector2d focal_ = Eigen::Vector2d::Ones();
   Eigen::Vector2d center_ = Eigen::Vector2d::Zero();
 };
+
+/** \brief Where the points of a view stand in the picture that their sensor took. */
+struct PictureOrder {
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+  std::size_t width = 0;           ///< pixels
+  std::size_t height = 0;          ///< pixels
+  std::vector<std::size_t> pixels; ///< for each point; \ref nowhere for none
+
+  /** \brief The points pixel by pixel, row by row; NaN where there is none. */
+  ACMAP_EXPORT std::vector<Eigen::Vector3f>
+  arrange(const PointView& points) const;
+
+  /** \brief For each point the label of its pixel, -1 where it has none. */
+  ACMAP_EXPORT std::vector<std::int32_t>
+  labelsOfPoints(const std::vector<std::int32_t>& of_pixels) const;
+};
+
+/** \brief Puts the points of a view back into its picture, as when the pixels without a
+ * measurement were removed from an organized cloud: x/z has one value per column, y/z one
+ * per row, evenly spaced. Takes O(n log n).
+ * \param[in] points metres, in their sensor's frame, in any order
+ * \return nothing where the points are not those of one pinhole camera's picture */
+ACMAP_EXPORT std::optional<PictureOrder>
+findPictureOrder(const PointView& points);
 
 /** \brief Finds the even step of inverse depth of points in their sensor's frame. A cloud
  * is quantised when it has few distinct depths for its points and the middle half of the

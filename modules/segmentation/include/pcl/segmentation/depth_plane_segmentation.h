@@ -23,7 +23,9 @@ namespace pcl {
  * what each pixel errs on its own and what neighbours share.
  *
  * Takes an organized cloud in its sensor's frame (x right, y down, z forward, metres), as
- * grabbers and files of RGB-D cameras have it; pixels without a measurement are NaN.
+ * grabbers and files of RGB-D cameras have it; pixels without a measurement are NaN. A view
+ * from which such pixels were removed (removeNaNFromPointCloud) is put back into its
+ * picture (\ref acmap::findPictureOrder).
  * Normals look towards the sensor. The same answer at every run and for every number of
  * threads; linear time, some ten milliseconds for 640 x 480 pixels.
  * \code
@@ -77,7 +79,8 @@ public:
    * \param[out] patches by falling area; none, with the reason in the report, where there
    * are none, or no pinhole camera fits the points: they are not in their sensor's frame
    * \throws InitFailedException without a cloud, or with indices outside of it
-   * \throws UnorganizedPointCloudException when the cloud is not organized
+   * \throws UnorganizedPointCloudException when the cloud is not organized, and cannot be put
+   * back into a picture
    * \throws CancelledException when the progress callback stopped it */
   void
   segment(std::vector<PlanePatch>& patches);

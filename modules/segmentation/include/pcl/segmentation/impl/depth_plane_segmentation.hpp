@@ -8,6 +8,7 @@
 #include <pcl/segmentation/depth_plane_segmentation.h>
 #include <pcl/segmentation/plane_conversions.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace pcl {
@@ -26,9 +27,6 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
 {
   const Indices* const wanted = this->fake_indices_ ? nullptr : indices_.get();
   acmap::requireInput<PointT>(input_, wanted);
-  if (!input_->empty() && !input_->isOrganized())
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "the cloud is not organized: give a view as rows of pixels");
   std::vector<Eigen::Vector3f> chosen;
   if (wanted) {
     chosen.assign(input_->size(),
@@ -36,15 +34,28 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
     for (const index_t index : *wanted)
       chosen[static_cast<std::size_t>(index)] = (*input_)[index].getVector3fMap();
   }
-  const acmap::PointView points =
+  acmap::PointView points =
       chosen.empty() ? acmap::PointView(input_->empty() ? nullptr : &input_->front().x,
                                         sizeof(PointT),
                                         input_->size())
                      : acmap::PointView(chosen.data(), sizeof chosen[0], chosen.size());
+  std::size_t width = input_->width;
+  std::optional<acmap::PictureOrder> order;
+  std::vector<Eigen::Vector3f> arranged;
+  if (!input_->empty() && !input_->isOrganized()) {
+    order = acmap::findPictureOrder(points);
+    if (!order)
+      PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                          "the cloud is not organized, and its points are not those of "
+                          "one picture in its sensor's frame");
+    arranged = order->arrange(points);
+    points = acmap::PointView(arranged.data(), sizeof arranged[0], arranged.size());
+    width = order->width;
+  }
   DepthPlaneReport report;
   acmap::PlaneClusters clusters;
   const std::optional<acmap::DepthView> view =
-      acmap::DepthView::recognize(points, input_->width);
+      acmap::DepthView::recognize(points, width);
   if (view)
     clusters = acmap::segmentDepthPlanes(
         *view,
@@ -53,14 +64,19 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
         acmap::Progress(progress_),
         report);
   else {
-    clusters.labels.assign(input_->size(), -1);
+    clusters.labels.assign(points.size(), -1);
     report.points = report.invalid_points = input_->size();
     report.remarks.emplace_back(
         "no planes: fewer than 1000 pixels are measured, or no pinhole camera fits "
         "them: the view is not in its sensor's frame");
   }
   patches = std::move(clusters.patches);
-  labels_ = std::move(clusters.labels);
+  labels_ = order ? order->labelsOfPoints(clusters.labels) : std::move(clusters.labels);
+  if (order) {
+    report.points = input_->size();
+    report.invalid_points = static_cast<std::size_t>(std::count(
+        order->pixels.begin(), order->pixels.end(), acmap::PictureOrder::nowhere));
+  }
   report_ = std::move(report);
 }
 

@@ -1,0 +1,145 @@
+#include <pcl/core/depth_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap {
+
+namespace depth {
+namespace {
+
+constexpr std::size_t min_lines = 20;
+constexpr std::size_t max_lines = 10000;
+constexpr std::size_t min_points = 1000;
+
+/** Columns or rows of a picture: one coordinate of the rays, evenly spaced. */
+struct PictureLines {
+  double first = 0;
+  double pitch = 0;
+  std::size_t number = 0;
+
+  /** Number of the line nearest to a ray. */
+  std::size_t
+  lineOf(double ray) const
+  {
+    return static_cast<std::size_t>(std::lround((ray - first) / pitch));
+  }
+};
+
+/** Middles of the runs of sorted values between which there is a gap; none where there are
+ * more than a picture has lines. */
+std::vector<double>
+middlesOfRuns(const std::vector<double>& sorted)
+{
+  // radians at the middle of the picture; coordinates are rounded to 1e-6 of this, or to
+  // the digits of a text file
+  constexpr double gap = 1e-4;
+  std::vector<double> middles;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= sorted.size(); ++i) {
+    if (i < sorted.size() && sorted[i] - sorted[i - 1] < gap)
+      continue;
+    middles.push_back((sorted[begin] + sorted[i - 1]) / 2);
+    begin = i;
+    if (middles.size() > max_lines)
+      return {};
+  }
+  return middles;
+}
+
+std::optional<PictureLines>
+findLines(std::vector<double> rays)
+{
+  std::sort(rays.begin(), rays.end());
+  const std::vector<double> middles = middlesOfRuns(rays);
+  if (middles.size() < min_lines)
+    return std::nullopt;
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < middles.size(); ++i)
+    gaps.push_back(middles[i] - middles[i - 1]);
+  const auto median = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), median, gaps.end());
+  PictureLines lines{middles.front(), *median, 0};
+  // the pitch from far apart, as the error of a single gap adds up over the picture
+  const double span = middles.back() - middles.front();
+  const double steps = std::round(span / lines.pitch);
+  if (!(steps < static_cast<double>(max_lines)))
+    return std::nullopt;
+  lines.pitch = span / steps;
+  lines.number = static_cast<std::size_t>(steps) + 1;
+  std::size_t even = 0;
+  for (const double middle : middles) {
+    const double place = (middle - lines.first) / lines.pitch;
+    constexpr double tolerance = 0.2; // pixels
+    even += std::abs(place - std::round(place)) < tolerance ? 1 : 0;
+  }
+  if (20 * even < 19 * middles.size())
+    return std::nullopt;
+  return lines;
+}
+
+} // namespace
+} // namespace depth
+
+std::vector<Eigen::Vector3f>
+PictureOrder::arrange(const PointView& points) const
+{
+  std::vector<Eigen::Vector3f> arranged(
+      width * height,
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (pixels[i] != nowhere)
+      arranged[pixels[i]] = points[i];
+  return arranged;
+}
+
+std::vector<std::int32_t>
+PictureOrder::labelsOfPoints(const std::vector<std::int32_t>& of_pixels) const
+{
+  std::vector<std::int32_t> labels;
+  labels.reserve(pixels.size());
+  for (const std::size_t pixel : pixels)
+    labels.push_back(pixel == nowhere ? -1 : of_pixels[pixel]);
+  return labels;
+}
+
+std::optional<PictureOrder>
+findPictureOrder(const PointView& points)
+{
+  using namespace depth;
+  std::vector<double> x, y;
+  std::vector<std::size_t> measured;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d point = points[i].cast<double>();
+    if (!point.allFinite() || !(point.z() > 0))
+      continue;
+    x.push_back(point.x() / point.z());
+    y.push_back(point.y() / point.z());
+    measured.push_back(i);
+  }
+  if (measured.size() < min_points)
+    return std::nullopt;
+  const std::optional<PictureLines> columns = findLines(x);
+  const std::optional<PictureLines> rows = columns ? findLines(y) : std::nullopt;
+  if (!rows)
+    return std::nullopt;
+  PictureOrder order;
+  order.width = columns->number;
+  order.height = rows->number;
+  order.pixels.assign(points.size(), PictureOrder::nowhere);
+  std::vector<bool> is_taken(order.width * order.height, false);
+  std::size_t doubled = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    const std::size_t pixel = rows->lineOf(y[k]) * order.width + columns->lineOf(x[k]);
+    doubled += is_taken[pixel] ? 1 : 0;
+    is_taken[pixel] = true;
+    order.pixels[measured[k]] = pixel;
+  }
+  // several views of one camera, or points that a lattice happens to hold
+  if (100 * doubled > measured.size())
+    return std::nullopt;
+  return order;
+}
+
+} // namespace pcl::acmap
