@@ -12,7 +12,7 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_plane_figures [view] [views] [noisy] [million] [whole] "
-    "[shapes] [real]\n"
+    "[drift] [shapes] [real]\n"
     "Prints how well planes are found, ours beside the methods of PCL and CGAL, as\n"
     "Markdown tables; without a name all of them. Real clouds are read from the "
     "folder\n"
@@ -25,7 +25,7 @@ main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
   const std::set<std::string> known{
-      "view", "views", "noisy", "million", "whole", "shapes", "real"};
+      "view", "views", "noisy", "million", "whole", "drift", "shapes", "real"};
   Sections sections;
   if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
     return *exit_code;
@@ -45,6 +45,8 @@ main(int argc, char** argv)
     printMillionPlanes(corridor, finders);
   if (sections.isWanted("whole"))
     printWholePlanes(corridor, finders);
+  if (sections.isWanted("drift"))
+    printDriftPlanes(finders);
   if (sections.isWanted("shapes"))
     printShapePlanes(finders);
   if (sections.isWanted("real")) {

@@ -27,6 +27,10 @@ printMillionPlanes(SceneData& corridor, const NamedFinders& finders);
 void
 printWholePlanes(SceneData& corridor, const NamedFinders& finders);
 
+/** \brief Maps whose poses drift: how often one plane comes as several. */
+void
+printDriftPlanes(const NamedFinders& finders);
+
 /** \brief Boards and a curved wall: how many planes are found where it is plain how many
  * there are. */
 void
