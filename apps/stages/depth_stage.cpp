@@ -86,10 +86,11 @@ viewOfPoints(const PointView& points, std::size_t width, DepthSensor sensor)
   if (!view) {
     if (is_automatic)
       return std::nullopt;
-    throw UsageError("--sensor quantised and stereo are for one view in its sensor's "
-                     "frame, z forward, with at least 1000 points: rows of pixels, or "
-                     "what is left of them without NaN; leave --sensor out for this "
-                     "cloud");
+    throw UsageError(
+        "--sensor quantised and stereo are for one organized view in its "
+        "sensor's frame, z forward, with at least 1000 points, or for what "
+        "is left of one without its NaN pixels; leave --sensor out for this "
+        "cloud");
   }
   const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, step);
   return MeasuredView{std::move(*view), noise, std::move(order)};

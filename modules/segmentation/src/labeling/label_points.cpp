@@ -102,21 +102,18 @@ settleDrift(const Verdicts& verdicts,
     }
   if (std::all_of(drift.begin(), drift.end(), [](double d) { return d == 0; }))
     return;
-  const auto widen = [&](double share) {
-    std::vector<KnownPlane> wide = known.planes;
-    for (std::size_t p = 0; p < wide.size(); ++p)
-      wide[p].warp = std::hypot(wide[p].warp, share * drift[p]);
-    return wide;
-  };
-  // from the middle of the larger part to the far side of the other one, then about both
-  std::vector<KnownPlane> wide = widen(1);
+  // wide enough for the far side of the part, as the plane still lies in the larger one
+  std::vector<KnownPlane> wide = known.planes;
+  for (std::size_t p = 0; p < wide.size(); ++p)
+    wide[p].warp = std::hypot(wide[p].warp, drift[p]);
   fitPlanes(
       sumPlanes(survey, labels, scenery.grid, scenery.noise, wide), guesses, wide);
-  for (std::size_t p = 0; p < wide.size(); ++p)
-    if (drift[p] > 0) {
-      wide[p].warp = std::hypot(known.planes[p].warp, drift[p] / 2);
-      known.planes[p] = wide[p];
-    }
+  for (std::size_t p = 0; p < wide.size(); ++p) {
+    if (drift[p] == 0)
+      continue;
+    wide[p].warp = std::hypot(known.planes[p].warp, drift[p] / 2);
+    known.planes[p] = wide[p];
+  }
 }
 
 /** Rounds of labelling and fitting, then judgement; grid and guesses follow. */
