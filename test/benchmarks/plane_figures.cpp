@@ -46,7 +46,7 @@ main(int argc, char** argv)
   if (sections.isWanted("whole"))
     printWholePlanes(corridor, finders);
   if (sections.isWanted("drift"))
-    printDriftPlanes(finders);
+    printDriftPlanes(finders.front());
   if (sections.isWanted("shapes"))
     printShapePlanes(finders);
   if (sections.isWanted("real")) {

@@ -29,7 +29,7 @@ printWholePlanes(SceneData& corridor, const NamedFinders& finders);
 
 /** \brief Maps whose poses drift: how often one plane comes as several. */
 void
-printDriftPlanes(const NamedFinders& finders);
+printDriftPlanes(const NamedFinder& finder);
 
 /** \brief Boards and a curved wall: how many planes are found where it is plain how many
  * there are. */
