@@ -1,6 +1,7 @@
 #include "virtual_display.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,7 +14,10 @@ namespace {
 [[noreturn]] void
 becomeServer(int number_to, const std::string& screen)
 {
+  // a test that crashes must not leave a server behind, which would hold ctest's pipe open
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   const std::string descriptor = std::to_string(number_to);
   execlp("Xvfb",
