@@ -1,13 +1,26 @@
-# acmap_add_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
+# acmap_add_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...]
+#                 [OPTIMIZED])
 #
 # One GoogleTest program, one ctest entry; a program that skips every test it has counts as
-# skipped. Target tests_<label> builds all programs of a label. Kernels are reached by
-# acmap_<module>_objects, and then nothing may bring acmap::<module> along: there would be
-# two of them.
+# skipped. Target tests_<label> builds all programs of a label. CI runs each test once
+# (test/README.md): those of tools, pictures and real data as users get them (label product),
+# the others under the sanitizers (label sanitized), and those with label long not at all.
+# Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
+# along: there would be two of them.
 function(acmap_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "" "SOURCES;LIBRARIES;LABELS")
   acmap_add_program(${name}_test SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES}
                     acmap_test_support acmap_test_main)
+  if(NOT arg_OPTIMIZED) # which is for tests that compute much themselves
+    acmap_compile_quickly(${name}_test)
+  endif()
+  if(NOT "long" IN_LIST arg_LABELS AND NOT "product" IN_LIST arg_LABELS)
+    if("tools" IN_LIST arg_LABELS OR "render" IN_LIST arg_LABELS)
+      list(APPEND arg_LABELS product)
+    elseif(NOT "threads" IN_LIST arg_LABELS OR NOT "usb" IN_LIST arg_LABELS)
+      list(APPEND arg_LABELS sanitized)
+    endif()
+  endif()
   add_test(NAME ${name} COMMAND ${name}_test)
   set_tests_properties(
     ${name} PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "ACMAP_TEST_DATA=${ACMAP_TEST_DATA}"
@@ -17,16 +30,68 @@ function(acmap_add_test name)
   endforeach()
 endfunction()
 
+# acmap_compile_quickly (<target>): the headers that most tests include are parsed once, and
+# what a test does itself is not optimized.
+function(acmap_compile_quickly target)
+  if(NOT TARGET acmap_test_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/test_headers.cpp"
+         CONTENT "int\nmain()\n{\n  return 0;\n}\n")
+    acmap_add_program(acmap_test_headers SOURCES "${PROJECT_BINARY_DIR}/test_headers.cpp"
+                      LIBRARIES acmap::core GTest::gmock nlohmann_json::nlohmann_json)
+    target_compile_options(acmap_test_headers PRIVATE -O0)
+    acmap_define_as_pcl_io(acmap_test_headers)
+    target_precompile_headers(
+      acmap_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <nlohmann/json.hpp>
+      <pcl/point_cloud.h> <pcl/point_types.h> <Eigen/Geometry> <algorithm> <filesystem>
+      <fstream> <functional> <map> <set> <string> <thread> <vector>)
+  endif()
+  target_compile_options(${target} PRIVATE -O0)
+  acmap_define_as_pcl_io(${target})
+  target_precompile_headers(${target} REUSE_FROM acmap_test_headers)
+endfunction()
+
+# PCL's headers look at what its pcl_io defines; precompiled ones are of one kind.
+function(acmap_define_as_pcl_io target)
+  target_compile_definitions(
+    ${target} PRIVATE $<TARGET_PROPERTY:pcl_io,INTERFACE_COMPILE_DEFINITIONS>)
+endfunction()
+
 # acmap_add_fuzzer (<name> SOURCES <file>... LIBRARIES <target>... [CORPUS <folder>]
 #                   [MAX_LENGTH <bytes>])
 #
-# A libFuzzer program, which sets out from corpus/<name> beside it, and from another folder
-# if one is named; it takes words from dictionaries/<name>.dict where that is. ctest runs it
-# over the corpora, and till ACMAP_FUZZ_SECONDS are over. What it finds on the way stays in
-# the build folder. Target fuzzers builds them all; property ACMAP_FUZZERS lists them with
-# their options, for test/fuzz/long_run.sh.
+# A libFuzzer target, which sets out from the inputs of corpus/<name>.tar.gz beside it, and
+# from another folder if one is named; it takes words from dictionaries/<name>.dict where
+# that is. With ACMAP_BUILD_FUZZERS it is a libFuzzer program that ctest runs over the inputs,
+# and till ACMAP_FUZZ_SECONDS (5) are over; what it finds on the way stays in the build folder.
+# Target fuzzers builds them all; property ACMAP_FUZZERS lists them with their options, for
+# test/fuzz/long_run.sh. Without, it is a program that runs over the inputs once.
 function(acmap_add_fuzzer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS;MAX_LENGTH" "SOURCES;LIBRARIES")
+  set(seeds)
+  set(packed "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}.tar.gz")
+  if(EXISTS "${packed}")
+    set(unpacked "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
+    if(NOT EXISTS "${unpacked}" OR "${packed}" IS_NEWER_THAN "${unpacked}")
+      file(REMOVE_RECURSE "${unpacked}")
+      file(ARCHIVE_EXTRACT INPUT "${packed}" DESTINATION "${unpacked}" TOUCH)
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${packed}")
+    list(APPEND seeds "${unpacked}")
+  endif()
+  list(APPEND seeds ${arg_CORPUS})
+  if(ACMAP_BUILD_FUZZERS)
+    acmap_add_libfuzzer_program()
+  else()
+    acmap_add_program(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES}
+                      acmap_fuzz_replay)
+    add_test(NAME ${name} COMMAND ${name} ${seeds})
+    set_tests_properties(${name} PROPERTIES LABELS "fuzz;sanitized")
+    acmap_join(tests_sanitized ${name})
+  endif()
+endfunction()
+
+# Reads name, seeds and the arguments of acmap_add_fuzzer.
+macro(acmap_add_libfuzzer_program)
   acmap_add_program(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   set(found "${CMAKE_CURRENT_BINARY_DIR}/${name}.corpus")
@@ -40,19 +105,19 @@ function(acmap_add_fuzzer name)
   if(EXISTS "${words}")
     list(APPEND options "-dict=${words}")
   endif()
-  foreach(folder IN ITEMS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}" ${arg_CORPUS})
-    if(IS_DIRECTORY "${folder}")
-      list(APPEND options "${folder}")
-    endif()
-  endforeach()
+  list(APPEND options ${seeds})
+  set(seconds 5)
+  if(ACMAP_FUZZ_SECONDS)
+    set(seconds ${ACMAP_FUZZ_SECONDS})
+  endif()
   # The same inputs each time: new ones are for the long run.
-  add_test(NAME ${name} COMMAND ${name} -seed=1 -max_total_time=${ACMAP_FUZZ_SECONDS}
+  add_test(NAME ${name} COMMAND ${name} -seed=1 -max_total_time=${seconds}
                                 "${found}" ${options})
   list(JOIN options " " options)
   set_property(GLOBAL APPEND_STRING PROPERTY ACMAP_FUZZERS "${name} ${options}\n")
   set_tests_properties(${name} PROPERTIES LABELS fuzz)
   acmap_join(fuzzers ${name})
-endfunction()
+endmacro()
 
 # acmap_add_usb_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
 #

@@ -42,31 +42,34 @@ summaryLine(const std::string& name, const std::string& value)
 
 Tool::Tool(std::string name, const std::string& purpose)
 : name_(std::move(name))
-, app_(purpose, name_)
+, app_(std::make_unique<CLI::App>(purpose, name_))
 {
-  app_.option_defaults()->always_capture_default();
-  app_.set_help_flag("-h,--help", "Print this help and stop");
-  app_.set_version_flag("--version", name_ + " (acmap) " ACMAP_VERSION);
-  app_.get_option("--version")->description("Print the version and stop");
-  app_.get_formatter()->column_width(34);
-  app_.footer(exit_code_text);
-  app_.add_option("--report", report_path_, "Write counts, seconds and remarks there")
+  app_->option_defaults()->always_capture_default();
+  app_->set_help_flag("-h,--help", "Print this help and stop");
+  app_->set_version_flag("--version", name_ + " (acmap) " ACMAP_VERSION);
+  app_->get_option("--version")->description("Print the version and stop");
+  app_->get_formatter()->column_width(34);
+  app_->footer(exit_code_text);
+  app_->add_option("--report", report_path_, "Write counts, seconds and remarks there")
       ->type_name("FILE.json")
       ->capture_default_str();
-  app_.add_flag("--quiet", quiet_, "Print nothing but errors");
-  app_.add_option("--memory-limit",
-                  memory_limit_,
-                  "Memory this run may take, as 500MB or 2GB; one that needs more ends "
-                  "with exit code 6 [default: what this machine has left]")
+  app_->add_flag("--quiet", quiet_, "Print nothing but errors");
+  app_->add_option(
+          "--memory-limit",
+          memory_limit_,
+          "Memory this run may take, as 500MB or 2GB; one that needs more ends "
+          "with exit code 6 [default: what this machine has left]")
       ->type_name("SIZE")
       ->default_str("")
       ->transform(memorySize().description(""));
 }
 
+Tool::~Tool() = default;
+
 void
 Tool::addThreads()
 {
-  app_.add_option(
+  app_->add_option(
           "--threads", threads_, "Threads; 0 = all cores; the result is the same")
       ->type_name("N")
       ->check(CLI::Range(0, most_threads).description(""));
@@ -80,7 +83,7 @@ Tool::addSeed(std::uint64_t& seed)
     return text.rfind('-', 0) == 0 ? text + " is no whole number from 0 on"
                                    : std::string();
   };
-  app_.add_option("--seed", seed, "Number that all randomness begins with")
+  app_->add_option("--seed", seed, "Number that all randomness begins with")
       ->type_name("N")
       ->check(CLI::Validator(fault, ""));
 }
@@ -88,9 +91,9 @@ Tool::addSeed(std::uint64_t& seed)
 void
 Tool::addScale()
 {
-  app_.add_option("--scale",
-                  scale_,
-                  "Metres in a unit of the input: 0.001 for a file in millimetres")
+  app_->add_option("--scale",
+                   scale_,
+                   "Metres in a unit of the input: 0.001 for a file in millimetres")
       ->type_name("M")
       ->check(positiveNumber().description(""));
 }
@@ -101,7 +104,7 @@ Tool::addLengthOrAuto(const std::string& name,
                       const std::string& description)
 {
   automatic_options_.push_back(name);
-  app_.add_option_function<std::string>(
+  app_->add_option_function<std::string>(
           name,
           [&length](const std::string& text) {
             length = text == "auto" ? 0.0 : std::stod(text);
@@ -156,28 +159,28 @@ Tool::parse(int argc, const char* const* argv)
   command_line_.assign(argv, argv + argc);
   std::vector<std::string> arguments(command_line_.begin() + std::min(argc, 1),
                                      command_line_.end());
-  arguments = withDoubleDashes(std::move(arguments), app_);
+  arguments = withDoubleDashes(std::move(arguments), *app_);
   for (const std::string& name : automatic_options_)
     arguments = withAutomaticValue(std::move(arguments), name);
   // CLI11 takes them from the back
   std::reverse(arguments.begin(), arguments.end());
   try {
-    app_.parse(std::move(arguments));
+    app_->parse(std::move(arguments));
   }
   catch (const CLI::Success& e) {
     std::ostringstream text;
-    const int code = app_.exit(e, text, std::cerr);
+    const int code = app_->exit(e, text, std::cerr);
     print(text.str());
     return code;
   }
   catch (const CLI::ParseError& e) {
     // an option that is not known leaves its value where an input is expected
-    const std::string unknown = unknownOptionFault(app_.remaining(), app_);
+    const std::string unknown = unknownOptionFault(app_->remaining(), *app_);
     if (!unknown.empty())
       throw UsageError(unknown);
     const bool is_incomplete = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
     throw UsageError(e.what() +
-                     (is_incomplete ? "; usage: " + usageOf(app_) : std::string()));
+                     (is_incomplete ? "; usage: " + usageOf(*app_) : std::string()));
   }
   return -1;
 }
@@ -185,7 +188,7 @@ Tool::parse(int argc, const char* const* argv)
 std::string
 Tool::otherDoor() const
 {
-  for (const CLI::Option* option : app_.get_options()) {
+  for (const CLI::Option* option : app_->get_options()) {
     const bool is_input = option->get_positional() && option->get_name() != "output";
     if (!is_input)
       continue;

@@ -6,15 +6,17 @@
 
 #include <pcl/core/progress.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace pcl::acmap {
 
@@ -27,12 +29,13 @@ public:
   /** \param[in] name of the program
    * \param[in] purpose what it does, a sentence */
   Tool(std::string name, const std::string& purpose);
+  ~Tool();
 
   /** \brief Where the tool adds its own options. */
   CLI::App&
   options()
   {
-    return app_;
+    return *app_;
   }
 
   /** \brief Adds `--threads`. */
@@ -175,7 +178,7 @@ private:
   complain(const std::string& line) const;
 
   std::string name_;
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   unsigned threads_ = 0;
   double scale_ = 1.0;
   std::vector<std::string> automatic_options_;

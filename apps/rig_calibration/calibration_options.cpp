@@ -2,6 +2,8 @@
 
 #include "command_line.h"
 
+#include <CLI/CLI.hpp>
+
 #include <set>
 
 namespace pcl::acmap {

@@ -3,6 +3,8 @@
 #include "length_check.h"
 #include "stage_reports.h"
 
+#include <CLI/CLI.hpp>
+
 namespace pcl::acmap {
 namespace {
 

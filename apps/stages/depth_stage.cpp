@@ -6,6 +6,8 @@
 
 #include <pcl/filters/depth_refinement_kernel.h>
 
+#include <CLI/CLI.hpp>
+
 #include <array>
 #include <cstring>
 #include <limits>

@@ -98,7 +98,7 @@ DigiclopsCameraRuns::grab(const std::vector<std::string>& more,
                                   "--patterns",
                                   std::to_string(patterns),
                                   "--shutter",
-                                  shutter_};
+                                  "0.01"};
   all.insert(all.end(), more.begin(), more.end());
   return runGrabber(all, settings);
 }

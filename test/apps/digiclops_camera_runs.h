@@ -61,7 +61,6 @@ protected:
   static FilmedByCamera* film_;
 
   TemporaryFolder folder_;
-  std::string shutter_ = "0.01"; ///< seconds
   std::string clouds_ = folder_.path("clouds");
   std::string recorded_ = folder_.path("recorded");
   ProjectorWatch projector_{lights_};

@@ -82,8 +82,7 @@ TEST_F(DigiclopsCamera, PlanesOfTheMapAreThoseOfTheScene)
 
 TEST_F(DigiclopsCamera, AProjectorThatIsLateMixesPatternsUnlessItMaySettle)
 {
-  projector_.setDelay(std::chrono::milliseconds(30));
-  shutter_ = "0.05";
+  film_->linger();
   const ToolRun run = grab({"--settle", "0"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_GT(film_->mixed(), 0);

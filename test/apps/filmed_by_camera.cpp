@@ -73,19 +73,25 @@ FilmedByCamera::watch(const ProjectorWatch& projector)
   observation_ = 0;
   saw_last_ = false;
   hangs_ = false;
+  lingers_ = false;
+  before_.clear();
   mixed_ = 0;
 }
 
 std::vector<std::uint8_t>
 FilmedByCamera::expose(const Exposure& exposure)
 {
-  const std::set<int> lights = projector_->shownWithin(exposure.begin, exposure.end);
+  std::set<int> lights = projector_->shownWithin(exposure.begin, exposure.end);
   if (lights.count(ProjectorWatch::something_else) > 0)
     return std::vector<std::uint8_t>(exposure.setting.image_bytes, 255);
   if (lights.count(dark) > 0 && std::exchange(saw_last_, false))
     observation_ = std::min(observation_ + 1, observations_ - 1);
   if (lights.count(patterns_ - 1) > 0)
     saw_last_ = true;
+  if (lingers_) {
+    const std::set<int> before = std::exchange(before_, lights);
+    lights.insert(before.begin(), before.end());
+  }
   if (lights.size() > 1)
     ++mixed_;
   std::vector<std::uint8_t> mixed(exposure.setting.image_bytes, 0);

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,14 @@ public:
   hang()
   {
     hangs_ = true;
+  }
+
+  /** \brief The projector is late: an exposure also sees what the one before it saw.
+   * Until \ref watch. */
+  void
+  linger()
+  {
+    lingers_ = true;
   }
 
   /** \brief The image of an exposure: a byte of each camera. Where the light changed
@@ -79,6 +88,8 @@ private:
   int observation_ = 0;
   bool saw_last_ = false; ///< pattern of the observation
   std::atomic<bool> hangs_{false};
+  std::atomic<bool> lingers_{false};
+  std::set<int> before_; ///< lights of the last exposure, where they linger
   std::atomic<int> mixed_{0};
 };
 

@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/egomotion/impl/visual_egomotion.hpp>
+#endif
+
 #include <cmath>
 #include <limits>
 

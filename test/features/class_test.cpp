@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/features/impl/normal_vector_voting.hpp>
+#endif
+
 #include <cmath>
 #include <limits>
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/filters/impl/voxel_consolidation.hpp>
+#endif
+
 #include <algorithm>
 #include <cmath>
 

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/segmentation/impl/plane_hypothesis_clustering.hpp>
+#endif
+
 #include <algorithm>
 
 namespace pcl::acmap::test {

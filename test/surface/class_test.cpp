@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <numeric>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/surface/impl/dewall_triangulation.hpp>
+#endif
+
 namespace pcl::acmap::test {
 namespace {
 

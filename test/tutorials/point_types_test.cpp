@@ -40,6 +40,26 @@ listedTypes()
   return types;
 }
 
+/** Replaces the names of lists of types by the lists. Where a list has two definitions, the
+ * second one belongs to builds without sanitizers. */
+std::string
+withLists(std::string text)
+{
+  static const std::regex definition(R"(#define (ACMAP_\w+_TYPES)((?:.*\\\n)*.*))");
+  const std::string header =
+      contentOf(ACMAP_MODULES "/core/include/pcl/core/compiled_point_types.h");
+  std::map<std::string, std::string> lists;
+  for (std::sregex_iterator at(header.begin(), header.end(), definition), end;
+       at != end;
+       ++at)
+    lists[(*at)[1]] = (*at)[2];
+  for (const std::string& name : {std::string("ACMAP_MAP_POINT_TYPES"),
+                                  std::string("ACMAP_PCL_POINT_TYPES"),
+                                  std::string("ACMAP_VIEW_POINT_TYPES")})
+    text = std::regex_replace(text, std::regex(name), lists.at(name));
+  return text;
+}
+
 Types
 compiledTypes()
 {
@@ -50,7 +70,7 @@ compiledTypes()
   for (const auto& module : fs::directory_iterator(ACMAP_MODULES))
     for (const auto& source : fs::directory_iterator(module.path() / "src")) {
       const std::string text =
-          source.is_regular_file() ? contentOf(source.path().string()) : "";
+          source.is_regular_file() ? withLists(contentOf(source.path().string())) : "";
       const std::set<std::string> names = allMatches(text, name);
       if (names.size() == 1)
         types[*names.begin()] = allMatches(text, type);

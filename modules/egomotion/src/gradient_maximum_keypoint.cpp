@@ -1,7 +1,5 @@
-#include <pcl/core/point_types.h>
+#include <pcl/core/compiled_point_types.h>
 #include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
-#include <pcl/impl/instantiate.hpp>
-#include <pcl/point_types.h>
 
 // for Keypoint of our point type, see the header
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
@@ -11,6 +9,4 @@
 
 template class pcl::Keypoint<pcl::PointXYZRGBSigma, pcl::PointXYZRGBSigma>;
 
-PCL_INSTANTIATE(GradientMaximumKeypoint,
-                (pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZRGBNormal)(
-                    pcl::PointXYZRGBSigma))
+PCL_INSTANTIATE(GradientMaximumKeypoint, ACMAP_VIEW_POINT_TYPES)

@@ -1,6 +1,5 @@
-#include <pcl/core/point_types.h>
+#include <pcl/core/compiled_point_types.h>
 #include <pcl/egomotion/impl/transformation_estimation_planar.hpp>
-#include <pcl/point_types.h>
 
 namespace pcl::registration {
 
@@ -10,11 +9,13 @@ template class ACMAP_EXPORT TransformationEstimationPlanar<PointXYZ, PointXYZ, d
   template class ACMAP_EXPORT TransformationEstimationPlanar<PointT, PointT, float>;
 
 ACMAP_INSTANTIATE(PointXYZ)
+ACMAP_INSTANTIATE(PointXYZRGBSigma)
+#ifndef ACMAP_FEW_POINT_TYPES
 ACMAP_INSTANTIATE(PointXYZI)
 ACMAP_INSTANTIATE(PointXYZRGB)
 ACMAP_INSTANTIATE(PointXYZRGBA)
 ACMAP_INSTANTIATE(PointNormal)
 ACMAP_INSTANTIATE(PointXYZRGBNormal)
-ACMAP_INSTANTIATE(PointXYZRGBSigma)
+#endif
 
 } // namespace pcl::registration

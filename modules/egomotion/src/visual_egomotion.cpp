@@ -1,8 +1,4 @@
-#include <pcl/core/point_types.h>
+#include <pcl/core/compiled_point_types.h>
 #include <pcl/egomotion/impl/visual_egomotion.hpp>
-#include <pcl/impl/instantiate.hpp>
-#include <pcl/point_types.h>
 
-PCL_INSTANTIATE(VisualEgomotion,
-                (pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZRGBNormal)(
-                    pcl::PointXYZRGBSigma))
+PCL_INSTANTIATE(VisualEgomotion, ACMAP_VIEW_POINT_TYPES)

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pcl/core/point_types.h>
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+
+/** \file
+ * Point types for which the classes over points are compiled. For other types include the
+ * headers in `impl/`. Builds under sanitizers compile fewer types. */
+#ifdef ACMAP_FEW_POINT_TYPES
+/** \brief Types of PCL for clouds and maps. */
+#define ACMAP_PCL_POINT_TYPES (pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointNormal)
+/** \brief Types for organized views with colour. */
+#define ACMAP_VIEW_POINT_TYPES (pcl::PointXYZRGB)(pcl::PointXYZRGBSigma)
+#else
+#define ACMAP_PCL_POINT_TYPES                                           \
+  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)( \
+      pcl::PointNormal)(pcl::PointXYZRGBNormal)
+#define ACMAP_VIEW_POINT_TYPES \
+  (pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZRGBNormal)(pcl::PointXYZRGBSigma)
+#endif
+/** \brief Types for clouds and maps. */
+#define ACMAP_MAP_POINT_TYPES ACMAP_PCL_POINT_TYPES(pcl::PointXYZRGBNormalView)
