@@ -71,9 +71,9 @@ balanceOf(const MapEvidence& rays)
          rays.far_rays * rays.far_contradictions;
 }
 
-/** Is a map clearly better than another? Where hardly any ray was contradicted before,
- * walls must meet more often or be half as thick; in a map that was right already they
- * are not. */
+/** Is a map clearly better than another? Unless clearly fewer rays are contradicted, walls
+ * must meet more often, or their variance must fall below half: in a map that was correct
+ * already they do neither. */
 bool
 isBetter(const MapEvidence& map, const MapEvidence& other)
 {
