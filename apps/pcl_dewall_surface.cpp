@@ -5,12 +5,12 @@
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
-#include "scaled_cloud.h"
 #include "stage_reports.h"
 #include "tool.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/mesh_file.h>
+#include <pcl/core/scaled_cloud.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/surface/dewall_kernel.h>

@@ -11,7 +11,7 @@ main(int argc, char** argv)
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
     requireInput(options);
-    std::optional<PosedFolder> posed;
+    std::optional<pcl::ObservationSequence> posed;
     if (options.log.empty())
       posed.emplace(options.folder, tool.scale());
     rectifyPoses(tool, options, posed);

@@ -4,10 +4,10 @@
 #include "plane_extraction/extraction.h"
 #include "plane_extraction/plane_outputs.h"
 #include "plane_extraction/plane_reports.h"
-#include "scaled_cloud.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
+#include <pcl/core/scaled_cloud.h>
 #include <pcl/visualization/display_connection.h>
 
 #include <optional>

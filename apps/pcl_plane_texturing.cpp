@@ -1,9 +1,9 @@
 #include "output_target.h"
-#include "scaled_cloud.h"
 #include "texturing/texture_stage.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/core/output_folder.h>
+#include <pcl/core/scaled_cloud.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <CLI/CLI.hpp>
@@ -51,8 +51,10 @@ paint(Tool& tool, const Options& options, const std::vector<pcl::PlanePatch>& pl
                        planes,
                        loadScaledCloud(options.observations, tool.scale()),
                        options.texture);
-  return paintPlanes(
-      tool, planes, PosedFolder(options.observations, tool.scale()), options.texture);
+  return paintPlanes(tool,
+                     planes,
+                     pcl::ObservationSequence(options.observations, tool.scale()),
+                     options.texture);
 }
 
 void

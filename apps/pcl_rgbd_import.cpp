@@ -1,6 +1,8 @@
-#include "observation_folder.h"
+#include "output_target.h"
 #include "rgbd_import/frame_import.h"
 #include "rgbd_import/import_options.h"
+
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 #include "memory.h"
-#include "observation_folder.h"
 #include "output_target.h"
 #include "simulated_rig/raw_session.h"
 #include "simulated_rig/simulation_options.h"
@@ -7,6 +6,7 @@
 
 #include <pcl/core/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>

@@ -1,6 +1,6 @@
 #include "known_poses.h"
 
-#include "observation_folder.h"
+#include <pcl/pipeline/observation_files.h>
 
 namespace pcl::acmap {
 

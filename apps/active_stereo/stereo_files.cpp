@@ -1,11 +1,11 @@
 #include "stereo_files.h"
 
 #include "disparity_picture.h"
-#include "observation_folder.h"
 #include "output_target.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/pipeline/observation_files.h>
 
 namespace pcl::acmap {
 

@@ -1,6 +1,6 @@
 #include "stereo_results.h"
 
-#include "observation_folder.h"
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "cloud_labels.h"
 
-#include "cloud_fields.h"
 #include "exit_code.h"
 
 #include <pcl/common/colors.h>
+#include <pcl/core/cloud_fields.h>
 
 namespace pcl::acmap {
 

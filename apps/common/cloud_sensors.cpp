@@ -1,7 +1,6 @@
 #include "cloud_sensors.h"
 
-#include "cloud_fields.h"
-
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/trajectory.h>
 
 #include <filesystem>

@@ -1,7 +1,8 @@
 #include "input_kind.h"
 
-#include "observation_folder.h"
 #include "output_target.h"
+
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,8 @@
 #include "map_rows.h"
 
-#include "cloud_fields.h"
 #include "memory.h"
+
+#include <pcl/core/cloud_fields.h>
 
 #include <cstring>
 #include <utility>

@@ -3,6 +3,7 @@
 #include "exit_code.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <unistd.h>
 
@@ -85,6 +86,14 @@ requireNoneIn(const OutputFolder& folder,
     if (is_ours(name))
       throw OutputFileException(folder.name() + ": already holds " + name +
                                 "; name an empty or a new folder");
+}
+
+void
+requireNoSequence(const OutputFolder& folder, const std::vector<std::string>& more)
+{
+  requireNoneIn(folder, [&](const std::string& name) {
+    return isSequenceName(name) || std::count(more.begin(), more.end(), name) > 0;
+  });
 }
 
 } // namespace pcl::acmap

@@ -27,6 +27,13 @@ void
 requireNoneIn(const OutputFolder& folder,
               const std::function<bool(const std::string& name)>& is_ours);
 
+/** \brief Refuses a folder that holds parts of a sequence, which new ones would mix with.
+ * \param[in] more names that it must not hold either
+ * \throws OutputFileException naming what it holds */
+void
+requireNoSequence(const OutputFolder& folder,
+                  const std::vector<std::string>& more = {});
+
 /** \brief Ending of a file name with its dot, in lower case; empty without one. */
 std::string
 endingOf(const std::string& path);

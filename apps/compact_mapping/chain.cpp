@@ -2,9 +2,9 @@
 
 #include "active_stereo/stereo_run.h"
 #include "entropy_rectification/rectification_run.h"
-#include "observation_folder.h"
-#include "observation_names.h"
 #include "visual_egomotion/pose_estimation.h"
+
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -130,7 +130,7 @@ Chain::sequenceFrom(StartingPoint start)
     sequence.posed = findPoses(observations, scale);
   sequence.is_rectified = options_.rectifies && sequence.posed->size() > 1;
   if (sequence.is_rectified)
-    sequence.posed = rectify(*sequence.posed, scale);
+    sequence.posed = rectify(observations, *sequence.posed, scale);
   return sequence;
 }
 
@@ -152,9 +152,10 @@ Chain::makeObservations()
   return stereo.output;
 }
 
-PosedFolder
+ObservationSequence
 Chain::findPoses(const std::string& observations, double scale)
 {
+  const ObservationSequence sequence(observationPaths(observations), scale);
   EgomotionOptions egomotion = options_.egomotion;
   egomotion.inputs = {observations};
   egomotion.output = folderOf("egomotion");
@@ -164,20 +165,21 @@ Chain::findPoses(const std::string& observations, double scale)
                           {"scale", scale},
                           {"options", valuesIn(tool_, egomotion_group)}},
                          [&] {
-                           estimatePoses(tool_, egomotion);
+                           estimatePoses(tool_, egomotion, sequence);
                            return std::vector<std::string>();
                          });
-  return {observations,
-          scale,
-          namesIn(told.details),
-          loadTrajectory((fs::path(egomotion.output) / trajectory_name).string())};
+  return sequence.withPoses(
+      namesIn(told.details),
+      loadTrajectory((fs::path(egomotion.output) / trajectory_name).string()));
 }
 
-PosedFolder
-Chain::rectify(const PosedFolder& posed, double scale)
+ObservationSequence
+Chain::rectify(const std::string& observations,
+               const ObservationSequence& posed,
+               double scale)
 {
   RectificationOptions rectification = options_.rectification;
-  rectification.folder = posed.folder();
+  rectification.folder = observations;
   rectification.output = folderOf("rectification");
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
@@ -185,19 +187,18 @@ Chain::rectify(const PosedFolder& posed, double scale)
   if (has_egomotion && !rectification.has_odometry_noise)
     rectification.settings.odometry = noiseOf(stages_.back().told.details);
   const Told& told = run("rectification",
-                         {{"observations", posed.folder()},
+                         {{"observations", observations},
                           {"skips_broken", rectification.skip_broken},
-                          {"files", sequenceState(posed.folder())},
+                          {"files", sequenceState(observations)},
                           {"scale", scale},
                           {"options", valuesIn(tool_, rectification_group)}},
                          [&] {
                            rectifyPoses(tool_, rectification, posed);
                            return std::vector<std::string>();
                          });
-  return {posed.folder(),
-          scale,
-          namesIn(told.details),
-          loadTrajectory((fs::path(rectification.output) / trajectory_name).string())};
+  return posed.withPoses(
+      namesIn(told.details),
+      loadTrajectory((fs::path(rectification.output) / trajectory_name).string()));
 }
 
 } // namespace pcl::acmap

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "chain_options.h"
-#include "posed_folder.h"
 #include "stage_folder.h"
+
+#include <pcl/pipeline/observation_sequence.h>
 
 #include <functional>
 #include <optional>
@@ -13,7 +14,7 @@ namespace pcl::acmap {
 
 /** \brief What a map is made of; without observations it is one cloud. */
 struct Sequence {
-  std::optional<PosedFolder> posed;
+  std::optional<ObservationSequence> posed;
   bool is_rectified = false; ///< whether the poses went through that stage
 };
 
@@ -73,11 +74,13 @@ private:
   std::string
   makeObservations();
 
-  PosedFolder
+  ObservationSequence
   findPoses(const std::string& observations, double scale);
 
-  PosedFolder
-  rectify(const PosedFolder& posed, double scale);
+  ObservationSequence
+  rectify(const std::string& observations,
+          const ObservationSequence& posed,
+          double scale);
 
   Tool& tool_;
   const ChainOptions& options_;

@@ -1,8 +1,9 @@
 #include "chain_report.h"
 
 #include "compact_mapping/map_stage.h"
-#include "observation_folder.h"
 #include "report_page.h"
+
+#include <pcl/pipeline/observation_files.h>
 
 #include <filesystem>
 #include <string_view>

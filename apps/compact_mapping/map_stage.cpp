@@ -3,13 +3,13 @@
 #include "length_check.h"
 #include "map_pictures.h"
 #include "merged_map.h"
-#include "observation_folder.h"
 #include "plane_extraction/plane_outputs.h"
 #include "plane_extraction/plane_reports.h"
-#include "scaled_cloud.h"
 
 #include <pcl/core/map_up.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/core/scaled_cloud.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Mapped {
 Mapped
 mapSequence(Tool& tool,
             const ChainOptions& options,
-            const PosedFolder& posed,
+            const ObservationSequence& posed,
             const OutputFolder& folder,
             StepTimer& timer)
 {

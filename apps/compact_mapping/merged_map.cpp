@@ -1,7 +1,8 @@
 #include "merged_map.h"
 
-#include "cloud_fields.h"
 #include "map_rows.h"
+
+#include <pcl/core/cloud_fields.h>
 
 namespace pcl::acmap {
 
@@ -15,7 +16,7 @@ MergedMap::sensors() const
 
 MergedMap
 mergeObservations(Tool& tool,
-                  const PosedFolder& folder,
+                  const ObservationSequence& sequence,
                   DepthSensor sensor,
                   bool skip_broken,
                   std::size_t most_points)
@@ -23,19 +24,20 @@ mergeObservations(Tool& tool,
   MergedMap map;
   MapRows rows(0, true);
   rows.setMost(most_points);
-  std::vector<std::string> remarks = folder.remarks();
+  std::vector<std::string> remarks = sequence.remarks();
   std::vector<Eigen::Isometry3d> poses;
   tool.withProgress([&](const ProgressCallback& callback) {
     const Progress progress(callback);
-    for (std::size_t i = 0; i < folder.size(); ++i) {
-      progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                     "reading");
       try {
-        PosedObservation seen = folder.load(i, remarks);
-        map.refined += refineIfQuantised(seen.file, sensor, tool.threads()) ? 1 : 0;
-        rows.append(seen.file,
-                    seen.T_map_camera,
-                    static_cast<std::int32_t>(map.viewpoints.size()));
+        const PosedObservation seen = sequence.load(i);
+        remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
+        PointCloudFile file = *seen.file;
+        map.refined += refineIfQuantised(file, sensor, tool.threads()) ? 1 : 0;
+        rows.append(
+            file, seen.T_map_camera, static_cast<std::int32_t>(map.viewpoints.size()));
         poses.push_back(seen.T_map_camera);
         map.viewpoints.push_back(seen.T_map_camera.translation().cast<float>());
         ++map.observations;
@@ -51,7 +53,7 @@ mergeObservations(Tool& tool,
     tool.warn(remark);
   if (map.observations == 0)
     throw InputFileException("none of the observations can be read");
-  folder.requireDifferent(poses);
+  sequence.requireDifferent(poses);
   if (rows.every() > 1)
     tool.warn("the map has more than " + std::to_string(most_points) +
               " points (--max-points): it is made of each " +

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "depth_stage.h"
-#include "posed_folder.h"
 #include "tool.h"
 
 #include <pcl/core/sensor_view.h>
+#include <pcl/pipeline/observation_sequence.h>
 
 #include <memory>
 
@@ -31,7 +31,7 @@ struct MergedMap {
  * \throws MemoryRefused when this machine has too little */
 MergedMap
 mergeObservations(Tool& tool,
-                  const PosedFolder& folder,
+                  const ObservationSequence& sequence,
                   DepthSensor sensor,
                   bool skip_broken,
                   std::size_t most_points);

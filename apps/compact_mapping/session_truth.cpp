@@ -1,8 +1,7 @@
 #include "session_truth.h"
 
-#include "observation_folder.h"
-
 #include <pcl/core/file_format.h>
+#include <pcl/core/trajectory.h>
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 #include "starting_point.h"
 
 #include "input_kind.h"
-#include "posed_folder.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/pipeline/observation_sequence.h>
 
 #include <filesystem>
 #include <optional>
@@ -15,16 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 
 bool
-hasPoses(const PosedFolder& folder, bool skip_broken)
+hasPoses(const ObservationSequence& sequence, bool skip_broken)
 {
-  if (folder.hasTrajectory())
+  if (sequence.hasTrajectory())
     return true;
-  std::vector<std::string> told_later;
   std::optional<Eigen::Matrix4d> first;
   std::size_t readable = 0;
-  for (std::size_t i = 0; i < folder.size(); ++i) {
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
     try {
-      const Eigen::Matrix4d pose = folder.load(i, told_later).T_map_camera.matrix();
+      const Eigen::Matrix4d pose = sequence.load(i).T_map_camera.matrix();
       ++readable;
       if (first && pose != *first)
         return true;
@@ -63,8 +62,9 @@ startingPointOf(const std::string& input, bool skip_broken)
     return StartingPoint::Cloud;
   if (inputKindOf(input) == InputKind::RawSession)
     return StartingPoint::Session;
-  return hasPoses(PosedFolder(input, 1), skip_broken) ? StartingPoint::PosedObservations
-                                                      : StartingPoint::Observations;
+  return hasPoses(ObservationSequence(input), skip_broken)
+             ? StartingPoint::PosedObservations
+             : StartingPoint::Observations;
 }
 
 } // namespace pcl::acmap

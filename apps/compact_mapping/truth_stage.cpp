@@ -1,8 +1,7 @@
 #include "truth_stage.h"
 
-#include "observation_names.h"
-
 #include <pcl/core/map_file.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +15,7 @@ namespace fs = std::filesystem;
 /** \brief The way of the map; observations that it left out have no pose in it.
  * \param[in] before a row for each observation of the folder */
 MappedWay
-wayOf(const PosedFolder& posed,
+wayOf(const ObservationSequence& posed,
       const Trajectory& before,
       const Trajectory& after,
       const SessionTruth& truth)

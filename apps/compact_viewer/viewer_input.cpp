@@ -1,12 +1,12 @@
 #include "viewer_input.h"
 
-#include "cloud_fields.h"
 #include "exit_code.h"
 #include "length_check.h"
 #include "output_target.h"
-#include "scaled_cloud.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_file.h>
+#include <pcl/core/scaled_cloud.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/visualization/scene_file.h>
 

@@ -58,8 +58,8 @@ readScans(Tool& tool, const std::string& log, std::size_t every)
   observations.load = [clouds = observations.clouds](std::size_t i) {
     PointCloud<PointXYZ> echoes;
     copyPointCloud(*clouds[i], echoes);
-    PointCloudFile file;
-    toPCLPointCloud2(echoes, file.cloud);
+    auto file = std::make_shared<PointCloudFile>();
+    toPCLPointCloud2(echoes, file->cloud);
     return file;
   };
   return observations;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "posed_folder.h"
 #include "tool.h"
 
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/observation_sequence.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -27,7 +27,7 @@ struct MapObservations {
 
   /** \brief An observation as it was measured; sensor frame, metres.
    * \throws InputFileException when it can no longer be read */
-  std::function<PointCloudFile(std::size_t)> load;
+  std::function<std::shared_ptr<const PointCloudFile>(std::size_t)> load;
 
   std::size_t points = 0; ///< finite ones, as measured
   bool colored = false;   ///< has an observation that has colours
@@ -39,7 +39,7 @@ struct MapObservations {
  * \throws InputFileException when an observation cannot be read and none may be skipped, or
  * none has a pose */
 MapObservations
-readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken);
+readObservations(Tool& tool, const ObservationSequence& sequence, bool skip_broken);
 
 /** \brief Reads each Nth scan of a CARMEN log, as a step of the tool.
  * \throws InputFileException as loadCarmenLog */

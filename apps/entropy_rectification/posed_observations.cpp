@@ -1,8 +1,8 @@
 #include "map_observations.h"
 
-#include "cloud_fields.h"
 #include "length_check.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/consolidation_kernel.h>
 
@@ -84,16 +84,16 @@ consolidate(const std::string& path,
 
 /** \brief Counts an observation. \return its finite points */
 std::size_t
-add(const PosedFolder& folder,
+add(const ObservationSequence& sequence,
     std::size_t i,
     const PosedObservation& seen,
     MapObservations& observations)
 {
-  const std::size_t points = finitePoints(seen.file.points());
+  const std::size_t points = finitePoints(seen.file->points());
   observations.points += points;
-  observations.colored = observations.colored || findColor(seen.file.cloud);
-  observations.files.push_back(folder.names()[i]);
-  observations.trajectory.stamps.push_back(folder.stamp(i));
+  observations.colored = observations.colored || findColor(seen.file->cloud);
+  observations.files.push_back(sequence.name(i));
+  observations.trajectory.stamps.push_back(sequence.stamp(i));
   observations.trajectory.poses.push_back(seen.T_map_camera);
   return points;
 }
@@ -128,7 +128,7 @@ warnOf(Tool& tool, const std::vector<std::string>& remarks)
 } // namespace
 
 MapObservations
-readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
+readObservations(Tool& tool, const ObservationSequence& sequence, bool skip_broken)
 {
   MapObservations observations;
   std::vector<std::size_t> places; // in the folder
@@ -136,17 +136,18 @@ readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
   std::vector<std::string> remarks;
   tool.withProgress([&](const ProgressCallback& callback) {
     const Progress progress(callback);
-    for (std::size_t i = 0; i < folder.size(); ++i) {
-      progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                     "reading");
       try {
-        const PosedObservation seen = folder.load(i, remarks);
+        const PosedObservation seen = sequence.load(i);
+        remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
         if (i == 0)
-          warnOfLengths(tool, seen.file);
-        if (add(folder, i, seen, observations) == 0)
-          tool.warn(folder.path(i) + ": has no point");
-        consolidate(folder.path(i),
-                    seen.file.points(),
+          warnOfLengths(tool, *seen.file);
+        if (add(sequence, i, seen, observations) == 0)
+          tool.warn(sequence.path(i) + ": has no point");
+        consolidate(sequence.path(i),
+                    seen.file->points(),
                     tool.threads(),
                     Progress(),
                     observations,
@@ -161,14 +162,13 @@ readObservations(Tool& tool, const PosedFolder& folder, bool skip_broken)
     }
   });
   warnOf(tool, remarks);
-  for (const std::string& remark : folder.remarks())
+  for (const std::string& remark : sequence.remarks())
     tool.warn(remark);
   if (places.empty())
     throw InputFileException("none of the observations can be read");
-  folder.requireDifferent(observations.trajectory.poses);
-  observations.load = [&folder, places](std::size_t i) {
-    std::vector<std::string> told_before;
-    return folder.load(places[i], told_before).file;
+  sequence.requireDifferent(observations.trajectory.poses);
+  observations.load = [sequence, places](std::size_t i) {
+    return sequence.load(places[i]).file;
   };
   tellCounts(tool, observations, counts);
   return observations;

@@ -1,12 +1,12 @@
 #include "rectification_outputs.h"
 
-#include "cloud_fields.h"
 #include "energy_picture.h"
 #include "map_rows.h"
-#include "observation_folder.h"
 #include "plan_picture.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/observation_files.h>
 
 namespace pcl::acmap {
 
@@ -85,14 +85,15 @@ writeOutputs(Tool& tool,
     for (std::size_t i = 0; i < poses.size(); ++i) {
       progress.tell(static_cast<double>(i) / static_cast<double>(poses.size()),
                     "writing");
-      PointCloudFile observation = observations.load(i);
+      const std::shared_ptr<const PointCloudFile> observation = observations.load(i);
       if (options.write_map)
-        map.append(observation, poses[i], static_cast<std::int32_t>(i));
-      addTo(before, observation, plan_before[i]);
-      addTo(after, observation, plan_after[i]);
+        map.append(*observation, poses[i], static_cast<std::int32_t>(i));
+      addTo(before, *observation, plan_before[i]);
+      addTo(after, *observation, plan_after[i]);
       if (options.write_observations) {
-        dropUnwritableFields(observation.cloud);
-        saveObservation(folder.path(observationName(i)), observation.cloud, poses[i]);
+        PCLPointCloud2 cloud = observation->cloud;
+        dropUnwritableFields(cloud);
+        saveObservation(folder.path(observationName(i)), cloud, poses[i]);
       }
     }
   });

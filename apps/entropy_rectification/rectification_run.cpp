@@ -2,11 +2,12 @@
 
 #include "level_check.h"
 #include "map_observations.h"
-#include "observation_folder.h"
+#include "output_target.h"
 #include "rectification_outputs.h"
 #include "rectification_reports.h"
 
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ checkLevel(Tool& tool, const MapObservations& observations)
 void
 rectifyPoses(Tool& tool,
              const RectificationOptions& options,
-             const std::optional<PosedFolder>& posed)
+             const std::optional<ObservationSequence>& posed)
 {
   StepTimer timer(tool.report());
   OutputFolder folder(options.output);

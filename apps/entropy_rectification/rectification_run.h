@@ -1,7 +1,8 @@
 #pragma once
 
-#include "posed_folder.h"
 #include "rectification_options.h"
+
+#include <pcl/pipeline/observation_sequence.h>
 
 #include <optional>
 
@@ -14,6 +15,6 @@ namespace pcl::acmap {
 void
 rectifyPoses(Tool& tool,
              const RectificationOptions& options,
-             const std::optional<PosedFolder>& posed);
+             const std::optional<ObservationSequence>& posed);
 
 } // namespace pcl::acmap

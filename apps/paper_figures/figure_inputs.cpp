@@ -1,13 +1,11 @@
 #include "figure_inputs.h"
 
-#include "cloud_fields.h"
-#include "observation_folder.h"
-#include "observation_names.h"
-
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/core/yaml_node.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <cmath>
 #include <filesystem>

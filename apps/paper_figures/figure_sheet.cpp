@@ -1,8 +1,9 @@
 #include "figure_sheet.h"
 
-#include "cloud_fields.h"
 #include "drawing.h"
 #include "memory.h"
+
+#include <pcl/core/cloud_fields.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #include "map_plans.h"
 
-#include "cloud_fields.h"
 #include "entropy_rectification/plan_picture.h"
 #include "figure_sheet.h"
 #include "figure_views.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/point_view.h>
 
 #include <algorithm>

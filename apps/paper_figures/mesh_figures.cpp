@@ -1,11 +1,11 @@
 #include "mesh_figures.h"
 
-#include "cloud_fields.h"
 #include "consolidation_stage.h"
 #include "exit_code.h"
 #include "figure_sheet.h"
 #include "figure_views.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/surface/dewall_kernel.h>
 
 namespace pcl::acmap {

@@ -1,10 +1,10 @@
 #include "extraction.h"
 
-#include "cloud_fields.h"
 #include "cloud_sensors.h"
 #include "length_check.h"
 #include "plane_reports.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/segmentation/depth_plane_kernel.h>
 

@@ -1,9 +1,9 @@
 #include "plane_outputs.h"
 
-#include "cloud_fields.h"
 #include "cloud_labels.h"
 #include "memory.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_writer.h>
 

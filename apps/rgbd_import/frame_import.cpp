@@ -1,9 +1,8 @@
 #include "frame_import.h"
 
-#include "cloud_fields.h"
-#include "observation_folder.h"
-
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <cmath>

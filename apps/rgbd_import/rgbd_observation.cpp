@@ -1,6 +1,6 @@
 #include "rgbd_observation.h"
 
-#include "cloud_fields.h"
+#include <pcl/core/cloud_fields.h>
 
 #include <Eigen/Core>
 

@@ -1,13 +1,13 @@
 #include "raw_session.h"
 
 #include "memory.h"
-#include "observation_folder.h"
 #include "output_target.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/parallel.h>
+#include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/simulated_truth.h>
 
 #include <cmath>

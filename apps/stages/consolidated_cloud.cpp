@@ -1,6 +1,6 @@
 #include "consolidated_cloud.h"
 
-#include "cloud_fields.h"
+#include <pcl/core/cloud_fields.h>
 
 #include <array>
 #include <cstring>

@@ -1,9 +1,9 @@
 #include "depth_stage.h"
 
-#include "cloud_fields.h"
 #include "command_line.h"
 #include "stage_reports.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/filters/depth_refinement_kernel.h>
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,11 @@
 #include "texture_stage.h"
 
-#include "cloud_fields.h"
 #include "command_line.h"
 #include "length_check.h"
 #include "memory.h"
 #include "stage_reports.h"
+
+#include <pcl/core/cloud_fields.h>
 
 #include <CLI/CLI.hpp>
 
@@ -126,25 +127,26 @@ addTextureOptions(Tool& tool, TextureOptions& options)
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
-            const PosedFolder& folder,
+            const ObservationSequence& sequence,
             const TextureOptions& options)
 {
   const TexturingSettings settings = settingsOf(tool, options);
   requireRoom(planes, settings);
   TextureBuilder builder(planes, settings);
   Trajectory trajectory;
-  std::vector<std::string> remarks = folder.remarks();
+  std::vector<std::string> remarks = sequence.remarks();
   tool.withProgress([&](const ProgressCallback& callback) {
     const Progress progress(callback);
-    for (std::size_t i = 0; i < folder.size(); ++i) {
-      progress.tell(static_cast<double>(i) / static_cast<double>(folder.size()),
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                     "painting");
       try {
-        const PosedObservation seen = folder.load(i, remarks);
+        const PosedObservation seen = sequence.load(i);
+        remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
         if (i == 0 && tool.warnings().empty()) // else who merged them has told
-          warnOfLengths(tool, seen.file);
-        builder.add(viewOf(seen.file, seen.T_map_camera));
-        trajectory.stamps.push_back(folder.stamp(i));
+          warnOfLengths(tool, *seen.file);
+        builder.add(viewOf(*seen.file, seen.T_map_camera));
+        trajectory.stamps.push_back(sequence.stamp(i));
         trajectory.poses.push_back(seen.T_map_camera);
       }
       catch (const InputFileException& error) {
@@ -161,7 +163,7 @@ paintPlanes(Tool& tool,
       tool.warn(remark);
   if (trajectory.poses.empty())
     throw InputFileException("none of the observations can be read");
-  folder.requireDifferent(trajectory.poses);
+  sequence.requireDifferent(trajectory.poses);
   CompactMap map = finish(tool, builder);
   map.trajectory = std::move(trajectory);
   return map;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "posed_folder.h"
 #include "tool.h"
 
 #include <pcl/core/compact_map.h>
+#include <pcl/pipeline/observation_sequence.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/texture/texturing_kernel.h>
 
@@ -29,7 +29,7 @@ addTextureOptions(Tool& tool, TextureOptions& options);
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
-            const PosedFolder& folder,
+            const ObservationSequence& sequence,
             const TextureOptions& options);
 
 /** \brief Paints planes with the colours of one cloud in their frame. */

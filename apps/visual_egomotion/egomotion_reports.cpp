@@ -69,11 +69,11 @@ secondsOf(const EgomotionReport& report)
 }
 
 Json
-jsonOf(const EgomotionPair& pair, const ObservationList& list, bool is_rigid)
+jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
 {
   const EgomotionReport& report = pair.report;
-  Json json = {{"observation", list.paths[pair.now]},
-               {"before", list.paths[pair.before]},
+  Json json = {{"observation", list.sequence.path(pair.now)},
+               {"before", list.sequence.path(pair.before)},
                {"skipped", pair.skipped()},
                {"outcome", nameOf(report.outcome)}};
   if (pair.estimate)
@@ -129,10 +129,10 @@ lengthOf(const Trajectory& trajectory)
 /** Of what a function gives for each pair with a motion. */
 template <typename Function>
 double
-medianOf(const EgomotionRun& run, const Function& function)
+medianOf(const VisualOdometryResult& run, const Function& function)
 {
   std::vector<double> values;
-  for (const EgomotionPair& pair : run.pairs)
+  for (const OdometryPair& pair : run.pairs)
     if (pair.estimate)
       values.push_back(static_cast<double>(function(pair)));
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -142,10 +142,10 @@ medianOf(const EgomotionRun& run, const Function& function)
 
 /** What the motions err by in the xz plane and about y, as estimated: metres, radians. */
 Json
-medianDeviations(const EgomotionRun& run)
+medianDeviations(const VisualOdometryResult& run)
 {
   const auto deviation = [&](int i) {
-    return medianOf(run, [i](const EgomotionPair& pair) {
+    return medianOf(run, [i](const OdometryPair& pair) {
       return std::sqrt(pair.estimate->covariance(i, i));
     });
   };
@@ -155,12 +155,12 @@ medianDeviations(const EgomotionRun& run)
 constexpr std::size_t most_named = 20; ///< of each kind, on stderr
 
 void
-warnOfLost(Tool& tool, const ObservationList& list, const EgomotionRun& run)
+warnOfLost(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {
   std::size_t lost = 0;
-  for (std::size_t i = 0; i < list.size(); ++i)
+  for (std::size_t i = 0; i < list.sequence.size(); ++i)
     if (!run.poses[i] && ++lost <= most_named)
-      tool.warn("lost: " + list.paths[i] + ": " + run.reasonOf(i, list));
+      tool.warn("lost: " + list.sequence.path(i) + ": " + run.reasonOf(i, list.names));
   if (lost > most_named)
     tool.warn(std::to_string(lost - most_named) +
               " further observations are lost, the report names them");
@@ -168,24 +168,24 @@ warnOfLost(Tool& tool, const ObservationList& list, const EgomotionRun& run)
 
 /** One lost at the end has its own line, more of them are news. */
 void
-warnOfEnd(Tool& tool, const ObservationList& list, const EgomotionRun& run)
+warnOfEnd(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {
-  std::size_t end = list.size();
+  std::size_t end = list.sequence.size();
   while (end > 0 && !run.poses[end - 1])
     --end;
-  if (list.size() - end > 1)
-    tool.warn("nothing was joined from " + list.paths[end] + " on: the last " +
-              std::to_string(list.size() - end) + " observations are lost");
+  if (list.sequence.size() - end > 1)
+    tool.warn("nothing was joined from " + list.sequence.path(end) + " on: the last " +
+              std::to_string(list.sequence.size() - end) + " observations are lost");
 }
 
 /** Less is common to views that lie farther apart. */
 void
-warnOfSkips(Tool& tool, const ObservationList& list, const EgomotionRun& run)
+warnOfSkips(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {
   std::size_t skips = 0;
-  for (const EgomotionPair& pair : run.pairs)
+  for (const OdometryPair& pair : run.pairs)
     if (pair.estimate && pair.skipped() > 0 && ++skips <= most_named)
-      tool.warn("skipped: " + list.paths[pair.now] + ": was joined to " +
+      tool.warn("skipped: " + list.sequence.path(pair.now) + ": was joined to " +
                 list.names[pair.before] + ", past " + std::to_string(pair.skipped()) +
                 " others, by " + std::to_string(pair.report.inliers) + " matches");
   if (skips > most_named)
@@ -203,10 +203,10 @@ jsonOf(const FreeMotion& free)
 }
 
 void
-tellMotions(Tool& tool, const EgomotionRun& run)
+tellMotions(Tool& tool, const VisualOdometryResult& run)
 {
   const auto deviation = [](int row) {
-    return [row](const EgomotionPair& pair) {
+    return [row](const OdometryPair& pair) {
       return std::sqrt(pair.estimate->covariance.diagonal().segment<3>(row).sum());
     };
   };
@@ -244,17 +244,17 @@ void
 addDetails(Tool& tool,
            const EgomotionOptions& options,
            const ObservationList& list,
-           const EgomotionRun& run,
+           const VisualOdometryResult& run,
            const std::optional<TruthComparison>& comparison)
 {
   Json lost = Json::array(), pairs = Json::array(), posed_files = Json::array();
-  for (std::size_t i = 0; i < list.size(); ++i)
+  for (std::size_t i = 0; i < list.sequence.size(); ++i)
     if (run.poses[i])
       posed_files.push_back(list.names[i]);
     else
-      lost.push_back(
-          {{"observation", list.paths[i]}, {"reason", run.reasonOf(i, list)}});
-  for (const EgomotionPair& pair : run.pairs)
+      lost.push_back({{"observation", list.sequence.path(i)},
+                      {"reason", run.reasonOf(i, list.names)}});
+  for (const OdometryPair& pair : run.pairs)
     pairs.push_back(jsonOf(pair, list, options.is_rigid));
   tool.details() = {{"inputs", options.inputs},
                     {"output", options.output},
@@ -263,7 +263,7 @@ addDetails(Tool& tool,
                     {"max_rotation", options.most_rotation / degrees},
                     {"keypoints", options.keypoints},
                     {"refinement", options.refines},
-                    {"observations", list.size()},
+                    {"observations", list.sequence.size()},
                     {"posed", run.posed()},
                     {"length", lengthOf(run.trajectory(list.stamps))},
                     {"posed_files", posed_files},
@@ -278,7 +278,7 @@ addDetails(Tool& tool,
 } // namespace
 
 void
-warnOfFreeMotion(Tool& tool, const EgomotionRun& run)
+warnOfFreeMotion(Tool& tool, const VisualOdometryResult& run)
 {
   const FreeMotion& free = run.free;
   if (2 * free.free <= free.pairs)
@@ -295,15 +295,15 @@ void
 tellRun(Tool& tool,
         const EgomotionOptions& options,
         const ObservationList& list,
-        const EgomotionRun& run,
+        const VisualOdometryResult& run,
         const std::optional<TruthComparison>& comparison)
 {
   warnOfLost(tool, list, run);
   warnOfEnd(tool, list, run);
   warnOfSkips(tool, list, run);
   tool.tell("posed",
-            std::to_string(run.posed()) + " of " + std::to_string(list.size()) +
-                " observations, along " +
+            std::to_string(run.posed()) + " of " +
+                std::to_string(list.sequence.size()) + " observations, along " +
                 shortNumber(lengthOf(run.trajectory(list.stamps))) + " m");
   tellMotions(tool, run);
   if (comparison)

@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 /** \brief Warns where the motions were found on the floor, and the camera left it. */
 void
-warnOfFreeMotion(Tool& tool, const EgomotionRun& run);
+warnOfFreeMotion(Tool& tool, const VisualOdometryResult& run);
 
 /** \brief Tells on stdout and in the report what became of a sequence; lost observations
  * are warned of by name.
@@ -15,7 +15,7 @@ void
 tellRun(Tool& tool,
         const EgomotionOptions& options,
         const ObservationList& list,
-        const EgomotionRun& run,
+        const VisualOdometryResult& run,
         const std::optional<TruthComparison>& comparison);
 
 } // namespace pcl::acmap

@@ -1,10 +1,9 @@
 #include "observation_list.h"
 
-#include "observation_folder.h"
-#include "observation_names.h"
 #include "output_target.h"
 
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -51,27 +50,29 @@ comeBackInOrder(const std::vector<std::string>& names)
 } // namespace
 
 ObservationList
-listObservations(Tool& tool, const std::vector<std::string>& inputs)
+listObservations(Tool& tool,
+                 const std::vector<std::string>& inputs,
+                 const std::optional<ObservationSequence>& opened)
 {
-  ObservationList list;
   std::error_code error;
   const bool is_folder =
       inputs.size() == 1 &&
       (fs::is_directory(inputs.front(), error) || endingOf(inputs.front()) != ".pcd");
-  if (is_folder)
-    for (const std::string& name : observationNames(inputs.front()))
-      list.paths.push_back((fs::path(inputs.front()) / name).string());
-  else
-    list.paths = inputs;
-  for (const std::string& path : list.paths)
-    list.names.push_back(fs::path(path).filename().string());
-  list.stamps.resize(list.size());
+  ObservationList list{
+      opened ? *opened
+             : ObservationSequence(
+                   is_folder ? observationPaths(inputs.front()) : inputs, tool.scale()),
+      {},
+      {},
+      {}};
+  list.names = list.sequence.names();
+  list.stamps.resize(list.names.size());
   std::iota(list.stamps.begin(), list.stamps.end(), 0.0);
   if (is_folder)
     takeStamps(tool, inputs.front(), list);
   list.outputs = list.names;
   if (!comeBackInOrder(list.names)) {
-    for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t i = 0; i < list.outputs.size(); ++i)
       list.outputs[i] = observationName(i);
     tool.warn("the observations are named anew, since a folder would have them in "
               "another order than the one given");
@@ -80,10 +81,10 @@ listObservations(Tool& tool, const std::vector<std::string>& inputs)
 }
 
 void
-requireFit(const OutputFolder& folder, const ObservationList& list)
+requireFit(const OutputFolder& folder, const ObservationSequence& sequence)
 {
-  for (const std::string& path : list.paths)
-    if (folder.holds(path))
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    if (folder.holds(sequence.path(i)))
       throw UsageError(folder.name() + ": holds the input; name another folder");
   requireNoneIn(folder, [](const std::string& name) {
     // a report that was replaced would leave its map without one

@@ -1,19 +1,21 @@
 #pragma once
 
-#include "egomotion_run.h"
+#include "egomotion_options.h"
+#include "tool.h"
+
+#include <pcl/pipeline/observation_sequence.h>
+
+#include <optional>
 
 namespace pcl::acmap {
 
-/** \brief What was asked for, and what came of it. */
-struct EgomotionResult {
-  ObservationList list;
-  EgomotionRun run;
-};
-
 /** \brief Estimates the poses of a sequence and writes them into a folder: all of what
  * pcl_visual_egomotion does.
- * \throws what its page tells as exit codes */
-EgomotionResult
-estimatePoses(Tool& tool, const EgomotionOptions& options);
+ * \param[in] opened files of the inputs, if somebody has opened them before
+ * \throws what its page names as exit codes */
+void
+estimatePoses(Tool& tool,
+              const EgomotionOptions& options,
+              const std::optional<ObservationSequence>& opened = {});
 
 } // namespace pcl::acmap

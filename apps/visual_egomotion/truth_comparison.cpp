@@ -1,6 +1,6 @@
 #include "truth_comparison.h"
 
-#include "observation_names.h"
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 
@@ -64,7 +64,9 @@ loadTruth(Tool& tool, const std::string& path, const ObservationList& list)
 }
 
 TruthComparison
-compare(std::vector<Eigen::Isometry3d> truth, const EgomotionRun& run, bool is_rigid)
+compare(std::vector<Eigen::Isometry3d> truth,
+        const VisualOdometryResult& run,
+        bool is_rigid)
 {
   const auto first = std::find_if(run.poses.begin(),
                                   run.poses.end(),

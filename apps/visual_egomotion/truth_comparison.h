@@ -1,8 +1,9 @@
 #pragma once
 
-#include "egomotion_run.h"
+#include "observation_list.h"
 
 #include <pcl/core/trajectory_error.h>
+#include <pcl/pipeline/visual_odometry.h>
 
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct TruthComparison {
  * \param[in] is_rigid whether the camera moved freely; else places are compared on the
  * floor */
 TruthComparison
-compare(std::vector<Eigen::Isometry3d> truth, const EgomotionRun& run, bool is_rigid);
+compare(std::vector<Eigen::Isometry3d> truth,
+        const VisualOdometryResult& run,
+        bool is_rigid);
 
 } // namespace pcl::acmap

@@ -16,6 +16,13 @@ struct Trajectory {
   std::vector<Eigen::Isometry3d> poses; ///< T_map_camera, metres
 };
 
+namespace acmap {
+
+/** \brief Name of the file with the poses of the observations of a folder. */
+constexpr const char* trajectory_name = "trajectory.txt";
+
+} // namespace acmap
+
 /** \brief Is a pose a rigid motion: finite, its rotation orthonormal within 1e-6 and no
  * mirror? \ingroup core */
 ACMAP_EXPORT bool

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/core/export.h>
 
 #include <cstdint>
 #include <cstring>
@@ -10,16 +11,16 @@
 namespace pcl::acmap {
 
 /** \brief The field of that name; nullptr without one. */
-const PCLPointField*
+ACMAP_EXPORT const PCLPointField*
 findField(const PCLPointCloud2& cloud, const std::string& name);
 
 /** \brief The same, but of one value of that type. */
-const PCLPointField*
+ACMAP_EXPORT const PCLPointField*
 findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype);
 
 /** \brief The packed colour, `rgb` or `rgba`: one value of four bytes, the first of them
  * blue, green, red; nullptr without one. */
-const PCLPointField*
+ACMAP_EXPORT const PCLPointField*
 findColor(const PCLPointCloud2& cloud);
 
 /** \brief A field of one value. */
@@ -31,20 +32,20 @@ struct FieldWish {
 /** \brief A cloud with no rows, but with the fields of another one and with those wished
  * for, behind; all fields of a wished name go where the first of them is of another type.
  */
-PCLPointCloud2
+ACMAP_EXPORT PCLPointCloud2
 layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes);
 
 /** \brief The cloud in that layout; the values of new fields are zero. */
-PCLPointCloud2
+ACMAP_EXPORT PCLPointCloud2
 withFields(PCLPointCloud2 cloud, const std::vector<FieldWish>& wishes);
 
 /** \brief Drops the fields that a PCD cannot hold: a name that is no word of ASCII, or that
  * an earlier field has. */
-void
+ACMAP_EXPORT void
 dropUnwritableFields(PCLPointCloud2& cloud);
 
 /** \brief Sets the number of rows of an unorganized cloud. */
-void
+ACMAP_EXPORT void
 resizeRows(PCLPointCloud2& cloud, std::size_t rows);
 
 inline std::size_t

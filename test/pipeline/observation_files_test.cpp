@@ -1,10 +1,7 @@
-#include "observation_names.h"
-#include "scaled_cloud.h"
 #include "temporary_folder.h"
 
-#include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
-#include <pcl/core/point_types.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <gmock/gmock.h>
 
@@ -27,6 +24,15 @@ TEST(ObservationNames, AreInTheOrderOfTheirNumbers)
               ElementsAre("a.pcd", "b.pcd", "c.PCD"));
 }
 
+TEST(ObservationNames, OfAMergedMapAreRefused)
+{
+  const TemporaryFolder folder;
+  folder.write("map.pcd", "");
+  EXPECT_THAT(observationNames(folder.path("")), ElementsAre("map.pcd"));
+  folder.write("map.json", "");
+  EXPECT_THROW(observationNames(folder.path("")), InputFileException);
+}
+
 TEST(ObservationNames, OfAFolderAreItsPcds)
 {
   const TemporaryFolder folder;
@@ -45,24 +51,6 @@ TEST(TrajectoryRows, BelongToFilesInTheirOrderWhereThereAreAsMany)
   EXPECT_THAT(trajectoryRows("t", {"a.pcd", "b.pcd"}, 5), ElementsAre(0, 1));
   EXPECT_THROW(trajectoryRows("t", names, 2), InputFileException);
   EXPECT_THROW(trajectoryRows("t", {"a.pcd", "b.pcd"}, 1), InputFileException);
-}
-
-TEST(ScaledCloud, ScalesAllThatIsALength)
-{
-  PointCloud<PointXYZRGBSigma> points(2, 1);
-  points[1].getVector3fMap() << 1000, -2000, 3000;
-  points[1].sigma = 20;
-  points[1].rgba = 0xff123456;
-  PointCloudFile file;
-  toPCLPointCloud2(points, file.cloud);
-  file.sensor_origin << 500, 0, 0;
-  scaleCloud(file, 0.001);
-  PointCloud<PointXYZRGBSigma> scaled;
-  fromPCLPointCloud2(file.cloud, scaled);
-  EXPECT_EQ(scaled[1].getVector3fMap(), Eigen::Vector3f(1, -2, 3));
-  EXPECT_FLOAT_EQ(scaled[1].sigma, 0.02F);
-  EXPECT_EQ(scaled[1].rgba, points[1].rgba);
-  EXPECT_EQ(file.sensor_origin.x(), 0.5F);
 }
 
 } // namespace

@@ -1,12 +1,10 @@
-#include "observation_names.h"
-
-#include "input_kind.h"
-#include "output_target.h"
-
 #include <pcl/core/exceptions.h>
 #include <pcl/core/folder_entries.h>
+#include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <numeric>
@@ -20,6 +18,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool
+isPcd(const fs::path& path)
+{
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return ending == ".pcd";
+}
+
+/** A map.pcd that lies beside a map.json or a trajectory is a merged map. */
+bool
+holdsMergedMapOnly(const fs::path& folder, const std::vector<std::string>& names)
+{
+  std::error_code error;
+  return names == std::vector<std::string>{"map.pcd"} &&
+         (fs::exists(folder / "map.json", error) ||
+          fs::exists(folder / trajectory_name, error));
+}
+
 std::vector<std::string>
 pcdNames(const std::string& folder)
 {
@@ -28,12 +46,11 @@ pcdNames(const std::string& folder)
     throw InputFileException(folder + ": is no folder");
   std::vector<std::string> names;
   for (const fs::path& entry : folderEntries(folder))
-    if (endingOf(entry.string()) == ".pcd")
+    if (isPcd(entry))
       names.push_back(entry.filename().string());
   if (names.empty())
     throw InputFileException(folder + ": holds no .pcd file");
-  const InputKind kind = inputKindOf(folder);
-  if (kind == InputKind::MergedMap || kind == InputKind::CompactMap)
+  if (holdsMergedMapOnly(folder, names))
     throw InputFileException(folder + ": its only .pcd file is a merged map, and no "
                                       "observation");
   return names;
@@ -57,6 +74,33 @@ numberOf(const std::string& name)
 
 } // namespace
 
+std::string
+numberedName(const std::string& begin, std::size_t index, const std::string& ending)
+{
+  constexpr std::size_t digits = 4;
+  const std::string number = std::to_string(index);
+  return begin + "_" + std::string(digits - std::min(digits, number.size()), '0') +
+         number + ending;
+}
+
+std::string
+observationName(std::size_t index)
+{
+  return numberedName("observation", index, ".pcd");
+}
+
+bool
+isSequenceName(const std::string& name)
+{
+  return name.rfind("observation_", 0) == 0 || name == trajectory_name;
+}
+
+bool
+isNumbered(const std::string& name)
+{
+  return numberOf(name).has_value();
+}
+
 std::vector<std::string>
 inSequence(std::vector<std::string> names)
 {
@@ -64,7 +108,7 @@ inSequence(std::vector<std::string> names)
   for (const std::string& name : names)
     if (numberOf(name))
       numbered.push_back(name);
-  // as text, observation_10000 would stand before observation_9999
+  // As text, observation_10000 would precede observation_9999.
   std::sort(
       numbered.begin(), numbered.end(), [](const std::string& a, const std::string& b) {
         return std::pair(*numberOf(a), a) < std::pair(*numberOf(b), b);
@@ -81,10 +125,13 @@ observationNames(const std::string& folder)
   return inSequence(pcdNames(folder));
 }
 
-bool
-isNumbered(const std::string& name)
+std::vector<std::string>
+observationPaths(const std::string& folder)
 {
-  return numberOf(name).has_value();
+  std::vector<std::string> paths = observationNames(folder);
+  for (std::string& path : paths)
+    path = (fs::path(folder) / path).string();
+  return paths;
 }
 
 std::vector<std::size_t>
@@ -104,6 +151,17 @@ trajectoryRows(const std::string& trajectory,
                                " poses, none for " + name);
   }
   return found;
+}
+
+void
+saveObservation(const std::string& path,
+                const PCLPointCloud2& cloud,
+                const Eigen::Isometry3d& T_map_camera)
+{
+  const Eigen::Vector3d origin = T_map_camera.translation();
+  const Eigen::Quaterniond orientation(T_map_camera.linear());
+  savePointCloud(
+      path, cloud, origin.cast<float>(), orientation.cast<float>().normalized());
 }
 
 } // namespace pcl::acmap

@@ -10,12 +10,12 @@ namespace pcl::acmap {
  * \param[in] path the file
  * \param[in] scale metres in a unit of the file
  * \throws InputFileException as \ref pcl::loadPointCloud */
-PointCloudFile
+ACMAP_EXPORT PointCloudFile
 loadScaledCloud(const std::string& path, double scale);
 
 /** \brief Multiplies x, y, z and `sigma` of all points and the sensor's place by a
  * factor. */
-void
+ACMAP_EXPORT void
 scaleCloud(PointCloudFile& file, double scale);
 
 } // namespace pcl::acmap

@@ -5,10 +5,10 @@
 namespace pcl::acmap {
 
 void
-PoseChain::add(EgomotionObservation now)
+PoseChain::add(OdometryView now)
 {
   for (auto anchor = anchors_.rbegin(); anchor != anchors_.rend(); ++anchor)
-    if (const auto T_before_now = estimate_(now, anchor->observation)) {
+    if (const auto T_before_now = estimate_(now, anchor->view)) {
       const Eigen::Isometry3d T_map_now = anchor->T_map_camera * *T_before_now;
       if (!has_begun_)
         beginWith(std::move(*anchor));
@@ -24,7 +24,7 @@ void
 PoseChain::beginWith(Anchor first)
 {
   has_begun_ = true;
-  keep_(first.observation, first.T_map_camera);
+  keep_(first.view, first.T_map_camera);
   anchors_.clear();
   hold(std::move(first));
 }
@@ -32,9 +32,9 @@ PoseChain::beginWith(Anchor first)
 void
 PoseChain::hold(Anchor anchor)
 {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t max_anchors = 3;
   anchors_.push_back(std::move(anchor));
-  if (anchors_.size() > most)
+  if (anchors_.size() > max_anchors)
     anchors_.pop_front();
 }
 

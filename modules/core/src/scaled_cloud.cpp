@@ -1,6 +1,7 @@
-#include "scaled_cloud.h"
 
-#include "cloud_fields.h"
+
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/scaled_cloud.h>
 
 #include <cstring>
 

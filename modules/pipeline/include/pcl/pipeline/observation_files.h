@@ -1,0 +1,69 @@
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/export.h>
+#include <pcl/core/trajectory.h>
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Name of a file that belongs to an observation: begin_0000.ending and so on. */
+ACMAP_EXPORT std::string
+numberedName(const std::string& begin, std::size_t index, const std::string& ending);
+
+/** \brief Name of the file of an observation: observation_0000.pcd and so on. */
+ACMAP_EXPORT std::string
+observationName(std::size_t index);
+
+/** \brief Would a file of that name be taken for a part of a sequence? */
+ACMAP_EXPORT bool
+isSequenceName(const std::string& name);
+
+/** \brief Is a name observation_0012.pcd or the like? */
+ACMAP_EXPORT bool
+isNumbered(const std::string& name);
+
+/** \brief Lists the PCD files of a folder that form its sequence, in the order of
+ * \ref inSequence.
+ * \throws InputFileException if it is no folder, or holds no PCD file */
+ACMAP_EXPORT std::vector<std::string>
+observationNames(const std::string& folder);
+
+/** \brief The same, as paths. */
+ACMAP_EXPORT std::vector<std::string>
+observationPaths(const std::string& folder);
+
+/** \brief Orders the names of PCD files as a sequence: observation_0000.pcd and so on by
+ * their numbers, without the other files; if no file is numbered, all files by name. */
+ACMAP_EXPORT std::vector<std::string>
+inSequence(std::vector<std::string> names);
+
+/** \brief Finds the row of a trajectory for each file of a sequence.
+ *
+ * If there are as many rows as files, they correspond in their order, whatever numbers the
+ * names skip. Otherwise the number in the name of a file is its row; files without numbers
+ * take the rows in their order.
+ * \param[in] trajectory path, for the message
+ * \param[in] names of the files
+ * \param[in] rows number of rows
+ * \throws InputFileException if a file has no row */
+ACMAP_EXPORT std::vector<std::size_t>
+trajectoryRows(const std::string& trajectory,
+               const std::vector<std::string>& names,
+               std::size_t rows);
+
+/** \brief Writes an observation with its pose as VIEWPOINT.
+ * \param[in] path of the file
+ * \param[in] cloud organized, camera frame, metres
+ * \param[in] T_map_camera pose
+ * \throws OutputFileException as pcl::savePointCloud */
+ACMAP_EXPORT void
+saveObservation(const std::string& path,
+                const PCLPointCloud2& cloud,
+                const Eigen::Isometry3d& T_map_camera);
+
+} // namespace pcl::acmap

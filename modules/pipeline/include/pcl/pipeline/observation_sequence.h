@@ -1,0 +1,139 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/trajectory.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+namespace acmap {
+class ObservationCache;
+}
+
+/** \brief An observation of a sequence with its pose. \ingroup pipeline */
+struct PosedObservation {
+  std::shared_ptr<const PointCloudFile> file; ///< camera frame, metres; not null
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  std::vector<std::string> remarks; ///< oddities of its pose, one per line
+};
+
+/** \brief The observations of a trajectory, read when they are needed.
+ *
+ * An observation is a PCD file in the frame of its camera. Its pose is the row of
+ * `trajectory.txt` that \ref acmap::trajectoryRows finds, or else the VIEWPOINT of the
+ * file. Files that were read stay in memory up to a limit (\ref setCacheSize), so that
+ * several stages read them once; copies of a sequence share them.
+ * \code
+ * const pcl::ObservationSequence sequence ("observations");
+ * for (std::size_t i = 0; i < sequence.size (); ++i) {
+ *   const pcl::PosedObservation seen = sequence.load (i);
+ *   std::cout << sequence.name (i) << ": " << seen.file->points ().size () << " points\n";
+ * }
+ * \endcode
+ * \ingroup pipeline */
+class ACMAP_EXPORT ObservationSequence {
+public:
+  /** \brief Opens a folder of PCD files.
+   * \param[in] folder observations, and a trajectory.txt if their poses are known
+   * \param[in] scale metres in a unit of clouds and trajectory
+   * \throws InputFileException if it is no folder, holds no PCD file, or its trajectory
+   * cannot be read or has no row for an observation */
+  explicit ObservationSequence(const std::string& folder, double scale = 1);
+
+  /** \brief Takes PCD files in the given order, with their VIEWPOINTs as poses.
+   * \param[in] scale metres in a unit of the clouds
+   * \throws BadArgumentException if there is none */
+  explicit ObservationSequence(std::vector<std::string> files, double scale = 1);
+
+  /** \brief Those observations whose poses were found elsewhere, with these poses.
+   *
+   * Files of the result share memory with those of this sequence.
+   * \param[in] names of the observations, a part of those of this sequence, in their order
+   * \param[in] trajectory one pose per name, metres
+   * \throws InputFileException if they differ in number, or a name is unknown */
+  ObservationSequence
+  withPoses(const std::vector<std::string>& names, Trajectory trajectory) const;
+
+  /** \brief Number of observations. */
+  std::size_t
+  size() const
+  {
+    return paths_.size();
+  }
+
+  /** \brief Folder of the first observation. */
+  std::string
+  folder() const;
+
+  /** \brief Path of the file of an observation. */
+  const std::string&
+  path(std::size_t i) const
+  {
+    return paths_[i];
+  }
+
+  const std::vector<std::string>&
+  paths() const
+  {
+    return paths_;
+  }
+
+  /** \brief Name of the file of an observation, without its folder. */
+  std::string
+  name(std::size_t i) const;
+
+  std::vector<std::string>
+  names() const;
+
+  /** \brief Are the poses those of a trajectory? */
+  bool
+  hasTrajectory() const
+  {
+    return !trajectory_.poses.empty();
+  }
+
+  /** \brief Time of an observation in seconds; its index if there is no trajectory. */
+  double
+  stamp(std::size_t i) const;
+
+  /** \brief Reads an observation, unless it is in memory.
+   * \throws InputFileException as pcl::loadPointCloud */
+  PosedObservation
+  load(std::size_t i) const;
+
+  /** \brief Reports oddities of the sequence, one per line: poses without observations. */
+  std::vector<std::string>
+  remarks() const;
+
+  /** \brief Checks that poses of several observations differ.
+   * \param[in] poses those of the observations that could be read
+   * \throws InputFileException if there is no trajectory and all poses are the same */
+  void
+  requireDifferent(const std::vector<Eigen::Isometry3d>& poses) const;
+
+  /** \brief Sets how many bytes of points are kept in memory (default 512 MiB). */
+  void
+  setCacheSize(std::size_t bytes);
+
+  /** \brief Number of times that a file was read, by all copies of this sequence. */
+  std::size_t
+  getNumberOfReads() const;
+
+private:
+  std::string source_; ///< folder, or first file, for messages
+  double scale_;
+  std::vector<std::string> paths_;
+  std::vector<std::size_t> rows_; ///< of the trajectory, one per observation
+  Trajectory trajectory_;
+  bool is_given_ = false; ///< Were the poses given by the caller?
+  std::shared_ptr<acmap::ObservationCache> cache_;
+};
+
+} // namespace pcl

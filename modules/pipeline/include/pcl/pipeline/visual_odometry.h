@@ -1,0 +1,143 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_types.h>
+#include <pcl/core/stage_controls.h>
+#include <pcl/core/trajectory.h>
+#include <pcl/egomotion/visual_egomotion.h>
+#include <pcl/pipeline/observation_sequence.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Two observations between which a motion was looked for. \ingroup pipeline */
+struct OdometryPair {
+  std::size_t now = 0, before = 0; ///< places in the sequence
+  EgomotionReport report;
+  std::optional<EgomotionEstimate> estimate; ///< T_before_now
+
+  /** \brief Number of observations between both. */
+  std::size_t
+  skipped() const
+  {
+    return now - before - 1;
+  }
+
+  /** \brief Why there is no motion, with the name of the view that is at fault.
+   * \param[in] names of the files of the sequence */
+  ACMAP_EXPORT std::string
+  reason(const std::vector<std::string>& names) const;
+};
+
+/** \brief How far a camera leaves what planar motions can follow (those in its xz plane
+ * and about its y axis), from one observation to the next. \ingroup pipeline */
+struct FreeMotion {
+  std::size_t pairs = 0; ///< tried with six degrees of freedom, and estimated
+  std::size_t free = 0;  ///< of these, those clearly beyond their noise
+  double tilt = 0;       ///< of its y axis, radians, median
+  double rise = 0;       ///< along y, metres, absolute value, median
+};
+
+/** \brief Poses of a sequence, and the motions that they were made of.
+ * \ingroup pipeline */
+struct VisualOdometryResult {
+  std::vector<OdometryPair> pairs; ///< in the order in which they were tried
+
+  /** \brief T_map_camera of each observation; none where it is lost. */
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+
+  FreeMotion free; ///< of a few pairs, if the motion model is planar
+
+  /** \brief Number of observations with a pose. */
+  ACMAP_EXPORT std::size_t
+  posed() const;
+
+  /** \brief Why an observation has no pose: what was found of the first pair that failed.
+   * \param[in] names of the files of the sequence */
+  ACMAP_EXPORT std::string
+  reasonOf(std::size_t lost, const std::vector<std::string>& names) const;
+
+  /** \brief The poses of those observations that have one.
+   * \param[in] stamps seconds, one per observation */
+  ACMAP_EXPORT Trajectory
+  trajectory(const std::vector<double>& stamps) const;
+};
+
+/** \brief Estimates the poses of a sequence from what the camera saw alone: the motions of
+ * \ref VisualEgomotion, II-B.1 of "Active Stereo Based Compact Mapping", one after the
+ * other.
+ *
+ * An observation that cannot be joined to the one before is tried against the two posed
+ * ones before that, with a reach that grows with the gap; otherwise it is lost. The map is
+ * the frame of the first observation that another one could be joined to. If the motion
+ * model is planar, up to five pairs are also tried with six degrees of freedom
+ * (\ref FreeMotion). Every observation is read once, and the next one while the motion of
+ * the last one is estimated; three are held besides the cache of the sequence.
+ * \code
+ * pcl::VisualOdometry odometry;
+ * const pcl::VisualOdometryResult found =
+ *     odometry.compute (pcl::ObservationSequence ("observations"));
+ * std::cout << found.posed () << " poses\n";
+ * \endcode
+ * \ingroup pipeline */
+class ACMAP_EXPORT VisualOdometry : public StageControls<Report> {
+public:
+  using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
+
+  /** \brief Gets each pair after it was tried. The egomotion has its matches and views. */
+  using PairCallback = std::function<void(const OdometryPair&, const Egomotion&)>;
+
+  /** \brief Gets each observation as soon as it has a pose, in the order of the sequence.
+   * \param[in] index place in the sequence */
+  using PoseCallback = std::function<void(std::size_t index,
+                                          const PointCloudFile& observation,
+                                          const Eigen::Isometry3d& T_map_camera)>;
+
+  /** \brief Sets the step: its motion model, keypoints and refinement; its reach is that
+   * from one observation to the next. Threads and progress are those of this object. */
+  void
+  setEgomotion(const Egomotion& egomotion)
+  {
+    egomotion_ = egomotion;
+  }
+
+  const Egomotion&
+  getEgomotion() const
+  {
+    return egomotion_;
+  }
+
+  void
+  setPairCallback(PairCallback callback)
+  {
+    pair_callback_ = std::move(callback);
+  }
+
+  void
+  setPoseCallback(PoseCallback callback)
+  {
+    pose_callback_ = std::move(callback);
+  }
+
+  /** \brief Estimates the poses of a sequence.
+   * \return what was found; fewer than two observations have no pose
+   * \throws InputFileException if an observation cannot be read, is not organized, has no
+   * colour, or differs in size from the first one
+   * \throws CancelledException if the progress callback stopped it */
+  VisualOdometryResult
+  compute(const ObservationSequence& sequence);
+
+private:
+  Egomotion egomotion_;
+  PairCallback pair_callback_;
+  PoseCallback pose_callback_;
+};
+
+} // namespace pcl

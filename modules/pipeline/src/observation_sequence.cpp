@@ -1,0 +1,182 @@
+#include "observation_cache.h"
+
+#include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_sequence.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Eigen::Isometry3d
+viewpointOf(const PointCloudFile& file)
+{
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() =
+      file.sensor_orientation.cast<double>().normalized().toRotationMatrix();
+  pose.translation() = file.sensor_origin.cast<double>();
+  return pose;
+}
+
+bool
+isKnown(const Eigen::Isometry3d& viewpoint)
+{
+  return !viewpoint.matrix().isIdentity(0);
+}
+
+std::string
+shortText(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+} // namespace
+
+ObservationSequence::ObservationSequence(const std::string& folder, double scale)
+: source_(folder)
+, scale_(scale)
+, cache_(std::make_shared<acmap::ObservationCache>())
+{
+  paths_ = acmap::observationPaths(folder);
+  const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
+  std::error_code error;
+  if (!fs::exists(trajectory, error))
+    return;
+  trajectory_ = loadTrajectory(trajectory.string());
+  rows_ = acmap::trajectoryRows(trajectory.string(), names(), trajectory_.poses.size());
+  for (Eigen::Isometry3d& pose : trajectory_.poses)
+    pose.translation() *= scale;
+}
+
+ObservationSequence::ObservationSequence(std::vector<std::string> files, double scale)
+: scale_(scale)
+, paths_(std::move(files))
+, cache_(std::make_shared<acmap::ObservationCache>())
+{
+  if (paths_.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no files");
+  source_ = paths_.front();
+}
+
+ObservationSequence
+ObservationSequence::withPoses(const std::vector<std::string>& names,
+                               Trajectory trajectory) const
+{
+  if (trajectory.poses.size() != names.size())
+    throw InputFileException(source_ + ": has " + std::to_string(names.size()) +
+                             " observations, the trajectory " +
+                             std::to_string(trajectory.poses.size()) + " poses");
+  ObservationSequence posed = *this;
+  posed.paths_.clear();
+  auto from = paths_.begin();
+  for (const std::string& name : names) {
+    from = std::find_if(from, paths_.end(), [&](const std::string& path) {
+      return fs::path(path).filename() == name;
+    });
+    if (from == paths_.end())
+      throw InputFileException(source_ + ": has no observation " + name);
+    posed.paths_.push_back(*from++);
+  }
+  posed.rows_.resize(names.size());
+  std::iota(posed.rows_.begin(), posed.rows_.end(), std::size_t{0});
+  posed.trajectory_ = std::move(trajectory);
+  posed.is_given_ = true;
+  return posed;
+}
+
+std::string
+ObservationSequence::folder() const
+{
+  return fs::path(paths_.front()).parent_path().string();
+}
+
+std::string
+ObservationSequence::name(std::size_t i) const
+{
+  return fs::path(paths_[i]).filename().string();
+}
+
+std::vector<std::string>
+ObservationSequence::names() const
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < size(); ++i)
+    names.push_back(name(i));
+  return names;
+}
+
+double
+ObservationSequence::stamp(std::size_t i) const
+{
+  return hasTrajectory() ? trajectory_.stamps[rows_[i]] : static_cast<double>(i);
+}
+
+PosedObservation
+ObservationSequence::load(std::size_t i) const
+{
+  PosedObservation observation;
+  observation.file = cache_->load(paths_[i], scale_);
+  const Eigen::Isometry3d viewpoint = viewpointOf(*observation.file);
+  if (!hasTrajectory()) {
+    observation.T_map_camera = viewpoint;
+    return observation;
+  }
+  observation.T_map_camera = trajectory_.poses[rows_[i]];
+  const double apart =
+      (observation.T_map_camera.translation() - viewpoint.translation()).norm();
+  constexpr double max_apart = 0.001; // metres
+  if (!is_given_ && isKnown(viewpoint) && apart > max_apart)
+    observation.remarks.push_back(paths_[i] + ": its VIEWPOINT is " + shortText(apart) +
+                                  " m from its pose in " + acmap::trajectory_name +
+                                  ", which holds");
+  return observation;
+}
+
+std::vector<std::string>
+ObservationSequence::remarks() const
+{
+  const std::size_t poses = trajectory_.poses.size();
+  if (poses <= size())
+    return {};
+  return {(fs::path(source_) / acmap::trajectory_name).string() + ": has " +
+          std::to_string(poses) + " poses, the folder " + std::to_string(size()) +
+          " observations: the others are missing"};
+}
+
+void
+ObservationSequence::requireDifferent(const std::vector<Eigen::Isometry3d>& poses) const
+{
+  if (poses.size() < 2 || hasTrajectory())
+    return;
+  for (const Eigen::Isometry3d& pose : poses)
+    if (pose.matrix() != poses.front().matrix())
+      return;
+  throw InputFileException(source_ + ": the observations have no poses: there is no " +
+                           acmap::trajectory_name +
+                           ", and their VIEWPOINTs are all the same; "
+                           "pcl_visual_egomotion finds poses");
+}
+
+void
+ObservationSequence::setCacheSize(std::size_t bytes)
+{
+  cache_->setLimit(bytes);
+}
+
+std::size_t
+ObservationSequence::getNumberOfReads() const
+{
+  return cache_->reads();
+}
+
+} // namespace pcl

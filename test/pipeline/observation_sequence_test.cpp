@@ -1,0 +1,154 @@
+#include "temporary_folder.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/point_types.h>
+#include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_sequence.h>
+
+#include <gmock/gmock.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Eigen::Isometry3d
+poseAt(double x)
+{
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation().x() = x;
+  return pose;
+}
+
+/** A folder with observations of four points, at x = 0, 1, ... metres. */
+class Observations : public testing::Test {
+protected:
+  explicit Observations(std::size_t count = 3)
+  {
+    for (std::size_t i = 0; i < count; ++i) {
+      PointCloud<PointXYZRGBSigma> points(2, 2);
+      points[0].x = static_cast<float>(i);
+      PCLPointCloud2 cloud;
+      toPCLPointCloud2(points, cloud);
+      saveObservation(
+          folder_.path(observationName(i)), cloud, poseAt(static_cast<double>(i)));
+    }
+  }
+
+  void
+  writeTrajectory(const std::vector<double>& places) const
+  {
+    Trajectory trajectory;
+    for (const double place : places) {
+      trajectory.stamps.push_back(10 * place);
+      trajectory.poses.push_back(poseAt(place));
+    }
+    saveTrajectory(folder_.path(trajectory_name), trajectory);
+  }
+
+  static double
+  placeOf(const PosedObservation& observation)
+  {
+    return observation.T_map_camera.translation().x();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Observations, HaveTheirViewpointsForPoses)
+{
+  const ObservationSequence sequence(folder_.path(""));
+  ASSERT_EQ(sequence.size(), 3U);
+  EXPECT_FALSE(sequence.hasTrajectory());
+  EXPECT_EQ(placeOf(sequence.load(2)), 2);
+  EXPECT_EQ(sequence.load(2).file->points()[0].x(), 2);
+  EXPECT_EQ(sequence.stamp(2), 2);
+}
+
+TEST_F(Observations, HaveThePosesOfTheTrajectory)
+{
+  writeTrajectory({0, 1, 2.5, 7});
+  const ObservationSequence sequence(folder_.path(""));
+  EXPECT_THAT(sequence.remarks(), ElementsAre(HasSubstr("has 4 poses")));
+  EXPECT_THAT(sequence.load(1).remarks, IsEmpty());
+  const PosedObservation last = sequence.load(2);
+  EXPECT_EQ(placeOf(last), 2.5);
+  EXPECT_THAT(last.remarks, ElementsAre(HasSubstr("VIEWPOINT is 0.5 m")));
+  EXPECT_EQ(sequence.stamp(2), 25);
+}
+
+TEST_F(Observations, AreScaledWithTheirPoses)
+{
+  writeTrajectory({0, 1, 2.5});
+  const ObservationSequence sequence(folder_.path(""), 0.5);
+  EXPECT_EQ(placeOf(sequence.load(2)), 1.25);
+  EXPECT_EQ(sequence.load(2).file->points()[0].x(), 1);
+}
+
+TEST_F(Observations, AreReadOnceByAllCopies)
+{
+  const ObservationSequence sequence(folder_.path(""));
+  const ObservationSequence posed =
+      sequence.withPoses(sequence.names(), {{0, 1, 2}, std::vector(3, poseAt(5))});
+  for (int round = 0; round < 3; ++round)
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      EXPECT_EQ(placeOf(sequence.load(i)), static_cast<double>(i));
+      EXPECT_EQ(placeOf(posed.load(i)), 5);
+      EXPECT_EQ(sequence.load(i).file, posed.load(i).file);
+    }
+  EXPECT_EQ(sequence.getNumberOfReads(), 3U);
+}
+
+TEST_F(Observations, BeyondTheCacheAreReadAgain)
+{
+  ObservationSequence sequence(folder_.path(""));
+  sequence.setCacheSize(sequence.load(0).file->cloud.data.size());
+  for (int round = 0; round < 2; ++round)
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      EXPECT_EQ(placeOf(sequence.load(i)), static_cast<double>(i));
+  EXPECT_EQ(sequence.getNumberOfReads(), 5U) << "the first one is kept";
+  sequence.setCacheSize(0);
+  sequence.load(0);
+  EXPECT_EQ(sequence.getNumberOfReads(), 6U);
+}
+
+TEST_F(Observations, WithPosesOfSomeAreThese)
+{
+  const ObservationSequence sequence(folder_.path(""));
+  const ObservationSequence some =
+      sequence.withPoses({"observation_0000.pcd", "observation_0002.pcd"},
+                         {{3, 4}, {poseAt(8), poseAt(9)}});
+  EXPECT_THAT(some.names(),
+              ElementsAre("observation_0000.pcd", "observation_0002.pcd"));
+  const PosedObservation last = some.load(1);
+  EXPECT_EQ(placeOf(last), 9);
+  EXPECT_EQ(last.file->points()[0].x(), 2);
+  EXPECT_THAT(last.remarks, IsEmpty()) << "its VIEWPOINT does not count";
+  EXPECT_EQ(some.stamp(1), 4);
+  EXPECT_THROW(sequence.withPoses({"other.pcd"}, {{0}, {poseAt(0)}}),
+               InputFileException);
+  EXPECT_THROW(sequence.withPoses({"observation_0000.pcd"}, {}), InputFileException);
+}
+
+TEST_F(Observations, ThatAllHaveOnePoseHaveNone)
+{
+  const ObservationSequence sequence(folder_.path(""));
+  EXPECT_NO_THROW(sequence.requireDifferent({poseAt(0), poseAt(1)}));
+  EXPECT_THROW(sequence.requireDifferent({poseAt(1), poseAt(1)}), InputFileException);
+}
+
+TEST_F(Observations, ThatCannotBeReadAreNamed)
+{
+  folder_.write("observation_0001.pcd", "no cloud");
+  const ObservationSequence sequence(folder_.path(""));
+  EXPECT_NO_THROW(sequence.load(0));
+  EXPECT_THROW(sequence.load(1), InputFileException);
+  EXPECT_THROW(ObservationSequence(folder_.path("nowhere")), InputFileException);
+  EXPECT_THROW(ObservationSequence(std::vector<std::string>()), BadArgumentException);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
