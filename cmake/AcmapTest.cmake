@@ -4,7 +4,8 @@
 # One GoogleTest program, one ctest entry; a program that skips every test it has counts as
 # skipped. Target tests_<label> builds all programs of a label. CI runs each test once
 # (test/README.md): those of tools, pictures and real data as users get them (label product),
-# the others under the sanitizers (label sanitized), and those with label long not at all.
+# the others under AddressSanitizer (label sanitized), but for those of USB threads, which
+# run under ThreadSanitizer (label threads), and those with label long not at all.
 # Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
 # along: there would be two of them.
 function(acmap_add_test name)
