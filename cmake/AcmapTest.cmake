@@ -4,7 +4,8 @@
 # One GoogleTest program, one ctest entry; a program that skips every test it has counts as
 # skipped. Target tests_<label> builds all programs of a label. CI runs each test once
 # (test/README.md): those of tools, pictures and real data as users get them (label product),
-# the others under the sanitizers (label sanitized), and those with label long not at all.
+# the others under AddressSanitizer (label sanitized), but for those of USB threads, which
+# run under ThreadSanitizer (label threads), and those with label long not at all.
 # Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
 # along: there would be two of them.
 function(acmap_add_test name)
@@ -121,14 +122,16 @@ endmacro()
 
 # acmap_add_usb_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
 #
-# As acmap_add_test, for a program with a UsbTestbed, and for the programs that it starts.
+# As acmap_add_test, for a program with a UsbTestbed, and for the programs that it starts. The
+# emulated camera has to keep pace: the program is optimized, and two processors are its own.
 function(acmap_add_usb_test name)
-  acmap_add_test(${name} ${ARGN})
+  acmap_add_test(${name} ${ARGN} OPTIMIZED)
   target_link_libraries(${name}_test PRIVATE acmap_test_emulated_camera)
   acmap_sanitizer_runtime(libraries)
   list(APPEND libraries "${UMOCKDEV_PRELOAD_LIBRARY}")
   list(JOIN libraries ":" libraries)
   set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "LD_PRELOAD=${libraries}")
+  set_property(TEST ${name} PROPERTY PROCESSORS 2)
 endfunction()
 
 # acmap_sanitizer_runtime (<variable>): the runtime library of a sanitizer that insists on
