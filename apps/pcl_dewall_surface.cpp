@@ -1,19 +1,20 @@
 #include "cloud_sensors.h"
 #include "command_line.h"
-#include "consolidation_stage.h"
-#include "depth_stage.h"
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
+#include "sensor_option.h"
 #include "stage_reports.h"
 #include "tool.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/scaled_cloud.h>
+#include <pcl/filters/depth_refinement.h>
+#include <pcl/filters/voxel_consolidation.h>
+#include <pcl/pipeline/picture.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_triangulation.h>
 
 #include <CLI/CLI.hpp>
@@ -163,19 +164,68 @@ summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
   tool.tell("file", options.output);
 }
 
-/** Replaces the cloud by its consolidation. \return the voxel's edge, metres */
+std::shared_ptr<const pcl::PCLPointCloud2>
+giveUp(pcl::PCLPointCloud2& cloud)
+{
+  return std::make_shared<const pcl::PCLPointCloud2>(std::move(cloud));
+}
+
+/** Replaces the cloud by its consolidation. \return the edge of a voxel, metres */
 double
 consolidate(Tool& tool, const Options& options, pcl::PointCloudFile& file)
 {
   std::vector<std::string> remarks;
-  const SensorView sensors = sensorsOfFile(file, options.input, tool.scale(), remarks);
+  pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
+  consolidation.setViewpoints(
+      viewpointsOfFile(file, options.input, tool.scale(), remarks));
+  consolidation.setSensorOrigin(file.sensor_origin);
   for (const std::string& remark : remarks)
     tool.warn(remark);
-  ConsolidationSettings settings;
-  settings.voxel_size = *options.voxel_size;
-  pcl::ConsolidationReport report;
-  file = consolidateInput(tool, file, sensors, settings, report).file;
+  if (*options.voxel_size > 0)
+    requireFineLength(tool, "--consolidate", *options.voxel_size, file.points());
+  consolidation.setVoxelSize(*options.voxel_size);
+  consolidation.setNumberOfThreads(tool.threads());
+  consolidation.setInputCloud(giveUp(file.cloud));
+  tool.withProgress([&](const pcl::ProgressCallback& progress) {
+    consolidation.setProgressCallback(progress);
+    consolidation.filter(file.cloud);
+  });
+  const pcl::ConsolidationReport& report = consolidation.getReport();
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  tellConsolidation(tool, report);
   return report.voxel_size;
+}
+
+/** Removes the quantisation steps of the cloud, which becomes organized. */
+void
+refine(Tool& tool, const Picture& picture, pcl::PointCloudFile& file)
+{
+  if (picture.order)
+    file.cloud = picture.order->arrange(file.cloud);
+  pcl::DepthRefinement<pcl::PCLPointCloud2> refinement;
+  refinement.setNumberOfThreads(tool.threads());
+  refinement.setInputCloud(giveUp(file.cloud));
+  tool.withProgress([&](const pcl::ProgressCallback& progress) {
+    refinement.setProgressCallback(progress);
+    refinement.filter(file.cloud);
+  });
+  tellDepthNoise(tool, refinement.getReport().noise);
+  tellRefinement(tool, refinement.getReport());
+}
+
+/** The picture in which a cloud is to be refined; none if it is to be worked on in space. */
+std::optional<Picture>
+pictureOfFile(const Options& options, const pcl::PointCloudFile& file)
+{
+  const bool is_automatic = options.voxel_size.value_or(0) == 0;
+  try {
+    return is_automatic ? pictureOf(file.points(), file.cloud.width, options.sensor)
+                        : std::nullopt;
+  }
+  catch (const pcl::UnorganizedPointCloudException&) {
+    throw UsageError(needs_picture);
+  }
 }
 
 void
@@ -188,21 +238,18 @@ meshCloud(Tool& tool, const Options& options)
   tool.stopIfInterrupted();
 
   double maximum_edge_length = options.maximum_edge_length;
-  const bool is_automatic = !options.voxel_size || *options.voxel_size == 0;
-  const std::optional<MeasuredView> measured =
-      is_automatic ? viewOfFile(file, options.sensor) : std::nullopt;
-  if (measured && options.voxel_size) {
-    tellDepthNoise(tool, *measured);
-    refineInput(tool, *measured, nullptr, file);
+  const std::optional<Picture> picture = pictureOfFile(options, file);
+  if (picture && options.voxel_size) {
+    refine(tool, *picture, file);
     timer.finish("refine");
   }
   else if (options.voxel_size) {
     const double voxel_size = consolidate(tool, options, file);
     timer.finish("consolidate");
     if (maximum_edge_length == 0)
-      maximum_edge_length = edges_of_voxel * voxel_size;
+      maximum_edge_length = pcl::mesh_edge_in_voxels * voxel_size;
   }
-  else if (measured && measured->noise.step > 0)
+  else if (picture && measureDepthStep(file.points()) > 0)
     tool.warn(
         "the depth is quantised, and the mesh shows its steps: --consolidate takes "
         "them out");

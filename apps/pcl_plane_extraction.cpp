@@ -1,3 +1,4 @@
+#include "cloud_sensors.h"
 #include "length_check.h"
 #include "output_group.h"
 #include "output_target.h"
@@ -19,7 +20,7 @@ using namespace pcl::acmap;
 void
 writeOutputs(const Tool& tool,
              const PlaneOptions& options,
-             const Extraction& extraction,
+             const MappedPlanes& found,
              pcl::PointCloudFile file)
 {
   OutputGroup outputs;
@@ -28,30 +29,25 @@ writeOutputs(const Tool& tool,
     if (!path.empty())
       outputs.write(path, save);
   };
-  const std::vector<std::int32_t>& labels = extraction.clusters.labels;
   write(options.output, [&](const std::string& place) {
     pcl::CompactMap map;
-    map.planes = extraction.clusters.patches;
+    map.planes = found.planes;
     pcl::saveMapFile(place, map);
   });
-  write(options.normals,
-        [&](const std::string& place) { saveNormals(place, extraction.mesh, labels); });
-  write(options.picture,
-        [&](const std::string& place) { savePicture(place, extraction.mesh, labels); });
-  write(options.labels, [&](const std::string& place) {
-    saveLabels(place, std::move(file), extraction.input_labels);
-  });
+  write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
+  write(options.picture, [&](const std::string& place) { savePicture(place, found); });
+  write(options.labels,
+        [&](const std::string& place) {
+          saveLabels(place, std::move(file), found.labels);
+        });
   tool.stopIfInterrupted();
   outputs.commit();
 }
 
 void
-summarize(Tool& tool, const PlaneOptions& options, const Extraction& extraction)
+summarize(Tool& tool, const PlaneOptions& options, const MappedPlanes& found)
 {
-  tellPlanes(tool,
-             extraction.clusters.patches,
-             extraction.input_labels,
-             extraction.finite_points);
+  tellPlanes(tool, found.planes, found.labels, found.finite_points);
   tool.tellSeconds();
   tool.details()["input"] = options.input;
   tool.details()["output"] = options.output;
@@ -61,14 +57,15 @@ summarize(Tool& tool, const PlaneOptions& options, const Extraction& extraction)
       tool.tell("file", path);
 }
 
-void
-collectWarnings(Tool& tool, const HypothesisMesh& mesh)
+std::vector<Eigen::Vector3f>
+viewpointsOf(Tool& tool, const PlaneOptions& options, const pcl::PointCloudFile& file)
 {
-  for (const std::string& remark : mesh.vertices.remarks)
+  std::vector<std::string> remarks;
+  std::vector<Eigen::Vector3f> viewpoints =
+      viewpointsOfFile(file, options.input, tool.scale(), remarks);
+  for (const std::string& remark : remarks)
     tool.warn(remark);
-  for (const std::string& remark :
-       lengthRemarks(mesh.vertices.points(), mesh.spacing, tool.scale()))
-    tool.warn(remark);
+  return viewpoints;
 }
 
 void
@@ -79,23 +76,30 @@ run(Tool& tool, const PlaneOptions& options)
   if (!options.picture.empty())
     display.emplace();
   StepTimer timer(tool.report());
-  pcl::PointCloudFile file = loadScaledCloud(options.input, tool.scale());
+  const auto file = std::make_shared<pcl::PointCloudFile>(
+      loadScaledCloud(options.input, tool.scale()));
   pcl::TriangleMesh triangles;
   const std::string ending = endingOf(options.input);
   if (!options.voxel_size && (ending == ".ply" || ending == ".obj"))
     triangles = pcl::loadTriangleMesh(options.input);
+  std::vector<Eigen::Vector3f> viewpoints;
+  if (triangles.triangles.empty())
+    viewpoints = viewpointsOf(tool, options, *file);
   timer.finish("read");
   tool.stopIfInterrupted();
 
-  const Extraction extraction =
-      triangles.triangles.empty()
-          ? extractFromCloud(tool, options, timer, file)
-          : extractFromMesh(tool, options, timer, file, std::move(triangles));
-  collectWarnings(tool, extraction.mesh);
-  requirePlanes(tool, options.input, extraction);
-  writeOutputs(tool, options, extraction, std::move(file));
-  timer.finish("write");
-  summarize(tool, options, extraction);
+  const pcl::MappedPlanes found = extractPlanes(
+      tool, options, file, std::move(viewpoints), std::move(triangles));
+  for (const std::string& remark : file->remarks)
+    tool.warn(remark);
+  for (const std::string& remark :
+       lengthRemarks(found.vertices.points(), found.spacing, tool.scale()))
+    tool.warn(remark);
+  requirePlanes(tool, options.input, found);
+  StepTimer write_timer(tool.report());
+  writeOutputs(tool, options, found, std::move(*file));
+  write_timer.finish("write");
+  summarize(tool, options, found);
 }
 
 } // namespace

@@ -49,7 +49,8 @@ paint(Tool& tool, const Options& options, const std::vector<pcl::PlanePatch>& pl
   if (ending == ".pcd" || ending == ".ply" || ending == ".obj")
     return paintPlanes(tool,
                        planes,
-                       loadScaledCloud(options.observations, tool.scale()),
+                       std::make_shared<const pcl::PointCloudFile>(
+                           loadScaledCloud(options.observations, tool.scale())),
                        options.texture);
   return paintPlanes(tool,
                      planes,

@@ -30,18 +30,15 @@ viewpointsBeside(const std::string& path,
 
 } // namespace
 
-SensorView
-sensorsOfFile(const PointCloudFile& file,
-              const std::string& path,
-              double scale,
-              std::vector<std::string>& remarks)
+std::vector<Eigen::Vector3f>
+viewpointsOfFile(const PointCloudFile& file,
+                 const std::string& path,
+                 double scale,
+                 std::vector<std::string>& remarks)
 {
-  const PCLPointField* view = findField(file.cloud, "view", PCLPointField::INT32);
-  if (!view)
-    return SensorView(file.sensor_origin);
-  return SensorView(file.cloud.data.data() + view->offset,
-                    file.cloud.point_step,
-                    viewpointsBeside(path, scale, remarks));
+  if (!findField(file.cloud, "view", PCLPointField::INT32))
+    return {};
+  return viewpointsBeside(path, scale, remarks);
 }
 
 } // namespace pcl::acmap

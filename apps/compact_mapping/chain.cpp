@@ -185,7 +185,7 @@ Chain::rectify(const std::string& observations,
   rectification.skip_broken = options_.texture.skip_broken;
   const bool has_egomotion = !stages_.empty() && stages_.back().name == "egomotion";
   if (has_egomotion && !rectification.has_odometry_noise)
-    rectification.settings.odometry = noiseOf(stages_.back().told.details);
+    rectification.odometry = noiseOf(stages_.back().told.details);
   const Told& told = run("rectification",
                          {{"observations", observations},
                           {"skips_broken", rectification.skip_broken},

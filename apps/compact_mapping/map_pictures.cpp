@@ -12,14 +12,13 @@ namespace pcl::acmap {
 
 void
 savePictures(const OutputFolder& folder,
-             const Extraction& extraction,
+             const MappedPlanes& found,
              const CompactMap& map)
 {
   const UnlimitedMemory while_drawing;
-  const HypothesisMesh& mesh = extraction.mesh;
   saveSnapshot(
-      folder.path("mesh.png"), mesh.vertices.cloud, mesh.mesh, sceneViewOf(mesh));
-  savePicture(folder.path("planes.png"), mesh, extraction.clusters.labels);
+      folder.path("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
+  savePicture(folder.path("planes.png"), found);
   const std::pair<const char*, MapView::Place> places[] = {
       {"outside.png", MapView::Place::Outside},
       {"inside.png", MapView::Place::Inside},

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "plane_extraction/extraction.h"
-
 #include <pcl/core/compact_map.h>
 #include <pcl/core/output_folder.h>
+#include <pcl/pipeline/plane_mapping_types.h>
 
 namespace pcl::acmap {
 
@@ -11,7 +10,7 @@ namespace pcl::acmap {
  * \throws OutputFileException when one could not be written */
 void
 savePictures(const OutputFolder& folder,
-             const Extraction& extraction,
+             const MappedPlanes& found,
              const CompactMap& map);
 
 } // namespace pcl::acmap

@@ -1,15 +1,19 @@
 #include "map_stage.h"
 
+#include "cloud_sensors.h"
 #include "length_check.h"
 #include "map_pictures.h"
-#include "merged_map.h"
+#include "memory.h"
 #include "plane_extraction/plane_outputs.h"
 #include "plane_extraction/plane_reports.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/core/scaled_cloud.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_merging.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,58 +27,97 @@ namespace fs = std::filesystem;
 
 /** \brief What the input became. */
 struct Mapped {
-  Extraction extraction;
+  MappedPlanes found;
   CompactMap map;
 };
+
+/** \brief Every n-th point of a map, so that a million or fewer are left to look at. */
+PCLPointCloud2
+thinned(const PCLPointCloud2& map)
+{
+  constexpr std::size_t maximum = 1000000;
+  return everyNth(map, rowsOf(map) / maximum + 1);
+}
+
+MergedCloud
+merge(Tool& tool, const ChainOptions& options, const ObservationSequence& posed)
+{
+  ObservationMerging merging;
+  merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
+                                                    : options.planes.sensor);
+  merging.setSkipBroken(options.texture.skip_broken);
+  merging.setMaximumPoints(options.most_points);
+  merging.setNumberOfThreads(tool.threads());
+  merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
+    requireMemory(bytes, work);
+  });
+  MergedCloud merged;
+  tool.withProgress([&](const ProgressCallback& progress) {
+    merging.setProgressCallback(progress);
+    merging.compute(posed, merged);
+  });
+  const MergingReport& report = merging.getReport();
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  if (report.every > 1)
+    tool.warn("the map has more than " + std::to_string(options.most_points) +
+              " points (--max-points): it is made of each " +
+              std::to_string(report.every) + "th of them");
+  warnOfLengths(tool, *merged.cloud);
+  tool.details()["observations"] = report.observations;
+  tool.tell("read",
+            std::to_string(report.observations) + " observations, " +
+                std::to_string(report.points) + " points");
+  if (report.refined > 0)
+    tool.tell("refined",
+              "the quantised depth of " + std::to_string(report.refined) +
+                  " observations");
+  return merged;
+}
 
 Mapped
 mapSequence(Tool& tool,
             const ChainOptions& options,
             const ObservationSequence& posed,
-            const OutputFolder& folder,
-            StepTimer& timer)
+            const OutputFolder& folder)
 {
   Mapped result;
   {
-    const MergedMap merged = mergeObservations(
-        tool,
-        posed,
-        options.planes.isInSpace() ? DepthSensor::Laser : options.planes.sensor,
-        options.texture.skip_broken,
-        options.most_points);
+    StepTimer timer(tool.report());
+    const MergedCloud merged = merge(tool, options, posed);
     timer.finish("read");
-    warnOfLengths(tool, merged.file);
-    tool.details()["observations"] = merged.observations;
-    tool.tell("read",
-              std::to_string(merged.observations) + " observations, " +
-                  std::to_string(merged.file.points().size()) + " points");
-    if (merged.refined > 0)
-      tool.tell("refined",
-                "the quantised depth of " + std::to_string(merged.refined) +
-                    " observations");
-    result.extraction =
-        extractFromCloud(tool, options.planes, timer, merged.file, merged.sensors());
-    savePointCloud(folder.path("map.pcd"), thinned(merged.file.cloud));
-    timer.finish("write");
+    result.found = extractPlanes(tool, options.planes, merged.cloud, merged.viewpoints);
+    StepTimer write_timer(tool.report());
+    savePointCloud(folder.path("map.pcd"), thinned(merged.cloud->cloud));
+    write_timer.finish("write");
   }
-  requirePlanes(tool, options.input, result.extraction);
-  result.map =
-      paintPlanes(tool, result.extraction.clusters.patches, posed, options.texture);
+  requirePlanes(tool, options.input, result.found);
+  StepTimer timer(tool.report());
+  result.map = paintPlanes(tool, result.found.planes, posed, options.texture);
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
+  timer.finish("paint");
   return result;
 }
 
 Mapped
-mapCloud(Tool& tool, const ChainOptions& options, StepTimer& timer)
+mapCloud(Tool& tool, const ChainOptions& options)
 {
-  const PointCloudFile file = loadScaledCloud(options.input, tool.scale());
+  StepTimer timer(tool.report());
+  const auto file = std::make_shared<const PointCloudFile>(
+      loadScaledCloud(options.input, tool.scale()));
+  std::vector<std::string> remarks;
+  const std::vector<Eigen::Vector3f> viewpoints =
+      viewpointsOfFile(*file, options.input, tool.scale(), remarks);
   timer.finish("read");
-  warnOfLengths(tool, file);
+  warnOfLengths(tool, *file);
+  for (const std::string& remark : remarks)
+    tool.warn(remark);
   Mapped result;
-  result.extraction = extractFromCloud(tool, options.planes, timer, file);
-  requirePlanes(tool, options.input, result.extraction);
-  result.map =
-      paintPlanes(tool, result.extraction.clusters.patches, file, options.texture);
+  result.found = extractPlanes(tool, options.planes, file, viewpoints);
+  requirePlanes(tool, options.input, result.found);
+  StepTimer paint_timer(tool.report());
+  result.map = paintPlanes(tool, result.found.planes, file, options.texture);
+  paint_timer.finish("paint");
   return result;
 }
 
@@ -96,7 +139,7 @@ void
 drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
 {
   try {
-    savePictures(folder, mapped.extraction, mapped.map);
+    savePictures(folder, mapped.found, mapped.map);
   }
   catch (const InitFailedException& error) {
     tool.warn("not all pictures could be drawn: " + std::string(error.what()));
@@ -138,12 +181,12 @@ void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
   tellPlanes(tool,
-             mapped.extraction.clusters.patches,
-             mapped.extraction.input_labels,
-             mapped.extraction.finite_points);
+             mapped.found.planes,
+             mapped.found.labels,
+             mapped.found.finite_points);
   tool.details()["planes"] = jsonOf(mapped.map.planes);
   tellUp(tool, mapped.map);
-  tellCompactness(tool, mapped.extraction.finite_points, mapped.map, options.output);
+  tellCompactness(tool, mapped.found.finite_points, mapped.map, options.output);
 }
 
 } // namespace
@@ -156,17 +199,14 @@ makeMap(Tool& tool,
         bool draws,
         OutputFolder& folder)
 {
-  StepTimer timer(tool.report());
   Mapped mapped = sequence.posed
-                      ? mapSequence(tool, options, *sequence.posed, folder, timer)
-                      : mapCloud(tool, options, timer);
-  timer.finish("paint");
+                      ? mapSequence(tool, options, *sequence.posed, folder)
+                      : mapCloud(tool, options);
   tool.stopIfInterrupted();
+  StepTimer timer(tool.report());
 
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
-  saveNormals(folder.path("mesh.ply"),
-              mapped.extraction.mesh,
-              mapped.extraction.clusters.labels);
+  saveNormals(folder.path("mesh.ply"), mapped.found);
   if (sequence.is_rectified)
     takeAlong(chain, folder);
   timer.finish("write map");

@@ -45,7 +45,7 @@ addOdometryNoise(CLI::App& app, RectificationOptions& options)
 {
   const auto take = [&options](const std::vector<double>& values) {
     constexpr double degree = 3.14159265358979323846 / 180;
-    options.settings.odometry = {values[0], 0, values[1] * degree, 0};
+    options.odometry = {values[0], 0, values[1] * degree, 0};
     options.has_odometry_noise = true;
   };
   app.add_option_function<std::vector<double>>(
@@ -70,7 +70,7 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
   addChoice<RectificationMode>(
       app,
       "--mode",
-      options.settings.mode,
+      options.mode,
       {{"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}},
       "guarded: descent, taken only where independent evidence agrees; paper: the "
       "paper's voting, taken as it comes");
@@ -81,7 +81,7 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(1e-3, 1e3).description(""));
   addOdometryNoise(app, options);
-  tool.addSeed(options.settings.seed);
+  tool.addSeed(options.seed);
 }
 
 void

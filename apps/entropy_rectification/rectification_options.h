@@ -2,8 +2,9 @@
 
 #include "tool.h"
 
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/entropy_rectification_types.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,9 @@ struct RectificationOptions {
   std::string log;    ///< CARMEN's; empty with a folder
   std::string output;
   std::size_t every = 1; ///< scan of the log
-  RectificationSettings settings;
+  RectificationMode mode = RectificationMode::Guarded;
+  std::uint64_t seed = 1;
+  OdometryNoise odometry;
   bool has_odometry_noise = false;      ///< whether the user told it
   std::optional<double> asked_bin_size; ///< metres
   bool write_observations = false;

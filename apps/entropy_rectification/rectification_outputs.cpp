@@ -1,11 +1,12 @@
 #include "rectification_outputs.h"
 
 #include "energy_picture.h"
-#include "map_rows.h"
+#include "memory.h"
 #include "plan_picture.h"
 
 #include <pcl/core/cloud_fields.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 
 namespace pcl::acmap {
@@ -75,7 +76,11 @@ writeOutputs(Tool& tool,
              const std::vector<RectificationStep>& steps,
              const OutputFolder& folder)
 {
-  MapRows map(options.write_map ? observations.points : 0, observations.colored);
+  MapRows map(options.write_map ? observations.points : 0,
+              observations.colored,
+              [](const std::string& work, std::size_t bytes, double) {
+                requireMemory(bytes, work);
+              });
   const Poses plan_before = alongFloor(floor, observations.trajectory.poses);
   const Poses plan_after = alongFloor(floor, poses);
   const PlanExtent extent = extentOf(observations, plan_before, plan_after);

@@ -24,10 +24,10 @@ rectify(Tool& tool,
         const MapObservations& observations,
         Rectification& rectification)
 {
-  rectification.setMode(options.settings.mode);
+  rectification.setMode(options.mode);
   rectification.setBinSize(options.binSize());
-  rectification.setSeed(options.settings.seed);
-  rectification.setOdometryNoise(options.settings.odometry);
+  rectification.setSeed(options.seed);
+  rectification.setOdometryNoise(options.odometry);
   rectification.setNumberOfThreads(tool.threads());
   for (std::size_t i = 0; i < observations.clouds.size(); ++i)
     rectification.addPointCloud(observations.clouds[i],

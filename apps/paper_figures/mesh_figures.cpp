@@ -1,12 +1,15 @@
 #include "mesh_figures.h"
 
-#include "consolidation_stage.h"
 #include "exit_code.h"
 #include "figure_sheet.h"
 #include "figure_views.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/cloud_fields.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/filters/voxel_consolidation.h>
+#include <pcl/point_types.h>
+#include <pcl/surface/dewall_triangulation.h>
 
 namespace pcl::acmap {
 
@@ -17,31 +20,29 @@ struct ObservationMesh {
   TriangleMesh mesh;
 };
 
+using DeWall = DeWallTriangulation<PointNormal>;
+
 /** The mesh of an observation's cloud at its noise scale, with the depths of its walls. */
 ObservationMesh
-meshOf(const std::string& path, std::int32_t leaf_size, unsigned threads)
+meshOf(const std::string& path, DeWall dewall, unsigned threads)
 {
-  const PointCloudFile file = loadPointCloud(path);
-  const Eigen::Vector3f origin = Eigen::Vector3f::Zero(); // the camera's own frame
-  ConsolidationSettings settings;
-  settings.threads = threads;
-  ConsolidationReport report;
-  ConsolidatedCloud cloud =
-      consolidatedCloud(file, SensorView(origin), settings, {}, report);
-  DeWallSettings wall;
-  wall.maximum_edge_length = edges_of_voxel * report.voxel_size;
-  wall.compute_wall_depth = true;
-  wall.leaf_size = leaf_size;
-  wall.threads = threads;
-  const auto& all = cloud.consolidation.representatives;
-  if (!all.empty())
-    wall.normals = PointView(all.front().normal.data(), sizeof all[0], all.size());
-  DeWallReport made;
+  VoxelConsolidation<PCLPointCloud2> consolidation;
+  consolidation.setInputCloud(
+      std::make_shared<const PCLPointCloud2>(loadPointCloud(path).cloud));
+  consolidation.setSensorOrigin(Eigen::Vector3f::Zero()); // the camera's own frame
+  consolidation.setNumberOfThreads(threads);
   ObservationMesh result;
-  result.mesh = triangulateDeWall(cloud.file.points(), wall, Progress(), made);
+  consolidation.filter(result.vertices);
+  const PointCloud<PointNormal>::Ptr vertices(new PointCloud<PointNormal>);
+  fromPCLPointCloud2(result.vertices, *vertices);
+  dewall.setInputCloud(vertices);
+  dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
+                              consolidation.getReport().voxel_size);
+  dewall.setComputeWallDepth(true);
+  dewall.setNumberOfThreads(threads);
+  dewall.reconstruct(result.mesh);
   if (result.mesh.triangles.empty())
     throw NothingFound(path + ": no triangle is possible");
-  result.vertices = std::move(cloud.file.cloud);
   return result;
 }
 
@@ -95,17 +96,17 @@ drawMeshes(const MappedSession& map,
            unsigned threads,
            const OutputFolder& folder)
 {
-  // as many points as make walls that can be told apart; else the usual ones
-  constexpr std::int32_t small_leaf = 256;
+  constexpr int small_leaf = 256; // so few points make walls that can be told apart
+  DeWall usual, with_walls;
+  with_walls.setLeafSize(small_leaf);
   const auto path = [&](const ObservationFigure& figure) {
     return map.observations[figure.observation];
   };
   savePng(folder.path("fig5.png"),
-          wallsFigure(meshOf(path(plan.walls), small_leaf, threads), plan, folder));
-  savePng(
-      folder.path("fig7.png"),
-      withFewLevels(meshFigure(
-          meshOf(path(plan.mesh), DeWallSettings().leaf_size, threads), plan, folder)));
+          wallsFigure(meshOf(path(plan.walls), with_walls, threads), plan, folder));
+  savePng(folder.path("fig7.png"),
+          withFewLevels(
+              meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder)));
 }
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "depth_stage.h"
+#include "sensor_option.h"
 #include "tool.h"
 
 #include <optional>

@@ -12,26 +12,24 @@ namespace pcl::acmap {
 namespace {
 
 PCLPointCloud2
-withVotes(const PCLPointCloud2& cloud, const std::vector<VotedNormal>& votes)
+withVotes(const MappedPlanes& found)
 {
   const char* const names[] = {"normal_x", "normal_y", "normal_z", "curvature"};
   std::vector<FieldWish> wishes;
   for (const char* name : names)
     wishes.push_back({name, PCLPointField::FLOAT32});
   wishes.push_back({"vertex_class", PCLPointField::UINT8});
-  PCLPointCloud2 result = withFields(cloud, wishes);
+  PCLPointCloud2 result = withFields(found.vertices.cloud, wishes);
   std::vector<std::size_t> offsets;
   for (const FieldWish& wish : wishes)
     offsets.push_back(findField(result, wish.name)->offset);
-  for (std::size_t row = 0; row < votes.size(); ++row) {
-    for (int axis = 0; axis < 3; ++axis)
-      setValue(result,
-               row,
-               offsets[static_cast<std::size_t>(axis)],
-               votes[row].normal[axis]);
-    setValue(result, row, offsets[3], 1 - votes[row].saliency);
-    setValue(
-        result, row, offsets[4], static_cast<std::uint8_t>(votes[row].vertex_class));
+  for (std::size_t row = 0; found.normals && row < found.normals->size(); ++row) {
+    const Normal& normal = (*found.normals)[row];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      setValue(result, row, offsets[axis], normal.normal[axis]);
+    setValue(result, row, offsets[3], normal.curvature);
+    const std::uint32_t vertex_class = (*found.vertex_classes)[row].label;
+    setValue(result, row, offsets[4], static_cast<std::uint8_t>(vertex_class));
   }
   return result;
 }
@@ -49,36 +47,30 @@ saveLabels(const std::string& path,
 }
 
 void
-saveNormals(const std::string& path,
-            const HypothesisMesh& mesh,
-            const std::vector<std::int32_t>& planes)
+saveNormals(const std::string& path, const MappedPlanes& found)
 {
   saveTriangleMesh(
-      path,
-      withLabels(withVotes(mesh.vertices.cloud, mesh.votes.normals), planes),
-      mesh.mesh);
+      path, withLabels(withVotes(found), found.vertex_labels), found.mesh);
 }
 
 SceneView
-sceneViewOf(const HypothesisMesh& mesh)
+sceneViewOf(const MappedPlanes& found)
 {
   SceneView view;
-  view.sensor_origin = mesh.vertices.sensor_origin;
-  view.sensor_orientation = mesh.vertices.sensor_orientation;
+  view.sensor_origin = found.vertices.sensor_origin;
+  view.sensor_orientation = found.vertices.sensor_orientation;
   view.hide_backs = true;
   return view;
 }
 
 void
-savePicture(const std::string& path,
-            const HypothesisMesh& mesh,
-            const std::vector<std::int32_t>& planes)
+savePicture(const std::string& path, const MappedPlanes& found)
 {
   const UnlimitedMemory while_drawing;
   saveSnapshot(path,
-               coloredByLabel(withLabels(mesh.vertices.cloud, planes)),
-               mesh.mesh,
-               sceneViewOf(mesh));
+               coloredByLabel(withLabels(found.vertices.cloud, found.vertex_labels)),
+               found.mesh,
+               sceneViewOf(found));
 }
 
 } // namespace pcl::acmap

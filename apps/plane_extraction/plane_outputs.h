@@ -1,7 +1,6 @@
 #pragma once
 
-#include "plane_stages.h"
-
+#include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
 #include <string>
@@ -18,18 +17,14 @@ saveLabels(const std::string& path,
 /** \brief Writes the mesh as PLY: with the voted normals, `curvature` (1 - saliency),
  * `vertex_class` (\ref VertexClass) and `label`. */
 void
-saveNormals(const std::string& path,
-            const HypothesisMesh& mesh,
-            const std::vector<std::int32_t>& planes);
+saveNormals(const std::string& path, const MappedPlanes& found);
 
 /** \brief From beside its sensor, without faces that look away. */
 SceneView
-sceneViewOf(const HypothesisMesh& mesh);
+sceneViewOf(const MappedPlanes& found);
 
 /** \brief Draws the mesh as PNG, in colours by plane, without faces that look away. */
 void
-savePicture(const std::string& path,
-            const HypothesisMesh& mesh,
-            const std::vector<std::int32_t>& planes);
+savePicture(const std::string& path, const MappedPlanes& found);
 
 } // namespace pcl::acmap

@@ -29,58 +29,47 @@ describe(const PlanePatch& plane)
   return text;
 }
 
+void
+tellInSpace(Tool& tool, const PlaneMappingReport& report)
+{
+  nlohmann::ordered_json& details = tool.details();
+  if (report.consolidation)
+    tellConsolidation(tool, *report.consolidation);
+  else if (report.noise_scale)
+    tool.tell("consolidated", "no, the points lie close enough to their surface");
+  if (report.mesh)
+    details["mesh"] = jsonOf(*report.mesh);
+  details["votes"] = jsonOf(*report.votes);
+  details["report"] = jsonOf(*report.planes);
+}
+
+void
+tellInPicture(Tool& tool, const PlaneMappingReport& report)
+{
+  nlohmann::ordered_json& details = tool.details();
+  tellDepthNoise(tool, report.depth_planes->noise);
+  details["report"] = jsonOf(*report.depth_planes);
+  if (report.refinement)
+    tellRefinement(tool, *report.refinement);
+  if (report.mesh)
+    details["mesh"] = jsonOf(*report.mesh);
+  if (report.votes)
+    details["votes"] = jsonOf(*report.votes);
+}
+
 } // namespace
 
-nlohmann::ordered_json
-jsonOf(const VotingReport& report)
+void
+tellMapping(Tool& tool, const PlaneMappingReport& report)
 {
-  return {{"vertices", report.vertices},
-          {"invalid_points", report.invalid_points},
-          {"triangles", report.triangles},
-          {"degenerate_triangles", report.degenerate_triangles},
-          {"surface", report.surface},
-          {"crease", report.crease},
-          {"corner", report.corner},
-          {"unknown", report.unknown},
-          {"radius", report.radius},
-          {"mean_edge", report.mean_edge},
-          {"sigma", report.sigma},
-          {"seconds", secondsOf(report)}};
-}
-
-nlohmann::ordered_json
-jsonOf(const PlaneClusteringReport& report)
-{
-  return {{"points", report.points},
-          {"hypotheses", report.hypotheses},
-          {"planes", report.planes},
-          {"points_on_planes", report.points_on_planes},
-          {"small_regions", report.small_regions},
-          {"curved_regions", report.curved_regions},
-          {"points_on_curved", report.points_on_curved},
-          {"refuted_regions", report.refuted_regions},
-          {"merged", report.merged},
-          {"regular_planes", report.regular_planes},
-          {"largest_turn", report.largest_turn},
-          {"spacing", report.spacing},
-          {"sigma", report.sigma},
-          {"plane_distance", report.plane_distance},
-          {"seconds", secondsOf(report)}};
-}
-
-nlohmann::ordered_json
-jsonOf(const DepthPlaneReport& report)
-{
-  return {{"points", report.points},
-          {"invalid_points", report.invalid_points},
-          {"planes", report.planes},
-          {"points_on_planes", report.points_on_planes},
-          {"small_regions", report.small_regions},
-          {"curved_regions", report.curved_regions},
-          {"merged", report.merged},
-          {"regular_planes", report.regular_planes},
-          {"largest_turn", report.largest_turn},
-          {"seconds", secondsOf(report)}};
+  for (const std::string& remark : report.remarks)
+    tool.warn(remark);
+  if (report.depth_planes)
+    tellInPicture(tool, report);
+  else
+    tellInSpace(tool, report);
+  for (const auto& [step, seconds] : report.seconds)
+    tool.report().seconds.emplace_back(step, seconds);
 }
 
 void

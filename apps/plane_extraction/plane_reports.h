@@ -3,23 +3,16 @@
 #include "tool.h"
 
 #include <pcl/core/plane_patch.h>
-#include <pcl/features/voting_types.h>
-#include <pcl/segmentation/depth_plane_types.h>
-#include <pcl/segmentation/plane_clustering_types.h>
+#include <pcl/pipeline/plane_mapping_types.h>
 
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief The fields of a stage's report, its seconds and its remarks. */
-nlohmann::ordered_json
-jsonOf(const VotingReport& report);
-
-nlohmann::ordered_json
-jsonOf(const PlaneClusteringReport& report);
-
-nlohmann::ordered_json
-jsonOf(const DepthPlaneReport& report);
+/** \brief Reports all steps that found planes: warnings, lines of the summary, parts of the
+ * JSON report and seconds. */
+void
+tellMapping(Tool& tool, const PlaneMappingReport& report);
 
 /** \brief Lines of the summary: how many planes, the share of the points on them, and
  * each plane, or of many the largest ones.

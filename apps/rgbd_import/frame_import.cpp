@@ -45,7 +45,7 @@ loadImages(const RgbdFrame& frame, const RgbdCameras& cameras, const RgbdImport&
   return images;
 }
 
-/** Steps are taken out in the depth camera's own picture. */
+/** Quantisation steps are removed in the picture of the depth camera. */
 PCLPointCloud2
 cloudOf(const FrameImages& images,
         const RgbdCameras& cameras,
@@ -54,8 +54,16 @@ cloudOf(const FrameImages& images,
 {
   std::vector<Eigen::Vector3f> points =
       measuredPoints(images.depth, cameras.depth, cameras.meaning);
-  const auto width = static_cast<std::size_t>(images.depth.width);
-  import.refined += refineIfQuantised(points, width, cameras.sensor, threads) ? 1 : 0;
+  PointCloud<PointXYZ> view;
+  for (const Eigen::Vector3f& point : points)
+    view.push_back(PointXYZ(point.x(), point.y(), point.z()));
+  view.width = static_cast<std::uint32_t>(images.depth.width);
+  view.height = static_cast<std::uint32_t>(images.depth.height);
+  if (refineQuantisedDepth(view, cameras.sensor, threads)) {
+    ++import.refined;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = view[i].getVector3fMap();
+  }
   return cameras.color ? registeredCloud(images.color, points, *cameras.color)
                        : observationCloud(images.color, points);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "depth_stage.h"
 #include "rgbd_observation.h"
 #include "rgbd_sequence.h"
 
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/depth_sensor.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "depth_stage.h"
 #include "rgbd_sequence.h"
+#include "sensor_option.h"
 #include "tool.h"
 
 #include <optional>

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <pcl/core/report.h>
+#include <pcl/features/voting_types.h>
 #include <pcl/filters/consolidation_types.h>
+#include <pcl/filters/depth_refinement_types.h>
+#include <pcl/segmentation/depth_plane_types.h>
+#include <pcl/segmentation/plane_clustering_types.h>
 #include <pcl/surface/dewall_types.h>
 
 #include <nlohmann/json.hpp>
@@ -10,16 +14,40 @@
 
 namespace pcl::acmap {
 
+class Tool;
+
 /** \brief The fields of a stage's report, and its seconds; remarks go elsewhere. */
 nlohmann::ordered_json
 jsonOf(const ConsolidationReport& report);
 
 nlohmann::ordered_json
+jsonOf(const DepthRefinementReport& report);
+
+nlohmann::ordered_json
 jsonOf(const DeWallReport& report);
+
+nlohmann::ordered_json
+jsonOf(const VotingReport& report);
+
+nlohmann::ordered_json
+jsonOf(const PlaneClusteringReport& report);
+
+nlohmann::ordered_json
+jsonOf(const DepthPlaneReport& report);
 
 /** \brief The seconds of the steps of a stage. */
 nlohmann::ordered_json
 secondsOf(const Report& report);
+
+/** \brief A line of the summary and a part of the JSON report. */
+void
+tellConsolidation(Tool& tool, const ConsolidationReport& report);
+
+void
+tellDepthNoise(Tool& tool, const NoiseScale::InverseDepth& noise);
+
+void
+tellRefinement(Tool& tool, const DepthRefinementReport& report);
 
 /** \brief Share of a whole, as a text with %. */
 std::string

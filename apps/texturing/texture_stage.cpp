@@ -5,7 +5,8 @@
 #include "memory.h"
 #include "stage_reports.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/point_types.h>
+#include <pcl/texture/plane_texturing.h>
 
 #include <CLI/CLI.hpp>
 
@@ -16,35 +17,31 @@ namespace pcl::acmap {
 
 namespace {
 
-TexturingSettings
-settingsOf(const Tool& tool, const TextureOptions& options)
-{
-  TexturingSettings settings = options.settings;
-  settings.threads = tool.threads();
-  settings.correct_exposure = !options.keep_exposure;
-  return settings;
-}
+using Texturing = PlaneTexturing<PointXYZRGB>;
 
-void
-requireRoom(const std::vector<PlanePatch>& planes, const TexturingSettings& settings)
+Texturing
+texturingOf(const Tool& tool,
+            const std::vector<PlanePatch>& planes,
+            const TextureOptions& options)
 {
+  Texturing texturing;
+  texturing.setPlanes(planes);
+  texturing.setTexelSize(options.texel_size);
+  texturing.setMaximumDistance(options.maximum_distance);
+  texturing.setMaximumTextureSize(options.maximum_texture_size);
+  texturing.setFillDistance(options.fill_distance);
+  texturing.setCorrectExposure(!options.keep_exposure);
+  texturing.setNumberOfThreads(tool.threads());
   constexpr double most = 1e18; // what fits an integer, and no machine
-  requireMemory(
-      static_cast<std::size_t>(std::min(texturingMemory(planes, settings), most)),
-      "painting the planes");
+  requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), most)),
+                "painting the planes");
+  return texturing;
 }
 
-ColoredView
-viewOf(const PointCloudFile& file, const Eigen::Isometry3d& T_map_camera)
+std::shared_ptr<const PCLPointCloud2>
+rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
 {
-  ColoredView view;
-  view.points = file.points();
-  const PCLPointField* const color = findColor(file.cloud);
-  if (color && view.points.size() > 0)
-    view.colors = {&file.cloud.data[color->offset], file.cloud.point_step};
-  view.width = file.cloud.height > 1 ? static_cast<int>(file.cloud.width) : 0;
-  view.T_map_camera = T_map_camera;
-  return view;
+  return {file, &file->cloud};
 }
 
 nlohmann::ordered_json
@@ -65,13 +62,19 @@ jsonOf(const TexturingReport& report)
 }
 
 CompactMap
-finish(Tool& tool, const TextureBuilder& builder)
+paint(Tool& tool, Texturing& texturing)
 {
-  TexturingReport report;
   CompactMap map;
   tool.withProgress([&](const ProgressCallback& progress) {
-    map = builder.finish(Progress(progress), report);
+    texturing.setProgressCallback(progress);
+    texturing.texture(map);
   });
+  return map;
+}
+
+void
+tellTexture(Tool& tool, const TexturingReport& report)
+{
   for (const std::string& remark : report.remarks)
     tool.warn(remark);
   tool.details()["texture"] = jsonOf(report);
@@ -81,7 +84,6 @@ finish(Tool& tool, const TextureBuilder& builder)
                 shortNumber(1000 * report.texel_size) + " mm, " +
                 percent(report.seen, report.texels) + " seen, " +
                 percent(report.filled, report.texels) + " filled");
-  return map;
 }
 
 } // namespace
@@ -90,21 +92,21 @@ void
 addTextureOptions(Tool& tool, TextureOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("--texel", options.settings.texel_size, "Edge of a texel, metres")
+  app.add_option("--texel", options.texel_size, "Edge of a texel, metres")
       ->type_name("M")
       ->check(CLI::Range(1e-4, 10.0).description(""));
   app.add_option("--max-distance",
-                 options.settings.maximum_distance,
+                 options.maximum_distance,
                  "How far a point may be from the plane it colours, metres")
       ->type_name("M")
       ->check(CLI::Range(1e-6, 1e3).description(""));
   app.add_option("--max-texture",
-                 options.settings.maximum_texture_size,
+                 options.maximum_texture_size,
                  "Texels a side; larger polygons get several textures")
       ->type_name("N")
       ->check(CLI::Range(16, 65500).description(""));
   app.add_option("--fill",
-                 options.settings.fill_distance,
+                 options.fill_distance,
                  "How far holes are filled from their rims, texels")
       ->type_name("N")
       ->check(CLI::Range(0, 1000).description(""));
@@ -130,61 +132,52 @@ paintPlanes(Tool& tool,
             const ObservationSequence& sequence,
             const TextureOptions& options)
 {
-  const TexturingSettings settings = settingsOf(tool, options);
-  requireRoom(planes, settings);
-  TextureBuilder builder(planes, settings);
-  Trajectory trajectory;
+  Texturing texturing = texturingOf(tool, planes, options);
   std::vector<std::string> remarks = sequence.remarks();
-  tool.withProgress([&](const ProgressCallback& callback) {
-    const Progress progress(callback);
-    for (std::size_t i = 0; i < sequence.size(); ++i) {
-      progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
-                    "painting");
-      try {
-        const PosedObservation seen = sequence.load(i);
-        remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
-        if (i == 0 && tool.warnings().empty()) // else who merged them has told
-          warnOfLengths(tool, *seen.file);
-        builder.add(viewOf(*seen.file, seen.T_map_camera));
-        trajectory.stamps.push_back(sequence.stamp(i));
-        trajectory.poses.push_back(seen.T_map_camera);
-      }
-      catch (const InputFileException& error) {
-        if (!options.skip_broken)
-          throw;
-        remarks.push_back("left out: " + std::string(error.what()));
-      }
+  const auto load = [&](std::size_t i) -> std::optional<TexturedObservation> {
+    try {
+      const PosedObservation seen = sequence.load(i);
+      remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
+      if (i == 0 && tool.warnings().empty()) // else who merged them has told
+        warnOfLengths(tool, *seen.file);
+      return TexturedObservation{
+          rowsOfFile(seen.file), seen.T_map_camera, sequence.stamp(i), true};
     }
-  });
+    catch (const InputFileException& error) {
+      if (!options.skip_broken)
+        throw;
+      remarks.push_back("left out: " + std::string(error.what()));
+      return std::nullopt;
+    }
+  };
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    texturing.addObservation([&load, i] { return load(i); });
+  CompactMap map = paint(tool, texturing);
   const std::vector<std::string> told =
       tool.warnings(); // who merged them read them too
   for (const std::string& remark : remarks)
     if (std::find(told.begin(), told.end(), remark) == told.end())
       tool.warn(remark);
-  if (trajectory.poses.empty())
+  if (map.trajectory.poses.empty())
     throw InputFileException("none of the observations can be read");
-  sequence.requireDifferent(trajectory.poses);
-  CompactMap map = finish(tool, builder);
-  map.trajectory = std::move(trajectory);
+  sequence.requireDifferent(map.trajectory.poses);
+  tellTexture(tool, texturing.getReport());
   return map;
 }
 
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
-            const PointCloudFile& cloud,
+            const std::shared_ptr<const PointCloudFile>& cloud,
             const TextureOptions& options)
 {
-  const TexturingSettings settings = settingsOf(tool, options);
-  requireRoom(planes, settings);
-  TextureBuilder builder(planes, settings);
-  ColoredView view = viewOf(cloud, Eigen::Isometry3d::Identity());
-  view.width = 0; // its sensor is not the origin of its frame
-  view.has_eye = false;
-  builder.add(view);
-  CompactMap map = finish(tool, builder);
-  for (std::vector<std::int32_t>& observations : map.observations)
-    observations.clear(); // they number poses, and there are none
+  Texturing texturing = texturingOf(tool, planes, options);
+  texturing.addObservation([&]() -> std::optional<TexturedObservation> {
+    return TexturedObservation{
+        rowsOfFile(cloud), Eigen::Isometry3d::Identity(), 0, false};
+  });
+  CompactMap map = paint(tool, texturing);
+  tellTexture(tool, texturing.getReport());
   return map;
 }
 

@@ -5,8 +5,8 @@
 #include <pcl/core/compact_map.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/texture/compact_map_folder.h>
-#include <pcl/texture/texturing_kernel.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,10 @@ namespace pcl::acmap {
 
 /** \brief What tools that paint planes let the user choose. */
 struct TextureOptions {
-  TexturingSettings settings;
+  double texel_size = 0.02;        ///< metres
+  double maximum_distance = 0.3;   ///< metres
+  int maximum_texture_size = 4096; ///< texels
+  int fill_distance = 5;           ///< texels
   CompactMapOutputs outputs;
   bool keep_exposure = false;
   bool skip_broken = false;
@@ -36,7 +39,7 @@ paintPlanes(Tool& tool,
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
-            const PointCloudFile& cloud,
+            const std::shared_ptr<const PointCloudFile>& cloud,
             const TextureOptions& options);
 
 /** \brief Raw bytes (16 a finite point) beside those of the map, for summary and report:

@@ -106,4 +106,36 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows)
   cloud.data.resize(rows * cloud.point_step);
 }
 
+PointView
+requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  const std::size_t rows = rowsOf(*cloud);
+  const PCLPointField* const x = findField(*cloud, "x", PCLPointField::FLOAT32);
+  const PCLPointField* const y = findField(*cloud, "y", PCLPointField::FLOAT32);
+  const PCLPointField* const z = findField(*cloud, "z", PCLPointField::FLOAT32);
+  if (!x || !y || !z || y->offset != x->offset + 4 || z->offset != x->offset + 8)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the cloud has no float32 fields x, y, z side by side");
+  for (const PCLPointField& field : cloud->fields)
+    if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud->point_step)
+      PCL_THROW_EXCEPTION(InitFailedException,
+                          "field " << field.name << " is outside of its point");
+  if (cloud->data.size() / std::max<std::size_t>(cloud->point_step, 1) < rows)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the cloud has fewer bytes than its " << rows << " points");
+  if (!indices)
+    return {rows ? cloud->data.data() + x->offset : nullptr, cloud->point_step, rows};
+  for (const index_t index : *indices)
+    if (index < 0 || static_cast<std::size_t>(index) >= rows)
+      PCL_THROW_EXCEPTION(InitFailedException,
+                          "index " << index << " is outside of the input cloud of "
+                                   << rows << " points");
+  return {cloud->data.data() + x->offset,
+          cloud->point_step,
+          indices->size(),
+          indices->data()};
+}
+
 } // namespace pcl::acmap

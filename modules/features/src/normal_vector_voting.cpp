@@ -1,12 +1,13 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/features/impl/normal_vector_voting.hpp>
 
-// for Feature of our point type, see the header
+// for Feature of our point types, see the header
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>
 #include <pcl/search/impl/search.hpp>
 
 template class pcl::Feature<pcl::PointXYZRGBNormalView, pcl::Normal>;
+template class pcl::Feature<pcl::PointXYZRGBSigma, pcl::Normal>;
 
-PCL_INSTANTIATE(NormalVectorVoting, ACMAP_MAP_POINT_TYPES)
+PCL_INSTANTIATE(NormalVectorVoting, ACMAP_ALL_POINT_TYPES)

@@ -1,4 +1,4 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/segmentation/impl/plane_hypothesis_clustering.hpp>
 
-PCL_INSTANTIATE(PlaneHypothesisClustering, ACMAP_MAP_POINT_TYPES)
+PCL_INSTANTIATE(PlaneHypothesisClustering, ACMAP_ALL_POINT_TYPES)

@@ -1,4 +1,14 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/surface/impl/dewall_triangulation.hpp>
 
-PCL_INSTANTIATE(DeWallTriangulation, ACMAP_PCL_POINT_TYPES)
+// for MeshConstruction of our point types, see the header
+#include <pcl/kdtree/impl/kdtree_flann.hpp>
+#include <pcl/search/impl/kdtree.hpp>
+#include <pcl/search/impl/organized.hpp>
+#include <pcl/search/impl/search.hpp>
+#include <pcl/surface/impl/reconstruction.hpp>
+
+template class pcl::MeshConstruction<pcl::PointXYZRGBNormalView>;
+template class pcl::MeshConstruction<pcl::PointXYZRGBSigma>;
+
+PCL_INSTANTIATE(DeWallTriangulation, ACMAP_ALL_POINT_TYPES)

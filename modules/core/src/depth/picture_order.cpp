@@ -1,3 +1,4 @@
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/depth_view.h>
 
 #include <algorithm>
@@ -91,6 +92,34 @@ PictureOrder::arrange(const PointView& points) const
   for (std::size_t i = 0; i < pixels.size(); ++i)
     if (pixels[i] != nowhere)
       arranged[pixels[i]] = points[i];
+  return arranged;
+}
+
+PCLPointCloud2
+PictureOrder::arrange(const PCLPointCloud2& cloud) const
+{
+  PCLPointCloud2 arranged;
+  arranged.header = cloud.header;
+  arranged.fields = cloud.fields;
+  arranged.is_bigendian = cloud.is_bigendian;
+  arranged.point_step = cloud.point_step;
+  arranged.width = static_cast<std::uint32_t>(width);
+  arranged.height = static_cast<std::uint32_t>(height);
+  arranged.row_step = arranged.width * cloud.point_step;
+  arranged.is_dense = 0;
+  arranged.data.assign(width * height * cloud.point_step, 0);
+  const std::size_t position = findField(cloud, "x")->offset;
+  const Eigen::Vector3f none =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t pixel = 0; pixel < width * height; ++pixel)
+    std::memcpy(&arranged.data[pixel * cloud.point_step + position],
+                none.data(),
+                3 * sizeof(float));
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (pixels[i] != nowhere)
+      std::memcpy(&arranged.data[pixels[i] * cloud.point_step],
+                  &cloud.data[i * cloud.point_step],
+                  cloud.point_step);
   return arranged;
 }
 

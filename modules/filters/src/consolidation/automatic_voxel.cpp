@@ -1,4 +1,4 @@
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/filters/consolidation_types.h>
 
 #include <algorithm>
 #include <cmath>

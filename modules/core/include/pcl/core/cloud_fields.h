@@ -2,7 +2,10 @@
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
+#include <pcl/core/point_view.h>
+#include <pcl/types.h>
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -22,6 +25,10 @@ findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t dat
  * blue, green, red; nullptr without one. */
 ACMAP_EXPORT const PCLPointField*
 findColor(const PCLPointCloud2& cloud);
+
+/** \brief The fields of a normal. */
+inline constexpr std::array<const char*, 3> normal_field_names = {
+    "normal_x", "normal_y", "normal_z"};
 
 /** \brief A field of one value. */
 struct FieldWish {
@@ -47,6 +54,13 @@ dropUnwritableFields(PCLPointCloud2& cloud);
 /** \brief Sets the number of rows of an unorganized cloud. */
 ACMAP_EXPORT void
 resizeRows(PCLPointCloud2& cloud, std::size_t rows);
+
+/** \brief View of the coordinates of a cloud, valid as long as the cloud is unchanged.
+ * \param[in] indices of rows, nullptr for all of them
+ * \throws InitFailedException if there is no cloud, if it has no float32 fields x, y, z
+ * side by side or fewer bytes than it states, or if an index is outside of it */
+ACMAP_EXPORT PointView
+requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices = nullptr);
 
 inline std::size_t
 rowsOf(const PCLPointCloud2& cloud)

@@ -21,3 +21,11 @@
 #endif
 /** \brief Types for clouds and maps. */
 #define ACMAP_MAP_POINT_TYPES ACMAP_PCL_POINT_TYPES(pcl::PointXYZRGBNormalView)
+/** \brief Types for the steps from a cloud to its planes: also all others of PCL with
+ * coordinates. */
+#ifdef ACMAP_FEW_POINT_TYPES
+#define ACMAP_ALL_POINT_TYPES ACMAP_MAP_POINT_TYPES
+#else
+#define ACMAP_ALL_POINT_TYPES \
+  PCL_XYZ_POINT_TYPES(pcl::PointXYZRGBNormalView)(pcl::PointXYZRGBSigma)
+#endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/point_view.h>
@@ -101,6 +102,10 @@ struct PictureOrder {
   /** \brief The points pixel by pixel, row by row; NaN where there is none. */
   ACMAP_EXPORT std::vector<Eigen::Vector3f>
   arrange(const PointView& points) const;
+
+  /** \brief The same for a cloud with all its fields: organized, not dense. */
+  ACMAP_EXPORT PCLPointCloud2
+  arrange(const PCLPointCloud2& cloud) const;
 
   /** \brief For each point the label of its pixel, -1 where it has none. */
   ACMAP_EXPORT std::vector<std::int32_t>

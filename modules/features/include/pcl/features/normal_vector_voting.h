@@ -176,7 +176,8 @@ private:
   PointCloud<PrincipalCurvatures> curvatures_;
 };
 
-// PCL has no search trees compiled for our point type, and Feature names them
+// PCL has no search trees compiled for our point types, and Feature names them
 extern template class ACMAP_EXPORT Feature<PointXYZRGBNormalView, Normal>;
+extern template class ACMAP_EXPORT Feature<PointXYZRGBSigma, Normal>;
 
 } // namespace pcl

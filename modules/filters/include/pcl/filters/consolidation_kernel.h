@@ -20,17 +20,6 @@ struct ConsolidationSettings {
   unsigned threads = 0; ///< 0: all
 };
 
-/** \brief The smallest voxel whose representatives keep at most 1/80 of it as noise and
- * that is twice as large as the spacing where points are sparse, and four times as large
- * as the noise; metres, 0 where the scale knows no spacing. */
-ACMAP_EXPORT double
-automaticVoxel(const NoiseScale& scale);
-
-/** \brief Is the noise so large beside the spacing that a mesh through the points would be
- * crumpled? Other clouds are better meshed as they are: sparse places keep their detail. */
-ACMAP_EXPORT bool
-needsConsolidation(const NoiseScale& scale);
-
 /** \brief The point that stands for one side of a voxel's surface. */
 struct Representative {
   Eigen::Vector3f point;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/export.h>
+#include <pcl/core/noise_scale.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -26,4 +28,24 @@ struct ConsolidationReport : Report {
   double residual = 0;   ///< metres; median noise of a representative, estimated
 };
 
+/** \brief Maximum edge length of a mesh of consolidated points, in voxels: it bridges the
+ * jitter of the representatives. \ingroup filters */
+inline constexpr double mesh_edge_in_voxels = 2.5;
+
+namespace acmap {
+
+/** \brief Computes the voxel size for a cloud: the smallest one whose representatives keep
+ * at most 1/80 of it as noise, at least twice the spacing where points are sparse and at
+ * least four times the noise.
+ * \return metres; 0 if the scale has no spacing */
+ACMAP_EXPORT double
+automaticVoxel(const NoiseScale& scale);
+
+/** \brief Is the noise so large compared with the spacing that a mesh through the points
+ * would be crumpled? Other clouds are better meshed as they are: sparse regions keep their
+ * detail. */
+ACMAP_EXPORT bool
+needsConsolidation(const NoiseScale& scale);
+
+} // namespace acmap
 } // namespace pcl

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/depth_planes.h>
+#include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/filters/depth_refinement_types.h>
@@ -74,6 +76,42 @@ protected:
 
   void
   applyFilter(PointCloud& output) override;
+
+private:
+  acmap::DepthPlanes planes_;
+};
+
+/** \brief The same for organized clouds of any fields, as files have them: x y z are moved,
+ * `normal_x`, `normal_y` and `normal_z` are set, and added where they are missing.
+ * \ingroup filters */
+template <>
+class ACMAP_EXPORT DepthRefinement<PCLPointCloud2>
+: public Filter<PCLPointCloud2>,
+  public StageControls<DepthRefinementReport> {
+public:
+  using Ptr = shared_ptr<DepthRefinement<PCLPointCloud2>>;
+  using ConstPtr = shared_ptr<const DepthRefinement<PCLPointCloud2>>;
+
+  DepthRefinement();
+
+  /** \brief See the class of point types. */
+  void
+  setPlanes(const std::vector<PlanePatch>& patches,
+            const std::vector<std::int32_t>& labels);
+
+  /** \brief Runs on the input cloud (its indices, where set).
+   * \param[out] output may be the input
+   * \throws InitFailedException if the cloud has no float32 fields x, y, z side by side,
+   * or fewer bytes than it states, indices are outside of it, or there are labels for
+   * another number of points
+   * \throws UnorganizedPointCloudException when the cloud is not organized
+   * \throws CancelledException when the progress callback stopped it */
+  void
+  filter(PCLPointCloud2& output);
+
+protected:
+  void
+  applyFilter(PCLPointCloud2& output) override;
 
 private:
   acmap::DepthPlanes planes_;

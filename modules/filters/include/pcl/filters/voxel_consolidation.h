@@ -1,11 +1,14 @@
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/filter.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -142,6 +145,84 @@ private:
   std::vector<Eigen::Vector3f> viewpoints_;
   bool keep_sources_ = false;
   SourceIndices sources_;
+  Indices voxel_of_point_;
+};
+
+/** \brief The same for clouds of any fields, as files have them.
+ *
+ * Output rows are copies of the row of a source with all its fields; on top of it x y z are
+ * moved, `rgb` (or `rgba`) is the mean of the sources, `normal_x`, `normal_y`, `normal_z`
+ * and `curvature` are set, and added where they are missing, and `sigma` becomes the
+ * residual noise. \ingroup filters */
+template <>
+class ACMAP_EXPORT VoxelConsolidation<PCLPointCloud2>
+: public Filter<PCLPointCloud2>,
+  public StageControls<ConsolidationReport> {
+public:
+  using Ptr = shared_ptr<VoxelConsolidation<PCLPointCloud2>>;
+  using ConstPtr = shared_ptr<const VoxelConsolidation<PCLPointCloud2>>;
+
+  VoxelConsolidation();
+
+  /** \brief See the class of point types. */
+  void
+  setVoxelSize(double size);
+
+  double
+  getVoxelSize() const
+  {
+    return voxel_size_;
+  }
+
+  /** \brief Sets the positions of the observations that the int32 field `view` refers to,
+   * in metres, in the frame of the cloud.
+   * \throws BadArgumentException when one is not finite */
+  void
+  setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
+
+  /** \brief Sets the position of the sensor of a cloud without a field `view`, in metres.
+   * PCLPointCloud2 has none. \throws BadArgumentException when it is not finite */
+  void
+  setSensorOrigin(const Eigen::Vector3f& origin);
+
+  /** \brief Requests \ref getVoxelOfPoint (default false). */
+  void
+  setKeepSources(bool keep)
+  {
+    keep_sources_ = keep;
+  }
+
+  bool
+  getKeepSources() const
+  {
+    return keep_sources_;
+  }
+
+  /** \brief For each point of the input cloud the output point that represents it, -1 if
+   * there is none; empty unless requested with \ref setKeepSources. */
+  const Indices&
+  getVoxelOfPoint() const
+  {
+    return voxel_of_point_;
+  }
+
+  /** \brief Runs on the input cloud (its indices, where set).
+   * \param[out] output may be the input
+   * \throws InitFailedException if the cloud has no float32 fields x, y, z side by side,
+   * or fewer bytes than it states, or indices are outside of it
+   * \throws CancelledException when the progress callback stopped it */
+  void
+  filter(PCLPointCloud2& output);
+
+protected:
+  void
+  applyFilter(PCLPointCloud2& output) override;
+
+private:
+  double voxel_size_ = 0;
+  std::vector<Eigen::Vector3f> viewpoints_;
+  std::optional<Eigen::Vector3f> sensor_origin_;
+  bool keep_sources_ = false;
   Indices voxel_of_point_;
 };
 

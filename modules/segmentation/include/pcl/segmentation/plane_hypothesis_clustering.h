@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
 #include <pcl/core/arguments.h>
 #include <pcl/core/build_config.h>
@@ -99,6 +100,21 @@ public:
   {
     setSourceCloud(shared_ptr<const PointCloud<SourceT>>(cloud), viewpoints);
   }
+
+  /** \brief The same for a cloud of any fields, as files have them.
+   * \param[in] viewpoints of a cloud without an int32 field `view`: the position of its
+   * sensor alone, or none where that is unknown
+   * \throws InitFailedException if it has no float32 fields x, y, z side by side */
+  void
+  setSourceCloud(const PCLPointCloud2ConstPtr& cloud,
+                 const std::vector<Eigen::Vector3f>& viewpoints = {});
+
+  /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
+   * compare each point with all others within W_d.
+   * \return seconds on a processor of 2020; 0 without a cloud, with \ref setNoiseDriven,
+   * and if no point has a normal */
+  double
+  estimateSeconds() const;
 
   /** \brief Lets noise and mesh decide instead of the paper's thresholds (default false).
    */

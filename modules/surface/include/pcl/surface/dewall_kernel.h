@@ -39,12 +39,6 @@ struct DeWallSettings {
   std::int32_t leaf_size = 65536;
 };
 
-/** \brief Bytes that \ref triangulateDeWall takes at most for so many points, its result
- * included, the input not. Measured on raw clouds, the most demanding ones.
- * \ingroup surface */
-ACMAP_EXPORT std::size_t
-estimateDeWallMemory(std::size_t points, bool with_normals);
-
 /** \brief The kernel behind DeWallTriangulation, free of PCL's point types.
  * \param[in] view the points
  * \param[out] report counts, seconds, remarks; begun anew

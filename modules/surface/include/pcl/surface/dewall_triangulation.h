@@ -1,6 +1,8 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/export.h>
+#include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_kernel.h>
@@ -68,6 +70,18 @@ public:
   getMaximumEdgeLength() const
   {
     return maximum_edge_length_;
+  }
+
+  /** \brief Sets the number of points up to which a part is triangulated without a further
+   * wall (default 65536). The mesh depends on it.
+   * \throws BadArgumentException unless within [3, 2^31 - 1] */
+  void
+  setLeafSize(int points);
+
+  int
+  getLeafSize() const
+  {
+    return leaf_size_;
   }
 
   /** \brief Asks for \ref TriangleMesh::wall_depth (default false). */
@@ -138,8 +152,13 @@ private:
 
   DeWallRule rule_ = DeWallRule::Paper;
   double maximum_edge_length_ = 0;
+  int leaf_size_ = 65536;
   bool compute_wall_depth_ = false;
   std::size_t memory_limit_ = 0;
 };
+
+// PCL has no search trees compiled for our point types, and MeshConstruction names them
+extern template class ACMAP_EXPORT MeshConstruction<PointXYZRGBNormalView>;
+extern template class ACMAP_EXPORT MeshConstruction<PointXYZRGBSigma>;
 
 } // namespace pcl

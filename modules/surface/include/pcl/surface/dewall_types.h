@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/export.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -37,4 +38,13 @@ struct DeWallReport : Report {
   double largest_maximum_edge = 0; ///< metres, the size constraint where sparsest
 };
 
+namespace acmap {
+
+/** \brief Estimates the memory of a triangulation beside its input, its result included.
+ * Measured on raw clouds, the most demanding ones.
+ * \return bytes, an upper bound \ingroup surface */
+ACMAP_EXPORT std::size_t
+estimateDeWallMemory(std::size_t points, bool with_normals);
+
+} // namespace acmap
 } // namespace pcl

@@ -14,6 +14,10 @@
 
 namespace pcl {
 
+namespace acmap {
+struct TexturingSettings;
+}
+
 /** \brief Paints planes with the colours of the observations: the last step of
  * "Active Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
  *
@@ -71,6 +75,13 @@ public:
   void
   addObservation(const PointCloudConstPtr& cloud,
                  const Eigen::Isometry3d& T_map_camera = Eigen::Isometry3d::Identity());
+
+  /** \brief Adds an observation that is loaded when it is painted, and not kept: so memory
+   * holds one of a long sequence at a time.
+   * \param[in] load called once by each \ref texture, which passes on what it throws
+   * \throws BadArgumentException without a loader */
+  void
+  addObservation(TexturedObservationLoader load);
 
   void
   clearObservations()
@@ -142,10 +153,16 @@ public:
     return correct_exposure_;
   }
 
+  /** \brief Estimates the memory that \ref texture takes, whatever the number of
+   * observations. \return bytes */
+  double
+  estimateMemory() const;
+
   /** \brief Paints the planes.
    * \param[out] map the planes with their charts, which observations saw which plane, and
    * the poses; of no planes it is empty, and the report says why
-   * \throws InitFailedException when no planes were set
+   * \throws InitFailedException when no planes were set, or an observation has no
+   * coordinates
    * \throws BadArgumentException when the charts have more than 2^28 texels
    * \throws CancelledException when the progress callback stopped it */
   void
@@ -155,7 +172,11 @@ private:
   struct Observation {
     PointCloudConstPtr cloud;
     Eigen::Isometry3d T_map_camera;
+    TexturedObservationLoader load; ///< in place of both
   };
+
+  acmap::TexturingSettings
+  settings() const;
 
   std::vector<PlanePatch> planes_;
   bool has_planes_ = false;

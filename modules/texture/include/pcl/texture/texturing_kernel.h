@@ -33,6 +33,11 @@ struct ColoredView {
   bool has_eye = true;
 };
 
+/** \brief View of an observation, valid as long as its cloud is unchanged.
+ * \throws InitFailedException if it has no coordinates \ingroup texture */
+ACMAP_EXPORT ColoredView
+viewOfObservation(const TexturedObservation& observation);
+
 /** \brief Bytes that painting these planes will take, however many. */
 ACMAP_EXPORT double
 texturingMemory(const std::vector<PlanePatch>& planes,

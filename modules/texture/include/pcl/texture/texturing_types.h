@@ -1,8 +1,13 @@
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/report.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -23,5 +28,21 @@ struct TexturingReport : Report {
   std::vector<double>
       gains; ///< by which the colours of each observation were multiplied
 };
+
+/** \brief An observation that PlaneTexturing paints with, of any fields, as files have them.
+ * \ingroup texture */
+struct TexturedObservation {
+  PCLPointCloud2ConstPtr cloud; ///< camera frame, metres; colour as `rgb` or `rgba`
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  double stamp = 0; ///< seconds, for the trajectory of the map
+
+  /** \brief Was it seen from the origin of its frame? Otherwise each point colours the
+   * texel that it lies in, and the map has neither poses nor observations. */
+  bool has_sensor = true;
+};
+
+/** \brief Loads an observation when it is painted; nothing if it is to be left out.
+ * \ingroup texture */
+using TexturedObservationLoader = std::function<std::optional<TexturedObservation>()>;
 
 } // namespace pcl

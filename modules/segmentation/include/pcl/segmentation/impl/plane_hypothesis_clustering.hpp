@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/export.h>
 #include <pcl/core/input_check.h>
 #include <pcl/core/mesh_input.h>
@@ -86,9 +87,48 @@ PlaneHypothesisClustering<PointT>::gatherNormals() const
       normal = (*normals_)[index].getNormalVector3fMap();
     else if constexpr (acmap::has_normal<PointT>)
       normal = (*input_)[index].getNormalVector3fMap();
-    normal /= normal.norm(); // zero normals are none
+    if (!acmap::isUnit(normal))
+      normal /= normal.norm(); // a normal of length zero becomes NaN
   }
   return normals;
+}
+
+template <typename PointT>
+void
+PlaneHypothesisClustering<PointT>::setSourceCloud(
+    const PCLPointCloud2ConstPtr& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  acmap::requireViewpoints(viewpoints);
+  source_ = cloud;
+  source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
+  source_sensors_ = acmap::SensorView();
+  if (!cloud || viewpoints.empty())
+    return;
+  const PCLPointField* const view =
+      acmap::findField(*cloud, "view", PCLPointField::INT32);
+  source_sensors_ =
+      view ? acmap::SensorView(
+                 cloud->data.data() + view->offset, cloud->point_step, viewpoints)
+           : acmap::SensorView(viewpoints.front());
+}
+
+template <typename PointT>
+double
+PlaneHypothesisClustering<PointT>::estimateSeconds() const
+{
+  const auto isUsable = [](const auto& point) {
+    return point.getNormalVector3fMap().allFinite();
+  };
+  bool has_normals = false;
+  if (normals_)
+    has_normals = std::any_of(normals_->begin(), normals_->end(), isUsable);
+  else if constexpr (acmap::has_normal<PointT>)
+    has_normals = input_ && std::any_of(input_->begin(), input_->end(), isUsable);
+  if (!input_ || input_->empty() || noise_driven_ || !has_normals)
+    return 0;
+  return acmap::secondsOfPaperGrowth(
+      acmap::PointView(&input_->front().x, sizeof(PointT), input_->size()),
+      member_distance_);
 }
 
 template <typename PointT>

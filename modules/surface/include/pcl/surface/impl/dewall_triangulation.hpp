@@ -9,6 +9,8 @@
 #include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_triangulation.h>
 
+#include <limits>
+
 namespace pcl {
 
 template <typename PointInT>
@@ -38,6 +40,15 @@ DeWallTriangulation<PointInT>::setMaximumEdgeLength(double length)
 
 template <typename PointInT>
 void
+DeWallTriangulation<PointInT>::setLeafSize(int points)
+{
+  acmap::requireInRange(
+      "leaf size", points, 3, std::numeric_limits<int>::max(), "points");
+  leaf_size_ = points;
+}
+
+template <typename PointInT>
+void
 DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
 {
   acmap::requireInput<PointInT>(input_, this->fake_indices_ ? nullptr : indices_.get());
@@ -47,6 +58,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   settings.rule = rule_;
   settings.maximum_edge_length = maximum_edge_length_;
   settings.compute_wall_depth = compute_wall_depth_;
+  settings.leaf_size = leaf_size_;
   settings.threads = threads_;
   settings.memory_limit = memory_limit_;
   settings.sensor_origin =

@@ -7,6 +7,42 @@
 
 namespace pcl {
 
+namespace acmap {
+
+/** \brief The pose as a rotation to the digit that files require; products in float are
+ * not. \throws BadArgumentException unless it is a rigid motion */
+inline Eigen::Isometry3d
+requireRigid(const Eigen::Isometry3d& T_map_camera)
+{
+  constexpr double rounding = 1e-4;
+  if (!T_map_camera.matrix().allFinite() ||
+      !T_map_camera.linear().isUnitary(rounding) ||
+      T_map_camera.linear().determinant() < 0)
+    throw BadArgumentException("the pose of an observation is no rigid motion");
+  if (T_map_camera.linear().isUnitary(1e-9))
+    return T_map_camera;
+  Eigen::Isometry3d pose = T_map_camera;
+  pose.linear() =
+      Eigen::Quaterniond(T_map_camera.linear()).normalized().toRotationMatrix();
+  return pose;
+}
+
+template <typename PointT>
+ColoredView
+viewOfCloud(const PointCloud<PointT>& cloud, const Eigen::Isometry3d& T_map_camera)
+{
+  ColoredView view;
+  view.points =
+      PointView(cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
+  view.colors = colorsOf(cloud);
+  view.width = cloud.height > 1 ? static_cast<int>(cloud.width) : 0;
+  view.has_eye = cloud.height > 1;
+  view.T_map_camera = T_map_camera;
+  return view;
+}
+
+} // namespace acmap
+
 template <typename PointT>
 void
 PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
@@ -14,16 +50,16 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  constexpr double rounding = 1e-4;
-  if (!T_map_camera.matrix().allFinite() ||
-      !T_map_camera.linear().isUnitary(rounding) ||
-      T_map_camera.linear().determinant() < 0)
-    throw BadArgumentException("the pose of an observation is no rigid motion");
-  // poses that were multiplied in float are no rotation to the digit that files ask for
-  Eigen::Isometry3d pose = T_map_camera;
-  pose.linear() =
-      Eigen::Quaterniond(T_map_camera.linear()).normalized().toRotationMatrix();
-  observations_.push_back({cloud, pose});
+  observations_.push_back({cloud, acmap::requireRigid(T_map_camera), {}});
+}
+
+template <typename PointT>
+void
+PlaneTexturing<PointT>::addObservation(TexturedObservationLoader load)
+{
+  if (!load)
+    throw BadArgumentException("an observation needs a loader");
+  observations_.push_back({nullptr, Eigen::Isometry3d::Identity(), std::move(load)});
 }
 
 template <typename PointT>
@@ -59,11 +95,9 @@ PlaneTexturing<PointT>::setFillDistance(int texels)
 }
 
 template <typename PointT>
-void
-PlaneTexturing<PointT>::texture(CompactMap& map)
+acmap::TexturingSettings
+PlaneTexturing<PointT>::settings() const
 {
-  if (!has_planes_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
   acmap::TexturingSettings settings;
   settings.texel_size = texel_size_;
   settings.maximum_distance = maximum_distance_;
@@ -71,21 +105,43 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
   settings.fill_distance = fill_distance_;
   settings.correct_exposure = correct_exposure_;
   settings.threads = threads_;
+  return settings;
+}
+
+template <typename PointT>
+double
+PlaneTexturing<PointT>::estimateMemory() const
+{
+  return acmap::texturingMemory(planes_, settings());
+}
+
+template <typename PointT>
+void
+PlaneTexturing<PointT>::texture(CompactMap& map)
+{
+  if (!has_planes_)
+    PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
   const acmap::Progress progress(progress_);
-  acmap::TextureBuilder builder(planes_, settings);
+  acmap::TextureBuilder builder(planes_, settings());
+  Trajectory trajectory;
+  bool has_poses = true;
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     progress.tell(0.9 * static_cast<double>(i) /
                       static_cast<double>(observations_.size()),
-                  "views");
-    const PointCloud<PointT>& cloud = *observations_[i].cloud;
-    acmap::ColoredView view;
-    view.points = acmap::PointView(
-        cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
-    view.colors = acmap::colorsOf(cloud);
-    view.width = cloud.height > 1 ? static_cast<int>(cloud.width) : 0;
-    view.has_eye = cloud.height > 1;
-    view.T_map_camera = observations_[i].T_map_camera;
-    builder.add(view);
+                  "painting");
+    const Observation& observation = observations_[i];
+    if (!observation.load) {
+      builder.add(acmap::viewOfCloud(*observation.cloud, observation.T_map_camera));
+      trajectory.stamps.push_back(static_cast<double>(i));
+      trajectory.poses.push_back(observation.T_map_camera);
+    }
+    else if (std::optional<TexturedObservation> loaded = observation.load()) {
+      loaded->T_map_camera = acmap::requireRigid(loaded->T_map_camera);
+      builder.add(acmap::viewOfObservation(*loaded));
+      has_poses = has_poses && loaded->has_sensor;
+      trajectory.stamps.push_back(loaded->stamp);
+      trajectory.poses.push_back(loaded->T_map_camera);
+    }
   }
   TexturingReport report;
   CompactMap result =
@@ -94,10 +150,11 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
                        return true;
                      }),
                      report);
-  for (std::size_t i = 0; i < observations_.size(); ++i) {
-    result.trajectory.stamps.push_back(static_cast<double>(i));
-    result.trajectory.poses.push_back(observations_[i].T_map_camera);
-  }
+  if (has_poses)
+    result.trajectory = std::move(trajectory);
+  else
+    for (std::vector<std::int32_t>& seen : result.observations)
+      seen.clear(); // they number poses, and there are none
   map = std::move(result);
   report_ = std::move(report);
 }

@@ -1,8 +1,5 @@
-#include "map_rows.h"
-
-#include "memory.h"
-
 #include <pcl/core/cloud_fields.h>
+#include <pcl/pipeline/map_rows.h>
 
 #include <cstring>
 #include <utility>
@@ -10,8 +7,6 @@
 namespace pcl::acmap {
 
 namespace {
-
-constexpr const char* work = "merging the observations";
 
 std::vector<FieldWish>
 fieldsOf(bool colored)
@@ -40,13 +35,21 @@ moveEveryNth(const PCLPointCloud2& cloud, std::size_t n, std::vector<std::uint8_
 
 } // namespace
 
-MapRows::MapRows(std::size_t points, bool colored)
+MapRows::MapRows(std::size_t points, bool colored, CostCallback cost)
 : cloud_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
 , colored_(colored)
-, promised_(points * cloud_.point_step)
+, cost_(std::move(cost))
+, announced_(points * cloud_.point_step)
 {
-  requireMemory(promised_, work);
-  cloud_.data.reserve(promised_);
+  announce(announced_);
+  cloud_.data.reserve(announced_);
+}
+
+void
+MapRows::announce(std::size_t bytes) const
+{
+  if (cost_)
+    cost_("merging the observations", bytes, 0);
 }
 
 void
@@ -56,8 +59,8 @@ MapRows::append(const PointCloudFile& observation,
 {
   const PointView points = observation.points();
   const std::size_t bytes = cloud_.data.size() + points.size() * cloud_.point_step;
-  if (bytes > promised_)
-    requireMemory(bytes, work);
+  if (bytes > announced_)
+    announce(bytes);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
@@ -75,7 +78,7 @@ MapRows::append(const PointCloudFile& observation,
           sizeof(std::uint32_t));
     std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
   }
-  while (cloud_.data.size() / cloud_.point_step > most_) {
+  while (cloud_.data.size() / cloud_.point_step > maximum_) {
     cloud_.data.resize(moveEveryNth(cloud_, 2, cloud_.data) * cloud_.point_step);
     every_ *= 2;
   }

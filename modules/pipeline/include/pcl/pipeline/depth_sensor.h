@@ -1,0 +1,42 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+
+namespace pcl {
+
+/** \brief What measured a cloud. It decides if planes are searched for in the picture of a
+ * view, where the noise of cameras that triangulate is uniform, or in space.
+ * \ingroup pipeline */
+enum class DepthSensor {
+  Automatic, ///< in the picture if the depth is quantised
+  Quantised, ///< structured light, such as a Kinect: in the picture
+  Stereo,    ///< in the picture
+  TimeOfFlight,
+  Laser
+};
+
+/** \brief Removes the quantisation steps of a view with \ref DepthRefinement, if it is to be
+ * worked on in its picture. Points that are withdrawn become NaN.
+ * \param[in,out] view in its sensor's frame, metres; need not be organized
+ * \param[in] threads 0 for all
+ * \return whether it was refined
+ * \throws UnorganizedPointCloudException if the sensor requires a picture and the view is
+ * none \ingroup pipeline */
+ACMAP_EXPORT bool
+refineQuantisedDepth(PointCloud<PointXYZ>& view,
+                     DepthSensor sensor = DepthSensor::Automatic,
+                     unsigned threads = 0);
+
+/** \brief The same for an observation, whose other fields stay as they are.
+ * \return a refined copy; the observation itself if it was not refined */
+ACMAP_EXPORT std::shared_ptr<const PointCloudFile>
+refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
+                     DepthSensor sensor = DepthSensor::Automatic,
+                     unsigned threads = 0);
+
+} // namespace pcl

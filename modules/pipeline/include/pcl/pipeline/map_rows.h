@@ -1,0 +1,65 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/pipeline/cost_callback.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace pcl::acmap {
+
+/** \brief The cloud of a whole map, observation by observation: `x y z`, `rgb` if some
+ * observation has colours, and `view`, the number of the observation. */
+class ACMAP_EXPORT MapRows {
+public:
+  /** \param[in] points number that it will hold at least, 0 if that is unknown
+   * \param[in] cost called before memory is taken for more points than that */
+  MapRows(std::size_t points, bool colored, CostCallback cost = {});
+
+  /** \brief Sets the maximum number of points: of more, every second one is dropped, again
+   * and again. */
+  void
+  setMaximum(std::size_t points)
+  {
+    maximum_ = points;
+  }
+
+  /** \brief Which of the finite points are kept: every n-th. */
+  std::size_t
+  every() const
+  {
+    return every_;
+  }
+
+  /** \brief Appends the finite points of an observation, black without colours. */
+  void
+  append(const PointCloudFile& observation,
+         const Eigen::Isometry3d& T_map_camera,
+         std::int32_t view);
+
+  /** \brief The cloud of what was appended. Nothing can be appended afterwards. */
+  PCLPointCloud2
+  finish();
+
+private:
+  void
+  announce(std::size_t bytes) const;
+
+  PCLPointCloud2 cloud_;
+  bool colored_;
+  CostCallback cost_;
+  std::size_t announced_; ///< bytes
+  std::size_t maximum_ = std::numeric_limits<std::size_t>::max();
+  std::size_t every_ = 1;
+  std::size_t seen_ = 0; ///< finite points
+};
+
+/** \brief The first row and every n-th after it. */
+ACMAP_EXPORT PCLPointCloud2
+everyNth(const PCLPointCloud2& cloud, std::size_t n);
+
+} // namespace pcl::acmap

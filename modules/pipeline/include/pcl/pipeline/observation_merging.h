@@ -1,0 +1,84 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/report.h>
+#include <pcl/core/stage_controls.h>
+#include <pcl/pipeline/cost_callback.h>
+#include <pcl/pipeline/depth_sensor.h>
+#include <pcl/pipeline/observation_sequence.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace pcl {
+
+/** \brief All points of a sequence in the frame of the map. \ingroup pipeline */
+struct MergedCloud {
+  /** \brief Finite points with fields `x y z rgb view`; `view` is the position of the
+   * observation among the viewpoints. Metres. */
+  std::shared_ptr<const PointCloudFile> cloud;
+  std::vector<Eigen::Vector3f> viewpoints; ///< sensor of each observation, metres
+};
+
+/** \brief What ObservationMerging reports of its last run. \ingroup pipeline */
+struct MergingReport : Report {
+  std::size_t observations = 0; ///< that could be read
+  std::size_t refined = 0;      ///< of these, those with quantised depth
+  std::size_t points = 0;       ///< of the merged cloud
+  std::size_t every = 1;        ///< which of the finite points were kept: every n-th
+};
+
+/** \brief Merges the observations of a sequence to one cloud, whose points know the
+ * observation that saw them; the input of \ref PlaneMapping.
+ *
+ * Quantised depth is refined before (\ref refineQuantisedDepth).
+ * \code
+ * pcl::ObservationMerging merging;
+ * pcl::MergedCloud merged;
+ * merging.compute (pcl::ObservationSequence ("observations"), merged);
+ * \endcode
+ * \ingroup pipeline */
+class ACMAP_EXPORT ObservationMerging : public StageControls<MergingReport> {
+public:
+  /** \brief Sets what measured the observations (default Automatic). */
+  void
+  setDepthSensor(DepthSensor sensor)
+  {
+    sensor_ = sensor;
+  }
+
+  /** \brief Sets the maximum number of points (default 50 million): of more, only every
+   * second, fourth ... is kept. \throws BadArgumentException if it is 0 */
+  void
+  setMaximumPoints(std::size_t points);
+
+  /** \brief Leaves out observations that cannot be read, with a remark (default false). */
+  void
+  setSkipBroken(bool skip)
+  {
+    skip_broken_ = skip;
+  }
+
+  void
+  setCostCallback(CostCallback callback)
+  {
+    cost_callback_ = std::move(callback);
+  }
+
+  /** \brief Merges a sequence with poses.
+   * \throws InputFileException if an observation cannot be read and none may be skipped,
+   * none can be read, or all poses are the same though there are several
+   * \throws CancelledException if the progress callback stopped it
+   * \throws what the cost callback throws */
+  void
+  compute(const ObservationSequence& sequence, MergedCloud& merged);
+
+private:
+  DepthSensor sensor_ = DepthSensor::Automatic;
+  std::size_t maximum_points_ = 50000000;
+  bool skip_broken_ = false;
+  CostCallback cost_callback_;
+};
+
+} // namespace pcl

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pcl/core/depth_view.h>
+#include <pcl/core/export.h>
+#include <pcl/core/point_view.h>
+#include <pcl/pipeline/depth_sensor.h>
+
+#include <optional>
+
+namespace pcl::acmap {
+
+/** \brief The picture in which points are worked on. */
+struct Picture {
+  PointCloud<PointXYZ>::Ptr points;  ///< organized, metres, NaN without a measurement
+  std::optional<PictureOrder> order; ///< if the points were not organized
+};
+
+/** \brief Arranges points as a picture.
+ * \param[in] width pixels of a row; that of all points if they are not organized
+ * \return nothing if they are to be worked on in space
+ * \throws UnorganizedPointCloudException if the sensor requires a picture, and they are
+ * none */
+ACMAP_EXPORT std::optional<Picture>
+pictureOf(const PointView& points, std::size_t width, DepthSensor sensor);
+
+} // namespace pcl::acmap

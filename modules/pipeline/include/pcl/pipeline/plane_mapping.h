@@ -1,0 +1,238 @@
+#pragma once
+
+#include <pcl/conversions.h>
+#include <pcl/core/export.h>
+#include <pcl/core/point_types.h>
+#include <pcl/core/stage_controls.h>
+#include <pcl/features/normal_vector_voting.h>
+#include <pcl/filters/depth_refinement.h>
+#include <pcl/filters/voxel_consolidation.h>
+#include <pcl/pipeline/cost_callback.h>
+#include <pcl/pipeline/depth_sensor.h>
+#include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/segmentation/depth_plane_segmentation.h>
+#include <pcl/segmentation/plane_hypothesis_clustering.h>
+#include <pcl/surface/dewall_triangulation.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief From a cloud to its planes: the steps II-C.1 and II-C.2 of "Active Stereo Based
+ * Compact Mapping" in one call.
+ *
+ * A cloud in space is consolidated if its noise requires it (\ref VoxelConsolidation),
+ * triangulated (\ref DeWallTriangulation), its vertices get voted normals
+ * (\ref NormalVectorVoting), and the planes are clustered from them
+ * (\ref PlaneHypothesisClustering); the points of the cloud judge and fit the planes. The
+ * planes of one view with quantised depth are found in its picture instead
+ * (\ref DepthPlaneSegmentation), and its mesh is that of the refined view
+ * (\ref DepthRefinement).
+ *
+ * Each step is an object that can be set; its threads and progress are those of this
+ * object. Any mesh construction of PCL can take the place of DeWallTriangulation.
+ * \code
+ * pcl::PlaneMapping mapping;
+ * mapping.setInputCloud (cloud);                 // pcl::PointCloud<pcl::PointXYZRGB>::Ptr
+ * pcl::MappedPlanes result;
+ * mapping.compute (result);
+ * for (const pcl::PlanePatch& plane : result.planes)
+ *   std::cout << plane.coefficients.transpose () << "\n";
+ * \endcode
+ * Metres, frame of the cloud. The result is the same for every number of threads.
+ * \ingroup pipeline */
+class ACMAP_EXPORT PlaneMapping : public StageControls<PlaneMappingReport> {
+public:
+  using Vertex = PointXYZRGBNormalView;
+  using Consolidation = VoxelConsolidation<PCLPointCloud2>;
+  using Refinement = DepthRefinement<PCLPointCloud2>;
+  using Voting = NormalVectorVoting<Vertex>;
+  using Clustering = PlaneHypothesisClustering<Vertex>;
+  using DepthSegmentation = DepthPlaneSegmentation<PointXYZ>;
+
+  PlaneMapping();
+
+  /** \brief Sets the cloud, with all its fields and its sensor. An int32 field `view` names
+   * the observation of each point, see \ref setViewpoints. */
+  void
+  setInputCloud(std::shared_ptr<const PointCloudFile> cloud);
+
+  /** \brief The same for a cloud of a point type, which is copied.
+   * \throws InitFailedException without a cloud */
+  template <typename PointT>
+  void
+  setInputCloud(const std::shared_ptr<const PointCloud<PointT>>& cloud);
+
+  template <typename PointT>
+  void
+  setInputCloud(const std::shared_ptr<PointCloud<PointT>>& cloud)
+  {
+    setInputCloud(std::shared_ptr<const PointCloud<PointT>>(cloud));
+  }
+
+  /** \brief Sets the mesh whose vertices the points of the cloud are; nothing is then
+   * consolidated or triangulated. Empty (default): a mesh is made. */
+  void
+  setInputMesh(TriangleMesh mesh)
+  {
+    input_mesh_ = std::move(mesh);
+  }
+
+  /** \brief Sets the positions of the observations that the field `view` refers to, in
+   * metres, in the frame of the cloud. Clouds without that field were seen from the sensor
+   * of the file. \throws BadArgumentException when one is not finite */
+  void
+  setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
+
+  /** \brief Sets what measured the cloud (default Automatic). */
+  void
+  setDepthSensor(DepthSensor sensor)
+  {
+    sensor_ = sensor;
+  }
+
+  DepthSensor
+  getDepthSensor() const
+  {
+    return sensor_;
+  }
+
+  /** \brief Sets which clouds are consolidated (default WhereNoisy). */
+  void
+  setConsolidationPolicy(ConsolidationPolicy policy)
+  {
+    policy_ = policy;
+  }
+
+  ConsolidationPolicy
+  getConsolidationPolicy() const
+  {
+    return policy_;
+  }
+
+  /** \brief Requests the mesh of a view whose planes are found in its picture (default
+   * true). In space there is always one. */
+  void
+  setComputeMesh(bool compute)
+  {
+    compute_mesh_ = compute;
+  }
+
+  bool
+  getComputeMesh() const
+  {
+    return compute_mesh_;
+  }
+
+  void
+  setConsolidation(const Consolidation& consolidation)
+  {
+    consolidation_ = consolidation;
+  }
+
+  const Consolidation&
+  getConsolidation() const
+  {
+    return consolidation_;
+  }
+
+  /** \brief Sets how the mesh is made (default: \ref DeWallTriangulation with its defaults).
+   *
+   * The maximum edge length of a DeWallTriangulation, if it is 0, becomes
+   * \ref mesh_edge_in_voxels after a consolidation.
+   * \throws BadArgumentException without one */
+  void
+  setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construction);
+
+  MeshConstruction<Vertex>::Ptr
+  getMeshConstruction() const
+  {
+    return construction_;
+  }
+
+  void
+  setVoting(const Voting& voting)
+  {
+    voting_ = voting;
+  }
+
+  const Voting&
+  getVoting() const
+  {
+    return voting_;
+  }
+
+  /** \brief Sets how planes are found in space (default: driven by the noise). The points
+   * of the cloud judge and fit the planes unless it uses the paper's thresholds. */
+  void
+  setClustering(const Clustering& clustering)
+  {
+    clustering_ = clustering;
+  }
+
+  const Clustering&
+  getClustering() const
+  {
+    return clustering_;
+  }
+
+  /** \brief Sets how planes are found in the picture of a view. */
+  void
+  setDepthSegmentation(const DepthSegmentation& segmentation)
+  {
+    depth_segmentation_ = segmentation;
+  }
+
+  const DepthSegmentation&
+  getDepthSegmentation() const
+  {
+    return depth_segmentation_;
+  }
+
+  void
+  setCostCallback(CostCallback callback)
+  {
+    cost_callback_ = std::move(callback);
+  }
+
+  /** \brief Finds the planes of the input cloud.
+   * \param[out] result no planes, with the reason in the report, if there are none
+   * \throws InitFailedException without a cloud, and as the steps do
+   * \throws UnorganizedPointCloudException if the sensor that was set requires a picture and
+   * the cloud is not one view in its sensor's frame
+   * \throws CancelledException if the progress callback stopped it
+   * \throws what the cost callback throws */
+  void
+  compute(MappedPlanes& result);
+
+private:
+  std::shared_ptr<const PointCloudFile> input_;
+  TriangleMesh input_mesh_;
+  std::vector<Eigen::Vector3f> viewpoints_;
+  DepthSensor sensor_ = DepthSensor::Automatic;
+  ConsolidationPolicy policy_ = ConsolidationPolicy::WhereNoisy;
+  bool compute_mesh_ = true;
+  Consolidation consolidation_;
+  MeshConstruction<Vertex>::Ptr construction_;
+  Voting voting_;
+  Clustering clustering_;
+  DepthSegmentation depth_segmentation_;
+  CostCallback cost_callback_;
+};
+
+template <typename PointT>
+void
+PlaneMapping::setInputCloud(const std::shared_ptr<const PointCloud<PointT>>& cloud)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  const auto file = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(*cloud, file->cloud);
+  file->sensor_origin = cloud->sensor_origin_.template head<3>();
+  file->sensor_orientation = cloud->sensor_orientation_;
+  setInputCloud(std::shared_ptr<const PointCloudFile>(file));
+}
+
+} // namespace pcl

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <pcl/core/noise_scale.h>
+#include <pcl/core/plane_patch.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/report.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/features/voting_types.h>
+#include <pcl/filters/consolidation_types.h>
+#include <pcl/filters/depth_refinement_types.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/depth_plane_types.h>
+#include <pcl/segmentation/plane_clustering_types.h>
+#include <pcl/surface/dewall_types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Which clouds \ref PlaneMapping consolidates. \ingroup pipeline */
+enum class ConsolidationPolicy {
+  WhereNoisy, ///< those whose noise is large compared with their spacing
+  Always      ///< all, also organized views
+};
+
+/** \brief Planes of a cloud, with the mesh that they were found on. \ingroup pipeline */
+struct MappedPlanes {
+  std::vector<PlanePatch> planes;   ///< in the order of decreasing area
+  std::vector<std::int32_t> labels; ///< plane of each input point, -1 for none
+  std::size_t finite_points = 0;    ///< of the input; in a picture those with depth
+
+  /** \brief Vertices of the mesh with all fields of the input: the consolidated cloud, or
+   * the input itself. Empty, but for the remarks, where no mesh was made. */
+  PointCloudFile vertices;
+  TriangleMesh mesh;
+  double spacing = 0; ///< of neighbouring vertices, metres; 0 without a mesh
+  std::vector<std::int32_t> vertex_labels;  ///< plane of each vertex, -1 for none
+  PointCloud<Normal>::ConstPtr normals;     ///< voted, one per vertex
+  PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
+};
+
+/** \brief What PlaneMapping reports of its last run; steps that did not run have no report.
+ * \ingroup pipeline */
+struct PlaneMappingReport : Report {
+  std::optional<NoiseScale> noise_scale;           ///< of a cloud in space
+  std::optional<ConsolidationReport> consolidation;
+  std::optional<DepthPlaneReport> depth_planes;    ///< if planes were found in a picture
+  std::optional<DepthRefinementReport> refinement; ///< the same, with a mesh
+  std::optional<DeWallReport> mesh;
+  std::optional<VotingReport> votes;
+  std::optional<PlaneClusteringReport> planes; ///< if planes were found in space
+};
+
+} // namespace pcl

@@ -1,0 +1,405 @@
+#include "part_of_progress.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/mesh_input.h>
+#include <pcl/core/noise_scale.h>
+#include <pcl/pipeline/picture.h>
+#include <pcl/pipeline/plane_mapping.h>
+
+#include <cstring>
+
+namespace pcl {
+
+namespace acmap {
+namespace {
+
+using Vertex = PlaneMapping::Vertex;
+using VertexCloud = PointCloud<Vertex>;
+
+std::shared_ptr<const PCLPointCloud2>
+rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
+{
+  return {file, &file->cloud};
+}
+
+/** Copies a value of a field, if the cloud has it. */
+class FieldCopy {
+public:
+  FieldCopy(const PCLPointCloud2& cloud, const PCLPointField* field)
+  : first_(field ? cloud.data.data() + field->offset : nullptr)
+  , stride_(cloud.point_step)
+  {}
+
+  template <typename Value>
+  void
+  copy(std::size_t row, Value& value) const
+  {
+    if (first_)
+      std::memcpy(&value, first_ + row * stride_, sizeof value);
+  }
+
+private:
+  const std::uint8_t* first_;
+  std::size_t stride_;
+};
+
+VertexCloud::Ptr
+verticesOf(const PointCloudFile& file)
+{
+  const PCLPointCloud2& cloud = file.cloud;
+  const auto copyOf = [&](const char* name, std::uint8_t type) {
+    return FieldCopy(cloud, findField(cloud, name, type));
+  };
+  const FieldCopy color(cloud, findColor(cloud)),
+      view = copyOf("view", PCLPointField::INT32),
+      normals[] = {copyOf("normal_x", PCLPointField::FLOAT32),
+                   copyOf("normal_y", PCLPointField::FLOAT32),
+                   copyOf("normal_z", PCLPointField::FLOAT32)};
+  const PointView points = file.points();
+  VertexCloud::Ptr vertices(new VertexCloud);
+  vertices->resize(points.size());
+  vertices->width = cloud.width;
+  vertices->height = cloud.height;
+  vertices->is_dense = cloud.is_dense != 0;
+  vertices->sensor_origin_.head<3>() = file.sensor_origin;
+  vertices->sensor_orientation_ = file.sensor_orientation;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vertex& vertex = (*vertices)[i];
+    vertex.getVector3fMap() = points[i];
+    color.copy(i, vertex.rgba);
+    view.copy(i, vertex.view);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      normals[axis].copy(i, vertex.data_n[axis]);
+  }
+  return vertices;
+}
+
+} // namespace
+} // namespace acmap
+
+using namespace acmap;
+
+namespace {
+
+/** One run of the steps. */
+class PlaneMappingRun {
+public:
+  PlaneMappingRun(const PlaneMapping& mapping,
+                  const CostCallback& cost,
+                  ProgressCallback progress,
+                  PlaneMappingReport& report)
+  : mapping_(mapping)
+  , cost_(cost)
+  , progress_(std::move(progress))
+  , report_(report)
+  , timer_(report)
+  {}
+
+  MappedPlanes
+  fromMesh(const std::shared_ptr<const PointCloudFile>& cloud, TriangleMesh mesh)
+  {
+    MappedPlanes result;
+    result.vertices = *cloud;
+    result.mesh = std::move(mesh);
+    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
+    vote(vertices, {}, result);
+    cluster(vertices, nullptr, {}, result);
+    result.labels = result.vertex_labels;
+    result.finite_points = report_.votes->vertices - report_.votes->invalid_points;
+    return result;
+  }
+
+  MappedPlanes
+  inSpace(const std::shared_ptr<const PointCloudFile>& cloud,
+          const std::vector<Eigen::Vector3f>& viewpoints)
+  {
+    MappedPlanes result;
+    const bool names_views = findField(cloud->cloud, "view", PCLPointField::INT32);
+    const std::vector<Eigen::Vector3f> sensors =
+        names_views ? viewpoints : std::vector<Eigen::Vector3f>{cloud->sensor_origin};
+    Indices vertex_of_point;
+    const bool is_consolidated =
+        consolidate(cloud, names_views, sensors, result, vertex_of_point);
+    if (!is_consolidated)
+      result.vertices = *cloud;
+    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
+    triangulate(vertices, result);
+    // the consolidation has turned its normals to the sensors, and the mesh with them
+    const bool turns = !is_consolidated && names_views;
+    vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
+    const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
+    cluster(vertices,
+            rowsOfFile(cloud),
+            sensors_fit ? sensors : std::vector<Eigen::Vector3f>(),
+            result);
+    if (!mapping_.getClustering().getNoiseDriven())
+      result.labels = labelsOf(result.vertex_labels, vertex_of_point, is_consolidated);
+    result.finite_points =
+        is_consolidated
+            ? report_.consolidation->points - report_.consolidation->invalid_points
+            : report_.votes->vertices - report_.votes->invalid_points;
+    return result;
+  }
+
+  MappedPlanes
+  inPicture(const std::shared_ptr<const PointCloudFile>& cloud, const Picture& picture)
+  {
+    MappedPlanes result;
+    PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
+    segmentation.setInputCloud(picture.points);
+    prepare(segmentation, 0, 0.4);
+    segmentation.segment(result.planes);
+    report_.depth_planes = segmentation.getReport();
+    addRemarks(*report_.depth_planes);
+    timer_.finish("planes");
+    const std::vector<std::int32_t>& labels = segmentation.getLabels();
+    result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
+    result.finite_points =
+        report_.depth_planes->points - report_.depth_planes->invalid_points;
+    result.vertices.remarks = cloud->remarks;
+    if (!mapping_.getComputeMesh() || result.planes.empty())
+      return result;
+    refine(cloud, picture.order, labels, result);
+    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
+    triangulate(vertices, result);
+    for (Vertex& vertex : *vertices)
+      vertex.view = 0;
+    vote(vertices, {cloud->sensor_origin}, result);
+    result.vertex_labels = labels;
+    return result;
+  }
+
+private:
+  template <typename Step>
+  void
+  prepare(Step& step, double from, double to)
+  {
+    step.setNumberOfThreads(mapping_.getNumberOfThreads());
+    step.setProgressCallback(partOf(progress_, from, to));
+  }
+
+  void
+  addRemarks(const Report& step)
+  {
+    report_.remarks.insert(
+        report_.remarks.end(), step.remarks.begin(), step.remarks.end());
+  }
+
+  /** \return whether it was: the vertices are then the consolidated points */
+  bool
+  consolidate(const std::shared_ptr<const PointCloudFile>& cloud,
+              bool names_views,
+              const std::vector<Eigen::Vector3f>& sensors,
+              MappedPlanes& result,
+              Indices& vertex_of_point)
+  {
+    PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
+    if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
+      const PCLPointField* const view =
+          names_views ? findField(cloud->cloud, "view") : nullptr;
+      report_.noise_scale = measureNoiseScale(
+          cloud->points(),
+          view ? SensorView(cloud->cloud.data.data() + view->offset,
+                            cloud->cloud.point_step,
+                            sensors)
+               : SensorView(cloud->sensor_origin),
+          mapping_.getNumberOfThreads());
+      if (report_.noise_scale->inverse_depth)
+        report_.remarks.push_back(report_.noise_scale->remarks.front());
+      timer_.finish("noise scale");
+      if (!needsConsolidation(*report_.noise_scale))
+        return false;
+      if (consolidation.getVoxelSize() == 0)
+        consolidation.setVoxelSize(automaticVoxel(*report_.noise_scale));
+    }
+    consolidation.setInputCloud(rowsOfFile(cloud));
+    if (names_views)
+      consolidation.setViewpoints(sensors);
+    else
+      consolidation.setSensorOrigin(cloud->sensor_origin);
+    consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
+    prepare(consolidation, 0, 0.3);
+    consolidation.filter(result.vertices.cloud);
+    report_.consolidation = consolidation.getReport();
+    addRemarks(*report_.consolidation);
+    vertex_of_point = consolidation.getVoxelOfPoint();
+    result.vertices.sensor_origin = cloud->sensor_origin;
+    result.vertices.sensor_orientation = cloud->sensor_orientation;
+    result.vertices.remarks = cloud->remarks;
+    timer_.finish("consolidate");
+    return true;
+  }
+
+  void
+  refine(const std::shared_ptr<const PointCloudFile>& cloud,
+         const std::optional<PictureOrder>& order,
+         const std::vector<std::int32_t>& labels,
+         MappedPlanes& result)
+  {
+    PlaneMapping::Refinement refinement;
+    refinement.setInputCloud(
+        order ? std::make_shared<const PCLPointCloud2>(order->arrange(cloud->cloud))
+              : rowsOfFile(cloud));
+    refinement.setPlanes(result.planes, labels);
+    prepare(refinement, 0.4, 0.5);
+    refinement.filter(result.vertices.cloud);
+    report_.refinement = refinement.getReport();
+    result.vertices.sensor_origin = cloud->sensor_origin;
+    result.vertices.sensor_orientation = cloud->sensor_orientation;
+    timer_.finish("refine");
+  }
+
+  void
+  triangulate(const VertexCloud::Ptr& vertices, MappedPlanes& result)
+  {
+    using DeWall = DeWallTriangulation<Vertex>;
+    if (cost_)
+      cost_("triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
+    const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
+    if (const auto given = std::dynamic_pointer_cast<DeWall>(construction)) {
+      DeWall dewall = *given;
+      dewall.setInputCloud(vertices);
+      if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
+        dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
+                                    report_.consolidation->voxel_size);
+      prepare(dewall, 0.3, 0.6);
+      dewall.reconstruct(result.mesh);
+      report_.mesh = dewall.getReport();
+      result.spacing = report_.mesh->median_spacing;
+      addRemarks(*report_.mesh);
+    }
+    else {
+      std::vector<Vertices> polygons;
+      construction->setInputCloud(vertices);
+      construction->reconstruct(polygons);
+      result.mesh.triangles = trianglesOf(polygons);
+    }
+    timer_.finish("triangulate");
+  }
+
+  void
+  vote(const VertexCloud::Ptr& vertices,
+       std::vector<Eigen::Vector3f> viewpoints,
+       MappedPlanes& result)
+  {
+    PlaneMapping::Voting voting = mapping_.getVoting();
+    voting.setInputCloud(vertices);
+    voting.setTriangles(result.mesh);
+    voting.setViewpoints(std::move(viewpoints));
+    prepare(voting, 0.6, 0.75);
+    const PointCloud<Normal>::Ptr normals(new PointCloud<Normal>);
+    const PointCloud<Label>::Ptr classes(new PointCloud<Label>);
+    voting.compute(*normals);
+    voting.getVertexClasses(*classes);
+    result.normals = normals;
+    result.vertex_classes = classes;
+    report_.votes = voting.getReport();
+    if (result.spacing == 0)
+      result.spacing = report_.votes->mean_edge;
+    timer_.finish("votes");
+  }
+
+  void
+  cluster(const VertexCloud::Ptr& vertices,
+          const PCLPointCloud2ConstPtr& source,
+          const std::vector<Eigen::Vector3f>& sensors,
+          MappedPlanes& result)
+  {
+    PlaneMapping::Clustering clustering = mapping_.getClustering();
+    clustering.setInputCloud(vertices);
+    clustering.setInputNormals(result.normals);
+    clustering.setVertexClasses(result.vertex_classes);
+    clustering.setTriangles(result.mesh);
+    const bool has_source = source && clustering.getNoiseDriven();
+    if (has_source)
+      clustering.setSourceCloud(source, sensors);
+    if (cost_)
+      cost_("clustering the planes", 0, clustering.estimateSeconds());
+    prepare(clustering, 0.75, 1);
+    clustering.segment(result.planes);
+    report_.planes = clustering.getReport();
+    addRemarks(*report_.planes);
+    result.vertex_labels = clustering.getLabels();
+    if (has_source)
+      result.labels = clustering.getSourceLabels();
+    timer_.finish("planes");
+  }
+
+  static std::vector<std::int32_t>
+  labelsOf(const std::vector<std::int32_t>& of_vertices,
+           const Indices& vertex_of_point,
+           bool is_consolidated)
+  {
+    if (!is_consolidated)
+      return of_vertices;
+    std::vector<std::int32_t> labels;
+    labels.reserve(vertex_of_point.size());
+    for (const index_t vertex : vertex_of_point)
+      labels.push_back(vertex < 0 ? -1 : of_vertices[static_cast<std::size_t>(vertex)]);
+    return labels;
+  }
+
+  const PlaneMapping& mapping_;
+  const CostCallback& cost_;
+  ProgressCallback progress_;
+  PlaneMappingReport& report_;
+  StepTimer timer_;
+};
+
+} // namespace
+
+PlaneMapping::PlaneMapping()
+: construction_(new DeWallTriangulation<Vertex>)
+{
+  clustering_.setNoiseDriven(true);
+}
+
+void
+PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  input_ = std::move(cloud);
+}
+
+void
+PlaneMapping::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
+{
+  requireViewpoints(viewpoints);
+  viewpoints_ = std::move(viewpoints);
+}
+
+void
+PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construction)
+{
+  if (!construction)
+    throw BadArgumentException("the mesh construction is a null pointer");
+  construction_ = construction;
+}
+
+void
+PlaneMapping::compute(MappedPlanes& result)
+{
+  if (!input_)
+    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  requirePoints(rowsOfFile(input_));
+  PlaneMappingReport report;
+  MappedPlanes found;
+  PlaneMappingRun run(*this, cost_callback_, progress_, report);
+  if (!input_mesh_.triangles.empty()) {
+    requireCornersInside(input_mesh_.triangles, input_->points().size());
+    found = run.fromMesh(input_, input_mesh_);
+  }
+  else if (const std::optional<Picture> picture =
+               policy_ == ConsolidationPolicy::Always
+                   ? std::nullopt
+                   : pictureOf(input_->points(), input_->cloud.width, sensor_))
+    found = run.inPicture(input_, *picture);
+  else
+    found = run.inSpace(input_, viewpoints_);
+  result = std::move(found);
+  report_ = std::move(report);
+}
+
+} // namespace pcl
