@@ -10,7 +10,7 @@ namespace pcl::acmap::voting {
 /** Contribution of a triangle to the votes. */
 struct Face {
   Eigen::Vector3f normal; ///< unit
-  /** \brief Relative to its first corner, which is accurate far from the origin. */
+  /** \brief Centre relative to the first corner: accurate far from the origin. */
   Eigen::Vector3f center;
   float area = 0; ///< 0: it does not vote
 };

@@ -71,7 +71,7 @@ private:
   std::string name_;
   std::filesystem::path folder_;
   std::optional<HiddenFolder> hidden_;
-  std::filesystem::path files_; // path of the hidden folder
+  std::filesystem::path files_; // folder of the files before commit
   bool made_ = false;
 };
 

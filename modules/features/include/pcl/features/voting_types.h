@@ -21,7 +21,7 @@ struct VotingReport : Report {
   std::size_t vertices = 0;       ///< of the whole input cloud, as all counts below
   std::size_t invalid_points = 0; ///< number of vertices that are not finite
   std::size_t triangles = 0;      ///< of the mesh, after splitting polygons
-  /** \brief Without area, or with a point that is not finite. */
+  /** \brief Triangles without area, or with a point that is not finite. */
   std::size_t degenerate_triangles = 0;
   std::size_t surface = 0;
   std::size_t crease = 0;

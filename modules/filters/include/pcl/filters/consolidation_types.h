@@ -10,12 +10,12 @@ namespace pcl {
 struct ConsolidationReport : Report {
   std::size_t points = 0;         ///< of the input
   std::size_t invalid_points = 0; ///< not finite, skipped
-  /** \brief At least 2^19 voxels away from the others, skipped. */
+  /** \brief Points at least 2^19 voxels away from the others, which were skipped. */
   std::size_t distant_points = 0;
   std::size_t voxels = 0; ///< number of occupied voxels
   std::size_t representatives = 0;
   std::size_t two_sided_voxels = 0; ///< seen from both sides, with one point per side
-  /** \brief Fitted to the flattest 2 x 2 x 2 voxels, at creases. */
+  /** \brief Voxels at creases, fitted to the flattest 2 x 2 x 2 voxels. */
   std::size_t narrowed_windows = 0;
   std::size_t without_normal = 0; ///< representatives with too few points around them
 
