@@ -12,7 +12,7 @@ namespace {
 
 using Arena = std::unique_ptr<oneapi::tbb::task_arena>;
 
-/** \brief The arenas that nobody has leased. */
+/** \brief The arenas that are not leased. */
 class ArenaStock {
 public:
   Arena
@@ -65,7 +65,7 @@ ArenaLease::~ArenaLease()
     stock().put(threads_, std::move(arena_));
   }
   catch (const std::bad_alloc&) {
-    // without a place to wait it is destroyed
+    // if there is no memory to store the arena, it is destroyed
   }
 }
 

@@ -8,21 +8,23 @@
 
 namespace pcl::acmap {
 
-/** \brief Bytes of a known number, from a file or from memory, read from front to back.
+/** \brief A sequence of bytes of known size, from a file or from memory, that is read
+ * sequentially.
  *
- * Readers ask \ref remaining before they take memory, so that a header cannot make them
- * allocate more than its file can back. Every fault is an InputFileException that begins
- * with the name of the source.
- */
+ * Readers check \ref remaining before they allocate memory, so that a wrong header
+ * cannot cause larger allocations than the file justifies. Every fault is an
+ * InputFileException that begins with the name of the source. */
 class ByteSource {
 public:
-  /** \brief Longest line that \ref readLine accepts; what is longer is no text. */
+  /** \brief Maximum length of a line that \ref readLine accepts; a longer one is not
+   * considered text. */
   static constexpr std::size_t maximum_line = 256 * 1024;
 
-  /** \throws InputFileException when the path is missing, unreadable, empty or no file */
+  /** \throws InputFileException when the path is missing, unreadable, empty or not a
+   * regular file */
   explicit ByteSource(const std::string& path);
 
-  /** \brief Reads from memory that the caller keeps alive. */
+  /** \brief Reads from memory that must outlive this object. */
   ByteSource(std::string name, const void* data, std::size_t size);
 
   ~ByteSource();
@@ -30,7 +32,7 @@ public:
   ByteSource&
   operator=(const ByteSource&) = delete;
 
-  /** \brief Bytes from here to the end. */
+  /** \brief Number of bytes from the current position to the end. */
   std::uint64_t
   remaining() const
   {
@@ -43,19 +45,21 @@ public:
   void
   skip(std::uint64_t bytes);
 
-  /** \brief Gives the next line without its end (LF or CR LF); valid until the next call.
-   * \return false when nothing is left */
+  /** \brief Returns the next line without its end (LF or CR LF); valid until the next
+   * call.
+   * \return false at the end of the source */
   bool
   readLine(std::string_view& line);
 
-  /** \brief Like \ref readLine, past blank lines. */
+  /** \brief Like \ref readLine, but skips blank lines. */
   bool
   readFilledLine(std::string_view& line);
 
   [[noreturn]] void
   fail(const std::string& fault) const;
 
-  /** \brief As \ref fail, naming the line read last. */
+  /** \brief Like \ref fail, but also reports the number of the line that was read last.
+   */
   [[noreturn]] void
   failAtLine(const std::string& fault) const;
 
@@ -74,7 +78,7 @@ private:
 
   std::string name_;
   int descriptor_ = -1;
-  std::uint64_t unread_ = 0; // bytes of the file after the window
+  std::uint64_t unread_ = 0; // number of bytes of the file after the window
   std::unique_ptr<char[]> buffer_;
   const char* window_ = nullptr;
   const char* window_end_ = nullptr;

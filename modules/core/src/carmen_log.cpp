@@ -40,7 +40,7 @@ nextNumber(Words& words, std::uint64_t beams, const ByteSource& source)
   return value;
 }
 
-// From the right to the left; an even number of beams leaves out the last direction.
+// From right to left; an even number of beams excludes the last direction.
 void
 setSweep(PlanarScan& scan)
 {
@@ -59,7 +59,8 @@ readBeams(Words& words, const ByteSource& source)
   return beams;
 }
 
-// Behind FLASER. The count is the line's claim: memory is taken for what is there.
+// Reads the rest of a line after FLASER. The number of beams is not trusted: memory is
+// only allocated for numbers that exist.
 PlanarScan
 readScan(Words& words, const ByteSource& source)
 {
@@ -67,14 +68,15 @@ readScan(Words& words, const ByteSource& source)
   PlanarScan scan;
   for (std::uint64_t i = 0; i < beams; ++i)
     scan.ranges.push_back(nextNumber<float>(words, beams, source));
-  std::array<double, 7> tail{}; // x y theta of the laser, the same of odometry, stamp
+  // x y theta of the laser, the same of the odometry, stamp
+  std::array<double, 7> tail{};
   for (double& value : tail)
     value = nextNumber<double>(words, beams, source);
   if (!std::isfinite(tail[0]) || !std::isfinite(tail[1]) || !std::isfinite(tail[2]))
     source.failAtLine("its pose is not finite");
   if (!std::isfinite(tail[6]))
     source.failAtLine("its stamp is not finite");
-  scan.pose = {0.0 - tail[1], tail[0], 0.0 - tail[2]}; // 0 - 0 is no -0
+  scan.pose = {0.0 - tail[1], tail[0], 0.0 - tail[2]}; // 0 - 0 avoids -0
   scan.stamp = tail[6];
   setSweep(scan);
   return scan;
@@ -89,16 +91,17 @@ countBetween(const std::vector<float>& readings, double least, double below)
       }));
 }
 
-/** \brief Where readings cease to be distances. Lasers say "no echo" by one large
- * reading or a few close to each other (SICK: 81.83, 81.87, 81.91 m, or 32.759 to
- * 32.767 m where they count millimetres), so that many beams read the same, and hardly
- * any somewhat less.
+/** \brief Finds the reading above which readings are not distances. Lasers report a
+ * missing echo by a large value or a few similar ones (SICK: 81.83, 81.87, 81.91 m, or
+ * 32.759 to 32.767 m if they count millimetres), so that many beams have the same
+ * reading, and hardly any beams a slightly smaller one.
  * \param[in] readings metres, finite, positive; reordered */
 float
 rangeWithoutEcho(std::vector<float>& readings)
 {
-  constexpr double width = 0.01;           // of the reading
-  constexpr std::size_t clear_excess = 10; // over what reads somewhat less
+  constexpr double width = 0.01; // relative to the reading
+  // over the number of slightly smaller readings
+  constexpr std::size_t clear_excess = 10;
   constexpr std::size_t beams_to_a_wild_one = 10000;
   if (readings.empty())
     return 0.0F;

@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief The reader behind \ref loadCarmenLog, of a log that is not compressed.
+/** \brief Implementation of \ref loadCarmenLog for an uncompressed log.
  * \throws InputFileException naming line and fault */
 CarmenLog
 readCarmenLog(ByteSource& source);

@@ -43,7 +43,8 @@ requireTextPointsFit(std::uint64_t points,
                      std::uint64_t values,
                      const ByteSource& source)
 {
-  // A value takes a character and a separator; the very last separator may be missing.
+  // A value takes at least a character and a separator; the last separator may be
+  // missing.
   if (points > (source.remaining() + 1) / (2 * values))
     refusePoints(points, std::to_string(values) + " values", source);
   requireCountable(points, source);
@@ -59,7 +60,8 @@ shapeCloud(PCLPointCloud2& cloud,
   cloud.width = static_cast<uindex_t>(width);
   cloud.height = static_cast<uindex_t>(height);
   cloud.point_step = static_cast<uindex_t>(layout.point_step);
-  // Wraps for a row beyond 4 GB, as in PCL; nothing reads it in a cloud of one row.
+  // Overflows for a row of more than 4 GB, as in PCL; it is not used for unorganized
+  // clouds.
   cloud.row_step = static_cast<uindex_t>(width * layout.point_step);
   cloud.data.resize(static_cast<std::size_t>(width * height * layout.point_step));
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr float unknown = std::numeric_limits<float>::infinity();
 constexpr std::size_t value_bytes = sizeof(float);
 
-/** \brief What the three lines before the values say. */
+/** \brief Contents of the three lines before the values. */
 struct PfmHeader {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -109,7 +109,7 @@ acmap::encodePfm(const DisparityImage& image)
                              std::to_string(image.height) + "\n-1.0\n";
   std::vector<std::uint8_t> bytes(header.begin(), header.end());
   bytes.reserve(bytes.size() + value_bytes * image.values.size());
-  for (std::int32_t row = image.height; row-- > 0;) // a PFM begins at the bottom
+  for (std::int32_t row = image.height; row-- > 0;) // a PFM begins with the bottom row
     for (std::int32_t column = 0; column < image.width; ++column)
       appendValue(image.at(column, row), bytes);
   return bytes;

@@ -38,7 +38,7 @@ findCoordinate(const Fields& source, const char* name, const ByteSource& file)
   return position;
 }
 
-// Sets the offsets; gives the length of a record.
+// Sets the offsets; returns the length of a record.
 std::size_t
 placeFields(Fields& source, const ByteSource& file)
 {
@@ -60,7 +60,7 @@ placeFields(Fields& source, const ByteSource& file)
   return static_cast<std::size_t>(end);
 }
 
-// Positions of the colour bytes in the order in which PCL packs them: b g r (a).
+// Indices of the colour fields in the order in which PCL packs them: b g r (a).
 std::vector<std::size_t>
 findColourBytes(const Fields& source)
 {

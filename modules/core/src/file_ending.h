@@ -4,7 +4,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The ending of a file's name with its dot, in small letters. */
+/** \brief Returns the extension of a file name with its dot, in lower case. */
 std::string
 lowerEnding(const std::string& path);
 

@@ -8,7 +8,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** As operator new does where there is none: the handler may free what unwinding needs. */
+/** Does the same as operator new without memory: the new-handler may free the memory
+ * that stack unwinding needs. */
 [[noreturn]] void
 failForMemory()
 {

@@ -6,14 +6,15 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief Tells by its first bytes whether a file is compressed by gzip.
- * \throws InputFileException when it is missing, unreadable, empty or no file */
+/** \brief Returns true if the first bytes of a file are those of a gzip file.
+ * \throws InputFileException when it is missing, unreadable, empty or not a regular
+ * file */
 bool
 isGzip(const std::string& path);
 
-/** \brief Unpacks the rest of a source, all its members.
- * \throws InputFileException when it is truncated or damaged, or unpacks to more than
- * 1 GiB: a thousand bytes may stand for a million */
+/** \brief Decompresses the rest of a source, with all its members.
+ * \throws InputFileException when it is truncated or damaged, or decompresses to more
+ * than 1 GiB: a thousand bytes may expand to a million */
 std::string
 unpackGzip(ByteSource& source);
 

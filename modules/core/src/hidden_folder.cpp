@@ -20,13 +20,14 @@ namespace fs = std::filesystem;
 
 const std::string unfinished_mark = ".acmap-unfinished-";
 
-/** Runs that write one target at the same time are few. */
+/** Only a few processes write the same target at the same time. */
 constexpr std::size_t most_leftovers = 8;
 
 fs::path
 numbered(const fs::path& parent, const std::string& name, std::size_t number)
 {
-  constexpr std::size_t longest = 200; // keeps the whole below the usual limit of 255
+  // keeps the whole name below the usual limit of 255
+  constexpr std::size_t longest = 200;
   const std::string begin = name.empty() ? "" : "." + name.substr(0, longest);
   return parent / (begin + unfinished_mark + std::to_string(number));
 }
@@ -37,7 +38,7 @@ openFolder(const fs::path& path)
   return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/** Whether an open folder is the one that has this name now. */
+/** Returns true if an open folder is still the one with this name. */
 bool
 isStill(int folder, const fs::path& path)
 {
@@ -47,7 +48,8 @@ isStill(int folder, const fs::path& path)
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-/** Whoever removes a folder holds its lock, so that nobody else takes it meanwhile. */
+/** A process holds the lock of a folder while it removes it, so that no other process
+ * can use it in the meantime. */
 void
 removeIfLeft(const fs::path& path)
 {
@@ -60,7 +62,8 @@ removeIfLeft(const fs::path& path)
   ::close(folder);
 }
 
-/** \return -1 when somebody took the new folder for a leftover before it was locked */
+/** \return -1 if another process considered the new folder a leftover before it was
+ * locked */
 int
 lockNew(const fs::path& path, const std::string& shown)
 {
@@ -72,7 +75,7 @@ lockNew(const fs::path& path, const std::string& shown)
   }
   if (folder < 0)
     return -1;
-  ::flock(folder, LOCK_EX); // where there are no locks, leftovers stay
+  ::flock(folder, LOCK_EX); // without support for locks, leftovers are kept
   if (isStill(folder, path))
     return folder;
   ::close(folder);

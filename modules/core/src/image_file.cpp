@@ -57,10 +57,10 @@ requireWholeImage(const RgbImage& image)
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
-constexpr std::size_t kind_bytes = 8; // tell a PNG from a JPEG
+constexpr std::size_t kind_bytes = 8; // to distinguish a PNG from a JPEG
 
-/** \brief Reads a file of the right kind and decodes it.
- * \param[in] is_known gets the first bytes, gives a fault or nullptr */
+/** \brief Reads a file of a supported format and decodes it.
+ * \param[in] is_known is called with the first bytes, returns a fault or nullptr */
 template <typename Kind, typename Decode>
 auto
 loadImage(const std::string& path, const Kind& is_known, const Decode& decode)

@@ -74,7 +74,7 @@ JsonCursor::integer(std::int64_t least, std::int64_t most) const
   };
   if (!value_->is_number_integer())
     fail("is no whole number");
-  // What is above the signed range is stored unsigned.
+  // Values above the signed range are stored as unsigned.
   if (value_->is_number_unsigned() &&
       value_->get<std::uint64_t>() >
           std::uint64_t{std::numeric_limits<std::int64_t>::max()})

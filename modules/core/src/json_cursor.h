@@ -9,10 +9,10 @@
 
 namespace pcl::acmap {
 
-/** \brief A value in a JSON file that knows where it stands, so that a fault is told as
- * "map.json: planes[3].rmse is no number". Every fault is an InputFileException.
+/** \brief A value in a JSON file that knows its position, so that a fault is reported
+ * as "map.json: planes[3].rmse is no number". Every fault is an InputFileException.
  *
- * A cursor points to the one that it came from, which must live as long. */
+ * A cursor points to its parent, which must outlive it. */
 class JsonCursor {
 public:
   /** \brief The whole file. */
@@ -21,15 +21,15 @@ public:
   , file_(&file)
   {}
 
-  /** \brief The value of a key that an object must have. */
+  /** \brief Returns the value of a key of an object. A missing key is a fault. */
   JsonCursor
   at(const char* key) const;
 
-  /** \brief Whether an object has that key. */
+  /** \brief Returns true if this is an object with that key. */
   bool
   has(const char* key) const;
 
-  /** \brief Elements of an array. */
+  /** \brief Number of elements of an array. */
   std::size_t
   size() const;
 
@@ -40,22 +40,22 @@ public:
   double
   number() const;
 
-  /** \brief A finite number, or null for NaN. */
+  /** \brief A finite number, or NaN for null. */
   double
   numberOrNan() const;
 
-  /** \brief A number that a float can hold. */
+  /** \brief A number within the range of a float. */
   float
   floatNumber() const;
 
-  /** \brief A whole number in [least, most]. */
+  /** \brief An integer in [least, most]. */
   std::int64_t
   integer(std::int64_t least, std::int64_t most) const;
 
   std::string
   text() const;
 
-  /** \brief An array of so many finite numbers. */
+  /** \brief An array of the given number of finite numbers. */
   template <int rows>
   Eigen::Matrix<double, rows, 1>
   vector() const
@@ -70,7 +70,7 @@ public:
   void
   requireSize(std::size_t size) const;
 
-  /** \param[in] fault what follows the name of the value, as "is negative" */
+  /** \param[in] fault text after the name of the value, such as "is negative" */
   [[noreturn]] void
   fail(const std::string& fault) const;
 
@@ -92,7 +92,7 @@ private:
   const nlohmann::json* value_;
   const std::string* file_;
   const JsonCursor* parent_ = nullptr;
-  const char* key_ = nullptr; // nullptr: an element
+  const char* key_ = nullptr; // nullptr for an element of an array
   std::size_t index_ = 0;
 };
 

@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** The double of the same shortest text, so that no digits appear that a float has not. */
+/** Converts a float to the double with the same shortest text, so that no digits are
+ * written that the float does not have. */
 double
 shortest(float value)
 {
@@ -109,7 +110,7 @@ jsonOf(double stamp, const Eigen::Isometry3d& pose)
           {"orientation", {rotation.x(), rotation.y(), rotation.z(), rotation.w()}}};
 }
 
-/** Charts of each plane, in their order. */
+/** Charts of each plane in their order. */
 std::vector<Json>
 chartsOfPlanes(const CompactMap& map)
 {
@@ -121,7 +122,7 @@ chartsOfPlanes(const CompactMap& map)
 
 using Write = std::function<void(const std::string&)>;
 
-/** One element a line. */
+/** Writes one element per line. */
 void
 writeLines(const Write& write,
            std::size_t count,
@@ -148,7 +149,7 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   requireConsistent(map);
   const std::vector<Json> charts = chartsOfPlanes(map);
   write("{\"version\":" + Json(ACMAP_VERSION).dump());
-  if (!hasPlanesAlone(map)) // files of planes are older than the formats' numbers
+  if (!hasPlanesAlone(map)) // files with only planes are older than the format numbers
     write(",\"format\":" + std::to_string(file_formats::map));
   write(",\"unit\":\"m\",\"frame\":\"of the input\",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
@@ -171,7 +172,7 @@ acmap::writeMap(const CompactMap& map, const Write& write)
 void
 saveMapFile(const std::string& path, const CompactMap& map)
 {
-  acmap::requireConsistent(map); // before a file is begun
+  acmap::requireConsistent(map); // before the file is opened
   acmap::OutputFile file(path);
   acmap::writeMap(
       map, [&](const std::string& text) { file.write(text.data(), text.size()); });

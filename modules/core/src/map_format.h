@@ -8,25 +8,27 @@
 
 namespace pcl::acmap {
 
-/** \brief What is wrong with the equation of a plane, to follow the name of its
- * coefficients; empty for nothing. */
+/** \brief Describes what is wrong with the equation of a plane, as a continuation of
+ * the name of its coefficients; empty if it is valid. */
 std::string
 faultOfCoefficients(const Eigen::Vector4d& coefficients);
 
-/** \brief The same of a loop of a polygon. */
+/** \brief As above, for a loop of a polygon. */
 std::string
 faultOfLoop(const std::vector<Eigen::Vector3f>& loop);
 
-/** \brief The same of the texels of all charts so far, to follow the name of the last. */
+/** \brief As above, for the number of texels of all charts so far, as a continuation of
+ * the name of the last chart. */
 std::string
 faultOfTexels(std::int64_t texels);
 
-/** \brief The same of the name of a chart's image; an empty one is none. */
+/** \brief As above, for the file name of the image of a chart; an empty name means no
+ * image. */
 std::string
 faultOfImageName(const std::string& name);
 
-/** \brief Lets maps pass that a map file can hold: those that the reader takes.
- * \throws BadArgumentException when planes, charts, observations or poses make no sense */
+/** \brief Checks that a map can be stored in a map file and read again.
+ * \throws BadArgumentException for invalid planes, charts, observations or poses */
 void
 requireConsistent(const CompactMap& map);
 

@@ -16,8 +16,9 @@ namespace {
 
 using acmap::JsonCursor;
 
-constexpr double rotation_slack = 0.01;   // of the length of a quaternion
-constexpr std::size_t longest_text = 200; // the parser quotes words of any length
+constexpr double rotation_slack = 0.01; // tolerance of the length of a quaternion
+// the messages of the parser quote words of any length
+constexpr std::size_t longest_text = 200;
 
 nlohmann::json
 parseText(acmap::ByteSource& source)

@@ -9,14 +9,16 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief The reader behind \ref loadMapFile.
- * \param[in] name stands for the file in messages, as that of the source
+/** \brief Implementation of \ref loadMapFile.
+ * \param[in] name file name in messages
+ * \param[in] source the contents of the file
  * \throws InputFileException naming file and fault */
 CompactMap
 readMap(const std::string& name, ByteSource& source);
 
-/** \brief Gives what \ref saveMapFile writes, a piece at a time: all is never held twice.
- * \throws BadArgumentException likewise */
+/** \brief Passes the output of \ref saveMapFile to a function in several pieces, so
+ * that there is no second copy of the whole map in memory.
+ * \throws BadArgumentException as \ref saveMapFile */
 void
 writeMap(const CompactMap& map, const std::function<void(const std::string&)>& write);
 

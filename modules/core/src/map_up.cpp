@@ -14,13 +14,13 @@ using Eigen::Vector3d;
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-/** \brief A plane as far as it tells which direction is up. */
+/** \brief Orientation and area of a plane, used to estimate the up direction. */
 struct Facing {
   Vector3d normal;
   double area;
 };
 
-/** \brief Sum of what the cameras take for up; zero without cameras. */
+/** \brief Sum of the up directions of the cameras; zero without cameras. */
 Vector3d
 upOfCameras(const Trajectory& trajectory)
 {
@@ -31,7 +31,7 @@ upOfCameras(const Trajectory& trajectory)
   return sum;
 }
 
-/** \brief The planes that have an area, largest first. */
+/** \brief The planes with a positive area, in descending order of area. */
 std::vector<Facing>
 facingsOf(const CompactMap& map)
 {
@@ -48,8 +48,8 @@ facingsOf(const CompactMap& map)
   return facings;
 }
 
-/** \brief Mean squares of how far the planes' corners are off their middle, along each
- * axis; planes count by their areas. */
+/** \brief Variances of the corners of the planes along each axis, weighted by the areas
+ * of the planes. */
 Eigen::Array3d
 spreadOf(const CompactMap& map)
 {
@@ -70,7 +70,7 @@ spreadOf(const CompactMap& map)
   return squares / weights - (sum / weights).square();
 }
 
-/** \brief Area of the planes that look along an axis. */
+/** \brief Area of the planes whose normal is along an axis. */
 double
 areaAlong(const std::vector<Facing>& facings, int axis)
 {
@@ -94,7 +94,8 @@ isUpright(const Facing& facing, const Vector3d& up)
   return std::abs(facing.normal.dot(up)) < std::sin(5 * degree);
 }
 
-/** \brief Directions to which planes are level or upright, those of the largest ones. */
+/** \brief Directions with respect to which the largest planes are horizontal or
+ * vertical. */
 std::vector<Vector3d>
 candidatesFor(const std::vector<Facing>& facings, const Vector3d& expected)
 {
@@ -116,8 +117,8 @@ candidatesFor(const std::vector<Facing>& facings, const Vector3d& expected)
   return candidates;
 }
 
-/** \brief The direction to which the planes that are nearly level or upright to a given one
- * are so best, by least squares. */
+/** \brief Refines an up direction by least squares, using the planes that are nearly
+ * horizontal or vertical with respect to it. */
 Vector3d
 refined(const std::vector<Facing>& facings, const Vector3d& up)
 {
@@ -128,7 +129,7 @@ refined(const std::vector<Facing>& facings, const Vector3d& up)
     squares += sign * facing.area * facing.normal * facing.normal.transpose();
     area += facing.area;
   }
-  constexpr double weight = 1e-3; // keeps what no plane tells
+  constexpr double weight = 1e-3; // keeps the component that no plane determines
   squares -= weight * area * up * up.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
   const Vector3d least = solver.eigenvectors().col(0);

@@ -36,7 +36,7 @@ findSingle(const PCLPointCloud2& cloud, const char* name, std::size_t bytes)
   return nullptr;
 }
 
-/** \return the offsets of three float fields, or nothing unless all are there */
+/** \return the offsets of three float fields, or nothing unless all of them exist */
 std::vector<std::size_t>
 findFloats(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
 {

@@ -10,14 +10,14 @@
 
 namespace pcl::acmap {
 
-/** \brief A value of every point that a mesh file stores under a name of its own. */
+/** \brief A value per point that a mesh file stores with its own name. */
 struct ScalarColumn {
   std::string name;
   std::uint8_t datatype = 0;
-  std::size_t offset = 0; // in a point
+  std::size_t offset = 0; // in bytes, in a point
 };
 
-/** \brief Where a cloud keeps what a mesh file stores, as offsets in a point. */
+/** \brief Fields of a cloud that a mesh file stores, as offsets in a point. */
 struct MeshColumns {
   std::array<std::size_t, 3> coordinates{};
   std::vector<std::size_t> normal; // x y z, or empty
@@ -25,11 +25,11 @@ struct MeshColumns {
   std::vector<ScalarColumn> scalars;
 };
 
-/** \brief Sorts the fields of a cloud.
+/** \brief Selects the fields of a cloud.
  *
- * Fields of several values, of a type that mesh files do not have (64-bit integers,
- * boolean), or whose name is no word or stands twice are left out.
- * \throws BadArgumentException when x, y, z are not float32, or a field or a point lies
+ * Fields of several values, of a type that mesh files do not support (64-bit integers,
+ * boolean), or whose name is not a word or is a duplicate are omitted.
+ * \throws BadArgumentException if x, y, z are not float32, or a field or a point is
  * outside the data */
 MeshColumns
 sortColumns(const PCLPointCloud2& cloud);

@@ -8,7 +8,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The writers behind \ref saveTriangleMesh; the mesh is checked already. */
+/** \brief Implementations of \ref saveTriangleMesh; the mesh has been checked before.
+ */
 void
 writePly(OutputFile& file,
          const PCLPointCloud2& cloud,

@@ -6,7 +6,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The shortest text that reads back as the same number, in any locale. */
+/** \brief Returns the shortest text from which the same number is read back,
+ * independent of the locale. */
 template <typename Real>
 std::string
 textOf(Real value)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t most_vertices = std::numeric_limits<std::int32_t>::max();
 
-/** \brief The vertex that a corner as `7`, `7/1/2` or `-1` names, from 0 on. */
+/** \brief Zero-based index of the vertex of a corner such as `7`, `7/1/2` or `-1`. */
 std::int32_t
 cornerOf(std::string_view word, std::uint64_t vertices, const ByteSource& source)
 {
@@ -57,7 +57,7 @@ readObjFaces(ByteSource& source)
     else if (key == "f")
       addFace(words, vertices, source, mesh);
   }
-  // a face may stand above its vertices
+  // a face may precede its vertices
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::int32_t corner : mesh.triangles[t])
       if (static_cast<std::uint64_t>(corner) >= vertices)

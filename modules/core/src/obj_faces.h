@@ -6,9 +6,9 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief Reads the faces of an OBJ behind \ref loadTriangleMesh; corners may name texture
- * and normal, and may count backwards from the last vertex.
- * \throws InputFileException when a corner is no number, or outside of the vertices */
+/** \brief Reads the faces of an OBJ for \ref loadTriangleMesh. Corners may contain
+ * indices of texture and normal, and may be relative to the last vertex (negative).
+ * \throws InputFileException when a corner is not a number, or out of range */
 TriangleMesh
 readObjFaces(ByteSource& source);
 

@@ -20,14 +20,14 @@ fail(const std::string& path, const std::string& fault)
   throw OutputFileException(path + ": " + fault);
 }
 
-/** By this name a file without one is linked to a place. */
+/** Path of an open file, by which an unnamed file can be linked. */
 std::string
 nameOfOpen(int file)
 {
   return "/proc/self/fd/" + std::to_string(file);
 }
 
-/** \return -1 where there are no files without a name */
+/** \return -1 if unnamed files are not supported */
 int
 openUnnamed(const fs::path& folder)
 {
@@ -39,7 +39,7 @@ openUnnamed(const fs::path& folder)
   return -1;
 }
 
-/** Gives a file without a name one that is not there yet. */
+/** Links an unnamed file to a path that does not exist yet. */
 bool
 linkTo(int unnamed, const std::string& path)
 {
@@ -73,7 +73,8 @@ OutputFile::OutputFile(const std::string& path)
   if (exists && ::access(target_.c_str(), W_OK) != 0)
     fail(path_, std::strerror(errno));
   if (exists && !S_ISREG(status.st_mode)) {
-    file_ = std::fopen(target_.c_str(), "wb"); // a device or pipe has no old content
+    // a device or pipe has no content to keep
+    file_ = std::fopen(target_.c_str(), "wb");
     if (!file_)
       fail(path_, std::strerror(errno));
     return;
@@ -137,7 +138,7 @@ OutputFile::commit()
   if (unnamed_ >= 0) {
     if (linkTo(unnamed_, target_))
       return;
-    hide(); // a link replaces nothing, a rename does
+    hide(); // a link cannot replace a file, a rename can
     if (!linkTo(unnamed_, temporary_))
       fail(path_, std::strerror(errno));
   }

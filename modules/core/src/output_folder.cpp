@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** Without a slash at its end, so that it has a name. */
+/** Removes trailing slashes, so that the path has a file name. */
 fs::path
 normalized(const std::string& path)
 {
@@ -17,7 +17,7 @@ normalized(const std::string& path)
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/** \throws OutputFileException when not all could be listed */
+/** \throws OutputFileException when the folder could not be listed completely */
 std::vector<fs::path>
 entriesOf(const fs::path& folder, const std::string& name)
 {
@@ -82,7 +82,7 @@ OutputFolder::~OutputFolder()
   std::error_code error;
   hidden_.reset();
   if (made_)
-    fs::remove(folder_, error); // fails when something else lies in it by now
+    fs::remove(folder_, error); // fails if there are other files in it by now
 }
 
 std::string
@@ -116,7 +116,7 @@ OutputFolder::commit()
   std::error_code error;
   if (made_)
     fs::rename(files_, folder_, error);
-  if (!made_ || error) // others have put files there meanwhile
+  if (!made_ || error) // other processes have created files there in the meantime
     putFilesInPlace();
   hidden_.reset();
   made_ = false;
@@ -130,7 +130,8 @@ OutputFolder::putFilesInPlace() const
     throw OutputFileException(place.string() + ": " + fault);
   };
   std::error_code error;
-  for (const fs::path& file : files) // all or none, where that can be foreseen
+  // all or none, as far as this can be detected beforehand
+  for (const fs::path& file : files)
     if (fs::is_directory(folder_ / file.filename(), error))
       fail(folder_ / file.filename(), "is a folder");
   for (const fs::path& file : files) {

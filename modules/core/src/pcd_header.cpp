@@ -14,7 +14,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief The lines as they stand, until all are known: their order is free. */
+/** \brief The lines of a header, stored until all are known, because their order is
+ * arbitrary. */
 struct PcdLines {
   std::vector<std::string> names;
   std::vector<std::uint64_t> sizes;
@@ -100,7 +101,7 @@ readEncoding(Words& words, const ByteSource& source)
   source.failAtLine("DATA " + inQuotes(word) + " is not known");
 }
 
-/** \return false for a key that a PCD header does not have */
+/** \return false for a key that is not part of a PCD header */
 bool
 readKeyedLine(std::string_view key,
               Words& words,

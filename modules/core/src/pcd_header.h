@@ -12,8 +12,8 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief What stands above the points of a PCD file, checked in itself but not yet
- * against the size of the file. */
+/** \brief Header of a PCD file, checked for consistency but not yet against the size of
+ * the file. */
 struct PcdHeader {
   enum class Encoding { ascii, binary, binary_compressed };
 
@@ -27,10 +27,10 @@ struct PcdHeader {
   std::vector<std::string> remarks;
 };
 
-/** \brief Reads the lines up to and with DATA.
+/** \brief Reads the lines up to and including DATA.
  *
- * What PCL forgives is forgiven: COUNT, VIEWPOINT, HEIGHT, or WIDTH and HEIGHT missing,
- * SIZE and TYPE missing (float32), COLUMNS for FIELDS, comments anywhere. */
+ * Accepts what PCL accepts: missing COUNT, VIEWPOINT, HEIGHT, or WIDTH and HEIGHT,
+ * missing SIZE and TYPE (float32), COLUMNS instead of FIELDS, comments anywhere. */
 PcdHeader
 readPcdHeader(ByteSource& source);
 

@@ -68,7 +68,7 @@ readBinary(ByteSource& source,
 std::unique_ptr<std::uint8_t[]>
 unpack(ByteSource& source, std::uint32_t packed_size, std::uint32_t size)
 {
-  // Three bytes of LZF stand for 264 bytes at most.
+  // LZF expands three bytes to at most 264 bytes.
   constexpr std::uint64_t best_ratio = 88;
   if (packed_size > source.remaining())
     source.fail("header claims a block of " + std::to_string(packed_size) + " bytes, " +
@@ -76,7 +76,7 @@ unpack(ByteSource& source, std::uint32_t packed_size, std::uint32_t size)
   if (size > best_ratio * packed_size)
     source.fail("header claims that " + std::to_string(packed_size) +
                 " bytes unpack to " + std::to_string(size));
-  // Not initialised: both are filled at once.
+  // Not initialised, because both are filled completely.
   const std::unique_ptr<std::uint8_t[]> packed(new std::uint8_t[packed_size]);
   std::unique_ptr<std::uint8_t[]> block(new std::uint8_t[size]);
   source.read(packed.get(), packed_size);
@@ -85,8 +85,8 @@ unpack(ByteSource& source, std::uint32_t packed_size, std::uint32_t size)
   return block;
 }
 
-// The block holds all values of the first field, then all of the second, and so on;
-// padding is left out.
+// The block contains all values of the first field, then all of the second, and so on;
+// padding is omitted.
 void
 readCompressed(ByteSource& source,
                const PcdHeader& header,
@@ -126,7 +126,7 @@ readCompressed(ByteSource& source,
   }
 }
 
-// PCL's writer fills up the last page with zeros.
+// PCL's writer fills the last page with zeros.
 bool
 onlyZerosFollow(ByteSource& source)
 {

@@ -32,7 +32,8 @@ pcdTypeOf(std::uint8_t datatype)
   }
 }
 
-/** \brief A name that stands for a field in the header, and for nothing else there. */
+/** \brief Returns true for a name that a header can use for a field; `_` means padding.
+ */
 bool
 isFieldName(const std::string& name)
 {
@@ -66,7 +67,7 @@ requireWritable(const PCLPointCloud2& cloud)
       throw BadArgumentException(std::string("cloud has no field ") + name);
 }
 
-/** \brief The lines of the fields, and where their bytes come from. */
+/** \brief The header lines of the fields, and the moves that copy their bytes. */
 struct PcdRecord {
   std::string names = "FIELDS";
   std::string sizes = "SIZE";
@@ -99,8 +100,8 @@ std::string
 textOfViewpoint(const Eigen::Vector3f& origin, const Eigen::Quaternionf& orientation)
 {
   constexpr float unit_slack = 1e-3F;
-  if (!origin.allFinite() ||
-      !(std::abs(orientation.norm() - 1.0F) <= unit_slack)) // false for NaN
+  if (!origin.allFinite() || !(std::abs(orientation.norm() - 1.0F) <=
+                               unit_slack)) // the comparison is false for NaN
     throw BadArgumentException("the sensor's pose is none");
   std::string text = "VIEWPOINT";
   for (const float value : {origin.x(),

@@ -9,13 +9,13 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief The reader behind \ref loadPfm.
+/** \brief Implementation of \ref loadPfm.
  * \throws InputFileException naming the fault */
 DisparityImage
 readPfm(ByteSource& source);
 
-/** \brief What \ref savePfm writes.
- * \throws BadArgumentException likewise */
+/** \brief Returns the bytes that \ref savePfm writes.
+ * \throws BadArgumentException as \ref savePfm */
 std::vector<std::uint8_t>
 encodePfm(const DisparityImage& image);
 

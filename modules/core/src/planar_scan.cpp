@@ -12,10 +12,11 @@
 namespace pcl {
 namespace {
 
-constexpr int reach = 3;             ///< neighbours on each side of an echo
-constexpr double least_cosine = .15; ///< of the angle at which a wall is met
+constexpr int reach = 3; ///< neighbours on each side of an echo
+/** \brief Minimum cosine of the angle of incidence on a wall. */
+constexpr double least_cosine = .15;
 
-/** The echoes of a scan, in the order of the beams. */
+/** An echo of a scan. */
 struct Echo {
   std::size_t beam = 0;
   Eigen::Vector2d place; ///< x, z
@@ -35,8 +36,8 @@ echoesOf(const PlanarScan& scan)
   return echoes;
 }
 
-/** May two neighbouring echoes lie on one wall? Not where it would be met at a smaller
- * angle than can be seen. */
+/** Can two neighbouring echoes be on the same wall? Not if the angle of incidence would
+ * be too large. */
 bool
 areConnected(const Echo& a, const Echo& b, double step)
 {
@@ -46,8 +47,8 @@ areConnected(const Echo& a, const Echo& b, double step)
   return beams <= reach && (a.place - b.place).norm() < limit;
 }
 
-/** The normal of the line through the echoes around one, towards the laser; 0 where they
- * do not lie on a line. */
+/** Normal of the line through the echoes around one of them, towards the laser; 0 if
+ * they are not on a line. */
 Eigen::Vector2d
 normalAt(const std::vector<Echo>& echoes, std::size_t at, double step)
 {

@@ -16,7 +16,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Gives the values of an element one after the other, whatever the encoding. */
+/** \brief Reads the values of an element one after another, in any encoding. */
 class PlyValues {
 public:
   PlyValues(ByteSource& source, PlyHeader::Encoding encoding)
@@ -134,7 +134,7 @@ depthOf(double value, std::uint64_t face, const ByteSource& source)
   return static_cast<std::uint8_t>(value);
 }
 
-/** \brief Adds a polygon as a fan of triangles. */
+/** \brief Adds a polygon as a triangle fan. */
 void
 addPolygon(const std::vector<double>& corners,
            double vertices,

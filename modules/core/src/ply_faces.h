@@ -6,8 +6,8 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief Reads the faces behind \ref loadTriangleMesh.
- * \throws InputFileException when the bytes are not what their header says */
+/** \brief Reads the faces of a PLY for \ref loadTriangleMesh.
+ * \throws InputFileException when the data do not match their header */
 TriangleMesh
 readPlyFaces(ByteSource& source);
 

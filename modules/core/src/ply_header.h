@@ -8,12 +8,12 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief A property of a PLY element: a value, or a list that its length precedes. */
+/** \brief A property of a PLY element: a value, or a list preceded by its length. */
 struct PlyProperty {
   std::string name;
-  std::uint8_t datatype = 0; // of a value, as in PCLPointField
+  std::uint8_t datatype = 0; // type of a value, as in PCLPointField
 
-  /** \brief Datatype of a list's length; 0 for a single value. */
+  /** \brief Datatype of the length of a list; 0 for a single value. */
   std::uint8_t length_datatype = 0;
 
   bool
@@ -28,7 +28,7 @@ struct PlyElement {
   std::uint64_t rows = 0;
   std::vector<PlyProperty> properties;
 
-  /** \brief Bytes of a binary row whose lists are empty. */
+  /** \brief Number of bytes of a binary row if all its lists are empty. */
   std::uint64_t
   leastBytes() const;
 
@@ -43,8 +43,9 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/** \brief Reads the lines up to and with end_header.
- * \throws InputFileException when it is not a PLY header or has not one vertex element */
+/** \brief Reads the lines up to and including end_header.
+ * \throws InputFileException when it is not a PLY header or does not have exactly one
+ * vertex element */
 PlyHeader
 readPlyHeader(ByteSource& source);
 

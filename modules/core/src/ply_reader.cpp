@@ -37,7 +37,7 @@ scalarFieldsOf(const PlyElement& element)
   return fields;
 }
 
-/** \brief Reads the rows of one element after the other. */
+/** \brief Reads the rows of the elements in sequence. */
 class PlyRows {
 public:
   PlyRows(ByteSource& source, PlyHeader::Encoding encoding)

@@ -32,7 +32,8 @@ plyTypeOf(std::uint8_t datatype)
   }
 }
 
-/** \brief The properties of a vertex: their lines, and where their bytes come from. */
+/** \brief The properties of a vertex: their header lines, and the moves that copy their
+ * bytes. */
 struct VertexRecord {
   std::string header;
   std::vector<RecordMove> moves;

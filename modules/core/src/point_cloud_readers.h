@@ -10,12 +10,12 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief The readers behind \ref loadPointCloud. They work on any source of bytes, so
- * that a fuzzer can feed them without a file.
+/** \brief Implementations of \ref loadPointCloud. They read from any source of bytes,
+ * so that they can be fuzzed without files.
  *
- * A reader of n bytes takes at most 8 n bytes of memory, 450 n where the file is
- * compressed (LZF makes up to 88 bytes of one), and a megabyte.
- * \throws InputFileException when the bytes are not what their header says */
+ * A reader of n bytes takes at most 8 n bytes of memory, 450 n if the file is
+ * compressed (LZF expands a byte to up to 88 bytes), plus one megabyte.
+ * \throws InputFileException when the data do not match their header */
 PointCloudFile
 readPcd(ByteSource& source);
 PointCloudFile
@@ -25,9 +25,11 @@ readObj(ByteSource& source);
 PointCloudFile
 readXyz(ByteSource& source);
 
-/** \brief Refuses more points than bytes follow or than an index can count.
- * \param[in] bytes what a point takes at least
- * \param[in] values of a point in a text, of two characters each */
+/** \brief Rejects more points than the remaining bytes can contain or than an index can
+ * represent.
+ * \param[in] bytes minimum size of a point
+ * \param[in] values number of values of a point in a text, each with at least two
+ * characters */
 void
 requirePointsFit(std::uint64_t points, std::uint64_t bytes, const ByteSource& source);
 void
@@ -35,15 +37,16 @@ requireTextPointsFit(std::uint64_t points,
                      std::uint64_t values,
                      const ByteSource& source);
 
-/** \brief Gives the cloud the fields of the layout and memory for its points. */
+/** \brief Sets the fields of the cloud and allocates memory for its points. */
 void
 shapeCloud(PCLPointCloud2& cloud,
            const FieldLayout& layout,
            std::uint64_t width,
            std::uint64_t height);
 
-/** \brief Looks at the coordinates: sets `is_dense` and, where these came from more
- * digits than a float keeps, tells when more than a millimetre is lost. */
+/** \brief Checks the coordinates: sets `is_dense` and, if they were converted from a
+ * type with more digits than float32, adds a remark if more than about a millimetre is
+ * lost. */
 void
 inspectCoordinates(PointCloudFile& file, bool narrowed);
 

@@ -20,7 +20,7 @@ loadAs(const std::uint8_t* from)
   return static_cast<double>(value);
 }
 
-// A length known to the compiler makes each copy one or two instructions.
+// With a length known at compile time, each copy takes one or two instructions.
 template <std::size_t Bytes>
 void
 copyFixed(const std::uint8_t* from,

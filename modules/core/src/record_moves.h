@@ -11,34 +11,36 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
               "binary point files are read and written on little-endian machines only");
 #endif
 
-/** \brief Bytes of one value of a PCLPointField datatype, 0 for an unknown one. */
+/** \brief Size in bytes of a value of a PCLPointField datatype, 0 for an unknown one.
+ */
 std::size_t
 sizeOfType(std::uint8_t datatype);
 
-/** \brief One value of a PCLPointField datatype as a number. */
+/** \brief Converts a value of a PCLPointField datatype to double. */
 double
 valueOfType(std::uint8_t datatype, const std::uint8_t* from);
 
-/** \brief The nearest float; infinite where the number is too large for one. */
+/** \brief Rounds to the closest float; infinite if the number is out of range. */
 float
 narrowed(double value);
 
-/** \brief Takes bytes from one place of a record to a place of another record. */
+/** \brief Moves bytes from an offset in a record to an offset in another record. */
 struct RecordMove {
   std::size_t from = 0;
   std::size_t to = 0;
   std::size_t bytes = 0;
 
-  /** \brief 0 copies the bytes; a PCLPointField datatype turns one value of it into a
-   * float. */
+  /** \brief 0 copies the bytes; a PCLPointField datatype converts one value of this
+   * type to float. */
   std::uint8_t float_from = 0;
 };
 
-/** \brief Appends a copy, or lengthens the last one where both places go on from it. */
+/** \brief Appends a copy, or extends the last one if the bytes are contiguous in both
+ * records. */
 void
 appendCopy(std::vector<RecordMove>& moves, const RecordMove& copy);
 
-/** \brief Applies moves to \a count records that stand at fixed steps. */
+/** \brief Applies moves to \a count records at constant steps. */
 void
 moveRecords(const std::vector<RecordMove>& moves,
             const std::uint8_t* from,
@@ -47,7 +49,7 @@ moveRecords(const std::vector<RecordMove>& moves,
             std::size_t to_step,
             std::size_t count);
 
-/** \brief Turns the bytes of \a count values of 2, 4 or 8 bytes around, in place. */
+/** \brief Reverses the byte order of \a count values of 2, 4 or 8 bytes, in place. */
 void
 swapValues(std::uint8_t* at, std::size_t size, std::size_t step, std::size_t count);
 

@@ -29,7 +29,7 @@ readRecords(ByteSource& source,
     source.read(points, count * step);
     return;
   }
-  // Chunks stay in the cache, and are long enough to pass by the source's buffer.
+  // Chunks fit into the cache, and are long enough to bypass the buffer of the source.
   const std::size_t chunk =
       std::min(count, ByteSource::maximum_line / std::max<std::size_t>(step, 1) + 1);
   std::vector<std::uint8_t> records(chunk * step);

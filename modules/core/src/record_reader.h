@@ -9,12 +9,12 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief Turns every value of \a count packed records around. */
+/** \brief Reverses the byte order of all values of \a count packed records. */
 void
 swapRecords(const FieldLayout& layout, std::uint8_t* records, std::size_t count);
 
-/** \brief Reads \a count binary records into points; straight into place where the layout
- * allows. The caller has checked that the source holds them. */
+/** \brief Reads \a count binary records into points, without a copy if the layout
+ * allows it. The caller has checked that the source contains them. */
 void
 readRecords(ByteSource& source,
             const FieldLayout& layout,

@@ -9,9 +9,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Writes records of \a step bytes through a buffer that stays in the cache.
+/** \brief Writes records of \a step bytes using a buffer that fits into the cache.
  * \param[in] fill called with (buffer, first record, number of records); bytes that it
- * leaves alone are zero */
+ * does not set are zero */
 template <typename Fill>
 void
 writeRecords(OutputFile& file, std::size_t count, std::size_t step, const Fill& fill)

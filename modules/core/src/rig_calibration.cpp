@@ -9,13 +9,14 @@ namespace pcl {
 
 namespace {
 
-/** \brief A point of the plane z = 1 after distortion, and how it moves with the point. */
+/** \brief A point of the plane z = 1 after distortion, and its derivative with respect
+ * to the undistorted point. */
 struct Distorted {
   Eigen::Vector2d point;
   Eigen::Matrix2d jacobian;
 };
 
-/** \brief The Brown-Conrady model. */
+/** \brief Applies the Brown-Conrady model. */
 Distorted
 distort(const std::array<double, 5>& distortion, const Eigen::Vector2d& point)
 {
@@ -40,14 +41,15 @@ noPoint()
   return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-/** \brief Newton's method from the axis, where nothing is distorted. A step goes no
- * farther than the model can be inverted: beyond its fold a pixel has a second, false
- * source. \return NaN when it does not arrive */
+/** \brief Newton's method, starting on the optical axis, where there is no distortion.
+ * Steps are limited to the region in which the model can be inverted: beyond its fold a
+ * pixel has a second, wrong solution.
+ * \return NaN if it does not converge */
 Eigen::Vector2d
 undistort(const std::array<double, 5>& distortion, const Eigen::Vector2d& goal)
 {
   constexpr int most_steps = 100;
-  constexpr double arrived = 1e-14; // of the focal length
+  constexpr double arrived = 1e-14; // relative to the focal length
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   Distorted at = distort(distortion, point);
   double fault = goal.norm();
@@ -66,7 +68,7 @@ undistort(const std::array<double, 5>& distortion, const Eigen::Vector2d& goal)
     fault = next_fault;
     share = std::min(1.0, 2.0 * share);
   }
-  // The last digits may not fall any more.
+  // The last digits may not converge any more.
   return fault <= 1e-12 * (1.0 + goal.norm()) ? point : noPoint();
 }
 

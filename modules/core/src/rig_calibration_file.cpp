@@ -16,7 +16,8 @@ namespace {
 
 using acmap::camera_keys;
 
-/** \brief Why cameras cannot be those of a rectified rig; empty when they can. */
+/** \brief Describes why a calibration does not match a rectified rig; empty if it does.
+ */
 std::string
 faultUnder(const TrinocularRig& rig, const RigCalibration& calibration)
 {
@@ -69,8 +70,8 @@ cameraText(const char* key, const CameraCalibration& camera)
          matrixText("pose", 4, 4, camera.T_reference_camera.matrix());
 }
 
-/** \brief The data of a matrix whose rows and columns must be as they should.
- * \param[in] largest magnitude that a value may have */
+/** \brief Reads the data of a matrix and checks its numbers of rows and columns.
+ * \param[in] largest maximum magnitude of a value */
 std::vector<double>
 readMatrix(const acmap::YamlNode& node,
            std::size_t rows,
@@ -102,7 +103,7 @@ readCameraMatrix(const acmap::YamlNode& node, CameraCalibration& camera)
     node.fail("is not of the form fx, 0, cx, 0, fy, cy, 0, 0, 1");
 }
 
-/** \brief OpenCV writes the five as a row or as a column. */
+/** \brief OpenCV writes the five coefficients as a row or as a column. */
 void
 readDistortion(const acmap::YamlNode& node, CameraCalibration& camera)
 {

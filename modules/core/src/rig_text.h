@@ -8,18 +8,19 @@
 
 namespace pcl::acmap {
 
-/** \brief The text of a `rig.yaml` with a sound rig. */
+/** \brief Returns the text of a `rig.yaml` with a valid rig. */
 std::string
 rigText(const TrinocularRig& rig);
 
-/** \brief The reader behind \ref loadRigCalibration.
- * \param[in] name stands for the file in messages
+/** \brief Implementation of \ref loadRigCalibration.
+ * \param[in] name file name in messages
+ * \param[in] map the document
  * \throws InputFileException naming file and fault */
 RigCalibration
 readRigCalibration(const std::string& name, const YamlNode& map);
 
-/** \brief What \ref saveRigCalibration writes.
- * \throws BadArgumentException likewise */
+/** \brief Returns the text that \ref saveRigCalibration writes.
+ * \throws BadArgumentException as \ref saveRigCalibration */
 std::string
 rigCalibrationText(const TrinocularRig& rig, const RigCalibration& calibration);
 

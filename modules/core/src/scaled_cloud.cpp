@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Multiplies so many float32 values that stand side by side in each row. */
+/** Multiplies \a count adjacent float32 values of each point. */
 void
 scaleValues(PCLPointCloud2& cloud, std::size_t offset, std::size_t count, double scale)
 {

@@ -30,7 +30,7 @@ StreamThread::isWithin() const
   return stream_of_thread == this;
 }
 
-/** With mutex_ held. */
+/** Requires that mutex_ is locked. */
 void
 StreamThread::wish(std::size_t frames)
 {
@@ -59,7 +59,7 @@ StreamThread::add(std::size_t frames)
   begin(frames);
 }
 
-/** With lifecycle_ held, while no thread is there. */
+/** Requires that lifecycle_ is locked and no thread is running. */
 void
 StreamThread::begin(std::size_t frames)
 {
@@ -147,7 +147,7 @@ StreamThread::run()
     }
     wanted_ = 0;
     finish(lock);
-  } while (wanted_ > 0); // asked for while the last stream came to its end
+  } while (wanted_ > 0); // requested while the last stream was ending
   is_running_ = false;
   changed_.notify_all();
 }

@@ -10,8 +10,9 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief Reads the values of one field from a row of text into their place in a point.
- * \throws InputFileException when the row ends before them or a word is no such value */
+/** \brief Reads the values of one field from a row of text and stores them in a point.
+ * \throws InputFileException when the row ends too early or a word is not a value of
+ * this field */
 void
 storeField(Words& row,
            const FieldLayout& layout,
@@ -19,7 +20,7 @@ storeField(Words& row,
            std::uint8_t* point,
            const ByteSource& source);
 
-/** \brief The next word of a row.
+/** \brief Returns the next word of a row.
  * \throws InputFileException when there is none */
 std::string_view
 nextWord(Words& row, const ByteSource& source);

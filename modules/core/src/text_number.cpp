@@ -14,7 +14,7 @@ namespace pcl::acmap {
 
 namespace {
 
-// Microsoft's run-time library once wrote 1.#QNAN, -1.#IND and 1.#INF.
+// Old versions of Microsoft's run-time library wrote 1.#QNAN, -1.#IND and 1.#INF.
 bool
 parseOldWindowsNumber(std::string_view word, std::string_view rest, double& value)
 {
@@ -43,7 +43,7 @@ storeInteger(std::string_view word, std::uint8_t* to)
   Value value = 0;
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error != std::errc() || stop != end) {
-    // Some writers print integers as 12.0 or 1e3, and an unknown one as nan.
+    // Some programs write integers as 12.0 or 1e3, and unknown ones as nan.
     double real = 0.0;
     if (!parseNumber(word, real))
       return false;

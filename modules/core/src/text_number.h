@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Cuts a line into words, without copies. */
+/** \brief Splits a line into words without copying them. */
 class Words {
 public:
   enum class Separators { blanks, blanks_and_commas };
@@ -19,7 +19,7 @@ public:
   , least_(separators == Separators::blanks ? blank : comma)
   {}
 
-  /** \return false when the line has no further word */
+  /** \return false at the end of the line */
   bool
   next(std::string_view& word)
   {
@@ -57,29 +57,32 @@ private:
   std::uint8_t least_;
 };
 
-/** \brief Reads a whole word as a number, `nan` and `inf` included, in any locale.
+/** \brief Parses a complete word as a number, including `nan` and `inf`, independent of
+ * the locale.
  * \return false when the word is not a number */
 bool
 parseNumber(std::string_view word, float& value);
 bool
 parseNumber(std::string_view word, double& value);
 
-/** \brief Reads a word as a count: digits only. */
+/** \brief Parses a word as a non-negative integer: digits only. */
 bool
 parseCount(std::string_view word, std::uint64_t& value);
 
-/** \brief Reads a word as a value of a PCLPointField datatype and stores its bytes.
+/** \brief Parses a word as a value of a PCLPointField datatype and stores its bytes.
  * \return false when the word is not a number or does not fit the type */
 bool
 storeNumber(std::string_view word, std::uint8_t datatype, std::uint8_t* to);
 
-/** \brief What a file or a library says, for a message: one line that a terminal shows as
- * it is.
- * \param[in] longest characters that are given */
+/** \brief Makes text from a file or a library printable for a message: one line of
+ * printable ASCII characters.
+ * \param[in] text the text
+ * \param[in] longest maximum number of characters */
 std::string
 inPrint(std::string_view text, std::size_t longest);
 
-/** \brief A word in quotes for a message: short, and printable whatever the file holds. */
+/** \brief Returns a word in quotes for a message: short, and printable for any content.
+ */
 std::string
 inQuotes(std::string_view word);
 

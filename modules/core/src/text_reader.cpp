@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
 
-/** \brief The leading numbers of a line, as many as there are and fit. */
+/** \brief The leading numbers of a line, at most \a Most. */
 template <std::size_t Most>
 struct Numbers {
   explicit Numbers(Words words)
@@ -32,7 +32,7 @@ struct Numbers {
 
   std::array<float, Most> values{};
   std::size_t count = 0;
-  std::string_view bad; // the word that ended them
+  std::string_view bad; // the first word that is not a number
 };
 
 void
@@ -71,7 +71,7 @@ makeCloud(const std::vector<float>& points, bool colour, const ByteSource& sourc
   return file;
 }
 
-// Colours are fractions, as most programs write them, unless one exceeds 1.
+// Colours are between 0 and 1, as written by most programs, unless one exceeds 1.
 void
 storeColours(const std::vector<float>& colours, PCLPointCloud2& cloud)
 {
@@ -93,10 +93,10 @@ isComment(std::string_view line)
   return line.substr(0, 1) == "#" || line.substr(0, 2) == "//";
 }
 
-/** \brief Lines that some programs put above the rows of an XYZ file. */
+/** \brief Lines that some programs write before the rows of an XYZ file. */
 class XyzPreamble {
 public:
-  /** \return true when the line is a count of the rows, or names of the columns */
+  /** \return true when the line contains the number of rows, or names of the columns */
   bool
   accepts(const Numbers<3>& numbers, std::string_view line)
   {

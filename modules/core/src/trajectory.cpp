@@ -15,7 +15,7 @@ namespace pcl {
 
 namespace {
 
-constexpr double rotation_slack = 0.01; // of a length that should be 1
+constexpr double rotation_slack = 0.01; // tolerance of a length that should be 1
 constexpr double motion_slack = 1e-6;
 
 using Row = std::array<double, 8>; // stamp tx ty tz qx qy qz qw
@@ -69,7 +69,7 @@ textOfRow(double stamp, const Eigen::Isometry3d& pose)
                              rotation.y(),
                              rotation.z(),
                              rotation.w()})
-    text += " " + acmap::textOf(value + 0.0); // no -0
+    text += " " + acmap::textOf(value + 0.0); // avoids -0
   return text + "\n";
 }
 

@@ -4,9 +4,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Lets trajectories pass that can be written.
- * \throws BadArgumentException when stamps and poses differ in number, a value is not
- * finite or a pose no rigid motion */
+/** \brief Checks that a trajectory can be written.
+ * \throws BadArgumentException if the numbers of stamps and poses differ, a value is
+ * not finite or a pose is not a rigid motion */
 void
 requireTrajectory(const Trajectory& trajectory);
 

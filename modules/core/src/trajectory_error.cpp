@@ -15,7 +15,7 @@ namespace pcl {
 
 namespace {
 
-/** Places of a trajectory, a column each: of space or of the floor. */
+/** Positions of a trajectory, one per column, in space or on the floor. */
 template <int Dimension>
 using Places = Eigen::Matrix<double, Dimension, Eigen::Dynamic>;
 
@@ -38,7 +38,7 @@ requireRigid(const std::vector<Eigen::Isometry3d>& poses, const std::string& who
                                  " is no rigid motion");
 }
 
-/** Of motions that are rigid. */
+/** Error of a rigid motion. */
 MotionError
 errorOf(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth)
 {
@@ -75,7 +75,8 @@ rootMeanSquare(const Places<Dimension>& differences)
   return std::sqrt(differences.colwise().squaredNorm().mean());
 }
 
-/** The turn that takes places about their mean nearest to others (Kabsch, Umeyama). */
+/** The rotation that aligns centred positions with others in the least-squares sense
+ * (Kabsch, Umeyama). */
 template <int Dimension>
 Eigen::Matrix<double, Dimension, Dimension>
 bestTurn(const Places<Dimension>& from, const Places<Dimension>& to)
@@ -85,7 +86,7 @@ bestTurn(const Places<Dimension>& from, const Places<Dimension>& to)
   const Eigen::JacobiSVD<Square> solver(products,
                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
   Square turn = solver.matrixU();
-  if (turn.determinant() * solver.matrixV().determinant() < 0) // no mirror
+  if (turn.determinant() * solver.matrixV().determinant() < 0) // no reflection
     turn.col(Dimension - 1) *= -1;
   return turn * solver.matrixV().transpose();
 }

@@ -8,13 +8,13 @@ namespace pcl::acmap {
 
 class ByteSource;
 
-/** \brief The reader behind \ref loadTrajectory.
+/** \brief Implementation of \ref loadTrajectory.
  * \throws InputFileException naming line and fault */
 Trajectory
 readTrajectory(ByteSource& source);
 
-/** \brief What \ref saveTrajectory writes.
- * \throws BadArgumentException likewise */
+/** \brief Returns the text that \ref saveTrajectory writes.
+ * \throws BadArgumentException as \ref saveTrajectory */
 std::string
 trajectoryText(const Trajectory& trajectory);
 

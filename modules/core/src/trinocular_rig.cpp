@@ -13,13 +13,13 @@ namespace pcl {
 
 namespace {
 
-constexpr int most_pixels = 32768; // a side
+constexpr int most_pixels = 32768; // per side
 constexpr double longest_focal_length = 1e6;
 constexpr double farthest_center = 1e6;
 constexpr double longest_baseline = 100.0;
 constexpr double largest_disparity_sigma = 1000.0;
 
-/** \brief A real value of a rig and what is legal for it. */
+/** \brief A real value of a rig and its legal range. */
 struct RealKey {
   const char* name;
   double TrinocularRig::*value;

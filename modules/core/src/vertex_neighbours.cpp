@@ -7,7 +7,7 @@ namespace pcl::acmap {
 VertexNeighbours::VertexNeighbours(std::size_t vertices,
                                    const std::vector<TriangleMesh::Triangle>& triangles)
 {
-  // an edge comes once from each of its triangles: doubles are thrown out below
+  // an edge is found once in each of its triangles: duplicates are removed below
   std::vector<std::size_t> begin(vertices + 1, 0);
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (const std::int32_t corner : triangle)

@@ -32,7 +32,7 @@ vtkTypeOf(std::uint8_t datatype)
   }
 }
 
-/** \brief Legacy VTK: lines of text with blocks of big-endian numbers between them. */
+/** \brief Legacy VTK: lines of text and blocks of big-endian numbers between them. */
 class VtkWriter {
 public:
   VtkWriter(OutputFile& file, const PCLPointCloud2& cloud)
@@ -53,7 +53,7 @@ public:
     file_.write(line.data(), line.size());
   }
 
-  /** \brief For each point the values at some offsets, all of one size. */
+  /** \brief Writes the values of each point at some offsets, all of the same size. */
   void
   pointValues(const std::vector<std::size_t>& offsets, std::size_t size);
 

@@ -13,7 +13,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Builds the tree from the parser's events: yaml-cpp's own nodes would follow
+/** \brief Builds the tree from the events of the parser: yaml-cpp's own nodes resolve
  * aliases, so that a short document could fill the memory. */
 class YamlTree : public YAML::EventHandler {
 public:
@@ -152,7 +152,8 @@ private:
       const YamlNode& key = parent.keys_.back();
       node.name_ = key.text_;
       if (node.kind_ == YamlNode::Kind::scalar && node.text_.empty()) {
-        // What is not there is noticed where the next thing begins.
+        // A missing value is reported at the position of its key, because the parser
+        // reports it at the position of the next token.
         node.line_ = key.line_;
         node.column_ = key.column_;
       }
@@ -188,7 +189,7 @@ parseYaml(const std::string& name, const std::string& text)
     parser.HandleNextDocument(tree);
   }
   catch (const YAML::Exception& exception) {
-    constexpr std::size_t longest = 200; // of a message
+    constexpr std::size_t longest = 200; // maximum length of a message
     throw InputFileException(name + ": line " +
                              std::to_string(exception.mark.line + 1) + ", column " +
                              std::to_string(exception.mark.column + 1) +

@@ -1,7 +1,7 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/features/impl/normal_vector_voting.hpp>
 
-// for Feature of our point types, see the header
+// for the instantiation of Feature for our point types, see the header
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>

@@ -13,10 +13,11 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/** How a region's tiles bend away from its plane: a quadratic over the picture. */
+/** Deviation of the tiles of a region from its plane: a quadratic function of the image
+ * position. */
 struct Bend {
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< of the most bend
-  double height = 0; ///< standard deviation of the bent part of the residuals, 1/m
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< of the maximum curvature
+  double height = 0; ///< standard deviation of the quadratic part of the residuals, 1/m
   double sign = 0;   ///< of the residuals at both ends
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   Vector6 coefficients = Vector6::Zero();
@@ -38,7 +39,7 @@ placeOf(const TileMoments& tiles, std::uint32_t tile)
           static_cast<double>(tile / tiles.columns())};
 }
 
-/** Regression of the tiles' mean residuals. */
+/** Fits the mean residuals of the tiles. */
 Bend
 bendOf(const TileMoments& tiles, const TileRegion& region)
 {
@@ -73,11 +74,13 @@ bendOf(const TileMoments& tiles, const TileRegion& region)
   return bend;
 }
 
-/** How a region ends in the direction of its bend. */
+/** Ends of a region in the direction of its curvature. */
 struct Ends {
-  std::array<std::size_t, 2> ended{};   ///< tiles at either end
-  std::array<std::size_t, 2> went_on{}; ///< beyond which the surface bends further
-  std::array<std::size_t, 2> curved{};  ///< beyond which lies a curved surface
+  std::array<std::size_t, 2> ended{}; ///< number of border tiles at either end
+  /** \brief Number of those where the surface continues with the same curvature. */
+  std::array<std::size_t, 2> went_on{};
+  /** \brief Number of those that are beside a curved surface. */
+  std::array<std::size_t, 2> curved{};
 
   bool
   goesOn(std::size_t end) const
@@ -92,11 +95,11 @@ struct Ends {
   }
 };
 
-/** What a tile of a view is to the region that is looked at. */
+/** State of a tile with respect to the region that is being tested. */
 enum class TileRole : std::uint8_t { Other, Inside, Curved };
 
-/** Looks beyond the ends. At an edge between planes the surface does not go on with the
- * same bend. */
+/** Examines the tiles beyond the ends. At an edge between planes the surface does not
+ * continue with the same curvature. */
 Ends
 endsOf(const TileMoments& tiles,
        double sigma,
@@ -104,10 +107,11 @@ endsOf(const TileMoments& tiles,
        const std::vector<TileRole>& roles,
        const Bend& bend)
 {
-  // standard deviations
+  // in standard deviations
   constexpr double left_plane = 1.8;
   constexpr double band = 2.5;
-  constexpr double along = 0.7; // cosine between a step and the bend
+  // minimum cosine between a step and the direction of the curvature
+  constexpr double along = 0.7;
   constexpr double fewest_pixels = 16;
   Ends ends;
   const auto look =
@@ -138,15 +142,15 @@ endsOf(const TileMoments& tiles,
   return ends;
 }
 
-/** Is the region bent, with a surface that goes on at both ends, or at one end into what
- * is known to be curved? */
+/** Is the region curved, and does its surface continue at both ends, or at one end into
+ * a region that is already known to be curved? */
 bool
 isCurved(const TileMoments& tiles,
          const PixelDeviation& deviation,
          const TileRegion& region,
          std::vector<TileRole>& roles)
 {
-  constexpr double least_bend = 0.4; // standard deviations; what is flat bends less
+  constexpr double least_bend = 0.4; // standard deviations; flat regions are below
   constexpr std::size_t fewest_tiles = 9;
   if (region.tiles.size() < fewest_tiles)
     return false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t tile_edge = 8;
 
-/** What the pixels of a plane sum up to. */
+/** Sums over the pixels of a plane. */
 struct PlaneSum {
   Moments moments;
   double area = 0; ///< square metres
@@ -46,7 +46,7 @@ sumPixels(const DepthView& view,
   return sums;
 }
 
-/** Square metres that the pixels of a region cover on its plane. */
+/** Area in square metres that the pixels of a region cover on its plane. */
 double
 areaOf(const DepthView& view, const TileRegion& region)
 {
@@ -73,7 +73,9 @@ leastArea(const DepthView& view, const DepthPlaneSettings& settings)
                   share * squares / std::abs(view.focal().x() * view.focal().y()));
 }
 
-/** Keeps what is large enough and knows its tilt. \return the number of others */
+/** Keeps regions that are large enough, whose tilt is certain and whose residuals are
+ * small.
+ * \return the number of removed regions */
 std::size_t
 dropSmall(const DepthView& view,
           double least_area,
@@ -111,7 +113,8 @@ fitToPixels(const DepthView& view, DepthPlanes& result)
   }
 }
 
-/** Sorts by area and leaves out planes below the least area. */
+/** Sorts by area and removes planes below the minimum area.
+ * \return the number of removed planes */
 std::size_t
 sortPlanes(double least_area, DepthPlanes& result)
 {

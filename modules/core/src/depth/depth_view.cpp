@@ -16,7 +16,7 @@ isMeasured(const Eigen::Vector3f& point)
   return point.allFinite() && point.z() > 0;
 }
 
-/** Regression of one coordinate of the rays over that of the pixels. */
+/** Regression of one coordinate of the rays against the pixel coordinate. */
 class PinholeAxis {
 public:
   void
@@ -25,7 +25,7 @@ public:
     samples_.push_back({pixel, ray});
   }
 
-  /** \return false where the rays are not linear in the pixels */
+  /** \return false if the rays are not linear in the pixels */
   bool
   fit(double& focal, double& center) const
   {
@@ -106,11 +106,11 @@ DepthView::recognize(const PointView& points, std::size_t width)
 
 namespace {
 
-/** The steps between neighbouring ones of sorted values. */
+/** Statistics of the steps between neighbouring values. */
 struct Steps {
   std::size_t number = 0;
   double median = 0;
-  double spread = 0; ///< of the middle half, in medians
+  double spread = 0; ///< interquartile range, relative to the median
 };
 
 Steps
@@ -149,14 +149,14 @@ measureDepthStep(const PointView& points)
   if (depths.size() < enough_pixels)
     return 0;
   const Steps of_depth = stepsOf(depths);
-  // with fewer distinct depths there is no telling, with more each point has its own
+  // fewer distinct depths are not sufficient; with more, each point has its own depth
   constexpr std::size_t fewest = 8, points_a_depth = 8;
   if (of_depth.number < fewest || of_depth.number * points_a_depth > depths.size())
     return 0;
   for (double& depth : depths)
     depth = 1 / depth;
   const Steps of_inverse = stepsOf(depths);
-  // even steps of depth are a lattice, or a file in millimetres
+  // uniform steps of depth come from a lattice, or from a file in millimetres
   constexpr double even = 0.4;
   return of_inverse.spread < even && of_inverse.spread < of_depth.spread + 0.05
              ? of_inverse.median

@@ -7,8 +7,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Lower quartile of the rms of full tiles about their planes, 1/m; 0 where there are too
- * few tiles. Objects and edges lift the others. */
+/** Lower quartile of the rms of the residuals of full tiles about their planes, 1/m; 0
+ * if there are too few tiles. Tiles with objects and edges have a larger rms. */
 double
 flatTiles(const DepthView& view, std::size_t edge)
 {
@@ -39,7 +39,7 @@ measureInverseDepthNoise(const DepthView& view, double step)
   const double rounding = step / std::sqrt(12.0);
   noise.independent = std::max(flatTiles(view, 4), rounding);
   const double middle = flatTiles(view, 8);
-  // where no large tile is plane the small ones tell how far noise may grow with them
+  // without large planar tiles, the small ones limit how far the noise may grow
   constexpr double largest_growth = 2.5;
   double all = flatTiles(view, 32);
   if (all == 0 || (middle > 0 && all > largest_growth * middle))

@@ -7,7 +7,7 @@ namespace pcl::acmap::depth {
 
 namespace {
 
-/** How much worse a plane fits a region than its own one, 1/m. */
+/** Additional rms of a region about a plane that is not its own one, 1/m. */
 double
 excess(const TileRegion& region, const InversePlane& plane)
 {
@@ -15,7 +15,7 @@ excess(const TileRegion& region, const InversePlane& plane)
   return std::sqrt(std::max(rms * rms - region.fit.rms * region.fit.rms, 0.0));
 }
 
-/** Which regions are beside which in the picture. */
+/** Adjacency of regions in the image. */
 class Adjacency {
 public:
   Adjacency(const TileMoments& tiles, const std::vector<TileRegion>& regions)
@@ -27,7 +27,7 @@ public:
     for (std::size_t r = 0; r < size_; ++r)
       for (const std::uint32_t tile : regions[r].tiles)
         owner[tile] = static_cast<std::int32_t>(r);
-    // a tile that neither took may lie between them
+    // a tile that belongs to neither region may be between them
     constexpr std::size_t reach = 2;
     for (std::size_t row = 0; row < tiles.rows(); ++row)
       for (std::size_t column = 0; column < tiles.columns(); ++column)
@@ -46,7 +46,7 @@ public:
     return borders_[a * size_ + b] > 0;
   }
 
-  /** Region \a b became part of a. */
+  /** Region \a b was merged into \a a. */
   void
   join(std::size_t a, std::size_t b)
   {
@@ -70,16 +70,17 @@ private:
   std::vector<std::uint8_t> borders_;
 };
 
-/** Do two planes look the same way as far as a region knows its tilt? */
+/** Are two planes parallel within the uncertainty of the tilt of a region? */
 bool
 isParallel(const InversePlane& a, const InversePlane& b, double tilt)
 {
-  constexpr double own = 0.02, deviations = 3; // lenses bend normals by a degree
+  // lens distortion tilts normals by a degree
+  constexpr double own = 0.02, deviations = 3;
   const double allowed = own + deviations * tilt;
   return allowed > M_PI / 2 || a.normalized().dot(b.normalized()) > std::cos(allowed);
 }
 
-/** Would one plane do for both?
+/** Do both regions fit a common plane?
  * \param[in] most_excess in standard deviations */
 bool
 isOnePlane(const TileRegion& a,
@@ -96,8 +97,9 @@ isOnePlane(const TileRegion& a,
          isParallel(b.fit.plane, plane, tiltOf(b, deviation));
 }
 
-/** Is the smaller region a part of the larger one that lens or matcher bend away from its
- * plane? Where they touch they are one; behind a step they are apart there too.
+/** Is the smaller region a part of the larger one whose depth was distorted by the lens
+ * or by stereo matching? Such regions coincide at their common border, whereas regions
+ * at different depths are apart there too.
  * \param[in] is_of_large for each tile */
 bool
 isBentPart(const TileMoments& tiles,
@@ -124,7 +126,8 @@ isBentPart(const TileMoments& tiles,
         (tile + columns < tiles.size() && is_of_large[tile + columns]))
       border += tiles[tile];
   }
-  constexpr double of_a_step = 0.75; // that much of the bend is at the border too
+  // maximum share of the deviation that is present at the border
+  constexpr double of_a_step = 0.75;
   return border.count > 0 &&
          std::abs(residualOf(border, large.fit.plane).mean) < of_a_step * bend;
 }
@@ -149,7 +152,8 @@ mergeTileRegions(const TileMoments& tiles,
     return a.moments.count > b.moments.count;
   });
   Adjacency adjacency(tiles, regions);
-  // the lens and long waves of the matcher bend the parts of one wall apart
+  // the parts of one wall deviate due to the lens and to low-frequency errors of the
+  // matcher
   constexpr double excess_of_neighbours = 2.2, excess_of_others = 1.2;
   constexpr double sure_tilt = 0.05; // radians
   std::size_t merged = 0;
@@ -186,7 +190,7 @@ mergeTileRegions(const TileMoments& tiles,
     for (const std::uint32_t tile : regions[i].tiles)
       is_of_large[tile] = 0;
   }
-  // scraps that lie in one plane by chance are none
+  // small regions may be in one plane by chance and are not merged
   mergeAll([&](std::size_t i,
                std::size_t) { return tiltOf(regions[i], deviation) < sure_tilt; },
            excess_of_others);

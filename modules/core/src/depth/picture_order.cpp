@@ -14,13 +14,13 @@ constexpr std::size_t min_lines = 20;
 constexpr std::size_t max_lines = 10000;
 constexpr std::size_t min_points = 1000;
 
-/** Columns or rows of a picture: one coordinate of the rays, evenly spaced. */
+/** Columns or rows of an image: one coordinate of the rays, evenly spaced. */
 struct PictureLines {
   double first = 0;
   double pitch = 0;
   std::size_t number = 0;
 
-  /** Number of the line nearest to a ray. */
+  /** Index of the line closest to a ray. */
   std::size_t
   lineOf(double ray) const
   {
@@ -28,13 +28,13 @@ struct PictureLines {
   }
 };
 
-/** Middles of the runs of sorted values between which there is a gap; none where there are
- * more than a picture has lines. */
+/** Centres of the runs of sorted values that are separated by gaps; empty if there are
+ * more runs than an image has lines. */
 std::vector<double>
 middlesOfRuns(const std::vector<double>& sorted)
 {
-  // radians at the middle of the picture; coordinates are rounded to 1e-6 of this, or to
-  // the digits of a text file
+  // radians at the image centre; coordinates are rounded to 1e-6 of this, or to the
+  // number of digits of a text file
   constexpr double gap = 1e-4;
   std::vector<double> middles;
   std::size_t begin = 0;
@@ -62,7 +62,7 @@ findLines(std::vector<double> rays)
   const auto median = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
   std::nth_element(gaps.begin(), median, gaps.end());
   PictureLines lines{middles.front(), *median, 0};
-  // the pitch from far apart, as the error of a single gap adds up over the picture
+  // computed over the whole image, because the error of a single gap would accumulate
   const double span = middles.back() - middles.front();
   const double steps = std::round(span / lines.pitch);
   if (!(steps < static_cast<double>(max_lines)))
@@ -165,7 +165,7 @@ findPictureOrder(const PointView& points)
     is_taken[pixel] = true;
     order.pixels[measured[k]] = pixel;
   }
-  // several views of one camera, or points that a lattice happens to hold
+  // several views of one camera, or points on a lattice
   if (100 * doubled > measured.size())
     return std::nullopt;
   return order;

@@ -8,14 +8,14 @@ namespace pcl::acmap::depth {
 
 namespace {
 
-/** How two planes meet, as seen from the sensor. */
+/** Type of the edge between two planes, as seen from the sensor. */
 enum class Junction : std::int8_t {
   None,
-  Inner, ///< the one in front is seen, as of wall and floor
-  Outer  ///< the one behind is seen, as of two faces of a box
+  Inner, ///< concave: the front plane is visible, e.g. wall and floor
+  Outer  ///< convex: the rear plane is visible, e.g. two faces of a box
 };
 
-/** Which planes are near each tile, and how planes meet. */
+/** Planes near each tile, and types of the edges between planes. */
 class PlaneNeighbourhood {
 public:
   static constexpr std::size_t most = 6;
@@ -82,7 +82,8 @@ private:
         near.add(owner[r * tiles.columns() + c]);
   }
 
-  /** Is plane \a a in front of b over most of region \a of? 1, -1 for behind, else 0. */
+  /** Returns 1 if plane \a a is in front of \a b over most of the region \a of, -1 if
+   * it is behind, else 0. */
   static int
   sideOf(const TileMoments& tiles,
          const TileRegion& of,
@@ -93,7 +94,8 @@ private:
     for (const std::uint32_t tile : of.tiles) {
       const Moments& sum = tiles[tile];
       const double apart =
-          (a - b).dot(Eigen::Vector3d(sum.x, sum.y, sum.count)); // nearer is larger
+          // inverse depth is larger for closer planes
+          (a - b).dot(Eigen::Vector3d(sum.x, sum.y, sum.count));
       in_front += apart > 0 ? sum.count : 0;
       all += sum.count;
     }
@@ -116,7 +118,7 @@ private:
   std::vector<Junction> junctions_;
 };
 
-/** Gives a pixel its plane. */
+/** Assigns pixels to planes. */
 class PixelLabels {
 public:
   PixelLabels(const DepthView& view,
@@ -207,11 +209,12 @@ private:
   std::size_t columns_;
   const std::vector<TileRegion>& regions_;
   PlaneNeighbourhood near_;
-  std::vector<double> bends_; ///< of the tiles away from their planes, 1/m
-  std::vector<double> bands_; ///< how far off each plane its pixels may be, 1/m
+  std::vector<double> bends_; ///< residuals of the tiles to their planes, 1/m
+  std::vector<double> bands_; ///< maximum residual of a pixel of each plane, 1/m
 };
 
-/** Single pixels follow the eight around them, unless they are far off their plane. */
+/** Pixels get the label of at least six of their eight neighbours if there is one,
+ * unless they are far from its plane. */
 std::vector<std::int32_t>
 withoutSpecks(const DepthView& view,
               const std::vector<TileRegion>& regions,
@@ -234,7 +237,7 @@ withoutSpecks(const DepthView& view,
     for (std::size_t column = 1; column + 1 < width; ++column) {
       const std::size_t pixel = row * width + column;
       const std::int32_t own = labels[pixel];
-      // most pixels lie within their plane
+      // most pixels are inside their plane
       if (own == labels[pixel - 1] && own == labels[pixel + 1] &&
           own == labels[pixel - width])
         continue;

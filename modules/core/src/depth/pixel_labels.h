@@ -6,9 +6,9 @@ namespace pcl::acmap::depth {
 
 inline constexpr std::int32_t no_plane = -1;
 
-/** Gives each pixel its region.
+/** Assigns each pixel to a region.
  * \param[in] edge of a tile, pixels
- * \return for each pixel the number of its region, or no_plane */
+ * \return for each pixel the index of its region, or no_plane */
 std::vector<std::int32_t>
 labelPixels(const DepthView& view,
             const TileMoments& tiles,

@@ -13,7 +13,7 @@ fitInverse(const Moments& m)
   const double yu = m.yz / m.count - ym * um, uu = m.zz / m.count - um * um;
   InverseFit fit;
   const double determinant = xx * yy - xy * xy;
-  constexpr double line = 1e-9; // pixels of one row know one slope only
+  constexpr double line = 1e-9; // pixels of one row only define one slope
   double a = 0, b = 0;
   if (determinant > line * (xx + yy) * (xx + yy)) {
     a = (xu * yy - yu * xy) / determinant;
@@ -30,7 +30,7 @@ residualOf(const Moments& m, const InversePlane& plane)
   const double a = plane[0], b = plane[1], c = plane[2];
   Residual residual;
   residual.mean = (m.z - a * m.x - b * m.y - c * m.count) / m.count;
-  // about the tile's own middle, where the squares are small
+  // about the centre of the tile, where the squares are small
   const double xm = m.x / m.count, ym = m.y / m.count, um = m.z / m.count;
   const double xx = m.xx / m.count - xm * xm, xy = m.xy / m.count - xm * ym;
   const double yy = m.yy / m.count - ym * ym, xu = m.xz / m.count - xm * um;

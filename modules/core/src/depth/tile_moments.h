@@ -8,7 +8,7 @@ namespace pcl::acmap::depth {
 /** Coefficients (a, b, c) of 1/z = a x + b y + c. */
 using InversePlane = Eigen::Vector3d;
 
-/** Regression of inverse depth over the rays of some pixels. */
+/** Regression of the inverse depth of some pixels against their rays. */
 struct InverseFit {
   InversePlane plane = InversePlane::Zero();
   double rms = 0; ///< 1/m, about the plane
@@ -18,7 +18,7 @@ struct InverseFit {
 InverseFit
 fitInverse(const Moments& moments);
 
-/** What pixels are off a plane. */
+/** Residuals of pixels to a plane. */
 struct Residual {
   double mean = 0; ///< 1/m
   double rms = 0;  ///< 1/m, about zero
@@ -30,7 +30,8 @@ residualOf(const Moments& moments, const InversePlane& plane);
 /** Moments of (x, y, 1/z) over square tiles of a view. */
 class TileMoments {
 public:
-  /** \param[in] edge pixels; tiles at the right and lower rim may be smaller */
+  /** \param[in] view the depth view
+   * \param[in] edge pixels; tiles at the right and lower border may be smaller */
   TileMoments(const DepthView& view, std::size_t edge);
 
   std::size_t
@@ -57,7 +58,7 @@ public:
     return tiles_[tile];
   }
 
-  /** Sum over tiles x tiles of them; the upper left one is given. */
+  /** Sum over tiles x tiles tiles; column and row are those of the upper left one. */
   Moments
   block(std::size_t column, std::size_t row, std::size_t tiles) const;
 

@@ -8,9 +8,9 @@ namespace pcl::acmap::depth {
 namespace {
 
 constexpr std::int32_t nobody = -1;
-constexpr double fewest_pixels = 16; // of a tile that may join a plane
+constexpr double fewest_pixels = 16; // minimum for a tile that may join a plane
 
-/** A block of tiles that is a plane. */
+/** A block of tiles that is planar. */
 struct Seed {
   double rms;
   std::uint32_t column, row;
@@ -42,7 +42,7 @@ private:
   std::vector<Seed>
   seedsOf(std::size_t block, double flatness) const
   {
-    constexpr double filled = 0.9, pixels_a_tile = 64; // others lie across a rim
+    constexpr double filled = 0.9, pixels_a_tile = 64; // other blocks are at a border
     const double enough = filled * pixels_a_tile * static_cast<double>(block * block);
     std::vector<Seed> seeds;
     for (std::size_t row = 0; row + block <= tiles_.rows(); ++row)
@@ -84,7 +84,7 @@ private:
   bool
   fits(std::uint32_t tile, const InversePlane& plane) const
   {
-    constexpr double band = 2.4; // the most that a tile of a real wall was off
+    constexpr double band = 2.4; // maximum deviation of tiles of real walls
     return tiles_[tile].count >= fewest_pixels &&
            residualOf(tiles_[tile], plane).rms < band * deviation_.on(plane);
   }
@@ -98,7 +98,8 @@ private:
     region.fit = fitInverse(region.moments);
   }
 
-  /** Takes in free tiles beside those of the region, fitting the plane as it grows. */
+  /** Adds free tiles that are adjacent to the region, and refits the plane as it grows.
+   */
   void
   spread(TileRegion& region, std::int32_t id)
   {
@@ -131,7 +132,8 @@ private:
     refit(region);
   }
 
-  /** Drops tiles that the plane of all of them no longer fits. */
+  /** Removes tiles that no longer fit the plane of all of them.
+   * \return true if there were any */
   bool
   shed(TileRegion& region)
   {
@@ -207,7 +209,7 @@ growTileRegions(const TileMoments& tiles, const PixelDeviation& deviation)
   grower.growFrom(6, 1.7);
   grower.growFrom(4, 1.7);
   grower.growFrom(3, 1.7);
-  grower.growFrom(2, 1.2); // so few pixels are planes by chance
+  grower.growFrom(2, 1.2); // so few pixels may be planar by chance
   return grower.take();
 }
 

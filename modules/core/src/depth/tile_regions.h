@@ -15,7 +15,7 @@ struct TileRegion {
   InverseFit fit;
 };
 
-/** How far pixels of a plane are off it in inverse depth. */
+/** Deviation of the pixels of a plane in inverse depth. */
 class PixelDeviation {
 public:
   PixelDeviation(const DepthView& view, double sigma)
@@ -23,20 +23,20 @@ public:
   , sigma_(sigma)
   {}
 
-  /** Standard deviation on a plane that is faced, 1/m. */
+  /** Standard deviation on a frontal plane, 1/m. */
   double
   sigma() const
   {
     return sigma_;
   }
 
-  /** The same on a slanted one: the window that is matched, or the camera's filter, also
-   * misplaces a measurement in the picture. */
+  /** Standard deviation on a slanted plane, 1/m. The matching window, or the filter of
+   * the camera, also causes an error of the image position of a measurement. */
   double
   on(const InversePlane& plane) const
   {
     constexpr double misplaced = 0.6; // pixels; the same for a Kinect and for stereo
-    constexpr double most = 2;        // so steep are depth edges only
+    constexpr double most = 2;        // steeper slopes are depth edges
     const double slope = plane.head<2>().cwiseQuotient(focal_).norm();
     const double off = std::min(misplaced * slope, most * sigma_);
     return std::sqrt(sigma_ * sigma_ + off * off);
@@ -47,24 +47,25 @@ private:
   double sigma_;
 };
 
-/** Standard deviation of the plane's tilt in radians, where pixels up to 32 apart share
- * their noise. */
+/** Standard deviation of the tilt of the plane in radians, assuming that the noise is
+ * correlated for pixels up to 32 apart. */
 double
 tiltOf(const TileRegion& region, const PixelDeviation& deviation);
 
-/** Grows planes over the tiles of a view, the largest seeds first. */
+/** Grows planes over the tiles of a view, starting with the largest seeds. */
 std::vector<TileRegion>
 growTileRegions(const TileMoments& tiles, const PixelDeviation& deviation);
 
-/** Joins regions of one plane: neighbours first, then those that lie apart.
- * \return number of regions that were taken in */
+/** Merges regions of the same plane: first neighbours, then regions that are apart.
+ * \return number of regions that were merged into another one */
 std::size_t
 mergeTileRegions(const TileMoments& tiles,
                  const PixelDeviation& deviation,
                  std::vector<TileRegion>& regions);
 
-/** Drops regions that are strips of a curved surface: they are bent, and the surface goes
- * on smoothly where they end. \return their number */
+/** Removes regions that are strips of a curved surface: they are curved, and the
+ * surface continues smoothly beyond their ends.
+ * \return their number */
 std::size_t
 dropCurvedRegions(const TileMoments& tiles,
                   const PixelDeviation& deviation,

@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
 
-/** \brief What a decoder throws; the file's name is added where it is known. */
+/** \brief Thrown by a decoder; the caller adds the file name. */
 class DamagedImage : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
@@ -22,7 +22,7 @@ isPng(const ImageBytes& bytes);
 bool
 isJpeg(const ImageBytes& bytes);
 
-/** \brief A binary PGM or PPM. */
+/** \brief Returns true for a binary PGM or PPM. */
 bool
 isPnm(const ImageBytes& bytes);
 
@@ -38,13 +38,14 @@ decodeGrayPng(const ImageBytes& bytes);
 RgbImage
 decodeJpeg(const ImageBytes& bytes);
 
-/** \brief Of 8 bits; grey becomes colour.
+/** \brief Decodes an image of 8 bits; grey is converted to colour.
  * \throws DamagedImage */
 RgbImage
 decodePnm(const ImageBytes& bytes);
 
-/** \brief Refuses sizes that no image can have, or that this many bytes cannot fill.
- * \param[in] pixels_per_byte more than these the format cannot pack into a byte
+/** \brief Rejects sizes that are not valid, or too large for the number of bytes.
+ * \param[in] pixels_per_byte maximum number of pixels that the format can store in a
+ * byte
  * \throws DamagedImage */
 void
 requireImageSize(std::uint64_t width,
@@ -52,7 +53,8 @@ requireImageSize(std::uint64_t width,
                  double pixels_per_byte,
                  std::size_t bytes);
 
-/** \throws BadArgumentException when the image is empty or has not all its values */
+/** \throws BadArgumentException if the image is empty or its array of values is
+ * incomplete */
 void
 requireImageValues(std::int32_t width,
                    std::int32_t height,

@@ -9,7 +9,7 @@ namespace pcl {
 
 namespace {
 
-/** \brief At least one bit a block of 8 x 8 pixels. */
+/** \brief There is at least one bit per block of 8 x 8 pixels. */
 constexpr double most_pixels_per_byte = 512.0;
 constexpr std::int32_t longest_side = 65500;
 
@@ -76,7 +76,8 @@ decodeJpeg(const ImageBytes& bytes)
                    bytes.size());
   image.values.resize(3 * static_cast<std::size_t>(image.width) *
                       static_cast<std::size_t>(image.height));
-  // A warning is a missing end or bits that make no sense: grey patches in the picture.
+  // A warning means a missing end or invalid bits, which cause grey blocks in the
+  // image.
   if (tjDecompress2(handle.get(),
                     bytes.data(),
                     bytes.size(),

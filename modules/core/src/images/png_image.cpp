@@ -11,11 +11,11 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::size_t signature_bytes = 8;
-constexpr double most_deflated = 1040.0; // bytes that a byte of deflate can stand for
+constexpr double most_deflated = 1040.0; // maximum compression ratio of deflate
 constexpr png_uint_32 no_limit = 0x7fffffff;
 
-/** \brief A file that libpng reads from memory. libpng leaves a faulty file by longjmp:
- * the functions that call it hold no object with a destructor. */
+/** \brief A PNG that libpng reads from memory. libpng reports faults by longjmp, so the
+ * functions that call it must not have objects with a destructor. */
 struct PngReading {
   explicit PngReading(const ImageBytes& bytes)
   : next(bytes.data())
@@ -68,23 +68,24 @@ struct PngReading {
   char fault[128] = {};
 };
 
-/** \brief Reads up to the first bytes of the picture.
- * \return false at a fault */
+/** \brief Reads up to the first bytes of the image data.
+ * \return false in case of a fault */
 bool
 readHeader(PngReading& reading)
 {
   if (setjmp(png_jmpbuf(reading.png))) // NOLINT(cert-err52-cpp)
     return false;
   png_set_read_fn(reading.png, &reading, &PngReading::give);
-  png_set_user_limits(reading.png, no_limit, no_limit); // ours is one of pixels
-  // profiles, texts and gamma: nothing that changes the stored values
+  // the number of pixels is limited by requireImageSize
+  png_set_user_limits(reading.png, no_limit, no_limit);
+  // skip profiles, texts and gamma, which do not change the stored values
   png_set_keep_unknown_chunks(reading.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_set_benign_errors(reading.png, 0);
   png_read_info(reading.png, reading.info);
   return true;
 }
 
-/** \brief What libpng is to make of the stored values. */
+/** \brief Requests 8-bit RGB from libpng. */
 void
 askForColors(png_structp png)
 {
@@ -102,8 +103,8 @@ askForHostOrder(png_structp png)
     png_set_swap(png);
 }
 
-/** \brief Tells libpng what rows are wanted.
- * \return false at a fault */
+/** \brief Requests the format of the rows from libpng.
+ * \return false in case of a fault */
 bool
 prepareRows(PngReading& reading, void (*ask)(png_structp))
 {
@@ -115,7 +116,7 @@ prepareRows(PngReading& reading, void (*ask)(png_structp))
   return true;
 }
 
-/** \return false at a fault */
+/** \return false in case of a fault */
 bool
 readRows(PngReading& reading, png_bytepp rows)
 {
@@ -133,7 +134,7 @@ require(bool is_good, const PngReading& reading)
     throw DamagedImage(std::string("PNG: ") + reading.fault);
 }
 
-/** \brief Checks what the header says, before memory is taken for it. */
+/** \brief Checks the header before memory is allocated for the image. */
 void
 openPng(PngReading& reading, std::size_t bytes)
 {
@@ -146,7 +147,7 @@ openPng(PngReading& reading, std::size_t bytes)
                    bytes);
 }
 
-/** \brief Reads all rows into values that lie row by row. */
+/** \brief Reads all rows into an array in row-major order. */
 template <typename Image>
 void
 fillRows(PngReading& reading, void (*ask)(png_structp), Image& image)

@@ -7,8 +7,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief The next number of a header, and the place behind it. Comments begin with # and
- * end with their line. */
+/** \brief Returns the next number of a header and advances the position behind it.
+ * Comments begin with # and extend to the end of the line. */
 std::uint64_t
 readNumber(const ImageBytes& bytes, std::size_t& at)
 {

@@ -53,7 +53,8 @@ edgeForOccupancy(const PointView& points, double occupancy)
   if (!(edge > 0))
     return 0;
   const PointView view(sample.data(), sizeof(Eigen::Vector3f), sample.size());
-  // Voxels that still hold four points of the sample are filled as a surface fills them.
+  // If a voxel contains four points of the sample, the voxels are occupied as by a
+  // surface.
   constexpr double filled = 4;
   double held = 0;
   for (int halving = 0; halving < 40; ++halving) {

@@ -4,8 +4,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Edge in metres at which the occupied voxels of a cloud hold so many points on
- * average, by counting those of a sample; 0 where the cloud has no extent. */
+/** \brief Estimates the edge in metres at which the occupied voxels of a cloud contain
+ * the given number of points on average. It counts the voxels of a sample. Returns 0 if
+ * the cloud has no extent. */
 double
 edgeForOccupancy(const PointView& points, double occupancy);
 

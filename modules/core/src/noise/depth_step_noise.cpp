@@ -10,8 +10,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Where nobody tells the pixels: the rounding, and that a sensor rounds to steps that are
- * about twice its own noise. */
+/** Noise if the pixels are unknown: that of the quantisation, assuming that the step of
+ * a sensor is about twice its own noise. */
 NoiseScale::InverseDepth
 noiseOfStep(double step)
 {
@@ -22,7 +22,7 @@ noiseOfStep(double step)
   return noise;
 }
 
-/** In bins of a factor of sqrt (2), as those of other clouds. */
+/** Counts points in bins of a factor of sqrt (2), as for other clouds. */
 std::map<int, std::size_t>
 countRanges(const PointView& points, std::vector<double>& depths)
 {
@@ -63,7 +63,7 @@ applyDepthSteps(const PointView& points, std::size_t width, NoiseScale& scale)
     if (number >= enough)
       scale.ranges.push_back({distance, noise.sigma() * distance * distance, number});
   }
-  scale.remarks.clear(); // steps look like shapes
+  scale.remarks.clear(); // quantisation steps look like shapes
   char text[96];
   std::snprintf(text,
                 sizeof text,

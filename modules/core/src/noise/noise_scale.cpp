@@ -12,14 +12,14 @@ namespace pcl::acmap {
 
 namespace {
 
-/** What the windows of one scale tell. Metres. */
+/** Results of the windows of one scale. Metres. */
 struct ScaleLevel {
   double edge = 0;
   double thickness = 0;
   double spacing = 0;
   double sparse_spacing = 0;
-  double occupancy = 0;    ///< points a voxel
-  double planar_share = 0; ///< of the voxels that a surface passes through
+  double occupancy = 0;    ///< points per voxel
+  double planar_share = 0; ///< share of the windows with a surface that are planar
   std::size_t planes = 0;
 };
 
@@ -34,8 +34,8 @@ quantileOf(std::vector<double>& values, double share)
   return *place;
 }
 
-/** Mean of the middle half: as robust as the median, and steady where a view has walls of
- * two kinds of noise. */
+/** Mean of the middle half of the values: as robust as the median, and stable if a view
+ * has walls with two levels of noise. */
 double
 midmean(std::vector<double>& values)
 {
@@ -49,8 +49,8 @@ midmean(std::vector<double>& values)
   return sum / static_cast<double>(values.size() - 2 * quarter);
 }
 
-/** Does the plane pass through the middle voxel itself, so that the window holds its
- * noise on both sides? */
+/** Does the plane pass through the middle voxel, so that the window contains the noise
+ * on both sides? */
 bool
 passesThroughMiddle(const PlaneFit& fit)
 {
@@ -64,8 +64,9 @@ struct WindowFigures {
   std::size_t surfaces = 0;
 };
 
-/** Area in voxel faces of a plane through the inner window: its columns along the axis
- * nearest to the normal that hold a point, stretched by the plane's slope. */
+/** Area of a plane in the inner window in voxel faces: the number of columns that
+ * contain a point, along the axis closest to the normal, corrected by the slope of the
+ * plane. */
 double
 coveredArea(const std::vector<WindowPart>& parts, const Eigen::Vector3d& normal)
 {
@@ -93,7 +94,7 @@ measureWindow(const VoxelMoments& voxels,
   if (!passesThroughMiddle(fit))
     return;
   ++figures.surfaces;
-  // so many voxels does a unit of a plane's area cross
+  // inverse of the number of voxels per unit of area of the plane
   figures.area += 1 / fit.normal.cwiseAbs().sum();
   if (!fit.isPlanar())
     return;
@@ -143,7 +144,8 @@ measureLevel(const VoxelMoments& voxels)
   return level;
 }
 
-/** Are its voxels large enough for its noise to be seen on both sides of the planes? */
+/** Are the voxels large enough that windows contain the noise on both sides of the
+ * planes? */
 bool
 holdsItsNoise(const ScaleLevel& level)
 {
@@ -157,7 +159,8 @@ isMostlyPlanar(const ScaleLevel& level)
   return level.planar_share >= 0.5;
 }
 
-/** Thickness^2 = sigma^2 + (c edge^2)^2, where c is a curvature, at both scales. */
+/** Solves thickness^2 = sigma^2 + (c edge^2)^2 at both scales, where c is the
+ * curvature. */
 double
 thicknessWithoutCurvature(const ScaleLevel& fine, const ScaleLevel& coarse)
 {
@@ -167,7 +170,7 @@ thicknessWithoutCurvature(const ScaleLevel& fine, const ScaleLevel& coarse)
   return std::sqrt(std::max(square, 0.0));
 }
 
-/** The scales from fine to coarse, each with its voxels. */
+/** The scales from fine to coarse with their voxels. */
 struct Pyramid {
   std::vector<VoxelMoments> voxels;
   std::vector<ScaleLevel> levels;
@@ -180,15 +183,17 @@ struct Pyramid {
   }
 };
 
-/** What the rounding of the voxels' sums leaves of a flat surface, metres. */
+/** Effect of the rounding of the voxel sums on the thickness of a flat surface, metres.
+ */
 double
 roundingOf(const ScaleLevel& level)
 {
   return 4 * level.edge / (1 << VoxelLattice::offset_bits);
 }
 
-/** Noise is as thick at the next scale; curved surfaces are four times as thick or no
- * longer plane, and what stereo matching smears over neighbours is in between. */
+/** Noise has the same thickness at the next scale. Curved surfaces have four times the
+ * thickness or are no longer planar, and errors that stereo matching spreads over
+ * neighbouring pixels are in between. */
 bool
 isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
 {
@@ -200,7 +205,8 @@ isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
          coarse.planar_share >= least_share * fine.planar_share;
 }
 
-/** Adds scales up to the first plateau. \return the plateau's level, -1 without one */
+/** Adds scales up to the first plateau.
+ * \return the level of the plateau, -1 if there is none */
 int
 climbToPlateau(Pyramid& pyramid)
 {
@@ -214,8 +220,8 @@ climbToPlateau(Pyramid& pyramid)
   return -1;
 }
 
-/** Without a plateau: the first mostly planar level, or the one with the largest share of
- * planes; -1 where no level has any. */
+/** Best level without a plateau: the first mostly planar level, or the one with the
+ * largest share of planes; -1 if no level is suitable. */
 int
 bestLevel(const std::vector<ScaleLevel>& levels)
 {
@@ -235,7 +241,7 @@ bestLevel(const std::vector<ScaleLevel>& levels)
 void
 setSpacing(const ScaleLevel& fine, const ScaleLevel& coarse, NoiseScale& scale)
 {
-  // voxels of few points miss the sparse places
+  // voxels with few points miss sparse regions
   const ScaleLevel& filled = fine.occupancy < 6 ? coarse : fine;
   scale.spacing = filled.spacing;
   scale.sparse_spacing = filled.sparse_spacing;
@@ -254,7 +260,8 @@ setSigma(const ScaleLevel& fine, const ScaleLevel& coarse, NoiseScale& scale)
   scale.sigma = thickness;
 }
 
-/** Few planes, or a thickness that grows with every scale. */
+/** Sets the result for a cloud with few planes, or whose thickness grows at every
+ * scale. */
 void
 concludeWithoutPlateau(const std::vector<ScaleLevel>& levels, NoiseScale& scale)
 {
@@ -266,7 +273,7 @@ concludeWithoutPlateau(const std::vector<ScaleLevel>& levels, NoiseScale& scale)
   const ScaleLevel& fine = levels[static_cast<std::size_t>(best)];
   const ScaleLevel& coarse = levels[static_cast<std::size_t>(best) + 1];
   setSpacing(fine, coarse, scale);
-  // between the plateau's 1.8 and the 4 of a smooth surface
+  // between 1.8 of a plateau and 4 of a smooth surface
   constexpr double growth_of_shapes = 2.2;
   if (isMostlyPlanar(fine) && !(coarse.thickness < growth_of_shapes * fine.thickness)) {
     scale.confidence = fine.planar_share;
@@ -278,8 +285,8 @@ concludeWithoutPlateau(const std::vector<ScaleLevel>& levels, NoiseScale& scale)
       "doubtful noise scale: no scale has the noise of the next");
 }
 
-/** Points a voxel of the finest scale: few where points are few, and so many that the
- * voxels of a large cloud stay few. */
+/** Number of points per voxel at the finest scale: small for small clouds, and limited
+ * so that the number of voxels of a large cloud stays moderate. */
 double
 occupancyFor(std::size_t points)
 {

@@ -7,8 +7,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Chooses about \a wanted of \a size points by their coordinates alone, so that
- * their order does not matter; equal points share their fate. */
+/** \brief Selects about \a wanted of \a size points by a hash of their coordinates, so
+ * that the result does not depend on their order; equal points are selected together.
+ */
 class PointSample {
 public:
   PointSample(std::size_t size, std::size_t wanted)

@@ -12,7 +12,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** A point's voxel, so that the points of a voxel can be met together. */
+/** A point with its voxel, used to group the points by voxel. */
 struct Sample {
   VoxelKey voxel;
   std::uint32_t point;
@@ -95,7 +95,7 @@ measureRangeNoise(const PointView& points,
       const Eigen::Vector3d point = points[samples[next].point].cast<double>();
       const Eigen::Vector3d ray = point - sensor->cast<double>();
       const double cosine = std::abs(ray.normalized().dot(fit.normal));
-      // a grazing ray says little about the noise along it
+      // rays at grazing incidence contain little information about the noise along them
       constexpr double least_cosine = 0.3;
       if (cosine > least_cosine)
         bins.add(ray.norm(), std::abs((point - mean).dot(fit.normal)) / cosine);

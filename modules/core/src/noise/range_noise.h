@@ -5,8 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Noise along the ray by distance: how far points lie off the plane of their
- * window, over the cosine of the ray's incidence. */
+/** \brief Noise along the ray in bins of distance: the distances of the points to the
+ * plane of their window, divided by the cosine of the angle of incidence. */
 std::vector<NoiseScale::Range>
 measureRangeNoise(const PointView& points,
                   const SensorView& sensors,

@@ -9,11 +9,11 @@ namespace pcl::acmap {
 
 namespace {
 
-// Points of a polygon are floats, the chart's frame is not: what lies out of it by less
-// than this, in texels, is rounding.
+// The points of a polygon are floats, but the frame of the chart is not. Smaller
+// distances outside of the chart, in texels, are considered rounding errors.
 constexpr double slack = 0.01;
 
-/** One of the four sides: what it holds has sign * (place[axis] - limit) <= 0. */
+/** One of the four sides. Points inside have sign * (place[axis] - limit) <= 0. */
 struct Side {
   int axis;
   double sign;
@@ -26,7 +26,8 @@ struct Side {
   }
 };
 
-/** Where an edge meets a side; the same for both triangles that share the edge. */
+/** Intersection of an edge with a side; it is identical for both triangles that share
+ * the edge. */
 ChartCorner
 meeting(ChartCorner a, ChartCorner b, const Side& side)
 {
@@ -68,7 +69,7 @@ faultOfFrame(const TextureChart& chart)
 {
   constexpr double least_side = 1e-6;
   constexpr double most_side = 1e3;
-  constexpr double least_sine = 1e-3; // else the way back to texels is lost in rounding
+  constexpr double least_sine = 1e-3; // limits rounding errors of texel coordinates
   const std::int64_t width = chart.colors.width;
   const std::int64_t height = chart.colors.height;
   if (width <= 0 || height <= 0 || width * height > maximum_texels)

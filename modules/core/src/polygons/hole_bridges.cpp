@@ -38,8 +38,8 @@ leftmost(const RingNodes& nodes, std::int32_t ring)
   return best;
 }
 
-/** Where a falling edge meets the height of a point: numerator / denominator right of the
- * origin. */
+/** Intersection of a falling edge with the horizontal line through a point; its x is
+ * numerator / denominator. */
 struct Meeting {
   Wide numerator = 0;
   Wide denominator = 1;
@@ -56,8 +56,9 @@ struct Meeting {
   }
 };
 
-/** The edge that one meets first from the point towards the left, by its first node; -1
- * for none. Edges with the inside on their right side do not count. */
+/** Returns the first edge to the left of a point, by its first node; -1 if there is
+ * none. Only falling edges are considered, which have the inside on the side of the
+ * point. */
 std::int32_t
 edgeOnTheLeft(const RingNodes& nodes, std::int32_t ring, const GridPoint& point)
 {
@@ -80,8 +81,8 @@ edgeOnTheLeft(const RingNodes& nodes, std::int32_t ring, const GridPoint& point)
   return best;
 }
 
-/** The first place before or behind a node that is not its own; bridges may have no
- * length. */
+/** Position of the closest node before or after a node that differs from its own
+ * position; bridges may have zero length. */
 const GridPoint&
 neighbour(const RingNodes& nodes, std::int32_t node, std::int32_t RingNode::*step)
 {
@@ -93,8 +94,8 @@ neighbour(const RingNodes& nodes, std::int32_t node, std::int32_t RingNode::*ste
 
 enum class Way { Outside, Along, Inside };
 
-/** How the way from a node to a point begins: outside of its ring, along its rim, inside.
- */
+/** Location of the start of the segment from a node to a point: outside of the ring,
+ * along its boundary, or inside. */
 Way
 wayFrom(const RingNodes& nodes, std::int32_t node, const GridPoint& point)
 {
@@ -108,8 +109,9 @@ wayFrom(const RingNodes& nodes, std::int32_t node, const GridPoint& point)
   return side > 0 ? Way::Inside : side == 0 ? Way::Along : Way::Outside;
 }
 
-/** \brief Chooses to which corner a hole is bridged: the one that is seen from the hole's
- * leftmost point and turned least from the way to the left. */
+/** \brief Selects the corner to which a hole is connected by a bridge: among the
+ * corners that are visible from the leftmost point of the hole, the one whose direction
+ * is closest to that to the left. */
 class BridgeEnd {
 public:
   BridgeEnd(const RingNodes& nodes, std::int32_t hole, std::int32_t edge)
@@ -133,8 +135,8 @@ public:
   }
 
 private:
-  /** In the triangle of the hole's point, the edge's left end and where the way to the
-   * left meets the edge. */
+  /** Is the corner in the triangle of the point of the hole, the left end of the edge,
+   * and the intersection of the edge with the horizontal line to the left? */
   bool
   isInReach(const GridPoint& v) const
   {
@@ -164,7 +166,7 @@ private:
     const GridPoint& v = at(nodes_, node).point;
     if (!isInReach(v))
       return;
-    // Where the hole touches the corner, the hole itself must lie inside.
+    // If the hole touches the corner, the hole itself must be inside.
     const Way way = wayFrom(nodes_, node, v == from_ ? ahead_ : from_);
     if (way == Way::Outside)
       return;
@@ -185,7 +187,7 @@ private:
   Way best_way_ = Way::Outside;
 };
 
-/** From the corner to the hole, round it and back. */
+/** Inserts a bridge from the corner to the hole, around it and back. */
 void
 bridge(RingNodes& nodes, std::int32_t corner, std::int32_t hole)
 {
@@ -207,7 +209,7 @@ void
 bridgeHoles(PolygonRings& rings)
 {
   RingNodes& nodes = rings.nodes;
-  // From the left on, so that nothing but the ring so far is left of a hole.
+  // From left to right, so that only the ring built so far is left of a hole.
   for (std::int32_t& hole : rings.holes)
     hole = leftmost(nodes, hole);
   std::stable_sort(

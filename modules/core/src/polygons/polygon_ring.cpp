@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Takes a polygon's points to the grid. */
+/** \brief Projects the points of a polygon to the grid. */
 class Grid {
 public:
   Grid(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
@@ -22,7 +22,8 @@ public:
     for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
       extend(hole);
     const double extent = (most_ - least_).maxCoeff();
-    // A power of two: most points are on the grid, straight runs stay straight.
+    // A power of two: most points are exactly on the grid, and straight edges stay
+    // straight.
     scale_ = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 0.0;
   }
 
@@ -54,7 +55,7 @@ private:
   double scale_ = 0;
 };
 
-/** Twice the area, up to rounding; its sign decides which way a loop turns. */
+/** Twice the area, up to rounding; its sign is the orientation of the loop. */
 double
 signedArea(const std::vector<RingNode>& loop)
 {
@@ -64,8 +65,8 @@ signedArea(const std::vector<RingNode>& loop)
   return area;
 }
 
-/** Leaves out repeated points, straight runs and spikes: where a rim turns back, what is
- * inside and what is outside look alike. */
+/** Removes duplicate points, collinear points and spikes: inside and outside cannot be
+ * distinguished where a boundary turns back. */
 std::vector<RingNode>
 withoutFlat(const std::vector<RingNode>& loop)
 {
@@ -89,7 +90,8 @@ withoutFlat(const std::vector<RingNode>& loop)
   return kept;
 }
 
-/** Appends a loop as a ring; -1 when it has no area. */
+/** Appends a loop as a ring, counter-clockwise if \a left is true.
+ * \return its first node, -1 if it has no area */
 std::int32_t
 appendRing(RingNodes& nodes,
            const Grid& grid,

@@ -7,7 +7,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A place on the grid, 0 to 2^30 each way. */
+/** \brief A point of the grid, 0 to 2^30 along each axis. */
 struct GridPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -19,15 +19,19 @@ struct GridPoint {
   }
 };
 
-/** \brief Twice the area of a, b, c; above zero where they turn left. Exact. */
+/** \brief Twice the signed area of the triangle a, b, c; positive if it is
+ * counter-clockwise. Exact. */
 inline std::int64_t
 turn(const GridPoint& a, const GridPoint& b, const GridPoint& c)
 {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/** \brief What an edge adds to the winding number about a place: -1, 0 or 1. Exact.
- * \param[in] thrice three times the place, as the middle of a triangle is on no grid */
+/** \brief Contribution of an edge to the winding number about a point: -1, 0 or 1.
+ * Exact.
+ * \param[in] from, to the edge
+ * \param[in] thrice three times the point, because the centroid of a triangle is not on
+ * the grid */
 inline int
 windingOf(const GridPoint& from, const GridPoint& to, const GridPoint& thrice)
 {
@@ -42,32 +46,32 @@ windingOf(const GridPoint& from, const GridPoint& to, const GridPoint& thrice)
   return is_above ? 1 : -1;
 }
 
-/** \brief A corner of a ring. */
+/** \brief A node of a ring. */
 struct RingNode {
   GridPoint point;
-  std::int32_t index = 0; ///< of the polygon's point
+  std::int32_t index = 0; ///< index of the point in the polygon
   std::int32_t previous = 0;
   std::int32_t next = 0;
-  bool blocked = false; ///< is no ear, as far as is known
+  bool blocked = false; ///< not an ear, as far as is known
 };
 
-/** \brief Rings of corners, each linked to the ones before and behind it. The inside lies
- * to the left. */
+/** \brief Rings of nodes, each linked to the previous and to the next one. The inside
+ * is on the left. */
 using RingNodes = std::vector<RingNode>;
 
-/** \brief A polygon on the grid: its rim, from any of its nodes, and its holes. */
+/** \brief A polygon on the grid: a node of its outer boundary, and one of each hole. */
 struct PolygonRings {
   RingNodes nodes;
-  std::int32_t rim = -1; ///< a node of it; -1 for none
+  std::int32_t rim = -1; ///< a node of the outer boundary; -1 if there is none
   std::vector<std::int32_t> holes;
 };
 
-/** \brief Puts a polygon on the grid, seen along the axis nearest to its normal. */
+/** \brief Projects a polygon to the grid along the axis closest to its normal. */
 PolygonRings
 ringsOf(const PlanePolygon& polygon, const Eigen::Vector3d& normal);
 
-/** \brief Cuts from each hole to the rim, so that one ring is left; holes that do not lie
- * inside stay apart. */
+/** \brief Connects each hole to the outer boundary by a bridge, so that one ring is
+ * left; holes that are not inside stay separate. */
 void
 bridgeHoles(PolygonRings& rings);
 

@@ -14,7 +14,7 @@ using acmap::RingNode;
 using acmap::RingNodes;
 using acmap::turn;
 
-/** \brief Cuts ears off a ring until nothing is left of it. */
+/** \brief Removes ears from a ring until it is empty. */
 class EarClipping {
 public:
   EarClipping(RingNodes& nodes, std::int32_t ring)
@@ -30,8 +30,10 @@ public:
   std::vector<TriangleMesh::Triangle>
   run()
   {
-    // A corner stays blocked until a neighbour goes; touching rims may prove that wrong,
-    // hence a few second looks. Then rims cross, and the smallest corner goes.
+    // A corner that is not an ear stays blocked until one of its neighbours is removed.
+    // This may be wrong if boundaries touch each other, so all corners are tested again
+    // a few times. If there is still no ear, boundaries cross, and the smallest corner
+    // is removed.
     constexpr int second_looks = 4;
     int looks = 0;
     dropFlat();
@@ -89,7 +91,8 @@ private:
     return turn(node(node(b).previous).point, node(b).point, node(node(b).next).point);
   }
 
-  /** Goes round until a whole turn brought nothing; whether any ear was found. */
+  /** Walks around the ring until a complete round finds no ear.
+   * \return true if any ear was found */
   bool
   clipEars()
   {
@@ -101,7 +104,7 @@ private:
           clip(b);
           found = true;
           idle = 0;
-          b = node(ring_).next; // not the very next: long fans have thin triangles
+          b = node(ring_).next; // skip one, because long fans have thin triangles
           continue;
         }
         node(b).blocked = true;
@@ -126,16 +129,19 @@ private:
           return false;
         is_touched = is_touched || node(v).point == node(b).point;
       }
-    // A rim may come back along both edges: is the ear then, or what is between, inside?
+    // A boundary may return along both edges of the ear: the winding number tells
+    // whether the ear or the area outside of it is inside.
     return !is_touched || windsRound(ear);
   }
 
-  /** Whether the ring goes round the middle of an ear that it does not lead into. */
+  /** Returns true if the ring winds around the centre of an ear, for an ear into which
+   * no boundary leads. */
   bool
   windsRound(const Ear& ear) const
   {
     const auto& [a, b, c] = ear.corners;
-    const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y}; // three times
+    // three times the centroid
+    const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y};
     int windings = 0;
     std::int32_t v = ring_;
     do {
@@ -146,7 +152,8 @@ private:
     return windings > 0;
   }
 
-  /** Whether a corner lies inside, or on the edge with a rim that leads inside. */
+  /** Returns true if a corner is inside of the ear, or on its border with an adjacent
+   * edge that leads inside. */
   bool
   blocks(const Ear& ear, std::int32_t v) const
   {
@@ -191,15 +198,15 @@ private:
     --size_;
   }
 
-  /** Corners without a turn go before anything else: round the tip of a spike, what is
-   * inside and what is outside look alike. */
+  /** Removes collinear corners before anything else, because inside and outside cannot
+   * be distinguished at the tip of a spike. */
   void
   dropFlatAt(std::int32_t b)
   {
     while (size_ >= 3 && turnAt(b) == 0) {
       const std::int32_t a = node(b).previous;
       unlink(b);
-      // Either neighbour may be flat now; the one behind follows in its turn.
+      // Either neighbour may be collinear now; the next one is tested first.
       if (size_ >= 3 && turnAt(ring_) == 0)
         b = ring_;
       else

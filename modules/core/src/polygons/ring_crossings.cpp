@@ -16,7 +16,7 @@ signOf(std::int64_t number)
   return (number > 0) - (number < 0);
 }
 
-/** Pass segments ab and cd through each other? */
+/** Do segments ab and cd cross each other? */
 bool
 doCross(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d)
 {
@@ -24,8 +24,8 @@ doCross(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPo
          signOf(turn(c, d, a)) * signOf(turn(c, d, b)) < 0;
 }
 
-/** Does an edge of the triangle part it from all points? Convex shapes that share no area are parted by
- * the line of one of their edges. */
+/** Does the line of an edge of the triangle separate it from all points? Convex shapes
+ * that do not overlap are separated by the line of one of their edges. */
 bool
 isParted(const Corners& triangle, const GridPoint* other, int size)
 {
@@ -43,7 +43,7 @@ doOverlap(const Corners& a, const Corners& b)
   return !isParted(a, b, 3) && !isParted(b, a, 3);
 }
 
-/** Leads a segment through the inside of a triangle? */
+/** Does a segment pass through the inside of a triangle? */
 bool
 leadsThrough(const GridPoint& from, const GridPoint& to, const Corners& triangle)
 {
@@ -98,7 +98,7 @@ RingCrossings::findCrossing() const
   return false;
 }
 
-/** Rims may cross in corners, too; then areas differ. */
+/** Boundaries may also cross in corners; then the areas differ. */
 bool
 RingCrossings::isWhole(const std::vector<TriangleMesh::Triangle>& triangles) const
 {
@@ -115,7 +115,7 @@ bool
 RingCrossings::isInside(const GridPoint (&corners)[3]) const
 {
   const auto& [a, b, c] = corners;
-  const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y}; // three times
+  const GridPoint middle{a.x + b.x + c.x, a.y + b.y + c.y}; // three times the centroid
   int windings = 0;
   for (const auto& [from, to] : edges_) {
     if (leadsThrough(from, to, corners))

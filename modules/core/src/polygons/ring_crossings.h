@@ -6,14 +6,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Keeps the triangles of a polygon sound though its rims may cross. */
+/** \brief Selects the valid triangles of a polygon whose boundaries may cross. */
 class RingCrossings {
 public:
   /** \param[in] rings before their holes are bridged */
   explicit RingCrossings(const PolygonRings& rings);
 
-  /** \brief All triangles where no rims cross and the areas agree. Else those that no rim
-   * leads through, that lie inside, and that overlap none before them, in O(n^2). */
+  /** \brief Returns all triangles if no boundaries cross and the areas agree. Otherwise
+   * returns those that no boundary passes through, that are inside, and that do not
+   * overlap an earlier one, in O(n^2). */
   std::vector<TriangleMesh::Triangle>
   sound(std::vector<TriangleMesh::Triangle> triangles) const;
 
@@ -31,9 +32,9 @@ private:
   bool
   isInside(const GridPoint (&corners)[3]) const;
 
-  std::vector<Edge> edges_;               ///< by their left ends
+  std::vector<Edge> edges_;               ///< sorted by their left ends
   std::vector<GridPoint> points_;         ///< of the polygon, by index
-  __extension__ __int128 twice_area_ = 0; ///< of the rim without the holes
+  __extension__ __int128 twice_area_ = 0; ///< of the outer boundary without the holes
   bool any_ = false;
 };
 

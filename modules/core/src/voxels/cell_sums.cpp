@@ -5,7 +5,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr VoxelKey no_key = ~VoxelKey{0};
-constexpr int least_bits = 4, most_bits = 12; // of the first slots
+constexpr int least_bits = 4, most_bits = 12; // of the initial number of slots
 
 std::size_t
 slotOf(VoxelKey key, int shift)
@@ -32,7 +32,7 @@ VoxelCell
 toVoxelCell(const CellSums& sums, double edge)
 {
   constexpr double tick = 1.0 / (1 << VoxelLattice::offset_bits);
-  // a tick's points lie about its middle
+  // offsets are rounded down, so the points are half a tick further on average
   Moments centered;
   centered.count = sums.count;
   centered.x = tick * static_cast<double>(sums.first[0]);

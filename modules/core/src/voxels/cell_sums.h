@@ -7,7 +7,7 @@
 
 namespace pcl::acmap {
 
-inline constexpr float way_steps = 16; // in an edge
+inline constexpr float way_steps = 16; // per edge
 
 /** \brief The exact sums of a cell, in ticks of 2^-14 of an edge. */
 struct CellSums {
@@ -19,7 +19,8 @@ struct CellSums {
   std::int32_t witness = 0;
   float squared_range = 0; ///< of the witness, in square metres
 
-  /** \brief Adds a point by its offsets from the centre, whose products fit 32 bits. */
+  /** \brief Adds a point by its offsets from the centre, whose products fit into 32
+   * bits. */
   void
   add(std::int32_t x, std::int32_t y, std::int32_t z)
   {
@@ -35,12 +36,12 @@ struct CellSums {
     second[5] += z * z;
   }
 
-  /** \brief A way in 1/16 of an edge, so large at most that no sum overflows. */
+  /** \brief Rounds a distance in 1/16 of an edge, limited so that no sum overflows. */
   static std::int32_t
   stepsOf(float way)
   {
     constexpr float largest = 1 << 24;
-    const float above = way > -largest ? way : -largest; // not a number: -largest
+    const float above = way > -largest ? way : -largest; // NaN becomes -largest
     return static_cast<std::int32_t>(above < largest ? above : largest);
   }
 
@@ -57,18 +58,19 @@ struct CellSums {
   join(const CellSums& other);
 };
 
-/** \param[in] edge of a voxel, metres */
+/** \param[in] sums the sums of a cell
+ * \param[in] edge of a voxel, metres */
 VoxelCell
 toVoxelCell(const CellSums& sums, double edge);
 
-/** \brief The cells that some points fall into, found by key in an open-addressing
- * table. */
+/** \brief The cells of some points, found by key in an open-addressing hash table. */
 class CellTable {
 public:
-  /** \param[in] most cells that are to be expected; more are taken, too */
+  /** \param[in] most expected number of cells, which may be exceeded */
   explicit CellTable(std::size_t most = 0);
 
-  /** \brief Position of the key's cell, which is made where it was not yet. */
+  /** \brief Returns the index of the cell of a key; the cell is created if it does not
+   * exist. */
   std::size_t
   find(VoxelKey key);
 
@@ -76,12 +78,12 @@ public:
   void
   join(const CellTable& other);
 
-  /** \brief Forgets all cells, but keeps their memory. */
+  /** \brief Removes all cells, but keeps their memory. */
   void
   clear();
 
   std::vector<CellSums> cells;
-  std::vector<ColorSum> colors; // parallel to the cells where there are colours
+  std::vector<ColorSum> colors; // parallel to the cells if there are colours
 
 private:
   void

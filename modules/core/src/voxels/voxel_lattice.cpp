@@ -38,7 +38,7 @@ boxOf(const PointView& points)
       });
 }
 
-/** A point amidst most others, whatever a few strays do. */
+/** A robust centre of the points that is not affected by a few outliers. */
 Eigen::Vector3d
 medianPoint(const PointView& points)
 {
@@ -70,7 +70,8 @@ VoxelLattice::VoxelLattice(const PointView& points, double edge)
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   if ((box.least <= box.most).all())
     middle = (box.least.cast<double>() + box.most.cast<double>()) / 2;
-  // Even after several halvings: coarser lattices keep the voxels together.
+  // A multiple of this stays even after several halvings, so that coarser lattices keep
+  // the voxels together.
   constexpr std::int64_t even = 64;
   constexpr double half = (1 << (voxel_axis_bits - 1)) - 2 * margin - even;
   const double reach = (box.most.cast<double>() - middle.array()).maxCoeff() / edge;

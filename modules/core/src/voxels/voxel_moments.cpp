@@ -6,19 +6,19 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The sums of one stretch of the points. */
+/** Sums over a contiguous range of the points. */
 struct Stretch {
   CellTable table;
   std::size_t invalid = 0;
   std::size_t distant = 0;
 };
 
-/** Some points at once, an array for each number, so that the compiler uses its lanes. */
+/** A batch of points with one array per number, so that the compiler can vectorize. */
 struct Batch {
   static constexpr std::size_t capacity = 256;
 
   float point[3][capacity];
-  float way[3][capacity]; ///< to the sensor, zero where it is unknown
+  float way[3][capacity]; ///< vector to the sensor, zero if it is unknown
   std::int32_t steps[3][capacity];
   std::int32_t offset[3][capacity];
   VoxelKey key[capacity];
@@ -27,8 +27,8 @@ struct Batch {
   bool has_sensor[capacity];
 };
 
-/** Points that follow each other are mostly neighbours: the cells of so many stay in the
- * second-level cache until they are joined to the others. */
+/** Consecutive points are mostly neighbours: the cells of this number of points stay in
+ * the second-level cache until they are joined to the others. */
 constexpr std::size_t points_of_near_cells = std::size_t{1} << 14;
 
 class Summation {
@@ -146,7 +146,8 @@ private:
   const VoxelLattice& lattice_;
 };
 
-/** As many stretches as threads: the sums are exact, so their number does not show. */
+/** Uses as many ranges as threads: the sums are exact, so the result does not depend on
+ * their number. */
 std::vector<Stretch>
 sumStretches(const Summation& summation, std::size_t size)
 {
@@ -161,7 +162,7 @@ sumStretches(const Summation& summation, std::size_t size)
   return stretches;
 }
 
-/** Where a cell of a stretch stands. */
+/** Location of a cell in a range of the points. */
 struct CellPlace {
   VoxelKey key;
   std::uint32_t stretch;
@@ -252,7 +253,7 @@ coarserVoxels(const VoxelMoments& fine)
   for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
     VoxelCell& cell = coarse.cells.emplace_back(fine.cells[order[begin].second]);
     cell.key = order[begin].first;
-    Moments sum; // in edges of the fine voxels
+    Moments sum; // in units of the edge of the fine voxels
     for (end = begin; end < order.size() && order[end].first == cell.key; ++end) {
       const VoxelCell& part = fine.cells[order[end].second];
       const VoxelPlace place = placeOf(part.key);

@@ -31,8 +31,8 @@ noNormal()
   return none;
 }
 
-// In doubles: the closed solution leaves half of the digits of equal eigenvalues, and a
-// plane has two.
+// Computed in double precision, because the closed-form solution loses half of the
+// digits for equal eigenvalues, and a plane has two equal ones.
 VotedNormal
 Ballot::count(const Eigen::Vector3f& front, const VotingSettings& settings) const
 {

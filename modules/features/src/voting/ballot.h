@@ -26,8 +26,8 @@ public:
     return votes_;
   }
 
-  /** Eigen-analysis and class (Eq. 9, 10).
-   * \param[in] front side to which the normal is turned */
+  /** Computes the eigenvectors and the class (Eq. 9, 10).
+   * \param[in] front side to which the normal is oriented */
   VotedNormal
   count(const Eigen::Vector3f& front, const VotingSettings& settings) const;
 
@@ -36,7 +36,7 @@ private:
   std::size_t votes_ = 0;
 };
 
-/** Of a vertex without enough votes. */
+/** Result for a vertex without enough votes. */
 VotedNormal
 noNormal();
 

@@ -20,8 +20,8 @@ unknown()
   return curvature;
 }
 
-/** 2 sin (phi / 2) where phi = atan2 (s, c); by roots and quotients, which every processor
- * and every library round alike. */
+/** 2 sin (phi / 2) for phi = atan2 (s, c). Computed by square roots and divisions only,
+ * which are rounded identically on every processor and by every library. */
 double
 twiceSineOfHalf(double s, double c)
 {
@@ -32,8 +32,8 @@ twiceSineOfHalf(double s, double c)
                : std::copysign(std::sqrt(2 * (r - c) / r), s);
 }
 
-/** Of the arc between two points whose normals, in its plane, are phi apart: the chord is
- * 2 sin (phi / 2) / kappa. */
+/** Curvature kappa of the arc between two points whose normals, in its plane, differ by
+ * phi: the length of the chord is 2 sin (phi / 2) / kappa. */
 float
 curvatureAlong(const Eigen::Vector3f& tangent,
                const Eigen::Vector3f& normal,
@@ -45,9 +45,10 @@ curvatureAlong(const Eigen::Vector3f& tangent,
                             double{chord});
 }
 
-/** The curvature along t = (x, y) of the tangent plane is a x^2 + 2 b x y + c y^2; a, b, c
- * by least squares over the votes. Page's mean of kappa t t^T gives the same where
- * directions are spread evenly, which those of a mesh are not. */
+/** Second fundamental form. The curvature along t = (x, y) of the tangent plane is
+ * a x^2 + 2 b x y + c y^2; a, b, c are estimated from the votes by least squares.
+ * Page's mean of kappa t t^T is equivalent for uniformly distributed directions, which
+ * those of a mesh are not. */
 class SecondForm {
 public:
   void
@@ -60,11 +61,12 @@ public:
     weights_ += weight;
   }
 
-  /** In a basis of the tangent plane; unknown where the directions are too few. */
+  /** Principal curvatures in a basis of the tangent plane; unknown if there are too few
+   * directions. */
   VotedCurvature
   principal(const Eigen::Vector3f& axis_u, const Eigen::Vector3f& axis_v) const
   {
-    constexpr double least_spread = 1e-4; // it is 1 / 16 when spread evenly
+    constexpr double least_spread = 1e-4; // 1 / 16 for uniformly distributed directions
     const Eigen::Matrix3d mean = sum_ / weights_;
     if (!(mean.determinant() > least_spread))
       return unknown();

@@ -6,8 +6,9 @@
 
 namespace pcl::acmap::voting {
 
-/** Page's second pass: the vertices of a disc vote for the curvature along their
- * direction. NaN off surfaces. One a thread. */
+/** Second pass of Page et al.: the vertices of a disc vote for the curvature along
+ * their direction. The result is NaN if the vertex is not of class Surface. Use one
+ * object per thread. */
 class CurvatureVoter {
 public:
   CurvatureVoter(const PointView& points,

@@ -7,11 +7,12 @@
 
 namespace pcl::acmap::voting {
 
-/** What a triangle says about the surface. */
+/** Contribution of a triangle to the votes. */
 struct Face {
   Eigen::Vector3f normal; ///< unit
-  Eigen::Vector3f center; ///< as seen from its first corner: exact far from the origin
-  float area = 0;         ///< 0: it has no say
+  /** \brief Centre relative to the first corner: accurate far from the origin. */
+  Eigen::Vector3f center;
+  float area = 0; ///< 0: it does not vote
 };
 
 std::vector<Face>

@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::voting {
 
-// Waves of relaxation instead of a heap: a disc is a few edges wide, so that hardly a
-// vertex is reached a second time by a shorter path.
+// Uses waves of relaxation instead of a heap: a disc is only a few edges wide, so that
+// hardly any vertex is reached again by a shorter path.
 void
 GeodesicDisc::fill(std::int32_t middle, float radius)
 {

@@ -4,8 +4,9 @@
 
 namespace pcl::acmap::voting {
 
-/** The vertices within a distance along the surface, by shortest paths over edges. Made
- * once a thread and filled again for each vertex, without clearing what is not touched. */
+/** The vertices within a geodesic distance, computed by shortest paths along edges. An
+ * object is created once per thread and filled again for each vertex, without resetting
+ * the marks of other vertices. */
 class GeodesicDisc {
 public:
   GeodesicDisc(const VertexRings& rings, std::size_t vertices)
@@ -16,7 +17,7 @@ public:
   void
   fill(std::int32_t middle, float radius);
 
-  /** In the order in which they were met. */
+  /** In the order in which they were reached. */
   const std::vector<std::int32_t>&
   vertices() const
   {
@@ -29,7 +30,7 @@ public:
     return marks_[static_cast<std::size_t>(vertex)].round == round_;
   }
 
-  /** Metres from the middle, of a vertex in the disc. */
+  /** Geodesic distance in metres from the middle, of a vertex in the disc. */
   float
   distance(std::int32_t vertex) const
   {
@@ -39,7 +40,7 @@ public:
 private:
   struct Mark {
     float distance = 0;
-    std::uint32_t round = 0; ///< in which it was met last
+    std::uint32_t round = 0; ///< in which it was last reached
   };
 
   const VertexRings& rings_;

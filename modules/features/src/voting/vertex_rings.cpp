@@ -8,7 +8,7 @@ VertexRings::VertexRings(const PointView& points,
                          const std::vector<TriangleMesh::Triangle>& triangles,
                          const std::vector<Face>& faces)
 {
-  // each edge twice from each of its triangles: doubles are thrown out below
+  // an edge is found once in each of its triangles: duplicates are removed below
   std::vector<std::size_t> next(points.size() + 1, 0);
   first_owned_.assign(points.size() + 1, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)

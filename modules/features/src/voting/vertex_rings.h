@@ -6,14 +6,14 @@
 
 namespace pcl::acmap::voting {
 
-/** An edge as one of its ends sees it. */
+/** An edge as seen from one of its ends. */
 struct Spoke {
   std::int32_t vertex; ///< the other end
   float length;        ///< metres
 };
 
 /** The edges at each vertex, and the triangles of which it is the first corner: each
- * triangle stands in one list only. */
+ * triangle is in one list only. */
 class VertexRings {
 public:
   VertexRings(const PointView& points,
@@ -64,7 +64,7 @@ public:
     return {owned_.data() + first_owned_[v], owned_.data() + first_owned_[v + 1]};
   }
 
-  /** Metres, over all edges. */
+  /** Mean length of all edges, metres. */
   double
   meanEdge() const
   {

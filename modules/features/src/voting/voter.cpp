@@ -19,14 +19,15 @@ Voter::Voter(const Electorate& electorate,
 VotedNormal
 Voter::vote(std::int32_t vertex)
 {
-  // at a rim, and where edges are long, the disc may hold too little: once more as wide
+  // at a border, and for long edges, the disc may be too small: double the radius once
   const VotedNormal voted = voteWithin(vertex, radius_);
   return voted.vertex_class == VertexClass::Unknown ? voteWithin(vertex, 2 * radius_)
                                                     : voted;
 }
 
-// The distance g of a centre is the mean of its corners', Page's sigma is g_max / 3: so
-// exp (-g / sigma) is a product of one share for each corner.
+// The distance g of the centre of a triangle is the mean of those of its corners, and
+// Page's sigma is g_max / 3. Therefore exp (-g / sigma) is the product of one factor
+// per corner.
 void
 Voter::shareOut(float radius)
 {

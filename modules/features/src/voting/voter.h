@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::voting {
 
-/** The mesh as all voters see it. */
+/** The mesh with its precomputed faces and rings, shared by all voters. */
 struct Electorate {
   const PointView& points;
   const std::vector<TriangleMesh::Triangle>& triangles;
@@ -21,11 +21,14 @@ struct Electorate {
   {}
 };
 
-/** Lets the triangles around a vertex vote. One a thread. */
+/** Collects the votes of the triangles around a vertex. Use one object per thread. */
 class Voter {
 public:
-  /** \param[in] radius g_max, metres
-   * \param[in] nearest metres; in a slab a nearer triangle says nothing of the surface */
+  /** \param[in] electorate the mesh
+   * \param[in] radius g_max, metres
+   * \param[in] nearest minimum distance of a triangle in metres: closer triangles in a
+   * slab of noisy points do not describe the surface
+   * \param[in] settings the weights */
   Voter(const Electorate& electorate,
         double radius,
         double nearest,

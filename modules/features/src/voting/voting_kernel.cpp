@@ -15,8 +15,9 @@ namespace pcl::acmap {
 namespace voting {
 namespace {
 
-/** A disc of so many mean edges holds some forty triangles; on a noisy slab it has to be
- * wide beside the noise, as far as the work stays within bounds. */
+/** A disc with a radius of this number of mean edges contains about forty triangles. In
+ * a slab of noisy points it must be large compared with the noise, within a limited
+ * amount of work. */
 double
 automaticRadius(double mean_edge, double sigma)
 {
@@ -24,8 +25,8 @@ automaticRadius(double mean_edge, double sigma)
   return std::clamp(sigmas * sigma, edges * mean_edge, most_edges * mean_edge);
 }
 
-/** Calls vote (voter, vertex) for each vertex, with a voter of the thread's own, told in
- * parts so that a callback may stop it. */
+/** Calls vote (voter, vertex) for each vertex, with one voter per thread. The progress
+ * is reported in several parts, so that a callback can stop the run. */
 template <typename MakeVoter, typename Vote>
 void
 pollAll(std::size_t vertices,
@@ -37,7 +38,7 @@ pollAll(std::size_t vertices,
         const Vote& vote)
 {
   oneapi::tbb::enumerable_thread_specific<decltype(makeVoter())> voters(makeVoter);
-  constexpr std::size_t parts = 16, grain = 256; // a view has some 6000 vertices
+  constexpr std::size_t parts = 16, grain = 256; // a view has about 6000 vertices
   for (std::size_t part = 0; part < parts; ++part) {
     progress.tell(from + (to - from) * static_cast<double>(part) / parts, step);
     const std::size_t begin = vertices * part / parts;

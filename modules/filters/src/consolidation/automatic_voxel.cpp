@@ -9,18 +9,20 @@ double
 automaticVoxel(const NoiseScale& scale)
 {
   constexpr double window_width = 5; // voxels
-  // A slope between neighbours of 1/80 times the root of 2 is one degree.
+  // Noise of 1/80 of a voxel causes a slope of sqrt (2) / 80 between neighbours, which
+  // is one degree.
   constexpr double residual_share = 1.0 / 80;
   const double by_noise =
       std::sqrt(scale.sigma * scale.sparse_spacing / (window_width * residual_share));
-  // the windows have to hold the noise on both sides of the surface
+  // the windows must contain the noise on both sides of the surface
   return std::max({by_noise, 2 * scale.sparse_spacing, 4 * scale.sigma});
 }
 
 bool
 needsConsolidation(const NoiseScale& scale)
 {
-  constexpr double most_noise = 0.125; // of the spacing: faces ten degrees off
+  // relative to the spacing; the faces then deviate by ten degrees
+  constexpr double most_noise = 0.125;
   return scale.sigma > most_noise * scale.spacing;
 }
 

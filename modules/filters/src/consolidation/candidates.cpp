@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The cells of a voxel that lie on one surface, summed up. */
+/** Sum of the cells of a voxel that are on one surface. */
 struct OwnPoints {
   Moments moments;
   std::int32_t witness = 0;
@@ -34,13 +34,13 @@ ownPoints(const VoxelWindows& windows, std::size_t voxel, unsigned octants)
   return own;
 }
 
-/** Where the window's points lie to one side, the voxel is at a rim of the surface: moves
- * its point outwards to where the voxel's own points end, or every rim would recede by
- * half a voxel. */
+/** If the points of the window are on one side of the voxel, it is at the border of the
+ * surface. Its point is then moved outwards to the end of the points of the voxel,
+ * because otherwise every border would recede by half a voxel. */
 Eigen::Vector3d
 reachRim(const Moments& own, const SurfaceFit& fit, const Eigen::Vector3d& place)
 {
-  constexpr double least_shift = 0.75; // of the window's mean, in edges
+  constexpr double least_shift = 0.75; // of the mean of the window, in edges
   const Eigen::Vector3d normal = fit.normal.cast<double>();
   Eigen::Vector3d outwards = place - fit.mean.cast<double>();
   outwards -= outwards.dot(normal) * normal;
@@ -54,10 +54,10 @@ reachRim(const Moments& own, const SurfaceFit& fit, const Eigen::Vector3d& place
       own.xz * outwards.x() + own.yz * outwards.y() + own.zz * outwards.z());
   const double along = mean.dot(outwards);
   const double variance = second.dot(outwards) / own.count - along * along;
-  // points spread evenly end at the root of three standard deviations
+  // uniformly distributed points end at sqrt (3) standard deviations
   double reach = std::min(0.5, std::sqrt(3 * std::max(variance, 0.0)));
   for (int axis = 0; axis < 3; ++axis)
-    if (outwards[axis] != 0) // not beyond the voxel's own face
+    if (outwards[axis] != 0) // not beyond the face of the voxel
       reach = std::min(
           reach, (std::copysign(0.5, outwards[axis]) - place[axis]) / outwards[axis]);
   return place + std::max(reach, 0.0) * outwards;

@@ -12,12 +12,14 @@ struct Candidate {
   std::uint32_t voxel;
   std::uint8_t octants;
 
-  /** Edges that it was moved out of its own voxel; 0 when it stayed inside. */
+  /** Distance in edges by which it was moved along the normal, if it left its voxel; 0
+   * if it is inside. */
   float strayed;
 };
 
-/** \brief Moves the mean of each voxel's points along the normal onto its surface.
- * \return ascending by voxel, the second side of a voxel after its first */
+/** \brief Moves the mean of the points of each voxel along the normal onto its surface.
+ * \return in ascending order of voxels, the second side of a voxel after its first one
+ */
 std::vector<Candidate>
 makeCandidates(const VoxelWindows& windows,
                const SurfaceFits& fits,

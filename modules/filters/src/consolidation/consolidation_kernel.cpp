@@ -12,7 +12,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Asked for, or found; 0 with a remark where there is no telling. */
+/** Returns the requested voxel size or an automatic one; 0 if it cannot be determined.
+ * The remarks of the noise scale are reported. */
 double
 chooseVoxel(const PointView& points,
             const ConsolidationSettings& settings,

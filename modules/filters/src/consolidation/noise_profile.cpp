@@ -9,7 +9,7 @@ namespace {
 
 using Samples = std::vector<PlaneNoise>;
 
-/** \brief Whether there is a range; one whose square overflowed is none. */
+/** \brief Returns false if there is no range, or if its square overflowed. */
 bool
 isKnown(double range)
 {

@@ -11,21 +11,22 @@ namespace pcl::acmap {
 
 namespace {
 
-/** A way for a sign to spread: the flattest first, then by index. */
+/** A propagation step of the sign from one normal to another. The flattest steps come
+ * first, then they are sorted by index. */
 struct Step {
-  float bend; ///< 0 between normals of one plane or one arc, 1 where they say nothing
+  float bend; ///< 0 between normals of one plane or one arc, 1 if they are unrelated
   std::uint32_t to;
   std::uint32_t from;
 
   bool
-  operator<(const Step& other) const // the queue yields the largest
+  operator<(const Step& other) const // the queue returns the largest
   {
     return std::tie(bend, to, from) > std::tie(other.bend, other.to, other.from);
   }
 };
 
-/** Cosine between a normal and its neighbour's, carried over along a circular arc: the
- * reflection of the paper's votes. */
+/** Cosine between a normal and that of its neighbour, transported along a circular arc
+ * by the reflection that the paper uses for the votes. */
 float
 agreement(const Representative& a, const Representative& b)
 {

@@ -7,11 +7,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Points by cells of twice a radius, so that a ball of that radius meets eight of
- * them. Cells share chains by chance: the caller looks at distances. */
+/** \brief Hash grid of points with cells of twice a radius, so that a ball of that
+ * radius overlaps at most eight of them. Different cells may share a chain, so the
+ * caller must check distances. */
 class PointHash {
 public:
-  /** \param[in] capacity largest number of points; they are named 0 to capacity - 1 */
+  /** \param[in] capacity maximum number of points; their indices are 0 to capacity - 1
+   * \param[in] radius metres */
   PointHash(std::size_t capacity, float radius)
   : cell_(2 * radius)
   , next_(capacity, -1)
@@ -30,8 +32,9 @@ public:
     head = static_cast<std::int32_t>(name);
   }
 
-  /** \brief Calls visit (name) for the points in the cells about a place, until it returns
-   * true. Later ones of a cell come first; chance may bring one twice. */
+  /** \brief Calls visit (name) for the points in the cells around a position, until it
+   * returns true. Points that were added to a cell later come first; a point may be
+   * visited twice because of hash collisions. */
   template <typename Visit>
   void
   visitNear(const Eigen::Vector3f& point, const Visit& visit) const

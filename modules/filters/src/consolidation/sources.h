@@ -4,22 +4,24 @@
 
 namespace pcl::acmap {
 
-/** \brief For each cell the representative of its voxel and side, or of who displaced it:
- * the voxel's first one where its side has none. */
+/** \brief For each cell the representative of its voxel and side, or the one that
+ * displaced it. If its side has no representative, the first one of the voxel is used.
+ */
 std::vector<std::int32_t>
 representativesOfCells(const VoxelWindows& windows,
                        const std::vector<Candidate>& candidates,
                        const Thinning& thinning);
 
-/** \brief Gives each representative the mean colour of the points that it stands for.
+/** \brief Sets the colour of each representative to the mean of the points that it
+ * represents.
  * \param[in] of_cell from \ref representativesOfCells */
 void
 setMeanColors(const VoxelMoments& voxels,
               const std::vector<std::int32_t>& of_cell,
               std::vector<Representative>& representatives);
 
-/** \brief For each point of a view its representative, -1 for those that have none. Reads
- * the points once more. */
+/** \brief For each point of a view its representative, -1 if there is none. This is a
+ * second pass over the points. */
 std::vector<std::int32_t>
 representativesOf(const PointView& points,
                   const SensorView& sensors,

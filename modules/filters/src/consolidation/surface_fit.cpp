@@ -10,8 +10,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The noise of a voxel's window as one octant of sensors saw it: the far side of a thin
- * wall adds nothing. */
+/** Samples the noise of the window of a voxel, using only one octant of sensor
+ * directions, so that the far side of a thin wall has no effect. */
 void
 sampleNoise(const VoxelMoments& voxels,
             std::size_t first_cell,
@@ -72,7 +72,7 @@ fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
   return NoiseProfile(samples);
 }
 
-/** What a chunk of voxels adds to the surfaces. */
+/** Result for a chunk of voxels. */
 struct Refinement {
   std::vector<std::pair<std::uint32_t, SurfaceFit>> second;
   std::size_t narrowed = 0;

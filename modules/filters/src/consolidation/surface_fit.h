@@ -8,34 +8,36 @@
 
 namespace pcl::acmap {
 
-/** \brief A voxel's surface: the plane through its window, in edges from its centre. */
+/** \brief The surface of a voxel: the plane of its window, in edges relative to its
+ * centre. */
 struct SurfaceFit {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< zero without a plane
   float thickness = 0;                              ///< edges
   float curvature = 0;
-  float count = 0;       ///< points that it was fitted to
-  PlaneNoise noise;      ///< of the window, whatever part of it was taken
-  bool is_whole = false; ///< fitted to all of the window
+  float count = 0;       ///< number of points to which it was fitted
+  PlaneNoise noise;      ///< of the whole window, even if a part was fitted
+  bool is_whole = false; ///< fitted to the whole window
 
-  /** Octants of the cells that lie on it, a bit each. */
+  /** Octants of the cells that are on it, one bit each. */
   std::uint8_t octants = 0xff;
 };
 
-/** \brief The surfaces of all voxels, most with one. */
+/** \brief The surfaces of all voxels; most voxels have one. */
 struct SurfaceFits {
-  std::vector<SurfaceFit> first; ///< one a voxel
+  std::vector<SurfaceFit> first; ///< one per voxel
 
-  /** Voxels that are seen from both sides, ascending, with their second surface. */
+  /** Second surface of the voxels that were seen from both sides, in ascending order of
+   * voxels. */
   std::vector<std::pair<std::uint32_t, SurfaceFit>> second;
 
   std::size_t narrowed = 0;
 };
 
-/** \brief Fits each voxel's plane to the largest window about it that is still plane:
- * 5 x 5 x 5 voxels, else 3 x 3 x 3; where that is thicker than the noise, apart for the
- * sides that it was seen from, or the flattest 2 x 2 x 2 at a crease, or the voxel alone.
- */
+/** \brief Fits the plane of each voxel to the largest window around it that is still
+ * planar: 5 x 5 x 5 voxels, otherwise 3 x 3 x 3. If it is thicker than the noise, fits
+ * separate planes to the sides from which it was seen, or the flattest 2 x 2 x 2 voxels
+ * at a crease, or the voxel alone. */
 SurfaceFits
 fitSurfaces(const VoxelWindows& windows, NoiseProfile& noise);
 

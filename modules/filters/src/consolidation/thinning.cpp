@@ -12,21 +12,21 @@ namespace {
 constexpr double least_distance = 0.7; // edges
 constexpr double least_distance_of_strays = 0.85;
 
-/** Seen from opposite sides of a thin wall? */
+/** Were they seen from opposite sides of a thin wall? */
 bool
 areOpposite(const Candidate& a, const Candidate& b)
 {
   return (a.octants & b.octants) == 0;
 }
 
-/** \return the nearest kept candidate that displaces another, -1 when there is none */
+/** \return the closest kept candidate that displaces this one, -1 if there is none */
 std::int32_t
 displacing(const std::vector<Candidate>& candidates,
            const PointHash& kept,
            const Candidate& candidate,
            double edge)
 {
-  // a point that left its voxel is wanted only where that leaves a hole
+  // a point that left its voxel is only needed if there would be a hole without it
   const double radius =
       edge * (candidate.strayed > 0 ? least_distance_of_strays : least_distance);
   double least = radius * radius;

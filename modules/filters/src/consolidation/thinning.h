@@ -6,17 +6,19 @@
 
 namespace pcl::acmap {
 
-/** \brief Which candidates stay, and who stands for the others. */
+/** \brief The candidates that are kept, and the replacements of the others. */
 struct Thinning {
-  std::vector<std::uint32_t> kept; ///< candidates, ascending
+  std::vector<std::uint32_t> kept; ///< indices of candidates, ascending
 
-  /** For each candidate the position in \ref kept of itself or of who displaced it. */
+  /** For each candidate the index in \ref kept of itself or of the one that displaced
+   * it. */
   std::vector<std::int32_t> stand_in;
 };
 
-/** \brief Drops candidates nearer to an earlier one on the same side than 0.7 edges,
- * or 0.85 when they strayed: those that stayed in their voxel come first, then the others
- * by how far they strayed.
+/** \brief Removes candidates closer than 0.7 edges (0.85 if they left their voxel) to
+ * an earlier one on the same side. Candidates inside of their voxels come first, then
+ * the others in the order of their displacement.
+ * \param[in] candidates the candidates
  * \param[in] edge of a voxel, metres */
 Thinning
 thinOut(const std::vector<Candidate>& candidates, double edge);

@@ -9,11 +9,12 @@ namespace {
 
 constexpr double enough_points = 6;
 
-/** Has it a normal at all, other than points on a line or in one place? */
+/** Is the normal defined, i.e. are the points not on a line or at one position? */
 bool
 isSurface(const PlaneFit& fit)
 {
-  constexpr double least_width = 1e-3; // of its length, as variances; and edges^2
+  // ratio of variances; its square is the minimum variance in edges^2
+  constexpr double least_width = 1e-3;
   return fit.count >= 3 && fit.variances[1] > least_width * fit.variances[2] &&
          fit.variances[1] > least_width * least_width;
 }
@@ -85,7 +86,7 @@ isSamePlane(const PlaneFit& wide, const PlaneFit& inner)
   constexpr double least_cosine = 0.95;
   if (std::abs(wide.normal.dot(inner.normal)) < least_cosine)
     return false;
-  // the thickness of few points is itself uncertain
+  // the thickness of a few points is uncertain
   const double slack = 1.22 * (1 + 2 / std::sqrt(inner.count));
   return wide.thickness() < slack * inner.thickness();
 }
@@ -109,7 +110,7 @@ noiseOf(const VoxelMoments& voxels,
   noise.range = static_cast<float>(std::sqrt(range_square / count));
   if (!(noise.range > 0))
     return noise;
-  // no ray is so flat that none of its noise is across
+  // even at grazing incidence a part of the noise is across the plane
   constexpr float least_slant = 0.1f;
   noise.height = std::max(least_slant * noise.range,
                           static_cast<float>(std::sqrt(height_square / count)));
@@ -138,7 +139,7 @@ separateSides(const VoxelMoments& voxels,
               const NoiseProfile& noise,
               const SurfaceFit& whole)
 {
-  // how many times as thick as expected
+  // thickness relative to the expected one
   const auto excess = [&](const SurfaceFit& side) {
     return side.thickness /
            noise.expectedThickness(noiseOf(voxels, parts, side.normal, side.thickness));
@@ -152,7 +153,7 @@ separateSides(const VoxelMoments& voxels,
     const SurfaceFit first = fitSide(voxels, parts, bit, main);
     if (first.count < enough_points || first.normal.isZero())
       continue;
-    // few points on the far side are strays of the near one's noise
+    // a few points on the far side are outliers of the near side
     const bool both = std::min(low, high) >= enough_points / 2;
     const SurfaceFit second = fitSide(voxels, parts, bit, bit - main);
     const bool has_second =

@@ -6,26 +6,27 @@
 
 namespace pcl::acmap {
 
-/** \brief A window this many times as thick as the noise holds more than one plane. */
+/** \brief If a window is thicker than the noise by this factor, it contains several
+ * planes. */
 inline constexpr double thick_factor = 2;
 
 SurfaceFit
 toSurfaceFit(const PlaneFit& fit);
 
-/** \brief How thick a plane through a window is, and from where its points were seen. */
+/** \brief Thickness of the plane of a window, and range and height of its sensors. */
 PlaneNoise
 noiseOf(const VoxelMoments& voxels,
         const std::vector<WindowPart>& parts,
         const Eigen::Vector3f& normal,
         float thickness);
 
-/** \brief Is the plane through the wider window that through the inner one, with more
+/** \brief Is the plane of the wider window the same as that of the inner one, with more
  * points? */
 bool
 isSamePlane(const PlaneFit& wide, const PlaneFit& inner);
 
-/** \brief The plane through the parts of 5 x 5 x 5 voxels that a predicate chooses, or
- * through the inner 3 x 3 x 3 of them where the wider ones lie on another. */
+/** \brief The plane of those parts of 5 x 5 x 5 voxels that a predicate selects, or of
+ * the inner 3 x 3 x 3 of them if the outer ones are on another plane. */
 template <typename Choose>
 PlaneFit
 widestPlane(const VoxelMoments& voxels,
@@ -48,15 +49,16 @@ widestPlane(const VoxelMoments& voxels,
   return isSamePlane(wide_fit, inner_fit) ? wide_fit : inner_fit;
 }
 
-/** \brief Replaces the plane of an inner window by that of the whole one where this is no
- * thicker than the noise: the tail of a slab, seen alone, has a tilted plane of its own. */
+/** \brief Replaces the plane of an inner window by that of the whole window if this is
+ * not thicker than the noise: the outer part of a slab of noisy points has a tilted
+ * plane if it is fitted alone. */
 void
 widenWithinNoise(const VoxelMoments& voxels,
                  const std::vector<WindowPart>& parts,
                  const NoiseProfile& noise,
                  SurfaceFit& fit);
 
-/** \brief The one or two sides on which a voxel was seen, each with its own plane. */
+/** \brief The one or two sides from which a voxel was seen, each with its own plane. */
 struct SidesOfVoxel {
   bool found = false;
   SurfaceFit first;
@@ -64,16 +66,18 @@ struct SidesOfVoxel {
   SurfaceFit second;
 };
 
-/** \brief Tries to split a thick window by where its sensors stood, along each axis.
- * \param[in] whole the plane through all of it */
+/** \brief Tries to split a thick window by the directions to its sensors, along each
+ * axis.
+ * \param[in] whole the plane of the whole window */
 SidesOfVoxel
 separateSides(const VoxelMoments& voxels,
               const std::vector<WindowPart>& parts,
               const NoiseProfile& noise,
               const SurfaceFit& whole);
 
-/** \brief Replaces a thick plane by that through the flattest of the eight windows of
- * 2 x 2 x 2 voxels, or through the voxel alone, where these are much thinner. */
+/** \brief Replaces the plane of a thick window by that of the flattest of the eight
+ * windows of 2 x 2 x 2 voxels, or of the voxel alone, if it is much thinner.
+ * \return true if it was replaced */
 bool
 narrowPlane(const VoxelMoments& voxels,
             const std::vector<WindowPart>& parts,

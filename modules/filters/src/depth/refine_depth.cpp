@@ -12,19 +12,21 @@ namespace pcl::acmap {
 namespace depth {
 namespace {
 
-/** Inverse depth over the picture near a pixel: u + slopes . (column, row). */
+/** Local plane of inverse depth in the image near a pixel: value + slopes . (column,
+ * row). */
 struct LocalPlane {
   double value = 0;
-  Eigen::Vector2d slopes = Eigen::Vector2d::Zero(); ///< 1/m a pixel
+  Eigen::Vector2d slopes = Eigen::Vector2d::Zero(); ///< 1/m per pixel
   std::size_t support = 0;
 };
 
-/** Regression of inverse depth in a window about each pixel that is on no plane. */
+/** Regression of inverse depth in a window around each pixel that is not on a plane. */
 class PictureSmoothing {
 public:
-  static constexpr std::size_t fewest = 5; ///< pixels that a surface needs
+  static constexpr std::size_t fewest = 5; ///< minimum number of pixels of a surface
 
-  /** \param[in] inverse_depths those on planes lie on them already; 0 for none */
+  /** \param[in] inverse_depths those of pixels on planes have already been replaced; 0
+   * for pixels without a measurement */
   PictureSmoothing(const DepthView& view,
                    const std::vector<double>& inverse_depths,
                    double sigma)
@@ -39,7 +41,8 @@ public:
   {
     LocalPlane plane;
     plane.value = inverse_depths_[pixel];
-    // the first round finds the slopes, the second those who are on it
+    // the first round estimates the slopes, the second one selects the pixels on the
+    // plane
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round)
       if (!fit(static_cast<std::int64_t>(pixel), plane))
@@ -51,7 +54,7 @@ private:
   bool
   fit(std::int64_t pixel, LocalPlane& plane) const
   {
-    constexpr std::int64_t reach = 4; // pixels; neighbours share their noise
+    constexpr std::int64_t reach = 4; // pixels; the noise of neighbours is correlated
     const std::int64_t column = pixel % width_, row = pixel / width_;
     Moments sum;
     for (std::int64_t y = std::max<std::int64_t>(row - reach, 0);
@@ -76,7 +79,7 @@ private:
     const double yy = sum.yy - sum.y * sum.y / n;
     const Eigen::Vector2d right(sum.xz - sum.x * sum.z / n, sum.yz - sum.y * sum.z / n);
     Eigen::Matrix2d matrix;
-    matrix << xx + 1, xy, xy, yy + 1; // few pixels in a row know one slope only
+    matrix << xx + 1, xy, xy, yy + 1; // a few pixels in a row only define one slope
     plane.slopes = matrix.inverse() * right;
     plane.value = (sum.z - plane.slopes.dot(Eigen::Vector2d(sum.x, sum.y))) / n;
     return true;
@@ -88,7 +91,7 @@ private:
   double gate_;
 };
 
-/** The plane (a, b, c) of inverse depth that a local one is in rays. */
+/** Converts a local plane to the coefficients (a, b, c) of inverse depth over rays. */
 Eigen::Vector3d
 inRays(const LocalPlane& local,
        const Eigen::Vector3d& ray,
@@ -145,7 +148,7 @@ refineDepth(const DepthView& view,
         found.planes[static_cast<std::size_t>(found.labels[pixel])].inverse;
     const double of_plane = inverse.dot(rayOf(pixel));
     if (!(of_plane > 0))
-      continue; // its ray never meets the plane
+      continue; // its ray does not intersect the plane
     inverse_depths[pixel] = of_plane;
     set(pixel, of_plane, inverse);
     is_on_plane[pixel] = 1;

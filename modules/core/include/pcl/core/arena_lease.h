@@ -8,12 +8,12 @@
 
 namespace pcl::acmap {
 
-/** \brief An arena of threads that is nobody else's as long as this lives. The next lease of
- * as many threads has the same one: with its own allocator, oneTBB 2021.8 does not get back
- * some kilobytes of each arena that is destroyed. */
+/** \brief A TBB arena that is used exclusively during the lifetime of this object. It
+ * is reused by the next lease with the same number of threads, because oneTBB 2021.8
+ * with its own allocator leaks some kilobytes for each destroyed arena. */
 class ACMAP_EXPORT ArenaLease {
 public:
-  /** \param[in] threads 0: all */
+  /** \param[in] threads number of threads, 0 for all */
   explicit ArenaLease(unsigned threads);
 
   ArenaLease(const ArenaLease&) = delete;

@@ -11,7 +11,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Refuses an argument, naming value, legal range and unit.
+/** \brief Rejects an argument. The message contains its value, legal range and unit.
  * \throws pcl::BadArgumentException always */
 [[noreturn]] inline void
 refuseArgument(const std::string& name, double value, const std::string& legal)
@@ -21,7 +21,7 @@ refuseArgument(const std::string& name, double value, const std::string& legal)
   throw BadArgumentException(text.str());
 }
 
-/** \brief Lets finite values in [least, most] pass.
+/** \brief Checks that a value is finite and in [least, most].
  * \throws pcl::BadArgumentException otherwise */
 inline void
 requireInRange(const std::string& name,
@@ -37,7 +37,7 @@ requireInRange(const std::string& name,
   refuseArgument(name, value, legal.str());
 }
 
-/** \brief Lets places of sensors pass that are finite, in metres.
+/** \brief Checks that all sensor positions, in metres, are finite and within 1e9 m.
  * \throws pcl::BadArgumentException otherwise */
 inline void
 requireViewpoints(const std::vector<Eigen::Vector3f>& viewpoints)

@@ -13,16 +13,18 @@
 
 namespace pcl::acmap {
 
-/** \brief The field of that name; nullptr without one. */
+/** \brief Returns the field with the given name, or nullptr if there is none. */
 ACMAP_EXPORT const PCLPointField*
 findField(const PCLPointCloud2& cloud, const std::string& name);
 
-/** \brief The same, but of one value of that type. */
+/** \brief Returns the field with the given name if it has a single value of the given
+ * type, or nullptr. */
 ACMAP_EXPORT const PCLPointField*
 findField(const PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype);
 
-/** \brief The packed colour, `rgb` or `rgba`: one value of four bytes, the first of them
- * blue, green, red; nullptr without one. */
+/** \brief Returns the packed colour field `rgb` or `rgba`: a single value of four
+ * bytes, the first three of which are blue, green, red. Returns nullptr if there is
+ * none. */
 ACMAP_EXPORT const PCLPointField*
 findColor(const PCLPointCloud2& cloud);
 
@@ -30,28 +32,29 @@ findColor(const PCLPointCloud2& cloud);
 inline constexpr std::array<const char*, 3> normal_field_names = {
     "normal_x", "normal_y", "normal_z"};
 
-/** \brief A field of one value. */
+/** \brief Name and type of a requested field with a single value. */
 struct FieldWish {
   std::string name;
   std::uint8_t datatype;
 };
 
-/** \brief A cloud with no rows, but with the fields of another one and with those wished
- * for, behind; all fields of a wished name go where the first of them is of another type.
+/** \brief Returns a cloud without points that has the fields of \a cloud, followed by
+ * the requested fields that it lacks. If the first field of a requested name has
+ * another type or several values, the requested field replaces all fields of that name.
  */
 ACMAP_EXPORT PCLPointCloud2
 layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes);
 
-/** \brief The cloud in that layout; the values of new fields are zero. */
+/** \brief Returns the cloud in that layout; the values of new fields are zero. */
 ACMAP_EXPORT PCLPointCloud2
 withFields(PCLPointCloud2 cloud, const std::vector<FieldWish>& wishes);
 
-/** \brief Drops the fields that a PCD cannot hold: a name that is no word of ASCII, or that
- * an earlier field has. */
+/** \brief Removes the fields that a PCD cannot store: those whose name is not a word of
+ * ASCII characters or is already used by an earlier field. */
 ACMAP_EXPORT void
 dropUnwritableFields(PCLPointCloud2& cloud);
 
-/** \brief Sets the number of rows of an unorganized cloud. */
+/** \brief Sets the number of points of an unorganized cloud. */
 ACMAP_EXPORT void
 resizeRows(PCLPointCloud2& cloud, std::size_t rows);
 
@@ -68,7 +71,8 @@ rowsOf(const PCLPointCloud2& cloud)
   return std::size_t{cloud.width} * cloud.height;
 }
 
-/** \brief Sets a value of a row. \param[in] offset of its field */
+/** \brief Sets a value of a point.
+ * \param[in] offset offset of its field */
 template <typename Value>
 void
 setValue(PCLPointCloud2& cloud, std::size_t row, std::size_t offset, const Value& value)

@@ -12,41 +12,44 @@
 
 namespace pcl {
 
-/** \brief What is known of a texel. \ingroup core */
+/** \brief Origin of the colour of a texel. \ingroup core */
 enum class TexelKind : std::uint8_t {
-  None = 0,  ///< no observation saw it
+  None = 0,  ///< not seen by any observation
   Seen = 1,  ///< coloured by observations
-  Filled = 2 ///< coloured after its neighbours
+  Filled = 2 ///< filled in from its neighbours
 };
 
-/** \brief All three channels of a texel of which nothing is known. \ingroup core */
+/** \brief Value of all three channels of a texel without a colour. \ingroup core */
 inline constexpr std::uint8_t unknown_grey = 128;
 
-/** \brief The texture of a rectangle on a plane that covers one of its polygons, or a part
- * of it where the polygon is larger than a texture may be.
+/** \brief The texture of a rectangle on a plane that covers one of its polygons, or a
+ * part of it if the polygon is larger than the maximum size of a texture.
  *
- * Texel (i, j), column i of row j, covers origin + i * texel_u + j * texel_v and one step
- * further each way. \ingroup core */
+ * Texel (i, j), column i of row j, covers the parallelogram that begins at
+ * origin + i * texel_u + j * texel_v and is spanned by texel_u and texel_v.
+ * \ingroup core */
 struct TextureChart {
-  std::size_t plane = 0;   ///< of the map
-  std::size_t polygon = 0; ///< of the plane
-  Eigen::Vector3d origin =
-      Eigen::Vector3d::Zero(); ///< outer corner of texel (0, 0), map
-  Eigen::Vector3d texel_u = Eigen::Vector3d::Zero(); ///< one column further, metres
-  Eigen::Vector3d texel_v = Eigen::Vector3d::Zero(); ///< one row further, metres
+  std::size_t plane = 0;   ///< index in the map
+  std::size_t polygon = 0; ///< index in the plane
+  /** \brief Outer corner of texel (0, 0), in the map frame. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d texel_u = Eigen::Vector3d::Zero(); ///< step of one column, metres
+  Eigen::Vector3d texel_v = Eigen::Vector3d::Zero(); ///< step of one row, metres
   RgbImage colors;
-  std::vector<TexelKind> kinds; ///< one a texel, rows from the top
-  std::string image;            ///< name of its file beside the map; empty for none
-  std::string kinds_image;      ///< the same of the kinds; empty where all are seen
+  std::vector<TexelKind> kinds; ///< one per texel, rows from the top
+  /** \brief Name of its file beside the map; empty if there is none. */
+  std::string image;
+  /** \brief Name of the file of the kinds; empty if all are Seen. */
+  std::string kinds_image;
 };
 
-/** \brief What is left of millions of points: a few textured planes. \ingroup core */
+/** \brief A map of textured planes that replaces a point cloud. \ingroup core */
 struct CompactMap {
   std::vector<PlanePatch> planes;
   std::vector<TextureChart> charts;
 
-  /** \brief For each plane the observations that saw it, ascending; empty where that is
-   * not known. Their numbers are those of the poses. */
+  /** \brief For each plane the observations that saw it, in ascending order; empty if
+   * unknown. An observation is given by the index of its pose. */
   std::vector<std::vector<std::int32_t>> observations;
   Trajectory trajectory; ///< T_map_camera of the observations; may be empty
 };

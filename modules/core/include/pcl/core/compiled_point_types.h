@@ -5,12 +5,12 @@
 #include <pcl/point_types.h>
 
 /** \file
- * Point types for which the classes over points are compiled. For other types include the
- * headers in `impl/`. Builds under sanitizers compile fewer types. */
+ * Point types for which the class templates are instantiated. For other types include
+ * the headers in `impl/`. Builds with sanitizers instantiate fewer types. */
 #ifdef ACMAP_FEW_POINT_TYPES
-/** \brief Types of PCL for clouds and maps. */
+/** \brief PCL's point types for clouds and maps. */
 #define ACMAP_PCL_POINT_TYPES (pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointNormal)
-/** \brief Types for organized views with colour. */
+/** \brief Point types for organized views with colour. */
 #define ACMAP_VIEW_POINT_TYPES (pcl::PointXYZRGB)(pcl::PointXYZRGBSigma)
 #else
 #define ACMAP_PCL_POINT_TYPES                                           \
@@ -19,7 +19,7 @@
 #define ACMAP_VIEW_POINT_TYPES \
   (pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZRGBNormal)(pcl::PointXYZRGBSigma)
 #endif
-/** \brief Types for clouds and maps. */
+/** \brief Point types for clouds and maps. */
 #define ACMAP_MAP_POINT_TYPES ACMAP_PCL_POINT_TYPES(pcl::PointXYZRGBNormalView)
 /** \brief Types for the steps from a cloud to its planes: also all others of PCL with
  * coordinates. */

@@ -10,9 +10,9 @@
 
 namespace pcl {
 
-/** \brief How far each pixel of a reference view moves into a neighbour's view, in px:
- * focal length times baseline over depth. Rows from the top, each from the left; NaN where
- * there is none. \ingroup core */
+/** \brief The disparity of each pixel of a reference view with respect to a
+ * neighbouring view, in px: focal length times baseline over depth. Rows from the top,
+ * each from the left; NaN for pixels without a disparity. \ingroup core */
 struct DisparityImage {
   std::int32_t width = 0;    ///< pixels
   std::int32_t height = 0;   ///< pixels
@@ -39,18 +39,19 @@ private:
   }
 };
 
-/** \brief Writes a grey PFM ("Pf"), little-endian; what is NaN becomes infinite, as the
- * Middlebury benchmark has it.
- * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
- * all its values
- * \throws OutputFileException when the file could not be written whole \ingroup core */
+/** \brief Writes a grey PFM ("Pf"), little-endian. NaN becomes infinity, which is the
+ * convention of the Middlebury benchmark.
+ * \throws BadArgumentException if the image is empty, has more than 2^28 pixels or an
+ * incomplete array of values
+ * \throws OutputFileException when the file could not be written completely
+ * \ingroup core */
 ACMAP_EXPORT void
 savePfm(const std::string& path, const DisparityImage& image);
 
-/** \brief Reads a grey PFM of either byte order; its scale is not applied. What is not
- * finite becomes NaN.
- * \throws InputFileException naming file and fault: missing, no grey PFM, no size that can
- * be, fewer or more bytes than it claims \ingroup core */
+/** \brief Reads a grey PFM of either byte order; its scale is not applied. Values that
+ * are not finite become NaN.
+ * \throws InputFileException naming file and fault: missing, not a grey PFM, invalid
+ * size, fewer or more bytes than the header claims \ingroup core */
 ACMAP_EXPORT DisparityImage
 loadPfm(const std::string& path);
 

@@ -5,29 +5,29 @@
 
 namespace pcl {
 
-/** \brief A file that is missing, unreadable, truncated or malformed; the message names
- * the file and what is wrong with it. \ingroup core */
+/** \brief Thrown for a file that is missing, unreadable, truncated or malformed. The
+ * message names the file and the fault. \ingroup core */
 class ACMAP_EXPORT InputFileException : public IOException {
 public:
   using IOException::IOException;
 };
 
-/** \brief A file that could not be written whole; what stood there before is untouched.
- * \ingroup core */
+/** \brief Thrown for a file that could not be written completely. An existing file of
+ * that name is not changed. \ingroup core */
 class ACMAP_EXPORT OutputFileException : public IOException {
 public:
   using IOException::IOException;
 };
 
-/** \brief Work that would take more memory than allowed, refused before it began; the
+/** \brief Thrown before an operation that would take more memory than allowed. The
  * message names both amounts. \ingroup core */
 class ACMAP_EXPORT MemoryLimitException : public PCLException {
 public:
   using PCLException::PCLException;
 };
 
-/** \brief Thrown by a verb whose progress callback asked to stop; its outputs are
- * untouched. \ingroup core */
+/** \brief Thrown by an operation whose progress callback requested cancellation. Its
+ * outputs are not changed. \ingroup core */
 class ACMAP_EXPORT CancelledException : public PCLException {
 public:
   using PCLException::PCLException;

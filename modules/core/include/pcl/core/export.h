@@ -1,7 +1,8 @@
 #pragma once
 
-/** \brief Marks what users of the libraries may link to; all else is hidden.
+/** \brief Exports a symbol of the libraries; all other symbols are hidden.
  *
- * Class templates carry it at their explicit instantiation: the template arguments are
- * PCL's unmarked types, which would hide an instantiation marked in its class alone. */
+ * For class templates it is also needed at the explicit instantiation: the template
+ * arguments are PCL's types, which are not exported, and would hide an instantiation
+ * that is only marked at its class. */
 #define ACMAP_EXPORT __attribute__((visibility("default")))

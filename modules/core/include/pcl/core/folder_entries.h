@@ -8,11 +8,11 @@
 
 namespace pcl::acmap {
 
-/** \brief What lies right in a folder, in the order of the names; O(n log n).
+/** \brief Lists the entries of a folder, not recursively, sorted by name; O(n log n).
  * \param[in] folder to list
  * \return paths that begin with \a folder
  * \throws InputFileException when it cannot be listed
- * \throws std::bad_alloc when memory is what is missing
+ * \throws std::bad_alloc when there is not enough memory
  * \ingroup core */
 ACMAP_EXPORT std::vector<std::filesystem::path>
 folderEntries(const std::string& folder);

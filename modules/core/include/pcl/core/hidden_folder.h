@@ -7,25 +7,26 @@
 
 namespace pcl::acmap {
 
-/** \brief A hidden folder for what is not whole yet: its owner renames files out of it into
- * place; what is left goes away with the object.
+/** \brief A hidden folder for incomplete files. Its owner renames files from it to
+ * their final paths; the folder and its remaining files are removed by the destructor.
  *
- * The owner holds a lock on the folder, which ends with the process however that ends. So
- * whoever comes next can tell what a killed run left behind, and removes it.
+ * The owner holds a lock on the folder, which is released when the process ends for any
+ * reason. The next process can therefore detect and remove what a killed process left
+ * behind.
  * \ingroup core */
 class ACMAP_EXPORT HiddenFolder {
 public:
-  /** \brief Makes `.NAME.acmap-unfinished-N`, with the first number that is free, once
-   * leftovers of this name are removed.
-   * \param[in] parent folder to make it in; empty: the current one
-   * \param[in] name of what it is for; may be empty
-   * \param[in] shown what faults are told of, as the user wrote it
-   * \throws OutputFileException when it cannot be made */
+  /** \brief Removes leftovers of this name and creates `.NAME.acmap-unfinished-N`, with
+   * the first free number.
+   * \param[in] parent folder to create it in; empty for the current one
+   * \param[in] name name of the final file or folder; may be empty
+   * \param[in] shown path in error messages, as given by the user
+   * \throws OutputFileException when it cannot be created */
   HiddenFolder(const std::filesystem::path& parent,
                const std::string& name,
                const std::string& shown);
 
-  /** \brief Removes it with what lies in it. */
+  /** \brief Removes the folder and its contents. */
   ~HiddenFolder();
 
   HiddenFolder(const HiddenFolder&) = delete;
@@ -43,21 +44,22 @@ private:
   int lock_ = -1;
 };
 
-/** \brief Whether a file name is one that a \ref HiddenFolder has. \ingroup core */
+/** \brief Returns true if a file name is the name of a \ref HiddenFolder. \ingroup core
+ */
 ACMAP_EXPORT bool
 isHiddenFolderName(const std::string& name);
 
-/** \brief Removes the hidden folders that killed runs left right in a folder. What cannot
- * be removed stays. \ingroup core */
+/** \brief Removes the hidden folders that killed processes left in a folder, not
+ * recursively. Those that cannot be removed are kept. \ingroup core */
 ACMAP_EXPORT void
 removeLeftoversIn(const std::string& folder);
 
-/** \brief Removes those that were for a file or folder of this name. \ingroup core */
+/** \brief Removes the leftovers for a file or folder of this name. \ingroup core */
 ACMAP_EXPORT void
 removeLeftoversOf(const std::filesystem::path& parent, const std::string& name);
 
-/** \brief A path without the hidden folders in it: where its file is to be. \ingroup core
- */
+/** \brief Removes hidden folders from a path, which gives the final path of the file.
+ * \ingroup core */
 ACMAP_EXPORT std::string
 shownPath(const std::string& path);
 

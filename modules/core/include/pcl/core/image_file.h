@@ -10,7 +10,8 @@
 
 namespace pcl {
 
-/** \brief Rows from the top, each from the left; red, green, blue. \ingroup core */
+/** \brief A colour image: rows from the top, each from the left; red, green, blue.
+ * \ingroup core */
 struct RgbImage {
   std::int32_t width = 0; ///< pixels
   std::int32_t height = 0;
@@ -31,32 +32,34 @@ struct RgbImage {
   }
 };
 
-/** \brief One number a pixel, as depth images hold millimetres. \ingroup core */
+/** \brief An image with one number per pixel, such as a depth image in millimetres.
+ * \ingroup core */
 struct GrayImage16 {
   std::int32_t width = 0; ///< pixels
   std::int32_t height = 0;
   std::vector<std::uint16_t> values; ///< width * height, rows from the top
 };
 
-/** \brief Reads a PNG, a JPEG, or a binary PGM or PPM of 8 bits; its first bytes tell
- * which, not its name. Grey ones become colour, transparency is dropped.
- * \throws InputFileException when it is missing, none of these, truncated, damaged, or
- * has more than 2^28 pixels \ingroup core */
+/** \brief Reads a PNG, a JPEG, or a binary PGM or PPM of 8 bits. The format is
+ * determined from the first bytes of the file, not from its name. Grey images are
+ * converted to colour, transparency is dropped.
+ * \throws InputFileException when it is missing, of another format, truncated, damaged,
+ * or has more than 2^28 pixels \ingroup core */
 ACMAP_EXPORT RgbImage
 loadRgbImage(const std::string& path);
 
-/** \brief Reads a PNG of one channel, of 8 or 16 bits, as it is stored.
- * \throws InputFileException as above, and when it has colours \ingroup core */
+/** \brief Reads a PNG of one channel, of 8 or 16 bits; the values are not scaled.
+ * \throws InputFileException as above, and when it has colour \ingroup core */
 ACMAP_EXPORT GrayImage16
 loadGrayImage16(const std::string& path);
 
-/** \brief The bytes of a PNG file.
- * \throws BadArgumentException when the image is empty, has more than 2^28 pixels or not
- * all its values \ingroup core */
+/** \brief Encodes an image as PNG.
+ * \throws BadArgumentException if the image is empty, has more than 2^28 pixels or an
+ * incomplete array of values \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodePng(const RgbImage& image);
 
-/** \brief The same of a grey image: 8 bits a pixel, rows from the top.
+/** \brief Encodes a grey image as PNG: 8 bits per pixel, rows from the top.
  * \throws BadArgumentException as above \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodePng(std::int32_t width,
@@ -65,21 +68,22 @@ encodePng(std::int32_t width,
 
 /** \brief Writes a PNG.
  * \throws BadArgumentException as above
- * \throws OutputFileException when the file could not be written whole \ingroup core */
+ * \throws OutputFileException when the file could not be written completely
+ * \ingroup core */
 ACMAP_EXPORT void
 savePng(const std::string& path, const RgbImage& image);
 
-/** \brief The same of a grey image. \ingroup core */
+/** \brief Writes a grey image as PNG; throws as above. \ingroup core */
 ACMAP_EXPORT void
 savePng(const std::string& path,
         std::int32_t width,
         std::int32_t height,
         const std::vector<std::uint8_t>& values);
 
-/** \brief The bytes of a JPEG file.
+/** \brief Encodes an image as JPEG.
  * \param[in] quality 1 to 100
- * \throws BadArgumentException as above, when the quality is none, or a side is above
- * 65,500 pixels \ingroup core */
+ * \throws BadArgumentException as above, if the quality is outside of its range, or if
+ * a side is longer than 65,500 pixels \ingroup core */
 ACMAP_EXPORT std::vector<std::uint8_t>
 encodeJpeg(const RgbImage& image, int quality);
 

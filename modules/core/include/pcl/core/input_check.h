@@ -5,10 +5,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Lets a class's input pass when there is a cloud and all indices lie inside of
- * it. PCL's own classes read what lies outside.
+/** \brief Checks that the input of a class has a cloud, and that all indices are valid.
+ * PCL's own classes do not check indices and read outside of the cloud.
  * \param[in] input the cloud that was set
- * \param[in] indices that the user set, nullptr for the whole cloud
+ * \param[in] indices the indices that were set, nullptr for the whole cloud
  * \throws InitFailedException naming the fault \ingroup core */
 template <typename PointT>
 void

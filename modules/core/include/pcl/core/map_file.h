@@ -6,23 +6,23 @@
 
 namespace pcl {
 
-/** \brief Writes planes, the frames of their charts, the poses and the version as JSON:
- * PLANES.json where there are planes alone, map.json of a compact map. Numbers have as many
- * digits as it takes to read the same ones back; what is not known is null. Colours stay
- * out, charts name their images. The file is written beside its target and renamed into
- * place.
- * \throws BadArgumentException for what \ref loadMapFile would refuse, naming plane or
- * chart and fault: normals whose length is not 1, numbers that are not finite, loops of
- * fewer than 3 points, charts, observations and poses that make no sense
- * \throws OutputFileException when it could not be written whole. \ingroup core */
+/** \brief Writes planes, the rectangles of their charts, the poses and the version as
+ * JSON: PLANES.json if there are only planes, map.json for a compact map. Numbers have
+ * as many digits as are needed to read back the same values; unknown values are null.
+ * Colours are not written, charts contain the names of their images. The file is
+ * written to a temporary file in the same folder and then renamed.
+ * \throws BadArgumentException for maps that \ref loadMapFile would reject, naming
+ * plane or chart and fault: normals that are not of unit length, numbers that are not
+ * finite, loops of fewer than 3 points, invalid charts, observations and poses
+ * \throws OutputFileException when it could not be written completely. \ingroup core */
 ACMAP_EXPORT void
 saveMapFile(const std::string& path, const CompactMap& map);
 
-/** \brief Reads what \ref saveMapFile wrote; charts have no colours yet.
- * \throws InputFileException naming file and fault: missing, no JSON, a version that is not
- * known, a key that is missing or of another kind, numbers that are not finite, a chart of
- * a plane or polygon that is not there, nonsense sizes, charts of more than 2^28 texels
- * together. \ingroup core */
+/** \brief Reads a file that \ref saveMapFile wrote; the charts have no colours yet.
+ * \throws InputFileException naming file and fault: missing, not JSON, an unknown
+ * version, a key that is missing or of another type, numbers that are not finite, a
+ * chart of a plane or polygon that does not exist, invalid sizes, charts with more than
+ * 2^28 texels together. \ingroup core */
 ACMAP_EXPORT CompactMap
 loadMapFile(const std::string& path);
 

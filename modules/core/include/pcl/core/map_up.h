@@ -5,24 +5,26 @@
 
 namespace pcl {
 
-/** \brief The axis of a map's frame, x, y, z or the opposite of one, that is nearest to
- * up.
+/** \brief Returns the axis of the map frame, x, y, z or its opposite, that is closest
+ * to the up direction.
  *
- * It is what the cameras of the trajectory take for up on average. Without a trajectory it
- * is -y, as in the frame of a camera, or z where the map stretches less along z than along
- * y and more area is level in z. \ingroup core */
+ * The up direction is the mean up direction of the cameras of the trajectory. Without a
+ * trajectory the result is -y, as in a camera frame, or z if the extent of the map
+ * along z is smaller than along y and the area of horizontal planes is larger with
+ * respect to z. \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 upAxis(const CompactMap& map);
 
-/** \brief Up as the planes of a map tell: the direction to which most of their area is
- * level or upright.
+/** \brief Estimates the up direction from the planes of a map: the direction with
+ * respect to which most of their area is horizontal or vertical.
  *
- * The frame of a map is that of its first camera, and tilted if that was. Of several such
- * directions, as the three of a room, the one nearest to what the cameras take for up is
- * returned; without cameras the one nearest to \ref upAxis. At most 60 degrees from there
- * are looked at. Where less than a third of the area agrees, and where the direction is less
- * than half a degree from the axis, it is the axis.
- * \return a vector of length 1 in the frame of the map. \ingroup core */
+ * The map frame is that of its first camera, and is tilted if that camera was tilted.
+ * If there are several such directions, for example the three axes of a room, the one
+ * closest to the up direction of the cameras is returned; without cameras, the one
+ * closest to \ref upAxis. Only directions within 60 degrees of it are considered. If
+ * less than a third of the area agrees, or if the direction is less than half a degree
+ * from the axis, the axis is returned.
+ * \return a unit vector in the frame of the map. \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 upDirection(const CompactMap& map);
 

@@ -9,14 +9,15 @@
 
 namespace pcl::acmap {
 
-/** \brief The polygons of a pcl::PolygonMesh as triangles: fans about their first corners.
- * Polygons of less than three corners are left out. \ingroup core */
+/** \brief Converts the polygons of a pcl::PolygonMesh to triangles: fans about their
+ * first corners. Polygons of fewer than three corners are omitted. \ingroup core */
 ACMAP_EXPORT std::vector<TriangleMesh::Triangle>
 trianglesOf(const std::vector<Vertices>& polygons);
 
-/** \brief Lets a mesh pass whose corners are points of a cloud.
- * \param[in] points of the cloud
- * \throws InitFailedException naming a corner that is not */
+/** \brief Checks that the corners of all triangles are points of a cloud.
+ * \param[in] triangles the mesh
+ * \param[in] points number of points of the cloud
+ * \throws InitFailedException naming a corner that is out of range */
 ACMAP_EXPORT void
 requireCornersInside(const std::vector<TriangleMesh::Triangle>& triangles,
                      std::size_t points);

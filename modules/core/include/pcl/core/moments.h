@@ -9,9 +9,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Sums of 1, p and p p^T over some points: all that a plane fit needs, and they
- * add up. The unit of length and the place of the origin are the holder's. \ingroup core
- */
+/** \brief Sums of 1, p and p p^T over some points, which is all that a plane fit needs;
+ * they are additive. Unit of length and origin are defined by the user of the class.
+ * \ingroup core */
 struct Moments {
   double count = 0;
   double x = 0, y = 0, z = 0;
@@ -23,7 +23,8 @@ struct Moments {
     return addShifted(other, 0, 0, 0);
   }
 
-  /** \brief Adds moments whose origin lies at (dx, dy, dz) of this one's frame. */
+  /** \brief Adds moments whose origin is at (dx, dy, dz) in the frame of this object.
+   */
   Moments&
   addShifted(const Moments& other, double dx, double dy, double dz)
   {
@@ -41,7 +42,7 @@ struct Moments {
     return *this;
   }
 
-  /** \brief The same points in another unit of length. */
+  /** \brief Returns the moments of the same points in another unit of length. */
   Moments
   scaled(double factor) const
   {
@@ -65,7 +66,7 @@ struct Moments {
   }
 };
 
-/** \brief Those of one point. */
+/** \brief Moments of one point. */
 inline Moments
 momentsOf(const Eigen::Vector3d& p)
 {
@@ -81,19 +82,21 @@ momentsOf(const Eigen::Vector3d& p)
           p.z() * p.z()};
 }
 
-/** \brief The plane of least squares through some points. */
+/** \brief The least-squares plane of some points. */
 struct PlaneFit {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit; its sign means nothing
-  Eigen::Vector3d long_axis = Eigen::Vector3d::Zero(); ///< unit, of the most variance
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit; its sign is arbitrary
+  /** \brief Unit vector in the direction of maximum variance. */
+  Eigen::Vector3d long_axis = Eigen::Vector3d::Zero();
 
-  /** \brief Variances along the principal axes, ascending: the first one is that across
-   * the plane. */
+  /** \brief Variances along the principal axes in ascending order: the first one is
+   * across the plane. */
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 
   double count = 0;
 
-  /** \brief Standard deviation across the plane, free of what the fit took away. */
+  /** \brief Standard deviation across the plane, corrected for the degrees of freedom
+   * of the fit. */
   double
   thickness() const
   {
@@ -109,7 +112,7 @@ struct PlaneFit {
   }
 };
 
-/** \brief Fits by the smallest eigenvector of the covariance, in closed form.
+/** \brief Fits a plane by the smallest eigenvector of the covariance, in closed form.
  * \param[in] moments with a count of at least 1 */
 ACMAP_EXPORT PlaneFit
 fitPlane(const Moments& moments);

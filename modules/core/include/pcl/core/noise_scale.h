@@ -11,42 +11,49 @@
 
 namespace pcl {
 
-/** \brief How noisy a cloud of surfaces is, and how dense: the two lengths from which
- * all automatic sizes follow. \ingroup core */
+/** \brief Noise and density of a cloud of surfaces: the two lengths from which all
+ * automatic sizes are derived. \ingroup core */
 struct NoiseScale {
-  /** \brief Standard deviation of the points across their surface, in metres; the middle
-   * of what the surface shows. 0 when no noise can be told from the shape. */
+  /** \brief Standard deviation of the points across their surface, in metres; the
+   * typical value over the surface. 0 if the noise cannot be distinguished from the
+   * shape. */
   double sigma = 0;
 
-  /** \brief Side of the square of surface that holds one point, in metres, on average: the
-   * root of the surface's area over the number of points. 0 when there is no surface. */
+  /** \brief Side of the square of surface per point, in metres, on average: the square
+   * root of the area of the surface over the number of points. 0 if there is no
+   * surface. */
   double spacing = 0;
 
-  /** \brief The same where points are sparse: exceeded on a quarter of the surface. */
+  /** \brief Spacing in sparse regions: it is exceeded on a quarter of the surface. */
   double sparse_spacing = 0;
 
-  /** \brief From 0 to 1: the share of the surface that is plane enough to measure on,
-   * times the share of its thickness there that does not grow with the scale. */
+  /** \brief From 0 to 1: the share of the surface that is planar enough for the
+   * measurement, times the share of its thickness that does not grow with the scale. */
   double confidence = 0;
 
-  /** \brief Noise along the ray of points that one sensor distance away saw. */
+  /** \brief Noise along the ray of the points at one distance from the sensor. */
   struct Range {
-    double distance = 0; ///< to the sensor, metres; the geometric middle of the bin
-    double sigma = 0;    ///< standard deviation along the ray, metres
+    /** \brief Distance to the sensor, metres; geometric mean of the bin limits. */
+    double distance = 0;
+    double sigma = 0; ///< standard deviation along the ray, metres
     std::size_t points = 0;
   };
 
-  /** \brief Bins of a factor of sqrt (2), ascending; empty where no sensor is known. */
+  /** \brief Bins whose limits differ by a factor of sqrt (2), ascending; empty if no
+   * sensor is known. */
   std::vector<Range> ranges;
 
-  /** \brief Noise of the depth of one organized view, which is even in inverse depth for
-   * cameras that triangulate. All in 1/m; a depth z has z^2 times it in metres. */
+  /** \brief Depth noise of one organized view, which is uniform in inverse depth for
+   * sensors that triangulate. All values are in 1/m; multiply by z^2 for the noise of a
+   * depth z in metres. */
   struct InverseDepth {
-    double step = 0;        ///< the sensor's rounding; 0: not quantised
-    double independent = 0; ///< standard deviation of a pixel about its neighbours
-    double correlated = 0;  ///< what pixels share with others over tens of pixels
+    double step = 0; ///< quantisation step of the sensor; 0: not quantised
+    /** \brief Standard deviation of the part that is independent between pixels. */
+    double independent = 0;
+    /** \brief Standard deviation of the part shared over tens of pixels. */
+    double correlated = 0;
 
-    /** \brief Standard deviation of a pixel. */
+    /** \brief Standard deviation of the inverse depth of a pixel. */
     double
     sigma() const
     {
@@ -54,10 +61,10 @@ struct NoiseScale {
     }
   };
 
-  /** \brief Where the cloud is one view whose depth is quantised. */
+  /** \brief Set if the cloud is one view whose depth is quantised. */
   std::optional<InverseDepth> inverse_depth;
 
-  /** \brief Why there is no answer, or a doubtful one. */
+  /** \brief Reasons why there is no result or an uncertain one. */
   std::vector<std::string> remarks;
 
   bool
@@ -69,22 +76,24 @@ struct NoiseScale {
 
 namespace acmap {
 
-/** \brief Measures sigma and spacing on planes through windows of 3 x 3 x 3 voxels,
- * at the smallest scale that holds the noise.
+/** \brief Measures sigma and spacing by planes fitted to windows of 3 x 3 x 3 voxels,
+ * at the smallest scale whose voxels are larger than the noise.
  *
- * Voxels of 3 to 64 points, by the size of the cloud, are summed once and doubled; at each
- * scale the thickness is the mean of the middle half of the planar windows. The
- * scale is the first one whose voxel is three times as large as the thickness, and at
- * whose double the thickness is much the same; what it grows is taken for curvature and
- * removed. Linear time, memory of the voxels.
+ * The voxels contain 3 to 64 points, depending on the size of the cloud; they are
+ * summed once, and their edge is doubled from scale to scale. At each scale the
+ * thickness is the mean of the middle half of the planar windows. The chosen scale is
+ * the first one whose voxel is three times as large as the thickness, and at whose
+ * double the thickness is similar; its growth is attributed to curvature and removed.
+ * Takes linear time, and memory for the voxels.
  *
- * Points in their sensor's frame whose depth is quantised (\ref measureDepthStep) have the
- * noise of their steps: sigma and the ranges are then z^2 times that of inverse depth.
+ * For points in the frame of their sensor with quantised depth (\ref measureDepthStep)
+ * the noise follows from the quantisation step: sigma and the ranges are then z^2 times
+ * the noise of inverse depth.
  * \param[in] points metres
- * \param[in] sensors who saw them; without it there are no ranges
- * \param[in] threads 0 for all; the answer is the same
- * \param[in] width pixels of a row where the points are one organized view, whose noise is
- * then measured in its picture; 0 for other clouds */
+ * \param[in] sensors sensor positions; without them no ranges are computed
+ * \param[in] threads 0 for all; the result is the same
+ * \param[in] width pixels per row if the points are one organized view, whose noise is
+ * then measured in the image; 0 for other clouds */
 ACMAP_EXPORT NoiseScale
 measureNoiseScale(const PointView& points,
                   const SensorView& sensors,

@@ -11,24 +11,25 @@
 
 namespace pcl::acmap {
 
-/** \brief What a link points to, through all links; the path itself where it is none. A
- * link stays a link: what it points to is replaced. \ingroup core */
+/** \brief Resolves symbolic links; returns the path itself if it is not a link. The
+ * link is kept and its target is replaced. \ingroup core */
 ACMAP_EXPORT std::string
 followLinks(const std::string& path);
 
-/** \brief A file that has no name until commit () puts it into place: a killed run, an
- * exception or a full disk leaves the old file or none.
+/** \brief A file that has no name until commit () puts it into place. After a killed
+ * process, an exception or a full disk, there is either the old file or none.
  *
- * Where the file system knows no files without a name, it is written into a
- * \ref HiddenFolder beside its target, which a killed run leaves for the next one.
- * A target that is a link keeps being one: the file that it points to is replaced, with
- * its permissions kept. A device or a pipe is written straight into. \ingroup core */
+ * If the file system does not support unnamed files, the file is written into a
+ * \ref HiddenFolder in the folder of its target, which is removed by the next process
+ * if this one is killed. If the target is a symbolic link, the link is kept and the
+ * file that it points to is replaced; its permissions are kept. Devices and pipes are
+ * written to directly. \ingroup core */
 class ACMAP_EXPORT OutputFile {
 public:
   /** \throws OutputFileException when the file cannot be created */
   explicit OutputFile(const std::string& path);
 
-  /** \brief Removes what was written unless it was committed. */
+  /** \brief Removes the written data unless it was committed. */
   ~OutputFile();
 
   OutputFile(const OutputFile&) = delete;
@@ -39,25 +40,26 @@ public:
   void
   write(const void* data, std::size_t bytes);
 
-  /** \brief Flushes, closes and puts it into place. Nothing can be written afterwards.
-   * \throws OutputFileException when any of it failed */
+  /** \brief Flushes and closes the file and puts it into place. Nothing can be written
+   * afterwards.
+   * \throws OutputFileException when one of these steps failed */
   void
   commit();
 
 private:
-  /** \brief Opens a file without a name, or one in a hidden folder. */
+  /** \brief Opens an unnamed file, or one in a hidden folder. */
   void
   openBeside();
 
-  /** \brief Makes the hidden folder. */
+  /** \brief Creates the hidden folder. */
   void
   hide();
 
   std::string path_;
-  std::string target_; // with links followed
-  int unnamed_ = -1;   // the file, where it has no name yet
+  std::string target_; // target with links resolved
+  int unnamed_ = -1;   // descriptor of the file while it has no name
   std::optional<HiddenFolder> hidden_;
-  std::string temporary_; // its place in there
+  std::string temporary_; // path of the file in the hidden folder
   std::FILE* file_ = nullptr;
 };
 

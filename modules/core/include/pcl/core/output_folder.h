@@ -10,66 +10,68 @@
 
 namespace pcl::acmap {
 
-/** \brief A folder of results that appear all together: files are written into a
- * \ref HiddenFolder, inside of it or, where it is new, beside it, and \ref commit renames
- * them into place. A run that fails before leaves the folder as it was, a killed one what
- * the next one for this folder removes. \ingroup core */
+/** \brief A folder whose result files appear together. Files are written into a
+ * \ref HiddenFolder, which is inside of the folder or, if the folder is new, beside it;
+ * \ref commit renames them to their final paths. If the process fails before, the
+ * folder is unchanged. The leftovers of a killed process are removed by the next
+ * process that writes to this folder. \ingroup core */
 class ACMAP_EXPORT OutputFolder {
 public:
-  /** \brief Makes the folder where it is missing; what it lies in must be there. Removes
-   * what killed runs left.
-   * \throws OutputFileException when it cannot be made or written to */
+  /** \brief Creates the folder if it does not exist; its parent must exist. Removes
+   * leftovers of killed processes.
+   * \throws OutputFileException when it cannot be created or written to */
   explicit OutputFolder(const std::string& path);
 
-  /** \brief Removes what was not committed. */
+  /** \brief Removes files that were not committed. */
   ~OutputFolder();
 
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder&
   operator=(const OutputFolder&) = delete;
 
-  /** \brief As the user wrote it. */
+  /** \brief The path as given by the user. */
   const std::string&
   name() const
   {
     return name_;
   }
 
-  /** \brief Where to write a file of this name until \ref commit. */
+  /** \brief Path to which a file of this name is written before \ref commit. */
   std::string
   path(const std::string& name) const;
 
-  /** \brief Names of what lies in it, in order, hidden folders of runs apart; of nothing
-   * that this run wrote.
+  /** \brief Names of the entries of the folder in order, without hidden folders and
+   * without uncommitted files.
    * \throws OutputFileException when it cannot be listed */
   std::vector<std::string>
   names() const;
 
-  /** \brief Whether a path, existing or not, names a file right in this folder. */
+  /** \brief Returns true if a path, existing or not, is a file directly in this folder.
+   */
   bool
   holds(const std::string& path) const;
 
-  /** \brief Puts what was written into place: a new folder that is empty by then all at
-   * once, else file by file. Where such a rename fails midway, new files stand beside old
-   * ones, and those that are left are removed. A name that belongs to a folder is
-   * foreseen: then nothing is put into place.
+  /** \brief Puts the written files into place. If the folder is new and still empty,
+   * this is done in one step, otherwise file by file. If a rename fails, some files are
+   * new and others old, and the remaining new files are removed. If the name of a file
+   * is used by a folder, this is detected beforehand and no file is put into place.
    * \throws OutputFileException when a file could not be put into place */
   void
   commit();
 
 private:
-  /** \brief Makes the hidden folder. */
+  /** \brief Creates the hidden folder. */
   void
   hide();
 
-  /** \brief Renames them one by one. */
+  /** \brief Renames the files one by one. */
   void
   putFilesInPlace() const;
 
   std::string name_;
   std::filesystem::path folder_;
   std::optional<HiddenFolder> hidden_;
-  std::filesystem::path files_; // in there
+  std::filesystem::path files_; // folder of the files before commit
   bool made_ = false;
 };
 

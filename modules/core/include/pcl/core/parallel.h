@@ -13,12 +13,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Chunk length of the loops below: long enough to hide the scheduling, and fixed,
- * so that the grouping of sums never depends on the number of threads. */
+/** \brief Chunk length of the loops below: long enough to hide the scheduling overhead,
+ * and fixed, so that the grouping of sums does not depend on the number of threads. */
 inline constexpr std::size_t parallel_chunk = 4096;
 
-/** \brief Runs a function in an arena of \a threads threads (0 = all), be they more than
- * the machine's processors. */
+/** \brief Runs a function in an arena of \a threads threads (0 for all), even if these
+ * are more than the processors of the machine. */
 template <typename Function>
 auto
 withThreads(unsigned threads, Function&& function)
@@ -43,10 +43,11 @@ parallelForChunks(std::size_t size, const Body& body)
   });
 }
 
-/** \brief Reduces chunk results in the order of the chunks: the same bytes for any number
- * of threads, floating-point sums included.
- * \param[in] map gives the value of chunk (begin, end)
- * \param[in] join folds the next chunk's value into the first argument, by reference */
+/** \brief Reduces the results of chunks in the order of the chunks. The result is
+ * bitwise identical for any number of threads, including floating-point sums.
+ * \param[in] map returns the value of chunk (begin, end)
+ * \param[in] join joins the value of the next chunk into the first argument, which is
+ * passed by reference */
 template <typename Value, typename Map, typename Join>
 Value
 parallelReduceChunks(std::size_t size, Value start, const Map& map, const Join& join)

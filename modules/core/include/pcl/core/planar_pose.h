@@ -6,17 +6,17 @@
 
 namespace pcl {
 
-/** \brief Where a robot stands on the floor: a frame's pose in the XZ plane of the map
- * (x right, y down, z forward), theta about y. It takes (x, z) to
- * X = cos theta x + sin theta z + p_x, Z = -sin theta x + cos theta z + p_z.
+/** \brief Pose of a robot on the floor: a frame in the XZ plane of the map (x right, y
+ * down, z forward), with theta about y. It transforms (x, z) to X = cos theta x + sin
+ * theta z + p_x, Z = -sin theta x + cos theta z + p_z.
  * \ingroup core */
 struct PlanarPose {
   double x = 0, z = 0; ///< metres
   double theta = 0;    ///< radians
 };
 
-/** \brief A motion on the floor (the paper's action): where the robot stands next, as
- * seen from where it stood. \ingroup core */
+/** \brief A motion on the floor (the paper's action): the next pose of the robot in the
+ * frame of its previous pose. \ingroup core */
 struct PlanarAction {
   double dx = 0, dz = 0; ///< metres, in the frame before the motion
   double dtheta = 0;     ///< radians
@@ -33,7 +33,7 @@ moved(const PlanarPose& pose, const PlanarAction& action)
           pose.theta + action.dtheta};
 }
 
-/** \brief The action that leads from one pose to another, its turn in [-pi, pi].
+/** \brief The action from one pose to another; its rotation is in [-pi, pi].
  * \ingroup core */
 inline PlanarAction
 actionBetween(const PlanarPose& from, const PlanarPose& to)
@@ -57,8 +57,8 @@ isometryOf(const PlanarPose& pose)
   return T_map_robot;
 }
 
-/** \brief The planar pose nearest to a rigid motion: its x and z, and the turn about y
- * nearest to its rotation; height and tilt are left. \ingroup core */
+/** \brief The planar pose closest to a rigid motion: its x and z, and the rotation
+ * about y closest to its rotation; height and tilt are dropped. \ingroup core */
 inline PlanarPose
 planarPartOf(const Eigen::Isometry3d& T_map_camera)
 {

@@ -11,26 +11,26 @@
 namespace pcl {
 
 /** \brief One sweep of a planar laser. Beam i points along first_angle + i angle_step,
- * from z (ahead, 0) towards x (right, pi / 2). \ingroup core */
+ * measured from z (forward, 0) towards x (right, pi / 2). \ingroup core */
 struct PlanarScan {
-  std::vector<float> ranges; ///< metres; none where not in (0, maximum_range)
+  std::vector<float> ranges; ///< metres; no echo if not in (0, maximum_range)
   double first_angle = 0;    ///< radians
-  double angle_step = 0;     ///< radians; its sign is the sense of the sweep
-  float maximum_range = 0;   ///< metres; what a beam without echo reads, or more
+  double angle_step = 0;     ///< radians; its sign is the direction of the sweep
+  float maximum_range = 0;   ///< metres; beams without an echo read this value or more
   PlanarPose pose;           ///< of the laser in the map
   double stamp = 0;          ///< seconds
 };
 
 /** \brief A scan as points of the XZ plane. \ingroup core */
 struct PlanarScanPoints {
-  /** In the laser's frame, y = 0; the normal, towards the laser, is that of the line
-   * through the neighbouring echoes, NaN where they do not lie on one. */
+  /** In the frame of the laser, y = 0. The normal, towards the laser, is that of the
+   * line through the neighbouring echoes, NaN if they are not on a line. */
   PointCloud<PointNormal>::Ptr cloud;
-  std::vector<float> weights;    ///< metres of wall that each point stands for
-  std::size_t missing_beams = 0; ///< without echo
+  std::vector<float> weights;    ///< metres of wall that each point represents
+  std::size_t missing_beams = 0; ///< number of beams without an echo
 };
 
-/** \brief Turns echoes into points.
+/** \brief Converts echoes to points.
  * \throws BadArgumentException when an angle is not finite \ingroup core */
 ACMAP_EXPORT PlanarScanPoints
 pointsOf(const PlanarScan& scan);

@@ -11,20 +11,21 @@
 
 namespace pcl {
 
-/** \brief Writes a cloud as binary PCD with all its fields, padding left out; what
- * \ref loadPointCloud reads back is the same cloud, organized if it was.
+/** \brief Writes a cloud as binary PCD with all its fields but without padding.
+ * \ref loadPointCloud reads back the same cloud, organized if it was.
  *
- * VIEWPOINT has 9 digits, enough for any float (PCL writes 6). The file is written
- * beside its target and renamed into place. For a mesh or a PLY see
- * \ref saveTriangleMesh.
- * \param[in] path a name that ends in .pcd, in any case
- * \param[in] cloud x y z float32 side by side; metres, in the caller's frame
+ * VIEWPOINT has 9 digits, which is enough for any float (PCL writes 6). The file is
+ * written to a temporary file in the same folder and then renamed. For a mesh or a PLY
+ * see \ref saveTriangleMesh.
+ * \param[in] path file name with the extension .pcd (case-insensitive)
+ * \param[in] cloud adjacent float32 x y z; metres, in the frame of the caller
  * \param[in] origin of the sensor, in the frame of the points
  * \param[in] orientation of the sensor, unit length
- * \throws OutputFileException when the file could not be written whole: another ending,
- * missing folder, no permission, disk full; an older file of that name is then untouched
- * \throws BadArgumentException when the fields are not inside the data, have no name that
- * a PCD can hold, or x y z are missing; when the pose is none. \ingroup core */
+ * \throws OutputFileException when the file could not be written completely: another
+ * extension, missing folder, no permission, disk full; an existing file of that name is
+ * not changed
+ * \throws BadArgumentException if the fields are not inside the data, have a name that
+ * a PCD cannot store, or x y z are missing; if the pose is not valid. \ingroup core */
 ACMAP_EXPORT void
 savePointCloud(const std::string& path,
                const PCLPointCloud2& cloud,

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Has the point type a colour, packed in `rgb` or `rgba`? */
+/** \brief Has the point type a packed colour `rgb` or `rgba`? */
 template <typename PointT>
 inline constexpr bool has_color = traits::has_field<PointT, fields::rgb>::value ||
                                   traits::has_field<PointT, fields::rgba>::value;
@@ -22,11 +22,11 @@ template <typename PointT>
 inline constexpr bool has_curvature =
     traits::has_field<PointT, fields::curvature>::value;
 
-/** \brief Names the point type the observation that saw it? */
+/** \brief Has the point type a field `view` with the observation that saw it? */
 template <typename PointT>
 inline constexpr bool has_view = traits::has_field<PointT, fields::view>::value;
 
-/** \brief The colours of a cloud; none where PointT has none. */
+/** \brief Returns the colours of a cloud; empty if PointT has none. */
 template <typename PointT>
 ColorView
 colorsOf(const PointCloud<PointT>& cloud)
@@ -38,8 +38,8 @@ colorsOf(const PointCloud<PointT>& cloud)
   return {};
 }
 
-/** \brief Who saw the points of a cloud: the viewpoint that each names, or the sensor of
- * the cloud where PointT has no field `view`. */
+/** \brief Returns the sensor positions of the points of a cloud: the viewpoint given by
+ * their field `view`, or the sensor of the cloud if PointT has no such field. */
 template <typename PointT>
 SensorView
 sensorsOf(const PointCloud<PointT>& cloud,
@@ -55,7 +55,7 @@ sensorsOf(const PointCloud<PointT>& cloud,
     return SensorView(Eigen::Vector3f(cloud.sensor_origin_.template head<3>()));
 }
 
-/** \brief The same for a whole cloud. */
+/** \brief As above, for a whole cloud. */
 template <typename PointT>
 SensorView
 sensorsOf(const PointCloud<PointT>& cloud,
@@ -68,9 +68,9 @@ sensorsOf(const PointCloud<PointT>& cloud,
     return SensorView(Eigen::Vector3f(cloud.sensor_origin_.template head<3>()));
 }
 
-/** \brief As \ref sensorsOf for a whole cloud, but unknown where PointT has no field
- * `view`: a mesh that has a right side of its own is not turned to a sensor that nobody
- * named. */
+/** \brief As \ref sensorsOf for a whole cloud, but unknown if PointT has no field
+ * `view` or no viewpoints are given: the faces of a mesh with a consistent orientation
+ * should not be turned towards a sensor that was not specified. */
 template <typename PointT>
 SensorView
 namedSensorsOf(const PointCloud<PointT>& cloud,

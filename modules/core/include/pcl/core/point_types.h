@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/impl/pcl_base.hpp> // PCL is not compiled for the type below
+#include <pcl/impl/pcl_base.hpp> // PCL is not instantiated for the types below
 #include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
 
@@ -8,9 +8,9 @@
 
 namespace pcl {
 
-/** \brief A point of a map: place, colour, normal, and the observation that saw it.
+/** \brief A point of a map: position, colour, normal, and the observation that saw it.
  *
- * \c view is the position of that observation in its `trajectory.txt`, -1 where unknown.
+ * \c view is the index of that observation in its `trajectory.txt`, -1 if unknown.
  * \ingroup core */
 struct EIGEN_ALIGN16 PointXYZRGBNormalView {
   PCL_ADD_POINT4D;
@@ -37,10 +37,10 @@ struct EIGEN_ALIGN16 PointXYZRGBNormalView {
   }
 };
 
-/** \brief A point of an observation: place, colour, and one standard deviation along the
+/** \brief A point of an observation: position, colour, and standard deviation along the
  * ray.
  *
- * \c sigma is in metres; NaN where the point has no place. Colour is valid everywhere.
+ * \c sigma is in metres; NaN if the point has no position. The colour is always valid.
  * \ingroup core */
 struct EIGEN_ALIGN16 PointXYZRGBSigma {
   PCL_ADD_POINT4D;

@@ -8,20 +8,21 @@
 
 namespace pcl::acmap {
 
-/** \brief Zero-copy view of the x y z floats of any point array, whole or through indices.
+/** \brief Zero-copy view of the x y z floats of an array of any point type, of all
+ * points or of a subset given by indices.
  *
- * Kernels read points through it, so that they need no PCL type. The three floats of a
- * point stand together; points stand \a stride bytes apart. Units and frame are the
- * caller's. The view does not own the memory. \ingroup core
- */
+ * Kernels access points with it, so that they do not depend on the point type. The
+ * three floats of a point are adjacent; the distance between points is \a stride bytes.
+ * Units and frame are those of the caller. The view does not own the memory.
+ * \ingroup core */
 class PointView {
 public:
   PointView() = default;
 
   /** \param[in] first address of the x of the first point
    * \param[in] stride bytes from one point to the next
-   * \param[in] size number of points, or of indices where these are given
-   * \param[in] indices positions in the array, nullptr for all points in their order */
+   * \param[in] size number of points, or of indices if these are given
+   * \param[in] indices indices into the array, nullptr for all points in their order */
   PointView(const void* first,
             std::size_t stride,
             std::size_t size,
@@ -38,7 +39,7 @@ public:
     return size_;
   }
 
-  /** \brief Position of view point \a i in the underlying array. */
+  /** \brief Index in the underlying array of point \a i of the view. */
   std::int32_t
   index(std::size_t i) const
   {

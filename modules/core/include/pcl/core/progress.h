@@ -7,17 +7,17 @@
 
 namespace pcl {
 
-/** \brief Called now and then by a running verb, from the thread that called the verb.
+/** \brief Called repeatedly during a run, from the thread that started it.
  *
- * \param[in] fraction how much of the work is done, in [0, 1], never falling
- * \param[in] step what is being done, in a word or two
- * \return false to stop: the verb throws \ref CancelledException. \ingroup core
- */
+ * \param[in] fraction completed part of the work, in [0, 1], never decreasing
+ * \param[in] step name of the current step, one or two words
+ * \return false to stop: the run throws \ref CancelledException. \ingroup core */
 using ProgressCallback = std::function<bool(double fraction, const std::string& step)>;
 
 namespace acmap {
 
-/** \brief Tells a callback, if there is one, and turns its refusal into an exception. */
+/** \brief Calls a callback, if there is one, and throws an exception if it returns
+ * false. */
 class Progress {
 public:
   explicit Progress(ProgressCallback callback = {})

@@ -5,8 +5,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Seeded random numbers, the same on every platform (the distributions of the
- * standard library are not). SplitMix64; give each task a seed of its own. */
+/** \brief Seeded random numbers that are the same on every platform (the distributions
+ * of the standard library are not). The generator is SplitMix64; use a separate seed
+ * for each task. */
 class Random {
 public:
   explicit Random(std::uint64_t seed)

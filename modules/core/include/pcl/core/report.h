@@ -7,20 +7,20 @@
 
 namespace pcl {
 
-/** \brief What every stage tells about its last run; stages add their counts.
+/** \brief Report of the last run, common to all stages; stages add their own counts.
  * \ingroup core */
 struct Report {
   /** \brief Wall-clock seconds of each step, in the order they ran. */
   std::vector<std::pair<std::string, double>> seconds;
 
-  /** \brief One line for each oddity met: why an output is empty or partial, what was
-   * skipped. Empty when there is nothing to say. */
+  /** \brief Warnings, one per entry: why an output is empty or partial, what was
+   * skipped. Empty if there are none. */
   std::vector<std::string> remarks;
 };
 
 namespace acmap {
 
-/** \brief Appends the time since construction, or since the last call, to a report. */
+/** \brief Adds the time since construction, or since the last call, to a report. */
 class StepTimer {
 public:
   explicit StepTimer(Report& report)

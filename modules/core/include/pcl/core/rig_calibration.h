@@ -13,29 +13,30 @@
 
 namespace pcl {
 
-/** \brief A camera as it is built, before rectification. \ingroup core */
+/** \brief Calibration of one camera before rectification. \ingroup core */
 struct CameraCalibration {
-  double focal_x = 520.0;  ///< px, a pixel's width
-  double focal_y = 520.0;  ///< px, a pixel's height
+  double focal_x = 520.0;  ///< px, in units of the pixel width
+  double focal_y = 520.0;  ///< px, in units of the pixel height
   double center_x = 319.5; ///< px, of the principal point
   double center_y = 239.5; ///< px
 
-  /** \brief k1, k2, p1, p2, k3 of the Brown-Conrady model, as OpenCV orders them. */
+  /** \brief k1, k2, p1, p2, k3 of the Brown-Conrady model, in the order of OpenCV. */
   std::array<double, 5> distortion{0, 0, 0, 0, 0};
 
-  /** \brief Place of this camera in the frame of the reference camera, metres. */
+  /** \brief Pose of this camera in the frame of the reference camera, metres. */
   Eigen::Isometry3d T_reference_camera = Eigen::Isometry3d::Identity();
 
   bool is_there = false;
 };
 
-/** \brief The cameras of a rig as they are built. What a \ref TrinocularRig has after
- * rectification follows from it. \ingroup core */
+/** \brief Calibration of the cameras of a rig before rectification. The
+ * \ref TrinocularRig after rectification follows from it. \ingroup core */
 struct RigCalibration {
   int width = 640;  ///< px
   int height = 480; ///< px
 
-  /** \brief By \ref RigCamera; the reference is always there, its place the identity. */
+  /** \brief Indexed by \ref RigCamera. The reference camera always exists, and its pose
+   * is the identity. */
   std::array<CameraCalibration, 3> cameras;
 
   CameraCalibration&
@@ -51,39 +52,42 @@ struct RigCalibration {
   }
 };
 
-/** \brief Refuses cameras that no rig can have: no reference or one whose place is not
- * the identity, a size beyond 32768 px, what is not finite, a focal length below 1 px, a
- * place that is no rigid motion or more than 100 m away.
+/** \brief Checks the calibration of a rig. Rejects a missing reference camera or one
+ * whose pose is not the identity, a size beyond 32768 px, values that are not finite, a
+ * focal length below 1 px, a pose that is not a rigid motion or is more than 100 m
+ * away.
  * \throws BadArgumentException naming camera, value and legal range \ingroup core */
 ACMAP_EXPORT void
 requireSoundCalibration(const RigCalibration& calibration);
 
-/** \brief The unit ray a pixel looks along, in the frame of its camera; the distortion is
- * taken off by iteration.
- * \return NaN where the distortion has no inverse near the pixel \ingroup core */
+/** \brief Returns the unit ray of a pixel in the frame of its camera; the distortion is
+ * removed iteratively.
+ * \return NaN if the distortion cannot be inverted near the pixel \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 pixelRay(const CameraCalibration& camera, const Eigen::Vector2d& pixel);
 
-/** \brief Where a camera sees a point, in px.
- * \param[in] point metres, in the frame of this camera, before it (z > 0)
+/** \brief Projects a point into a camera, px.
+ * \param[in] point metres, in the frame of this camera, in front of it (z > 0)
  * \ingroup core */
 ACMAP_EXPORT Eigen::Vector2d
 projectPoint(const CameraCalibration& camera, const Eigen::Vector3d& point);
 
-/** \brief The cameras that a rectified rig is made of: without distortion, on its
- * baselines. \ingroup core */
+/** \brief Returns the calibration of a rectified rig: cameras without distortion,
+ * placed along its baselines. \ingroup core */
 ACMAP_EXPORT RigCalibration
 calibrationOf(const TrinocularRig& rig);
 
 /** \brief Reads the cameras from a `rig.yaml`; see doc/core/rig_calibration.md.
  * \throws InputFileException naming file, line, key and value; also when the file has
- * only a rectified rig, or one of other cameras \ingroup core */
+ * only a rectified rig, or a rig of other cameras \ingroup core */
 ACMAP_EXPORT RigCalibration
 loadRigCalibration(const std::string& path);
 
-/** \brief Writes a `rig.yaml` that holds both: the rectified rig and its cameras.
- * \throws BadArgumentException for a rig or cameras that cannot be
- * \throws OutputFileException when the file could not be written whole \ingroup core */
+/** \brief Writes a `rig.yaml` with the rectified rig and the calibration of its
+ * cameras.
+ * \throws BadArgumentException for an invalid rig or calibration
+ * \throws OutputFileException when the file could not be written completely
+ * \ingroup core */
 ACMAP_EXPORT void
 saveRigCalibration(const std::string& path,
                    const TrinocularRig& rig,

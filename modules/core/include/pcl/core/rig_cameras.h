@@ -8,11 +8,11 @@
 
 namespace pcl::acmap {
 
-/** \brief All that a rig can have, in their order. \ingroup core */
+/** \brief All cameras that a rig can have, in their order. \ingroup core */
 inline constexpr std::array<RigCamera, 3> rig_cameras = {
     RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
 
-/** \brief Has the rig such a camera? A baseline of 0 says that it has not.
+/** \brief Has the rig this camera? A baseline of 0 means that it has not.
  * \ingroup core */
 inline bool
 hasCamera(const TrinocularRig& rig, RigCamera camera)
@@ -21,7 +21,7 @@ hasCamera(const TrinocularRig& rig, RigCamera camera)
          (camera != RigCamera::Vertical || rig.baseline_vertical != 0.0);
 }
 
-/** \brief How many cameras the rig has, 1 to 3. \ingroup core */
+/** \brief Returns the number of cameras of the rig, 1 to 3. \ingroup core */
 inline int
 countCameras(const TrinocularRig& rig)
 {

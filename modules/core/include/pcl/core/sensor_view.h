@@ -10,25 +10,26 @@
 
 namespace pcl::acmap {
 
-/** \brief Where the sensor stood that saw a point: one place for all points, or the place
- * of the observation that the point's field `view` names, or unknown.
+/** \brief Position of the sensor that saw a point: one position for all points, or that
+ * of the observation given by the field `view` of the point, or unknown.
  *
- * The companion of \ref PointView, with the same order of points. Metres, frame of the
- * points. It owns the places but not the field. \ingroup core */
+ * It is used together with a \ref PointView and has the same order of points. Positions
+ * are in metres, in the frame of the points. It owns the positions but not the field.
+ * \ingroup core */
 class SensorView {
 public:
-  /** \brief Nothing is known. */
+  /** \brief The sensor positions are unknown. */
   SensorView() = default;
 
-  /** \brief One sensor saw all points. */
+  /** \brief All points were seen by one sensor. */
   explicit SensorView(const Eigen::Vector3f& origin)
   : origins_{origin}
   {}
 
   /** \param[in] first address of the int32 `view` of the first point of the array
    * \param[in] stride bytes from one point to the next
-   * \param[in] origins place of each observation
-   * \param[in] indices positions in the array, nullptr for all points in their order */
+   * \param[in] origins sensor position of each observation
+   * \param[in] indices indices into the array, nullptr for all points in their order */
   SensorView(const void* first,
              std::size_t stride,
              std::vector<Eigen::Vector3f> origins,
@@ -45,7 +46,8 @@ public:
     return !origins_.empty();
   }
 
-  /** \brief Place of the sensor that saw point \a i of the view; nullptr where unknown. */
+  /** \brief Position of the sensor that saw point \a i of the view; nullptr if unknown.
+   */
   const Eigen::Vector3f*
   operator[](std::size_t i) const
   {
@@ -53,8 +55,8 @@ public:
     return view < 0 ? nullptr : &origins_[static_cast<std::size_t>(view)];
   }
 
-  /** \brief Number of the observation that saw point \a i of the view, 0 where one sensor
-   * saw all; -1 where unknown. */
+  /** \brief Index of the observation that saw point \a i of the view; 0 if one sensor
+   * saw all points, -1 if unknown. */
   std::int32_t
   observation(std::size_t i) const
   {

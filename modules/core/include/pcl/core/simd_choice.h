@@ -5,9 +5,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Whether kernels take their AVX2 variant: where the processor has it, and the
- * environment variable ACMAP_SIMD does not say "base". Asked once a kernel, before its
- * first run. \ingroup core */
+/** \brief Returns true if kernels use their AVX2 variant: if the processor supports it,
+ * and the environment variable ACMAP_SIMD is not "base". It is called once per kernel,
+ * before its first run. \ingroup core */
 inline bool
 isAvx2Chosen()
 {

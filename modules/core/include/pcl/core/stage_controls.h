@@ -6,14 +6,14 @@
 
 namespace pcl {
 
-/** \brief What every stage of "Active Stereo Based Compact Mapping" lets its user set and
- * ask beside its own parameters. Base of the classes of the stages.
- * \tparam ReportT what a run tells of itself \ingroup core
- */
+/** \brief Base class of the stages of "Active Stereo Based Compact Mapping" with the
+ * settings and results that all of them have in common.
+ * \tparam ReportT type of the report of a run \ingroup core */
 template <typename ReportT>
 class StageControls {
 public:
-  /** \brief Sets the number of threads (0 = all, default); the result is the same. */
+  /** \brief Sets the number of threads (0 for all, default); the result does not depend
+   * on it. */
   void
   setNumberOfThreads(unsigned int threads = 0)
   {
@@ -26,7 +26,8 @@ public:
     return threads_;
   }
 
-  /** \brief Sets who is told about the progress and may stop the run. */
+  /** \brief Sets a callback that is informed about the progress and may stop the run.
+   */
   void
   setProgressCallback(ProgressCallback callback)
   {

@@ -13,54 +13,56 @@
 
 namespace pcl::acmap {
 
-/** \brief What a \ref TrinocularGrabber streams with: gives frames in a thread of its
- * own, as many as were asked for, at a rate. All members may be called from any thread,
- * and from within a step or the end. */
+/** \brief Implementation of the stream of a \ref TrinocularGrabber: calls a step
+ * function in its own thread, for the requested number of frames, at a given rate. All
+ * members may be called from any thread, also from the step and end functions. */
 class ACMAP_EXPORT StreamThread {
 public:
   using Seconds = std::chrono::duration<double>;
 
   static constexpr std::size_t endless = std::numeric_limits<std::size_t>::max();
 
-  /** \param[in] step gives the next frame, false at the end; what it throws ends the
-   * stream and is kept
-   * \param[in] period between two frames; one that is late is not made up for
-   * \param[in] end called in the thread, once for each stream, whatever ended it, while
-   * \ref isRunning still says true and \ref error says why; what it throws is kept
-   * where nothing was before. Frames asked for meanwhile are a stream of their own,
-   * after it. */
+  /** \param[in] step delivers the next frame, returns false at the end; an exception
+   * that it throws ends the stream and is kept
+   * \param[in] period between two frames; delays are not compensated by later frames
+   * \param[in] end called in the thread once for each stream, regardless of the reason
+   * why it ended, while \ref isRunning still returns true and \ref error returns the
+   * reason; an exception that it throws is kept if there was none before. Frames that
+   * are requested during this call belong to a new stream after it. */
   StreamThread(std::function<bool()> step,
                Seconds period,
                std::function<void()> end = {});
 
   ~StreamThread();
 
-  /** \brief Asks for more frames; starts the thread where none runs. */
+  /** \brief Requests more frames; starts the thread if it is not running. */
   void
   add(std::size_t frames);
 
-  /** \brief No step runs, and none begins, after this has returned; nor does the end.
-   * From within a step: this step is the last one. */
+  /** \brief Stops the stream. Neither the step nor the end function is running or
+   * called after this function has returned. If it is called from a step, that step is
+   * the last one. */
   void
   stop();
 
-  /** \brief Waits until nothing runs; from within a step or the end it returns at once.
-   */
+  /** \brief Waits until the stream has ended; returns at once if it is called from the
+   * step or end function. */
   void
   wait();
 
   bool
   isRunning() const;
 
-  /** \brief Whether \ref endless frames are still to be given. */
+  /** \brief Returns true if the number of remaining frames is \ref endless. */
   bool
   isEndless() const;
 
-  /** \brief What ended the last stream, null when it ended well or runs. */
+  /** \brief The exception that ended the last stream; null if it ended normally or is
+   * still running. */
   std::exception_ptr
   error() const;
 
-  /** \brief Whether the caller is a step or the end. */
+  /** \brief Returns true if it is called from the step or end function. */
   bool
   isWithin() const;
 
@@ -84,14 +86,15 @@ private:
   const std::function<void()> end_;
   const std::chrono::steady_clock::duration period_;
 
-  std::mutex lifecycle_; // held while the thread is started or joined; never by itself
+  // locked while the thread is started or joined, but not by the thread itself
+  std::mutex lifecycle_;
   std::thread thread_;
 
-  mutable std::mutex mutex_; // of all below
+  mutable std::mutex mutex_; // protects all members below
   std::condition_variable changed_;
-  std::size_t wanted_ = 0; // frames still to be given
+  std::size_t wanted_ = 0; // number of remaining frames
   bool is_running_ = false;
-  bool is_closing_ = false; // somebody outside waits in stop
+  bool is_closing_ = false; // another thread is waiting in stop
   std::exception_ptr error_;
 };
 

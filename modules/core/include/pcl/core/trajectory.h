@@ -10,7 +10,7 @@
 
 namespace pcl {
 
-/** \brief Where the camera was at each observation of a sequence. \ingroup core */
+/** \brief Pose of the camera at each observation of a sequence. \ingroup core */
 struct Trajectory {
   std::vector<double> stamps;           ///< seconds
   std::vector<Eigen::Isometry3d> poses; ///< T_map_camera, metres
@@ -18,30 +18,31 @@ struct Trajectory {
 
 namespace acmap {
 
-/** \brief Name of the file with the poses of the observations of a folder. */
+/** \brief Name of the file in a folder that contains the poses of its observations. */
 constexpr const char* trajectory_name = "trajectory.txt";
 
 } // namespace acmap
 
-/** \brief Is a pose a rigid motion: finite, its rotation orthonormal within 1e-6 and no
- * mirror? \ingroup core */
+/** \brief Returns true if a pose is a rigid motion: finite, with an orthonormal
+ * rotation (tolerance 1e-6) without reflection. \ingroup core */
 ACMAP_EXPORT bool
 isRigid(const Eigen::Isometry3d& pose);
 
-/** \brief Reads a trajectory in TUM's form: rows of `stamp tx ty tz qx qy qz qw`;
- * blank lines and comments behind # are left out. A quaternion within 1 % of length 1 is
- * normalised.
- * \throws InputFileException naming file, line and fault: a word that is no finite
- * number, too few or too many of them, a quaternion that is no rotation; no row at all
+/** \brief Reads a trajectory in TUM format: rows of `stamp tx ty tz qx qy qz qw`; blank
+ * lines and comments after # are ignored. A quaternion whose length is within 1 % of 1
+ * is normalised.
+ * \throws InputFileException naming file, line and fault: a word that is not a finite
+ * number, too few or too many of them, a quaternion that is not a rotation; no rows
  * \ingroup core */
 ACMAP_EXPORT Trajectory
 loadTrajectory(const std::string& path);
 
-/** \brief Writes a trajectory in TUM's form, with as many digits as it takes to read the
- * same numbers back. Quaternions have qw >= 0.
- * \throws BadArgumentException when stamps and poses differ in number, a value is not
- * finite or a pose no rigid motion
- * \throws OutputFileException when the file could not be written whole \ingroup core */
+/** \brief Writes a trajectory in TUM format, with as many digits as are needed to read
+ * back the same numbers. Quaternions have qw >= 0.
+ * \throws BadArgumentException if the numbers of stamps and poses differ, a value is
+ * not finite or a pose is not a rigid motion
+ * \throws OutputFileException when the file could not be written completely
+ * \ingroup core */
 ACMAP_EXPORT void
 saveTrajectory(const std::string& path, const Trajectory& trajectory);
 

@@ -12,9 +12,9 @@
 
 namespace pcl {
 
-/** \brief What one camera saw: rows from the top, each from the left. \ingroup core */
+/** \brief Image of one camera: rows from the top, each from the left. \ingroup core */
 struct CameraImage {
-  std::int32_t width = 0;           ///< pixels; 0: there is no such camera
+  std::int32_t width = 0;           ///< pixels; 0 if there is no such camera
   std::int32_t height = 0;          ///< pixels
   std::int32_t channels = 1;        ///< 1: grey; 3: red, green, blue
   std::vector<std::uint8_t> values; ///< channels * width * height
@@ -33,7 +33,8 @@ operator==(const CameraImage& a, const CameraImage& b)
          a.values == b.values;
 }
 
-/** \brief Whether an image has at least a pixel, 1 or 3 channels, and all its values.
+/** \brief Returns true if an image is not empty, has 1 or 3 channels, and all its
+ * values.
  * \ingroup core */
 inline bool
 isWhole(const CameraImage& image)
@@ -48,15 +49,16 @@ isWhole(const CameraImage& image)
 }
 
 /** \brief Reads an image as \ref loadRgbImage does; three channels.
- * \throws InputFileException likewise \ingroup core */
+ * \throws InputFileException as \ref loadRgbImage \ingroup core */
 ACMAP_EXPORT CameraImage
 loadCameraImage(const std::string& path);
 
-/** \brief The cameras of a TrinocularRig, in the order in which a frame has them.
+/** \brief The cameras of a TrinocularRig, in the order of the images of a frame.
  * \ingroup core */
 enum class RigCamera { Reference, Horizontal, Vertical };
 
-/** \brief `reference`, `horizontal` or `vertical`, as files and messages call it.
+/** \brief Returns `reference`, `horizontal` or `vertical`, as used in files and
+ * messages.
  * \ingroup core */
 inline const char*
 nameOf(RigCamera camera)
@@ -65,24 +67,25 @@ nameOf(RigCamera camera)
   return names[static_cast<std::size_t>(camera)];
 }
 
-/** \brief One shot of all cameras of a \ref TrinocularRig, taken at once.
+/** \brief Simultaneous images of all cameras of a \ref TrinocularRig (a shot).
  *
- * An observation is made of several shots from one place: each under another pattern of
- * the projector, and one with the projector off. Geometry comes from the shots with a
- * pattern, colour from the one without. \ingroup core */
+ * An observation consists of several shots from one pose: one for each pattern of the
+ * projector, and one with the projector off. Geometry is computed from the shots with a
+ * pattern, colour is taken from the one without. \ingroup core */
 struct TrinocularFrame {
   using Ptr = shared_ptr<TrinocularFrame>;
   using ConstPtr = shared_ptr<const TrinocularFrame>;
 
-  /** \brief \ref pattern of a shot with the projector off. */
+  /** \brief Value of \ref pattern for a shot with the projector off. */
   static constexpr std::int32_t no_pattern = -1;
 
   std::uint64_t number = 0;     ///< of the shot in its session, from 0
   std::int32_t observation = 0; ///< from 0
   std::int32_t pattern = no_pattern;
-  std::uint64_t stamp = 0; ///< microseconds, as PCL's clouds have it
+  std::uint64_t stamp = 0; ///< microseconds, as in PCL's clouds
 
-  /** \brief By \ref RigCamera; those that there are have one size. */
+  /** \brief Indexed by \ref RigCamera; all images that are not empty have the same
+   * size. */
   std::array<CameraImage, 3> images;
 
   CameraImage&

@@ -10,11 +10,11 @@
 
 namespace pcl::acmap {
 
-/** \brief For each vertex of a mesh the vertices it shares an edge with, ascending.
- * \ingroup core */
+/** \brief For each vertex of a mesh the vertices with which it shares an edge, in
+ * ascending order. \ingroup core */
 class VertexNeighbours {
 public:
-  /** \brief A piece of the list, for range-based loops. */
+  /** \brief The neighbours of one vertex, for range-based loops. */
   struct Range {
     const std::int32_t* first;
     const std::int32_t* last;
@@ -40,12 +40,16 @@ public:
 
   VertexNeighbours() = default;
 
-  /** \param[in] vertices of the mesh; all corners are below \throws nothing */
+  /** \param[in] vertices number of vertices of the mesh; the indices of all corners are
+   * below it
+   * \param[in] triangles the faces of the mesh
+   * \throws nothing */
   ACMAP_EXPORT
   VertexNeighbours(std::size_t vertices,
                    const std::vector<TriangleMesh::Triangle>& triangles);
 
-  /** \param[in] first place of each vertex's first neighbour, and their number
+  /** \param[in] first index of the first neighbour of each vertex, and the number of
+   * neighbours
    * \param[in] others the neighbours of all vertices */
   VertexNeighbours(std::vector<std::size_t> first, std::vector<std::int32_t> others)
   : first_(std::move(first))
@@ -64,7 +68,7 @@ public:
     return {others_.data() + first_[vertex], others_.data() + first_[vertex + 1]};
   }
 
-  /** \brief Neighbours of all vertices: twice the edges. */
+  /** \brief Total number of neighbours: twice the number of edges. */
   std::size_t
   size() const
   {

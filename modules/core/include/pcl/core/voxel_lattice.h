@@ -8,14 +8,14 @@
 
 namespace pcl::acmap {
 
-/** \brief A voxel and an octant of directions in 63 bits: 20 bits each of x, y, z, then 3
- * of the octant. Ascending keys run along z fastest. */
+/** \brief A voxel and an octant of directions in 63 bits: 20 bits each for x, y, z, and
+ * 3 for the octant. z is the fastest axis in ascending order of keys. */
 using VoxelKey = std::uint64_t;
 
 inline constexpr int voxel_axis_bits = 20;
 inline constexpr int octant_bits = 3;
 
-/** \brief A voxel's place in the lattice, counted from its far corner. */
+/** \brief Indices of a voxel, counted from the minimum corner of the lattice. */
 using VoxelPlace = std::array<std::int32_t, 3>;
 
 inline VoxelKey
@@ -42,22 +42,22 @@ octantOf(VoxelKey key)
   return static_cast<unsigned>(key & ((1u << octant_bits) - 1));
 }
 
-/** \brief The key without its octant: equal for all cells of a voxel. */
+/** \brief The key without its octant, which is equal for all cells of a voxel. */
 inline VoxelKey
 voxelOf(VoxelKey key)
 {
   return key >> octant_bits << octant_bits;
 }
 
-/** \brief Octant of a direction: a bit for each axis along which it is positive. */
+/** \brief Octant of a direction: one bit per axis, set if its component is positive. */
 inline unsigned
 octantAlong(float x, float y, float z)
 {
   return (x > 0 ? 4u : 0u) | (y > 0 ? 2u : 0u) | (z > 0 ? 1u : 0u);
 }
 
-/** \brief Octant of the direction from a point to its sensor: a bit for each axis along
- * which the sensor stands on the far side. */
+/** \brief Octant of the direction from a point to its sensor: one bit per axis, set if
+ * the coordinate of the sensor is larger. */
 inline unsigned
 octantTowards(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor)
 {
@@ -65,22 +65,23 @@ octantTowards(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor)
   return octantAlong(way.x(), way.y(), way.z());
 }
 
-/** \brief A point's voxel, and its place inside in 2^-14 of an edge from the centre. */
+/** \brief The voxel of a point, and the offset of the point from the centre of the
+ * voxel in units of 2^-14 of its edge. */
 struct VoxelHit {
   VoxelPlace place;
   std::array<std::int32_t, 3> offset;
 };
 
-/** \brief Voxels whose corners are the multiples of their edge: clouds in one frame share
- * them. It reaches 2^20 voxels along each axis, about the middle of the cloud it was made
- * for. \ingroup core */
+/** \brief Voxels whose corners are the multiples of their edge, so that clouds in the
+ * same frame share them. It extends over 2^20 voxels along each axis, centred at the
+ * cloud for which it was created. \ingroup core */
 class ACMAP_EXPORT VoxelLattice {
 public:
   static constexpr int offset_bits = 14;
 
   VoxelLattice() = default;
 
-  /** \param[in] points finite ones decide where the lattice lies
+  /** \param[in] points the finite ones define the position of the lattice
    * \param[in] edge in metres, positive */
   VoxelLattice(const PointView& points, double edge);
 
@@ -90,12 +91,12 @@ public:
     return edge_;
   }
 
-  /** \brief The lattice of twice the edge in which voxel (x, y, z) is part of
+  /** \brief The lattice of twice the edge in which voxel (x, y, z) becomes a part of
    * (x / 2, y / 2, z / 2), for up to six doublings. */
   VoxelLattice
   coarser() const;
 
-  /** \return false for points that are not finite or out of reach */
+  /** \return false for points that are not finite or outside the lattice */
   bool
   locate(const Eigen::Vector3f& point, VoxelHit& hit) const
   {
@@ -105,11 +106,11 @@ public:
     return true;
   }
 
-  /** \brief As locate () for many points at once, an array for each axis.
-   * \param[out] keys of their voxels, octant 0
-   * \param[out] offsets inside, in 2^-14 of an edge from the centre
-   * \param[out] is_within false for points that are not finite or out of reach; their key
-   * and offsets mean nothing */
+  /** \brief As locate () for many points at once, with one array per axis.
+   * \param[out] keys keys of their voxels, octant 0
+   * \param[out] offsets offsets from the centre, in units of 2^-14 of an edge
+   * \param[out] is_within false for points that are not finite or outside the lattice;
+   * their key and offsets are undefined */
   template <std::size_t Capacity>
   void
   locate(const float (&points)[3][Capacity],
@@ -145,7 +146,7 @@ private:
   void
   derive();
 
-  /** Without branches, for loops over many points. */
+  /** Has no branches, for loops over many points. */
   bool
   locateAlong(int axis,
               float coordinate,
@@ -161,16 +162,17 @@ private:
     return is_within;
   }
 
-  // a margin of voxels all round lets windows step over the rim
+  // a margin of voxels on all sides, so that windows can extend over the boundary
   static constexpr double margin = 8;
   static constexpr double least_ticks = margin * (1 << offset_bits);
   static constexpr double most_ticks =
       ((1 << voxel_axis_bits) - margin) * (1 << offset_bits);
 
   double edge_ = 1;
-  std::array<std::int64_t, 3> first_{}; // lattice place 0 in multiples of the edge
-  double scale_ = 0;                    // ticks in a metre
-  std::array<double, 3> shift_{};       // ticks
+  // index of the first voxel in multiples of the edge
+  std::array<std::int64_t, 3> first_{};
+  double scale_ = 0;              // ticks per metre
+  std::array<double, 3> shift_{}; // ticks
 };
 
 } // namespace pcl::acmap

@@ -11,8 +11,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Packed red, green, blue of any point array, as PCL keeps them; nothing when
- * default-constructed. The companion of \ref PointView. \ingroup core */
+/** \brief Packed colours (red, green, blue) of any point array, as stored by PCL; empty
+ * if default-constructed. It is used together with a \ref PointView. \ingroup core */
 struct ColorView {
   const void* first = nullptr; ///< the packed 32 bits of the array's first point
   std::size_t stride = 0;      ///< bytes
@@ -23,18 +23,19 @@ struct ColorView {
   }
 };
 
-/** \brief What a voxel's points sum up to, apart for each octant of directions in which
- * their sensors stood: the two sides of a thin wall never share a cell. \ingroup core */
+/** \brief Sums over the points of a voxel, separate for each octant of directions to
+ * their sensors: the two sides of a thin wall are never in the same cell. \ingroup core
+ */
 struct VoxelCell {
   VoxelKey key = 0;
   Moments moments; ///< unit: voxel edge; origin: centre of the voxel
 
-  /** \brief Position in the view of the point nearest to its sensor (the first one where
-   * no sensor is known), and that distance in metres. */
+  /** \brief Index in the view of the point closest to its sensor (the first point if no
+   * sensor is known), and its distance in metres. */
   std::int32_t witness = 0;
   float range = 0;
 
-  /** \brief Mean of the ways from the points to their sensors, metres; zero where no
+  /** \brief Mean of the vectors from the points to their sensors, metres; zero if no
    * sensor is known. */
   Eigen::Vector3f way = Eigen::Vector3f::Zero();
 };
@@ -44,21 +45,22 @@ struct ColorSum {
   std::uint64_t red = 0, green = 0, blue = 0;
 };
 
-/** \brief The occupied cells of a cloud, ascending by key.
+/** \brief The occupied cells of a cloud, in ascending order of keys.
  *
  * Sums are exact (integers of 2^-14 of an edge), so they do not depend on the order of
- * the points, nor on the number of threads. \ingroup core */
+ * the points or on the number of threads. \ingroup core */
 struct VoxelMoments {
   VoxelLattice lattice;
   std::vector<VoxelCell> cells;
   std::vector<ColorSum> colors;   ///< parallel to the cells; empty without a ColorView
-  std::size_t invalid_points = 0; ///< not finite
-  std::size_t distant_points = 0; ///< farther out than the lattice reaches
+  std::size_t invalid_points = 0; ///< number of points that are not finite
+  std::size_t distant_points = 0; ///< number of points outside the lattice
 };
 
-/** \brief Sums the points of each voxel up. Linear time, memory of the cells alone.
+/** \brief Sums the points of each voxel. Takes linear time, and memory only for the
+ * cells.
  * \param[in] points metres
- * \param[in] sensors who saw them
+ * \param[in] sensors sensor positions of the points
  * \param[in] edge of a voxel in metres, positive
  * \param[in] threads 0 for all */
 ACMAP_EXPORT VoxelMoments
@@ -68,7 +70,8 @@ sumVoxels(const PointView& points,
           unsigned threads,
           const ColorView& colors = {});
 
-/** \brief The same cloud at twice the edge; octants, ways and colours are dropped. */
+/** \brief The moments of the same cloud at twice the edge; octants, directions to the
+ * sensors and colours are dropped. */
 ACMAP_EXPORT VoxelMoments
 coarserVoxels(const VoxelMoments& fine);
 

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A cell of a window and where its voxel stands from the middle one. */
+/** \brief A cell of a window and the offset of its voxel from the middle one. */
 struct WindowPart {
   std::uint32_t cell;
   std::int8_t dx, dy, dz;
@@ -27,7 +27,7 @@ struct WindowPart {
   }
 };
 
-/** \brief The occupied voxels of a cloud and the windows of voxels about them.
+/** \brief The occupied voxels of a cloud and the windows of voxels around them.
  * \ingroup core */
 class ACMAP_EXPORT VoxelWindows {
 public:
@@ -47,21 +47,25 @@ public:
     return voxels_;
   }
 
-  /** \brief First cell of a voxel; that of voxel size() is the number of cells. */
+  /** \brief Index of the first cell of a voxel; for voxel size() it is the number of
+   * cells. */
   std::size_t
   firstCell(std::size_t voxel) const
   {
     return begins_[voxel];
   }
 
-  /** \brief Collects windows of ascending voxels in amortized constant time. */
+  /** \brief Collects the cells of the windows of ascending voxels in amortized constant
+   * time. */
   class ACMAP_EXPORT Cursor {
   public:
-    /** \param[in] reach of the windows: 1 for 3 x 3 x 3 voxels, 2 for 5 x 5 x 5 */
+    /** \param[in] windows the voxels
+     * \param[in] reach of the windows: 1 for 3 x 3 x 3 voxels, 2 for 5 x 5 x 5 */
     Cursor(const VoxelWindows& windows, int reach);
 
     /** \param[in] voxel not smaller than at the last call
-     * \return the cells of its window, in an order that depends on their places alone */
+     * \return the cells of its window, in an order that only depends on their positions
+     */
     const std::vector<WindowPart>&
     moveTo(std::size_t voxel);
 
@@ -71,7 +75,8 @@ public:
 
     const VoxelWindows& windows_;
     int reach_;
-    std::vector<std::size_t> rows_; // the next cell of each row of voxels along z
+    // index of the next cell of each row of voxels along z
+    std::vector<std::size_t> rows_;
     std::vector<WindowPart> parts_;
   };
 
@@ -80,8 +85,8 @@ private:
   std::vector<std::size_t> begins_;
 };
 
-/** \brief Sums the parts that a predicate chooses; the origin is the middle voxel's
- * centre, the unit an edge. */
+/** \brief Sums the parts selected by a predicate; the origin is the centre of the
+ * middle voxel, the unit is the edge of a voxel. */
 template <typename Choose>
 Moments
 sumParts(const VoxelMoments& voxels,

@@ -10,11 +10,11 @@
 
 namespace pcl::acmap {
 
-/** \brief A value of a YAML document that knows the line it stands on: a scalar, a list
- * or a map. Every fault is an \ref InputFileException with file, line, column.
+/** \brief A value of a YAML document together with its line: a scalar, a list or a map.
+ * Every fault is an \ref InputFileException with file, line, column.
  *
- * Anchors, aliases and keys that stand twice are refused: what a document takes in
- * memory is bounded by its length. \ingroup core */
+ * Anchors, aliases and duplicate keys are rejected, so that the memory of a document is
+ * bounded by its length. \ingroup core */
 class ACMAP_EXPORT YamlNode {
 public:
   enum class Kind { scalar, list, map };
@@ -32,38 +32,38 @@ public:
     return kind_;
   }
 
-  /** \brief The value of a key, nullptr without it.
-   * \throws InputFileException when this is no map */
+  /** \brief Returns the value of a key, or nullptr if it is missing.
+   * \throws InputFileException when this is not a map */
   const YamlNode*
   find(const std::string& key) const;
 
-  /** \throws InputFileException when this is no map or the key is missing */
+  /** \throws InputFileException when this is not a map or the key is missing */
   const YamlNode&
   at(const std::string& key) const;
 
-  /** \brief The keys of a map, in their order; each tells its place. */
+  /** \brief The keys of a map in their order, as nodes that contain their positions. */
   const std::vector<YamlNode>&
   keys() const;
 
-  /** \throws InputFileException naming the first key that is none of these */
+  /** \throws InputFileException naming the first key that is not in the list */
   void
   requireKeys(const std::vector<std::string>& known) const;
 
-  /** \param[in] least shortest length that is legal
-   * \param[in] most longest length that is legal
-   * \throws InputFileException when this is no list of such a length */
+  /** \param[in] least minimum length
+   * \param[in] most maximum length
+   * \throws InputFileException when this is not a list of such a length */
   const std::vector<YamlNode>&
   list(std::size_t least, std::size_t most) const;
 
-  /** \throws InputFileException when this is no scalar or an empty one */
+  /** \throws InputFileException when this is not a scalar or is empty */
   const std::string&
   text() const;
 
-  /** \brief A finite number in [least, most]. */
+  /** \brief Returns a finite number in [least, most]. */
   double
   number(double least, double most) const;
 
-  /** \brief A whole number in [least, most]. */
+  /** \brief Returns an integer in [least, most]. */
   std::size_t
   count(std::size_t least, std::size_t most) const;
 
@@ -71,7 +71,7 @@ public:
   bool
   boolean() const;
 
-  /** \brief Refuses the document because of this value.
+  /** \brief Reports a fault of this value.
    * \throws InputFileException "file: line 3, column 7: key: fault" */
   [[noreturn]] void
   fail(const std::string& fault) const;
@@ -83,20 +83,21 @@ private:
   std::shared_ptr<const std::string> file_;
   int line_;         // from 1
   int column_;       // from 1
-  std::string name_; // the key whose value this is, empty elsewhere
+  std::string name_; // key of this value, empty for other nodes
   std::string text_;
   std::vector<YamlNode> keys_;
   std::vector<YamlNode> values_; // of a list, or of the keys
 };
 
-/** \brief Reads a YAML document that is a map. A first line `%YAML:1.0`, as OpenCV's
- * FileStorage writes it, is legal. At most 16 MB.
+/** \brief Reads a YAML document that is a map. A first line `%YAML:1.0`, as written by
+ * OpenCV's FileStorage, is accepted. The maximum size is 16 MB.
  * \throws InputFileException naming file and fault */
 ACMAP_EXPORT YamlNode
 loadYaml(const std::string& path);
 
-/** \brief The same from memory.
- * \param[in] name stands for the file in messages */
+/** \brief Parses a YAML document in memory.
+ * \param[in] name replaces the file name in messages
+ * \param[in] text the document */
 ACMAP_EXPORT YamlNode
 parseYaml(const std::string& name, const std::string& text);
 

@@ -15,26 +15,28 @@
 
 namespace pcl {
 
-/** \brief Normals at the vertices of a triangle mesh, each voted for by the triangles
- * around it, and the creases between walls.
+/** \brief Estimates the normals at the vertices of a triangle mesh by votes of the
+ * surrounding triangles, and detects the creases between walls.
  *
- * Normal vector voting of Page et al., the step of "Active Stereo Based Compact Mapping"
- * from the mesh to plane hypotheses (II-C.2). A triangle i with normal n_i and centre c_i,
- * within the geodesic distance g_max of vertex v, votes for the normal of the circular arc
- * through v and c_i, N_i = n_i - 2 (n_i u) u, u = (c_i - v) / |c_i - v|. The votes are
- * summed as V_v = sum w_i N_i N_i^T, w_i = A_i exp (-g_i / (g_max / 3)) (1 - (n_i u)^2);
- * its eigenvalues l1 >= l2 >= l3 tell what is there: a surface (l1 - l2 prevails), a crease
- * (eps (l2 - l3)) or a corner (eps eta l3), and e1 is the normal. The last factor of the
- * weight is ours: a triangle that is seen from the vertex edge-on would vote backwards.
+ * This is the normal vector voting of Page et al., the step of "Active Stereo Based
+ * Compact Mapping" from the mesh to plane hypotheses (II-C.2). A triangle i with normal
+ * n_i and centre c_i, within the geodesic distance g_max of vertex v, votes for the
+ * normal of the circular arc through v and c_i, N_i = n_i - 2 (n_i u) u,
+ * u = (c_i - v) / |c_i - v|. The votes are summed as V_v = sum w_i N_i N_i^T,
+ * w_i = A_i exp (-g_i / (g_max / 3)) (1 - (n_i u)^2); the eigenvector e1 of the largest
+ * eigenvalue is the normal. With the eigenvalues l1 >= l2 >= l3, the largest of l1 - l2
+ * (surface), eps (l2 - l3) (crease) and eps eta l3 (corner) gives the class of the
+ * vertex. The last factor of the weight is an addition to the method: it suppresses
+ * triangles that are seen edge-on from the vertex, whose votes would point backwards.
  *
- * Any triangle or polygon mesh will do; polygons are split into fans. On noisy points put
- * VoxelConsolidation and DeWallTriangulation before it. Normals look where the sensor
- * stood that saw the vertex, where the points have a field `view` and the viewpoints are
- * set; else to the side from which the faces are counter-clockwise.
+ * Any triangle or polygon mesh can be used; polygons are split into fans. For noisy
+ * points apply VoxelConsolidation and DeWallTriangulation first. If the points have a
+ * field `view` and the viewpoints are set, the normals point towards the sensor that
+ * saw the vertex, otherwise to the side from which the faces are counter-clockwise.
  *
  * Output: unit normals, `curvature` = 1 - (l1 - l2) / (l1 + l2 + l3), 0 on a plane; NaN
- * at vertices that less than three triangles around could vote for. Metres. Time O(n) by
- * the triangles in a disc; the same bytes for every number of threads.
+ * at vertices with fewer than three votes. Metres. Takes O(n) times the number of
+ * triangles per disc; the result is bitwise identical for every number of threads.
  * \code
  * pcl::NormalVectorVoting<pcl::PointXYZ> voting;
  * voting.setInputCloud (cloud);
@@ -42,8 +44,7 @@ namespace pcl {
  * pcl::PointCloud<pcl::Normal> normals;
  * voting.compute (normals);
  * \endcode
- * \ingroup features
- */
+ * \ingroup features */
 template <typename PointInT>
 class NormalVectorVoting : public Feature<PointInT, Normal>,
                            public StageControls<VotingReport> {
@@ -55,11 +56,11 @@ public:
   NormalVectorVoting();
 
   /** \brief Sets the mesh: polygons with corners in the input cloud, as in a
-   * pcl::PolygonMesh. Its corners are checked by \ref compute. */
+   * pcl::PolygonMesh. The corners are checked by \ref compute. */
   void
   setTriangles(const std::vector<Vertices>& polygons);
 
-  /** \brief Sets the mesh as flat triples. */
+  /** \brief Sets the mesh as index triples. */
   void
   setTriangles(TriangleMesh mesh)
   {
@@ -72,16 +73,16 @@ public:
     return triangles_;
   }
 
-  /** \brief Sets g_max, how far along the surface the votes come from.
-   * \param[in] radius metres; 0 (default): automatic, 2.5 mean edges, and 8 times the
-   * noise where that is more, up to 8 edges
+  /** \brief Sets g_max, the maximum geodesic distance of the votes.
+   * \param[in] radius metres; 0 (default) for automatic: 2.5 mean edges, or 8 times the
+   * noise if that is more, up to 8 mean edges
    * \throws BadArgumentException when negative or not finite */
   void
   setRadiusSearch(double radius);
 
-  /** \brief Sets eps, how much a crease counts against a surface: two equal faces whose
-   * normals are 2 phi apart are a crease from sin^2 phi = 1 / (2 + eps) on. The default of
-   * 12 finds edges of walls within a voxel; Page et al. name 2.
+  /** \brief Sets eps, the weight of a crease relative to a surface: two equal faces
+   * whose normals differ by 2 phi are a crease if sin^2 phi >= 1 / (2 + eps). The
+   * default of 12 detects the edges of walls within a voxel; Page et al. use 2.
    * \throws BadArgumentException unless it is above 0 and finite */
   void
   setCreaseWeight(double eps);
@@ -92,7 +93,7 @@ public:
     return crease_weight_;
   }
 
-  /** \brief Sets eta, how much a corner counts against a crease (default 0.3).
+  /** \brief Sets eta, the weight of a corner relative to a crease (default 0.3).
    * \throws BadArgumentException unless it is above 0 and finite */
   void
   setCornerWeight(double eta);
@@ -103,9 +104,9 @@ public:
     return corner_weight_;
   }
 
-  /** \brief Sets where the observations stood that the points' field `view` names, in
-   * metres, in the frame of the cloud. \throws BadArgumentException when one is not finite
-   */
+  /** \brief Sets the sensor positions of the observations given by the field `view` of
+   * the points, in metres, in the frame of the cloud.
+   * \throws BadArgumentException when one is not finite */
   void
   setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
 
@@ -115,9 +116,9 @@ public:
     return viewpoints_;
   }
 
-  /** \brief Asks for \ref getPrincipalCurvatures (default false), Page's second pass: the
-   * vertices around vote for the curvature along their direction, by arcs between normals;
-   * the least squares of these are solved. */
+  /** \brief Enables \ref getPrincipalCurvatures (default false), the second pass of
+   * Page et al.: the surrounding vertices vote for the curvature along their direction,
+   * by arcs between normals; the votes are combined by least squares. */
   void
   setComputeCurvatures(bool compute)
   {
@@ -130,24 +131,26 @@ public:
     return compute_curvatures_;
   }
 
-  /** \brief Votes at each vertex (at the indices, where set; all triangles vote).
-   * \param[out] output one normal a vertex, in the order of the cloud (or indices)
-   * \throws InitFailedException without an input cloud, with indices or corners outside
-   * of it
+  /** \brief Computes the normals at all vertices, or at the indices if they are set;
+   * all triangles vote.
+   * \param[out] output one normal per vertex, in the order of the cloud (or indices)
+   * \throws InitFailedException without an input cloud, or if indices or corners are
+   * out of range
    * \throws CancelledException when the progress callback stopped it */
   void
   compute(PointCloudOut& output);
 
-  /** \brief The VertexClass of each output point of the last run, as label. */
+  /** \brief Returns the VertexClass of each output point of the last run as label. */
   void
   getVertexClasses(PointCloud<Label>& classes) const
   {
     classes = classes_;
   }
 
-  /** \brief The principal curvatures at each output point of the last run, 1/m, pc1 the
-   * larger by magnitude; positive where the surface bends away from the normal, as a ball
-   * seen from outside; NaN off surfaces. Empty unless asked for. */
+  /** \brief Returns the principal curvatures at each output point of the last run, 1/m;
+   * pc1 has the larger magnitude. They are positive if the surface bends away from the
+   * normal, such as a sphere seen from outside, and NaN at vertices that are not of
+   * class Surface. Empty unless enabled by \ref setComputeCurvatures. */
   void
   getPrincipalCurvatures(PointCloud<PrincipalCurvatures>& curvatures) const
   {
@@ -176,7 +179,7 @@ private:
   PointCloud<PrincipalCurvatures> curvatures_;
 };
 
-// PCL has no search trees compiled for our point types, and Feature names them
+// PCL's search trees are not instantiated for our point types, but Feature uses them
 extern template class ACMAP_EXPORT Feature<PointXYZRGBNormalView, Normal>;
 extern template class ACMAP_EXPORT Feature<PointXYZRGBSigma, Normal>;
 

@@ -20,27 +20,28 @@ struct ConsolidationSettings {
   unsigned threads = 0; ///< 0: all
 };
 
-/** \brief The point that stands for one side of a voxel's surface. */
+/** \brief The point that represents one side of the surface of a voxel. */
 struct Representative {
   Eigen::Vector3f point;
-  Eigen::Vector3f normal; ///< unit, towards the sensor where known; NaN without a plane
-  float curvature = 0;    ///< least variance over the sum of all three, as PCL's
-  std::int32_t witness =
-      0; ///< position in the view of the source nearest to its sensor
+  Eigen::Vector3f normal; ///< unit, towards the sensor if known; NaN without a plane
+  /** \brief Smallest variance divided by the sum of all three, as in PCL. */
+  float curvature = 0;
+  std::int32_t witness = 0;            ///< index of the source closest to its sensor
   std::array<std::uint8_t, 3> color{}; ///< mean red, green, blue of the sources
 };
 
 struct Consolidation {
   std::vector<Representative> representatives;
 
-  /** \brief For each position in the view its representative, -1 without one; empty
-   * unless the sources were to be kept. */
+  /** \brief For each index in the view the index of its representative, -1 if there is
+   * none; empty unless the sources are kept. */
   std::vector<std::int32_t> representative_of;
 };
 
-/** \brief The kernel behind VoxelConsolidation, free of PCL's point types.
- * \param[out] report counts, seconds, remarks; begun anew
- * \throws CancelledException when the progress was told to stop \ingroup filters */
+/** \brief Implementation of VoxelConsolidation, independent of PCL's point types.
+ * \param[out] report counts, seconds, remarks; reset at the start
+ * \throws CancelledException when the progress callback requested it \ingroup filters
+ */
 ACMAP_EXPORT Consolidation
 consolidatePoints(const PointView& points,
                   const SensorView& sensors,

@@ -11,27 +11,28 @@
 
 namespace pcl {
 
-/** \brief Takes the steps out of a depth camera's view.
+/** \brief Removes the quantisation steps from the view of a depth camera.
  *
- * A Kinect's depth comes in steps of inverse depth, 11 mm at 2 m and 70 mm at 5 m, so that
- * its far walls are stacks of layers, which no mesh of them hides. This filter finds the
- * planes of the view in its picture (\ref acmap::findDepthPlanes) and lays their pixels
- * onto them along their rays; other pixels go to the plane of inverse depth through the
- * 9 x 9 around them that are at their depth, by 1.5 steps at most. Points without such
- * neighbours, which hang between surfaces, are withdrawn. Edges between surfaces stay.
+ * A Kinect quantises inverse depth, with steps of 11 mm at 2 m and 70 mm at 5 m, so
+ * that distant walls become stacks of layers, which remain visible in a mesh. This
+ * filter finds the planes of the view in image space (\ref acmap::findDepthPlanes) and
+ * moves their pixels onto them along their rays. Other pixels are moved to the plane of
+ * inverse depth through the 9 x 9 pixels around them that are at the same depth, by at
+ * most 1.5 times the step or the noise, whichever is larger. Points without such
+ * neighbours, which are between surfaces, are removed. Edges between surfaces are
+ * preserved.
  *
- * Takes an organized cloud in its sensor's frame (x right, y down, z forward, metres) and
- * gives one of the same size, NaN where there is no point; all other fields stay as they
- * are, normals are set, towards the sensor, where PointT has them. Linear time; the same
- * answer for every number of threads.
+ * The input is an organized cloud in the frame of its sensor (x right, y down, z
+ * forward, metres). The output has the same size, with NaN for pixels without a point.
+ * All other fields are copied; normals are set, towards the sensor, if PointT has them.
+ * Takes linear time; the result is the same for every number of threads.
  * \code
  * pcl::DepthRefinement<pcl::PointXYZRGBNormal> refinement;
  * refinement.setInputCloud (kinect_view);
  * pcl::PointCloud<pcl::PointXYZRGBNormal> refined;
  * refinement.filter (refined);
  * \endcode
- * \ingroup filters
- */
+ * \ingroup filters */
 template <typename PointT>
 class DepthRefinement : public Filter<PointT>,
                         public StageControls<DepthRefinementReport> {
@@ -47,23 +48,25 @@ public:
   void
   setInputCloud(const PointCloudConstPtr& cloud) override;
 
-  /** \brief Sets the planes of the view as DepthPlaneSegmentation found them, so that they
-   * are not searched for again. Pixels whose ray does not meet their plane are smoothed.
-   * \param[in] patches in the sensor's frame
-   * \param[in] labels for each point of the cloud its patch, -1 for none; none at all: the
-   * planes are searched for (default)
-   * \throws BadArgumentException where a label names no patch, or the sensor lies on a
-   * plane */
+  /** \brief Sets the planes of the view that DepthPlaneSegmentation found, so that they
+   * are not searched again. Pixels whose ray does not intersect their plane are
+   * smoothed.
+   * \param[in] patches in the frame of the sensor
+   * \param[in] labels for each point of the cloud the index of its patch, -1 for none;
+   * if it is empty (default), the planes are searched
+   * \throws BadArgumentException if a label is not the index of a patch, or the sensor
+   * is on a plane */
   void
   setPlanes(const std::vector<PlanePatch>& patches,
             const std::vector<std::int32_t>& labels);
 
-  /** \brief Refines the input cloud (its indices, where set: the other pixels count as not
-   * measured).
-   * \param[out] output may be the input; organized as the input. A copy of it, with the
-   * reason in the report, where no pinhole camera fits its points
-   * \throws InitFailedException without an input cloud, with indices outside of it, or with
-   * labels for another number of points
+  /** \brief Refines the input cloud. If indices are set, the other pixels are treated
+   * as not measured.
+   * \param[out] output organized as the input, and may be the input itself. It is a
+   * copy of the input, with the reason in the report, if no pinhole camera fits the
+   * points
+   * \throws InitFailedException without an input cloud, with indices out of range, or
+   * with labels for another number of points
    * \throws UnorganizedPointCloudException when the cloud is not organized
    * \throws CancelledException when the progress callback stopped it */
   void

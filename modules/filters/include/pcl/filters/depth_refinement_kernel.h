@@ -11,18 +11,19 @@
 
 namespace pcl::acmap {
 
-/** \brief A view after its refinement, pixel by pixel. */
+/** \brief A refined view, pixel by pixel. */
 struct RefinedDepth {
-  std::vector<Eigen::Vector3f> points;  ///< metres; NaN where there is none
-  std::vector<Eigen::Vector3f> normals; ///< unit, towards the sensor; NaN as the points
+  std::vector<Eigen::Vector3f> points;  ///< metres; NaN for pixels without a point
+  std::vector<Eigen::Vector3f> normals; ///< unit, towards the sensor; NaN if no point
 };
 
-/** \brief The kernel behind DepthRefinement, free of PCL's point types.
+/** \brief Implementation of DepthRefinement, independent of PCL's point types.
  * \param[in] noise of the view
- * \param[in] known planes of the view with a label for each of its pixels; nullptr: they
- * are found first
- * \param[out] report counts, seconds; begun anew
- * \throws CancelledException when the progress was told to stop \ingroup filters */
+ * \param[in] known planes of the view with a label for each of its pixels; nullptr:
+ * they are searched
+ * \param[out] report counts, seconds; reset at the start
+ * \throws CancelledException when the progress callback requested it \ingroup filters
+ */
 ACMAP_EXPORT RefinedDepth
 refineDepth(const DepthView& view,
             const NoiseScale::InverseDepth& noise,

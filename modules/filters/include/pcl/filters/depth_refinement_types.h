@@ -7,13 +7,13 @@
 
 namespace pcl {
 
-/** \brief What DepthRefinement tells about its last run. \ingroup filters */
+/** \brief Report of the last run of DepthRefinement. \ingroup filters */
 struct DepthRefinementReport : Report {
   std::size_t points = 0;
   std::size_t invalid_points = 0; ///< pixels without a measurement
-  std::size_t on_planes = 0;      ///< laid onto a plane of the view
-  std::size_t smoothed = 0;       ///< moved to the surface of their neighbourhood
-  std::size_t withdrawn = 0;      ///< without a neighbour at their depth
+  std::size_t on_planes = 0;      ///< moved onto a plane of the view
+  std::size_t smoothed = 0;       ///< moved onto the local surface of their neighbours
+  std::size_t withdrawn = 0;      ///< removed, without a neighbour at their depth
   std::size_t planes = 0;         ///< of the view
   NoiseScale::InverseDepth noise; ///< of the view, 1/m
 };

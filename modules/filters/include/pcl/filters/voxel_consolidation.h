@@ -13,36 +13,40 @@
 
 namespace pcl {
 
-/** \brief Brings a noisy cloud of surfaces to its noise scale: one point a voxel, on the
- * plane of the points around it.
+/** \brief Resamples a noisy cloud of surfaces at the scale of its noise: one point per
+ * voxel, on the plane of the points around it.
  *
- * At the density of an active-stereo map the noise exceeds the spacing: the cloud is a
- * slab, and every mesh that interpolates it is crumpled. This filter sums the points of
- * each voxel up to their moments (count, mean, covariance), fits a plane to the window of
- * 5 x 5 x 5 voxels about it, and moves the voxel's mean along the normal onto the plane.
- * Where the window is thicker than the noise, which is expected by distance and slant of
- * the sensors, it fits 3 x 3 x 3 voxels; then the two sides of a thin wall apart, by where
- * their sensors stood; then, at a crease, the flattest 2 x 2 x 2. At a rim the point moves
- * outwards to where its sources end. A point nearer than 0.7 voxels to an earlier one on
- * its side is dropped (0.85 when it left its voxel).
+ * The noise of an active-stereo map exceeds the spacing of its points: a wall is a slab
+ * of points, and every mesh that interpolates them is crumpled. This filter computes
+ * the moments (count, mean, covariance) of the points of each voxel, fits a plane to
+ * the window of 5 x 5 x 5 voxels around it, and moves the mean of the voxel along the
+ * normal onto the plane. If the window is thicker than the noise, which is predicted
+ * from distance and slant of the sensors, it fits 3 x 3 x 3 voxels; otherwise separate
+ * planes for the two sides of a thin wall, distinguished by their sensor positions;
+ * otherwise, at a crease, the flattest 2 x 2 x 2 voxels. At the border of a surface the
+ * point is moved outwards to the end of its sources. A point closer than 0.7 voxels to
+ * an earlier one on the same side is removed (0.85 voxels if it left its voxel).
  *
- * Output points are copies of the input point that was seen from nearest (the first one,
- * where nothing is known), so that `view`, intensity, label have a true source; on top of
- * it x y z are moved, colour is the mean of the sources, and normal and curvature are set,
- * as far as PointT has them. Normals are unit, towards the sensor, or agree with their
- * neighbours' where no sensor fits; NaN where three points are not to be had. Neither the order of the points nor the number of threads matters
- * (where sensors are equally near, the lower index is the source).
+ * An output point is a copy of the input point of its voxel that is closest to its
+ * sensor (the first one if no sensor is known), so that `view`, intensity and label are
+ * those of a real point. Its x y z are moved, its colour is the mean of the sources,
+ * and normal and curvature are set, as far as PointT has these fields. Normals are of
+ * unit length and point towards the sensor, or are consistent with their neighbours if
+ * the sensor positions do not fit; they are NaN if there is no plane through at least
+ * three points. The result does not depend on the order of the points (except that the
+ * lower index is the source if two points are equally close to their sensors) or on the
+ * number of threads.
  *
- * Metres. Time O(n), memory of the occupied voxels, about 110 bytes each.
+ * Metres. Takes O(n) time, and about 110 bytes of memory per occupied voxel.
  * \code
  * pcl::VoxelConsolidation<pcl::PointNormal> consolidation;
  * consolidation.setInputCloud (cloud);
  * pcl::PointCloud<pcl::PointNormal> consolidated;
  * consolidation.filter (consolidated);
  * \endcode
- * It goes beyond "Active Stereo Based Compact Mapping", whose II-C.1 meshes the raw points.
- * \ingroup filters
- */
+ * This is an addition to "Active Stereo Based Compact Mapping", whose section II-C.1
+ * meshes the raw points.
+ * \ingroup filters */
 template <typename PointT>
 class VoxelConsolidation : public Filter<PointT>,
                            public StageControls<ConsolidationReport> {
@@ -52,8 +56,8 @@ public:
   using PointCloud = typename Filter<PointT>::PointCloud;
   using PointCloudConstPtr = typename Filter<PointT>::PointCloudConstPtr;
 
-  /** \brief The sources of all output points: those of point i are
-   * indices[offsets[i]] to indices[offsets[i + 1]], ascending. */
+  /** \brief The sources of all output points: those of point i are indices[offsets[i]]
+   * to indices[offsets[i + 1] - 1], in ascending order. */
   struct SourceIndices {
     std::vector<std::size_t> offsets;
     Indices indices;
@@ -66,9 +70,9 @@ public:
   setInputCloud(const PointCloudConstPtr& cloud) override;
 
   /** \brief Sets the edge of a voxel.
-   * \param[in] size metres; 0 (default): automatic, the smallest one that leaves at most
-   * 1/80 of itself as noise, is twice the spacing of the points where they are sparse and
-   * four times their noise, see NoiseScale
+   * \param[in] size metres; 0 (default) for automatic: the minimum size that reduces
+   * the noise to 1/80 of the voxel and is at least twice the spacing of sparse points
+   * and four times their noise, see NoiseScale
    * \throws BadArgumentException when negative or not finite */
   void
   setVoxelSize(double size);
@@ -79,9 +83,10 @@ public:
     return voxel_size_;
   }
 
-  /** \brief Sets where the observations stood that the points' field `view` names, in
-   * metres, in the frame of the cloud. Clouds without that field were seen from their
-   * sensor_origin_. \throws BadArgumentException when one is not finite */
+  /** \brief Sets the sensor positions of the observations given by the field `view` of
+   * the points, in metres, in the frame of the cloud. Clouds without that field are
+   * assumed to be seen from their sensor_origin_.
+   * \throws BadArgumentException when one is not finite */
   void
   setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
 
@@ -91,8 +96,8 @@ public:
     return viewpoints_;
   }
 
-  /** \brief Asks for \ref getSourceIndices and \ref getVoxelOfPoint (default false): a
-   * second look at the points, and 8 bytes for each. */
+  /** \brief Enables \ref getSourceIndices and \ref getVoxelOfPoint (default false).
+   * This requires a second pass over the points, and 8 bytes for each of them. */
   void
   setKeepSources(bool keep)
   {
@@ -105,24 +110,25 @@ public:
     return keep_sources_;
   }
 
-  /** \brief Consolidates the input cloud (its indices, where set).
-   * \param[out] output may be the input; empty, with the reason in the report, where no
-   * point is finite or no voxel size can be told
-   * \throws InitFailedException without an input cloud, or with indices outside of it
+  /** \brief Consolidates the input cloud, or its indices if they are set.
+   * \param[out] output may be the input; empty, with the reason in the report, if no
+   * point is finite or no voxel size can be determined
+   * \throws InitFailedException without an input cloud, or with indices out of range
    * \throws CancelledException when the progress callback stopped it */
   void
   filter(PointCloud& output);
 
-  /** \brief The input points of each output point in the last run; empty unless asked for
-   * with \ref setKeepSources. */
+  /** \brief Returns the input points of each output point of the last run; empty unless
+   * enabled by \ref setKeepSources. */
   const SourceIndices&
   getSourceIndices() const
   {
     return sources_;
   }
 
-  /** \brief For each point of the input cloud the output point that stands for it, -1
-   * where there is none; empty unless asked for with \ref setKeepSources. */
+  /** \brief Returns for each point of the input cloud the index of the output point
+   * that represents it, -1 if there is none; empty unless enabled by
+   * \ref setKeepSources. */
   const Indices&
   getVoxelOfPoint() const
   {
