@@ -7,7 +7,7 @@
 
 namespace pcl {
 
-/** \brief What is wrong with a camera on a bus. \ingroup acquisition */
+/** \brief Faults of a camera on a bus. \ingroup acquisition */
 enum class CameraFault {
   None,
   NotFound,         ///< no such camera is on the bus

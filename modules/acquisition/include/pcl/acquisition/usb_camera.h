@@ -14,7 +14,7 @@ namespace pcl {
 /** \brief An IIDC camera on the USB, as an entry of a list. \ingroup acquisition */
 struct UsbCamera {
   std::string
-      place; ///< `BUS:ADDRESS` in decimal, say `1:4`; changes when it is replugged
+      place; ///< `BUS:ADDRESS` in decimal, e.g. `1:4`; changes when it is replugged
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string speed; ///< for example `480 Mb/s`; empty if the system does not report it
