@@ -83,12 +83,12 @@ public:
    * \return the actual rate of the camera
    * \throws BadArgumentException unless the rate is within [0.001, 1000]
    * \throws CameraException Unsupported when the camera does not have this mode;
-   * Malformed, Silent, Unplugged */
+   * Malformed, Silent, Unplugged; Failed when the camera is closed */
   float
   setMode(const IidcMode& mode, float frames_per_second);
 
   /** \brief Capabilities and current state of a feature.
-   * \throws CameraException Unplugged, Silent, Malformed */
+   * \throws CameraException Unplugged, Silent; Failed when the camera is closed */
   IidcFeatureState
   feature(IidcFeature feature) const;
 
@@ -128,7 +128,8 @@ public:
   /** \brief Prepares for receiving frames in the mode that was set; the camera does not
    * send yet.
    * \param[in] frames maximum number of frames that wait for \ref nextFrame
-   * \throws CameraException Unsupported before \ref setMode; as the bus */
+   * \throws CameraException Unsupported before \ref setMode; Failed when the camera is
+   * closed; as the bus */
   void
   startStream(std::size_t frames);
 

@@ -80,7 +80,7 @@ ACMAP_EXPORT Trajectory
 trajectoryOf(const SimulatedScene& scene, std::size_t views);
 
 /** \brief The true planes in the map frame; each plane keeps its index.
- * \ingroup simulation */
+ * \throws BadArgumentException for a scene without views \ingroup simulation */
 ACMAP_EXPORT std::vector<TruthPlane>
 planesInMap(const SimulatedScene& scene);
 

@@ -35,7 +35,8 @@ struct SimulatedTruth {
  * \param[in] scene that is seen
  * \param[in] view index of its pose in the scene
  * \param[in] projector on the rig
- * \throws BadArgumentException when the scene has no such view, or its rig is invalid
+ * \throws BadArgumentException when the scene has no such view, or its rig or the
+ * projector is invalid
  * \ingroup simulation */
 ACMAP_EXPORT SimulatedTruth
 truthOf(const SimulatedScene& scene,
