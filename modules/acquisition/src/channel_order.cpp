@@ -10,9 +10,9 @@ namespace pcl {
 
 namespace {
 
-// Measured, see doc/acquisition/channel_order.md.
+// Measured thresholds, see doc/acquisition/channel_order.md.
 constexpr std::size_t least_found = 10; // corners
-constexpr std::size_t least_lead = 4;   // times as many as under any other order
+constexpr std::size_t least_lead = 4;   // factor to the number under any other order
 
 std::string
 sizeText(int width, int height)
@@ -50,7 +50,7 @@ requireOrder(const ChannelOrder& order)
                                " has a camera twice");
 }
 
-/** The bytes of a pixel, an image each. */
+/** The images by their byte in a pixel. */
 class Planes {
 public:
   Planes(const TrinocularFrame& frame, const ChannelOrder& order)

@@ -12,10 +12,10 @@ namespace pcl {
 
 namespace {
 
-/** Opens the camera that it opened first, wherever it was plugged in since. */
+/** Opens the same camera as the first time, even if it was plugged in elsewhere. */
 struct UsbOpener {
   std::string device;
-  bool is_lasting; ///< it names the same camera when that was replugged
+  bool is_lasting; ///< device identifies the same camera after replugging
 
   std::unique_ptr<IidcBus>
   operator()()
@@ -203,7 +203,7 @@ DigiclopsGrabber::getFault() const
   catch (const CameraException& exception) {
     return exception.fault();
   }
-  catch (...) { // of a callback
+  catch (...) { // a callback has thrown
   }
   return CameraFault::None;
 }

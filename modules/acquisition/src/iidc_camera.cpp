@@ -12,7 +12,7 @@ namespace iidc = acmap::iidc;
 struct IidcCamera::State : acmap::CameraState {
   using CameraState::CameraState;
 
-  /** Sets a feature now, and again whenever the camera is opened. */
+  /** Sets a feature now, and again each time the camera is opened. */
   void
   set(IidcFeature feature, const acmap::FeatureSetting& setting)
   {
@@ -112,7 +112,7 @@ IidcCamera::setMode(const IidcMode& mode, float frames_per_second)
     state_->applyMode();
   }
   catch (...) {
-    // What the registers hold now, nobody knows: no stream before a mode was set.
+    // The state of the registers is unknown now: no stream before a mode was set.
     state_->wanted = std::move(before);
     state_->stream = {};
     throw;
@@ -216,11 +216,11 @@ IidcCamera::stopStream() noexcept
     try {
       state_->registers().write(iidc::iso_enable, 0);
     }
-    catch (...) { // it is gone: the bus has still to give back
+    catch (...) { // the camera was removed; the bus still has to release its memory
     }
     bus->stopStream();
   }
-  catch (...) { // it is closed
+  catch (...) { // the camera is closed
   }
 }
 
@@ -230,7 +230,7 @@ IidcCamera::cancel() noexcept
   try {
     state_->requireBus()->cancel();
   }
-  catch (...) { // it is closed
+  catch (...) { // the camera is closed
   }
 }
 

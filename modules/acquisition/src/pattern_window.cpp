@@ -25,7 +25,7 @@ invisibleCursor(Display* display)
 
 } // namespace
 
-/** \brief The window and the connection it lives by. */
+/** \brief The window and its connection to the server. */
 class PatternWindow::Canvas {
 public:
   Canvas(std::size_t monitor, const std::string& display)
@@ -54,7 +54,7 @@ public:
                                           static_cast<unsigned>(monitor_.height),
                                           static_cast<unsigned>(format_.depth));
       acmap::putPicture(display, pixmap, format_, picture);
-      // as the background the server itself draws it again where it was hidden
+      // The server redraws a background pixmap itself where the window was covered.
       XSetWindowBackgroundPixmap(display, window_, pixmap);
       XFreePixmap(display, pixmap);
       redraw();

@@ -17,12 +17,12 @@ using acmap::ShotTaker;
 using Seconds = ShotTaker::Seconds;
 
 constexpr Seconds turn_time{0.5};
-constexpr Seconds tail{0.35}; // of a turn: no change is expected here
+constexpr Seconds tail{0.35}; // delay at which changes should be complete
 constexpr Seconds shot_timeout{5};
 constexpr int turns_wanted = 6;
 constexpr int least_shots_of_turn = 3;
 
-/** \brief The values of a frame that grow when the projector is on. */
+/** \brief The pixel values that increase when the projector is on. */
 class LitValues {
 public:
   LitValues(const TrinocularFrame& dark, const TrinocularFrame& bright)
@@ -80,7 +80,7 @@ private:
     }
   }
 
-  /** The least rise of those one in a hundred that rise most. */
+  /** The smallest increase among the 1 % of values that increase most. */
   static int
   topPercent(const std::array<std::size_t, 256>& counts)
   {
@@ -116,7 +116,8 @@ public:
       return std::nullopt;
     std::vector<LightTurn> turns;
     for (int i = 0; i < turns_wanted; ++i) {
-      // first shots at other delays each time: so what is between shots is seen too
+      // The first shot is taken at different delays, to sample also the times between
+      // shots.
       const Seconds first = longest_shot_ * (i / 2) / (turns_wanted / 2);
       turns.push_back(watch(i % 2 == 0 ? nullptr : &bright_, first, lit));
     }
@@ -180,7 +181,7 @@ measureSettleTime(const shared_ptr<TrinocularGrabber>& camera,
     try {
       taker.finish();
     }
-    catch (...) { // what came first says more
+    catch (...) { // the first error is more informative
     }
     throw;
   }

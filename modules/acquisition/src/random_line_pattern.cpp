@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_redraws = 16;
 
-/** \brief A drawn pattern and how it is judged. */
+/** \brief A generated pattern and its rating. */
 struct Candidate {
   RgbImage image;
   acmap::SideLobes rows;
@@ -22,7 +22,7 @@ struct Candidate {
   double judged = std::numeric_limits<double>::infinity(); ///< lower is better
 };
 
-/** \brief A seed for each attempt at each pattern. */
+/** \brief A different seed for each attempt at each pattern. */
 std::uint64_t
 seedOf(std::uint64_t seed, std::uint32_t index, int attempt)
 {
@@ -39,7 +39,7 @@ drawCandidate(const acmap::PatternLaw& law, int range, std::uint64_t seed)
   candidate.image = acmap::paintLines(law, acmap::sampleLines(law, seed));
   candidate.rows = acmap::rowSideLobes(candidate.image, range);
   candidate.columns = acmap::columnSideLobes(candidate.image, range);
-  // lines that keep off the rows are for rigs that compare rows alone
+  // a minimum angle is set for rigs that compare only rows
   candidate.judged = law.minimum_angle > 0
                          ? candidate.rows.gated
                          : std::max(candidate.rows.gated, candidate.columns.gated);

@@ -15,10 +15,10 @@ namespace {
 
 using Signal = boost::signals2::signal<TrinocularGrabber::FrameCallback>;
 
-/** \brief Which frame comes next. */
+/** \brief Index of the next frame. */
 class FramePlace {
 public:
-  /** \return nothing at the end */
+  /** \return the index, and advances it; nothing at the end */
   std::optional<std::size_t>
   next(std::size_t frames, bool repeat)
   {
@@ -30,7 +30,7 @@ public:
     return next_++;
   }
 
-  /** \brief What could not be read comes again. */
+  /** \brief Makes a frame that could not be read the next one again. */
   void
   giveBack(std::size_t index)
   {
@@ -89,7 +89,7 @@ struct TrinocularFileGrabber::State {
     }
   }
 
-  /** One step of the stream: reads until a frame can be given. */
+  /** One step of the stream: reads until there is a valid frame and passes it on. */
   bool
   giveFrame()
   {
@@ -100,7 +100,7 @@ struct TrinocularFileGrabber::State {
         frame = read(*index);
       }
       catch (const InputFileException&) {
-        // Where none of all frames can be read, repeating would never end.
+        // If no frame is valid, a repeated stream would never end.
         if (skip_broken && ++skipped < source->size())
           continue;
         place.giveBack(*index);
@@ -119,7 +119,7 @@ struct TrinocularFileGrabber::State {
   std::atomic<bool> skip_broken{false};
   FramePlace place;
   Signal* signal = nullptr;
-  acmap::StreamThread stream; // the last one: it uses all others
+  acmap::StreamThread stream; // declared last, since its thread uses all other members
 };
 
 TrinocularFileGrabber::TrinocularFileGrabber(const std::string& session,

@@ -15,7 +15,7 @@ namespace pcl {
 
 namespace {
 
-/** \return whether there was none */
+/** \return true if the folder was created */
 bool
 makeFolder(const std::string& folder)
 {
@@ -28,7 +28,7 @@ makeFolder(const std::string& folder)
   return is_new;
 }
 
-/** A folder that cannot be listed is none to write into. */
+/** Reports a folder that cannot be listed as an output error. */
 bool
 holdsSession(const std::string& folder)
 {
@@ -40,7 +40,7 @@ holdsSession(const std::string& folder)
   }
 }
 
-/** Makes the folder and its `rig.yaml`; where that fails, no new folder stays behind. */
+/** Creates the folder and its `rig.yaml`; on failure, a new folder is removed again. */
 template <typename SaveRig>
 void
 beginSession(const std::string& folder, const SaveRig& save_rig)
@@ -53,7 +53,7 @@ beginSession(const std::string& folder, const SaveRig& save_rig)
   try {
     save_rig(rig);
     acmap::syncToDisk(rig);
-    if (is_new) // the folder's name in the one around it
+    if (is_new) // its entry in the parent folder
       acmap::syncToDisk(acmap::pathIn(folder, ".."));
   }
   catch (...) {
@@ -65,7 +65,7 @@ beginSession(const std::string& folder, const SaveRig& save_rig)
   }
 }
 
-/** Writes a frame onto the disk, or not at all. */
+/** Writes a frame to the disk; on failure, no file remains. */
 void
 saveFrame(const std::string& path, const TrinocularFrame& frame)
 {
@@ -110,17 +110,17 @@ struct TrinocularRecorder::State {
   bool is_finished = false;
   std::size_t most_waiting = 0;
 
-  std::mutex mutex; // of what follows, but the last
+  std::mutex mutex; // protects the members below, except for the last one
   std::set<std::uint64_t> numbers;
   std::set<std::pair<std::int32_t, std::int32_t>> shots; ///< observation, pattern
   std::array<bool, 3> cameras{};
-  std::size_t frames = 0; ///< that were written
+  std::size_t frames = 0; ///< number of frames that were written
   std::uintmax_t bytes = 0;
 
   acmap::WaitingFrames waiting;
 };
 
-/** Makes sure that it is one to write, and that no other one is like it. */
+/** Checks that a frame is valid and not a duplicate, and registers it. */
 void
 TrinocularRecorder::State::take(const TrinocularFrame& frame)
 {
@@ -139,7 +139,7 @@ TrinocularRecorder::State::take(const TrinocularFrame& frame)
   shots.insert(shot);
 }
 
-/** One that was taken, but not written. */
+/** Removes the registration of a frame that was not written. */
 void
 TrinocularRecorder::State::forget(const TrinocularFrame& frame)
 {
@@ -148,7 +148,7 @@ TrinocularRecorder::State::forget(const TrinocularFrame& frame)
   shots.erase({frame.observation, frame.pattern});
 }
 
-/** One that was taken. */
+/** Writes a registered frame. */
 void
 TrinocularRecorder::State::write(const TrinocularFrame& frame)
 {
@@ -160,7 +160,7 @@ TrinocularRecorder::State::write(const TrinocularFrame& frame)
     forget(frame);
     throw;
   }
-  std::error_code error; // a file that is taken away at once has none
+  std::error_code error; // the file may already have been moved away
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   const std::lock_guard lock(mutex);
   ++frames;
@@ -217,7 +217,7 @@ TrinocularRecorder::record(const TrinocularFrame& frame)
   try {
     state_->waiting.add(frame, state_->most_waiting);
   }
-  catch (...) { // no memory, no thread
+  catch (...) { // out of memory, or no thread
     state_->forget(frame);
     throw;
   }

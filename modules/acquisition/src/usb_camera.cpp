@@ -22,7 +22,7 @@ readRom(libusb_device_handle& handle, const std::string& place)
   });
 }
 
-/** \brief Asks a camera who it is. */
+/** \brief Reads the identity of a camera. */
 void
 introduce(libusb_device& device, UsbCamera& camera)
 {
@@ -39,7 +39,7 @@ introduce(libusb_device& device, UsbCamera& camera)
   }
 }
 
-/** \brief The device as a bus; null when it is another one than that is wanted. */
+/** \brief Opens the device as a bus; returns null if it is not the named one. */
 std::unique_ptr<IidcBus>
 openIfWanted(const UsbContext& context,
              libusb_device& device,
@@ -84,7 +84,7 @@ openUsbBus(const std::string& device)
         return bus;
     }
     catch (const CameraException& exception) {
-      // What is gone by now is not there.
+      // A camera that was removed meanwhile counts as not found.
       if (!first_fault && exception.fault() != CameraFault::Unplugged)
         first_fault = exception;
     }

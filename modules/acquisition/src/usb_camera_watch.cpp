@@ -19,8 +19,9 @@ struct UsbCameraWatch::State {
   , context(makeUsbContext())
   {}
 
-  /** \brief libusb's callback; it must not use a device, a user's may. Called with those
-   * that are there already before the thread is, by the thread alone afterwards. */
+  /** \brief Callback of libusb. It must not access a device, whereas the user's
+   * callback may; therefore it queues the events. Until the thread starts, it is called
+   * for the connected cameras; afterwards it is called by the thread only. */
   static int
   note(libusb_context*,
        libusb_device* device,
@@ -47,7 +48,7 @@ struct UsbCameraWatch::State {
   {
     for (; !events.empty() && !is_closing; events.pop_front()) {
       const auto& [camera, is_there] = events.front();
-      // libusb may tell twice of one that came while the watch began
+      // libusb may report a camera twice that was connected while the watch started
       const bool is_news = is_there ? places.insert(camera.place).second
                                     : places.erase(camera.place) > 0;
       if (is_news)
@@ -61,14 +62,14 @@ struct UsbCameraWatch::State {
     try {
       callback(camera, is_there);
     }
-    catch (...) { // nobody is there to whom it could go
+    catch (...) { // there is no receiver for the exception
     }
   }
 
   const Callback callback;
   const UsbContext context;
   std::deque<std::pair<UsbCamera, bool>> events;
-  std::set<std::string> places; // of cameras that were told of
+  std::set<std::string> places; // cameras that were reported as connected
   std::atomic<bool> is_closing{false};
   std::thread thread;
 };

@@ -31,7 +31,8 @@ clipped(const Polygon& polygon, double depth, double sign)
   return kept;
 }
 
-/** \brief The pixels that points before the camera can lie in, with one to spare. */
+/** \brief Bounding box of the projections of points in front of the camera, enlarged by
+ * one pixel. */
 std::optional<PixelBox>
 boxOf(const Polygon& points, const TrinocularRig& rig)
 {
@@ -62,7 +63,7 @@ boxOfPolygon(const Polygon& polygon, const TrinocularRig& rig, const DepthRange&
   return before.empty() ? std::nullopt : boxOf(before, rig);
 }
 
-/** \brief Two directions across a unit vector, at right angles to it and each other. */
+/** \brief Two unit vectors orthogonal to a unit vector and to each other. */
 std::array<Eigen::Vector3d, 2>
 across(const Eigen::Vector3d& axis)
 {
@@ -82,7 +83,8 @@ squareAround(const Eigen::Vector3d& center,
           center + radius * (u - v)};
 }
 
-/** \brief Brings a shape of the scene, and the pixels it covers, into the camera. */
+/** \brief Transforms a shape to the camera frame and determines the pixels that it
+ * covers. */
 class Camera {
 public:
   Camera(const TrinocularRig& rig,
@@ -140,7 +142,7 @@ public:
                             [](const auto& a, const auto& b) { return a.z() < b.z(); });
     if (farthest->z() < range_.least || nearest->z() > range_.most)
       return {};
-    // One that stands beside the camera is tried everywhere: that is rare.
+    // A cylinder that reaches behind the camera is tested for all pixels; this is rare.
     const PixelBox everywhere{0, rig_.width - 1, 0, rig_.height - 1};
     const auto box = nearest->z() < range_.least ? everywhere : boxOf(around, rig_);
     if (!box)

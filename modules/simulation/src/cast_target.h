@@ -9,7 +9,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Depths that count, metres: what is nearer touches the lens. */
+/** \brief Range of valid depths, metres; nearer surfaces touch the lens. */
 struct DepthRange {
   double least = 1e-3;
   double most = 0;
@@ -21,12 +21,13 @@ struct DepthRange {
   }
 };
 
-/** \brief Rectangle in the camera frame. The ray direction d has z = 1, so that hits are
- * found as depths: depth = offset / (normal d), u = (u_axis d) / (normal d). */
+/** \brief Rectangle in the camera frame. The ray direction d has z = 1, therefore the
+ * factor of a hit is its depth: depth = offset / (normal d), u = (u_axis d) / (normal
+ * d). */
 struct RectangleTarget {
   Eigen::Vector3d normal, u_axis, v_axis;
   double offset;
-  double u_slack, v_slack; ///< of 1: rectangles that share an edge leave no crack
+  double u_slack, v_slack; ///< tolerance of u and v, avoids gaps at common edges
 
   double
   depth(const Eigen::Vector3d& d, const DepthRange&) const
@@ -66,7 +67,7 @@ struct CylinderTarget {
     const double a = across.squaredNorm();
     const double b = across.dot(to_axis);
     const double c = to_axis.squaredNorm() - radius * radius;
-    const double root = std::sqrt(b * b - a * c); // NaN beside the cylinder
+    const double root = std::sqrt(b * b - a * c); // NaN if the ray misses the cylinder
     for (const double depth : {(b - root) / a, (b + root) / a}) {
       const double along = axis.dot(depth * d - base);
       if (range.contains(depth) && along >= 0.0 && along <= length)
@@ -82,14 +83,14 @@ struct PixelBox {
   int first_row, last_row;
 };
 
-/** \brief A surface that a view may see. */
+/** \brief A surface that may be visible in a view. */
 struct CastTarget {
   std::int32_t surface;
   PixelBox box;
   std::variant<RectangleTarget, CylinderTarget, DiscTarget> shape;
 };
 
-/** \brief Brings a surface into the camera frame.
+/** \brief Transforms a surface to the camera frame.
  * \return nothing when no pixel can see it */
 std::optional<CastTarget>
 targetOf(const SimulatedSurface& surface,

@@ -18,20 +18,21 @@ namespace {
 
 constexpr float not_measured = std::numeric_limits<float>::quiet_NaN();
 
-constexpr double largest_fold = 1.0; // px of disparity; more in a window is a jump
-constexpr double least_lit_share = 1.0 / 3.0; // of a window that is still found again
+// Disparities in a window that differ by more are beyond a depth discontinuity.
+constexpr double largest_fold = 1.0; // px
+// Minimum lit fraction of a window for a match.
+constexpr double least_lit_share = 1.0 / 3.0;
 constexpr double grazing_begin = 75.0 * M_PI / 180.0;
 constexpr double grazing_end = 85.0 * M_PI / 180.0;
 
-/** \brief Where a value stands between two others: 0 up to the first, 1 from the second
- * on. */
+/** \brief Linear ramp: 0 up to begin, 1 from end on. */
 double
 ramp(double value, double begin, double end)
 {
   return value <= begin ? 0.0 : std::min((value - begin) / (end - begin), 1.0);
 }
 
-/** \brief The window around a pixel, cut off at the rim of the image. */
+/** \brief The window around a pixel, clipped at the image border. */
 struct Window {
   int first_row, last_row;
   int first_column, last_column;
@@ -43,14 +44,14 @@ struct Window {
   }
 };
 
-/** \brief What the correlation of a window finds. */
+/** \brief Result of the correlation of a window. */
 struct Match {
   double disparity = std::numeric_limits<double>::quiet_NaN(); ///< px, NaN for nothing
-  std::size_t pixel = 0;    ///< whose surface was measured
-  double foreign_share = 0; ///< of the lit pixels: those beyond a jump of depth
+  std::size_t pixel = 0;    ///< pixel whose surface was measured
+  double foreign_share = 0; ///< fraction of lit pixels beyond a depth discontinuity
 };
 
-/** \brief One view that a depth camera measures. */
+/** \brief Measurement of one view by a depth camera. */
 class DepthMeasurement {
 public:
   DepthMeasurement(const SimulatedScene& scene,
@@ -113,7 +114,7 @@ private:
         scene_.rig, static_cast<int>(pixel % width), static_cast<int>(pixel / width));
   }
 
-  /** \brief NaN where nothing is seen. */
+  /** \brief Depth of a pixel, metres; NaN if nothing is seen. */
   double
   depthOf(std::size_t pixel) const
   {
@@ -126,15 +127,15 @@ private:
     return scene_.geometry.surfaces()[static_cast<std::size_t>(image_.surface[pixel])];
   }
 
-  /** \brief In pixels times metres: a disparity is this divided by a depth. */
+  /** \brief Factor in px * m: a disparity is this factor divided by a depth. */
   double
   disparityTimesDepth() const
   {
     return scene_.rig.focal_length * std::abs(scene_.rig.baseline_horizontal);
   }
 
-  /** \brief The projector's image holds all that the camera sees from the nearest depth
-   * on. */
+  /** \brief A pinhole at the projector whose image contains all points that the camera
+   * sees at the minimum depth or beyond. */
   TrinocularRig
   projectorPinhole() const
   {
@@ -145,7 +146,8 @@ private:
     return pinhole;
   }
 
-  /** \brief Of each pixel that the projector lights: disparity and incidence. */
+  /** \brief Computes disparity and incidence of each pixel that is lit by the
+   * projector. */
   void
   findTrueDisparities()
   {
@@ -175,8 +177,9 @@ private:
     });
   }
 
-  /** \brief Normal noise of mean 0 and variance 1. Pixels share it as far as their
-   * windows overlap, since they were measured on the same speckles. */
+  /** \brief Normal noise of mean 0 and variance 1. The noise of neighbouring pixels is
+   * correlated according to the overlap of their windows, which contain the same
+   * speckles. */
   std::vector<double>
   windowNoise(std::uint64_t number) const
   {
@@ -217,7 +220,8 @@ private:
             std::min(column + half_, image_.width - 1)};
   }
 
-  /** \brief The median of the true disparities in a window: what most of its area has. */
+  /** \brief The median of the true disparities in a window, which is that of its
+   * largest part. */
   Match
   match(int row, int column) const
   {
@@ -245,8 +249,8 @@ private:
     return found;
   }
 
-  /** \brief One standard deviation of a disparity, px. Towards grazing incidence it
-   * grows as Nguyen et al. (2012) have measured. */
+  /** \brief Standard deviation of a disparity, px. It grows towards grazing incidence
+   * as measured by Nguyen et al. (2012). */
   double
   sigmaOf(double depth, double incidence) const
   {
@@ -257,7 +261,7 @@ private:
            disparityTimesDepth() / (depth * depth) * depth_sigma;
   }
 
-  /** \brief How probable it is that a place is not measured. */
+  /** \brief Probability that a pixel is not measured. */
   double
   shareMissing(const Match& found, double depth, double incidence) const
   {
@@ -266,7 +270,7 @@ private:
                      (1.0 - ramp(incidence, grazing_begin, grazing_end));
   }
 
-  /** \brief Depth as the camera tells it, metres; 0 for none. */
+  /** \brief Depth as reported by the camera, metres; 0 for none. */
   double
   measuredDepth(const Match& found, double noise, double luck) const
   {
@@ -321,9 +325,9 @@ private:
   const SurfaceImage& image_;
   const Eigen::Isometry3d& T_scene_camera_;
   std::uint64_t stream_;
-  int half_;                      ///< of a window, px
-  std::vector<double> disparity_; ///< px; NaN where the projector lights nothing
-  std::vector<double> cosine_;    ///< of the incidence of the camera's ray
+  int half_;                      ///< half the window size, px
+  std::vector<double> disparity_; ///< px; NaN where the projector gives no light
+  std::vector<double> cosine_;    ///< cosine of the incidence angle of the camera's ray
 };
 
 } // namespace

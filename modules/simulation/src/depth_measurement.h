@@ -5,8 +5,8 @@
 namespace pcl::acmap {
 
 /** \brief Measures a view with the scene's depth camera.
- * \param[in] image of this view, sound
- * \throws BadArgumentException when the camera cannot be */
+ * \param[in] image of this view, already checked
+ * \throws BadArgumentException when the depth camera is invalid */
 SimulatedObservation
 measureDepths(const SimulatedScene& scene,
               const SurfaceImage& image,

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Bits that look random and depend on all of their arguments, for streams that
- * need nothing but their number. */
+/** \brief Pseudo-random bits that depend on both arguments, for random streams that are
+ * identified by a number. */
 inline std::uint64_t
 mixedBits(std::uint64_t seed, std::uint64_t number)
 {

@@ -8,7 +8,7 @@ namespace pcl {
 
 namespace {
 
-// Points go into a cloud as they are.
+// Points are copied to a cloud without conversion.
 static_assert(sizeof(ObservationPixel) == 24 &&
               std::is_trivially_copyable_v<ObservationPixel>);
 
@@ -19,7 +19,7 @@ struct MapPoint {
   std::uint32_t label;
 };
 
-/** \brief An \ref ObservationPixel of a sensor that does not tell its noise. */
+/** \brief An \ref ObservationPixel of a sensor that does not report its noise. */
 struct PlainPixel {
   float x, y, z;
   std::uint32_t rgb;

@@ -22,7 +22,7 @@ poseOf(const Eigen::Vector3d& place, double yaw)
   return pose;
 }
 
-/** \brief Where view \a i of \a count stands between 0 and 1. */
+/** \brief Position of view \a i of \a count along its part of the path, in [0, 1]. */
 double
 fractionOf(std::size_t i, std::size_t count)
 {

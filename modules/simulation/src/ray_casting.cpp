@@ -14,7 +14,7 @@ namespace {
 using acmap::CastTarget;
 using acmap::DepthRange;
 
-/** \brief With z = 1, so that a factor on it is a depth. */
+/** \brief Ray with z = 1, so that a factor of it is a depth. */
 Eigen::Vector3d
 depthRay(const TrinocularRig& rig, int column, int row)
 {
@@ -40,7 +40,8 @@ targetsOf(const SceneGeometry& scene,
   return targets;
 }
 
-/** \brief Columns [begin, end) of a row of the image, with depths for distances. */
+/** \brief Columns [begin, end) of an image row, which contains depths instead of
+ * distances. */
 struct RowPart {
   const TrinocularRig& rig;
   const DepthRange& range;

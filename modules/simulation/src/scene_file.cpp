@@ -38,7 +38,7 @@ readSensor(const acmap::YamlNode& node, std::size_t views)
   return sensor;
 }
 
-/** Surfaces of its own, or those of a standard scene. */
+/** Reads the surfaces of the document, or copies those of a standard scene. */
 SceneGeometry
 readBuilding(const acmap::YamlNode& document)
 {

@@ -147,7 +147,7 @@ SceneGeometry::addBox(const std::string& name,
   for (int axis = 0; axis < 3; ++axis)
     acmap::requireInRange(
         name + ": length of an edge", size[axis], shortest_edge, farthest, "m");
-  SceneGeometry extended(*this); // all faces or none
+  SceneGeometry extended(*this); // add all faces or none
   const Eigen::Vector3d x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z());
   const auto add = [&](bool wanted, const char* face, const SimulatedRectangle& shape) {
     if (wanted)

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Makes the scene that a document describes. */
+/** \brief Creates the scene that is described by a document. */
 SimulatedScene
 readScene(const YamlNode& document);
 

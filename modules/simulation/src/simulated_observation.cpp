@@ -16,7 +16,7 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint64_t not_in_reach = std::numeric_limits<std::uint64_t>::max();
 
-/** \brief One view that is being measured. */
+/** \brief Measurement of one view. */
 class Measurement {
 public:
   Measurement(const SimulatedScene& scene,
@@ -61,8 +61,9 @@ private:
         scene_.rig, static_cast<int>(pixel % width), static_cast<int>(pixel / width));
   }
 
-  /** \brief A random number for each pixel that could be measured, above its index:
-   * the smallest are chosen, and none is there twice. */
+  /** \brief A random key for each pixel in reach, with the pixel index in the lower
+   * bits, so that all keys are different. The pixels with the smallest keys are
+   * chosen. */
   std::vector<std::uint64_t>
   drawKeys() const
   {
@@ -76,7 +77,7 @@ private:
     return keys;
   }
 
-  /** \brief Keys below it are kept. */
+  /** \brief Upper bound of the keys of the chosen pixels, exclusive. */
   std::uint64_t
   boundOfKept(const std::vector<std::uint64_t>& keys,
               SimulatedObservation& observation) const
@@ -116,7 +117,7 @@ private:
     if (!kept)
       return measured;
     acmap::Random random = streamOf(pixel);
-    random.bits(); // chose the pixel
+    random.bits(); // these bits were used for the key
     const double sigma = scene_.sensor.sigma(distance * ray.z());
     const Eigen::Vector3f point =
         ((distance + sigma * random.normal()) * ray).cast<float>();

@@ -30,7 +30,7 @@ simulationOf(const SimulatedScene& scene,
 
 } // namespace
 
-/** \brief The shots one after another, and the thread that gives them. */
+/** \brief The sequence of shots, and the thread that passes them on. */
 class SimulatedRigGrabber::Stream {
 public:
   using Signal = boost::signals2::signal<FrameCallback>;
@@ -83,11 +83,11 @@ private:
 
   const acmap::RigSimulation& simulation_;
   const Signal& signal_;
-  mutable std::mutex mutex_; // of settings_
+  mutable std::mutex mutex_; // protects settings_
   acmap::SequenceSettings settings_;
   std::atomic<bool> is_rewound_{true};
-  std::optional<acmap::ShotSequence> shots_; // of the thread
-  acmap::StreamThread thread_;               // the last one: it uses all others
+  std::optional<acmap::ShotSequence> shots_; // used by the thread only
+  acmap::StreamThread thread_; // declared last, since its thread uses all other members
 };
 
 SimulatedRigGrabber::SimulatedRigGrabber(

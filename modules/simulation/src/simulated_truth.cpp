@@ -13,7 +13,7 @@ namespace {
 
 using acmap::PinholeScene;
 
-/** \brief A neighbour of the reference. */
+/** \brief A neighbour of the reference camera. */
 class Neighbour {
 public:
   Neighbour(const SimulatedScene& scene,
@@ -62,7 +62,7 @@ emptyImage(const TrinocularRig& rig)
   return image;
 }
 
-/** \brief One neighbour's part of the truth. */
+/** \brief Computes the disparities and visibility flags of one neighbour. */
 void
 fillNeighbour(const SimulatedScene& scene,
               const Eigen::Isometry3d& T_scene_reference,

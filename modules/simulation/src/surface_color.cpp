@@ -22,7 +22,7 @@ latticeValue(std::uint64_t stream, double i, double j)
   return half_width * (static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0);
 }
 
-/** \brief Value noise: lattice values, linear between them. */
+/** \brief Value noise: lattice values with bilinear interpolation. */
 double
 valueNoise(std::uint64_t stream, const Eigen::Vector2d& place)
 {
@@ -34,7 +34,7 @@ valueNoise(std::uint64_t stream, const Eigen::Vector2d& place)
       (1.0 - s) * latticeValue(stream, i, j) + s * latticeValue(stream, i + 1, j);
   const double high = (1.0 - s) * latticeValue(stream, i, j + 1) +
                       s * latticeValue(stream, i + 1, j + 1);
-  // Between lattice points the mean of several is calmer, by 2/3 over all places.
+  // Interpolation reduces the standard deviation to 2/3, averaged over all positions.
   constexpr double loss = 1.5;
   return loss * ((1.0 - t) * low + t * high);
 }

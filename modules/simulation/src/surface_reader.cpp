@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_items = 10000; // of a list in the file
+constexpr std::size_t most_items = 10000; // per list of the file
 
 using Looks = std::map<std::string, SurfaceLook>;
 
@@ -26,7 +26,7 @@ readLook(const YamlNode& node)
   return look;
 }
 
-/** \brief Adds the surfaces of the file to a scene, one after the other. */
+/** \brief Adds the surfaces of a file to a scene, in order. */
 class SurfaceReader {
 public:
   explicit SurfaceReader(Looks looks)

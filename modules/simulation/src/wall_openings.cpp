@@ -8,7 +8,7 @@ namespace {
 
 constexpr double thinnest = 1e-3; // metres
 
-/** \brief Rectangles in the frame of a wall: u along its foot, v up, w behind it. */
+/** \brief Frame of a wall for rectangles: u along its foot, v up, w behind it. */
 class WallFrame {
 public:
   explicit WallFrame(const SimulatedRectangle& wall)
@@ -24,7 +24,8 @@ public:
     return u * u_ + v * v_ + w * w_;
   }
 
-  /** \param[in] at place of the corner; edges as lengths along u v w */
+  /** \param[in] at position of the corner; positions and edges are coordinates along u
+   * v w */
   SimulatedRectangle
   rectangle(const Eigen::Vector3d& at,
             const Eigen::Vector3d& edge_u,
@@ -88,7 +89,7 @@ SceneGeometry::addWall(const std::string& name,
   const SimulatedSurface floor = findFloor(openings.floor);
   const std::string floor_plane = planes_[std::size_t(floor.plane)].name;
   const double width = openings.width, top = openings.height, depth = openings.depth;
-  SceneGeometry extended(*this); // all pieces or none
+  SceneGeometry extended(*this); // add all pieces or none
   double from = 0.0;
   const auto add_pier = [&](double to) {
     extended.addRectangle(

@@ -11,20 +11,21 @@ namespace pcl::acmap {
 /** \brief Largest coordinate of a scene, metres. */
 constexpr double farthest_place = 1e4;
 
-/** \brief Three numbers in a list: a place or an edge, metres. */
+/** \brief Reads a list of three numbers: a position or an edge, metres. */
 Eigen::Vector3d
 vectorOf(const YamlNode& node);
 
-/** \brief Degrees within a full turn or two, as radians. */
+/** \brief Reads an angle of at most two full turns in degrees and returns radians. */
 double
 angleOf(const YamlNode& node);
 
-/** \brief The one key of a map of one, such as `box` in `- box: {...}`.
- * \throws InputFileException when there are none or several */
+/** \brief The only key of a map, such as `box` in `- box: {...}`.
+ * \throws InputFileException unless there is exactly one key */
 const YamlNode&
 onlyKeyOf(const YamlNode& node);
 
-/** \brief Runs what may refuse a value; the refusal then names the line of the node. */
+/** \brief Runs an action that may reject a value; the error then names the line of the
+ * node. */
 template <typename Action>
 void
 atLineOf(const YamlNode& node, const Action& action)

@@ -7,13 +7,14 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Half a second at the paper's rate, for callbacks that take their time; two cameras of
- * so many stay below what Linux gives all USB devices together, 16 MB. */
+/** Number of buffered frames: half a second at the paper's rate, so that slow callbacks
+ * lose no frame. The buffers of two cameras stay below 16 MB, the limit of Linux for
+ * all USB devices together. */
 constexpr std::size_t frames_in_flight = 8;
 constexpr std::size_t single_frames_in_flight = 2;
 
-/** When single frames are asked for from a camera that runs freely, one is on the wire and
- * one is being exposed. */
+/** Number of frames to discard when a single frame is requested from a camera without
+ * one-shot: one frame is in transfer and one is being exposed. */
 constexpr int most_under_way = 2;
 
 constexpr int most_silences = 2;
@@ -74,7 +75,7 @@ CameraStream::end() noexcept
   faults_ = 0;
 }
 
-/** Asks for one frame, and gets rid of those that were not asked for. */
+/** Requests one frame and discards the frames that arrived before the request. */
 void
 CameraStream::ask()
 {
@@ -90,7 +91,8 @@ CameraStream::ask()
     camera_.takeOne();
 }
 
-/** \throws CameraException Silent when it did not help before */
+/** Restarts a stream that has fallen silent.
+ * \throws CameraException Silent when earlier restarts did not help */
 void
 CameraStream::beginAgain()
 {
@@ -110,7 +112,7 @@ CameraStream::beginAgain()
 bool
 CameraStream::isWhole(const IidcFrame& frame) const
 {
-  // Some cameras do not send what fills up the last packet.
+  // Some cameras do not transmit the padding of the last packet.
   return frame.bytes.size() >= mode_.bytes() && mode_.bytes() >= counter_bytes;
 }
 
@@ -120,13 +122,15 @@ CameraStream::mayBeSilent() const
   return camera_.trigger() == IidcTrigger::External;
 }
 
-/** \return how many frames were lost before a sound one */
+/** \return the number of frames that were lost before this frame, nothing if it is
+ * broken */
 std::optional<int>
 CameraStream::soundness(const IidcFrame& frame)
 {
   if (!isWhole(frame))
     return std::nullopt;
-  // Without a counter a pause tells nothing of a trigger that comes when it likes.
+  // Without a counter, lost frames cannot be detected by time if an external trigger
+  // determines the time between frames.
   if (way_ == Way::Single || (mayBeSilent() && !has_counter_))
     return 0;
   return frame_count_.add(has_counter_ ? std::optional(counterOf(frame)) : std::nullopt,
@@ -148,7 +152,7 @@ CameraStream::dropBroken(const IidcFrame& frame)
     camera_.takeOne();
 }
 
-/** \return whether it is one to give */
+/** \return true if the frame is to be passed on */
 bool
 CameraStream::accept(WholeFrame& frame)
 {
@@ -179,7 +183,7 @@ CameraStream::next(Way way, WholeFrame& frame)
     begin(way);
   if (way == Way::Single)
     ask();
-  // A stream that begins forgets that it was cancelled: the interruption does not.
+  // A new stream resets the cancellation of the bus, but not the interruption.
   while (interruptions_ == 0) {
     switch (camera_.nextFrame(frame.data, patience())) {
     case IidcWait::Cancelled:

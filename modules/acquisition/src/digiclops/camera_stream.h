@@ -13,7 +13,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What became of the frames of a camera. */
+/** \brief Statistics of the frames of a camera. */
 struct StreamCounts {
   long lost = 0;
   std::size_t broken = 0;
@@ -21,23 +21,23 @@ struct StreamCounts {
   std::size_t restarts = 0;
 };
 
-/** \brief A whole frame. */
+/** \brief A complete frame. */
 struct WholeFrame {
   IidcFrame data;
-  std::size_t lost = 0; ///< before it, as the camera counted
+  std::size_t lost = 0; ///< frames lost before it, according to the counter
 };
 
-/** \brief Whole frames of a camera, whatever its stream goes through. For one thread, but
- * for the counts. */
+/** \brief Reads complete frames of a camera and recovers from errors of its stream. All
+ * functions except \ref counts must be called from one thread. */
 class CameraStream {
 public:
   enum class Way {
-    Free,  ///< one after another
-    Single ///< each exposed after it was asked for
+    Free,  ///< continuous frames
+    Single ///< single frames, each exposed after its request
   };
 
-  /** \brief While one lives, nobody waits for a frame: \ref next gives none. For any
-   * thread. */
+  /** \brief While an object of this class exists, \ref next does not wait and returns
+   * false. May be used in any thread. */
   class Interruption {
   public:
     explicit Interruption(CameraStream& stream)
@@ -64,21 +64,22 @@ public:
   : camera_(camera)
   {}
 
-  /** \brief How frames will be, from the next stream on.
-   * \param[in] mode their size
-   * \param[in] rate frames a second
-   * \param[in] patience seconds beyond three periods, after which it has fallen silent */
+  /** \brief Sets the properties of frames, from the next stream on.
+   * \param[in] mode size of the frames
+   * \param[in] rate frames per second
+   * \param[in] patience time in seconds, in addition to three periods, after which a
+   * stream counts as silent */
   void
   setUp(const IidcMode& mode, double rate, double patience);
 
-  /** \brief Begins where nothing runs, opening the camera where it is closed, and waits
-   * for a whole frame.
+  /** \brief Starts the stream if necessary, opening the camera if it is closed, and
+   * waits for a complete frame.
    * \return false when it was interrupted
    * \throws CameraException Silent, Corrupt, Unplugged, Failed */
   bool
   next(Way way, WholeFrame& frame);
 
-  /** \brief No more frames; does not throw when the camera is gone. */
+  /** \brief Ends the stream; does not throw when the camera was removed. */
   void
   end() noexcept;
 
@@ -124,12 +125,12 @@ private:
   bool has_counter_ = false;
   bool is_running_ = false;
   Way way_ = Way::Free;
-  int under_way_ = 0; // frames that may be exposed before they were asked for
+  int under_way_ = 0; // frames that may have been exposed before the request
   int silences_ = 0;  // in a row
   int faults_ = 0;    // broken frames in a row
   FrameCount frame_count_;
 
-  mutable std::mutex mutex_; // of the counts
+  mutable std::mutex mutex_; // protects counts_
   StreamCounts counts_;
 };
 
@@ -137,8 +138,9 @@ private:
 std::uint32_t
 counterOf(const IidcFrame& frame);
 
-/** \brief Fills the place of the counter with what stands below it.
- * \param[in] rows 1, or 2 where a colour filter repeats itself after two */
+/** \brief Overwrites the counter with the pixels below it.
+ * \param[in] rows distance in rows: 1, or 2 if a colour filter repeats after two
+ * rows */
 void
 coverCounter(IidcFrame& frame, const IidcMode& mode, int rows);
 

@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double most_lost = 1e6; // at once; more is no count
+constexpr double most_lost = 1e6; // frames at once; larger values are invalid
 
 } // namespace
 
@@ -22,7 +22,7 @@ std::optional<int>
 FrameCount::add(std::optional<std::uint32_t> counter, std::uint64_t stamp)
 {
   double periods = 1;
-  if (stamp_) // the host's clock may have been set back
+  if (stamp_) // the difference is negative if the host's clock was set back
     periods =
         (static_cast<double>(stamp) - static_cast<double>(*stamp_)) * 1e-6 / period_;
   const std::optional<int> lost =
@@ -35,7 +35,8 @@ FrameCount::add(std::optional<std::uint32_t> counter, std::uint64_t stamp)
 std::optional<int>
 FrameCount::lostByCounter(std::uint32_t counter, double periods)
 {
-  // A camera that was reset counts on from elsewhere: believed when it does so twice.
+  // The counter of a camera that was reset continues from another value, which is
+  // accepted when two frames in a row confirm it.
   const bool is_new_count = odd_ && counter == *odd_ + 1;
   if (!counter_ || is_new_count) {
     odd_.reset();
@@ -44,8 +45,9 @@ FrameCount::lostByCounter(std::uint32_t counter, double periods)
     return 0;
   }
   const std::uint32_t step = counter - *counter_;
-  // Frames that waited come in a bunch, and after them the one that follows what did not
-  // fit: the clock bounds steps only roughly, and over all that it has not seen yet.
+  // Frames that waited arrive in a burst, followed by the first frame after those that
+  // did not fit into the buffers. Therefore the clock bounds the step only roughly, and
+  // all periods that the counter is still behind are added.
   const double possible = 2.0 * std::max(periods, 0.0) + behind_ + 16;
   if (step == 0 || step > std::min(possible, most_lost)) {
     odd_ = counter;

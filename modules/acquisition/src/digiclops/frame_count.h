@@ -6,21 +6,21 @@
 
 namespace pcl::acmap {
 
-/** \brief Tells which frames of a stream did not come: by the camera's own counter, or
- * without one by the time between them. */
+/** \brief Counts the frames of a stream that did not arrive: by the camera's counter
+ * or, without a counter, by the time between frames. */
 class FrameCount {
 public:
-  /** \brief A new stream: what came before says nothing about it.
+  /** \brief Begins a new stream and discards the state of the previous one.
    * \param[in] period seconds between two frames */
   void
   begin(double period);
 
-  /** \brief A frame came.
-   * \param[in] counter that the camera wrote into it
-   * \param[in] stamp microseconds
-   * \return how many were lost before it; less than 0 when fewer were lost than was
-   * thought before, as frames that waited come in a bunch; nothing for a frame with a
-   * counter that none can have */
+  /** \brief Adds a frame.
+   * \param[in] counter the value that the camera wrote into the frame
+   * \param[in] stamp time of arrival, microseconds
+   * \return number of frames that were lost before it; negative if fewer were lost than
+   * counted so far, since waiting frames arrive in a burst; nothing if the counter
+   * value is impossible */
   std::optional<int>
   add(std::optional<std::uint32_t> counter, std::uint64_t stamp);
 
@@ -34,9 +34,9 @@ private:
   double period_ = 1;
   std::optional<std::uint64_t> stamp_;
   std::optional<std::uint32_t> counter_;
-  std::optional<std::uint32_t> odd_; // what the last frame had, and none can have
-  double behind_ = 0;                // periods that passed without the counter
-  int missing_ = 0;                  // by time
+  std::optional<std::uint32_t> odd_; // impossible value of the last frame's counter
+  double behind_ = 0;                // periods that the counter is behind the clock
+  int missing_ = 0;                  // lost frames, estimated by time
 };
 
 } // namespace pcl::acmap

@@ -61,7 +61,7 @@ DigiclopsGrabber::State::setMode(const IidcMode& new_mode, float new_rate)
   bayer = pattern;
 }
 
-/** One step of the stream. */
+/** One step of the stream: reads a frame and passes it to the callbacks. */
 bool
 DigiclopsGrabber::State::give()
 {
@@ -96,7 +96,7 @@ DigiclopsGrabber::State::unpack(acmap::WholeFrame& whole)
   return frame;
 }
 
-/** Of three cameras; with the mutex held. */
+/** Checks the order of three cameras; must be called with the mutex locked. */
 void
 DigiclopsGrabber::State::checkOrder(const IidcFrame& raw, TrinocularFrame& frame)
 {
@@ -133,10 +133,10 @@ DigiclopsGrabber::State::end()
     std::rethrow_exception(error);
   }
   catch (const CameraException& exception) {
-    camera.close(); // what was lost is opened anew
+    camera.close(); // a lost camera is reopened by the next start
     (*errors)(exception);
   }
-  catch (...) { // of a callback: the camera is fine
+  catch (...) { // a callback has thrown; the camera works
   }
 }
 

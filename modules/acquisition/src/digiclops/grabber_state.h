@@ -12,9 +12,9 @@
 
 namespace pcl {
 
-/** \brief What a grabber is made of: a step of its stream gives a frame. */
+/** \brief Implementation of the grabber; one step of its stream gives one frame. */
 struct DigiclopsGrabber::State {
-  /** \brief The paper's camera works at so many frames a second. */
+  /** \brief Frame rate of the paper's camera, in Hz. */
   static constexpr float paper_rate = 14.0F;
 
   State(const TrinocularRig& frame_rig, IidcBusOpener opener);
@@ -22,7 +22,7 @@ struct DigiclopsGrabber::State {
   void
   setMode(const IidcMode& new_mode, float rate);
 
-  /** \brief The mode that suits the rig. */
+  /** \brief Finds the mode that matches the rig. */
   IidcMode
   findMode() const;
 
@@ -46,23 +46,24 @@ struct DigiclopsGrabber::State {
   boost::signals2::signal<FrameCallback>* frames = nullptr;
   boost::signals2::signal<ErrorCallback>* errors = nullptr;
 
-  mutable std::mutex mutex; // of all up to the next gap; not held in callbacks
+  // Protects the members up to the next empty line; not held in callbacks.
+  mutable std::mutex mutex;
   IidcMode mode;
   float wanted_rate = paper_rate;
   float rate = 0;
   double timeout = 0.5; // seconds
   ChannelOrder order;
   bool is_order_fixed = false;
-  int checks_left = most_order_checks; // of order, under calibration
+  int checks_left = most_order_checks; // remaining checks of order with calibration
   RigCalibration calibration;
   acmap::BayerPattern bayer = acmap::BayerPattern::None;
   std::uint64_t next_number = 0;
   acmap::RateMeter meter;
   DigiclopsGrabberReport report;
 
-  acmap::CameraStream shots;  // of the stream's thread
-  acmap::WholeFrame shot;     // likewise
-  acmap::StreamThread stream; // the last one: it uses all others
+  acmap::CameraStream shots;  // used by the stream's thread only
+  acmap::WholeFrame shot;     // used by the stream's thread only
+  acmap::StreamThread stream; // declared last, since its thread uses all other members
 };
 
 } // namespace pcl

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap {
 
-/** \brief How many frames a second came lately. */
+/** \brief Measures the recent frame rate, from time stamps. */
 class RateMeter {
 public:
   void

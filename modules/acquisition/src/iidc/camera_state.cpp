@@ -16,7 +16,8 @@ isSame(const IidcMode& a, const IidcMode& b)
          a.width == b.width && a.height == b.height;
 }
 
-/** Four letters of a register, where they name a filter. */
+/** Converts the four letters of a register to the name of a filter; empty if they are
+ * not one. */
 std::string
 filterOf(std::uint32_t letters)
 {
@@ -28,7 +29,8 @@ filterOf(std::uint32_t letters)
   return std::find(filters.begin(), filters.end(), text) != filters.end() ? text : "";
 }
 
-/** Point Grey's own registers take nothing before they are called by their name. */
+/** Unlocks the advanced registers, which Point Grey's cameras accept only after their
+ * identifier was written. */
 void
 unlockAdvanced(const RegisterAccess& camera, std::uint32_t basic)
 {
@@ -47,7 +49,7 @@ unlockAdvanced(const RegisterAccess& camera, std::uint32_t basic)
   }
 }
 
-/** A value that was in range: when it no longer is, the camera is to blame. */
+/** Sets a value that was in range before: if it no longer is, the camera is faulty. */
 void
 setAgain(const RegisterAccess& camera,
          IidcFeature feature,
@@ -63,7 +65,8 @@ setAgain(const RegisterAccess& camera,
   }
 }
 
-/** \return whether the camera writes its counter into the frames from now on */
+/** Enables the frame counter. \return true if the camera writes only its counter into
+ * the frames */
 bool
 switchCounterOn(const RegisterAccess& camera)
 {
@@ -77,7 +80,7 @@ switchCounterOn(const RegisterAccess& camera)
       throw;
     return false;
   }
-  // Whatever else it writes would stand before the counter.
+  // Any other embedded information would precede the counter.
   constexpr std::uint32_t insertions = 0x000003FF;
   const std::uint32_t info = camera.tryRead(iidc::frame_info).value_or(0);
   return (info & iidc::on) != 0 && (info & insertions) == iidc::frame_counter;
@@ -101,7 +104,7 @@ CameraState::open()
     const RegisterAccess camera = registers();
     for (const auto& [feature, setting] : wanted.features)
       setAgain(camera, feature, setting);
-    writeTrigger(camera, wanted.trigger); // another program may have left it on
+    writeTrigger(camera, wanted.trigger); // another program may have enabled it
   }
   catch (...) {
     exchangeBus(nullptr);
@@ -150,7 +153,8 @@ CameraState::identify(IidcBus& bus)
   place = bus.place();
 }
 
-/** Brings the camera into a known state, whatever another program left it in. */
+/** Brings the camera into a defined state, independent of the state in which another
+ * program left it. */
 void
 CameraState::wake()
 {
@@ -165,13 +169,13 @@ CameraState::wake()
   has_counter = switchCounterOn(camera);
 }
 
-/** The frame rate feature knows the rate better than the length of packets.
- * \return 0 where there is none */
+/** Sets the rate by the frame rate feature, which is more precise than the packet size.
+ * \return 0 if the camera does not have the feature */
 float
 CameraState::applyRate(const RegisterAccess& camera) const
 {
   const IidcFeatureState rate = readFeature(camera, IidcFeature::FrameRate);
-  constexpr float least_rate = 1e-3F; // Hz: what is slower nobody can ask for
+  constexpr float least_rate = 1e-3F; // Hz, the smallest rate that setMode accepts
   if (!rate.physical || !rate.can_be_set || rate.physical->most < least_rate)
     return 0;
   const float possible =
@@ -192,7 +196,7 @@ CameraState::applyMode()
     throw CameraException(CameraFault::Unsupported,
                           place + ": has no mode " + wanted.mode->text());
   const RegisterAccess camera = registers();
-  // Speed 2 is 400 Mb/s: what USB does with it is its own affair.
+  // Speed 2 is 400 Mb/s; it has no meaning for USB.
   camera.write(iidc::iso_channel, std::uint32_t{2} << 24);
   if (mode->format != scalable_format) {
     stream = setFixedMode(camera, *mode, wanted.rate);

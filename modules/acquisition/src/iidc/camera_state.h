@@ -16,7 +16,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user wants of a camera; it outlives a bus. */
+/** \brief Settings that the user made; they are kept when the bus is closed. */
 struct WantedSettings {
   std::optional<IidcMode> mode;
   float rate = 0; ///< Hz
@@ -24,14 +24,16 @@ struct WantedSettings {
   IidcTrigger trigger = IidcTrigger::Off;
 };
 
-/** \brief A camera, what is known of it and what it is to be. Whoever calls a member
- * function, or touches a field, holds the mutex; the bus has one of its own, for a moment
- * only, so that a wait for a frame keeps nobody from the registers. */
+/** \brief A camera, its known properties and its settings. The mutex must be held when
+ * a member function is called or a field is accessed. The bus has a separate mutex,
+ * which is only held for a moment, so that waiting for a frame does not block access to
+ * the registers. */
 class CameraState {
 public:
   explicit CameraState(IidcBusOpener opener);
 
-  /** \brief Opens the bus, asks who is there, wakes the camera and sets what is wanted. */
+  /** \brief Opens the bus, identifies the camera, initializes it and applies the
+   * settings. */
   void
   open();
 
@@ -49,7 +51,7 @@ public:
   RegisterAccess
   registers() const;
 
-  /** \brief Sets mode and rate that are wanted, if any are. */
+  /** \brief Applies the mode and the rate of the settings, if any. */
   void
   applyMode();
 
@@ -77,16 +79,16 @@ private:
   std::shared_ptr<IidcBus> bus_;
 };
 
-/** \brief Who the camera on a bus is. */
+/** \brief Reads the configuration ROM of the camera on a bus. */
 ConfigRom
 readConfigRom(IidcBus& bus);
 
-/** \brief Of IIDC, as people write it. */
+/** \brief IIDC version as text. */
 std::string
 versionText(const ConfigRom& rom);
 
-/** \brief What the camera says of its colour filter: `GBRG` and the like, `YYYY` without.
- */
+/** \brief Colour filter as reported by the camera: `GBRG` or similar, `YYYY` if there
+ * is none. */
 std::string
 colorFilterOf(const CameraState& state);
 

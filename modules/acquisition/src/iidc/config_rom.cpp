@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t name_of_bus = 0x31333934; // "1394"
 constexpr std::uint32_t least_bus_information = 4;
 constexpr std::uint64_t address_space = 0xFFFFF0000000;
-constexpr std::uint32_t first_unit_quadlet = 0x200; // registers of the bus are below it
+constexpr std::uint32_t first_unit_quadlet = 0x200; // those of the bus are below it
 
 enum Key : std::uint32_t {
   SpecificationKey = 0x12,
@@ -33,7 +33,7 @@ fail(const std::string& what)
   throw CameraException(CameraFault::Malformed, "configuration ROM: " + what);
 }
 
-/** \brief An entry of a directory: a number, or how far away something begins. */
+/** \brief An entry of a directory: a number, or the offset of another block. */
 struct Entry {
   std::size_t index;
   std::uint32_t key;
@@ -58,13 +58,14 @@ public:
     }
     catch (const CameraException& exception) {
       if (exception.fault() == CameraFault::Unsupported)
-        fail("it ends too early"); // the camera has nothing there
+        fail("it ends too early"); // the camera has no register at this address
       throw;
     }
     return *quadlet;
   }
 
-  /** \brief Length of the block that begins at index; all of it is in the ROM. */
+  /** \brief Length of the block that begins at index; it is verified to be inside the
+   * ROM. */
   std::size_t
   lengthOf(std::size_t index, const std::string& name)
   {
@@ -100,8 +101,8 @@ find(const Directory& directory, std::uint32_t key)
   return nullptr;
 }
 
-/** \brief Where that begins which an entry points at. Offsets lead forward, so that no
- * walk comes back to where it was. */
+/** \brief Index of the block to which an entry points. All offsets are positive,
+ * therefore reading cannot end in a cycle. */
 std::size_t
 targetOf(const Entry& entry, const std::string& name)
 {
@@ -110,7 +111,7 @@ targetOf(const Entry& entry, const std::string& name)
   return entry.index + entry.value;
 }
 
-/** \brief The text of a leaf; two quadlets of its head tell type and language. */
+/** \brief The text of a leaf; the first two quadlets contain its type and language. */
 std::string
 textOf(Rom& rom, const Directory& directory, std::uint32_t key, const std::string& name)
 {

@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Of a physical value, as offsets from its registers. */
+/** Offsets of the registers of a physical value: minimum, maximum and current value. */
 constexpr std::uint64_t physical_least = 0;
 constexpr std::uint64_t physical_most = 4;
 constexpr std::uint64_t physical_now = 8;
@@ -36,7 +36,8 @@ bitsOf(float value)
   return bits;
 }
 
-/** Nothing where a camera has no such registers, or numbers that are none. */
+/** Returns nothing if the camera does not have these registers, or their values are not
+ * valid numbers. */
 std::optional<IidcFeatureState::Physical>
 readPhysical(const RegisterAccess& camera, IidcFeature feature)
 {
@@ -100,7 +101,7 @@ setSteps(const RegisterAccess& camera,
   requireAble(camera, feature, state.can_be_set, "set");
   requireInRange(nameOf(feature), value, state.least, state.most, "steps");
   const std::uint64_t status = registerOf(iidc::feature_status, feature);
-  // White balance has another value above this one, which stays.
+  // White balance has a second value in the bits above, which must not change.
   const std::uint32_t second = feature == IidcFeature::WhiteBalance
                                    ? camera.read(status) & 0x00FFF000
                                    : std::uint32_t{0};

@@ -8,11 +8,12 @@
 
 namespace pcl::acmap {
 
-/** \brief What a camera says of a feature. */
+/** \brief Reads the capabilities and the state of a feature. */
 IidcFeatureState
 readFeature(const RegisterAccess& camera, IidcFeature feature);
 
-/** \brief How a feature is set. */
+/** \brief The ways to set a feature: automatic, in the camera's units, in physical
+ * units. */
 struct AutomaticSetting {};
 struct StepSetting {
   unsigned value;
@@ -22,15 +23,16 @@ struct PhysicalSetting {
 };
 using FeatureSetting = std::variant<AutomaticSetting, StepSetting, PhysicalSetting>;
 
-/** \brief Sets it.
- * \throws BadArgumentException naming the range of a value
- * \throws CameraException Unsupported where the camera cannot */
+/** \brief Sets a feature.
+ * \throws BadArgumentException naming the valid range of the value
+ * \throws CameraException Unsupported if the camera cannot do this */
 void
 writeFeature(const RegisterAccess& camera,
              IidcFeature feature,
              const FeatureSetting& setting);
 
-/** \brief \throws CameraException Unsupported without a trigger input */
+/** \brief Sets the trigger. \throws CameraException Unsupported without a trigger
+ * input */
 void
 writeTrigger(const RegisterAccess& camera, IidcTrigger trigger);
 

@@ -14,7 +14,8 @@ struct FixedMode {
 
 using Color = IidcColor;
 
-/** Formats 0 to 2 of the specification; a width of 0: there is no such mode. */
+/** Formats 0 to 2 of the specification; a width of 0 means that there is no such
+ * mode. */
 constexpr std::array<std::array<FixedMode, 8>, 3> fixed_modes = {{
     {{{160, 120, Color::Yuv444},
       {320, 240, Color::Yuv422},

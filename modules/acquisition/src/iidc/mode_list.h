@@ -8,15 +8,15 @@
 
 namespace pcl::acmap {
 
-/** \brief The format whose modes have sizes and packets to choose. */
+/** \brief The format whose modes have variable image and packet sizes. */
 constexpr int scalable_format = 7;
 
-/** \brief The modes that a camera claims to have and that make sense, ascending. Those of
- * format 7 come once for each colour. */
+/** \brief Lists the modes that a camera reports and whose registers are valid, in
+ * ascending order. A mode of format 7 is listed once per colour coding. */
 std::vector<IidcMode>
 listModes(const RegisterAccess& camera);
 
-/** \brief Frames a second of a rate's number in the registers, 0 to 7. */
+/** \brief Frames per second of a rate number of the registers, 0 to 7. */
 float
 fixedRate(unsigned number);
 

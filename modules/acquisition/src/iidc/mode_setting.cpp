@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The bus has so many packets a second. */
+/** Number of packets per second on the bus. */
 constexpr double packets_per_second = 8000;
 
 [[noreturn]] void
@@ -30,7 +30,7 @@ registersOf(const RegisterAccess& camera, const IidcMode& mode)
   return *registers;
 }
 
-/** Cameras since IIDC 1.30 want to be told when values belong together. */
+/** Applies values that belong together, as cameras since IIDC 1.30 require. */
 void
 applyValues(const RegisterAccess& registers,
             std::uint32_t error,
@@ -72,7 +72,8 @@ packetRange(const RegisterAccess& registers, const IidcMode& mode)
   return packets;
 }
 
-/** The packets of a frame: as the camera counts them, unless it miscounts. */
+/** Number of packets per frame: as reported by the camera, unless that is
+ * implausible. */
 std::size_t
 packetsOfFrame(const RegisterAccess& registers,
                const IidcMode& mode,

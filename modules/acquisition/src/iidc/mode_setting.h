@@ -8,25 +8,28 @@
 
 namespace pcl::acmap {
 
-/** \brief What a camera will send. */
+/** \brief Properties of a camera's stream. */
 struct StreamSetting {
-  std::size_t frame_bytes = 0; ///< with what fills up the last packet
-  float rate = 0;              ///< frames a second
+  std::size_t frame_bytes = 0; ///< including the padding of the last packet
+  float rate = 0;              ///< frames per second
 };
 
-/** \brief Sets a mode of a fixed format, and the rate that is nearest. */
+/** \brief Sets a mode of a fixed format with the nearest rate. */
 StreamSetting
 setFixedMode(const RegisterAccess& camera, const IidcMode& mode, float rate);
 
-/** \brief Sets a mode of format 7: all of its image from the upper left corner on.
- * \param[in] rate of which the packets are just long enough; 0: as long as can be
- * \return the rate that packets of this length have at most
- * \throws CameraException Malformed when the registers make no sense, Silent when they
- * never settle */
+/** \brief Sets a mode of format 7 with its full image, beginning at the upper left
+ * corner.
+ * \param[in] rate determines the packet size, which is the smallest one that reaches
+ * it; 0: largest packet size
+ * \return the maximum rate for this packet size
+ * \throws CameraException Malformed when the registers contain invalid values, Silent
+ * when the camera does not process them */
 StreamSetting
 setScalableMode(const RegisterAccess& camera, const IidcMode& mode, float rate);
 
-/** \brief Of a mode of format 7: `GBRG` and the like; empty where it does not say. */
+/** \brief Colour filter of a mode of format 7: `GBRG` or similar; empty if it is not
+ * reported. */
 std::string
 scalableColorFilter(const RegisterAccess& camera, const IidcMode& mode);
 

@@ -5,7 +5,7 @@ namespace pcl::acmap {
 std::optional<std::uint32_t>
 RegisterAccess::tryRead(std::uint64_t offset) const
 {
-  constexpr std::uint32_t nothing = 0xFFFFFFFF; // as many cameras answer
+  constexpr std::uint32_t nothing = 0xFFFFFFFF; // answer for missing registers
   try {
     const std::uint32_t value = read(offset);
     return value != nothing ? std::optional(value) : std::nullopt;
@@ -21,8 +21,7 @@ std::optional<RegisterAccess>
 RegisterAccess::behind(std::uint64_t offset) const
 {
   const std::uint32_t quadlets = tryRead(offset).value_or(0);
-  // The register space is 28 bits wide: no register lies beyond, those of the largest block
-  // included.
+  // The register space has 28 bits; the largest block of registers must fit into it.
   constexpr std::uint64_t most = (0x10000000 - iidc::scalable::bytes) / 4;
   if (quadlets == 0 || quadlets > most)
     return std::nullopt;

@@ -12,7 +12,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The registers of one camera, from a place in its address space on. */
+/** \brief Access to the registers of one camera, relative to a base address. */
 class RegisterAccess {
 public:
   RegisterAccess(std::shared_ptr<IidcBus> bus, std::uint64_t base)
@@ -26,7 +26,8 @@ public:
     return bus_->readQuadlet(base_ + offset);
   }
 
-  /** \brief A register that a camera need not have; nothing where it has none. */
+  /** \brief Reads an optional register; returns nothing if the camera does not have
+   * it. */
   std::optional<std::uint32_t>
   tryRead(std::uint64_t offset) const;
 
@@ -36,8 +37,8 @@ public:
     bus_->writeQuadlet(base_ + offset, value);
   }
 
-  /** \brief Registers whose place this one holds, counted in quadlets; nothing where it
-   * holds none. */
+  /** \brief Returns the block of registers whose position, counted in quadlets, is
+   * stored in this register; nothing if the register contains none. */
   std::optional<RegisterAccess>
   behind(std::uint64_t offset) const;
 

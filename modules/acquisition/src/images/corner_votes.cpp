@@ -7,17 +7,17 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double nearest = 0.3;           // metres
-constexpr int most_beside = 2;            // px off its line, of an aged calibration
+constexpr double nearest = 0.3;           // minimum depth, metres
+constexpr int most_beside = 2;            // px, maximum distance from the epipolar line
 constexpr float least_agreement = 0.8F;   // correlation
-constexpr float least_difference = 0.05F; // of the best depth before any other
-constexpr int same_place = 3;             // steps between depths that are one
-constexpr double least_shift = 5;         // px from where it lay at infinity
+constexpr float least_difference = 0.05F; // minimum lead of the best depth
+constexpr int same_place = 3;             // depths within so many steps count as one
+constexpr double least_shift = 5;         // px, minimum parallax
 
 constexpr std::array neighbours{RigCamera::Horizontal, RigCamera::Vertical};
 
-/** Steps of the inverse depth from infinity to the nearest, about a pixel long in the
- * farther neighbour. */
+/** Number of steps of the inverse depth from infinity to the minimum depth; one step is
+ * about a pixel in the neighbour with the longer baseline. */
 int
 stepsOf(const RigCalibration& calibration)
 {
@@ -26,12 +26,13 @@ stepsOf(const RigCalibration& calibration)
     most = std::max(most,
                     std::max(camera.focal_x, camera.focal_y) *
                         camera.T_reference_camera.translation().norm() / nearest);
-  // Of very long baselines: what is nearer than that lies beyond the image.
+  // With very long baselines, points at smaller depths are outside the image.
   const double farthest = 4.0 * std::max(calibration.width, calibration.height);
   return static_cast<int>(std::ceil(std::min(most, farthest)));
 }
 
-/** Where a neighbour sees a corner of the reference, by step of the inverse depth. */
+/** Positions of a reference corner in a neighbour image, by step of the inverse
+ * depth. */
 class CornerLine {
 public:
   CornerLine(const CameraCalibration& reference,
@@ -55,7 +56,7 @@ public:
     return projectPoint(neighbour_, at_infinity_ - step * step_);
   }
 
-  /** Whether it runs along rows rather than columns. */
+  /** Returns true if the line is closer to the direction of rows than of columns. */
   bool
   isFlat() const
   {
@@ -69,7 +70,8 @@ private:
   bool is_flat_;
 };
 
-/** The best correlation on and beside a place of the line; -1 where there is none. */
+/** The maximum correlation at a position of the line and beside it; -1 if there is
+ * none. */
 float
 agreementAt(const SmoothImage& image,
             const SmoothImage::Patch& patch,
@@ -79,7 +81,7 @@ agreementAt(const SmoothImage& image,
   constexpr double beyond_all = 1e6; // px
   float best = -1;
   const Eigen::Vector2d place = line.at(step);
-  if (!(place.cwiseAbs().maxCoeff() < beyond_all)) // also where it is NaN
+  if (!(place.cwiseAbs().maxCoeff() < beyond_all)) // also true for NaN
     return best;
   const int x = static_cast<int>(std::lround(place.x()));
   const int y = static_cast<int>(std::lround(place.y()));
@@ -92,10 +94,10 @@ agreementAt(const SmoothImage& image,
   return best;
 }
 
-/** How well both neighbours agree with a corner, by step of the inverse depth. */
+/** Minimum of the correlations in both neighbours, by step of the inverse depth. */
 using Agreements = std::vector<float>;
 
-/** Whether no other place is nearly as good. */
+/** Returns true if no other depth is nearly as good. */
 bool
 isAlone(const Agreements& agreements, Agreements::const_iterator best)
 {
@@ -124,7 +126,7 @@ isFound(const std::array<const SmoothImage*, 3>& images,
     const SmoothImage& image = *images[static_cast<std::size_t>(camera)];
     for (int step = 0; step <= steps; ++step) {
       float& joint = agreements[static_cast<std::size_t>(step)];
-      if (joint >= least_agreement - least_difference) // else it cannot matter any more
+      if (joint >= least_agreement - least_difference) // else it is already rejected
         joint = std::min(joint, agreementAt(image, patch, line, step));
     }
   }

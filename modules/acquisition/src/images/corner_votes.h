@@ -9,10 +9,10 @@
 
 namespace pcl::acmap {
 
-/** \brief How many corners of a reference were found again. */
+/** \brief Number of corners of a reference image that were found again. */
 struct CornerVotes {
-  std::size_t corners = 0; ///< that were looked for
-  std::size_t found = 0;   ///< in both neighbours, for one depth and no other
+  std::size_t corners = 0; ///< that were searched for
+  std::size_t found = 0;   ///< in both neighbours, at exactly one depth
 
   double
   share() const
@@ -21,11 +21,11 @@ struct CornerVotes {
   }
 };
 
-/** \brief Looks for corners of the reference where the calibration lets the neighbours
- * see them, for depths from 0.3 m to infinity; none that are too far to lie elsewhere in
- * a neighbour than in the reference count as found.
+/** \brief Searches for corners of the reference image at the positions in the neighbour
+ * images that the calibration predicts for depths from 0.3 m to infinity. A corner that
+ * is so far away that it shows no parallax does not count as found.
  * \param[in] images by \ref RigCamera
- * \param[in] corners of the reference */
+ * \param[in] corners of the reference image */
 CornerVotes
 countVotes(const std::array<const SmoothImage*, 3>& images,
            const std::vector<cv::Point>& corners,

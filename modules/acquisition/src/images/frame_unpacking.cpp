@@ -34,7 +34,8 @@ requireLayout(const PlaneLayout& layout, std::size_t bytes)
                                " bytes; its images need " + std::to_string(needed));
 }
 
-/** Gives the image its shape, and OpenCV its memory. */
+/** Sets the size of the image and returns it as an OpenCV matrix that shares its
+ * memory. */
 cv::Mat
 shape(CameraImage& image, const PlaneLayout& layout, int channels)
 {
@@ -47,7 +48,8 @@ shape(CameraImage& image, const PlaneLayout& layout, int channels)
   return {layout.height, layout.width, CV_8UC(channels), image.values.data()};
 }
 
-/** OpenCV's older codes name another corner of the pattern; these name the upper left. */
+/** OpenCV's older names begin at another corner of the pattern; these ones begin at the
+ * upper left. */
 int
 conversionOf(BayerPattern bayer)
 {
@@ -88,7 +90,7 @@ unpackFrame(const std::vector<std::uint8_t>& bytes,
             TrinocularFrame& frame)
 {
   requireLayout(layout, bytes.size());
-  // OpenCV has no matrix over constant bytes; this one is only read.
+  // OpenCV has no matrix of constant data; this one is only read.
   const cv::Mat interleaved(layout.height,
                             layout.width,
                             CV_8UC(layout.cameras),

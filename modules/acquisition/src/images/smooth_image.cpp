@@ -9,14 +9,14 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double patch_blur = 1.0;     // px, one standard deviation
-constexpr double corner_blur = 2.0;    // px, likewise
-constexpr double least_contrast = 2.0; // grey levels, one standard deviation
+constexpr double patch_blur = 1.0;     // standard deviation, px
+constexpr double corner_blur = 2.0;    // standard deviation, px
+constexpr double least_contrast = 2.0; // standard deviation, grey levels
 
 cv::Mat
 greyOf(const CameraImage& image)
 {
-  // OpenCV has no matrix over constant bytes; this one is only read.
+  // OpenCV has no matrix of constant data; this one is only read.
   auto* const values = const_cast<std::uint8_t*>(image.values.data());
   const cv::Mat all(image.height, image.width, CV_8UC(image.channels), values);
   if (image.channels == 1)
@@ -58,7 +58,7 @@ std::vector<cv::Point>
 SmoothImage::corners() const
 {
   constexpr int most = 200;
-  constexpr double least_quality = 0.01; // of the strongest corner's
+  constexpr double least_quality = 0.01; // relative to the strongest corner
   constexpr int most_in_a_row = 60;
   constexpr int window = 5; // px
   cv::Mat smoother;

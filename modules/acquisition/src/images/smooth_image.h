@@ -10,28 +10,30 @@
 
 namespace pcl::acmap {
 
-/** \brief A grey image to look for patches in: some noise is off, and what correlations
- * need to know of each patch is summed up. */
+/** \brief A smoothed grey image for matching patches, with precomputed sums for the
+ * correlation of each patch. */
 class SmoothImage {
 public:
-  /** \brief A patch reaches from -half to half - 1 round its pixel, in both directions. */
+  /** \brief A patch contains the pixels from -half to half - 1 around its pixel, in
+   * both directions. */
   static constexpr int half = 8;
   static constexpr int side = 2 * half; ///< px
 
   struct Patch {
     std::array<std::int16_t, side * side> values;
     double sum = 0;
-    float inverse_deviation = 0; ///< 1 / sqrt (squared deviations' sum)
+    float inverse_deviation = 0; ///< 1 / sqrt(sum of squared deviations)
   };
 
   explicit SmoothImage(const CameraImage& image);
 
-  /** \brief At most 200 corners, the strongest first, spread over the image: each with a
-   * whole patch that none of those beside it looks like. */
+  /** \brief Returns at most 200 corners, distributed over the image, in descending
+   * order of strength. Each has a complete patch that differs from the patches beside
+   * it. */
   std::vector<cv::Point>
   corners() const;
 
-  /** \brief Whether there is a whole patch with contrast round a pixel. */
+  /** \brief Returns true if there is a complete patch with contrast around a pixel. */
   bool
   hasPatch(int x, int y) const
   {
@@ -39,24 +41,24 @@ public:
            inverse_deviation_(y, x) > 0.0F;
   }
 
-  /** \brief The patch that there is. */
+  /** \brief The patch around a pixel; \ref hasPatch must be true. */
   Patch
   patchAt(cv::Point pixel) const;
 
-  /** \brief Zero-mean normalised correlation of a patch with the one that there is round
-   * a pixel, in [-1, 1]. */
+  /** \brief Zero-mean normalised cross-correlation of a patch with the patch around a
+   * pixel, in [-1, 1]; \ref hasPatch must be true. */
   float
   correlate(const Patch& patch, int x, int y) const;
 
 private:
-  /** \brief Whether a corner's place can be told in every direction: on an edge it
-   * cannot. */
+  /** \brief Returns true if the position of a corner is well defined in all directions,
+   * which is not the case on an edge. */
   bool
   isDistinct(cv::Point corner) const;
 
   cv::Mat_<std::uint8_t> grey_;
-  cv::Mat_<std::int32_t> sum_;        ///< of the patch round each pixel, likewise below
-  cv::Mat_<float> inverse_deviation_; ///< 0: no contrast
+  cv::Mat_<std::int32_t> sum_;        ///< sum over the patch around each pixel
+  cv::Mat_<float> inverse_deviation_; ///< by patch; 0: no contrast
 };
 
 } // namespace pcl::acmap

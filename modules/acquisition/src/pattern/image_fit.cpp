@@ -16,14 +16,15 @@ requireWhole(const RgbImage& image)
                                "and at least one pixel");
 }
 
-/** a b / c, rounded, at least 1. */
+/** a b / c, rounded to the nearest integer, at least 1. */
 int
 scaledLength(std::int64_t a, std::int64_t b, std::int64_t c)
 {
   return static_cast<int>(std::max<std::int64_t>(1, (2 * a * b + c) / (2 * c)));
 }
 
-/** Where the centre of pixel i of a row of n lies in a row of m. */
+/** Index of the pixel in a row of m pixels that is at the centre of pixel i in a row of
+ * n. */
 std::int32_t
 pixelUnder(std::int64_t i, std::int64_t n, std::int64_t m)
 {

@@ -4,11 +4,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Whether an image has at least a pixel, and all its values. */
+/** \brief Returns true if an image has at least one pixel, and all its values. */
 bool
 isWhole(const RgbImage& image);
 
-/** \brief Where an image lies on a monitor, pixels. */
+/** \brief Position and size of an image on a monitor, in pixels. */
 struct ImagePlace {
   int x = 0;
   int y = 0;
@@ -16,13 +16,14 @@ struct ImagePlace {
   int height = 0;
 };
 
-/** \brief The largest place of the image's shape on the monitor, in its middle. */
+/** \brief The largest centred rectangle with the image's aspect ratio on the
+ * monitor. */
 ImagePlace
 placeOf(const RgbImage& image, int monitor_width, int monitor_height);
 
-/** \brief A monitor's picture: the image in its place on black. A pixel takes the colour
- * of the image's pixel under its centre.
- * \throws BadArgumentException when the image is empty or has not all its values */
+/** \brief The content of a monitor: the image at its place on black. Each pixel has the
+ * colour of the image's pixel at its centre.
+ * \throws BadArgumentException when the image is empty or incomplete */
 RgbImage
 fitImage(const RgbImage& image, int monitor_width, int monitor_height);
 

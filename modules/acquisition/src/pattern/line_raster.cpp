@@ -7,8 +7,9 @@
 namespace pcl::acmap {
 namespace {
 
-// Normals and distances are rounded to multiples of its inverse: from there on all is
-// exact, and the last bit of a library's sine moves no pixel.
+// Normals and distances are rounded to multiples of 1 / fixed_one. All further
+// computations are exact, so that rounding differences of a library's sine do not
+// change pixels.
 constexpr double fixed_one = 1 << 20;
 
 std::int64_t
@@ -24,7 +25,8 @@ ceiledQuotient(std::int64_t n, std::int64_t d)
   return n >= 0 ? (n + d - 1) / d : -(-n / d);
 }
 
-/** \brief The band least <= x X + y Y < end of doubled pixels X, Y from the middle. */
+/** \brief The band least <= x X + y Y < end, where X and Y are twice the pixel
+ * coordinates relative to the centre of the image. */
 struct Band {
   std::int64_t x;
   std::int64_t y;
@@ -44,7 +46,7 @@ bandOf(const PatternLine& line)
   return band;
 }
 
-/** \brief Columns [first, second) of the band in a row; empty where first >= second. */
+/** \brief Columns [first, second) of the band in a row; empty if first >= second. */
 std::pair<std::int64_t, std::int64_t>
 columnsOf(const Band& band, std::int64_t doubled_row, std::int32_t width)
 {
@@ -52,7 +54,7 @@ columnsOf(const Band& band, std::int64_t doubled_row, std::int32_t width)
   const std::int64_t end = band.end - band.y * doubled_row;
   if (band.x == 0)
     return {0, least <= 0 && 0 < end ? width : 0};
-  // x (2 column - (width - 1)) within [least, end); x < 0 turns the bounds round
+  // x (2 column - (width - 1)) is within [least, end); x < 0 reverses the bounds
   const std::int64_t step = 2 * std::abs(band.x);
   const std::int64_t middle = std::abs(band.x) * (width - 1);
   const auto [from, to] =

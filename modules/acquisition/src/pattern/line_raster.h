@@ -6,15 +6,16 @@
 
 namespace pcl::acmap {
 
-/** \brief Paints a line over what is there; every pixel is of the line or not. */
+/** \brief Paints a line over an image; each pixel either belongs to the line or not. */
 void
 paintLine(const PatternLine& line, RgbImage& image);
 
-/** \brief A black image with the lines on it, later ones over earlier ones. */
+/** \brief Creates a black image and paints the lines in order, later ones over earlier
+ * ones. */
 RgbImage
 paintLines(const PatternLaw& law, const std::vector<PatternLine>& lines);
 
-/** \brief Share of the pixels that are not black. */
+/** \brief Fraction of the pixels that are not black. */
 double
 coverageOf(const RgbImage& image);
 

@@ -6,19 +6,19 @@
 
 namespace pcl::acmap {
 
-/** \brief What a pattern's lines are drawn from. */
+/** \brief Parameters of the distribution of a pattern's lines. */
 struct PatternLaw {
-  std::int32_t width = 1024; ///< of the pattern, pixels
+  std::int32_t width = 1024; ///< width of the pattern, pixels
   std::int32_t height = 768;
   int lines = 200;
   int least_line_width = 2; ///< pixels
   int most_line_width = 6;
-  bool colored = true;      ///< each channel with an intensity of its own
+  bool colored = true;      ///< each channel has an intensity of its own
   double minimum_angle = 0; ///< between a line and the rows, radians
 };
 
-/** \brief A band of pixels: those whose centres p have
- * -w/2 <= (p - c) . (-sin phi, cos phi) - rho < w/2, c the middle of the pattern. */
+/** \brief A line as a band of pixels: those whose centres p fulfil -w/2 <= (p - c) .
+ * (-sin phi, cos phi) - rho < w/2, where c is the centre of the pattern. */
 struct PatternLine {
   double angle = 0;    ///< phi, from the rows, radians in [0, pi)
   double distance = 0; ///< rho, signed, pixels
@@ -26,9 +26,10 @@ struct PatternLine {
   std::array<std::uint8_t, 3> color{};
 };
 
-/** \brief Independent lines, in the order in which they are to be painted: phi uniform
- * at least the minimum angle from the rows, rho uniform over the diagonal, whole widths
- * and intensities 64..255 uniform. A line may miss the pattern's corners. */
+/** \brief Draws independent lines, in the order in which they are to be painted: phi
+ * uniform with at least the minimum angle from the rows, rho uniform over the diagonal,
+ * integer widths and intensities in 64..255 uniform. A line may lie outside the
+ * pattern, near its corners. */
 std::vector<PatternLine>
 sampleLines(const PatternLaw& law, std::uint64_t seed);
 

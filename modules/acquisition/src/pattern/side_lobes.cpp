@@ -11,7 +11,7 @@ constexpr double main_lobe_end = 0.5;
 constexpr double gated_share = 0.99;
 constexpr std::int32_t most_lines_measured = 256;
 
-/** \brief Sums of values and of their squares up to each place. */
+/** \brief Cumulative sums of values and of their squares. */
 struct RunningSums {
   std::vector<std::int64_t> first = {0};
   std::vector<std::int64_t> second = {0};
@@ -37,7 +37,7 @@ struct RunningSums {
 std::int64_t
 productSum(const std::vector<int>& values, std::size_t shift)
 {
-  // sums of 32 bits hold 1,024 products of values up to 3 * 255
+  // sums of 32 bits can hold 1,024 products of values up to 3 * 255
   constexpr std::size_t block = 1024;
   const std::size_t size = values.size() - shift;
   std::int64_t sum = 0;
@@ -51,8 +51,8 @@ productSum(const std::vector<int>& values, std::size_t shift)
   return sum;
 }
 
-/** \brief Correlation coefficient of a row with itself; 1 where one side has no contrast,
- * as nothing tells it from the other. */
+/** \brief Correlation coefficient of a row with its shifted copy; 1 if one of the
+ * overlapping parts has no contrast, since a match is then ambiguous. */
 double
 selfCorrelation(const std::vector<int>& values,
                 const RunningSums& sums,

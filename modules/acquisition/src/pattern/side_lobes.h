@@ -6,26 +6,27 @@
 
 namespace pcl::acmap {
 
-/** \brief How alike a row is to itself elsewhere: the highest correlation coefficient of
- * the row with itself shifted, over the shifts of the disparity range behind the main
- * lobe. That ends at the first minimum at or behind the first value below 0.5.
+/** \brief Self-similarity of a row: the maximum correlation coefficient of the row with
+ * its shifted copy, over the shifts of the disparity range beyond the main lobe. The
+ * main lobe ends at the first minimum at or after the first value below 0.5.
  * \param[in] values brightness along the row
- * \param[in] range largest shift; at most half of the row is looked at
- * \return within [0, 1]; 1 where the main lobe has no end, as in a row of one value */
+ * \param[in] range maximum shift; at most half of the row is examined
+ * \return within [0, 1]; 1 if the main lobe has no end, for example in a constant
+ * row */
 double
 sideLobeOf(const std::vector<int>& values, int range);
 
-/** \brief A pattern is good where its gated side lobes are below. */
+/** \brief A pattern is accepted if its gated side lobes are below this value. */
 constexpr double highest_side_lobe = 0.5;
 
 /** \brief The side lobes of an image's rows or columns. */
 struct SideLobes {
-  double gated = 0; ///< 99th percentile: what patterns are accepted by
+  double gated = 0; ///< 99th percentile, which decides about acceptance
   double worst = 0;
 };
 
-/** \brief Side lobes along the rows, by the sum of the channels; of 256 rows, evenly
- * spread, where there are more. */
+/** \brief Side lobes along the rows, computed from the sum of the channels. If there
+ * are more than 256 rows, 256 of them are used, evenly distributed. */
 SideLobes
 rowSideLobes(const RgbImage& image, int range);
 

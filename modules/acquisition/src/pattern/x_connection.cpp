@@ -12,7 +12,7 @@ thread_local int error_code = Success;
 int
 keepError(Display*, XErrorEvent* error)
 {
-  if (error_code == Success) // later ones follow from the first
+  if (error_code == Success) // later errors result from the first one
     error_code = error->error_code;
   return 0;
 }
@@ -23,7 +23,8 @@ keepQuiet(Display*)
   return 0;
 }
 
-/** \brief Xlib's handlers are of the whole process: ours stand while we work. */
+/** \brief Xlib's error handlers are global to the process; ours are installed during a
+ * call. */
 class ErrorTrap {
 public:
   ErrorTrap()
@@ -57,7 +58,7 @@ XConnection::XConnection(const std::string& name)
   if (!display_)
     throw IOException(name_.empty() ? "there is no display: DISPLAY is not set"
                                     : "display " + name_ + " cannot be opened");
-  // in place of the end of the process
+  // Set a flag where Xlib would end the process.
   XSetIOErrorExitHandler(
       display_,
       [](Display*, void* is_lost) { *static_cast<bool*>(is_lost) = true; },

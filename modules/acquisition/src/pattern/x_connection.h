@@ -7,15 +7,15 @@ struct _XDisplay; // Xlib's Display; its header defines macros such as None and 
 
 namespace pcl::acmap {
 
-/** \brief A connection to an X server whose errors are exceptions; Xlib's own way is to
- * end the process. */
+/** \brief A connection to an X server that reports errors as exceptions, where Xlib
+ * would end the process. */
 class XConnection {
 public:
-  /** \param[in] name of the display; empty: DISPLAY of the environment
+  /** \param[in] name of the display; if empty, the environment variable DISPLAY is used
    * \throws IOException when there is no such display */
   explicit XConnection(const std::string& name);
 
-  /** \brief Closes it; the server frees what was made through it. */
+  /** \brief Closes the connection; the server frees the resources of the connection. */
   ~XConnection();
 
   XConnection(const XConnection&) = delete;
@@ -28,13 +28,15 @@ public:
     return display_;
   }
 
-  /** \brief Makes requests and waits until the server has done them.
-   * \param[in] doing what is being done, for the message
-   * \throws IOException when the server refuses one or is gone */
+  /** \brief Sends requests and waits until the server has processed them.
+   * \param[in] doing description of the action, for the message
+   * \param[in] requests function that calls Xlib
+   * \throws IOException when the server rejects a request or is not available any
+   * more */
   void
   call(const std::string& doing, const std::function<void()>& requests);
 
-  /** \throws IOException naming the display, always */
+  /** \brief Always throws. \throws IOException naming the display */
   [[noreturn]] void
   fail(const std::string& reason) const;
 

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The monitors in use, in the server's order; all of the screen as one where it
- * cannot tell. \throws IOException when the display fails */
+/** \brief The active monitors in the server's order; if the server cannot list them,
+ * the whole screen as one monitor. \throws IOException when the display fails */
 std::vector<MonitorPlace>
 findMonitors(XConnection& connection);
 

@@ -82,7 +82,7 @@ putPicture(Display* display,
             static_cast<unsigned>(picture.width),
             static_cast<unsigned>(picture.height));
   XFreeGC(display, context);
-  image->data = nullptr; // the vector's
+  image->data = nullptr; // the memory belongs to the vector
   XDestroyImage(image);
 }
 

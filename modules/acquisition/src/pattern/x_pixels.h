@@ -10,17 +10,17 @@
 
 namespace pcl::acmap {
 
-/** \brief How colours become pixels of a visual. */
+/** \brief Conversion of colours to pixel values of a visual. */
 struct PixelFormat {
   Visual* visual = nullptr;
   int depth = 0;
   std::array<int, 3> shifts{};
-  unsigned long opaque = 0; ///< bits that are of no colour
+  unsigned long opaque = 0; ///< bits that belong to no colour
 };
 
 /** \brief The format of the display's default screen.
- * \throws IOException naming it unless it is direct colour of 8 bits a channel in pixels
- * of depth 24 or 32 */
+ * \throws IOException naming the format unless it is direct colour of 8 bits per
+ * channel in pixels of depth 24 or 32 */
 PixelFormat
 pixelFormatOf(const XConnection& connection);
 

@@ -9,14 +9,14 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_turn = 1.0; // grey levels, of a mean over many pixels
+constexpr double least_turn = 1.0; // grey levels, minimum change of the mean
 constexpr double change_to_wait_for = 0.95;
-constexpr double most_unrest = 0.3; // of the contrast
+constexpr double most_unrest = 0.3; // maximum, relative to the contrast
 
-/** \brief Where a turn ends, and how restless it is there. */
+/** \brief Level at the end of a turn, and its fluctuation there. */
 struct TurnEnd {
   double level = 0;
-  double unrest = 0; // grey levels, to either side
+  double unrest = 0; // grey levels, half the range
 };
 
 TurnEnd
@@ -49,10 +49,10 @@ findSettleTime(const std::vector<LightTurn>& turns, double tail)
   double unrest = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     unrest = std::max(unrest, ends[i].unrest);
-    if (i > 0) // turns of odd index are to bright
+    if (i > 0) // turns with odd index lead to bright
       contrast = std::min(contrast,
                           (ends[i].level - ends[i - 1].level) * (i % 2 == 1 ? 1 : -1));
-    if (i > 1) // the room itself
+    if (i > 1) // change of the ambient light
       unrest = std::max(unrest, std::abs(ends[i].level - ends[i - 2].level) / 2);
   }
   if (contrast < least_turn || unrest > most_unrest * contrast)
@@ -63,7 +63,7 @@ findSettleTime(const std::vector<LightTurn>& turns, double tail)
     const double from = ends[turn == 0 ? 1 : turn - 1].level;
     return (sample.level - from) / (ends[turn].level - from) >= wanted;
   };
-  double unsettled = -1; // the longest such delay
+  double unsettled = -1; // the longest delay at which a change was incomplete
   for (std::size_t i = 0; i < turns.size(); ++i)
     for (const LightSample& sample : turns[i])
       if (!isSettled(i, sample))

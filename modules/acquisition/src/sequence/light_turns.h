@@ -5,20 +5,19 @@
 
 namespace pcl::acmap {
 
-/** \brief A shot after the light was told to change. */
+/** \brief A shot after the light was switched. */
 struct LightSample {
-  double delay = 0; ///< from there to the shot, seconds
-  double level = 0; ///< mean grey level where the light falls
+  double delay = 0; ///< time from the switch to the shot, seconds
+  double level = 0; ///< mean grey level of the pixels that are lit by the projector
 };
 
-/** \brief The shots after one change, by their delays. */
+/** \brief The shots after one switch, in order of their delays. */
 using LightTurn = std::vector<LightSample>;
 
-/** \brief The delay behind which all changes have come to their end.
- * \param[in] turns to dark, to bright, to dark and so on; at least two, none empty
- * \param[in] tail delay from which a change is taken to be at its end, seconds
- * \return nothing where the levels do not follow the turns, or not before the last shot
- */
+/** \brief Finds the delay after which all changes are complete.
+ * \param[in] turns alternately to dark and to bright; at least two, none empty
+ * \param[in] tail delay after which a change is assumed to be complete, seconds
+ * \return nothing if the levels do not follow the turns, or not before the last shot */
 std::optional<double>
 findSettleTime(const std::vector<LightTurn>& turns, double tail);
 

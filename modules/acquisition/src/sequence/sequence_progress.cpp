@@ -15,7 +15,7 @@ SequenceProgress::next()
   return next_;
 }
 
-/** With mutex_ held. */
+/** Must be called with mutex_ locked. */
 void
 SequenceProgress::goToNextObservation()
 {
@@ -28,13 +28,13 @@ SequenceProgress::give(const Shot& shot)
 {
   const std::lock_guard lock(mutex_);
   ++report_.shots;
-  if (next_.number != shot.number) // it was rewound while the shot was taken
+  if (next_.number != shot.number) // rewind was called while the shot was taken
     return;
   ++next_.number;
   ++next_.pattern;
 }
 
-/** With mutex_ held. */
+/** Must be called with mutex_ locked. */
 bool
 SequenceProgress::follows(const Shot& shot) const
 {

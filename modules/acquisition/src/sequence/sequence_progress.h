@@ -7,11 +7,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Which shot of a sequence comes next, and what became of those before. All
- * members may be called from any thread. */
+/** \brief Determines the next shot of a sequence and keeps the statistics. All
+ * functions may be called from any thread. */
 class SequenceProgress {
 public:
-  /** \brief What a frame is told by. */
+  /** \brief Identification of a frame. */
   struct Shot {
     std::uint64_t number = 0;
     std::int32_t observation = 0;
@@ -23,7 +23,8 @@ public:
   Shot
   next();
 
-  /** \brief It is about to be given; the one after it is the next. */
+  /** \brief To be called before a shot is passed on; makes the following shot the next
+   * one. */
   void
   give(const Shot& shot);
 
@@ -33,22 +34,23 @@ public:
     return shot.pattern + 1 == patterns_;
   }
 
-  /** \brief Whether nobody cut off or rewound what a shot belongs to. */
+  /** \brief Returns true if the observation of a shot was not interrupted or
+   * rewound. */
   bool
   isUnderWay(const Shot& shot) const;
 
-  /** \brief The observation needs no shot after this one. */
+  /** \brief Completes the observation of a shot, which needs no further shots. */
   void
   finish(const Shot& shot);
 
-  /** \brief An observation of which shots were given, but not all, is over. */
+  /** \brief Ends an observation that is incomplete. */
   void
   cutOff();
 
   void
   rewind();
 
-  /** \brief The report is of what comes after. */
+  /** \brief Resets the report. */
   void
   beginStream();
 
@@ -64,8 +66,8 @@ private:
 
   const std::int32_t patterns_;
 
-  mutable std::mutex mutex_; // of all below
-  Shot next_;                // pattern = patterns_: all were given
+  mutable std::mutex mutex_; // protects the members below
+  Shot next_;                // pattern = patterns_: the observation has all its shots
   PatternSequenceGrabberReport report_;
 };
 

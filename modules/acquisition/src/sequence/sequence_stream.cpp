@@ -60,7 +60,8 @@ SequenceStream::request(const std::function<void(Jobs&)>& add)
     requests.lock();
   {
     const std::lock_guard lock(mutex_);
-    // Somebody outside is stopping while a callback asks, or all was asked for before.
+    // A callback makes a request while another thread is stopping, or an endless stream
+    // includes the request.
     if (is_stopping_ || jobs_.are_endless)
       return;
     add(jobs_);
@@ -68,7 +69,7 @@ SequenceStream::request(const std::function<void(Jobs&)>& add)
   try {
     thread_.add(1);
   }
-  catch (...) { // the system gives no thread
+  catch (...) { // the system cannot create a thread
     dropJobs();
     throw;
   }
@@ -127,7 +128,7 @@ SequenceStream::isJobOver() const
   return is_job_over_;
 }
 
-/** The step of the thread. */
+/** One step of the thread. */
 bool
 SequenceStream::doJobs()
 {
@@ -144,7 +145,8 @@ SequenceStream::doJobs()
   return true;
 }
 
-/** Takes a shot, and gives it. */
+/** Takes a shot and passes it to the callbacks. \return true if it completes the
+ * observation */
 bool
 SequenceStream::finishesObservation()
 {
@@ -198,7 +200,8 @@ SequenceStream::end()
     is_new_ = true;
     return jobs_.are_endless || !jobs_.queue.empty();
   }();
-  // It was asked when an error had ended the jobs, too early for the thread to keep it.
+  // The request was made after an error had ended the jobs, but before the thread could
+  // accept it.
   if (is_asked_again)
     thread_.add(1);
   taker_.finish();

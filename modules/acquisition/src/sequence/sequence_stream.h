@@ -10,11 +10,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Takes shots and observations as jobs, in a thread of its own.
+/** \brief Takes shots and observations as jobs in a thread of its own.
  *
- * A request leaves a job and wakes the thread, which does jobs until none is left.
- * Requests from outside come one after another, so none comes while somebody stops. All
- * members may be called from any thread and from callbacks. */
+ * A request adds a job and wakes the thread, which executes jobs until none is left.
+ * Requests from outside the thread are serialized, so that none is added during a stop.
+ * All functions may be called from any thread and from callbacks. */
 class SequenceStream {
 public:
   using Signal = boost::signals2::signal<TrinocularGrabber::FrameCallback>;
@@ -32,7 +32,7 @@ public:
                  std::vector<RgbImage> patterns,
                  const Signal& signal);
 
-  /** \brief Stops. */
+  /** \brief Stops the thread. */
   ~SequenceStream();
 
   Settings
@@ -78,7 +78,7 @@ private:
 
   struct Jobs {
     std::deque<Job> queue;
-    bool are_endless = false; // observations, when the queue is empty
+    bool are_endless = false; // repeat observations when the queue is empty
   };
 
   void
@@ -115,16 +115,16 @@ private:
   ShotTaker taker_;
   SequenceProgress progress_;
 
-  std::mutex requests_; // held by requests from outside; never by the thread
+  std::mutex requests_; // locked by requests from outside; never by the thread
 
-  mutable std::mutex mutex_; // of all below
+  mutable std::mutex mutex_; // protects the members below
   Settings settings_;
   Jobs jobs_;
-  bool is_job_over_ = false; // somebody stopped
-  bool is_stopping_ = false; // somebody outside waits in stop
-  bool is_new_ = true;       // no job was done since the last stream ended
+  bool is_job_over_ = false; // the current job was cancelled
+  bool is_stopping_ = false; // another thread is waiting in stop
+  bool is_new_ = true;       // no job was executed since the end of the last stream
 
-  StreamThread thread_; // the last one: it uses all others
+  StreamThread thread_; // declared last, since its thread uses all other members
 };
 
 } // namespace pcl::acmap

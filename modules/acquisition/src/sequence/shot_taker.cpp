@@ -10,7 +10,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** How often a camera is asked what it tells by no signal. */
+/** Polling interval for states of the camera that are not signalled. */
 constexpr std::chrono::milliseconds look{2};
 
 [[noreturn]] void
@@ -68,7 +68,8 @@ ShotTaker::sleepUntil(Clock::time_point end)
       lock, end, [this] { return inbox_->is_cancelled; });
 }
 
-/** Frames of an earlier trigger come before the camera rests, never after. */
+/** Waits until the camera is idle: frames of an earlier trigger arrive before, never
+ * after. */
 bool
 ShotTaker::waitForRest(Clock::time_point deadline)
 {

@@ -10,13 +10,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Shots of a camera under what a projector shows, one at a time. Used by one
- * thread; others may cancel its waits. */
+/** \brief Takes single shots of a camera while a projector shows a pattern. To be used
+ * by one thread; other threads may cancel its waits. */
 class ShotTaker {
 public:
   using Seconds = std::chrono::duration<double>;
 
-  /** \throws BadArgumentException for no camera or no projector */
+  /** \throws BadArgumentException if there is no camera or no projector */
   ShotTaker(shared_ptr<TrinocularGrabber> camera,
             shared_ptr<PatternProjector> projector);
 
@@ -26,43 +26,45 @@ public:
     return *camera_;
   }
 
-  /** \param[in] pattern none: black */
+  /** \brief Shows a pattern. \param[in] pattern null: black */
   void
   show(const RgbImage* pattern);
 
-  /** \brief Waits until a time has passed since the projector acknowledged.
+  /** \brief Waits until this time has passed since the projector's acknowledgement.
    * \return false when it was cancelled */
   bool
   settle(Seconds time);
 
   /** \brief Takes a shot that is exposed after this call.
-   * \return none when it was cancelled
-   * \throws CameraException when it does not come in time, or the camera streams for
-   * others; what the camera throws, and what ended its stream */
+   * \return null when it was cancelled
+   * \throws CameraException when the shot does not arrive in time, or the camera
+   * streams for others; also exceptions of the camera, and errors that ended its
+   * stream */
   TrinocularFrame::ConstPtr
   shoot(Seconds timeout);
 
-  /** \brief From the projector's acknowledgement to the trigger of the last shot. */
+  /** \brief Time from the projector's acknowledgement to the trigger of the last
+   * shot. */
   Seconds
   delay() const
   {
     return triggered_ - shown_;
   }
 
-  /** \brief Stops the camera and shows black; both, whichever throws. */
+  /** \brief Stops the camera and shows black, even if the camera throws. */
   void
   finish();
 
-  /** \brief Whether waits are cut short, those under way too. */
+  /** \brief Sets whether waits are cancelled, including a current wait. */
   void
   setCancelled(bool is_cancelled);
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /** \brief Where the camera's thread leaves a frame; it may outlive the taker. */
+  /** \brief Receives a frame from the camera's thread; it may outlive the ShotTaker. */
   struct Inbox {
-    std::mutex mutex; // of all below
+    std::mutex mutex; // protects the members below
     std::condition_variable changed;
     bool is_cancelled = false;
     TrinocularFrame::ConstPtr frame; // the first one since the last trigger

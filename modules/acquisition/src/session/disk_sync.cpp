@@ -21,7 +21,8 @@ sync(const std::string& path, int flags)
   const int fault = file >= 0 && ::fsync(file) == 0 ? 0 : errno;
   if (file >= 0)
     ::close(file);
-  // Devices have nothing to wait for; not every folder that may be written may be read.
+  // Special files do not support fsync; some writable folders cannot be opened for
+  // reading.
   if (fault != 0 && fault != EINVAL && fault != EACCES)
     throw OutputFileException(shownPath(path) + ": " + std::strerror(fault));
 }

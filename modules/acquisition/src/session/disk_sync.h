@@ -4,9 +4,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Waits until a file and its name in its folder are on the disk: a power failure
- * does not take them any more.
- * \throws OutputFileException when the disk did not take them */
+/** \brief Waits until a file and its entry in its folder are on the disk, so that they
+ * survive a power failure.
+ * \throws OutputFileException when writing to the disk failed */
 void
 syncToDisk(const std::string& path);
 

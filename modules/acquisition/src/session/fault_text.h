@@ -5,8 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief What an exception says, for a message around it: PCL puts ": " before every
- * message. */
+/** \brief Message of an exception, for use within another message: removes the ": "
+ * that PCL puts before every message. */
 inline std::string
 faultText(std::string what)
 {

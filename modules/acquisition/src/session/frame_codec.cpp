@@ -47,7 +47,8 @@ faultOfImage(const ImageRecord& image)
   return "";
 }
 
-/** Is what the header says about the images' bytes possible? */
+/** Checks the packing and the number of bytes of an image in a header; empty if they
+ * are valid. */
 std::string
 faultOfPacking(const ImageRecord& image)
 {

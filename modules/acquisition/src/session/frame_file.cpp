@@ -15,10 +15,10 @@ namespace acmap {
 
 namespace {
 
-/** \brief A file whose header is read and holds against its length. */
+/** \brief An open file whose header was read and is consistent with its length. */
 struct OpenFrame {
   std::ifstream file;
-  std::vector<std::uint8_t> bytes; ///< the header so far
+  std::vector<std::uint8_t> bytes; ///< content that was read so far
   std::uint64_t file_bytes = 0;
   FrameHeader header;
 };

@@ -24,8 +24,8 @@ shareOf(const CameraImage& image, const Predicate& predicate)
   return static_cast<double>(count) / static_cast<double>(image.values.size());
 }
 
-/** \brief The cameras whose share of such values is at least \a least, as a remark;
- * empty when there is none. */
+/** \brief A remark that names the cameras whose fraction of values that fulfil the
+ * predicate is at least \a least; empty if there are none. */
 template <typename Predicate>
 std::string
 remarkOn(const TrinocularFrame& frame,

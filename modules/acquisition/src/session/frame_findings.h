@@ -7,8 +7,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The report of a grabber, to which reading adds. A frame that is read again adds
- * nothing. */
+/** \brief The report of a grabber, which is extended while frames are read. Reading a
+ * frame again adds nothing. */
 class FrameFindings {
 public:
   explicit FrameFindings(TrinocularFileReport report);
@@ -16,7 +16,7 @@ public:
   void
   addBroken(std::uint64_t number, const std::string& fault);
 
-  /** \brief Looks how bright the images are. */
+  /** \brief Checks the brightness of the images. */
   void
   addRead(const TrinocularFrame& frame);
 

@@ -9,7 +9,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Frames that lie in files, in their order. May be read from any thread. */
+/** \brief Frames that are stored in files, in their order. May be read from any
+ * thread. */
 class FrameSource {
 public:
   virtual ~FrameSource() = default;
@@ -17,7 +18,7 @@ public:
   virtual std::size_t
   size() const = 0;
 
-  /** \brief The number of a frame, known without reading it. */
+  /** \brief The number of a frame; does not read the frame. */
   virtual std::uint64_t
   number(std::size_t index) const = 0;
 
@@ -30,14 +31,15 @@ public:
 };
 
 /** \brief Opens a session.
- * \param[out] report what can be told of it without reading the images
- * \throws InputFileException when there is none */
+ * \param[in] folder of the session
+ * \param[out] report findings that do not require reading the images
+ * \throws InputFileException when there is no session */
 std::unique_ptr<FrameSource>
 openSession(const std::string& folder, TrinocularFileReport& report);
 
-/** \brief One observation from lists of images, one entry a pattern.
- * \throws BadArgumentException when the lists are not as long as each other, or not as
- * many as the rig has cameras, or a file stands in them twice */
+/** \brief One observation from lists of images, with one entry per pattern.
+ * \throws BadArgumentException when the lists have different lengths, do not match the
+ * cameras of the rig, or contain a file twice */
 std::unique_ptr<FrameSource>
 openImageLists(const TrinocularImageLists& lists, const TrinocularRig& rig);
 

@@ -90,7 +90,7 @@ private:
   TrinocularRig rig_;
 };
 
-/** Each camera that the rig has needs an image for each frame. */
+/** Each camera of the rig needs one image per frame. */
 void
 requireComplete(const CameraLists& lists, const TrinocularRig& rig)
 {
@@ -105,7 +105,7 @@ requireComplete(const CameraLists& lists, const TrinocularRig& rig)
   }
 }
 
-/** An image is of one shot and one camera. */
+/** Each image may be used for one frame and one camera only. */
 void
 requireDifferent(const CameraLists& lists)
 {

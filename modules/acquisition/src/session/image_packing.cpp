@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr int raw_window = -15; // no header or checksum of zlib's own
+constexpr int raw_window = -15; // no header and no checksum of zlib
 
 std::size_t
 rowBytes(const CameraImage& image)
@@ -70,7 +70,7 @@ unpackImage(const std::uint8_t* packed, std::size_t bytes, CameraImage& image)
   z_stream stream{};
   if (inflateInit2(&stream, raw_window) != Z_OK)
     throw std::bad_alloc();
-  stream.next_in = const_cast<std::uint8_t*>(packed); // zlib's older way to say const
+  stream.next_in = const_cast<std::uint8_t*>(packed); // zlib's interface lacks const
   stream.avail_in = static_cast<uInt>(bytes);
   stream.next_out = image.values.data();
   stream.avail_out = static_cast<uInt>(image.values.size());

@@ -9,20 +9,22 @@
 
 namespace pcl::acmap {
 
-/** \brief Packs an image without loss: each value less the one above it, then deflated by
- * runs and Huffman's code alone. Neighbours in a noisy image repeat too seldom for a
- * search to pay: it takes twice the time and finds less.
- * \return nothing when it would not become smaller */
+/** \brief Compresses an image without loss: differences of each row to the row above,
+ * then deflate with run lengths and Huffman coding only. Noisy images contain too few
+ * repetitions for a search of matches: it would take twice the time and compress less.
+ * \return nothing if the image would not become smaller */
 std::optional<std::vector<std::uint8_t>>
 packImage(const CameraImage& image);
 
-/** \brief Undoes \ref packImage.
- * \param[in,out] image has its shape, and room for its values
- * \return false when the bytes are no packed image of just this shape */
+/** \brief Decompresses the result of \ref packImage.
+ * \param[in] packed data
+ * \param[in] bytes length of the data
+ * \param[in,out] image its size is set, and its memory is allocated
+ * \return false when the data is not a compressed image of exactly this size */
 bool
 unpackImage(const std::uint8_t* packed, std::size_t bytes, CameraImage& image);
 
-/** \brief More values than these no packed byte holds. */
+/** \brief Maximum number of values per compressed byte. */
 constexpr std::uint64_t most_values_per_packed_byte = 1032;
 
 } // namespace pcl::acmap

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Writes a whole number, its lowest byte first, and moves on behind it. */
+/** \brief Writes an integer, least significant byte first, and advances the pointer. */
 template <typename Unsigned>
 void
 putNumber(std::uint8_t*& data, Unsigned value)
@@ -14,7 +14,8 @@ putNumber(std::uint8_t*& data, Unsigned value)
     *data++ = static_cast<std::uint8_t>(value >> (8 * i));
 }
 
-/** \brief Reads such a number and moves on behind it. */
+/** \brief Reads an integer that was written by \ref putNumber and advances the
+ * pointer. */
 template <typename Unsigned>
 Unsigned
 takeNumber(const std::uint8_t*& data)

@@ -17,11 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t number_digits = 6; // at least
+constexpr std::size_t number_digits = 6; // minimum
 constexpr const char* summary_name = "session.yaml";
 const std::string frame_begin = "frame_";
 
-/** The number of a file that is named just as this recorder names it. */
+/** The frame number of a file name; nothing unless it is exactly the name that the
+ * recorder uses. */
 std::optional<std::uint64_t>
 numberOfFile(const std::string& name)
 {

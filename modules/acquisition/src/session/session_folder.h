@@ -13,39 +13,39 @@
 
 namespace pcl::acmap {
 
-/** \brief `frame_000017.acf` */
+/** \brief Returns the name of a frame file, for example `frame_000017.acf`. */
 std::string
 frameFileName(std::uint64_t number);
 
-/** \brief Where a file of a session stands. */
+/** \brief Path of a file of a session. */
 std::string
 pathIn(const std::string& folder, const std::string& name);
 
-/** \brief What `session.yaml` tells of a session that was finished. */
+/** \brief Content of `session.yaml`, which a finished session has. */
 struct SessionSummary {
   std::string rig = "rig.yaml";  ///< file with the geometry
-  std::size_t frames = 0;        ///< how many there are
-  std::size_t observations = 0;  ///< different ones
-  std::size_t patterns = 0;      ///< different ones, "none" not counted
-  std::array<bool, 3> cameras{}; ///< which the frames have
+  std::size_t frames = 0;        ///< number of frames
+  std::size_t observations = 0;  ///< number of different observations
+  std::size_t patterns = 0;      ///< number of different patterns, without "none"
+  std::array<bool, 3> cameras{}; ///< cameras of the frames
 };
 
-/** \brief The text of a `session.yaml`. */
+/** \brief The content of `session.yaml` as text. */
 std::string
 sessionText(const SessionSummary& summary);
 
-/** \brief The reader behind \ref loadSessionSummary.
+/** \brief Parses `session.yaml`, for \ref loadSessionSummary.
  * \throws InputFileException naming file, line and fault */
 SessionSummary
 readSessionSummary(const YamlNode& map);
 
-/** \brief Writes `session.yaml`, onto the disk.
- * \throws OutputFileException when it could not be written whole */
+/** \brief Writes `session.yaml` and waits until it is on the disk.
+ * \throws OutputFileException when it could not be written completely */
 void
 saveSessionSummary(const std::string& folder, const SessionSummary& summary);
 
 /** \brief Reads `session.yaml`.
- * \return nothing without such a file: the recording did not come to its end
+ * \return nothing if there is no such file: the recording was not finished
  * \throws InputFileException naming file, line and fault */
 std::optional<SessionSummary>
 loadSessionSummary(const std::string& folder);
@@ -55,16 +55,18 @@ loadSessionSummary(const std::string& folder);
 std::vector<std::uint64_t>
 listFrames(const std::string& folder);
 
-/** \brief Does a session, or a part of one, lie in a folder? */
+/** \brief Returns true if a folder contains a session or a part of one. */
 bool
 holdsSession(const std::string& folder);
 
-/** \brief Why an image is not of this rig; empty when it has its size. */
+/** \brief The reason why an image does not fit a rig; empty if it has the rig's
+ * size. */
 std::string
 faultOfSize(const ImageRecord& image, const TrinocularRig& rig);
 
-/** \brief Why a frame is not of this rig; empty when it is. The frame must have an image
- * of the rig's size of each camera that the rig has (no baseline: no camera). */
+/** \brief The reason why a frame does not fit a rig; empty if it fits. The frame must
+ * have an image of the rig's size for exactly the cameras of the rig (no baseline: no
+ * camera). */
 std::string
 faultUnderRig(const FrameHeader& header, const TrinocularRig& rig);
 

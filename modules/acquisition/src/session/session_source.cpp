@@ -101,7 +101,7 @@ frameText(std::uint64_t number)
   return "frame " + std::to_string(number);
 }
 
-/** Beside which frame a shot should be that is not there. */
+/** The position of a missing shot, relative to the existing frames. */
 std::string
 placeOf(const Shot& missing, const ShotNumbers& shots)
 {
@@ -110,8 +110,9 @@ placeOf(const Shot& missing, const ShotNumbers& shots)
                                : "after " + frameText(std::prev(next)->second);
 }
 
-/** All observations should have the same patterns. Where none has those of another, only
- * the first of all the shots that are missing then are told one by one. */
+/** All observations should have the same patterns. The number of missing shots that are
+ * reported individually is limited, since observations without common patterns would
+ * have a large number of them. */
 void
 findMissing(const ShotNumbers& shots, TrinocularFileReport& report)
 {
@@ -139,8 +140,7 @@ findMissing(const ShotNumbers& shots, TrinocularFileReport& report)
     }
 }
 
-/** Frames are numbered as they are shot: a number that is left out is a frame that was
- * lost. */
+/** Frames are numbered in the order of the shots: a missing number is a lost frame. */
 void
 findGaps(const SessionSource& source, TrinocularFileReport& report)
 {

@@ -25,7 +25,7 @@ WaitingFrames::add(TrinocularFrame frame, std::size_t most)
   std::unique_lock lock(mutex_);
   if (!thread_.joinable())
     thread_ = std::thread([this] { run(); });
-  // The one that is being written does not wait any more.
+  // The frame that is being written is still in the queue, but does not wait.
   changed_.wait(lock, [&] { return frames_.size() <= most; });
   frames_.push_back(std::move(frame));
   changed_.notify_all();
@@ -58,7 +58,7 @@ WaitingFrames::run()
     changed_.wait(lock, [&] { return ends_ || !frames_.empty(); });
     if (frames_.empty())
       return;
-    const TrinocularFrame& frame = frames_.front(); // stays where it is
+    const TrinocularFrame& frame = frames_.front(); // its address does not change
     lock.unlock();
     std::exception_ptr fault;
     try {

@@ -12,29 +12,29 @@
 
 namespace pcl::acmap {
 
-/** \brief Frames that wait to be written, and a thread that does it, in their order. */
+/** \brief A queue of frames and a thread that writes them in order. */
 class WaitingFrames {
 public:
-  /** \param[in] write what it throws is kept; the frames behind are written all the same
-   */
+  /** \param[in] write its exceptions are stored; the following frames are written
+   * nevertheless */
   explicit WaitingFrames(std::function<void(const TrinocularFrame&)> write);
 
-  /** \brief Writes what waits. */
+  /** \brief Writes the waiting frames. */
   ~WaitingFrames();
 
   WaitingFrames(const WaitingFrames&) = delete;
   WaitingFrames&
   operator=(const WaitingFrames&) = delete;
 
-  /** \brief Returns once fewer than \a most wait before it, with one more. */
+  /** \brief Waits until fewer than \a most frames are waiting, then adds a frame. */
   void
   add(TrinocularFrame frame, std::size_t most);
 
-  /** \brief Returns when nothing waits and nothing is being written. */
+  /** \brief Waits until all frames are written. */
   void
   waitForAll();
 
-  /** \brief Throws what the first write threw that failed since the last call. */
+  /** \brief Throws the first exception of a write since the last call. */
   void
   throwFault();
 
@@ -43,12 +43,12 @@ private:
   run();
 
   const std::function<void(const TrinocularFrame&)> write_;
-  std::mutex mutex_; // of all that follows, but the thread
+  std::mutex mutex_; // protects the members below, except for the thread
   std::condition_variable changed_;
   std::deque<TrinocularFrame> frames_; // the first one is being written
   std::exception_ptr fault_;
   bool ends_ = false;
-  std::thread thread_; // once there was a frame
+  std::thread thread_; // started with the first frame
 };
 
 } // namespace pcl::acmap

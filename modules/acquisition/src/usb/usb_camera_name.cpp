@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t serial_digits = 16;
 
-/** \brief The whole of a text as a number of one to so many digits. */
+/** \brief Parses a complete text as a number with 1 to most_digits digits. */
 std::optional<unsigned>
 numberIn(std::string_view text, int base, std::size_t most_digits)
 {
@@ -28,7 +28,7 @@ numberIn(std::string_view text, int base, std::size_t most_digits)
 
 using Pair = std::optional<std::pair<unsigned, unsigned>>;
 
-/** \brief Two numbers with a colon between them. */
+/** \brief Parses two numbers that are separated by a colon. */
 Pair
 pairIn(std::string_view text, int base, std::size_t most_digits)
 {

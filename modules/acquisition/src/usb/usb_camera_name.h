@@ -9,19 +9,20 @@
 
 namespace pcl::acmap {
 
-/** \brief Which camera somebody wants; at most one of the three is set. */
+/** \brief Parsed name of a camera; at most one of the three members is set. */
 struct UsbCameraName {
   std::string serial;                                          ///< in lower case
   std::string place;                                           ///< as in \ref UsbCamera
   std::optional<std::pair<std::uint16_t, std::uint16_t>> kind; ///< vendor, product
 
-  /** \brief Whether it can be this one, as far as is known without opening it. */
+  /** \brief Returns true if a camera can be the named one, as far as known without
+   * opening it. */
   bool
   fits(const UsbCamera& camera) const;
 };
 
-/** \param[in] text as \ref openUsbBus takes it
- * \throws BadArgumentException */
+/** \param[in] text as in \ref openUsbBus
+ * \throws BadArgumentException if the text is not a valid name */
 UsbCameraName
 parseUsbCameraName(const std::string& text);
 

@@ -45,7 +45,7 @@ usbDevices(libusb_context& context)
   devices.reserve(static_cast<std::size_t>(count));
   for (ssize_t i = 0; i < count; ++i)
     devices.emplace_back(list[i]);
-  libusb_free_device_list(list, 0); // the devices are ours now
+  libusb_free_device_list(list, 0); // the references to the devices are kept
   return devices;
 }
 

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Calls a function of libusb's at the end of what it made. */
+/** \brief Deleter that calls a function of libusb. */
 template <auto function>
 struct UsbRelease {
   template <typename Thing>
@@ -21,24 +21,24 @@ struct UsbRelease {
   }
 };
 
-/** \brief What one user of libusb has of it, apart from all others. */
+/** \brief Session of libusb, independent of other users of the library. */
 using UsbContext = std::shared_ptr<libusb_context>;
 using UsbDevice = std::unique_ptr<libusb_device, UsbRelease<libusb_unref_device>>;
 using UsbHandle = std::unique_ptr<libusb_device_handle, UsbRelease<libusb_close>>;
 
-/** \brief The maker of the cameras that are known to tunnel IIDC through USB. */
+/** \brief Vendor of the cameras that are known to tunnel IIDC through USB. */
 constexpr std::uint16_t point_grey = 0x1E10;
 
-/** \throws CameraException Failed when there is no USB */
+/** \throws CameraException Failed when USB is not available */
 UsbContext
 makeUsbContext();
 
-/** \brief All that is plugged in, cameras or not.
+/** \brief All connected devices, not only cameras.
  * \throws CameraException Failed */
 std::vector<UsbDevice>
 usbDevices(libusb_context& context);
 
-/** \brief What is known about a device without opening it. */
+/** \brief Properties of a device that are known without opening it. */
 UsbCamera
 describe(libusb_device& device);
 

@@ -6,12 +6,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Throws what an error of libusb's means for a camera.
- * \param[in] doing what failed, for the message */
+/** \brief Throws the CameraException that corresponds to an error of libusb.
+ * \param[in] error code of libusb
+ * \param[in] place location of the camera, for the message
+ * \param[in] doing action that failed, for the message */
 [[noreturn]] void
 failUsb(int error, const std::string& place, const std::string& doing);
 
-/** \brief Throws when a function of libusb's gave an error: a number below 0. */
+/** \brief Throws when a function of libusb returned an error, which is a negative
+ * number. */
 void
 checkUsb(int result, const std::string& place, const std::string& doing);
 

@@ -11,19 +11,19 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// How long a wait may sleep: another thread may get the event that it waits for.
+// Maximum time of a single wait: another thread may handle the expected event.
 constexpr auto longest_sleep = 20ms;
-constexpr std::chrono::milliseconds longest_timeout = 24h; // its end is a time, too
+constexpr std::chrono::milliseconds longest_timeout = 24h; // prevents an overflow
 
 void
 claim(libusb_device_handle& handle,
       const UsbStreamEndpoint& endpoint,
       const std::string& place)
 {
-  libusb_set_auto_detach_kernel_driver(&handle, 1); // not every system has drivers
+  libusb_set_auto_detach_kernel_driver(&handle, 1); // not every system supports this
   int configuration = 0;
   checkUsb(libusb_get_configuration(&handle, &configuration), place, "opening");
-  // Setting the one that is set would reset the camera.
+  // Setting the active configuration again would reset the camera.
   if (configuration != endpoint.configuration)
     checkUsb(libusb_set_configuration(&handle, endpoint.configuration),
              place,

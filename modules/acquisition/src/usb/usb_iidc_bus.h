@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief An interface of a device, for us alone while this lives. */
+/** \brief Claims an interface of a device for exclusive use, during its lifetime. */
 class UsbClaim {
 public:
-  /** \param[in] handle outlives this
+  /** \param[in] handle must outlive this object
    * \throws CameraException Busy, Unplugged, Failed */
   UsbClaim(libusb_device_handle& handle,
            const UsbStreamEndpoint& endpoint,
@@ -28,10 +28,10 @@ private:
   const int interface_;
 };
 
-/** \brief A camera on the USB. */
+/** \brief The bus of a USB camera. */
 class UsbIidcBus : public IidcBus {
 public:
-  /** \brief Reserves the camera.
+  /** \brief Claims the camera.
    * \throws CameraException Busy, Malformed, Unplugged, Failed */
   UsbIidcBus(UsbContext context, UsbHandle handle, std::string place);
 
@@ -59,7 +59,7 @@ public:
   cancel() noexcept override;
 
 private:
-  // In the order in which they need each other.
+  // In the order of their dependencies.
   const UsbContext context_;
   const UsbHandle handle_;
   const std::string place_;
@@ -68,7 +68,7 @@ private:
   UsbRegisters registers_;
   std::unique_ptr<UsbStream> stream_;
 
-  // Set until nextFrame has told of it, or another stream begins.
+  // Set until nextFrame has reported it, or another stream begins.
   std::atomic<bool> is_cancelled_{false};
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int attempts = 3;
 constexpr unsigned timeout_milliseconds = 1000;
-// How long a hub may take to notice that a device is gone; until then its requests fail.
+// A hub needs this time to notice that a device was removed; until then requests fail.
 constexpr std::chrono::milliseconds pause_after_failure(100);
 
 constexpr std::uint8_t reading =
@@ -26,7 +26,7 @@ constexpr std::uint8_t writing =
 
 using Quadlet = std::array<std::uint8_t, 4>;
 
-/** \brief The request that reaches a part of the address space; 0: none does. */
+/** \brief The request code for a part of the address space; 0: there is none. */
 std::uint8_t
 requestFor(std::uint64_t address)
 {
@@ -105,7 +105,7 @@ UsbRegisters::transfer(std::uint8_t direction,
     if (result == static_cast<int>(sizeof(Quadlet)))
       return;
     if (result >= 0)
-      result = LIBUSB_ERROR_IO; // a part of a quadlet
+      result = LIBUSB_ERROR_IO; // an incomplete quadlet
     if (attempt == attempts || !isWorthRetrying(result))
       failUsb(result, place_, textOf(direction, address));
     if (result == LIBUSB_ERROR_IO)

@@ -8,12 +8,13 @@ struct libusb_device_handle;
 
 namespace pcl::acmap {
 
-/** \brief Registers of a camera as vendor requests of endpoint 0, one quadlet each: the
- * way in which Point Grey's cameras tunnel IIDC. From any thread. */
+/** \brief Access to registers of a camera by vendor requests of endpoint 0, one quadlet
+ * each. Point Grey's cameras tunnel IIDC in this manner. May be used from any
+ * thread. */
 class UsbRegisters {
 public:
-  /** \param[in] handle outlives this
-   * \param[in] place for messages */
+  /** \param[in] handle must outlive this object
+   * \param[in] place location of the camera, for messages */
   UsbRegisters(libusb_device_handle& handle, std::string place);
 
   /** \throws CameraException as \ref IidcBus::readQuadlet */
@@ -25,13 +26,13 @@ public:
   write(std::uint64_t address, std::uint32_t value);
 
 private:
-  /** \brief Tries until the camera answers, a few times. */
+  /** \brief Repeats a request a few times until the camera answers. */
   void
   transfer(std::uint8_t direction, std::uint64_t address, std::uint8_t* quadlet);
 
   libusb_device_handle& handle_;
   const std::string place_;
-  std::mutex mutex_; // a camera answers one request after the other
+  std::mutex mutex_; // a camera processes one request at a time
 };
 
 } // namespace pcl::acmap

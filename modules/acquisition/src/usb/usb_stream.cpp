@@ -12,12 +12,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t least_transfers = 2; // one is filled while the other is taken
+constexpr std::size_t least_transfers = 2; // one receives, one is being read
 constexpr std::size_t most_transfers = 64;
-constexpr std::size_t most_bytes = std::size_t{1} << 28; // no sensor has as many
+constexpr std::size_t most_bytes = std::size_t{1} << 28; // beyond any sensor's frame
 constexpr int most_faults = 3;
 constexpr auto longest_recall = 1s;
-// A hub takes a moment to notice that a device is gone; until then transfers fail.
+// A hub needs a moment to notice that a device was removed; until then transfers fail.
 constexpr auto restart_pause = 100ms;
 
 using UsbTransfer = std::unique_ptr<libusb_transfer, UsbRelease<libusb_free_transfer>>;
@@ -32,15 +32,14 @@ microsecondsNow()
 
 } // namespace
 
-/** \brief What libusb's callback reaches. It may run in any thread that handles events: in
- * one that writes a register, too. */
+/** \brief Data that libusb's callback accesses. The callback may run in any thread that
+ * handles events, also in one that writes a register. */
 struct UsbStream::Ended {
   std::mutex mutex;
-  std::vector<Slot*>
-      slots; // in the order in which they ended; never grows in a callback
+  std::vector<Slot*> slots; // in order of completion; no reallocation in callbacks
 };
 
-/** \brief A transfer, its memory, and where it is. */
+/** \brief A transfer, its buffer and its state. */
 struct UsbStream::Slot {
   explicit Slot(std::shared_ptr<Ended> to)
   : transfer(libusb_alloc_transfer(0))
@@ -64,7 +63,7 @@ struct UsbStream::Slot {
   std::shared_ptr<Ended> ended;
   std::vector<std::uint8_t> bytes;
   std::uint64_t stamp = 0;
-  bool is_in_flight = false; // under the mutex of ended
+  bool is_in_flight = false; // protected by the mutex of ended
 };
 
 UsbStream::UsbStream(libusb_context& context,
@@ -83,7 +82,8 @@ UsbStream::UsbStream(libusb_context& context,
     throw CameraException(CameraFault::Failed,
                           place_ + ": frames of " + std::to_string(frame_bytes) +
                               " bytes cannot be");
-  // Whole packets: a device that sends more than a frame overruns nothing.
+  // A multiple of the packet size: a device that sends more than a frame causes no
+  // overrun.
   const std::size_t packets =
       (frame_bytes + endpoint.packet_bytes - 1) / endpoint.packet_bytes;
   buffer_bytes_ = packets * endpoint.packet_bytes;
@@ -95,7 +95,7 @@ UsbStream::~UsbStream()
   const std::lock_guard lock(ended_->mutex);
   for (std::unique_ptr<Slot>& slot : slots_)
     if (slot->is_in_flight)
-      slot.release(); // the system never gave it back: it may still write to it
+      slot.release(); // the system did not return it and may still write to it
 }
 
 void
@@ -110,7 +110,7 @@ UsbStream::start(std::size_t frames)
     if (!submit(*slots_.back()))
       lose();
     if (slots_.size() == before)
-      return; // no memory for more
+      return; // out of memory
   }
 }
 
@@ -150,7 +150,8 @@ UsbStream::handleEvents(std::chrono::microseconds time)
     checkUsb(result, place_, "waiting for frames");
 }
 
-/** \brief The transfer that ended first; null when none has. */
+/** \brief Removes and returns the transfer that was completed first; null if there is
+ * none. */
 UsbStream::Slot*
 UsbStream::nextEnded()
 {
@@ -171,9 +172,9 @@ UsbStream::isInFlight() const
   });
 }
 
-/** \brief Sends a transfer on its way, or does without it when the system is short of
- * memory and others are left.
- * \return false when the camera is gone */
+/** \brief Submits a transfer, or deletes it when the system is short of memory and
+ * enough others are left.
+ * \return false when the camera was removed */
 bool
 UsbStream::submit(Slot& slot)
 {
@@ -190,7 +191,7 @@ UsbStream::submit(Slot& slot)
     const std::lock_guard lock(ended_->mutex);
     slot.is_in_flight = is_in_flight;
   };
-  set_in_flight(true); // before its callback can be
+  set_in_flight(true); // before its callback can run
   const int result = libusb_submit_transfer(slot.transfer.get());
   if (result == 0)
     return true;
@@ -205,13 +206,13 @@ UsbStream::submit(Slot& slot)
   return true;
 }
 
-/** \brief Gives what a transfer brought, and sends it on its way again. */
+/** \brief Returns the data of a transfer and submits the transfer again. */
 bool
 UsbStream::takeFrame(Slot& slot, IidcFrame& frame)
 {
   const bool is_complete = slot.transfer->status == LIBUSB_TRANSFER_COMPLETED;
   const auto length = static_cast<std::size_t>(slot.transfer->actual_length);
-  // A frame that ends with a whole packet may be followed by an empty one, to say so.
+  // A frame that fills its last packet may be followed by an empty packet that ends it.
   const bool is_end_of_last = is_complete && length == 0 && was_full_;
   was_full_ = is_complete && length == buffer_bytes_;
   if (!is_end_of_last) {
@@ -221,7 +222,7 @@ UsbStream::takeFrame(Slot& slot, IidcFrame& frame)
     frame.is_whole = is_complete && length == frame_bytes_;
     frame.stamp = slot.stamp;
   }
-  is_gone_ = !submit(slot) || is_gone_; // frames that came before it went are given
+  is_gone_ = !submit(slot) || is_gone_; // earlier frames are still returned
   return !is_end_of_last;
 }
 
@@ -232,12 +233,13 @@ UsbStream::lose()
   failUsb(LIBUSB_ERROR_NO_DEVICE, place_, "receiving frames");
 }
 
-/** \brief Takes all transfers back: an endpoint is cleared while it is idle. */
+/** \brief Cancels all transfers, since an endpoint may only be cleared while it is
+ * idle. */
 void
 UsbStream::halt(bool is_stall)
 {
   recall();
-  if (isInFlight()) // what the system still writes to must not be sent again
+  if (isInFlight()) // the system still writes to their buffers
     throw CameraException(CameraFault::Failed,
                           place_ + ": transfers that were taken back do not come");
   {
@@ -271,12 +273,13 @@ UsbStream::restart()
       lose();
 }
 
-/** \brief Waits until nothing is in flight, but not for ever. */
+/** \brief Cancels all transfers and waits, for a limited time, until they have
+ * ended. */
 void
 UsbStream::recall() noexcept
 {
   for (const std::unique_ptr<Slot>& slot : slots_)
-    libusb_cancel_transfer(slot->transfer.get()); // nothing when it is not in flight
+    libusb_cancel_transfer(slot->transfer.get()); // does nothing if it is not in flight
   const Clock::time_point end = Clock::now() + longest_recall;
   while (isInFlight() && Clock::now() < end) {
     timeval interval{0, 20000};

@@ -15,39 +15,46 @@ struct libusb_device_handle;
 
 namespace pcl::acmap {
 
-/** \brief Frames of a camera, each a bulk transfer. All transfers are in flight but those
- * whose frame waits to be taken, so that memory and order of frames are given from the
- * beginning on. It has no thread: events are handled while somebody waits for a frame. */
+/** \brief Receives the frames of a camera, one bulk transfer per frame. All transfers
+ * are in flight except those whose frame waits to be taken. Therefore all memory is
+ * allocated at the start, and the order of frames is fixed. There is no thread: events
+ * are handled while a caller waits for a frame. */
 class UsbStream {
 public:
-  /** \param[in] context, handle outlive this
-   * \throws CameraException Failed when a frame cannot be so long */
+  /** \param[in] context must outlive this object
+   * \param[in] handle must outlive this object
+   * \param[in] endpoint of the stream
+   * \param[in] place location of the camera, for messages
+   * \param[in] frame_bytes length of a complete frame
+   * \throws CameraException Failed for an invalid frame length */
   UsbStream(libusb_context& context,
             libusb_device_handle& handle,
             const UsbStreamEndpoint& endpoint,
             std::string place,
             std::size_t frame_bytes);
 
-  /** \brief Gets all transfers back, also when the camera is gone. */
+  /** \brief Cancels all transfers, also when the camera was removed. */
   ~UsbStream();
 
   UsbStream(const UsbStream&) = delete;
   UsbStream&
   operator=(const UsbStream&) = delete;
 
-  /** \param[in] frames transfers; fewer, 2 at least, where the system has no memory
+  /** \brief Submits the transfers.
+   * \param[in] frames number of transfers; it is reduced, to 2 at least, when the
+   * system is short of memory
    * \throws CameraException Unplugged, Failed */
   void
   start(std::size_t frames);
 
-  /** \brief Gives a frame that has come; clears a stall on the way.
-   * \param[in,out] frame as in \ref IidcBus::nextFrame; untouched without one
-   * \return whether one has
+  /** \brief Takes a frame that has arrived; clears a stalled endpoint.
+   * \param[in,out] frame as in \ref IidcBus::nextFrame; unchanged if there is no frame
+   * \return true if there was a frame
    * \throws CameraException Unplugged, Failed */
   bool
   take(IidcFrame& frame);
 
-  /** \brief Lets libusb work until something happens or time is over.
+  /** \brief Lets libusb handle events until one occurs or the time has passed.
    * \throws CameraException Failed */
   void
   handleEvents(std::chrono::microseconds time);
@@ -91,9 +98,9 @@ private:
   std::vector<std::unique_ptr<Slot>> slots_;
   std::shared_ptr<Ended> ended_;
   bool was_full_ = false;  // the last transfer ended without a short packet
-  int faults_ = 0;         // in a row
-  bool is_gone_ = false;   // the camera; what is in flight comes back
-  bool is_halted_ = false; // nothing is in flight until restart_at_
+  int faults_ = 0;         // consecutive faults
+  bool is_gone_ = false;   // the camera was removed; pending transfers end
+  bool is_halted_ = false; // no transfers until restart_at_
   Clock::time_point restart_at_;
 };
 

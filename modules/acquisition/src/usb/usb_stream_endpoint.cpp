@@ -10,12 +10,12 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::uint8_t usual_address = 0x81;
-constexpr std::size_t largest_packet = 1024; // USB 3
+constexpr std::size_t largest_packet = 1024; // maximum of USB 3
 
 using UsbConfiguration = std::unique_ptr<libusb_config_descriptor,
                                          UsbRelease<libusb_free_config_descriptor>>;
 
-/** \brief The one that is set, or the first of a device without one. */
+/** \brief The active configuration, or the first one if none is active. */
 UsbConfiguration
 configurationOf(libusb_device& device, const std::string& place)
 {
@@ -55,7 +55,8 @@ streamEndpointIn(const libusb_config_descriptor& configuration,
     for (int k = 0; k < configuration.interface[i].num_altsetting; ++k) {
       const libusb_interface_descriptor& setting =
           configuration.interface[i].altsetting[k];
-      // of descriptors that end too early, libusb has the number alone
+      // For truncated descriptors, libusb reports the number of endpoints, but no
+      // endpoints.
       const int endpoints = setting.endpoint ? setting.bNumEndpoints : 0;
       for (int n = 0; n < endpoints; ++n) {
         const libusb_endpoint_descriptor& endpoint = setting.endpoint[n];

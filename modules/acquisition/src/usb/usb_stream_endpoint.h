@@ -9,18 +9,18 @@ struct libusb_device;
 
 namespace pcl::acmap {
 
-/** \brief Where a camera's frames come from. */
+/** \brief The endpoint that transmits a camera's frames. */
 struct UsbStreamEndpoint {
   int configuration = 0;
   int interface = 0;
-  int alternate = 0; ///< setting of the interface
+  int alternate = 0; ///< alternate setting of the interface
   std::uint8_t address = 0;
-  std::size_t packet_bytes = 0; ///< of all packets but the last of a frame
+  std::size_t packet_bytes = 0; ///< size of packets, except for the last one of a frame
 };
 
-/** \brief Searches the descriptors for bulk endpoint 0x81, which Point Grey's cameras send
- * on, or else for the first that sends in bulk.
- * \throws CameraException Malformed when there is none, or none that can be */
+/** \brief Searches the descriptors for bulk endpoint 0x81, which Point Grey's cameras
+ * use, or otherwise for the first bulk endpoint that sends.
+ * \throws CameraException Malformed when there is none, or it is invalid */
 UsbStreamEndpoint
 findUsbStreamEndpoint(libusb_device& device, const std::string& place);
 

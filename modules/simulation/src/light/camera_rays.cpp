@@ -22,7 +22,8 @@ idealCamera(const TrinocularRig& rig, const Eigen::Vector3d& place)
   return rays;
 }
 
-/** \brief A pinhole of this focal length, or a shorter one, that holds all slopes. */
+/** \brief A pinhole of this focal length, or a shorter one, whose image contains all
+ * slopes. */
 TrinocularRig
 pinholeAround(const std::vector<Eigen::Vector2d>& slopes, double focal_length)
 {
@@ -92,7 +93,7 @@ raysOf(const TrinocularRig& rig)
 RigRays
 raysOf(const RigCalibration& calibration)
 {
-  constexpr double longest_side = 8192; // 16 bytes a pixel of each camera are kept
+  constexpr double longest_side = 8192; // memory is 16 bytes per pixel
   requireSoundCalibration(calibration);
   requireInRange("width", calibration.width, 1, longest_side, "px");
   requireInRange("height", calibration.height, 1, longest_side, "px");

@@ -7,21 +7,21 @@
 
 namespace pcl::acmap {
 
-/** \brief Where the pixels of a camera look. */
+/** \brief Viewing rays of the pixels of a camera. */
 struct CameraRays {
   int width = 0;  ///< px; 0: there is no such camera
   int height = 0; ///< px
   Eigen::Isometry3d T_reference_camera = Eigen::Isometry3d::Identity();
 
-  /** \brief A pinhole whose image holds all rays; the camera itself when it has no
+  /** \brief A pinhole whose image contains all rays; the camera itself if it has no
    * distortion. */
   TrinocularRig pinhole;
 
-  /** \brief x / z and y / z of each pixel, NaN where it looks nowhere; empty for the
-   * pinhole itself. */
+  /** \brief x / z and y / z of each pixel, NaN if it has no ray; empty for the pinhole
+   * itself. */
   std::vector<Eigen::Vector2d> slopes;
 
-  /** \brief With z = 1. */
+  /** \brief Ray of a pixel with z = 1. */
   Eigen::Vector3d
   ray(int column, int row) const
   {
@@ -35,15 +35,15 @@ struct CameraRays {
   }
 };
 
-/** \brief By \ref RigCamera. */
+/** \brief Rays of the cameras, indexed by \ref RigCamera. */
 using RigRays = std::array<CameraRays, 3>;
 
 /** \throws BadArgumentException as \ref requireSoundRig */
 RigRays
 raysOf(const TrinocularRig& rig);
 
-/** \brief Of cameras as they are built.
- * \throws BadArgumentException when they cannot be */
+/** \brief Rays of unrectified cameras.
+ * \throws BadArgumentException for an invalid calibration */
 RigRays
 raysOf(const RigCalibration& calibration);
 

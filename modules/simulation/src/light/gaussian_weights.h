@@ -6,9 +6,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Weights of a Gaussian blur, out to three standard deviations; their sum is 1.
+/** \brief Weights of a Gaussian blur, up to three standard deviations; their sum is 1.
  * \param[in] sigma px; 0 gives one weight
- * \return an odd number of them */
+ * \return an odd number of weights */
 inline std::vector<float>
 gaussianWeights(double sigma)
 {

@@ -8,9 +8,9 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Blurs along one direction of an image; its rim goes on outside.
- * \param[in] lines how many, and how far apart in values
- * \param[in] length of a line, px, and how far apart these are in values */
+/** \brief Blurs an image along one direction; border values are repeated outside.
+ * \param[in] lines number of lines, at a distance of line_step values
+ * \param[in] length of a line, px, at a distance of step values */
 struct LineBlur {
   std::size_t lines, line_step;
   std::size_t length, step;
@@ -43,7 +43,7 @@ LightPattern::LightPattern(const RgbImage& image, double blur)
 : width_(image.width)
 , height_(image.height)
 {
-  constexpr float finer = 257.0f; // 255 becomes 65535
+  constexpr float finer = 257.0f; // factor from 255 to 65535
   const std::vector<float> weights = gaussianWeights(blur);
   const auto width = static_cast<std::size_t>(width_);
   const auto height = static_cast<std::size_t>(height_);

@@ -10,11 +10,12 @@
 
 namespace pcl::acmap {
 
-/** \brief A pattern as it leaves the projector's lens, linear between its pixels. */
+/** \brief A pattern after the projector's lens, interpolated linearly between its
+ * pixels. */
 class LightPattern {
 public:
   /** \param[in] image at least 2 px in both directions
-   * \param[in] blur one standard deviation, px */
+   * \param[in] blur standard deviation, px */
   LightPattern(const RgbImage& image, double blur);
 
   /** \brief Red, green, blue, each in [0, 1].

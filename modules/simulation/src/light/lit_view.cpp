@@ -24,7 +24,7 @@ pinholeOf(const SimulatedProjector& projector)
   return pinhole;
 }
 
-/** \brief One camera at one place. */
+/** \brief Casts the view of one camera at one pose. */
 class ViewCaster {
 public:
   ViewCaster(const SceneGeometry& scene,

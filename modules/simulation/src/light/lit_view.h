@@ -9,28 +9,27 @@
 
 namespace pcl::acmap {
 
-/** \brief What a camera sees, ready to be shaded under any pattern: a grey level is
+/** \brief View of a camera, prepared for shading under any pattern: a grey level is
  * color * (ambient + light * pattern (u, v)). Rows from the top, each from the left. */
 struct LitView {
-  int width = 0;  ///< px; 0: there is no such camera
-  int height = 0; ///< px
-  std::vector<float>
-      color; ///< red, green, blue of a pixel, with exposure; 0 for nothing
-  std::vector<float> light; ///< of the projector under full white, 0 in its shadow
-  std::vector<float> u;     ///< px of the projector, within its image
+  int width = 0;            ///< px; 0: there is no such camera
+  int height = 0;           ///< px
+  std::vector<float> color; ///< red, green, blue, times exposure; 0 for nothing
+  std::vector<float> light; ///< of the projector for a white pattern, 0 in shadow
+  std::vector<float> u;     ///< position in the projector's image, px
   std::vector<float> v;
 };
 
-/** \brief The projector at one place. */
+/** \brief The projector at one pose. */
 class PlacedProjector {
 public:
   PlacedProjector(const SceneGeometry& scene,
                   const SimulatedProjector& projector,
                   const Eigen::Isometry3d& T_scene_projector);
 
-  /** \brief What falls on a place of a surface. */
+  /** \brief Light of the projector at a point of a surface. */
   struct Light {
-    float strength = 0; ///< under full white
+    float strength = 0; ///< for a white pattern
     float u = 0;        ///< px
     float v = 0;
   };
@@ -46,7 +45,7 @@ private:
   PinholeScene seen_;
 };
 
-/** \brief Casts one camera. Runs in all threads of the caller's arena. */
+/** \brief Casts the view of one camera. Runs in all threads of the caller's arena. */
 LitView
 castLitView(const SceneGeometry& scene,
             const CameraRays& rays,

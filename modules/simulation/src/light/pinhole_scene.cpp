@@ -75,7 +75,7 @@ PinholeScene::hit(const Eigen::Vector3d& ray) const
 bool
 PinholeScene::sees(const Eigen::Vector3d& point) const
 {
-  constexpr double slack = 1e-5; // metres: a surface does not hide itself
+  constexpr double slack = 1e-5; // metres, avoids that a surface occludes itself
   const Eigen::Vector3d ray = point / point.z();
   const double limit = point.z() - slack;
   for (const std::uint32_t i : tileOf(ray)) {

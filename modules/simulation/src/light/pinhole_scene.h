@@ -9,11 +9,11 @@
 
 namespace pcl::acmap {
 
-/** \brief A scene as a pinhole sees it, for rays in any order: surfaces are sorted into
- * tiles of its image, and a ray tries those of its tile. */
+/** \brief A scene as seen from a pinhole, for rays in any order: surfaces are sorted
+ * into tiles of the image, and a ray is intersected with those of its tile. */
 class PinholeScene {
 public:
-  /** \brief The surface a ray meets first. */
+  /** \brief The first intersection of a ray. */
   struct Hit {
     double depth = std::numeric_limits<double>::infinity(); ///< metres along z
     std::int32_t surface = -1;                              ///< -1 for nothing
@@ -27,8 +27,8 @@ public:
   Hit
   hit(const Eigen::Vector3d& ray) const;
 
-  /** \brief Whether nothing stands between the pinhole and a point.
-   * \param[in] point before the pinhole, within its image; its frame */
+  /** \brief Returns true if there is no surface between the pinhole and a point.
+   * \param[in] point in the pinhole's frame, in front of it and within its image */
   bool
   sees(const Eigen::Vector3d& point) const;
 
@@ -41,7 +41,7 @@ private:
   std::vector<CastTarget> targets_;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> tiles_; // targets of each, in order
+  std::vector<std::vector<std::uint32_t>> tiles_; // target indices, ascending
 };
 
 } // namespace pcl::acmap

@@ -14,7 +14,7 @@ constexpr unsigned index_bits = 12;
 constexpr std::size_t table_size = std::size_t{1} << index_bits;
 using Table = std::array<float, table_size>;
 
-/** \brief Where the normal distribution reaches a share, by bisection. */
+/** \brief Quantile of the normal distribution, by bisection. */
 double
 quantile(double share)
 {

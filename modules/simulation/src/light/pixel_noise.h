@@ -5,11 +5,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Normal numbers, mean 0 and variance 1, as quickly as pixels need them: one of
- * 4096 equally likely values, so none is beyond 3.7, and 12 random bits each. Moments are
- * right: mean and skewness 0, variance 1, kurtosis 2.99 for 3.
+/** \brief Fast generator of normal random numbers, mean 0 and variance 1. Each number
+ * is one of 4096 equally probable values, of 12 random bits; therefore its magnitude is
+ * at most 3.7. Mean and skewness are 0, the variance is 1, and the kurtosis is 2.99
+ * instead of 3.
  * \param[in] stream seed of the sequence
- * \param[out] to this many numbers */
+ * \param[out] to receives the numbers
+ * \param[in] size number of random numbers */
 void
 fillNormal(std::uint64_t stream, float* to, std::size_t size);
 

@@ -18,7 +18,7 @@ sizeText(int width, int height)
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-/** \brief The frames must be those that the scene's rig tells of. */
+/** \brief Checks that the cameras match the scene's rig. */
 void
 requireCameras(const RigRays& cameras, const TrinocularRig& rig)
 {

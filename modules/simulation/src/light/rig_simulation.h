@@ -10,17 +10,19 @@
 
 namespace pcl::acmap {
 
-/** \brief What all cameras see from one place, by \ref RigCamera. */
+/** \brief Views of all cameras at one pose, indexed by \ref RigCamera. */
 using LitViews = std::array<LitView, 3>;
 
-/** \brief Cameras and projector in a scene; nothing in it changes. Work runs in all
+/** \brief Cameras and projector in a scene; it is constant. Functions run in all
  * threads of the caller's arena. */
 class RigSimulation {
 public:
-  /** \param[in] cameras rectified or as they are built, those that the scene's rig has
-   * \throws BadArgumentException for a light that cannot be, for cameras of another size
-   * than the rig's or that it has not, for patterns that are not of the projector's size
-   */
+  /** \param[in] scene building, rig and views
+   * \param[in] patterns of the projector's size
+   * \param[in] light and camera model
+   * \param[in] cameras of the scene's rig, rectified or not
+   * \throws BadArgumentException for an invalid light, for cameras that do not match
+   * the rig in number and size, for patterns that are not of the projector's size */
   RigSimulation(SimulatedScene scene,
                 const std::vector<RgbImage>& patterns,
                 const SimulatedLight& light,
@@ -38,19 +40,23 @@ public:
     return light_;
   }
 
-  /** \brief One with the projector off, then one for each pattern. */
+  /** \brief Number of shots: one with the projector off, then one for each pattern. */
   std::size_t
   shotsOfObservation() const
   {
     return patterns_.size() + 1;
   }
 
-  /** \throws BadArgumentException when the scene has no such view */
+  /** \brief Casts the views of an observation. \throws BadArgumentException when the
+   * scene has no such view */
   LitViews
   cast(std::size_t observation) const;
 
-  /** \param[in] views of this observation
-   * \param[in] shot from 0, below \ref shotsOfObservation */
+  /** \brief Shades one shot.
+   * \param[in] views of this observation
+   * \param[in] observation index in the scene
+   * \param[in] shot from 0, below \ref shotsOfObservation
+   * \param[in] seed of the noise */
   TrinocularFrame::Ptr
   shoot(const LitViews& views,
         std::size_t observation,

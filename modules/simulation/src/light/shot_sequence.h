@@ -7,14 +7,14 @@
 
 namespace pcl::acmap {
 
-/** \brief What a sequence of shots is made with. */
+/** \brief Settings of a sequence of shots. */
 struct SequenceSettings {
   std::uint64_t seed = 1;
   std::size_t observations = 0;
   unsigned threads = 0; ///< 0 = all
 };
 
-/** \brief Shots one after another; holds the views of one observation at a time. */
+/** \brief A sequence of shots; keeps the views of one observation at a time. */
 class ShotSequence {
 public:
   ShotSequence(const RigSimulation& simulation, const SequenceSettings& settings)
@@ -31,7 +31,7 @@ private:
   SequenceSettings settings_;
   std::size_t observation_ = 0;
   std::size_t shot_ = 0;
-  LitViews views_; // of the observation, once its first shot is made
+  LitViews views_; // of the current observation, after its first shot
 };
 
 } // namespace pcl::acmap

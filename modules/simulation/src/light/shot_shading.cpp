@@ -19,7 +19,7 @@ using Row = Eigen::ArrayXf;
 using RowView = Eigen::Map<Row>;
 using ConstRowView = Eigen::Map<const Row>;
 
-/** \brief One picture that is being taken. */
+/** \brief Shading of one image. */
 class Shot {
 public:
   Shot(const LitView& view,
@@ -58,7 +58,7 @@ private:
     return values.data() + static_cast<std::size_t>(row) * row_values_;
   }
 
-  /** \brief Light of a row, blurred along it. */
+  /** \brief Computes the light of a row, blurred along the row. */
   void
   lightRow(int row)
   {
@@ -66,7 +66,7 @@ private:
     const Eigen::Index rim = 3 * radius_;
     Row padded(size + 2 * rim);
     shadeRow(row, padded.data() + rim);
-    for (Eigen::Index i = 0; i < rim; ++i) { // the rim of the image goes on outside
+    for (Eigen::Index i = 0; i < rim; ++i) { // border values are repeated outside
       padded[i] = padded[rim + i % 3];
       padded[rim + size + i] = padded[rim + size - 3 + i % 3];
     }
@@ -110,7 +110,7 @@ private:
         mixedBits(stream_, static_cast<std::uint64_t>(row)), noise.data(), row_values_);
     const auto dark = static_cast<float>(light_.read_noise * light_.read_noise);
     const auto growth = static_cast<float>(light_.shot_noise);
-    constexpr float half = 0.5f; // rounds what is cut off below
+    constexpr float half = 0.5f; // rounding: the conversion below truncates
     value += noise * (dark + growth * value).sqrt() + half;
     value = value.max(0.0f).min(255.0f);
     for (Eigen::Index i = 0; i < size; ++i)

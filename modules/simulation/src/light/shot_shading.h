@@ -9,11 +9,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Takes one picture of a view that was cast: light, blur, noise, 8 bits. Each row
- * has a random stream of its own; runs in all threads of the caller's arena, with the
- * same result for any number.
+/** \brief Shades a view that was cast: light, blur, noise, conversion to 8 bits. Each
+ * row has its own random stream. Runs in all threads of the caller's arena, with the
+ * same result for any number of threads.
+ * \param[in] view that was cast
  * \param[in] pattern on the projector, nullptr when it is off
- * \param[in] stream seed of the noise of this picture */
+ * \param[in] light and camera model
+ * \param[in] stream seed of the noise of this image */
 CameraImage
 shadeShot(const LitView& view,
           const LightPattern* pattern,

@@ -7,26 +7,27 @@
 
 namespace pcl {
 
-/** \brief What is wrong with a camera on a bus. \ingroup acquisition */
+/** \brief Faults of a camera on a bus. \ingroup acquisition */
 enum class CameraFault {
   None,
   NotFound,         ///< no such camera is on the bus
-  PermissionDenied, ///< it is there, this user may not open it
-  Busy,             ///< another program has it
-  Unplugged,        ///< it was there, and is gone
-  Silent,           ///< it gives no frame, or no answer, in time
-  Corrupt,          ///< its frames come, none of them whole
-  Malformed,        ///< its registers say what no camera can be
-  Unsupported,      ///< it cannot do what was asked for
-  Failed            ///< the bus or the system refuses; the message says what
+  PermissionDenied, ///< the camera is present, but this user may not open it
+  Busy,             ///< another program uses it
+  Unplugged,        ///< the camera was present and has been removed
+  Silent,           ///< no frame or no answer arrived in time
+  Corrupt,          ///< frames arrive, but none of them is complete
+  Malformed,        ///< its registers contain invalid values
+  Unsupported,      ///< the camera does not support what was requested
+  Failed ///< the bus or the operating system reports an error, see the message
 };
 
-/** \brief A word for messages and scripts, say `unplugged`. \ingroup acquisition */
+/** \brief Returns a name for messages and scripts, for example `unplugged`.
+ * \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(CameraFault fault);
 
-/** \brief A camera that cannot be opened, set or read; the message names camera and fault,
- * and what can be done where something can. \ingroup acquisition */
+/** \brief Thrown when a camera cannot be opened, configured or read. The message names
+ * the camera, the fault and, where possible, a remedy. \ingroup acquisition */
 class ACMAP_EXPORT CameraException : public IOException {
 public:
   CameraException(CameraFault fault, const std::string& message);

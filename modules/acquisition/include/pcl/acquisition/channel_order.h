@@ -9,37 +9,41 @@
 
 namespace pcl {
 
-/** \brief Which camera fills the first, second and third byte of an interleaved pixel.
+/** \brief Cameras that fill the first, second and third byte of an interleaved pixel.
  * \ingroup acquisition */
 using ChannelOrder = std::array<RigCamera, 3>;
 
-/** \brief Say `reference,horizontal,vertical`. \ingroup acquisition */
+/** \brief Returns the order as text, for example `reference,horizontal,vertical`.
+ * \ingroup acquisition */
 ACMAP_EXPORT std::string
 textOf(const ChannelOrder& order);
 
-/** \brief What \ref checkChannelOrder found. \ingroup acquisition */
+/** \brief Result of \ref checkChannelOrder. \ingroup acquisition */
 struct ChannelOrderCheck {
-  /** \brief The order under which most corners were found again: the given one where it is
-   * as good as any. */
+  /** \brief The order under which the largest number of corners was found again. The
+   * assumed order is preferred if it is as good as any other. */
   ChannelOrder best{RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
 
-  /** \brief Whether best stands out far enough from all others to rely on it. */
+  /** \brief True if \ref best is better than all other orders by a margin large enough
+   * to rely on it. */
   bool is_certain = false;
 
-  std::size_t corners = 0; ///< of the reference image that were looked for
-  double share = 0;        ///< of them that best finds again, in [0, 1]
-  double runner_up = 0;    ///< likewise under the best other order
+  std::size_t corners = 0; ///< corners of the reference image that were searched for
+  double share = 0; ///< fraction of them that is found again under \ref best, in [0, 1]
+  double runner_up = 0; ///< the same fraction for the second best order
 };
 
-/** \brief Finds out in which order the cameras of a frame really are: only under the right
- * one lie the corners of the reference where the calibration lets a neighbour see them,
- * for one and the same depth in both. Nothing in the stream of a camera tells it, and
- * sources disagree.
+/** \brief Determines the actual order of the cameras in a frame. Only under the correct
+ * order are the corners of the reference image found at the positions in both other
+ * images that the calibration predicts for one common depth. This test is needed
+ * because the camera's stream does not contain the order, and published sources
+ * disagree.
  * \param[in] frame unpacked under an order; three images, grey or in colour
- * \param[in] assumed that order
- * \param[in] calibration the cameras that the frame is of: as they are built, or
- * \ref calibrationOf a rig for rectified frames
- * \throws BadArgumentException when an image is missing, or not of the calibration's size
+ * \param[in] assumed the order under which it was unpacked
+ * \param[in] calibration the cameras of the frame: the unrectified ones, or the result
+ * of \ref calibrationOf a rig for rectified frames
+ * \throws BadArgumentException when an image is missing or has not the calibration's
+ * size
  * \ingroup acquisition */
 ACMAP_EXPORT ChannelOrderCheck
 checkChannelOrder(const TrinocularFrame& frame,

@@ -13,43 +13,47 @@
 
 namespace pcl {
 
-/** \brief What a \ref DigiclopsGrabber tells of all its streams. \ingroup acquisition */
+/** \brief Statistics of a \ref DigiclopsGrabber over all its streams.
+ * \ingroup acquisition */
 struct DigiclopsGrabberReport : Report {
-  std::size_t frames = 0; ///< that were given
+  std::size_t frames = 0; ///< number of frames that were passed to the callbacks
 
-  /** \brief Frames the camera counted that did not come; without a counter: gaps between
-   * frames that are longer than one and a half periods. */
+  /** \brief Number of frames that the camera counted but that did not arrive. Without a
+   * frame counter it is estimated from gaps of more than one and a half periods. */
   std::size_t lost = 0;
 
-  std::size_t broken = 0; ///< short, or with a counter that no frame can have; left out
+  std::size_t broken = 0; ///< dropped frames: too short, or with an impossible counter
   std::size_t early = 0;  ///< exposed before their \ref TrinocularGrabber::trigger
-  std::size_t restarts = 0; ///< of a stream that had fallen silent
+  std::size_t restarts = 0; ///< how often a silent stream was restarted
 
-  /** \brief Frames a second that came, over the last two seconds; 0 before. */
+  /** \brief Frames per second that arrived during the last two seconds; 0 if not yet
+   * known. */
   double frames_per_second = 0;
 
-  /** \brief Of the check of the channel order; nothing before it. */
+  /** \brief Result of the channel order check; empty before the check. */
   std::optional<ChannelOrderCheck> order;
 };
 
-/** \brief Frames of a trinocular camera that speaks IIDC: the Digiclops, its siblings and
- * what behaves like them. Section II-A of "Active Stereo Based Compact Mapping".
+/** \brief Grabs frames of a trinocular IIDC camera: the Digiclops, related models and
+ * compatible devices. Section II-A of "Active Stereo Based Compact Mapping".
  *
- * The Digiclops itself hangs on an IEEE-1394 bus. This speaks IIDC as it is tunnelled
- * over USB (\ref openUsbBus), or over any \ref IidcBus of yours; see
- * doc/acquisition/digiclops_grabber.md for what was tried with what.
+ * The Digiclops itself is connected to an IEEE-1394 bus. This class uses IIDC tunnelled
+ * over USB (\ref openUsbBus), or any other implementation of \ref IidcBus;
+ * doc/acquisition/digiclops_grabber.md lists what was tested with which camera.
  *
- * \ref start streams, at the rate that was set; \ref trigger takes one shot, exposed after
- * the call: by the camera's one-shot, or where it has none by leaving out the frames that
- * were under way. Frames are as the cameras see them, grey or, of sensors under a colour
- * filter, in colour; each is an observation of its own without a pattern. Numbers have
- * gaps where the camera counted frames that did not come. Stamps are the host's time of
- * the last byte.
+ * \ref start streams at the frame rate that was set. \ref trigger takes one shot that
+ * is exposed after the call: it uses the camera's one-shot, or discards the frames that
+ * are already in transfer if the camera has no one-shot. Frames are not rectified; they
+ * are grey, or in colour if the sensors have a colour filter. Each frame is an
+ * observation of its own without a pattern. The frame numbers have gaps where the
+ * camera counted frames that did not arrive. A time stamp is the host's time at which
+ * the last byte arrived.
  *
- * A stream that falls silent is begun again, twice; broken frames are left out. What
- * remains is an error: the stream ends, and both \ref getError and the second signal tell
- * it as a \ref CameraException. Unplugging is told within a second. \ref start opens a
- * camera that is back, with all its settings. Time O(pixels) a frame, memory eight frames.
+ * A stream that becomes silent is restarted, twice at most; broken frames are dropped.
+ * Any other fault is an error: the stream ends, and both \ref getError and the second
+ * signal report a \ref CameraException. Unplugging is reported within a second.
+ * \ref start reopens a camera that was plugged in again, with all its settings. Time
+ * O(pixels) per frame, memory of eight frames.
  * \code
  * pcl::DigiclopsGrabber grabber (pcl::loadTrinocularRig ("rig.yaml"));
  * const std::function<pcl::TrinocularGrabber::FrameCallback> see =
@@ -65,35 +69,39 @@ class ACMAP_EXPORT DigiclopsGrabber : public TrinocularGrabber {
 public:
   using Ptr = shared_ptr<DigiclopsGrabber>;
 
-  /** \brief Signature of the second signal; called in the thread of the stream, once an
-   * error, after the last frame. */
+  /** \brief Signature of the second signal. It is called in the thread of the stream,
+   * once per error, after the last frame. */
   using ErrorCallback = void(const CameraException& error);
 
-  /** \brief The channel order is looked for in so many frames, unless one decides. */
+  /** \brief Maximum number of frames in which the channel order is checked. The check
+   * ends earlier if one of them is conclusive. */
   static constexpr int most_order_checks = 3;
 
-  /** \brief Opens a camera on the USB, in the mode of the rig's size and number of
-   * cameras, at 14 frames a second (the paper's) or what comes nearest.
-   * \param[in] rig of the frames; a baseline of 0 says that there is no such camera
-   * \param[in] device as \ref openUsbBus takes it
-   * \throws BadArgumentException for a rig that no camera can have
+  /** \brief Opens a USB camera in the mode that matches the rig's size and number of
+   * cameras, at 14 frames per second (the rate of the paper) or the nearest rate.
+   * \param[in] rig geometry of the frames; a baseline of 0 means that this camera does
+   * not exist
+   * \param[in] device as in \ref openUsbBus
+   * \throws BadArgumentException if the rig is invalid
    * \throws CameraException as \ref openUsbBus, \ref IidcCamera::open and
    * \ref IidcCamera::findMode */
   explicit DigiclopsGrabber(const TrinocularRig& rig, const std::string& device = {});
 
-  /** \brief Likewise on any bus. */
+  /** \brief The same on any bus. */
   DigiclopsGrabber(const TrinocularRig& rig, IidcBusOpener opener);
 
-  /** \brief Stops. Not to be called from a callback. */
+  /** \brief Stops the stream. Must not be called from a callback. */
   ~DigiclopsGrabber() noexcept override;
 
-  /** \brief For features, trigger and who it is. Its stream is the grabber's. */
+  /** \brief The camera, for access to its features, its trigger and its identity. Its
+   * stream is used by the grabber only. */
   IidcCamera&
   camera();
 
-  /** \brief The mode of the next stream.
-   * \throws InitFailedException while it streams
-   * \throws BadArgumentException when it is not of the rig's size and number of cameras
+  /** \brief Sets the mode of the next stream.
+   * \throws InitFailedException while the grabber streams
+   * \throws BadArgumentException when the mode does not match the rig's size and number
+   * of cameras
    * \throws CameraException as \ref IidcCamera::setMode */
   void
   setMode(const IidcMode& mode);
@@ -101,31 +109,33 @@ public:
   IidcMode
   getMode() const;
 
-  /** \brief The rate of the next stream; the nearest one that the mode has is taken.
-   * \throws InitFailedException while it streams
+  /** \brief Sets the frame rate of the next stream; the nearest rate of the mode is
+   * used.
+   * \throws InitFailedException while the grabber streams
    * \throws BadArgumentException unless within [0.001, 1000]
    * \throws CameraException as \ref IidcCamera::setMode */
   void
   setFramesPerSecond(float frames_per_second);
 
-  /** \brief Which camera is in which byte, for certain: it is checked, not replaced. Not
-   * set, it is right, left, top until the check of a stream finds another one.
-   * \throws BadArgumentException when a camera is in it twice */
+  /** \brief Sets which camera is in which byte. An order that was set is checked, but
+   * never replaced. If none is set, it is right, left, top until the check of a stream
+   * finds another one.
+   * \throws BadArgumentException when a camera occurs twice */
   void
   setChannelOrder(const ChannelOrder& order);
 
   ChannelOrder
   getChannelOrder() const;
 
-  /** \brief The cameras as they are built, for the check of the channel order; without,
-   * those of the rig.
-   * \throws BadArgumentException for cameras that cannot be, not of the rig's size, or
-   * when one of the rig's is missing */
+  /** \brief Sets the calibration of the unrectified cameras for the check of the
+   * channel order; by default, the cameras of the rig are used.
+   * \throws BadArgumentException if the calibration is invalid, has not the rig's size,
+   * or lacks a camera of the rig */
   void
   setCalibration(const RigCalibration& calibration);
 
-  /** \brief How long a stream may be silent before it is begun again, beyond three of its
-   * periods (default 0.5 s).
+  /** \brief Sets how long a stream may be silent before it is restarted, in addition to
+   * three of its periods, in seconds (default 0.5).
    * \throws BadArgumentException unless within [0.01, 60] */
   void
   setTimeout(double seconds);
@@ -133,7 +143,7 @@ public:
   double
   getTimeout() const;
 
-  /** \brief Streams on; opens the camera first where it was lost.
+  /** \brief Starts or continues the stream; reopens the camera first if it was lost.
    * \throws CameraException when it cannot be opened */
   void
   start() override;
@@ -141,12 +151,13 @@ public:
   void
   stop() override;
 
-  /** \brief One more shot, exposed after this call; none while a stream runs.
-   * \throws CameraException when it was lost and cannot be opened */
+  /** \brief Takes one more shot, exposed after this call; does nothing while a stream
+   * runs.
+   * \throws CameraException when the camera was lost and cannot be opened */
   void
   trigger() override;
 
-  /** \brief Numbers of frames begin at 0 again. */
+  /** \brief Resets the frame number to 0. */
   void
   rewind() override;
 
@@ -160,7 +171,7 @@ public:
   std::string
   getName() const override;
 
-  /** \brief What the camera was set to. */
+  /** \brief The frame rate that the camera was set to. */
   float
   getFramesPerSecond() const override;
 
@@ -170,8 +181,8 @@ public:
   std::exception_ptr
   getError() const override;
 
-  /** \brief What is wrong: of the error that ended the last stream, None while it is fine
-   * or when a callback threw something else. */
+  /** \brief The fault that ended the last stream; None if there was no error or if a
+   * callback threw another exception. */
   CameraFault
   getFault() const;
 

@@ -12,13 +12,14 @@
 
 namespace pcl {
 
-/** \brief A digital camera after the IIDC specification (1.20 to 1.32): who it is, what it
- * can, what it is set to, its frames; over any \ref IidcBus.
+/** \brief A digital camera according to the IIDC specification (1.20 to 1.32): its
+ * identity, capabilities, settings and frames, over any \ref IidcBus.
  *
- * What is set is remembered: \ref open after the camera was unplugged sets it again.
- * Nothing the registers say is believed before it was checked, and no register is polled
- * for ever. May be called from any thread; \ref startStream, \ref nextFrame and \ref
- * stopStream from one at a time.
+ * Settings are remembered: \ref open applies them again after the camera was unplugged.
+ * All values read from registers are checked before use, and no register is polled
+ * without a limit. All functions may be called from any thread, except that
+ * \ref startStream, \ref nextFrame and \ref stopStream must be called from one thread
+ * at a time.
  * \code
  * pcl::IidcCamera camera ([] { return pcl::openUsbBus (); });
  * camera.open ();
@@ -28,7 +29,7 @@ namespace pcl {
  * \ingroup acquisition */
 class ACMAP_EXPORT IidcCamera {
 public:
-  /** \param[in] opener gives the bus */
+  /** \param[in] opener opens the bus */
   explicit IidcCamera(IidcBusOpener opener);
   ~IidcCamera();
 
@@ -36,105 +37,110 @@ public:
   IidcCamera&
   operator=(const IidcCamera&) = delete;
 
-  /** \brief Opens the bus, reads the configuration ROM and the list of modes, and sets
-   * again what was set before; nothing when it is open.
-   * \throws CameraException what the bus throws; Malformed when this is no IIDC camera;
-   * NotFound when it is another one than before */
+  /** \brief Opens the bus, reads the configuration ROM and the list of modes, and
+   * applies the settings that were made before. Does nothing if the camera is open.
+   * \throws CameraException as the bus; Malformed when this is not an IIDC camera;
+   * NotFound when it is not the same camera as before */
   void
   open();
 
-  /** \brief Gives the bus back; nothing when it is closed. */
+  /** \brief Releases the bus; does nothing if the camera is closed. */
   void
   close() noexcept;
 
   bool
   isOpen() const;
 
-  /** \brief Where it is; of the last bus when it is closed. */
+  /** \brief Location of the camera; that of the last bus if the camera is closed. */
   std::string
   place() const;
 
-  /** \brief Of the camera that was opened last. */
+  /** \brief Identity of the camera that was opened last. */
   IidcIdentity
   identity() const;
 
-  /** \brief All modes whose registers make sense, ascending. */
+  /** \brief All modes whose registers are valid, in ascending order. */
   std::vector<IidcMode>
   modes() const;
 
-  /** \brief The first mode of this size with so many cameras' images: of format 7 before
-   * the others.
-   * \throws CameraException Unsupported naming what there is */
+  /** \brief Finds the first mode of this size that contains the images of this number
+   * of cameras. Format 7 is preferred to the others.
+   * \throws CameraException Unsupported; the message lists the available modes */
   IidcMode
   findMode(int width, int height, int cameras) const;
 
-  /** \brief Whether its images are of colour filters, and of which: `GBRG` and the like,
-   * from the upper left corner; `YYYY` for none.
-   * \throws CameraException Unplugged, Silent; Failed when it is closed */
+  /** \brief Colour filter of its sensors: `GBRG` or similar, beginning at the upper
+   * left corner; `YYYY` if there is none.
+   * \throws CameraException Unplugged, Silent; Failed when the camera is closed */
   std::string
   colorFilter() const;
 
-  /** \brief Mode and rate of the next stream. A rate that the mode has not becomes the
-   * nearest that it has; of format 7, the frame rate feature or the packet size decides.
-   * \param[in] frames_per_second wanted
-   * \return the rate that the camera will have
+  /** \brief Sets mode and frame rate of the next stream. If the mode does not have the
+   * requested rate, the nearest one is used; in format 7, the rate is set by the frame
+   * rate feature or by the packet size.
+   * \param[in] mode one of \ref modes
+   * \param[in] frames_per_second requested rate
+   * \return the actual rate of the camera
    * \throws BadArgumentException unless the rate is within [0.001, 1000]
-   * \throws CameraException Unsupported when this camera has no such mode; Malformed,
-   * Silent, Unplugged */
+   * \throws CameraException Unsupported when the camera does not have this mode;
+   * Malformed, Silent, Unplugged; Failed when the camera is closed */
   float
   setMode(const IidcMode& mode, float frames_per_second);
 
-  /** \brief What the camera can do with a feature, and does.
-   * \throws CameraException Unplugged, Silent, Malformed */
+  /** \brief Capabilities and current state of a feature.
+   * \throws CameraException Unplugged, Silent; Failed when the camera is closed */
   IidcFeatureState
   feature(IidcFeature feature) const;
 
-  /** \brief Sets a feature in steps of the camera's own.
-   * \throws BadArgumentException naming the range; for the frame rate
-   * \throws CameraException Unsupported without such a feature */
+  /** \brief Sets a feature in the camera's own units.
+   * \throws BadArgumentException naming the valid range; always for the frame rate
+   * \throws CameraException Unsupported if the camera does not have the feature */
   void
   setValue(IidcFeature feature, unsigned value);
 
   /** \brief Sets a feature in physical units.
-   * \throws BadArgumentException naming the range; for the frame rate
-   * \throws CameraException Unsupported when the camera knows none */
+   * \throws BadArgumentException naming the valid range; always for the frame rate
+   * \throws CameraException Unsupported when the feature has no physical units */
   void
   setPhysical(IidcFeature feature, float value);
 
-  /** \brief Leaves a feature to the camera.
-   * \throws CameraException Unsupported when it cannot */
+  /** \brief Lets the camera control a feature automatically.
+   * \throws CameraException Unsupported when the camera cannot do this */
   void
   setAutomatic(IidcFeature feature);
 
-  /** \throws CameraException Unsupported when it has no trigger input */
+  /** \throws CameraException Unsupported when the camera has no trigger input */
   void
   setTrigger(IidcTrigger trigger);
 
   IidcTrigger
   trigger() const;
 
-  /** \brief Whether it can take one image when it is told to. */
+  /** \brief Returns true if the camera can take a single image on request. */
   bool
   hasOneShot() const;
 
-  /** \brief Whether it writes a counter into its frames, so that lost ones are known. */
+  /** \brief Returns true if the camera writes a counter into its frames, so that lost
+   * frames are detected. */
   bool
   hasFrameCounter() const;
 
-  /** \brief Gets ready for frames of the mode that was set; none come yet.
-   * \param[in] frames how many may wait for \ref nextFrame
-   * \throws CameraException Unsupported before \ref setMode; what the bus throws */
+  /** \brief Prepares for receiving frames in the mode that was set; the camera does not
+   * send yet.
+   * \param[in] frames maximum number of frames that wait for \ref nextFrame
+   * \throws CameraException Unsupported before \ref setMode; Failed when the camera is
+   * closed; as the bus */
   void
   startStream(std::size_t frames);
 
-  /** \brief Frames come from now on.
-   * \throws CameraException Unplugged, Silent; Failed when it is closed */
+  /** \brief Starts continuous transmission of frames.
+   * \throws CameraException Unplugged, Silent; Failed when the camera is closed */
   void
   runFreely();
 
-  /** \brief One frame is exposed and comes.
-   * \throws CameraException Unsupported when it has no one-shot; Unplugged, Silent; Failed
-   * when it is closed */
+  /** \brief Requests one frame, which is exposed after the call.
+   * \throws CameraException Unsupported when the camera has no one-shot; Unplugged,
+   * Silent; Failed when the camera is closed */
   void
   takeOne();
 
@@ -142,11 +148,12 @@ public:
   IidcWait
   nextFrame(IidcFrame& frame, std::chrono::milliseconds timeout);
 
-  /** \brief No frames come. Does not throw when the camera is gone. */
+  /** \brief Ends the transmission of frames. Does not throw when the camera was
+   * removed. */
   void
   stopStream() noexcept;
 
-  /** \brief As \ref IidcBus::cancel; nothing when it is closed. */
+  /** \brief As \ref IidcBus::cancel; does nothing if the camera is closed. */
   void
   cancel() noexcept;
 

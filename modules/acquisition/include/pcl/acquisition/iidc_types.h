@@ -10,64 +10,65 @@
 
 namespace pcl {
 
-/** \brief Who a camera is, from its configuration ROM. \ingroup acquisition */
+/** \brief Identity of a camera, from its configuration ROM. \ingroup acquisition */
 struct IidcIdentity {
   std::string maker;
   std::string model;
-  std::uint64_t guid = 0; ///< the serial number, unique in the world
-  std::string version;    ///< of IIDC, say `1.31`; `Point Grey` where it names its own
+  std::uint64_t guid = 0; ///< serial number, globally unique
+  std::string version;    ///< of IIDC, for example `1.31`; `Point Grey` for its own one
 
   /** \brief The guid as 16 hexadecimal digits. */
   ACMAP_EXPORT std::string
   serial() const;
 };
 
-/** \brief How a pixel is coded; the numbers are those of the register.
+/** \brief Coding of a pixel; the numbers are those of the register.
  * \ingroup acquisition */
 enum class IidcColor : std::uint8_t {
   Mono8,
   Yuv411,
   Yuv422,
   Yuv444,
-  Rgb8,   ///< of a Digiclops: a byte of each of three cameras
-  Mono16, ///< of two cameras: a byte of each
+  Rgb8,   ///< Digiclops: one byte of each of the three cameras
+  Mono16, ///< two cameras: one byte of each
   Rgb16,
   SignedMono16,
   SignedRgb16,
   Raw8,
-  Raw16 ///< of two cameras: a byte of each
+  Raw16 ///< two cameras: one byte of each
 };
 
-/** \brief Say `RGB8`. \ingroup acquisition */
+/** \brief Returns the name, for example `RGB8`. \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(IidcColor color);
 
-/** \brief A way in which a camera can send images. \ingroup acquisition */
+/** \brief An image mode of a camera. \ingroup acquisition */
 struct IidcMode {
-  int format = 0; ///< 0 to 2: of fixed sizes; 7: scalable
+  int format = 0; ///< 0 to 2: fixed sizes; 7: scalable
   int mode = 0;   ///< within the format, 0 to 7
-  int width = 0;  ///< px; of format 7 the most, from the left edge on
-  int height = 0; ///< px; likewise, from the top on
+  int width = 0;  ///< px; in format 7 the maximum, from the left edge
+  int height = 0; ///< px; in format 7 the maximum, from the top edge
   IidcColor color = IidcColor::Mono8;
 
-  /** \brief Frames a second to choose from, ascending; empty where any is possible up to a
-   * limit (format 7). */
+  /** \brief Available frames per second, ascending; empty if any rate up to a limit is
+   * possible (format 7). */
   std::vector<float> rates;
 
-  /** \brief How many cameras' images it interleaves: 3, 2 or 1; 0 for what no rig uses. */
+  /** \brief Number of cameras whose images are interleaved: 3, 2 or 1; 0 for pixel
+   * codings that no rig uses. */
   ACMAP_EXPORT int
   cameras() const;
 
-  /** \brief Of one frame. */
+  /** \brief Number of bytes of one frame. */
   ACMAP_EXPORT std::size_t
   bytes() const;
 
-  /** \brief `7:0 640x480 RGB8`. */
+  /** \brief The mode as text, for example `7:0 640x480 RGB8`. */
   ACMAP_EXPORT std::string
   text() const;
 };
 
-/** \brief What can be set; the numbers are those of the registers.
+/** \brief Features of a camera; the numbers are those of the registers.
  * \ingroup acquisition */
 enum class IidcFeature : std::uint8_t {
   Brightness = 0,
@@ -76,17 +77,17 @@ enum class IidcFeature : std::uint8_t {
   WhiteBalance = 3,
   Saturation = 5,
   Gamma = 6,
-  Shutter = 7,    ///< seconds as a physical value
-  Gain = 8,       ///< dB as a physical value
-  FrameRate = 15, ///< Hz as a physical value; IidcCamera::setMode sets it
-  Pan = 33        ///< which camera, where one alone is sent
+  Shutter = 7,    ///< physical value in seconds
+  Gain = 8,       ///< physical value in dB
+  FrameRate = 15, ///< physical value in Hz; set by IidcCamera::setMode
+  Pan = 33        ///< selects the camera if only one is transmitted
 };
 
-/** \brief Say `shutter`. \ingroup acquisition */
+/** \brief Returns the name, for example `shutter`. \ingroup acquisition */
 ACMAP_EXPORT const char*
 nameOf(IidcFeature feature);
 
-/** \brief What a camera can do with a feature, and what it does. \ingroup acquisition */
+/** \brief Capabilities and current state of a feature. \ingroup acquisition */
 struct IidcFeatureState {
   bool is_there = false;
   bool can_be_automatic = false;
@@ -94,11 +95,11 @@ struct IidcFeatureState {
   bool can_be_off = false;
   bool is_on = false;
   bool is_automatic = false;
-  unsigned least = 0; ///< of the value
-  unsigned most = 0;
-  unsigned value = 0; ///< in steps of the camera's own
+  unsigned least = 0; ///< minimum of the value
+  unsigned most = 0;  ///< maximum of the value
+  unsigned value = 0; ///< current value, in the camera's own units
 
-  /** \brief In physical units, where the camera knows them. */
+  /** \brief The same in physical units; empty if the camera does not know them. */
   struct Physical {
     float least = 0;
     float most = 0;
@@ -107,9 +108,9 @@ struct IidcFeatureState {
   std::optional<Physical> physical;
 };
 
-/** \brief What makes a camera take an image. \ingroup acquisition */
+/** \brief Trigger of the exposure. \ingroup acquisition */
 enum class IidcTrigger {
-  Off,     ///< one after another, by itself
+  Off,     ///< the camera runs freely
   External ///< a falling edge at its trigger input (mode 0 of IIDC)
 };
 

@@ -5,8 +5,8 @@
 
 namespace pcl {
 
-/** \brief What casts patterns on the scene. Shots are kept in step with patterns by
- * calling \ref show between them. \ingroup acquisition */
+/** \brief Interface of a projector that shows patterns on the scene. Shots and patterns
+ * are synchronized by calling \ref show between the shots. \ingroup acquisition */
 class ACMAP_EXPORT PatternProjector {
 public:
   virtual ~PatternProjector();
@@ -15,14 +15,14 @@ public:
   PatternProjector&
   operator=(const PatternProjector&) = delete;
 
-  /** \brief Casts a pattern; it stays until the next call. Returns when the pattern was
-   * handed to the device.
-   * \throws BadArgumentException when the image is empty or has not all its values
+  /** \brief Shows a pattern until the next call. Returns when the pattern was passed to
+   * the device.
+   * \throws BadArgumentException when the image is empty or incomplete
    * \throws IOException when the device fails */
   virtual void
   show(const RgbImage& image) = 0;
 
-  /** \brief Casts black, for the shot that gives the texture.
+  /** \brief Shows black, for the shot from which the texture is taken.
    * \throws IOException when the device fails */
   virtual void
   showNothing() = 0;

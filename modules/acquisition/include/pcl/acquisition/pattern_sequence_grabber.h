@@ -15,30 +15,32 @@ namespace acmap {
 class SequenceStream;
 }
 
-/** \brief What a \ref PatternSequenceGrabber tells of its last stream; observations that
- * were cut off have a remark. \ingroup acquisition */
+/** \brief Statistics of the last stream of a \ref PatternSequenceGrabber. There is a
+ * remark for each observation that was interrupted. \ingroup acquisition */
 struct PatternSequenceGrabberReport : Report {
-  std::size_t shots = 0;        ///< that were given
-  std::size_t observations = 0; ///< that were finished
-  std::size_t spared = 0;       ///< patterns that were not needed any more
+  std::size_t shots = 0;        ///< number of shots that were passed to the callbacks
+  std::size_t observations = 0; ///< number of complete observations
+  std::size_t spared = 0;       ///< number of patterns that were not needed any more
 };
 
-/** \brief A camera and a projector in step: observations, each of a shot with the
- * projector off and one under each pattern. Section II-A of "Active Stereo Based
- * Compact Mapping".
+/** \brief Synchronizes a camera and a projector and grabs observations. An observation
+ * consists of one shot with the projector off and one under each pattern. Section II-A
+ * of "Active Stereo Based Compact Mapping".
  *
- * For each shot the pattern is shown; when the projector has acknowledged it, and the
+ * For each shot the pattern is shown. When the projector has acknowledged it and the
  * settle time has passed, the camera's \ref TrinocularGrabber::trigger takes a shot,
- * which begins its exposure after the call. So no frame mixes two patterns; how long a
- * projector needs, \ref measureSettleTime finds. Numbers of shots go on from 0,
- * observation and pattern are set, stamps and images are the camera's.
+ * whose exposure begins after the call. Therefore no frame contains a mixture of two
+ * patterns; \ref measureSettleTime measures the settle time that a projector needs.
+ * Shots are numbered from 0, observation and pattern are set by this class, time stamps
+ * and images are those of the camera.
  *
  * \ref start streams observations, one after another; \ref observe takes one. An
- * observation under way that \ref stop or an error cuts off is not finished, as the rig
- * may be moved then: the next shot is the first of the one after it. The projector is
- * dark before the first shot, and when a stream has ended. Callbacks run in the thread
- * of this grabber, not in the camera's. The camera must not be started or stopped by
- * others meanwhile, nor this one from a callback of the camera.
+ * observation that is interrupted by \ref stop or by an error is not continued, since
+ * the rig may be moved in the meantime: the next shot is the first one of the following
+ * observation. The projector is dark before the first shot and after the end of a
+ * stream. Callbacks run in the thread of this grabber, not in that of the camera. While
+ * this grabber is used, the camera must not be started or stopped by others, and this
+ * grabber must not be started or stopped from a callback of the camera.
  * \code
  * pcl::PatternSequenceGrabber grabber (camera, projector, patterns);
  * grabber.registerCallback (record);
@@ -48,25 +50,27 @@ struct PatternSequenceGrabberReport : Report {
  * \ingroup acquisition */
 class ACMAP_EXPORT PatternSequenceGrabber : public TrinocularGrabber {
 public:
-  /** \brief Asked after each shot under a pattern, but the last one, in the thread of
-   * the stream and after the callbacks: false ends the observation early. It may do
-   * what a callback may. */
+  /** \brief Called after each shot under a pattern except the last one, in the thread
+   * of the stream and after the callbacks. Returning false ends the observation early.
+   * It may do everything that a callback may do. */
   using WantMore = std::function<bool(const TrinocularFrame& frame)>;
 
   /** \param[in] camera gives one frame for each trigger
-   * \param[in] projector used by the thread of the stream alone, while it streams
-   * \param[in] patterns of the projector's size; may be none
-   * \throws BadArgumentException for no camera, no projector, a pattern that has not
-   * all its values */
+   * \param[in] projector only used by the thread of the stream while the grabber
+   * streams
+   * \param[in] patterns have the projector's size; may be empty
+   * \throws BadArgumentException if there is no camera or no projector, or if a pattern
+   * is incomplete */
   PatternSequenceGrabber(shared_ptr<TrinocularGrabber> camera,
                          shared_ptr<PatternProjector> projector,
                          std::vector<RgbImage> patterns);
 
-  /** \brief Stops. Not to be called from a callback. */
+  /** \brief Stops the stream. Must not be called from a callback. */
   ~PatternSequenceGrabber() noexcept override;
 
-  /** \brief Time from the projector's acknowledgement to the shot, seconds (default 0.1:
-   * a compositor, the projector's own delay, and its lamp).
+  /** \brief Sets the time between the projector's acknowledgement and the shot, in
+   * seconds (default 0.1, which includes the delays of a compositor, of the projector
+   * and of its lamp).
    * \throws BadArgumentException unless within [0, 10] */
   void
   setSettleTime(double seconds);
@@ -74,7 +78,8 @@ public:
   double
   getSettleTime() const;
 
-  /** \brief Longest wait for the camera's shot, from its trigger, seconds (default 5).
+  /** \brief Sets the maximum time to wait for the camera's shot after its trigger, in
+   * seconds (default 5).
    * \throws BadArgumentException unless within [0.01, 600] */
   void
   setShotTimeout(double seconds);
@@ -82,7 +87,8 @@ public:
   double
   getShotTimeout() const;
 
-  /** \brief From the next shot on; none (default): all patterns are shown. */
+  /** \brief Sets a function that can end an observation early, from the next shot on;
+   * empty (default): all patterns are shown. */
   void
   setWantMore(WantMore want_more);
 
@@ -90,21 +96,21 @@ public:
   void
   start() override;
 
-  /** \brief Takes one observation more, or the rest of the one under way; none while
-   * observations stream without end. Returns at once. */
+  /** \brief Takes one more observation, or the rest of an incomplete one; does nothing
+   * while observations are streamed without end. Returns immediately. */
   void
   observe();
 
-  /** \brief Ends the stream, and cuts off the observation under way. Settling and the
-   * wait for a shot end at once; the camera is stopped, the projector shows black. No
-   * callback is called after it has returned. From a callback: this callback is the
-   * last one. */
+  /** \brief Ends the stream and interrupts the current observation. Waiting for the
+   * settle time or for a shot ends immediately; the camera is stopped, and the
+   * projector shows black. After the return no callback is called. When called from a
+   * callback, this callback is the last one. */
   void
   stop() override;
 
-  /** \brief Takes the next shot alone; none while observations stream without end. After
-   * it the projector is dark; with the last shot of an observation it is finished.
-   * Returns at once. */
+  /** \brief Takes only the next shot; does nothing while observations are streamed
+   * without end. After the shot the projector is dark. The last shot of an observation
+   * completes it. Returns immediately. */
   void
   trigger() override;
 
@@ -122,15 +128,16 @@ public:
   std::string
   getName() const override;
 
-  /** \brief 0, which PCL has for no fixed rate. */
+  /** \brief Returns 0, which in PCL means that there is no fixed rate. */
   float
   getFramesPerSecond() const override;
 
   TrinocularRig
   getRig() const override;
 
-  /** \brief What ended the stream: of camera, projector or a callback; CameraException
-   * (CameraFault::Silent) when the camera gave no shot in time. */
+  /** \brief The exception that ended the stream, thrown by the camera, the projector or
+   * a callback; CameraException (CameraFault::Silent) when the camera gave no shot in
+   * time. */
   std::exception_ptr
   getError() const override;
 

@@ -7,26 +7,28 @@
 
 namespace pcl {
 
-/** \brief How long to wait after \ref PatternProjector::show, so that a shot which is
- * exposed from then on sees the new image alone: for \ref
- * PatternSequenceGrabber::setSettleTime.
+/** \brief Measures how long to wait after \ref PatternProjector::show before a shot, so
+ * that its exposure contains only the new image; for
+ * \ref PatternSequenceGrabber::setSettleTime.
  *
- * Black and a bright image are shown by turns, three times each, and shots are taken
- * all the while. From the delay behind the longest of the six changes on, the pixels
- * that the projector lights have come 95 % of their way, or as near as noise and a room
- * with daylight let them. One period of the camera is added: projector and camera are
- * not in phase. Takes about 5 s with a camera of five shots a second or more;
- * afterwards the camera is stopped, and the projector is dark.
+ * Black and a bright image are shown alternately, three times each, while shots are
+ * taken continuously. The result is based on the longest delay of the six changes,
+ * after which the pixels that are lit by the projector have completed 95 % of their
+ * change, or less if noise and daylight limit the accuracy. One period of the camera is
+ * added, since projector and camera are not in phase. The measurement takes about 5 s
+ * with a camera of five or more shots per second. Afterwards the camera is stopped, and
+ * the projector is dark.
  *
- * \param[in] camera gives one frame for each trigger; nobody else uses it meanwhile
- * \param[in] projector nobody else uses it meanwhile
- * \param[in] bright say white, of the projector's size
- * \return seconds; nothing when no change was seen (the projector is off, or does not
- * light what the camera sees), when the room itself changed as much, or when a change
- * took longer than a third of a second
- * \throws BadArgumentException for no camera or no projector; for an image that the
- * projector refuses
- * \throws IOException when camera or projector fail
+ * \param[in] camera gives one frame for each trigger; must not be used by others during
+ * the call
+ * \param[in] projector must not be used by others during the call
+ * \param[in] bright for example white, of the projector's size
+ * \return seconds; nothing when no change was seen (the projector is off, or lights
+ * nothing that the camera sees), when the ambient light changed by a similar amount, or
+ * when a change took longer than a third of a second
+ * \throws BadArgumentException if there is no camera or no projector, or if the
+ * projector rejects the image
+ * \throws IOException when the camera or the projector fails
  * \code
  * if (const auto seconds = pcl::measureSettleTime (camera, projector, white))
  *   grabber.setSettleTime (*seconds);

@@ -9,41 +9,45 @@
 
 namespace pcl {
 
-/** \brief What is known of the last pattern. \ingroup acquisition */
+/** \brief Statistics of the last pattern. \ingroup acquisition */
 struct RandomLinePatternReport : Report {
-  int lines = 0;       ///< drawn, those included that others hide or that miss it
-  int redraws = 0;     ///< patterns rejected before, for their side lobes
-  double coverage = 0; ///< share of the pixels that are lit
+  int lines = 0;   ///< lines drawn, including hidden ones and ones outside the image
+  int redraws = 0; ///< patterns that were rejected because of their side lobes
+  double coverage = 0; ///< fraction of the pixels that are lit
 
-  /** \brief Highest side lobe but for the worst 1 % of the rows: what is gated. */
+  /** \brief Highest side lobe, ignoring the worst 1 % of the rows. This value decides
+   * about rejection. */
   double row_side_lobe = 0;
   double column_side_lobe = 0;
-  double worst_row_side_lobe = 0; ///< of all rows looked at
+  double worst_row_side_lobe = 0; ///< maximum over all rows that were examined
   double worst_column_side_lobe = 0;
 };
 
-/** \brief Patterns of random lines that a projector casts on walls without texture, so
- * that stereo finds something there. Section II-A of "Active Stereo Based Compact
- * Mapping": N patterns of L lines of random orientation, intensity and colour.
+/** \brief Generates patterns of random lines. A projector shows them on walls without
+ * texture, so that stereo matching finds features there. Section II-A of "Active Stereo
+ * Based Compact Mapping": N patterns of L lines of random orientation, intensity and
+ * colour.
  *
- * The paper names no law. Here lines are uniform (Cauchy, Crofton): any part of the
- * pattern is hit as often as any other of its size, in every direction. The angle phi
- * from the rows is uniform in [0, pi), the signed distance rho from the middle in
- * [-D/2, D/2], D the diagonal. Widths are whole pixels, uniform between the bounds;
- * intensities uniform in 64..255 on black. Later lines cover earlier ones. No pixel is
- * mixed of two.
+ * The paper does not specify the distributions. Here the lines are uniformly
+ * distributed (Cauchy, Crofton): all parts of the pattern of equal size are hit with
+ * equal probability, in every direction. The angle phi from the rows is uniform in [0,
+ * pi), the signed distance rho from the centre is uniform in [-D/2, D/2], where D is
+ * the diagonal. Widths are integer numbers of pixels, uniform between the bounds;
+ * intensities are uniform in 64..255 on black. Later lines cover earlier ones. There is
+ * no blending of pixels.
  *
- * A pattern that looks like itself a few pixels further misleads stereo. So a side lobe
- * is measured along rows and columns: the highest correlation coefficient of a row with
- * itself, shifted within the disparity range, behind the main lobe. A pattern with 0.5
- * or more in over 1 % of its rows or columns (256 of each are looked at: in four or
- * more) is drawn again, at most 16 times; then the best of them is taken, and the report
- * says so. The 1 % leaves room for a line that lies along rows and leaves no contrast in
- * them, which the other patterns make good.
+ * A pattern that is similar to itself at a shift of a few pixels causes wrong matches.
+ * Therefore a side lobe is measured along rows and columns: the maximum correlation
+ * coefficient of a row with itself, over the shifts within the disparity range that are
+ * beyond the main lobe. A pattern with 0.5 or more in over 1 % of its rows or columns
+ * (256 of each are examined: in four or more) is rejected and drawn again, at most 16
+ * times; if all are rejected, the best of them is used, and the report contains a
+ * remark. The 1 % tolerance is needed for lines parallel to the rows, which leave no
+ * contrast in them; the other patterns compensate for this.
  *
- * The same settings and number give the same bytes on every machine. Time O(lines *
- * diagonal * line width) to paint; the gate takes the length of 512 rows times the
- * disparity range; together 10 ms.
+ * The same settings and index give identical bytes on every machine. Painting takes
+ * time O(lines * diagonal * line width); the side lobe test takes time proportional to
+ * the length of 512 rows times the disparity range; both together take 10 ms.
  * \code
  * pcl::RandomLinePattern pattern;
  * pattern.setSize (1024, 768);
@@ -52,7 +56,8 @@ struct RandomLinePatternReport : Report {
  * \ingroup acquisition */
 class ACMAP_EXPORT RandomLinePattern {
 public:
-  /** \brief Sets the pattern's size, which is the projector's (default 1024 x 768).
+  /** \brief Sets the size of the pattern, which should be that of the projector
+   * (default 1024 x 768).
    * \throws BadArgumentException unless both are within [16, 8192] px */
   void
   setSize(int width, int height);
@@ -69,7 +74,7 @@ public:
     return height_;
   }
 
-  /** \brief Sets L, the number of lines of a pattern (default 200, the paper's).
+  /** \brief Sets L, the number of lines of a pattern (default 200, as in the paper).
    * \throws BadArgumentException unless within [1, 10000] lines */
   void
   setNumberOfLines(int lines);
@@ -80,8 +85,8 @@ public:
     return lines_;
   }
 
-  /** \brief Sets the bounds of the lines' widths (default 2 and 6 px). The narrowest
-   * should be two pixels of the projector for each one of the camera.
+  /** \brief Sets the minimum and maximum line width (default 2 and 6 px). The minimum
+   * should be two pixels of the projector per pixel of the camera.
    * \throws BadArgumentException unless 1 <= least <= most <= 64 px */
   void
   setLineWidths(int least, int most);
@@ -98,8 +103,8 @@ public:
     return most_line_width_;
   }
 
-  /** \brief Sets whether each channel has an intensity of its own (default true, the
-   * paper), else lines are grey. */
+  /** \brief Sets whether each colour channel has its own intensity (default true, as in
+   * the paper); otherwise lines are grey. */
   void
   setColored(bool colored)
   {
@@ -112,9 +117,10 @@ public:
     return colored_;
   }
 
-  /** \brief Sets the least angle between a line and the rows (default 0). Lines along
-   * the rows tell a horizontal pair of cameras nothing; for rigs that have no vertical
-   * pair 15 degrees (0.26) are right. Above 0 only rows are gated.
+  /** \brief Sets the minimum angle between a line and the rows, in radians (default 0).
+   * Lines parallel to the rows carry no information for a horizontal pair of cameras;
+   * 15 degrees (0.26) are recommended for rigs without a vertical pair. If the angle is
+   * above 0, only rows are tested for side lobes.
    * \throws BadArgumentException unless within [0, 1.5] rad */
   void
   setMinimumAngle(double radians);
@@ -125,8 +131,9 @@ public:
     return minimum_angle_;
   }
 
-  /** \brief Sets how far, in pixels of the projector, matches are searched: the side
-   * lobes' range (default 64). At most half of a row or column is looked at.
+  /** \brief Sets the disparity range of the matching, in pixels of the projector
+   * (default 64); side lobes are searched within it. At most half of a row or column is
+   * examined.
    * \throws BadArgumentException unless within [4, 1024] px */
   void
   setDisparityRange(int pixels);
@@ -137,7 +144,7 @@ public:
     return disparity_range_;
   }
 
-  /** \brief Sets what all randomness begins with (default 1). */
+  /** \brief Sets the seed of the random numbers (default 1). */
   void
   setSeed(std::uint64_t seed)
   {
@@ -150,13 +157,13 @@ public:
     return seed_;
   }
 
-  /** \brief Draws a pattern of the seed.
-   * \param[in] index which one, whatever others were drawn before
-   * \return of the set size */
+  /** \brief Generates a pattern.
+   * \param[in] index of the pattern; the result does not depend on earlier calls
+   * \return a pattern of the size that was set */
   RgbImage
   generate(std::uint32_t index);
 
-  /** \brief Counts, seconds and remarks of the last pattern. */
+  /** \brief Statistics, run time and remarks of the last pattern. */
   const RandomLinePatternReport&
   getReport() const
   {

@@ -12,7 +12,7 @@
 
 namespace pcl {
 
-/** \brief Which shot of a session. \ingroup acquisition */
+/** \brief Identifies a shot of a session. \ingroup acquisition */
 struct TrinocularShot {
   std::int32_t observation = 0;
   std::int32_t pattern = TrinocularFrame::no_pattern;
@@ -24,45 +24,49 @@ operator==(const TrinocularShot& a, const TrinocularShot& b)
   return a.observation == b.observation && a.pattern == b.pattern;
 }
 
-/** \brief What a \ref TrinocularFileGrabber found, when it was opened and in what was read
- * since; each finding has a remark too. Frames are told by their numbers.
+/** \brief What a \ref TrinocularFileGrabber found when the session was opened and in
+ * the frames that were read since then. There is also a remark for each finding. Frames
+ * are identified by their numbers.
  * \ingroup acquisition */
 struct TrinocularFileReport : Report {
-  std::size_t frames = 0;  ///< how many files there are
-  bool is_finished = true; ///< false: the recording did not come to its end
+  std::size_t frames = 0;  ///< number of frame files
+  bool is_finished = true; ///< false: the recording was not finished
 
-  /** \brief Of frames that cannot be read. Headers are looked at when the session is
-   * opened, images when they are read. */
+  /** \brief Frames that cannot be read. Headers are checked when the session is opened,
+   * images when they are read. */
   std::vector<std::uint64_t> broken;
 
-  /** \brief Shots that an observation lacks, and others have; the first 1000. */
+  /** \brief Shots that are missing in an observation but present in others; only the
+   * first 1000. */
   std::vector<TrinocularShot> missing;
 
-  /** \brief Of frames whose shot was there before. They are given as all others. */
+  /** \brief Frames whose shot occurred earlier. They are passed on as all others. */
   std::vector<std::uint64_t> doubled;
 
-  /** \brief Of frames read with a camera that has 10 % of its values at 255. */
+  /** \brief Frames that were read in which one camera has at least 10 % of its values
+   * at 255. */
   std::vector<std::uint64_t> saturated;
 
-  /** \brief Of frames read with a camera that has 99 % of its values at most at 4. */
+  /** \brief Frames that were read in which one camera has at least 99 % of its values
+   * in 0..4. */
   std::vector<std::uint64_t> black;
 };
 
-/** \brief Images as files, as \ref loadRgbImage reads them: one observation, one entry a
- * pattern. \ingroup acquisition */
+/** \brief Image files, which are read by \ref loadRgbImage: one observation, one entry
+ * per pattern. \ingroup acquisition */
 struct TrinocularImageLists {
   std::vector<std::string> reference;
-  std::vector<std::string> horizontal; ///< as many; empty: no such camera
-  std::vector<std::string> vertical;   ///< as many; empty: no such camera
+  std::vector<std::string> horizontal; ///< as many entries; empty: no such camera
+  std::vector<std::string> vertical;   ///< as many entries; empty: no such camera
 };
 
-/** \brief Gives the frames of a raw session, or of lists of images, as a camera would:
- * in the manner of pcl::PCDGrabber. See \ref TrinocularGrabber for what holds of its
- * callbacks.
+/** \brief Reads the frames of a raw session or of lists of images and passes them on as
+ * a camera would, similar to pcl::PCDGrabber. See \ref TrinocularGrabber for the rules
+ * of its callbacks.
  *
- * With frames a second \ref start streams to the end of the files, or for ever. Without
- * (0), each \ref start or \ref trigger gives one frame. After the end, \ref rewind comes
- * first.
+ * With a frame rate, \ref start streams to the end of the files, or without end if
+ * repetition is set. Without a frame rate (0), each \ref start or \ref trigger gives
+ * one frame. After the end, \ref rewind must be called first.
  * \code
  * pcl::TrinocularFileGrabber grabber ("session", 14.0f);
  * const std::function<pcl::TrinocularGrabber::FrameCallback> look =
@@ -76,28 +80,29 @@ struct TrinocularImageLists {
  * \ingroup acquisition */
 class ACMAP_EXPORT TrinocularFileGrabber : public TrinocularGrabber {
 public:
-  /** \brief Opens a session; one that was never finished too, which the report tells.
+  /** \brief Opens a session. A session that was never finished is accepted and noted in
+   * the report.
    * \param[in] session folder
-   * \param[in] frames_per_second 0: one at a time; else within [0.001, 1000]
-   * \param[in] repeat begin again after the last frame
-   * \throws InputFileException when there is none, or `rig.yaml` or `session.yaml` is
-   * malformed
-   * \throws BadArgumentException for another rate */
+   * \param[in] frames_per_second 0: one frame per call; otherwise within [0.001, 1000]
+   * \param[in] repeat start again after the last frame
+   * \throws InputFileException when there is no session, or `rig.yaml` or
+   * `session.yaml` is malformed
+   * \throws BadArgumentException for any other rate */
   explicit TrinocularFileGrabber(const std::string& session,
                                  float frames_per_second = 0,
                                  bool repeat = false);
 
-  /** \brief Takes images; those of entry i become frame i, observation 0, pattern i, stamp
-   * 0, with three channels.
-   * \throws BadArgumentException when the lists differ in length, are not those of the
-   * rig's cameras, or name a file twice; for a rig that no camera can have; for another
+  /** \brief Opens lists of images; those of entry i become frame i of observation 0 and
+   * pattern i, with time stamp 0 and three channels.
+   * \throws BadArgumentException when the lists have different lengths, do not match
+   * the rig's cameras, or name a file twice; if the rig is invalid; for any other
    * rate */
   TrinocularFileGrabber(const TrinocularImageLists& images,
                         const TrinocularRig& rig,
                         float frames_per_second = 0,
                         bool repeat = false);
 
-  /** \brief Stops. Not to be called from a callback. */
+  /** \brief Stops the stream. Must not be called from a callback. */
   ~TrinocularFileGrabber() noexcept override;
 
   void
@@ -131,20 +136,22 @@ public:
   std::exception_ptr
   getError() const override;
 
-  /** \brief How many frames there are, broken ones with them. */
+  /** \brief Number of frames, including broken ones. */
   std::size_t
   frames() const;
 
-  /** \brief Reads one frame, whatever the stream does.
-   * \param[in] index from 0 to \ref frames; not the frame's number, which may have gaps
-   * \throws BadArgumentException for an index beyond
-   * \throws InputFileException naming file, frame and fault when it cannot be read, or its
-   * images are not those of the rig */
+  /** \brief Reads one frame, independently of the stream.
+   * \param[in] index from 0 to \ref frames - 1; not the frame's number, which may have
+   * gaps
+   * \throws BadArgumentException if the index is out of range
+   * \throws InputFileException naming file, frame and fault when the frame cannot be
+   * read, or its images do not match the rig */
   TrinocularFrame::Ptr
   frame(std::size_t index) const;
 
-  /** \brief Sets whether frames that cannot be read are left out and told by the report;
-   * else (default) the first one ends the stream with an error that names it. */
+  /** \brief Sets whether frames that cannot be read are skipped and only noted in the
+   * report; otherwise (default) the first one ends the stream with an error that names
+   * it. */
   void
   setSkipBroken(bool skip);
 

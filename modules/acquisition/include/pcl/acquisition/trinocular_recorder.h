@@ -13,14 +13,14 @@
 
 namespace pcl {
 
-/** \brief Writes frames as they come into a raw session: a folder with `rig.yaml`, a file
- * for each frame, and `session.yaml` once it is finished.
+/** \brief Writes frames, as they arrive, to a raw session: a folder with `rig.yaml`,
+ * one file per frame, and `session.yaml` once it is finished.
  *
- * Each frame stands whole in its place, and on the disk, before \ref record returns: what
- * is killed, or loses its power, loses at most the frame it was at, and \ref
- * TrinocularFileGrabber reads the others. A camera that does not wait loses frames when
- * the disk is slow now and then: \ref setMostWaiting. Nothing is overwritten. Not for
- * several threads at once.
+ * Each frame is completely on the disk before \ref record returns: if the process is
+ * killed or the power fails, at most the current frame is lost, and
+ * \ref TrinocularFileGrabber reads the others. If the disk is slow at times, a live
+ * camera loses frames; \ref setMostWaiting avoids this. Existing files are never
+ * overwritten. The class must not be used by several threads at once.
  * \code
  * pcl::TrinocularRecorder recorder ("session", grabber.getRig ());
  * const std::function<pcl::TrinocularGrabber::FrameCallback> record =
@@ -34,34 +34,35 @@ namespace pcl {
 class ACMAP_EXPORT TrinocularRecorder {
 public:
   /** \brief Begins a session of rectified frames.
-   * \param[in] folder is made where it is missing; what it lies in must be there
-   * \param[in] rig a baseline of 0 says that there is no such camera
-   * \throws BadArgumentException when no camera can be like this
-   * \throws OutputFileException when a session, or a part of one, lies there already, or
-   * nothing can be written */
+   * \param[in] folder is created if it does not exist; its parent folder must exist
+   * \param[in] rig a baseline of 0 means that this camera does not exist
+   * \throws BadArgumentException if the rig is invalid
+   * \throws OutputFileException when the folder already contains a session or a part of
+   * one, or nothing can be written */
   TrinocularRecorder(const std::string& folder, const TrinocularRig& rig);
 
-  /** \brief Begins a session of frames as the cameras see them, before rectification:
-   * its `rig.yaml` has the cameras too, for \ref loadRigCalibration.
-   * \param[in] rig what rectification will make of them, of the same size
-   * \param[in] calibration the cameras; the frames are of its size
-   * \throws BadArgumentException also for cameras that cannot be, or are not those of the
-   * rig
+  /** \brief Begins a session of unrectified frames: its `rig.yaml` also contains the
+   * calibration, for \ref loadRigCalibration.
+   * \param[in] rig geometry after rectification, of the same size
+   * \param[in] calibration the cameras; the frames have its size
+   * \throws BadArgumentException also if the calibration is invalid or does not match
+   * the rig
    * \throws OutputFileException as above */
   TrinocularRecorder(const std::string& folder,
                      const TrinocularRig& rig,
                      const RigCalibration& calibration);
 
-  /** \brief Writes the frames that wait. Does not finish the session. */
+  /** \brief Writes the waiting frames. Does not finish the session. */
   ~TrinocularRecorder();
 
   TrinocularRecorder(const TrinocularRecorder&) = delete;
   TrinocularRecorder&
   operator=(const TrinocularRecorder&) = delete;
 
-  /** \brief How many frames may wait to be written, by a thread of its own (default 0:
-   * \ref record writes). Then record takes over a frame and returns; only when so many
-   * wait does it wait, too. What is killed loses those that wait.
+  /** \brief Sets how many frames may wait to be written by a separate thread (default
+   * 0: \ref record writes). With this thread, record copies a frame and returns; it
+   * blocks only while this number of frames is waiting. If the process is killed, the
+   * waiting frames are lost.
    * \throws BadArgumentException beyond 1000 */
   void
   setMostWaiting(std::size_t frames);
@@ -69,27 +70,28 @@ public:
   std::size_t
   getMostWaiting() const;
 
-  /** \brief Writes a frame. One that is refused or fails leaves the session as it was.
-   * \throws BadArgumentException naming the frame's number: no frame can be like this
-   * (see \ref saveTrinocularFrame), its images are not those of the rig, its number or its
-   * pair of observation and pattern was there before; also after \ref finish
-   * \throws OutputFileException when it could not be written whole, or one that had
-   * waited: then this one was not taken */
+  /** \brief Writes a frame. If a frame is rejected or cannot be written, the session
+   * remains unchanged.
+   * \throws BadArgumentException naming the frame's number, if the frame is invalid
+   * (see \ref saveTrinocularFrame), its images do not match the rig, or its number or
+   * its pair of observation and pattern was already recorded; also after \ref finish
+   * \throws OutputFileException when it, or an earlier waiting frame, could not be
+   * written completely; in the latter case this frame is not recorded */
   void
   record(const TrinocularFrame& frame);
 
-  /** \brief Writes the frames that wait, and `session.yaml`: the session is complete.
-   * Again: does nothing.
-   * \throws OutputFileException when it, or a frame that had waited, could not be written
-   * whole; the session is not finished then */
+  /** \brief Writes the waiting frames and `session.yaml`, which completes the session.
+   * Does nothing when called again.
+   * \throws OutputFileException when `session.yaml` or a waiting frame could not be
+   * written completely; the session is then not finished */
   void
   finish();
 
-  /** \brief How many frames were written. */
+  /** \brief Number of frames that were written. */
   std::size_t
   frames() const;
 
-  /** \brief How long the files of these frames are together. */
+  /** \brief Total size of the files of these frames. */
   std::uintmax_t
   bytes() const;
 

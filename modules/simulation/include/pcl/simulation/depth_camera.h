@@ -5,32 +5,33 @@
 
 namespace pcl {
 
-/** \brief A camera beside a projector of speckles, as the first Kinect is: it finds a
- * window of the speckles it sees in a stored picture of them, which gives a disparity,
- * and rounds that disparity.
+/** \brief A depth camera with a speckle projector beside it, such as the first Kinect.
+ * It correlates a window of the observed speckles with a stored reference image of
+ * them, which gives a disparity, and rounds the disparity.
  *
- * The camera is the rig of the scene; baseline_horizontal of the rig is the place of the
- * projector, and disparity_sigma the noise of a disparity on a surface that faces the
- * camera. Where the numbers come from is told on the page of this header.
+ * The camera is the rig of the scene; the rig's baseline_horizontal is the position of
+ * the projector, and its disparity_sigma is the noise of a disparity on a surface that
+ * faces the camera. The documentation page of this header describes the origin of the
+ * default values.
  * \ingroup simulation */
 struct DepthCamera {
-  int window = 9;                ///< px, odd; edge of the windows that are correlated
+  int window = 9;                ///< px, odd; side length of the correlation windows
   double disparity_step = 0.125; ///< px; disparities are multiples of it
-  double depth_step = 0.001;     ///< metres; depths are written as multiples of it
-  int blind_columns = 8;         ///< px, at the right rim of the image
-  double nearest = 0.5;          ///< metres; no smaller depth is measured
-  double fading = 6.0;           ///< metres; beyond it a growing share is missing
-  double farthest = 8.0;         ///< metres; no larger depth is measured
+  double depth_step = 0.001;     ///< metres; depths are rounded to multiples of it
+  int blind_columns = 8;         ///< px, at the right border of the image
+  double nearest = 0.5;          ///< metres; smaller depths are not measured
+  double fading = 6.0;   ///< metres; beyond it an increasing fraction is missing
+  double farthest = 8.0; ///< metres; larger depths are not measured
 };
 
-/** \brief The depth camera of a Kinect: 640 x 480 pixels, focal length 575 px, the
- * projector 7.5 cm to the right, disparities with a noise of 0.08 px. \ingroup simulation
- */
+/** \brief The rig of a Kinect depth camera: 640 x 480 pixels, focal length 575 px, the
+ * projector 7.5 cm to the right, disparity noise 0.08 px. \ingroup simulation */
 ACMAP_EXPORT TrinocularRig
 kinectRig();
 
-/** \brief Refuses a depth camera that cannot be.
- * \throws BadArgumentException naming value, legal range and unit \ingroup simulation */
+/** \brief Checks the parameters of a depth camera.
+ * \throws BadArgumentException naming value, valid range and unit
+ * \ingroup simulation */
 ACMAP_EXPORT void
 requireSoundDepthCamera(const DepthCamera& camera, const TrinocularRig& rig);
 

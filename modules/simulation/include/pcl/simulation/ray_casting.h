@@ -13,8 +13,9 @@
 
 namespace pcl {
 
-/** \brief What each pixel of a view looks at, row by row. Colour and noise come later:
- * a view is cast once and may be shaded often. \ingroup simulation */
+/** \brief Surfaces seen by the pixels of a view, row by row. It contains no colour and
+ * no noise, so that a view is cast once and may be shaded many times.
+ * \ingroup simulation */
 struct SurfaceImage {
   int width = 0;                     ///< px
   int height = 0;                    ///< px
@@ -22,21 +23,23 @@ struct SurfaceImage {
   std::vector<std::int32_t> surface; ///< index in the scene, -1 for nothing
 };
 
-/** \brief The direction a pixel looks along, of unit length, in the camera frame.
+/** \brief Direction of the viewing ray of a pixel, of unit length, in the camera frame.
  * \ingroup simulation */
 ACMAP_EXPORT Eigen::Vector3d
 pixelRay(const TrinocularRig& rig, int column, int row);
 
-/** \brief Casts a ray through each pixel, exactly: no triangles, no sampling.
+/** \brief Intersects the ray of each pixel with the scene, exactly: surfaces are
+ * neither triangulated nor sampled.
  *
- * Of surfaces at the same distance the earlier one is hit. Surfaces outside the view are
- * sorted out first; each other one costs about its pixels. Runs in all threads of the
- * caller's arena (\ref acmap::withThreads), with the same result for any number.
- * \param[in] scene what is seen
- * \param[in] rig the pinhole; baselines play no part
- * \param[in] T_scene_camera place of the camera in the scene's frame
- * \param[in] reach largest depth z that is seen, metres
- * \throws BadArgumentException for a rig that cannot be or a reach that is not above 0
+ * If several surfaces have the same distance, the first one in the scene is returned.
+ * Surfaces outside the view are excluded first; the time for each other surface is
+ * roughly proportional to its number of pixels. Runs in all threads of the caller's
+ * arena (\ref acmap::withThreads), with the same result for any number of threads.
+ * \param[in] scene the surfaces
+ * \param[in] rig pinhole model of the camera; baselines are ignored
+ * \param[in] T_scene_camera pose of the camera in the scene's frame
+ * \param[in] reach maximum depth z that is seen, metres
+ * \throws BadArgumentException for an invalid rig or a reach that is not above 0
  * \ingroup simulation */
 ACMAP_EXPORT SurfaceImage
 castView(const SceneGeometry& scene,

@@ -6,56 +6,59 @@
 
 namespace pcl {
 
-/** \brief The lamp that throws the patterns. Pixels are counted as a camera's: the first
- * has its centre at (0, 0), and (u, v) is thrown along ((u - center_x) / focal_length,
- * (v - center_y) / focal_length, 1). \ingroup simulation */
+/** \brief The projector of the patterns. Pixel coordinates are those of a camera: the
+ * centre of the first pixel is at (0, 0), and (u, v) is projected along ((u - center_x)
+ * / focal_length, (v - center_y) / focal_length, 1). \ingroup simulation */
 struct SimulatedProjector {
   int width = 1024; ///< px, at least 2
   int height = 768; ///< px, at least 2
 
-  /** \brief px; at the default the standard rig's view is lit to 80 % of its area. */
+  /** \brief px; with the default, 80 % of the standard rig's view is lit. */
   double focal_length = 931.0;
-  double center_x = 511.5; ///< px, of the principal point
+  double center_x = 511.5; ///< px, principal point
   double center_y = 383.5; ///< px
 
-  /** \brief Place in the frame of the reference camera, metres: by default beside and
-   * below it. */
+  /** \brief Pose in the frame of the reference camera, metres; by default to the right
+   * of and below the camera. */
   Eigen::Isometry3d T_reference_projector =
       Eigen::Isometry3d(Eigen::Translation3d(0.05, 0.08, 0.0));
 
-  /** \brief px round the principal point; what lies outside is dark. */
+  /** \brief Radius of the lit area around the principal point, px; there is no light
+   * outside. */
   double aperture_radius = 640.0;
 
-  /** \brief Full light at \ref falloff_distance on a surface that faces the projector,
-   * with the light of the room as unit of \ref SimulatedLight::ambient; it falls with the
-   * square of the distance and the cosine of the angle. */
+  /** \brief Light of a white pattern on a surface that faces the projector at
+   * \ref falloff_distance, in the unit of \ref SimulatedLight::ambient. It is
+   * proportional to the cosine of the angle of incidence and inversely proportional to
+   * the squared distance. */
   double power = 1.0;
   double falloff_distance = 2.0; ///< metres
 
-  /** \brief One standard deviation of the lens's blur, projector px. Below 0.8 a camera
-   * that sees two of them in a pixel takes chance samples of a line. */
+  /** \brief Standard deviation of the lens's blur, in projector px. Below 0.8 there is
+   * aliasing if a camera pixel covers two projector pixels. */
   double blur = 1.0;
 };
 
-/** \brief What light and cameras make of a scene. A grey level, before noise, is exposure
- * * surface colour * (ambient + projector's light). \ingroup simulation */
+/** \brief Light and camera model. Before noise, a grey level is exposure * surface
+ * colour * (ambient + projector's light). \ingroup simulation */
 struct SimulatedLight {
   SimulatedProjector projector;
-  double ambient = 0.45; ///< of the colour of a surface, without the projector
+  double ambient = 0.45; ///< fraction of the surface colour, without projector
   double exposure = 1.0; ///< gain of the cameras
 
-  double read_noise = 1.0;  ///< grey levels, one standard deviation in the dark
-  double shot_noise = 0.02; ///< grey levels: variance that a grey level adds
+  double read_noise = 1.0;  ///< grey levels, standard deviation in the dark
+  double shot_noise = 0.02; ///< grey levels, increase of the variance per grey level
 
-  double blur = 0.5; ///< one standard deviation of the cameras' blur, px; 0 for none
+  double blur = 0.5; ///< standard deviation of the cameras' blur, px; 0 for none
 
-  /** \brief Whether light falls off towards the rim of the image, with the fourth power
-   * of the cosine. */
+  /** \brief True if the brightness decreases towards the image border, with the fourth
+   * power of the cosine. */
   bool vignetting = false;
 };
 
-/** \brief Refuses a light that cannot be.
- * \throws BadArgumentException naming value, legal range and unit \ingroup simulation */
+/** \brief Checks the parameters of the light.
+ * \throws BadArgumentException naming value, valid range and unit
+ * \ingroup simulation */
 ACMAP_EXPORT void
 requireSoundLight(const SimulatedLight& light);
 

@@ -14,32 +14,33 @@ namespace pcl {
 
 /** \brief A pixel of a simulated observation, camera frame. \ingroup simulation */
 struct ObservationPixel {
-  float x, y, z;       ///< metres, NaN where nothing was measured
+  float x, y, z;       ///< metres, NaN if nothing was measured
   std::uint32_t rgb;   ///< packed as PCL does (0x00rrggbb), valid at every pixel
-  float sigma;         ///< metres, one standard deviation along the ray, NaN as x y z
-  std::uint32_t label; ///< truth: index of the measured plane + 1; 0 for none
+  float sigma;         ///< metres, standard deviation along the ray, NaN as x y z
+  std::uint32_t label; ///< true label: index of the measured plane + 1; 0 for none
 };
 
-/** \brief What the range sensor saw from one pose. \ingroup simulation */
+/** \brief Measurement of the range sensor from one pose. \ingroup simulation */
 struct SimulatedObservation {
   int width = 0;                        ///< px
   int height = 0;                       ///< px
   std::vector<ObservationPixel> pixels; ///< row by row
-  std::size_t in_reach = 0;             ///< pixels that see something in reach
-  std::size_t points = 0;               ///< pixels that were measured
-  bool has_sigma = true;                ///< whether the sensor tells its noise
+  std::size_t in_reach = 0; ///< number of pixels that see a surface in reach
+  std::size_t points = 0;   ///< number of pixels that were measured
+  bool has_sigma = true;    ///< true if the sensor reports its noise
 };
 
-/** \brief Measures a view: of the pixels that see something in reach a random part gets
- * a point, with normal noise along its ray; or as the scene's \ref DepthCamera does. Each
- * pixel has a random stream of its own, so that nothing depends on order or threads.
+/** \brief Measures a view: a random subset of the pixels that see a surface in reach
+ * gets points with normally distributed noise along the ray; if the scene has a
+ * \ref DepthCamera, this camera measures instead. Each pixel has its own random stream,
+ * so that the result does not depend on order or threads.
  * \param[in] scene that was cast
- * \param[in] image of this view, cast at least as far as the sensor reaches; what it sees
- * beyond gives colour only
+ * \param[in] image of this view, cast at least up to the sensor's reach; surfaces
+ * beyond it only contribute colour
  * \param[in] view its index in the scene
- * \param[in] seed of all randomness
- * \throws BadArgumentException when the image is not of such a view, or the scene's depth
- * camera cannot be
+ * \param[in] seed of all random numbers
+ * \throws BadArgumentException when the image does not match the view, or the scene's
+ * depth camera is invalid
  * \ingroup simulation */
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene,
@@ -47,17 +48,18 @@ observe(const SimulatedScene& scene,
         std::size_t view,
         std::uint64_t seed);
 
-/** \brief Casts a view without limit and measures it. \ingroup simulation */
+/** \brief Casts a view with unlimited reach and measures it. \ingroup simulation */
 ACMAP_EXPORT SimulatedObservation
 observe(const SimulatedScene& scene, std::size_t view, std::uint64_t seed);
 
 /** \brief The observation as an organized cloud of x y z rgb sigma label; without sigma
- * where the sensor does not tell it. \ingroup simulation */
+ * if the sensor does not report it. \ingroup simulation */
 ACMAP_EXPORT PCLPointCloud2
 cloudOf(const SimulatedObservation& observation);
 
-/** \brief All finite points of a sequence in the map frame, with the truth. Points stand
- * in the order of their views, and of their pixels in a view. \ingroup simulation */
+/** \brief All finite points of a sequence in the map frame, with ground truth. Points
+ * are in the order of their views, and within a view in the order of their pixels.
+ * \ingroup simulation */
 struct MergedObservations {
   std::vector<Eigen::Vector3f> points; ///< metres
   std::vector<std::uint32_t> rgb;      ///< packed as in \ref ObservationPixel
@@ -69,21 +71,21 @@ struct MergedObservations {
 
 /** \brief Adds the finite points of an observation.
  * \param[in] observation in its camera's frame
- * \param[in] view index of its pose in the merged trajectory, which must be there
- * \param[in,out] merged what is added to \ingroup simulation */
+ * \param[in] view index of its pose in the merged trajectory, which must exist
+ * \param[in,out] merged receives the points \ingroup simulation */
 ACMAP_EXPORT void
 appendObservation(const SimulatedObservation& observation,
                   std::size_t view,
                   MergedObservations& merged);
 
-/** \brief Measures the first views of a scene and merges them; the standard corridor
- * takes 14.7 million points, 0.4 GB, and a few seconds.
- * \param[in] scene what is measured
- * \param[in] views how many; 0 for all
- * \param[in] seed of all randomness
- * \param[in] progress told after each view
+/** \brief Measures the first views of a scene and merges them. The standard corridor
+ * gives 14.7 million points, needs 0.4 GB, and takes a few seconds.
+ * \param[in] scene to be measured
+ * \param[in] views number of views; 0 for all
+ * \param[in] seed of all random numbers
+ * \param[in] progress called after each view
  * \throws BadArgumentException when the scene has fewer views
- * \throws CancelledException when the callback asked to stop \ingroup simulation */
+ * \throws CancelledException when the callback requested to stop \ingroup simulation */
 ACMAP_EXPORT MergedObservations
 mergeObservations(const SimulatedScene& scene,
                   std::size_t views,

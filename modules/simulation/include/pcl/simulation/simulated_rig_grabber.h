@@ -19,24 +19,25 @@ namespace acmap {
 class RigSimulation;
 }
 
-/** \brief The rig and its projector in a simulated building, as a grabber: what a program
- * does with the frames of a camera, it does with these. Section II-A of "Active Stereo
- * Based Compact Mapping".
+/** \brief Simulates the rig and its projector in a building, as a grabber: a program
+ * can use its frames like those of a camera. Section II-A of "Active Stereo Based
+ * Compact Mapping".
  *
- * An observation is taken from each view of the scene: a shot with the projector off
- * (\ref TrinocularFrame::no_pattern), then one under each pattern. Each place of a
- * surface is lit by the room and, where nothing stands between, by the projector; \ref
- * SimulatedLight has all that makes a grey level of it. A view is cast once for all its
- * shots. Stamps are 1/14 s apart, as the paper's camera works.
+ * One observation is taken from each view of the scene: a shot with the projector off
+ * (\ref TrinocularFrame::no_pattern), then one under each pattern. Each surface point
+ * is lit by the ambient light and, unless occluded, by the projector;
+ * \ref SimulatedLight contains all parameters of the grey levels. A view is cast once
+ * for all its shots. Time stamps are 1/14 s apart, as with the paper's camera.
  *
- * Shots come as fast as they are made. Seed, number of observations and of threads count
- * from the first shot on: for a stream that has begun, after \ref rewind. After the last
- * shot, \ref rewind comes first.
+ * Shots are delivered as fast as they are computed. The seed and the numbers of
+ * observations and threads take effect at the first shot; for a stream that has begun,
+ * they take effect after \ref rewind. After the last shot, \ref rewind must be called
+ * first.
  *
- * The same scene, patterns, light and seed give the same bytes, for any number of
- * threads and whichever observation is asked for first. Time O(pixels * shots).
- * Memory: one observation's views, 24 bytes for each pixel of each camera, 16 more where
- * they are raw, a shot, and the patterns.
+ * The same scene, patterns, light and seed give identical bytes, for any number of
+ * threads and any order of observations. Time O(pixels * shots). Memory: the views of
+ * one observation, with 24 bytes per pixel and camera, 16 more for unrectified cameras;
+ * one shot; and the patterns.
  * \code
  * pcl::SimulatedRigGrabber grabber (pcl::standardScene ("corridor"), patterns);
  * std::function<pcl::TrinocularGrabber::FrameCallback> see =
@@ -51,19 +52,20 @@ public:
   using Ptr = shared_ptr<SimulatedRigGrabber>;
   using ConstPtr = shared_ptr<const SimulatedRigGrabber>;
 
-  /** \brief The rectified cameras of the scene's rig.
+  /** \brief Simulates the rectified cameras of the scene's rig.
    * \param[in] scene with at least one view
-   * \param[in] patterns of the projector's size; may be none
-   * \throws BadArgumentException for a scene without views, a rig or light that cannot
-   * be, a pattern of another size */
+   * \param[in] patterns of the projector's size; may be empty
+   * \param[in] light and camera model
+   * \throws BadArgumentException for a scene without views, an invalid rig or light, or
+   * a pattern of another size */
   SimulatedRigGrabber(const SimulatedScene& scene,
                       const std::vector<RgbImage>& patterns,
                       const SimulatedLight& light = {});
 
-  /** \brief The cameras as they are built, with distortion and out of line; what
-   * rectification is for. The scene's views are places of the reference camera.
-   * \throws BadArgumentException as above, and for cameras that cannot be or are not
-   * those of the scene's rig, in number and size */
+  /** \brief Simulates the unrectified cameras, with distortion and misalignment, as
+   * input of rectification. The scene's views are poses of the reference camera.
+   * \throws BadArgumentException as above, and for an invalid calibration or one that
+   * does not match the number and size of the rig's cameras */
   SimulatedRigGrabber(const SimulatedScene& scene,
                       const std::vector<RgbImage>& patterns,
                       const RigCalibration& calibration,
@@ -72,15 +74,16 @@ public:
   /** \brief Stops the stream. */
   ~SimulatedRigGrabber() noexcept override;
 
-  /** \brief Sets what all randomness begins with (default 1). */
+  /** \brief Sets the seed of all random numbers (default 1). */
   void
   setSeed(std::uint64_t seed);
 
   std::uint64_t
   getSeed() const;
 
-  /** \brief Sets how many observations a stream has (default: the views of the scene).
-   * \throws BadArgumentException unless within 1 and the views of the scene */
+  /** \brief Sets the number of observations of a stream (default: the views of the
+   * scene).
+   * \throws BadArgumentException unless within 1 and the number of views */
   void
   setNumberOfObservations(std::size_t observations);
 
@@ -94,7 +97,7 @@ public:
   unsigned
   getNumberOfThreads() const;
 
-  /** \brief Shots of an observation: one a pattern and one without. */
+  /** \brief Number of shots of an observation: one per pattern and one without. */
   std::size_t
   getShotsOfObservation() const;
 
@@ -123,7 +126,8 @@ public:
   std::string
   getName() const override;
 
-  /** \brief 14: what the stamps say. Frames come as fast as they are made. */
+  /** \brief Returns 14, which is the rate of the time stamps. Frames are delivered as
+   * fast as they are computed. */
   float
   getFramesPerSecond() const override;
 
@@ -131,7 +135,8 @@ public:
   TrinocularRig
   getRig() const override;
 
-  /** \brief All shots of an observation, without callbacks; may be called at any time.
+  /** \brief Computes all shots of an observation, without callbacks; may be called at
+   * any time.
    * \throws BadArgumentException when the scene has no such view */
   std::vector<TrinocularFrame::Ptr>
   observe(std::size_t observation) const;

@@ -17,22 +17,22 @@
 
 namespace pcl {
 
-/** \brief What active stereo measures, without its images: how far, how many points and
- * with what noise. \ingroup simulation */
+/** \brief Model of the points that active stereo measures, without simulated images:
+ * reach, number of points and noise. \ingroup simulation */
 struct RangeSensor {
-  double reach = 6.0; ///< metres, largest depth z that is measured
+  double reach = 6.0; ///< metres, maximum depth z that is measured
 
-  /** \brief Pixels of a view that get a point, if so many see something in reach. */
+  /** \brief Number of points of a view, if that many pixels see a surface in reach. */
   std::size_t points = 138653;
 
-  /** \brief The first views of the path keep one point more: so a total comes out. */
+  /** \brief Number of first views with one additional point, to reach a given total. */
   std::size_t views_with_one_more = 0;
 
-  double noise_growth = 0.0025; ///< 1/m: noise is this times z squared, but
-  double least_noise = 0.01;    ///< metres, at least this
-  double most_noise = 0.03;     ///< metres, at most this
+  double noise_growth = 0.0025; ///< 1/m; sigma is noise_growth * z^2 within bounds
+  double least_noise = 0.01;    ///< metres, minimum of sigma
+  double most_noise = 0.03;     ///< metres, maximum of sigma
 
-  /** \brief One standard deviation along the ray, metres, at a depth z in metres. */
+  /** \brief Standard deviation along the ray, metres, at a depth z in metres. */
   ACMAP_EXPORT double
   sigma(double depth) const;
 
@@ -43,7 +43,7 @@ struct RangeSensor {
   }
 };
 
-/** \brief A simulated building, the camera, and the way the camera takes through it.
+/** \brief A simulated building, the camera, and the camera's path through the building.
  * \ingroup simulation */
 struct SimulatedScene {
   std::string name;
@@ -52,10 +52,10 @@ struct SimulatedScene {
   RangeSensor sensor;
   std::vector<Eigen::Isometry3d> views; ///< T_scene_camera, at least one
 
-  /** \brief Where it is set it measures, and \ref sensor does not. */
+  /** \brief If set, this camera measures instead of \ref sensor. */
   std::optional<DepthCamera> depth_camera = std::nullopt;
 
-  /** \brief No view has more points. */
+  /** \brief Upper bound of the number of points of a view. */
   std::size_t
   mostPointsOfView() const
   {
@@ -65,22 +65,22 @@ struct SimulatedScene {
   }
 };
 
-/** \brief Has the views of a scene be seen by a Kinect: its rig becomes \ref kinectRig, and
- * what measures a \ref DepthCamera. \ingroup simulation */
+/** \brief Replaces the camera of a scene by a Kinect: the rig becomes \ref kinectRig,
+ * and a \ref DepthCamera measures. \ingroup simulation */
 ACMAP_EXPORT void
 useKinect(SimulatedScene& scene);
 
-/** \brief The poses of the first views in the map frame, which is the frame of the first
- * camera; a second lies between two views.
+/** \brief The poses of the first views in the map frame, which is the frame of the
+ * first camera. Time stamps are one second apart.
  * \param[in] scene with its views
- * \param[in] views how many of them
- * \throws BadArgumentException when the scene has fewer views, or 0 are wanted
+ * \param[in] views number of views
+ * \throws BadArgumentException when the scene has fewer views, or the number is 0
  * \ingroup simulation */
 ACMAP_EXPORT Trajectory
 trajectoryOf(const SimulatedScene& scene, std::size_t views);
 
-/** \brief The true planes in the map frame; a plane keeps its index. \ingroup simulation
- */
+/** \brief The true planes in the map frame; each plane keeps its index.
+ * \throws BadArgumentException for a scene without views \ingroup simulation */
 ACMAP_EXPORT std::vector<TruthPlane>
 planesInMap(const SimulatedScene& scene);
 

@@ -8,15 +8,15 @@
 
 namespace pcl {
 
-/** \brief Names of the scenes that acmap measures itself with: `corridor`,
+/** \brief Names of the scenes on which acmap is evaluated: `corridor`,
  * `corridor_drive`, `corridor_survey`, `l_corridor`, `l_corridor_drive`, `loop`,
  * `office`. \ingroup simulation */
 ACMAP_EXPORT const std::vector<std::string>&
 standardSceneNames();
 
-/** \brief A standard scene, as its file in share/scenes says; the text is part of the
- * library, no file is read.
- * \throws BadArgumentException for another name, telling those there are
+/** \brief Returns a standard scene of share/scenes. Its text is part of the library; no
+ * file is read.
+ * \throws BadArgumentException for any other name, listing the valid names
  * \ingroup simulation */
 ACMAP_EXPORT SimulatedScene
 standardScene(const std::string& name);
