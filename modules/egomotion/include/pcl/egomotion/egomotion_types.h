@@ -17,7 +17,7 @@ enum class EgomotionOutcome {
   BlankView,    ///< a view contains nothing to recognise, or has no points
   FewFeatures,  ///< too few keypoints in a view
   FewMatches,   ///< too few keypoints have a similar appearance
-  Inconsistent, ///< the motion contradicts the matches, the surfaces or the bounds
+  Inconsistent, ///< too few matches agree, or surfaces or bounds contradict the motion
   Unobservable  ///< a translation or rotation is not determined by the inliers
 };
 
