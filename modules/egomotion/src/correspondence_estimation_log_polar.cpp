@@ -1,7 +1,7 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/egomotion/impl/correspondence_estimation_log_polar.hpp>
 
-// PCL has no search trees compiled for our point type, and the base calls them
+// PCL provides no search trees for this point type, but the base class calls them.
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/search.hpp>

@@ -1,7 +1,7 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
 
-// for Keypoint of our point type, see the header
+// Required for Keypoint of PointXYZRGBSigma, see the header.
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>

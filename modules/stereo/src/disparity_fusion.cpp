@@ -23,7 +23,7 @@ struct DisparityFusion::State {
   unsigned threads = 0;
   ProgressCallback progress;
   DisparityFusionReport report;
-  std::optional<Observation> observation; // there is one with the rig
+  std::optional<Observation> observation; // exists as soon as the rig is set
 
   Observation&
   requireObservation()
@@ -40,11 +40,11 @@ struct DisparityFusion::State {
       observation.emplace(*rig);
   }
 
-  /** \brief Least standard deviation of the grey levels of a pixel that is told apart. */
+  /** \brief Minimum standard deviation of the grey levels of a covered pixel. */
   double
   leastDeviation() const
   {
-    constexpr double default_deviation = 2.0; // as of matching
+    constexpr double default_deviation = 2.0; // as in the matching
     return std::max(default_deviation, matching.getPeakFilter().value_or(0.0));
   }
 
@@ -214,7 +214,7 @@ DisparityFusion::shots() const
 bool
 DisparityFusion::wantsAnotherShot() const
 {
-  constexpr std::size_t least_known = 3; // two may differ little by chance
+  constexpr std::size_t least_known = 3; // two shots may differ little by chance
   if (shots() == 0)
     return true;
   if (shots() == acmap::most_shots)

@@ -33,7 +33,8 @@ isSeen(const std::vector<BoardView>& views, std::size_t shot)
   return false;
 }
 
-/** \brief Images of a neighbour say nothing where the reference has none. */
+/** \brief Excludes the images of a neighbour if the reference has no good image of the
+ * same board. */
 void
 requireReference(const std::vector<BoardView>& reference,
                  std::vector<BoardView>& views,
@@ -49,7 +50,7 @@ requireReference(const std::vector<BoardView>& reference,
   views = std::move(kept);
 }
 
-/** \brief RMS over all corners that a neighbour shares with the reference, px.
+/** \brief RMS difference over all corners that a neighbour and the reference share, px.
  * \param[in] coordinate 0: columns, 1: rows */
 double
 residualOf(const TrinocularRectification& rectification,
@@ -76,7 +77,7 @@ residualOf(const TrinocularRectification& rectification,
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
 }
 
-/** \brief Share of the cells of the image that have a corner. */
+/** \brief Share of the cells of the image that contain a corner. */
 double
 coverageOf(const std::vector<BoardView>& views, const cv::Size& size)
 {
@@ -151,7 +152,7 @@ RigCalibrator::addShot(const TrinocularFrame& frame,
   ++shots_;
 }
 
-/** \brief What a calibration works on. */
+/** \brief Intermediate data of a calibration. */
 struct RigCalibrator::Fit {
   Views views;
   std::array<bool, 3> is_there{};
@@ -160,7 +161,8 @@ struct RigCalibrator::Fit {
   acmap::LeaveOut leave_out;
 };
 
-/** \brief Starts from the boards that were found, whatever a fit before left out. */
+/** \brief Starts from all boards that were found, including those that a previous fit
+ * excluded. */
 RigCalibrator::Fit
 RigCalibrator::beginFit()
 {

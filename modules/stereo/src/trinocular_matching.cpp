@@ -19,7 +19,8 @@ namespace {
 
 using Shots = std::vector<const TrinocularFrame*>;
 
-/** The shots under a pattern; where there is none the first: others tell the same again. */
+/** Returns the shots under a pattern; if there are none, the first shot, because
+ * further shots add no information. */
 Shots
 shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
              const TrinocularRig& rig)
@@ -53,8 +54,9 @@ imagesOf(const Shots& shots, RigCamera neighbour, double baseline)
   return images;
 }
 
-/** The same depths in a pair of another baseline; not those that lead out of its image of
- * \a side px, but for one. */
+/** Returns the range of the same depths for a pair with another baseline. It is limited
+ * to disparities within the image, which has \a side px along the baseline, but
+ * contains at least one. */
 acmap::DisparityRange
 scaledRange(const acmap::DisparityRange& range, double ratio, int side)
 {
@@ -66,12 +68,12 @@ scaledRange(const acmap::DisparityRange& range, double ratio, int side)
 
 } // namespace
 
-/** Pairs of the rig, the horizontal one first. */
+/** The pairs of the rig, the horizontal one first. */
 struct TrinocularMatching::Memory {
   struct Pair {
     RigCamera neighbour;
     double baseline; ///< metres, signed
-    int side;        ///< px of the image, along the baseline
+    int side;        ///< size of the image along the baseline, px
     acmap::PairMatcher matcher;
     acmap::PairMatch match;
   };
@@ -183,7 +185,7 @@ TrinocularMatching::setPairAgreement(double difference)
 void
 TrinocularMatching::match(const TrinocularFrame& shot, MatchedDisparity& matched)
 {
-  // The shot outlives the call, so that nobody has to own it.
+  // The shot outlives the call, so that a non-owning pointer is sufficient.
   match({TrinocularFrame::ConstPtr(TrinocularFrame::ConstPtr(), &shot)}, matched);
 }
 

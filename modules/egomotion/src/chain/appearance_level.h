@@ -8,17 +8,17 @@
 
 namespace pcl::acmap {
 
-/** \brief A view at a part of its size: brightness, how it changes, and a point where a
+/** \brief A view at reduced size: brightness, its gradient, and a point if a single
  * surface fills the pixel. */
 struct AppearanceLevel {
   int width = 0, height = 0; ///< pixels of this level
-  double scale = 1;          ///< pixels of the view across one of these
-  float noise = 1;           ///< grey levels, standard deviation of a value
+  double scale = 1;          ///< size of a pixel of this level in pixels of the view
+  float noise = 1;           ///< standard deviation of a value, grey levels
   std::vector<float> values; ///< grey levels
-  std::vector<Eigen::Vector2f> gradients; ///< grey levels a pixel of this level
-  std::vector<Eigen::Vector3f> points;    ///< metres; NaN where there is none
+  std::vector<Eigen::Vector2f> gradients; ///< grey levels per pixel of this level
+  std::vector<Eigen::Vector3f> points;    ///< metres; NaN if there is none
 
-  /** \brief Where a pixel of the view lies in this level. */
+  /** \brief Position of a pixel of the view in this level. */
   Eigen::Vector2d
   fromView(const Eigen::Vector2d& pixel) const
   {

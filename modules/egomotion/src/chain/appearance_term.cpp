@@ -9,13 +9,13 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief What the target shows at a place between its pixels. */
+/** \brief Interpolated value and gradient of the target. */
 struct Sample {
   float value = 0;
   Eigen::Vector2f gradient;
 };
 
-/** \brief Bilinear; none next to the border. */
+/** \brief Bilinear interpolation; returns none next to the border. */
 std::optional<Sample>
 sampleAt(const AppearanceLevel& level, const Eigen::Vector2d& pixel)
 {
@@ -40,18 +40,18 @@ sampleAt(const AppearanceLevel& level, const Eigen::Vector2d& pixel)
   return sample;
 }
 
-/** \brief Does the target see another surface there? */
+/** \brief Returns true if the target sees another surface at this pixel. */
 bool
 isOtherSurface(const AppearanceLevel& target,
                const Eigen::Vector2d& pixel,
                double depth)
 {
-  constexpr double most = 0.05; // of the depth
+  constexpr double most = 0.05; // relative to the depth
   const std::size_t at = static_cast<std::size_t>(std::lround(pixel.y())) *
                              static_cast<std::size_t>(target.width) +
                          static_cast<std::size_t>(std::lround(pixel.x()));
   const double seen = target.points[at].z();
-  return std::abs(seen - depth) > most * depth; // NaN: not known to be
+  return std::abs(seen - depth) > most * depth; // false for NaN
 }
 
 /** \brief Calls use (pixel of the source, point in the target's frame, sample). */
@@ -65,7 +65,7 @@ forPixels(const AppearanceLevel& source,
           std::size_t end,
           const Use& use)
 {
-  constexpr float least_gradient = 1; // times the noise
+  constexpr float least_gradient = 1; // relative to the noise
   for (std::size_t i = begin; i < end; ++i) {
     if (!source.points[i].allFinite() ||
         source.gradients[i].norm() < least_gradient * source.noise)
@@ -80,8 +80,8 @@ forPixels(const AppearanceLevel& source,
   }
 }
 
-/** \brief Row of a brightness: its change with the pixel times the pixel's with the
- * point. */
+/** \brief Row of a brightness residual: the gradient of the image times the derivative
+ * of the pixel with respect to the point. */
 Vector6
 brightnessRow(const Eigen::Vector2d& gradient,
               const Eigen::Vector2d& focal_length,
@@ -125,7 +125,7 @@ appearanceTerm(const AppearanceLevel& source,
                const Eigen::Isometry3d& T_target_source,
                const LightChange& light)
 {
-  constexpr double misplacement = 0.2; // pixels, of what is compared
+  constexpr double misplacement = 0.2; // position error of compared pixels, pixels
   const Eigen::Vector2d focal_length = target_pinhole.focal_length / target.scale;
   const double noise = source.noise * source.noise +
                        light.gain * light.gain * target.noise * target.noise;

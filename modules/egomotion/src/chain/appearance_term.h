@@ -8,22 +8,23 @@
 
 namespace pcl::acmap {
 
-/** \brief The target's brightness as the source's light would show it: gain * value +
+/** \brief Converts brightness of the target to the light of the source: gain * value +
  * offset. */
 struct LightChange {
   double gain = 1;
   double offset = 0; ///< grey levels
 };
 
-/** \brief The change of light that gives what both see the same mean and contrast. */
+/** \brief The change of light for which the common parts of both views have the same
+ * mean and contrast. */
 LightChange
 lightChange(const AppearanceLevel& source,
             const AppearanceLevel& target,
             const Pinhole& target_pinhole,
             const Eigen::Isometry3d& T_target_source);
 
-/** \brief Differences in brightness between the source's pixels and where the target's
- * camera shows their points. */
+/** \brief Differences in brightness between the pixels of the source and the
+ * projections of their points into the target. */
 Evidence
 appearanceTerm(const AppearanceLevel& source,
                const AppearanceLevel& target,

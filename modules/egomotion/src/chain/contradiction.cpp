@@ -7,19 +7,20 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Between depths on a ray that may be of one surface, as a share of the depth.
- * \param[in] distance metres, of the plane from the camera */
+/** \brief Maximum difference between depths on a ray for points of the same surface, as
+ * a share of the depth.
+ * \param[in] distance distance of the plane from the camera, metres */
 double
 mostDifference(const SurfaceBlock& one, const SurfaceBlock& other, double distance)
 {
-  constexpr double least = 0.02;        // of the depth
-  constexpr double most_deviations = 2; // of the noise
+  constexpr double least = 0.02;        // relative to the depth
+  constexpr double most_deviations = 2; // standard deviations of the noise
   return std::max(least,
                   most_deviations * std::sqrt(one.variance + other.variance) /
                       std::abs(distance));
 }
 
-/** \brief Of what one view saw, as the other denies it. */
+/** \brief Share of the blocks of one view that contradict the other view. */
 double
 shareOf(const EgomotionView& one,
         const EgomotionView& other,

@@ -6,9 +6,10 @@
 
 namespace pcl::acmap {
 
-/** \brief How much of what one view saw the other denies, as a share of what it can
- * tell about: pieces of surface that would stand well before what the other saw there.
- * The larger of both shares; a right motion has next to none. */
+/** \brief Share of the surface blocks of one view that contradict the other, among
+ * those that can be compared: blocks that would be clearly in front of what the other
+ * view saw there. Returns the larger of both shares; for a correct motion it is almost
+ * 0. */
 double
 contradictedShare(const EgomotionView& source,
                   const EgomotionView& target,

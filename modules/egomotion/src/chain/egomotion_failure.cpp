@@ -15,7 +15,7 @@ constexpr double most_deviation = 0.1;    // metres
 constexpr double most_turning = 0.02;     // radians
 constexpr double most_contradicted = 0.2; // share
 
-/** \brief In the direction in which it is largest. */
+/** \brief Standard deviation in the direction in which it is largest. */
 double
 largestDeviation(const Eigen::Matrix3d& covariance)
 {

@@ -9,28 +9,30 @@
 
 namespace pcl::acmap {
 
-/** \brief Why there is no motion. */
+/** \brief Reason why there is no motion. */
 struct EgomotionFailure {
   EgomotionOutcome outcome;
   std::string reason;
 };
 
-/** \brief Fewer matches, or keypoints, tell nothing. */
+/** \brief Minimum number of matches or keypoints. */
 constexpr std::size_t least_features = 6;
 
-/** \brief Is that enough for a motion to stand on? Among many look-alikes a few agree
- * by chance: less than ten must be half of all. */
+/** \brief Returns true if there are enough inliers for a motion. Among many similar
+ * keypoints a few agree by chance: fewer than ten must be at least half of the matches.
+ */
 bool
 isAgreement(std::size_t inliers, std::size_t matches);
 
-/** \brief Whether a view shows enough.
- * \param[in] name what to call it */
+/** \brief Returns the failure if a view does not contain enough, otherwise nothing.
+ * \param[in] name of the view, for the reason */
 std::optional<EgomotionFailure>
 failureOfView(const EgomotionView& view, const std::string& name);
 
-/** \brief Whether a motion is one to believe: within reach, told in all directions, and
- * not denied by the surfaces.
- * \param[in] contradicted share of the surfaces */
+/** \brief Returns the failure if a motion is not reliable, otherwise nothing: it must
+ * be within the bounds, determined in all directions, and not contradicted by the
+ * surfaces.
+ * \param[in] contradicted share of the surface blocks */
 std::optional<EgomotionFailure>
 failureOfMotion(const EgomotionEstimate& estimate,
                 double contradicted,

@@ -22,8 +22,8 @@ isSigma(float sigma)
   return sigma > 0 && std::isfinite(sigma);
 }
 
-/** \brief Estimates what the cloud does not know of its own noise.
- * \return of how many points that was, though it knows of others */
+/** \brief Estimates the sigmas that the cloud does not have.
+ * \return the number of estimated points, if the cloud has sigmas for others, else 0 */
 std::size_t
 completeSigmas(CameraView& view)
 {

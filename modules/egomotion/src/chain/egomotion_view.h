@@ -13,10 +13,10 @@
 namespace pcl::acmap {
 
 struct EgomotionView {
-  std::size_t points = 0;         ///< with a place
-  std::size_t unknown_sigmas = 0; ///< of these, in a view that knows others
+  std::size_t points = 0;         ///< number of valid points
+  std::size_t unknown_sigmas = 0; ///< points without sigma in a view that has others
   std::optional<Pinhole> pinhole;
-  std::vector<FeatureLevel> features; ///< fine to coarse
+  std::vector<FeatureLevel> features; ///< from fine to coarse
   SurfaceBlocks surfaces;
   std::vector<AppearanceLevel> appearance; ///< empty without refinement
 

@@ -36,7 +36,8 @@ noAgreement(std::size_t agreeing, std::size_t matches)
               " matches agree on a motion: so few may agree by chance"};
 }
 
-/** \brief II-B.1, stage after stage. Each returns why it could not go on. */
+/** \brief The steps of II-B.1. Each returns a failure if the next one is not possible.
+ */
 class Chain {
 public:
   Chain(const EgomotionView& source,

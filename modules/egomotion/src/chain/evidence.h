@@ -8,27 +8,28 @@
 
 namespace pcl::acmap {
 
-/** \brief Of Cauchy's cost, squared, in standard deviations: what is far beyond three
- * counts little. */
+/** \brief Squared width of Cauchy's cost, in standard deviations: residuals far beyond
+ * three have little weight. */
 constexpr double cauchy_width = 9;
 
-/** \brief Cauchy's weight of a squared residual in standard deviations. */
+/** \brief Weight of a squared residual (in standard deviations) in Cauchy's cost. */
 inline double
 robustWeight(double squared)
 {
   return 1 / (1 + squared / cauchy_width);
 }
 
-/** \brief What one kind of observation tells about a motion, and how well it fits. */
+/** \brief Normal equations of one kind of residuals, and how well they fit. */
 struct Evidence {
   NormalEquations equations;
   double cost = 0;       ///< sum of Cauchy's costs
   double squares = 0;    ///< weighted sum of squared residuals, in standard deviations
-  double weights = 0;    ///< of these
-  std::size_t count = 0; ///< residuals
+  double weights = 0;    ///< sum of the weights of \ref squares
+  std::size_t count = 0; ///< number of residuals
 
-  /** \brief Adds a residual's fit.
-   * \param[in] numbers that it consists of */
+  /** \brief Adds the cost of a residual.
+   * \param[in] squared squared residual, in standard deviations
+   * \param[in] numbers dimension of the residual */
   void
   tell(double squared, int numbers = 1)
   {
@@ -55,8 +56,7 @@ struct Evidence {
     return count > 0 ? cost / static_cast<double>(count) : 0;
   }
 
-  /** \brief By how much residuals exceed what was expected of them, squared; at least
-   * 1. */
+  /** \brief Ratio of the mean squared residual to its expectation; at least 1. */
   double
   excess() const
   {

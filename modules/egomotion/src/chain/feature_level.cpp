@@ -4,7 +4,8 @@ namespace pcl::acmap {
 
 namespace {
 
-// Times the noise of a value, of which smoothing leaves a fifth in patch and gradient.
+// Relative to the noise of a value, of which a fifth remains in patches and gradients
+// after smoothing.
 constexpr float least_gradient = 1, least_contrast = 1;
 
 } // namespace

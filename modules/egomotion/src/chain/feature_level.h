@@ -9,8 +9,8 @@ namespace pcl::acmap {
 
 /** \brief Features of a view at one level. */
 struct FeatureLevel {
-  int scale = 1;                       ///< pixels of the view across one of the level
-  std::vector<std::int32_t> pixels;    ///< of the view, where the keypoints lie
+  int scale = 1;                       ///< size of a pixel in pixels of the view
+  std::vector<std::int32_t> pixels;    ///< pixels of the keypoints in the view
   std::vector<Eigen::Vector3f> places; ///< metres
   std::vector<float> sigmas;           ///< metres along the ray
   LogPolarPatches patches;

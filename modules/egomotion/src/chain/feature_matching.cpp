@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Of every translation and turn within reach: a point moves by no more. */
+/** \brief Gate for all motions within the bounds: no point can move farther. */
 MatchGate
 gateOf(const EgomotionSettings& settings)
 {

@@ -6,13 +6,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Keypoints of two views that look alike, at all levels. */
+/** \brief Pairs of keypoints of two views with a similar appearance, at all levels. */
 std::vector<FeaturePair>
 alikePairs(const EgomotionView& source,
            const EgomotionView& target,
            const EgomotionSettings& settings);
 
-/** \brief Of these, the ones that agree on a rigid motion (Eq. 1). */
+/** \brief Selects the pairs that agree on a rigid motion (Eq. 1). */
 std::vector<FeaturePair>
 consistentPairs(const std::vector<FeaturePair>& pairs,
                 const WorstOutSettings& settings);

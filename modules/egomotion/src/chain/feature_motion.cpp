@@ -8,10 +8,11 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Of an inlier: three standard deviations, of three numbers. */
+/** \brief Bound of an inlier: three standard deviations, for three degrees of freedom.
+ */
 constexpr double most_squared = 14.2;
 
-/** \brief What a pair counts. */
+/** \brief Weight of a pair. */
 double
 precisionOf(const FeaturePair& pair)
 {
@@ -33,7 +34,7 @@ leastSquaresMotion(const std::vector<FeaturePair>& pairs,
   return fitMotion(source, target, weights, model, solver).T_target_source;
 }
 
-/** \brief Of the least sum of distances: what the many agree on. */
+/** \brief The motion with the minimum sum of distances, on which most pairs agree. */
 Eigen::Isometry3d
 medianMotion(const std::vector<FeaturePair>& pairs,
              MotionModel model,
@@ -69,8 +70,8 @@ robustMotion(const std::vector<FeaturePair>& pairs,
   return T_target_source;
 }
 
-/** \brief Sum of squared distances, those of outliers cut off: it does not matter how
- * far they are out. */
+/** \brief Sum of squared distances, each limited to the bound of an inlier, so that it
+ * does not depend on how far away outliers are. */
 double
 misfit(const std::vector<FeaturePair>& pairs, const Eigen::Isometry3d& T_target_source)
 {
@@ -80,8 +81,9 @@ misfit(const std::vector<FeaturePair>& pairs, const Eigen::Isometry3d& T_target_
   return sum;
 }
 
-/** \brief From two starts: by their precision, near pairs count most, which may be
- * those of somebody who walked by; by the median, the many decide. */
+/** \brief Returns the better result of two initial motions. With weights by precision,
+ * near pairs dominate, which may belong to a person who walks by; with the minimum sum
+ * of distances, the majority decides. */
 Eigen::Isometry3d
 bestMotion(const std::vector<FeaturePair>& pairs,
            MotionModel model,

@@ -10,11 +10,12 @@ namespace pcl::acmap {
 /** \brief The motion of matched features. */
 struct FeatureMotion {
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
-  std::vector<std::size_t> inliers; ///< positions among the pairs
+  std::vector<std::size_t> inliers; ///< indices of the pairs
 };
 
-/** \brief Eq. 2 by conjugate gradient, each pair weighted by 1 / sigma^2, then, with
- * full covariances, by robust least squares. */
+/** \brief Eq. 2 by conjugate gradient, with weights of 1 / sigma^2, then robust least
+ * squares with full covariances. The second step is repeated from the motion with the
+ * minimum sum of distances, and the better result is returned. */
 FeatureMotion
 featureMotion(const std::vector<FeaturePair>& pairs,
               MotionModel model,

@@ -11,7 +11,7 @@ namespace {
 Eigen::Matrix3d
 placeCovariance(const EgomotionView& view, std::size_t level, std::int32_t keypoint)
 {
-  constexpr double across_pixels = 0.5; // of a maximum on whole pixels
+  constexpr double across_pixels = 0.5; // error of a maximum located on whole pixels
   constexpr double usual_focal_length = 500;
   const FeatureLevel& features = view.features[level];
   const Eigen::Vector3d place =

@@ -10,7 +10,7 @@ namespace {
 
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/** \brief Below this information, of a metre or a radian, nothing is told. */
+/** \brief Minimum information on a metre or a radian; less counts as undetermined. */
 constexpr double least_information = 1e-6;
 
 struct Spectrum {

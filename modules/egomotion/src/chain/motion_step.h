@@ -8,21 +8,20 @@
 
 namespace pcl::acmap {
 
-/** \brief The small motions that a model allows, one a column. */
+/** \brief The small motions that a model allows, one per column. */
 Eigen::Matrix<double, 6, Eigen::Dynamic>
 motionBasis(MotionModel model);
 
-/** \brief The small motion that the equations ask for; directions of which they tell
- * nothing stay 0. */
+/** \brief Solves the equations for the small motion; undetermined directions are 0. */
 Vector6
 solvedStep(const NormalEquations& equations, MotionModel model);
 
-/** \brief Covariance of the small motion, 0 outside of the model; infinite where the
- * equations leave something open. */
+/** \brief Covariance of the small motion, 0 outside of the model. If any direction of
+ * the model is undetermined, the whole diagonal within the model is infinite. */
 Matrix6
 covarianceOf(const NormalEquations& equations, MotionModel model);
 
-/** \brief A pose after a small motion in the frame it leads to. */
+/** \brief Applies a small motion, in the frame to which the pose maps, to a pose. */
 Eigen::Isometry3d
 afterStep(const Vector6& step, const Eigen::Isometry3d& pose);
 

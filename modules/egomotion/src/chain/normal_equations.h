@@ -7,8 +7,8 @@ namespace pcl::acmap {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/** \brief What residuals r + J x of weight w tell about a small motion x = (tx, ty, tz,
- * rx, ry, rz) in the target's frame, summed. */
+/** \brief Normal equations of residuals r + J x of weight w, summed, for a small motion
+ * x = (tx, ty, tz, rx, ry, rz) in the target's frame. */
 struct NormalEquations {
   Matrix6 matrix = Matrix6::Zero();   ///< sum w J^T J, upper triangle
   Vector6 gradient = Vector6::Zero(); ///< sum w J^T r
@@ -29,8 +29,8 @@ struct NormalEquations {
   }
 };
 
-/** \brief Row of the residual along \a direction of a point that moves with the frame.
- */
+/** \brief Row of J for the residual along \a direction of a point that moves with the
+ * frame. */
 inline Vector6
 motionRow(const Eigen::Vector3d& point, const Eigen::Vector3d& direction)
 {

@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Straight line through pairs (slope of a ray, pixel). */
+/** \brief Straight line fitted to pairs (slope of a ray, pixel). */
 class RayLine {
 public:
   void
@@ -39,7 +39,7 @@ public:
     return (p_ - focalLength() * s_) / n_;
   }
 
-  /** \brief Mean squared pixels off the line. */
+  /** \brief Mean squared distance from the line, squared pixels. */
   double
   residual() const
   {

@@ -8,12 +8,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Where a camera shows a point. */
+/** \brief Projection of points into a camera. */
 struct Pinhole {
   Eigen::Vector2d focal_length = Eigen::Vector2d::Zero(); ///< pixels
   Eigen::Vector2d center = Eigen::Vector2d::Zero();       ///< pixels
 
-  /** \param[in] point before the camera, z > 0 \return column, row */
+  /** \param[in] point in front of the camera, z > 0 \return column, row */
   Eigen::Vector2d
   project(const Eigen::Vector3d& point) const
   {
@@ -21,8 +21,8 @@ struct Pinhole {
   }
 };
 
-/** \brief The camera that an organized cloud came from, as its points tell; none where
- * they do not lie on the rays of one. */
+/** \brief Fits the camera of an organized cloud to its points; returns none if they are
+ * not on the rays of one pinhole camera. */
 std::optional<Pinhole>
 fitPinhole(const CameraView& view);
 

@@ -10,14 +10,15 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief All that is known about a motion, by kind. */
+/** \brief All information on a motion, by kind. */
 struct AllEvidence {
   Evidence features, appearance;
   SurfaceTerm surfaces;
 
-  /** \brief How much of each kind's information counts. Neighbouring pixels err alike;
-   * features and brightness that fit worse than expected are trusted less. Surfaces are
-   * not: where their noise had to be estimated, it is that of the flattest ones. */
+  /** \brief Weights of the kinds. Errors of adjacent pixels are correlated; features
+   * and brightness that fit worse than expected get a lower weight. This does not apply
+   * to surfaces: if their noise had to be estimated, it is that of the flattest ones.
+   */
   struct Trust {
     double features, surfaces, appearance;
   };
@@ -30,7 +31,7 @@ struct AllEvidence {
         1 / features.excess(), surface_share, appearance_share / appearance.excess()};
   }
 
-  /** \param[in] dense how much surfaces and brightness count, against that */
+  /** \param[in] dense additional weight of surfaces and brightness */
   NormalEquations
   equations(double dense = 1) const
   {
@@ -43,7 +44,7 @@ struct AllEvidence {
   }
 };
 
-/** \brief Two views, and what is held against each other. */
+/** \brief Two views and the data that are compared. */
 struct ViewPair {
   const EgomotionView& source;
   const EgomotionView& target;
@@ -88,11 +89,11 @@ struct ViewPair {
 };
 
 constexpr std::size_t passes = 3;   // at an eighth, a quarter, a half of the size
-constexpr double fine_reach = 0.05; // metres, of the last
+constexpr double fine_reach = 0.05; // reach of the last pass, metres
 
-/** \brief Of what surfaces and brightness tell: their errors are alike over half an
- * image, so that a covariance from all of it were too small (measured on simulated
- * corridors). */
+/** \brief Independent share of the information from surfaces and brightness: their
+ * errors are correlated over half an image, so that a covariance from all of it would
+ * be too small (measured on simulated corridors). */
 constexpr double independent_share = 0.1;
 
 Eigen::Isometry3d
@@ -114,7 +115,8 @@ descended(const ViewPair& pair,
   return T_target_source;
 }
 
-/** \brief Do surfaces come no farther apart, without losing sight of each other? */
+/** \brief Returns true if the surfaces are not farther apart than before, and at least
+ * half of the pairs remain. */
 bool
 isNearer(const SurfaceTerm& after, const SurfaceTerm& before)
 {
@@ -122,7 +124,7 @@ isNearer(const SurfaceTerm& after, const SurfaceTerm& before)
          (before.evidence.count == 0 || after.distance() <= before.distance());
 }
 
-/** \brief Compares mean costs, each kind weighed as it is after. */
+/** \brief Compares mean costs, with the weights of the kinds after the refinement. */
 bool
 fitsBetter(const AllEvidence& after, const AllEvidence& before)
 {
@@ -159,7 +161,7 @@ refinedMotion(const EgomotionView& source,
     candidate = descended(
         pair, candidate, level, fine_reach * static_cast<double>(1U << level));
 
-  // Within the widest reach: what a bad start leaves beyond a narrow one must count.
+  // Uses the widest reach, so that pairs beyond a narrow one after a bad start count.
   constexpr double reach = fine_reach * (1U << (passes - 1));
   const LightChange light = pair.light(candidate, 0);
   const AllEvidence before = pair.evidence(T_target_source, 0, reach, light);

@@ -7,7 +7,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A motion with all that was laid upon each other under it. */
+/** \brief A motion with its normal equations and the distances between the surfaces. */
 struct RefinedMotion {
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
   NormalEquations equations;
@@ -16,10 +16,10 @@ struct RefinedMotion {
   double surface_before = 0, surface_after = 0; ///< metres
 };
 
-/** \brief Lays surfaces and brightness of two views upon each other, together with the
- * features, coarse to fine; takes the result where the surfaces are nearer then, and
- * all together fits better.
- * \param[in] refines false: only tell what the features are worth */
+/** \brief Aligns surfaces and brightness of two views, together with the features, from
+ * coarse to fine. The result is accepted if the surfaces are not farther apart and the
+ * total fits better.
+ * \param[in] refines if false, only the equations of the features are computed */
 RefinedMotion
 refinedMotion(const EgomotionView& source,
               const EgomotionView& target,

@@ -12,8 +12,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Sums over points. Float would do no harm near the camera; far from it, it
- * does. */
+/** \brief Sums over points. Single precision would not be sufficient far from the
+ * camera. */
 struct Sums {
   double count = 0, variance = 0; ///< variance: m^2, along the rays
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -38,12 +38,12 @@ struct Sums {
   }
 };
 
-/** \brief Plane through summed points. */
+/** \brief Plane fitted to summed points. */
 struct Plane {
   Eigen::Vector3d center, normal;
-  double roughness = 0; ///< metres, rms off it
+  double roughness = 0; ///< RMS distance of the points, metres
   double slope = 0;     ///< |cosine| between the ray and the normal
-  double flatness = 0;  ///< second over smallest variance
+  double flatness = 0;  ///< ratio of the second to the smallest variance
 };
 
 Plane
@@ -98,7 +98,7 @@ struct BlockSums {
     });
   }
 
-  /** \brief Of the block and its neighbours. */
+  /** \brief Sums of the block and its neighbours. */
   Sums
   window(int column, int row) const
   {
@@ -112,7 +112,7 @@ struct BlockSums {
 
 constexpr double block_pixels = SurfaceBlocks::size * SurfaceBlocks::size;
 
-/** \brief Enough points all around, so that a plane does not hang on one side. */
+/** \brief Returns true if there are enough points on all sides of a plane. */
 bool
 isFull(const Sums& block, const Sums& window)
 {
@@ -122,7 +122,7 @@ isFull(const Sums& block, const Sums& window)
 SurfaceBlock
 surfaceBlock(const Sums& block, const Sums& window)
 {
-  constexpr double most_roughness = 2; // times what noise alone makes
+  constexpr double most_roughness = 2; // relative to that of noise alone
   SurfaceBlock surface;
   surface.normal.setZero();
   if (block.count == 0)
@@ -163,7 +163,7 @@ surfaceBlocks(const CameraView& view)
 std::vector<float>
 estimatedSigmas(const CameraView& view)
 {
-  constexpr double usual = 0.0025; // 1/m, where no plane tells
+  constexpr double usual = 0.0025; // 1/m, if there are not enough planes
   const BlockSums sums(view);
   std::vector<double> growths;
   for (int row = 0; row < sums.height; ++row)

@@ -8,14 +8,15 @@
 
 namespace pcl::acmap {
 
-/** \brief A piece of surface: the points of a block of pixels, and the plane through
- * those of the blocks around it. */
+/** \brief A surface block: the points of a block of pixels, and the plane through those
+ * of the surrounding blocks. */
 struct SurfaceBlock {
-  Eigen::Vector3d point;  ///< metres, mean of the block's points
-  Eigen::Vector3d center; ///< metres, on the plane
-  Eigen::Vector3d normal; ///< unit, towards the camera; zero where there is no plane
-  /** m^2, of either along the normal: neighbours err alike (they were matched by
-   * overlapping windows), so the mean of a block is hardly better than its points. */
+  Eigen::Vector3d point;  ///< mean of the block's points, metres
+  Eigen::Vector3d center; ///< point on the plane, metres
+  Eigen::Vector3d normal; ///< unit, towards the camera; zero if there is no plane
+  /** Variance of both along the normal, m^2. Errors of neighbours are correlated (they
+   * were matched by overlapping windows), so the mean of a block is hardly better than
+   * its points. */
   double variance = 0;
 
   bool
@@ -25,14 +26,14 @@ struct SurfaceBlock {
   }
 };
 
-/** \brief A cloud brought to its noise scale in the image: one piece of surface a
- * block. */
+/** \brief A cloud at its noise scale in the image: one surface block per block of
+ * pixels. */
 struct SurfaceBlocks {
   static constexpr int size = 8; ///< pixels
   int width = 0, height = 0;     ///< blocks
   std::vector<SurfaceBlock> blocks;
 
-  /** \brief The block that shows a pixel, nullptr outside of the image. */
+  /** \brief The block that contains a pixel; nullptr outside of the image. */
   const SurfaceBlock*
   at(const Eigen::Vector2d& pixel) const
   {
@@ -45,12 +46,12 @@ struct SurfaceBlocks {
   }
 };
 
-/** \param[in] view with sigmas */
+/** \param[in] view must have sigmas */
 SurfaceBlocks
 surfaceBlocks(const CameraView& view);
 
-/** \brief Standard deviations along the rays as the surfaces themselves show: grown
- * with the square of the depth, so that planes look as rough as they are. */
+/** \brief Standard deviations along the rays, estimated from the roughness of the
+ * planes in the view; they grow with the square of the depth. */
 std::vector<float>
 estimatedSigmas(const CameraView& view);
 

@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_cosine = 0.9; // between normals of one surface
+constexpr double least_cosine = 0.9; // between normals of the same surface
 
 void
 addPair(const SurfaceBlock& source,

@@ -7,13 +7,13 @@
 
 namespace pcl::acmap {
 
-/** \brief What laying surfaces upon each other tells. */
+/** \brief Residuals between aligned surfaces. */
 struct SurfaceTerm {
   Evidence evidence;
   double squares = 0; ///< m^2, weighted sum of squared distances
-  double weights = 0; ///< of these
+  double weights = 0; ///< sum of the weights
 
-  /** \brief Metres, between point and plane. */
+  /** \brief RMS distance between point and plane, metres. */
   double
   distance() const
   {
@@ -21,9 +21,9 @@ struct SurfaceTerm {
   }
 };
 
-/** \brief Distances from the source's points to the target's planes, each looked up
- * where the target's camera shows the point.
- * \param[in] reach metres; farther pairs are not of one surface */
+/** \brief Distances from the points of the source to the planes of the target at their
+ * projections into the target's camera.
+ * \param[in] reach metres; pairs that are farther apart are not of the same surface */
 SurfaceTerm
 surfaceTerm(const SurfaceBlocks& source,
             const SurfaceBlocks& target,

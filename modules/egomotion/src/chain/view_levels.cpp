@@ -10,7 +10,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Half the size, each value from 4 x 4 weighted 1 3 3 1. */
+/** \brief The image at half its size; each value is the mean of 4 x 4 with the weights
+ * 1 3 3 1. */
 GreyImage
 halved(const GreyImage& image)
 {
@@ -42,12 +43,12 @@ halved(const GreyImage& image)
   return half;
 }
 
-/** \brief Mean of four points on one surface; of fewer, or across an edge in depth,
- * none. */
+/** \brief Mean of four points on one surface; NaN if there are fewer, or across an edge
+ * in depth. */
 Eigen::Vector3f
 pointOf(const std::vector<Eigen::Vector3f>& points, int width, int column, int row)
 {
-  constexpr float most_spread = 0.05F; // of the depth
+  constexpr float most_spread = 0.05F; // relative to the depth
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
   for (const int y : {2 * row, 2 * row + 1})
@@ -80,7 +81,7 @@ halvedPoints(const std::vector<Eigen::Vector3f>& points,
 float
 imageNoise(const GreyImage& image)
 {
-  constexpr float least = 0.3F; // grey levels, of the rounding to whole ones
+  constexpr float least = 0.3F; // grey levels, noise of rounding to integers
   constexpr int step = 3;
   std::vector<float> curvatures;
   for (int y = 1; y + 1 < image.height; y += step)
@@ -105,7 +106,7 @@ viewLevels(const CameraView& view)
 {
   constexpr int most_levels = 4;
   constexpr int least_side = 40;
-  // Weights 1 3 3 1 leave 20 / 64 of white noise, and more of what was halved before.
+  // The weights 1 3 3 1 leave 20 / 64 of white noise, and more of halved images.
   constexpr float white_left = 20.0F / 64.0F, halved_left = 0.47F;
   std::vector<ViewLevel> levels{{view.image, view.points, imageNoise(view.image), 1}};
   while (levels.size() < most_levels) {

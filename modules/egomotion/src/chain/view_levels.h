@@ -16,14 +16,14 @@ pixelAt(int width, int column, int row)
          static_cast<std::size_t>(column);
 }
 
-/** \brief A view at a part of its size. */
+/** \brief A view at full or reduced size. */
 struct ViewLevel {
   GreyImage image;
-  std::vector<Eigen::Vector3f> points; ///< metres; NaN where no surface fills the pixel
-  float noise = 1;                     ///< grey levels, standard deviation of a value
-  int scale = 1;                       ///< pixels of the view across one of these
+  std::vector<Eigen::Vector3f> points; ///< metres; NaN if no surface fills the pixel
+  float noise = 1;                     ///< standard deviation of a value, grey levels
+  int scale = 1;                       ///< size of a pixel in pixels of the view
 
-  /** \brief The pixel of the view in the middle of one of these. */
+  /** \brief The pixel of the view in the middle of a pixel of this level. */
   std::size_t
   viewPixel(std::int32_t pixel, int view_width) const
   {
@@ -33,12 +33,11 @@ struct ViewLevel {
   }
 };
 
-/** \brief Levels of the whole size, a half, a quarter and an eighth; fewer of a small
- * view. */
+/** \brief Levels of full, half, quarter and eighth size; fewer for a small view. */
 std::vector<ViewLevel>
 viewLevels(const CameraView& view);
 
-/** \brief Standard deviation of an image's noise, grey levels. */
+/** \brief Standard deviation of the noise of an image, grey levels. */
 float
 imageNoise(const GreyImage& image);
 

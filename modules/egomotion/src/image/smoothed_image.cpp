@@ -10,7 +10,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Half of a Gaussian, from its middle on; the whole sums to 1. */
+/** Half of a Gaussian, from the middle on; the sum over both halves is 1. */
 std::vector<float>
 halfGaussian(float sigma)
 {
@@ -26,7 +26,7 @@ halfGaussian(float sigma)
   return weights;
 }
 
-/** One row, from above to below and then from left to right. */
+/** Smooths one row, first along the columns and then along the row. */
 class RowSmoother {
 public:
   RowSmoother(const GreyImage& image, const std::vector<float>& weights)

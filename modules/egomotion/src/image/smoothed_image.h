@@ -4,8 +4,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The image under a Gaussian, its rims continued by their last pixels.
- * \param[in] sigma pixels, above 0; cut off at three of them */
+/** \brief Smooths the image with a Gaussian; the outermost pixels are repeated outside.
+ * \param[in] sigma pixels, above 0; the Gaussian is cut off at 3 sigma */
 GreyImage
 smoothedImage(const GreyImage& image, float sigma);
 

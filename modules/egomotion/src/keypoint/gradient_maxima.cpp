@@ -9,7 +9,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Squared, of the smoothed image by central differences; 0 along the rim. */
+/** Squared gradient of the smoothed image by central differences; 0 along the border.
+ */
 GreyImage
 squaredGradient(const GreyImage& image)
 {
@@ -28,8 +29,8 @@ squaredGradient(const GreyImage& image)
   return gradient;
 }
 
-/** Tells for each pixel of a row whether it is a strict maximum; without a branch, for
- * most of them are as likely larger than a neighbour as not. */
+/** Marks the pixels of a row that are strict maxima. It has no branches, because the
+ * comparisons are unpredictable. */
 void
 markMaxima(const float* row, int width, float least, std::uint8_t* is_maximum)
 {
@@ -43,7 +44,7 @@ markMaxima(const float* row, int width, float least, std::uint8_t* is_maximum)
   }
 }
 
-/** Maxima of a row whose neighbours have gradients of their own. */
+/** Maxima of a row; only pixels whose neighbours all have a gradient are considered. */
 std::vector<GradientMaximum>
 maximaOfRow(const GreyImage& gradient, int y, float least)
 {

@@ -9,7 +9,7 @@ namespace pcl::acmap {
 namespace {
 
 struct Candidate {
-  std::int32_t turn = 0; ///< the cell, and then the place among those of the cell
+  std::int32_t turn = 0; ///< index of the cell, later the rank within the cell
   GradientMaximum maximum;
 
   bool
@@ -42,12 +42,12 @@ inTurns(const std::vector<GradientMaximum>& maxima,
   return candidates;
 }
 
-/** Takes those off that are weak beside the others, more of which there are than
- * wanted. */
+/** Removes the maxima that are weak in comparison with the wanted number of strongest.
+ */
 void
 dropWeak(std::vector<GradientMaximum>& maxima, std::size_t wanted)
 {
-  constexpr float least_share = 0.5F * 0.5F; // of the square
+  constexpr float least_share = 0.5F * 0.5F; // of the squared gradient
   std::vector<float> strengths;
   for (const GradientMaximum& maximum : maxima)
     strengths.push_back(maximum.squared_gradient);

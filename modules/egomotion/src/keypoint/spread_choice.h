@@ -10,9 +10,9 @@ struct GradientMaximum {
   float squared_gradient = 0;
 };
 
-/** \brief As many as asked for, see \ref gradientMaxima; of the last turn the
- * strongest.
- * \return pixels, rising */
+/** \brief Selects the maximum number of keypoints, see \ref gradientMaxima; in the last
+ * turn, the strongest ones.
+ * \return pixels in ascending order */
 std::vector<std::int32_t>
 spreadChoice(std::vector<GradientMaximum> maxima,
              int width,

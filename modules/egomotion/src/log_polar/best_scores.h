@@ -4,7 +4,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The best of some scores; of equal ones the first. */
+/** \brief The best one of some scores; the first one of equal scores. */
 struct BestScore {
   std::int32_t index = -1;
   std::int32_t score = no_score;
@@ -13,14 +13,16 @@ struct BestScore {
 BestScore
 bestOf(const std::int32_t* scores, std::size_t size);
 
-/** \brief The best score farther than a distance from a patch. */
+/** \brief The best score of the patches that are farther than \a distance (pixels) from
+ * patch \a from. */
 std::int32_t
 bestElsewhere(const std::int32_t* scores,
               const PatchPlaces& places,
               std::size_t from,
               float distance);
 
-/** \brief The best row of each column, whatever the order in which rows are told. */
+/** \brief The best row of each column, independently of the order in which rows are
+ * added. */
 class ColumnBests {
 public:
   explicit ColumnBests(std::size_t columns)

@@ -12,11 +12,11 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float rounding_contrast = 1e-3F; // grey levels, more than sums err
-constexpr float patch_smoothing = 1.4F;    // pixels; 1 serves as well but for noise
+constexpr float rounding_contrast = 1e-3F; // grey levels, above rounding errors of sums
+constexpr float patch_smoothing = 1.4F;    // pixels; 1 is equally good without noise
 
-/** A sample: four pixels and their weights. Keypoints lie on pixels, so that all
- * patches have the same. */
+/** A sample: four pixels and their weights. Keypoints are at pixel centres, so that the
+ * weights are the same for all patches. */
 struct Tap {
   std::ptrdiff_t offset = 0; ///< of the upper left pixel from the keypoint
   std::array<float, 4> weights{};
@@ -48,7 +48,7 @@ makeTaps(const LogPolarSettings& settings, int width)
   return taps;
 }
 
-/** Patches of one image. */
+/** Computes the patches of one image. */
 class PatchSampler {
 public:
   PatchSampler(const GreyImage& image, const LogPolarSettings& settings)
@@ -58,7 +58,7 @@ public:
   , least_contrast_(std::max(settings.least_contrast, rounding_contrast))
   {}
 
-  /** \return whether there is a patch */
+  /** \return true if there is a patch */
   bool
   sample(std::int32_t pixel, float* samples) const
   {
@@ -86,7 +86,7 @@ private:
   float least_contrast_;
 };
 
-/** Patches that are there, moved together. */
+/** Keeps the existing patches and makes them contiguous. */
 void
 keepPatches(const std::vector<std::uint8_t>& is_there, LogPolarPatches& patches)
 {

@@ -5,8 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Brings samples to mean 0 and length 1; all 0 where they are alike.
- * \return their length before, about their mean */
+/** \brief Normalizes samples to mean 0 and length 1; all are 0 if they are equal.
+ * \return their previous length about the mean */
 inline float
 normalizeSamples(float* samples, std::size_t size)
 {

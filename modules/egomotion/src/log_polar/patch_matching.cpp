@@ -11,15 +11,16 @@ namespace pcl::acmap {
 
 namespace {
 
-/** A source patch, its best target, and the best score that either has elsewhere. */
+/** A source patch, its best target, and the best score of either at another position.
+ */
 struct BestMatch {
   std::int32_t source = 0;
   BestScore target;
   std::int32_t second = no_score;
 };
 
-/** How far the best is from being certain, by how far the second is. Without noise two
- * that are all but alike would differ by any factor: cameras have some. */
+/** Ratio of the distances of the best and the second best score from 1. Without the
+ * noise term, two nearly identical patches could differ by any factor. */
 float
 ambiguityOf(const BestMatch& candidate)
 {
@@ -52,7 +53,7 @@ public:
   }
 
 private:
-  /** Strong and distinct targets of sources that are the best of these. */
+  /** Finds strong and distinct targets that are mutually the best. */
   std::vector<BestMatch>
   mutualMatches() const
   {
@@ -86,7 +87,8 @@ private:
     return kept;
   }
 
-  /** The same test from the other side, so that both may be swapped. */
+  /** Applies the test of distinctness from the other side, so that the result is
+   * symmetric. */
   void
   keepDistinctTargets(std::vector<BestMatch>& candidates) const
   {

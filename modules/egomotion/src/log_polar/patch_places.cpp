@@ -49,7 +49,7 @@ applyGate(const PatchPlaces& rows,
     for (std::size_t j = 0; j < size; ++j) {
       const float a = columns.x[j] - x, b = columns.y[j] - y, c = columns.z[j] - z;
       const float most = reach + columns.reach[j];
-      // false where a point is NaN
+      // The comparison is false if a point is NaN.
       scores[j] = a * a + b * b + c * c <= most * most ? scores[j] : no_score;
     }
   }

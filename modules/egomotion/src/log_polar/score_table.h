@@ -9,11 +9,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Scores are whole numbers, so that sums do not depend on their order: the
- * Pearson coefficient by the square of this. */
+/** \brief Scores are integers, so that sums do not depend on the order: a score is the
+ * Pearson coefficient times the square of this. */
 constexpr float score_length = 32000;
 
-/** \brief The Pearson coefficient of a score; -1 without one. */
+/** \brief The Pearson coefficient of a score; -1 for \ref no_score. */
 inline float
 coefficientOf(std::int32_t score)
 {
@@ -21,14 +21,14 @@ coefficientOf(std::int32_t score)
       static_cast<float>(score) / (score_length * score_length), -1.0F, 1.0F);
 }
 
-/** \brief Patches of one image and where they lie. */
+/** \brief Patches of one image and their positions. */
 struct PlacedPatches {
   const LogPolarPatches& patches;
   const PatchPlaces& places;
 };
 
-/** \brief Scores of all pairs of patches that pass the gate, the best over all shifts,
- * computed by rows. */
+/** \brief Scores of all pairs of patches that pass the gate: the maxima over all
+ * shifts, computed by rows. */
 class ScoreTable {
 public:
   ScoreTable(const PlacedPatches& rows,
@@ -52,10 +52,10 @@ public:
   }
 
 private:
-  /** Rings that both have where one is larger than the other. */
+  /** The rings that both patches have in common at a difference in scale. */
   struct Scale {
     int row_begin = 0, column_begin = 0, rings = 0;
-    std::vector<std::int16_t> columns; ///< as ScoreFactors wants them
+    std::vector<std::int16_t> columns; ///< in the layout of ScoreFactors
   };
 
   std::size_t
@@ -70,7 +70,7 @@ private:
     return static_cast<std::size_t>(scale.rings * settings_.sectors + 1) / 2;
   }
 
-  /** Whole numbers of some rings, turned by some sectors. */
+  /** Converts samples of some rings to integers, rotated by \a turn sectors. */
   void
   takeSamples(const float* patch, int rings, int turn, std::int16_t* samples) const;
 

@@ -27,7 +27,7 @@ rigidRotation(const Eigen::Matrix3d& cross, double open)
   const Eigen::Matrix3d &u = svd.matrixU(), &v = svd.matrixV();
   if (svd.singularValues()[0] <= open)
     return Eigen::Quaterniond::Identity();
-  // on a line: the shortest turn, none about it
+  // All points are on a line: the smallest rotation, without rotation about the line.
   if (svd.singularValues()[1] <= open)
     return Eigen::Quaterniond::FromTwoVectors(v.col(0), u.col(0));
   const Eigen::Vector3d mirror(1, 1, (u * v.transpose()).determinant() < 0 ? -1 : 1);

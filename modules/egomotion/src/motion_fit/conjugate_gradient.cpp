@@ -7,7 +7,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::size_t most_iterations = 100;
-constexpr double least_step = 1e-13; ///< of the points' extent, radians
+constexpr double least_step = 1e-13; ///< relative to the extent of the points, radians
 constexpr double converged_step = 1e-7;
 
 void
@@ -20,7 +20,7 @@ turn(Descent& at, const Eigen::Vector3d& turn)
   at.rotation.normalize();
 }
 
-/** Where the source stands now, seen from the centroids. */
+/** The initial offset between the centroids, without rotation. */
 Descent
 startOf(const PairMoments& moments, MotionModel model)
 {
@@ -51,11 +51,11 @@ descend(const PairMoments& moments, MotionModel model)
       const std::optional<Eigen::Vector3d> axis = energy.ridge(at);
       if (!axis)
         break;
-      turn(at, *axis); // off the ridge, by any angle
+      turn(at, *axis); // leaves the stationary point; any angle is suitable
       since_restart = 0;
       continue;
     }
-    // Polak-Ribiere+: never against the gradient
+    // Polak-Ribiere+; restarted if the direction is not one of descent.
     const double square = gradient.dot(step);
     const double share =
         since_restart == 0

@@ -17,11 +17,12 @@ torqueOf(const Eigen::Matrix3d& turned)
           turned(1, 0) - turned(0, 1)};
 }
 
-/** Half of the energy's slope along a step, as far as it depends on the way. */
+/** Half of the derivative of the energy along a step, as a function of the step length.
+ */
 struct Slope {
   double offset = 0, offset_growth = 0; ///< offset . step, step . step
-  double turn = 0;                      ///< radians a unit of the way
-  double cosine = 0, sine = 0;          ///< of tr (R^T cross) over the angle
+  double turn = 0;                      ///< radians per unit of the step length
+  double cosine = 0, sine = 0;          ///< coefficients of tr (R^T cross)
 
   double
   at(double way) const
@@ -40,7 +41,7 @@ struct Slope {
   }
 };
 
-/** Newton, kept within a bracket. */
+/** Newton's method within a bracket. */
 double
 rootOf(const Slope& slope)
 {

@@ -8,12 +8,12 @@
 
 namespace pcl::acmap {
 
-/** \brief An offset (in units of the moments' scale) and a turn (rotation vector,
- * radians), both in the target's frame, the turn after the rotation so far. */
+/** \brief An offset (in units of the moments' scale) and a rotation (rotation vector,
+ * radians), both in the target's frame; the rotation is applied after the current one.
+ */
 using MotionStep = Eigen::Matrix<double, 6, 1>;
 
-/** \brief Eq. 2 about the centroids, which is |offset|^2 - 2 tr (R^T cross) and what
- * does not change. */
+/** \brief Eq. 2 about the centroids: |offset|^2 - 2 tr (R^T cross) and a constant. */
 class MotionEnergy {
 public:
   MotionEnergy(const PairMoments& moments, MotionModel model);
@@ -22,17 +22,19 @@ public:
   MotionStep
   gradient(const Descent& at) const;
 
-  /** \brief The gradient by the points' inertia about each axis: a step of the right
-   * size, none about an axis that the points lie on. */
+  /** \brief The gradient divided by the inertia of the points about each axis, which is
+   * a step of suitable size; it has no rotation about a line that contains all points.
+   */
   MotionStep
   preconditioned(const Descent& at, const MotionStep& gradient) const;
 
-  /** \brief How far along a step the energy is least; it must lead down. */
+  /** \brief Step length at which the energy is minimal; the step must be a descent
+   * direction. */
   double
   lowest(const Descent& at, const MotionStep& step) const;
 
-  /** \brief An axis about which any turn leads down, though the gradient is nought:
-   * after half a turn, say. */
+  /** \brief At a stationary point that is not a minimum, for example after half a
+   * rotation: an axis about which any rotation decreases the energy. */
   std::optional<Eigen::Vector3d>
   ridge(const Descent& at) const;
 
@@ -41,8 +43,8 @@ private:
   turnedCross(const Descent& at) const;
 
   const PairMoments& moments_;
-  Eigen::Matrix3d axes_;    ///< of inertia, those open set to 0, source's frame
-  Eigen::Vector3d inertia_; ///< about them, 1 where open
+  Eigen::Matrix3d axes_;    ///< axes of inertia, source's frame, 0 if undetermined
+  Eigen::Vector3d inertia_; ///< about these axes, 1 if undetermined
   bool is_planar_;
 };
 

@@ -4,7 +4,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** What is moved about the centroids, moved about the origin. */
+/** Converts a motion about the centroids to a motion about the origin. */
 Eigen::Isometry3d
 motionOf(const Descent& found, const PairMoments& moments, MotionModel model)
 {

@@ -7,8 +7,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** A pair that counts, seen from the first of them: points far from the origin keep
- * their digits, and points in one place are exactly so. */
+/** A valid pair, relative to the first one: points far from the origin keep their
+ * digits, and coincident points are exactly equal. */
 struct WeighedPair {
   Eigen::Vector3d source, target;
   double weight = 0;
@@ -35,7 +35,8 @@ countingPairs(const std::vector<Eigen::Vector3d>& source,
   return pairs;
 }
 
-/** Moves one cloud so that its centroid is the origin; returns where that was. */
+/** Moves one cloud so that its centroid is the origin; returns the previous centroid.
+ */
 Eigen::Vector3d
 centre(std::vector<WeighedPair>& pairs, Eigen::Vector3d WeighedPair::*point)
 {

@@ -7,17 +7,18 @@
 
 namespace pcl::acmap {
 
-/** \brief All that Eq. 2 needs to know about the pairs, weights summing up to 1.
- * Lengths are told in units of `scale`, so that no square can overflow. */
+/** \brief The moments of the pairs that Eq. 2 depends on; the weights have the sum 1.
+ * Lengths are in units of `scale`, so that no square can overflow. */
 struct PairMoments {
-  double scale = 0;               ///< metres; 0: no pair that counts
+  double scale = 0;               ///< metres; 0: no valid pair
   Eigen::Vector3d source, target; ///< centroids, metres
   Eigen::Matrix3d spread;         ///< sum w a a^T, a = source - centroid
   double target_spread = 0;       ///< sum w b^T b, b = target - centroid
   Eigen::Matrix3d cross;          ///< sum w b a^T
 };
 
-/** \brief Whether a pair and its squares are finite, and it is of some weight. */
+/** \brief Returns true if a pair and its squares are finite and its weight is positive.
+ */
 bool
 doesCount(const std::vector<Eigen::Vector3d>& source,
           const std::vector<Eigen::Vector3d>& target,
@@ -30,7 +31,7 @@ weightOf(const std::vector<double>& weights, std::size_t pair)
   return weights.empty() ? 1.0 : weights[pair];
 }
 
-/** \brief Of the pairs that count. */
+/** \brief Moments of the valid pairs. */
 PairMoments
 pairMoments(const std::vector<Eigen::Vector3d>& source,
             const std::vector<Eigen::Vector3d>& target,

@@ -8,16 +8,17 @@
 
 namespace pcl::acmap {
 
-/** \brief Directions of a turn that the points tell less about than this part of their
- * spread (a square) are open: 1e-6 of their size is what float coordinates blur. */
+/** \brief A rotation is undetermined if its information is below this part of the
+ * squared spread of the points, because float coordinates have errors of up to 1e-6 of
+ * the size. */
 constexpr double open_part = 1e-12;
 
-/** \brief The rotation about the centroids that minimises Eq. 2, at once: by an angle
- * in the plane (Planar) or by singular values (Rigid, never a reflection). */
+/** \brief The rotation about the centroids that minimises Eq. 2, in closed form: an
+ * angle in the plane (Planar) or from singular values (Rigid, never a reflection). */
 Eigen::Quaterniond
 closedFormRotation(const PairMoments& moments, MotionModel model);
 
-/** \brief What \ref descend found: a motion about the centroids. */
+/** \brief Result of \ref descend: a motion about the centroids. */
 struct Descent {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< in units of the moments' scale
@@ -25,7 +26,8 @@ struct Descent {
   bool has_converged = false;
 };
 
-/** \brief Minimises Eq. 2 by conjugate gradient, from where the source stands. */
+/** \brief Minimises Eq. 2 by conjugate gradient, starting from the identity rotation.
+ */
 Descent
 descend(const PairMoments& moments, MotionModel model);
 

@@ -5,25 +5,25 @@
 
 namespace pcl::acmap {
 
-/** \brief Rows are multiplied four at once, columns eight at once; both are filled up.
- */
+/** \brief Rows are multiplied four at once, columns eight at once; both are padded. */
 constexpr std::size_t score_rows = 4, score_columns = 8;
 
-/** \brief Factors of a product of matrices, of whole numbers in pairs.
+/** \brief Factors of a product of integer matrices.
  *
- * A row holds its samples one after another; eight columns hold theirs pair after pair:
- * the first two of the first column, of the second and so on. */
+ * The samples of a row are stored one after another. Eight columns are stored together
+ * and in pairs: the first two samples of the first column, of the second column and so
+ * on. */
 struct ScoreFactors {
-  const std::int16_t* rows;    ///< as many as score_rows, of 2 * pairs samples
+  const std::int16_t* rows;    ///< score_rows rows of 2 * pairs samples
   const std::int16_t* columns; ///< blocks of score_columns * 2 * pairs samples
   std::size_t column_blocks;
   std::size_t pairs;
 };
 
-/** \brief The loop that takes most of the time of a matching, in variants for
- * processors; both give the same bytes.
- * \param[in,out] scores of score_rows by all columns, row by row: raised to the sums of
- * products where these are larger */
+/** \brief The loop that takes most of the time of a matching, in variants for different
+ * processors; all variants give the same bytes.
+ * \param[in,out] scores of score_rows by all columns, row by row: each is replaced by
+ * the sum of products if that is larger */
 using RaiseScores = void (*)(const ScoreFactors& factors, std::int32_t* scores);
 
 void

@@ -1,4 +1,5 @@
-// Products of patches, compiled once for each variant: for the inside of one source file.
+// Products of patches, compiled once for each variant; to be included by source files
+// only.
 #pragma once
 
 #include "score_kernels.h"
@@ -7,7 +8,7 @@
 #include <immintrin.h>
 #endif
 
-// The vectors never pass between functions of different files.
+// The vectors are never passed between functions of different files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {
@@ -20,7 +21,8 @@ using pcl::acmap::ScoreFactors;
 
 typedef std::int32_t Sums __attribute__((vector_size(32), aligned(32)));
 
-/** Adds, for eight columns, the product of their pair with the row's. */
+/** Adds, for each of eight columns, the product of its pair with the pair of the row.
+ */
 ACMAP_INLINE void
 addPairs(const std::int16_t* row, const std::int16_t* columns, Sums& sums)
 {
@@ -55,8 +57,8 @@ raise(std::int32_t* scores, const Sums& sums)
   __builtin_memcpy(scores, &before, sizeof before);
 }
 
-/** Four rows by as many blocks of eight columns, so that what is loaded serves often.
- */
+/** Multiplies four rows by several blocks of eight columns, so that loaded values are
+ * reused. */
 template <std::size_t blocks>
 ACMAP_INLINE void
 raiseBlocks(const ScoreFactors& factors,
@@ -81,7 +83,7 @@ void
 raiseAll(const ScoreFactors& factors, std::int32_t* scores)
 {
 #if defined(__AVX2__)
-  constexpr std::size_t at_once = 2; // as the registers hold
+  constexpr std::size_t at_once = 2; // limited by the number of registers
 #else
   constexpr std::size_t at_once = 1;
 #endif

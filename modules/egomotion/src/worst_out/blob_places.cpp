@@ -10,14 +10,14 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Where in a point a coordinate stands. */
+/** Offset of a coordinate within a point. */
 std::size_t
 offsetOf(const PCLPointCloud2& cloud, const std::string& name)
 {
   for (const PCLPointField& field : cloud.fields) {
     if (field.name != name)
       continue;
-    // 0 as 1: so do files of old
+    // A count of 0 means 1, as in old files.
     if (field.datatype != PCLPointField::FLOAT32 || field.count > 1)
       throw BadArgumentException("the field " + name +
                                  " is refused: it must be one 32 bit float");

@@ -8,9 +8,9 @@
 
 namespace pcl::acmap {
 
-/** \brief The places of a cloud whose type is not known: its fields x, y and z.
- * \throws BadArgumentException without a cloud, where a field is missing or no single
- * float, or where there is less data than the cloud claims */
+/** \brief The points of a cloud of unknown type, from its fields x, y and z.
+ * \throws BadArgumentException without a cloud, if a field is missing or not a single
+ * float, or if the data are shorter than the header declares */
 std::vector<Eigen::Vector3f>
 placesOf(const PCLPointCloud2::ConstPtr& cloud);
 

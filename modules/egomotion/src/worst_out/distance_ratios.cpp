@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t block = 256;
 
-/** Ratios of a block, 0 where a pair tells nothing. Not a number (of numbers whose
- * squares overflow) counts as the largest. */
+/** Computes the ratios of a block, 0 for pairs that are skipped. NaN, which results
+ * from overflowing squares, is counted as the largest ratio. */
 void
 ratiosOf(const float* const (&at)[6],
          std::size_t size,

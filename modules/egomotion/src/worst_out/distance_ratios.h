@@ -8,13 +8,13 @@
 
 namespace pcl::acmap {
 
-/** \brief The largest ratio of two distances that is told apart. */
+/** \brief Upper limit of the ratio of two distances. */
 constexpr float most_ratio = 1000;
 
-/** \brief Places of matches in both clouds, coordinate by coordinate. */
+/** \brief Points of the matches in both clouds, coordinate by coordinate. */
 struct MatchPlaces {
   std::vector<float> coordinates[6]; ///< source x y z, target x y z
-  std::vector<std::int32_t> matches; ///< their positions among those given, rising
+  std::vector<std::int32_t> matches; ///< indices in the input, ascending
 
   std::size_t
   size() const
@@ -31,25 +31,26 @@ struct MatchPlaces {
   erase(std::size_t place);
 };
 
-/** \brief What the ratios of a match to others sum up to. Floats from 1 to most_ratio
- * are multiples of 2^-23, so that sums of a million of them are exact in double:
- * whatever the order, and after subtractions. */
+/** \brief Sums of the ratios of each match to the others. Floats from 1 to most_ratio
+ * are multiples of 2^-23, so that sums of a million of them are exact in double
+ * precision, in any order and after subtractions. */
 struct RatioSums {
   std::vector<double> sums;
-  std::vector<std::int32_t> counts; ///< pairs that told something
+  std::vector<std::int32_t> counts; ///< number of valid pairs
 
-  /** \brief D_ij of Eq. 1; infinite where no pair told anything. */
+  /** \brief D_ij of Eq. 1; infinite if there is no valid pair. */
   double
   distortion(std::size_t place) const;
 };
 
-/** \brief Adds what the pair of each match with one other tells (sign 1), or takes it
- * away again (-1).
+/** \brief Adds the ratios of the pairs of each match with one other match (sign 1), or
+ * subtracts them (-1).
  *
- * The ratio is the larger distance by the smaller, both at least the least distance: a
- * pair that is near in both clouds tells nothing, one that is near in one alone does.
- * \param[in] one source x y z, target x y z of the other
- * \param[out] sums as many as there are places */
+ * The ratio is the larger distance divided by the smaller one, both at least the
+ * minimum distance. A pair that is near in both clouds is skipped; a pair that is near
+ * in only one of them is counted.
+ * \param[in] one source x y z, target x y z of the other match
+ * \param[in,out] sums one entry per match of \a places */
 void
 addRatios(const MatchPlaces& places,
           const float (&one)[6],

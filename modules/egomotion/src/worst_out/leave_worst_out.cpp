@@ -28,7 +28,7 @@ addRatiosTo(std::size_t one,
   addRatios(places, at, static_cast<float>(settings.least_distance), sign, sums);
 }
 
-/** Eq. 1 of every place, as a mean over others. */
+/** Eq. 1 of each match of \a places, as a mean over \a others. */
 RatioSums
 sumsOver(const MatchPlaces& others,
          const MatchPlaces& places,
@@ -40,7 +40,7 @@ sumsOver(const MatchPlaces& others,
   return sums;
 }
 
-/** The first of the largest. */
+/** The match with the largest D_ij; the first one of equal ones. */
 std::size_t
 worstOf(const RatioSums& sums)
 {
@@ -54,7 +54,7 @@ worstOf(const RatioSums& sums)
   return worst;
 }
 
-/** Leaves the worst out until the rest agree, or too few are left. */
+/** Removes the worst match until the rest agree, or too few remain. */
 void
 clean(MatchPlaces& places, const WorstOutSettings& settings, WorstOutOutcome& outcome)
 {
@@ -75,7 +75,7 @@ clean(MatchPlaces& places, const WorstOutSettings& settings, WorstOutOutcome& ou
   places = MatchPlaces();
 }
 
-/** Those that Eq. 1 is a mean over, evenly chosen, and the others. */
+/** The sample over which Eq. 1 is averaged, evenly chosen, and the other matches. */
 struct Sampled {
   MatchPlaces sample, others;
 };
@@ -89,7 +89,7 @@ sampled(const std::vector<Eigen::Vector3f>& source,
   Sampled parts;
   const std::size_t n = matches.size();
   for (std::size_t k = 0; k < n; ++k) {
-    // as Bresenham draws: size of n, evenly
+    // As in Bresenham's algorithm, chooses size of n evenly.
     const bool is_in = size >= n || (k + 1) * size / n > k * size / n;
     const auto match = static_cast<std::size_t>(matches[k]);
     (is_in ? parts.sample : parts.others)
@@ -98,7 +98,7 @@ sampled(const std::vector<Eigen::Vector3f>& source,
   return parts;
 }
 
-/** Judges those outside of the sample by what is left of it. */
+/** Evaluates Eq. 1 for the other matches with the remaining sample. */
 void
 judge(const MatchPlaces& others,
       const MatchPlaces& sample,

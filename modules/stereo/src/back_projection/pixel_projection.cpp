@@ -58,7 +58,7 @@ PixelProjection::paint(std::size_t pixel, PointXYZRGBSigma& point) const
   point.b = values[channels - 1];
 }
 
-/** \return the count the pixel belongs to */
+/** \return the member of \ref PixelCounts to which the pixel belongs */
 std::size_t PixelCounts::*
 PixelProjection::place(std::size_t pixel, PointXYZRGBSigma& point) const
 {
@@ -87,7 +87,7 @@ PixelProjection::setPlace(std::size_t pixel, double z, PointXYZRGBSigma& point) 
   point.x = static_cast<float>(x * z);
   point.y = static_cast<float>(y * z);
   point.z = static_cast<float>(z);
-  // By the derivative of z, along a ray of this length at z = 1.
+  // From the derivative of z, along a ray of this length at z = 1.
   const double sigma =
       disparitySigma(pixel) * z * z / focal_baseline_ * std::sqrt(x * x + y * y + 1.0);
   constexpr double most = std::numeric_limits<float>::max();

@@ -9,13 +9,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Metres; both are legal. */
+/** \brief Depths in metres; both limits are valid depths. */
 struct DepthLimits {
   double least = 0.0;
   double largest = 0.0;
 };
 
-/** \brief What became of pixels, as \ref DisparityBackProjectionReport has it. */
+/** \brief Numbers of pixels, as in \ref DisparityBackProjectionReport. */
 struct PixelCounts {
   std::size_t points = 0;
   std::size_t invalid = 0;
@@ -23,19 +23,19 @@ struct PixelCounts {
   std::size_t too_far = 0;
 };
 
-/** \brief Makes the points of one disparity image, each by itself. */
+/** \brief Computes the points of one disparity image, each independently. */
 class PixelProjection {
 public:
-  /** \brief All are of one size and must outlive this; no standard deviations: those of
-   * the rig; no colour: black. */
+  /** \brief All arguments must be of one size and outlive this object. Without standard
+   * deviations that of the rig is used; without colour, points are black. */
   PixelProjection(const TrinocularRig& rig,
                   const DepthLimits& limits,
                   const MatchedDisparity& matched,
                   const CameraImage& color);
 
-  /** \brief In all threads of the caller's arena.
-   * \param[in,out] points one a pixel, as constructed
-   * \param[in] size how many */
+  /** \brief Runs in all threads of the caller's arena.
+   * \param[in,out] points one per pixel, default-constructed
+   * \param[in] size number of pixels */
   PixelCounts
   projectAll(PointXYZRGBSigma* points, std::size_t size) const;
 
@@ -56,7 +56,7 @@ private:
   const DepthLimits limits_;
   const MatchedDisparity& matched_;
   const CameraImage& color_;
-  const double focal_baseline_; // px m: depth times disparity
+  const double focal_baseline_; // depth times disparity, px m
 };
 
 } // namespace pcl::acmap

@@ -12,8 +12,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float least_spacing = 8.0F; // px between neighbouring corners
-constexpr double most_blur = 5.0;     // px from dark to bright, of an edge
+constexpr float least_spacing = 8.0F; // px between adjacent corners
+constexpr double most_blur = 5.0;     // width of an edge from dark to bright, px
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -21,7 +21,7 @@ cv::Mat
 greyOf(const CameraImage& image)
 {
   const int type = image.channels == 3 ? CV_8UC3 : CV_8UC1;
-  // OpenCV has no matrix over constant bytes; this one is only read.
+  // OpenCV has no matrix of constant bytes; this one is only read.
   auto* const values = const_cast<std::uint8_t*>(image.values.data());
   const cv::Mat all(image.height, image.width, type, values);
   cv::Mat grey;
@@ -32,7 +32,7 @@ greyOf(const CameraImage& image)
   return grey;
 }
 
-/** \brief Mean grey in the middle of the square right of and below a corner. */
+/** \brief Mean grey level in the middle of the square right of and below a corner. */
 double
 greyOfSquare(const cv::Mat& grey, const Corners& corners, int columns, int at)
 {
@@ -43,7 +43,8 @@ greyOfSquare(const cv::Mat& grey, const Corners& corners, int columns, int at)
   return cv::mean(grey(around & cv::Rect({}, grey.size())))[0];
 }
 
-/** \brief The detector may start at either end and go round either way. */
+/** \brief Orders the corners clockwise from the corner whose inner square is dark; the
+ * detector may start at either end and use either orientation. */
 void
 order(const cv::Mat& grey, const CalibrationBoard& board, Corners& corners)
 {
@@ -75,8 +76,8 @@ leastSpacing(const Corners& corners, const CalibrationBoard& board)
   return least;
 }
 
-/** \brief Puts each corner where the edges around it meet. The window stays within the
- * four squares, the board is straight there. */
+/** \brief Moves each corner to the intersection of the edges around it. The window
+ * stays within the four squares, where the edges are straight. */
 void
 refine(const cv::Mat& grey, float spacing, Corners& corners)
 {

@@ -6,14 +6,14 @@
 
 namespace pcl::acmap {
 
-/** \brief The corners of a board in an image, or why there are none. */
+/** \brief The corners of a board in an image, or the reason why there are none. */
 struct BoardCorners {
   std::vector<Eigen::Vector2f> corners; ///< rows * columns, row by row, px
-  std::string reason;                   ///< empty when the board is good
+  std::string reason;                   ///< empty if the board is good
 };
 
-/** \brief Finds the board. The first corner is the same one in each image: the order goes
- * clockwise on the board and starts at a dark square. */
+/** \brief Finds the board. The first corner is the same physical corner in each image:
+ * the order is clockwise on the board and starts at a dark square. */
 BoardCorners
 findBoard(const CameraImage& image, const CalibrationBoard& board);
 

@@ -10,30 +10,30 @@
 
 namespace pcl::acmap {
 
-/** \brief A board as a camera saw it. */
+/** \brief A board as seen by a camera. */
 struct BoardView {
-  std::size_t image = 0; ///< in the report
+  std::size_t image = 0; ///< index in the report
   std::size_t shot = 0;
   std::vector<cv::Point2f> corners; ///< px
-  Eigen::Isometry3d T_camera_board; ///< set by the fit of the camera
+  Eigen::Isometry3d T_camera_board; ///< set by the calibration of the camera
 };
 
-/** \brief Told of each view that is left out. */
+/** \brief Is called for each view that is excluded. */
 using LeaveOut = std::function<void(const BoardView& view, const std::string& reason)>;
 
 /** \brief The corners on the board, metres, in the order of the views. */
 std::vector<cv::Point3f>
 boardPoints(const CalibrationBoard& board);
 
-/** \brief Worst error that is no outlier: three times the median, but not below what a
- * good corner has. \param[in] floor px */
+/** \brief Maximum error of an inlier: three times the median, but at least \a floor.
+ * \param[in] errors, floor px */
 double
 outlierLimit(std::vector<double> errors, double floor);
 
-/** \brief Fits pinhole and distortion (k1, k2, p1, p2) to the views, leaving out outliers
- * one after the other; the views that remain get their poses.
- * \param[out] errors px, RMS of each view that remains
- * \throws InitFailedException with too few */
+/** \brief Fits pinhole and distortion (k1, k2, p1, p2) to the views and excludes
+ * outliers one after the other; sets the poses of the remaining views.
+ * \param[out] errors px, RMS of each remaining view
+ * \throws InitFailedException if too few views remain */
 CameraCalibration
 fitCamera(const CalibrationBoard& board,
           const cv::Size& size,
@@ -42,9 +42,9 @@ fitCamera(const CalibrationBoard& board,
           std::vector<double>& errors,
           const LeaveOut& leave_out);
 
-/** \brief Fits the place of a neighbour to the shots that both cameras saw.
- * \param[in,out] views of the neighbour; those that do not fit are left out
- * \throws InitFailedException with too few */
+/** \brief Fits the pose of a neighbour to the shots that both cameras saw.
+ * \param[in,out] views of the neighbour; those that do not fit are removed
+ * \throws InitFailedException if too few shots remain */
 void
 fitPlace(const CalibrationBoard& board,
          const cv::Size& size,

@@ -41,13 +41,13 @@ requireEnough(const std::string& name, std::size_t views)
 
 namespace {
 
-/** \brief What a fit gives. */
+/** \brief Result of a fit. */
 struct CameraFit {
   cv::Matx33d matrix;
   cv::Mat distortion;
   std::vector<cv::Mat> turns;
   std::vector<cv::Mat> shifts;
-  cv::Mat spread; // standard deviations: focal lengths first
+  cv::Mat spread; // standard deviations of the parameters, focal lengths first
   std::vector<double> errors;
 };
 
@@ -61,7 +61,7 @@ fitOnce(const CalibrationBoard& board,
   for (const BoardView& view : views)
     corners.push_back(view.corners);
   CameraFit fit;
-  // A sixth power needs more corners at the edge than a session of boards has.
+  // A sixth-order term would need more corners near the border than boards provide.
   cv::calibrateCamera(points,
                       corners,
                       size,
@@ -76,7 +76,7 @@ fitOnce(const CalibrationBoard& board,
   return fit;
 }
 
-/** \brief Boards that all lie alike fit any focal length. */
+/** \brief Is the focal length determined? Boards of the same orientation fit any. */
 bool
 isTold(const CameraFit& fit)
 {
@@ -101,7 +101,7 @@ fitOrFail(const CalibrationBoard& board,
   }
   catch (const cv::Exception& error) {
     requireMemoryWasThere(error);
-    // Told below, in words that say what to do.
+    // The exception below says what to do.
   }
   throw InitFailedException("the boards do not tell the focal length of the " + name +
                             " camera: hold them at different tilts and distances");

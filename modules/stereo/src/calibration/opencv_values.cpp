@@ -18,7 +18,7 @@ poseOf(const cv::Mat& turn, const cv::Mat& shift)
   const Eigen::Matrix3d rows_as_columns =
       Eigen::Map<const Eigen::Matrix3d>(rotation.val);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  // What OpenCV iterated on is a rotation to a few digits less than a double has.
+  // The rotation from OpenCV's iterations is less accurate than double precision.
   pose.linear() = Eigen::Quaterniond(Eigen::Matrix3d(rows_as_columns.transpose()))
                       .normalized()
                       .toRotationMatrix();
@@ -51,7 +51,7 @@ matrixOf(const CameraCalibration& camera)
 void
 requireMemoryWasThere(const cv::Exception& error)
 {
-  // cv::Mat catches the error of its allocator, and asserts that it has memory
+  // cv::Mat catches the exception of its allocator and asserts that it has memory.
   if (error.code == cv::Error::StsNoMem || error.err == "u != 0")
     throw std::bad_alloc();
 }

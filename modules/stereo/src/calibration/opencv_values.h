@@ -12,23 +12,24 @@ namespace pcl::acmap {
 Eigen::Isometry3d
 poseOf(const cv::Mat& turn, const cv::Mat& shift);
 
-/** \brief A camera that is there, at the place of the reference. */
+/** \brief Creates a camera with is_there set, at the pose of the reference. */
 CameraCalibration
 cameraOf(const cv::Matx33d& matrix, const cv::Mat& distortion);
 
 cv::Matx33d
 matrixOf(const CameraCalibration& camera);
 
-/** \brief Tells of want of memory as everybody does.
+/** \brief Rethrows OpenCV's error as std::bad_alloc if it was caused by lack of memory.
  * \throws std::bad_alloc when OpenCV lacked memory */
 void
 requireMemoryWasThere(const cv::Exception& error);
 
-/** \brief Two digits after the point. */
+/** \brief The number with two decimal places. */
 std::string
 pixelText(double pixels);
 
-/** \throws InitFailedException when a camera has fewer than the least boards */
+/** \throws InitFailedException when a camera has fewer than the minimum number of
+ * boards */
 void
 requireEnough(const std::string& name, std::size_t views);
 

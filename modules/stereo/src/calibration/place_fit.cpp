@@ -33,7 +33,8 @@ pairsOf(const std::vector<BoardView>& reference, const std::vector<BoardView>& v
   return pairs;
 }
 
-/** \brief RMS in px of the neighbour's corners when its place is this. */
+/** \brief RMS error of the neighbour's corners for the given pose of the neighbour, px.
+ */
 double
 errorOf(const Pair& pair,
         const std::vector<cv::Point3f>& points,
@@ -49,7 +50,7 @@ errorOf(const Pair& pair,
     const cv::Point2f& corner = pair.neighbour->corners[i];
     sum += (seen - Eigen::Vector2d(corner.x, corner.y)).squaredNorm();
   }
-  // A board behind the camera fits nothing.
+  // A board behind the camera does not fit.
   return std::isfinite(sum) ? std::sqrt(sum / static_cast<double>(points.size())) : 1e9;
 }
 
@@ -65,8 +66,8 @@ errorsOf(const std::vector<Pair>& pairs,
   return errors;
 }
 
-/** \brief The errors by the one shot's place that suits the others best: shots that were
- * mixed up have no say in it. */
+/** \brief The errors for the relative pose from that single shot which fits the others
+ * best; shots that were mixed up do not affect it. */
 std::vector<double>
 errorsOfBestShot(const std::vector<Pair>& pairs,
                  const std::vector<cv::Point3f>& points,
@@ -86,7 +87,8 @@ errorsOfBestShot(const std::vector<Pair>& pairs,
   return best;
 }
 
-/** \brief Leaves out the views whose error is above the limit. \return whether any */
+/** \brief Excludes the views whose error is above the limit. \return true if any were
+ */
 bool
 leaveOutAbove(double limit,
               const std::vector<Pair>& pairs,
@@ -110,7 +112,7 @@ leaveOutAbove(double limit,
   return !bad.empty();
 }
 
-/** \brief The place by all corners of all pairs. */
+/** \brief The pose fitted to all corners of all pairs. */
 Eigen::Isometry3d
 placeOf(const std::vector<Pair>& pairs,
         const std::vector<cv::Point3f>& points,
@@ -162,7 +164,7 @@ fitPlace(const CalibrationBoard& board,
          std::vector<BoardView>& views,
          const LeaveOut& leave_out)
 {
-  // The reference's own pose of a board shifts by more than a corner's noise.
+  // The error of the board's pose in the reference exceeds the noise of a corner.
   constexpr double floor = 1.0; // px
   const std::vector<cv::Point3f> points = boardPoints(board);
   std::vector<Pair> pairs = pairsOf(reference_views, views);

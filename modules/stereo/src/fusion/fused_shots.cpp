@@ -21,7 +21,8 @@ commonestOutcome(const std::vector<MatchedDisparity>& shots, std::size_t pixel)
                                        counts.begin());
 }
 
-/** \brief Fuses pixel after pixel; has its own memory. */
+/** \brief Fuses one pixel after another; one object per thread, because it has a
+ * buffer. */
 class PixelFusion {
 public:
   PixelFusion(const std::vector<MatchedDisparity>& shots,

@@ -7,20 +7,20 @@
 
 namespace pcl::acmap {
 
-/** \brief How the disparities of a pixel become one. */
+/** \brief How the disparities of a pixel are combined. */
 enum class ShotStatistic { Median, ConsistentMean };
 
-/** \brief Fuses shots that were matched one by one, pixel by pixel. One without any
- * disparity has the commonest of its outcomes, of equally common ones the first. Runs in
- * the caller's arena; O(pixels * shots).
- * \param[in] shots of one size, at least one; their support is not looked at
- * \param[in] least_support shots that a disparity must rest on */
+/** \brief Fuses shots that were matched separately, pixel by pixel. A pixel without any
+ * disparity gets the most frequent outcome of the shots, the first one in case of ties.
+ * Runs in the caller's arena; O(pixels * shots).
+ * \param[in] shots of one size, at least one; their support is not read
+ * \param[in] least_support minimum number of shots for a disparity */
 MatchedDisparity
 fuseShots(const std::vector<MatchedDisparity>& shots,
           ShotStatistic statistic,
           std::size_t least_support);
 
-/** \brief No disparity anywhere. */
+/** \brief Returns an image without any disparity. */
 MatchedDisparity
 noDisparity(int width, int height, DisparityOutcome why);
 

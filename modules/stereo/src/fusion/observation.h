@@ -12,25 +12,25 @@
 
 namespace pcl::acmap {
 
-/** \brief What is known of a place from its shots so far. Those that are matched together
- * are kept as \ref frames, of those that are matched one by one only what was \ref matched.
- */
+/** \brief Data of the shots of an observation so far. Shots that are matched together
+ * are stored in \ref frames; of shots that are matched separately only the results are
+ * stored, in \ref matched. */
 class Observation {
 public:
   explicit Observation(const TrinocularRig& rig);
 
-  /** \brief Takes the reference image of a shot without a pattern; like the next one, in
-   * the caller's arena. */
+  /** \brief Adds the reference image of a shot without a pattern. This function and the
+   * next one run in the caller's arena. */
   void
   addDark(const CameraImage& reference);
 
-  /** \brief Takes the reference image of a shot with a pattern.
-   * \param[in] deviation grey levels, of a pixel that is told apart */
+  /** \brief Adds the reference image of a shot with a pattern.
+   * \param[in] deviation minimum standard deviation of a covered pixel, grey levels */
   void
   addLit(const CameraImage& reference, double deviation);
 
-  /** \brief Takes what a shot was matched to, and what was told of it; its support is
-   * forgotten, as the outcome says it. */
+  /** \brief Adds the disparities of a shot and the report of its matching; its support
+   * is discarded, because the outcome implies it. */
   void
   addMatched(MatchedDisparity shot, const Report& report);
 
@@ -52,11 +52,12 @@ public:
     return darkShots() + litShots();
   }
 
-  /** \brief Mean of the shots without a pattern, else of those with one. */
+  /** \brief Mean of the shots without a pattern; if there are none, of those with one.
+   */
   CameraImage
   color() const;
 
-  /** \brief Share of the pixels told apart, after each shot with a pattern. */
+  /** \brief Share of the covered pixels after each shot with a pattern. */
   const std::vector<double>&
   coverage() const
   {
@@ -65,7 +66,7 @@ public:
 
   std::vector<TrinocularFrame::ConstPtr> frames;
   std::vector<MatchedDisparity> matched;
-  double matching_seconds = 0; ///< of those matched one by one
+  double matching_seconds = 0; ///< of the shots that were matched separately
 
 private:
   ShotColor dark_color_;

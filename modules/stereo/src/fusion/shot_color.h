@@ -10,14 +10,15 @@ namespace pcl::acmap {
 /** \brief Mean colour of images of one size. */
 class ShotColor {
 public:
-  /** \brief Sums up to this many images do not overflow. */
+  /** \brief Sums of up to this many images do not overflow. */
   static constexpr std::size_t most_images = 257;
 
   /** \param[in] width, height of the images, px */
   ShotColor(int width, int height);
 
-  /** \brief Grey images count as three equal channels. Runs in the caller's arena.
-   * \param[in] image whole, of that size */
+  /** \brief Adds an image; a grey image counts as three equal channels. Runs in the
+   * caller's arena.
+   * \param[in] image complete, of the given size */
   void
   add(const CameraImage& image);
 
@@ -27,7 +28,7 @@ public:
     return images_;
   }
 
-  /** \brief Rounded; three channels; empty without images. */
+  /** \brief Rounded mean, three channels; empty without images. */
   CameraImage
   mean() const;
 

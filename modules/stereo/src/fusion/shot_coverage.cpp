@@ -8,11 +8,12 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::uint32_t unit = 16; // of a grey level: the weights' sum
+constexpr std::uint32_t unit = 16; // per grey level: the sum of the weights
 
 static_assert(ShotCoverage::most_shots * (255 * unit) * (255 * unit) <= 4294967295U);
 
-/** \brief Grey levels of a row, with the first and the last pixel once more outside. */
+/** \brief Reads the grey levels of a row; the first and the last pixel are repeated
+ * outside the row. */
 void
 readRow(const CameraImage& image, int row, std::uint16_t* grey)
 {
@@ -90,7 +91,7 @@ ShotCoverage::share(double deviation) const
   if (samples < 2)
     return 0;
   const double least = unit * deviation * samples;
-  // whole numbers below 2^53: doubles are exact
+  // These are integers below 2^53, which doubles represent exactly.
   const auto isToldApart = [&](std::size_t i) {
     const double dark = with_dark ? dark_[i] : 0;
     const double sum = sums_[i] + dark;

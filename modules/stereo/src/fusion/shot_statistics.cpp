@@ -9,18 +9,18 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float normal_deviations = 1.4826f; // of a median absolute deviation
+constexpr float normal_deviations = 1.4826f; // per median absolute deviation
 constexpr float most_deviations = 3.0f;
 constexpr float least_limit = 1.0f;       // px
 constexpr float least_agreement = 0.6f;   // share of the shots, see isAgreed
-constexpr float median_variance = 1.571f; // of that of a mean
+constexpr float median_variance = 1.571f; // relative to that of a mean
 
-// By simulation, see doc/stereo/disparity_fusion.md.
-constexpr float least_scatter = 0.05f; // px, of a shot, besides what its sigma says
-constexpr float test_scatter = 0.5f;   // px, that the chi-square test lets pass besides
-constexpr float prior_shots = 1.0f;    // that the shots' own sigmas count for
-constexpr float common_share = 0.2f;  // of a shot's error that all shots have in common
-constexpr float least_sigma = 0.005f; // px
+// Determined by simulation, see doc/stereo/disparity_fusion.md.
+constexpr float least_scatter = 0.05f; // px, added to the sigma of a shot in quadrature
+constexpr float test_scatter = 0.5f;   // px, the same for the chi-square test
+constexpr float prior_shots = 1.0f;    // weight of the reported variances, in shots
+constexpr float common_share = 0.2f;   // part of a shot's sigma common to all shots
+constexpr float least_sigma = 0.005f;  // px
 
 constexpr float
 square(float value)
@@ -43,7 +43,7 @@ medianDeviation(const ShotDisparity* begin, const ShotDisparity* end)
   const ShotDisparity* below = begin + half;
   const ShotDisparity* above = begin + half + 1;
   float deviation = 0.0f;
-  for (std::ptrdiff_t i = 0; i < half; ++i) { // the nearest of those on either side
+  for (std::ptrdiff_t i = 0; i < half; ++i) { // takes the nearest on either side
     const bool goes_up =
         below == begin ||
         (above != end && above->disparity - middle < middle - below[-1].disparity);
@@ -52,7 +52,7 @@ medianDeviation(const ShotDisparity* begin, const ShotDisparity* end)
   return deviation;
 }
 
-/** \brief Those that are not too far from the middle one: at least half of them. */
+/** \brief The shots that are not too far from the middle one: at least half of them. */
 std::pair<const ShotDisparity*, const ShotDisparity*>
 inliersOf(const ShotDisparity* begin, const ShotDisparity* end)
 {
@@ -66,16 +66,17 @@ inliersOf(const ShotDisparity* begin, const ShotDisparity* end)
   return {begin, end};
 }
 
-/** \brief What is known of a pixel's shots, for the sigma of what they are fused to. */
+/** \brief Statistics of the shots of a pixel, for the sigma of the fused disparity. */
 struct Scatter {
-  float shots;    // how many
-  float worth;    // of a mean of so many
-  float variance; // px^2, of a shot, as they tell
-  float misfit;   // sum of squared deviations, by the variances that they tell
+  float shots;    // number
+  float worth;    // number of shots of an equally accurate mean
+  float variance; // px^2, of one shot, as reported
+  float misfit;   // sum of squared deviations, divided by the reported variances
 };
 
-/** \brief What the shots tell of their errors is scaled by how they differ; errors that
- * all have in common (a slanted wall, an edge within the window) do not show there. */
+/** \brief Scales the reported variance by the observed scatter between the shots.
+ * Errors that are common to all shots (a slanted wall, an edge within the window) do
+ * not appear in the scatter and are added. */
 float
 fusedSigma(const Scatter& of)
 {
@@ -84,8 +85,9 @@ fusedSigma(const Scatter& of)
                    square(least_sigma));
 }
 
-/** \brief Whether most of the shots tell this disparity to a pixel. Of shots that tell all
- * kinds of disparities the robust deviation is large, and all are within it. */
+/** \brief Returns true if most of the shots agree with this disparity. If the
+ * disparities are spread widely, the robust deviation is large, and all of them are
+ * inliers. */
 bool
 isAgreed(const ShotDisparity* begin, const ShotDisparity* end, float disparity)
 {
@@ -111,7 +113,7 @@ FusedDisparity
 medianOfShots(const ShotDisparity* begin, const ShotDisparity* end)
 {
   const auto shots = static_cast<float>(end - begin);
-  float precision = 0.0f; // the variance of a median goes with the mean of 1 / sigma
+  float precision = 0.0f; // the variance of a median depends on the mean of 1 / sigma
   for (const ShotDisparity* shot = begin; shot != end; ++shot)
     precision += 1.0f / std::sqrt(varianceOf(*shot, least_scatter)) / shots;
   const float variance = 1.0f / square(precision);
@@ -155,7 +157,7 @@ chiSquareLimit(std::size_t degrees_of_freedom)
 {
   if (degrees_of_freedom == 0)
     return std::numeric_limits<double>::infinity();
-  constexpr double deviations = 2.3263; // of the normal law, for 1 %
+  constexpr double deviations = 2.3263; // of the normal distribution, for 1 %
   const double part = 2.0 / (9.0 * static_cast<double>(degrees_of_freedom));
   const double root = 1.0 - part + deviations * std::sqrt(part);
   return static_cast<double>(degrees_of_freedom) * root * root * root;

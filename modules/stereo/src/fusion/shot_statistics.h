@@ -6,18 +6,18 @@
 
 namespace pcl::acmap {
 
-/** \brief What one shot tells of a pixel. */
+/** \brief Disparity of a pixel from one shot. */
 struct ShotDisparity {
   float disparity; ///< px
   float sigma;     ///< px, one standard deviation
 };
 
-/** \brief What all shots together tell of it. */
+/** \brief Disparity of a pixel from all shots. */
 struct FusedDisparity {
   float disparity;       ///< px
   float sigma;           ///< px, one standard deviation
-  std::uint16_t support; ///< shots
-  bool is_consistent;    ///< false: the shots tell different disparities
+  std::uint16_t support; ///< number of shots
+  bool is_consistent;    ///< false if the shots contradict each other
 };
 
 /** \brief Orders the disparities of a pixel, so that neither of the functions below
@@ -30,15 +30,16 @@ sortShots(ShotDisparity* begin, ShotDisparity* end);
 FusedDisparity
 medianOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 
-/** \brief The mean of those within three robust deviations of the median, at least 1 px:
- * half of them or more; consistent unless their scatter is too large for what is known of
- * it.
+/** \brief The weighted mean of the disparities within three robust standard deviations
+ * of the median (at least 1 px), which are at least half of them. It is inconsistent if
+ * too few shots agree with it, or if their scatter is too large for their variances.
  * \param[in] begin, end sorted, at least one */
 FusedDisparity
 consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 
-/** \brief What a sum of the squares of normal deviates exceeds once in a hundred times
- * (Wilson and Hilferty's approximation, to 1 %); infinite for none. */
+/** \brief The value that a chi-square variable exceeds with a probability of 1 % (the
+ * approximation of Wilson and Hilferty, accurate to 1 %); infinite for 0 degrees of
+ * freedom. */
 double
 chiSquareLimit(std::size_t degrees_of_freedom);
 

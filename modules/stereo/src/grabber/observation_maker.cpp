@@ -13,7 +13,7 @@ nameOf(std::int32_t observation)
   return "observation " + std::to_string(observation);
 }
 
-/** \brief Whether the place of b is behind that of a, in the same observation. */
+/** \brief Returns true if b comes after a in the same observation. */
 template <typename A>
 bool
 follows(const TrinocularFrame& b, const A& a)
@@ -116,7 +116,8 @@ ObservationMaker::cutOff(const std::string& by)
          " shots are dropped, and those that may follow are left out");
 }
 
-/** Shots that were forgotten, as the fusion was set up anew, come again. */
+/** Adds the shots that are not in the fusion: the new one, or all of them if a change
+ * of the settings discarded them. */
 void
 ObservationMaker::fill(const Shots& shots)
 {
@@ -159,7 +160,8 @@ ObservationMaker::remark(const std::string& text)
   report_.remarks.push_back(text);
 }
 
-/** With mutex_ held; the sum of each step over all observations. */
+/** Adds the seconds of each step to its sum over all observations. Must be called with
+ * mutex_ locked. */
 void
 ObservationMaker::addSeconds(const Report& report)
 {

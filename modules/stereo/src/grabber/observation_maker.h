@@ -9,14 +9,14 @@
 
 namespace pcl::acmap {
 
-/** \brief Collects the frames of an observation and makes a cloud of them when it is over.
- * Frames come one after another, though from several threads; only the report may be read
- * meanwhile. */
+/** \brief Collects the frames of an observation and computes a cloud when it is
+ * complete. Frames must be passed one after another, but may come from several threads;
+ * only the report may be read at the same time. */
 class ObservationMaker {
 public:
   using Give = std::function<void(const ActiveStereoObservation&)>;
 
-  /** \param[in] give takes observations; what it throws passes through */
+  /** \param[in] give receives the observations; its exceptions are passed on */
   ObservationMaker(const TrinocularRig& rig, Give give);
 
   DisparityFusion&
@@ -31,33 +31,32 @@ public:
     return projection_;
   }
 
-  /** \brief The report is of what comes from now on. */
+  /** \brief Clears the report: it covers what follows. */
   void
   clearReport();
 
-  /** \brief The next frame comes after a break. */
+  /** \brief Marks that the next frame comes after a break. */
   void
   resume();
 
-  /** \brief Whether none came since. */
+  /** \brief Returns true if no frame has come since \ref resume. */
   bool
   isAfterBreak() const
   {
     return is_after_break_;
   }
 
-  /** \brief Takes a frame; when it is the first one of another observation, that before is
-   * given. */
+  /** \brief Adds a frame; if it is the first one of another observation, the previous
+   * observation is delivered. */
   void
   take(const TrinocularFrame::ConstPtr& frame);
 
-  /** \brief No frame is left: the observation is whole, and given. */
+  /** \brief Must be called after the last frame: delivers the observation. */
   void
   finish();
 
-  /** \brief The observation will never be whole: it is dropped, and so are its later frames
-   * where they come after all.
-   * \param[in] by what cut it off, for the remark */
+  /** \brief Drops the incomplete observation, and its frames that may follow.
+   * \param[in] by what interrupted it, for the remark */
   void
   cutOff(const std::string& by);
 
@@ -67,7 +66,7 @@ public:
 private:
   using Shots = std::vector<TrinocularFrame::ConstPtr>;
 
-  /** \brief Of a frame in its session. */
+  /** \brief Position of a frame in its session. */
   struct Place {
     std::int32_t observation = 0;
     std::uint64_t number = 0;
@@ -76,7 +75,7 @@ private:
   bool
   isLeftOver(const TrinocularFrame& frame);
 
-  /** \brief With this frame an observation begins, and one that there was is over. */
+  /** \brief Begins an observation with this frame and delivers the previous one. */
   void
   begin(const TrinocularFrame::ConstPtr& frame, bool is_after_break);
 
@@ -95,11 +94,11 @@ private:
   const Give give_;
   DisparityFusion fusion_;
   DisparityBackProjection projection_;
-  Shots shots_;              // of the observation that is not over
-  std::optional<Place> cut_; // the last frame of the one that was cut off
+  Shots shots_;              // of the current observation
+  std::optional<Place> cut_; // last frame of the observation that was interrupted
   bool is_after_break_ = true;
 
-  mutable std::mutex mutex_; // of the report
+  mutable std::mutex mutex_; // protects the report
   ActiveStereoGrabberReport report_;
 };
 

@@ -25,11 +25,12 @@ ObservationStream::~ObservationStream()
 {
   stop();
   connection_.disconnect();
-  const std::lock_guard lock(entrance_->mutex); // others may run the frame grabber
+  // Other code may be running the frame grabber.
+  const std::lock_guard lock(entrance_->mutex);
   entrance_->stream = nullptr;
 }
 
-/** Whether a callback asks, in one of the two threads. */
+/** Returns true if the caller is a callback, in one of the two threads. */
 bool
 ObservationStream::isWithin() const
 {
@@ -72,7 +73,7 @@ ObservationStream::stop()
   }
   frames_->stop();
   if (frames_->isRunning())
-    return; // in one of its callbacks that came before ours: its last one
+    return; // called from another callback of the frame grabber, for its last frame
   thread_.stop();
   const std::lock_guard lock(mutex_);
   wish_ = Wish::Stream;
@@ -117,12 +118,12 @@ ObservationStream::run()
   return is_restarted_;
 }
 
-/** \return whether there was a stream */
+/** \return false if the stream was stopped before it started */
 bool
 ObservationStream::streamFrames()
 {
   {
-    // What is asked meanwhile is asked before the start, or after it.
+    // With the lock, a request takes effect either before the start or after it.
     const std::lock_guard lock(mutex_);
     if (wish_ == Wish::Stop)
       return false;

@@ -11,16 +11,17 @@
 
 namespace pcl::acmap {
 
-/** \brief Runs a grabber of frames and makes observations of what it gives. What it is asked
- * may be asked from any thread and from callbacks.
+/** \brief Runs a grabber of frames and computes observations from its frames. The
+ * public functions may be called from any thread and from callbacks.
  *
- * Two threads: that of the frame grabber, in which frames are taken, and one of its own,
- * which starts it, waits for its end, and then finishes. Both never work at once. */
+ * There are two threads: that of the frame grabber, in which frames are received, and
+ * an own thread, which starts the frame grabber, waits for its end, and then finishes.
+ * They never work at the same time. */
 class ObservationStream {
 public:
   ObservationStream(shared_ptr<TrinocularGrabber> frames, ObservationMaker::Give give);
 
-  /** \brief Stops. */
+  /** \brief Stops the stream. */
   ~ObservationStream();
 
   void
@@ -57,7 +58,7 @@ public:
   }
 
 private:
-  /** \brief Where frames come in, as long as the stream is there. */
+  /** \brief Entry point for frames; it has no stream after the stream is destroyed. */
   struct Entrance {
     std::mutex mutex;
     ObservationStream* stream = nullptr;
@@ -65,9 +66,9 @@ private:
 
   enum class Wish {
     Stream,
-    Pause,   ///< a callback said stop
-    Restart, ///< and then start
-    Stop     ///< somebody outside said stop, and waits
+    Pause,   ///< a callback called stop
+    Restart, ///< a callback called stop and then start
+    Stop     ///< other code called stop and waits
   };
 
   bool
@@ -87,11 +88,11 @@ private:
 
   const shared_ptr<TrinocularGrabber> frames_;
   ObservationMaker maker_;
-  bool is_restarted_ = false; // of the own thread
+  bool is_restarted_ = false; // only used by the own thread
 
-  std::mutex lifecycle_; // held by who starts or stops from outside; never by callbacks
+  std::mutex lifecycle_; // for start and stop from outside; never locked by callbacks
 
-  mutable std::mutex mutex_; // of all below
+  mutable std::mutex mutex_; // protects all members below
   Wish wish_ = Wish::Stream;
   bool takes_frames_ = false;
   std::thread::id own_thread_;
@@ -99,7 +100,7 @@ private:
 
   const std::shared_ptr<Entrance> entrance_;
   boost::signals2::scoped_connection connection_;
-  StreamThread thread_; // the last one: it uses all others
+  StreamThread thread_; // must be the last member, because it uses all others
 };
 
 } // namespace pcl::acmap

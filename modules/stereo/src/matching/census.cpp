@@ -8,16 +8,16 @@ namespace pcl::acmap {
 
 namespace {
 
-/** What one word tells. */
+/** Parameters of one word. */
 struct CensusWord {
-  int difference;       ///< grey levels, in units of a 16th
+  int difference;       ///< in 16ths of a grey level
   int reach_x, reach_y; ///< px
 };
 
 constexpr std::array<CensusWord, Census::words> census_words{
     {{-12, 2, 2}, {-5, 4, 3}, {5, 4, 3}, {12, 2, 2}}};
 
-/** Of a row: neighbour by neighbour, so that the pixels are taken side by side. */
+/** Fills a row, neighbour by neighbour, so that adjacent pixels can be vectorized. */
 void
 fillRow(
     const ShotStack& shot, const CensusWord& word, int y, int size, std::uint64_t* bits)

@@ -7,13 +7,14 @@
 
 namespace pcl::acmap {
 
-/** \brief For each pixel of a shot, bits for its neighbours: whether each is brighter by more
- * than a difference, for several differences (the census of Zabih and Woodfill, 1994, which
- * knows one, 0). Small differences count in 9 x 7 pixels, larger ones in 5 x 5: the wide
- * window finds its place among few lines, the narrow one keeps edges. */
+/** \brief For each pixel of a shot, one bit per neighbour and difference: is the
+ * neighbour brighter by more than the difference? The census of Zabih and Woodfill
+ * (1994) has only the difference 0. Small differences are compared in 9 x 7 pixels,
+ * larger ones in 5 x 5: the wide window localizes pixels between few lines, the narrow
+ * one preserves edges. */
 class Census {
 public:
-  /** \param[in] behind pixels to be read behind the end of a row */
+  /** \param[in] behind number of pixels behind the end of a row that can be read */
   Census(const ShotStack& shot, int behind);
 
   ShotRows<std::uint64_t>
@@ -22,7 +23,7 @@ public:
     return {bits_.data() + static_cast<std::int64_t>(y) * stride_ + x, plane_, words};
   }
 
-  static constexpr int words = 4; ///< a bit of each, for each neighbour
+  static constexpr int words = 4; ///< each has one bit per neighbour
 
 private:
   int stride_;

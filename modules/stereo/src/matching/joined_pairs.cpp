@@ -24,7 +24,7 @@ pixelOf(const PairMatch& pair, std::size_t at, double scale)
           pair.outcome[at]};
 }
 
-/** The mean by variances. */
+/** The mean weighted by inverse variances. */
 PixelMatch
 meanOf(const PixelMatch& a, const PixelMatch& b)
 {
@@ -37,7 +37,7 @@ meanOf(const PixelMatch& a, const PixelMatch& b)
           DisparityOutcome::Matched};
 }
 
-/** Of two reasons that of the pair that came farther in the tests. */
+/** Returns the pair that passed more of the tests; its reason is kept. */
 PixelMatch
 rejectedOf(const PixelMatch& a, const PixelMatch& b)
 {
@@ -50,8 +50,9 @@ isMatched(const PixelMatch& pixel)
   return pixel.outcome == DisparityOutcome::Matched;
 }
 
-/** Of two that contradict each other: the one that is much surer of its place, since along a
- * line all places fit; else the one that fits better. */
+/** Of two matches that contradict each other, returns the one with a much smaller
+ * standard deviation, since along a line all positions fit; otherwise the one with the
+ * higher correlation. */
 PixelMatch
 betterOf(const PixelMatch& a, const PixelMatch& b)
 {

@@ -8,21 +8,22 @@
 
 namespace pcl::acmap {
 
-/** \brief How two pairs become one. */
+/** \brief How two pairs are joined. */
 struct JoinSettings {
   double ratio = 1.0;     ///< baseline of the first pair over that of the second
   double agreement = 1.0; ///< px of the first pair
   bool require_agreement = false;
 };
 
-/** \brief What one pair tells. \param[in] support shots */
+/** \brief Takes the result of a single pair. \param[in] support number of shots */
 void
 takePair(const PairMatch& pair, std::uint16_t support, MatchedDisparity& matched);
 
-/** \brief What two pairs tell, in disparities of the first: where both are sure and agree,
- * the mean by their variances; else the one that is much surer, the one that correlates
- * better, or the one that is there.
- * \return pixels for which both agree */
+/** \brief Joins the results of two pairs, in disparities of the first: if both are
+ * matched and agree, the mean weighted by inverse variances; if they disagree, the one
+ * with a much smaller standard deviation or the higher correlation; otherwise the one
+ * that is matched.
+ * \return the number of pixels for which both agree */
 std::size_t
 joinPairs(const PairMatch& first,
           const PairMatch& second,

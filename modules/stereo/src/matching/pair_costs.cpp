@@ -15,11 +15,12 @@ namespace {
 
 constexpr float cost_of_no_correlation = 2000.0F;
 
-/** Of a place that the neighbour has not in its image: no bargain, but better than a bad
- * match. */
+/** Cost of a position outside the neighbour's image: not attractive, but better than a
+ * bad match. */
 constexpr std::int16_t outside_cost = 1500;
 
-/** Levels of a row over time, less their mean, over the root of their sum of squares. */
+/** Centred grey levels of a row over time, divided by the root of their sum of squares
+ * plus a floor. */
 class CodeRow {
 public:
   CodeRow(const ShotStack& stack, int behind)
@@ -65,7 +66,7 @@ private:
   std::vector<float> values_;
 };
 
-/** What was filled in for disparities that lead out of the image, or are none. */
+/** Replaces the costs of disparities that are outside the image, and of the padding. */
 void
 markOutside(const DisparityRange& range, const CostRow& row)
 {

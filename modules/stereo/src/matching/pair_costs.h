@@ -8,12 +8,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Disparities that are searched for: first, first + 1, ... */
+/** \brief Disparities of the search range: first, first + 1, ... */
 struct DisparityRange {
   int first = 0; ///< px
   int count = 0;
 
-  /** \brief Count, filled up to whole blocks. */
+  /** \brief Count, rounded up to whole blocks. */
   int
   stride() const
   {
@@ -21,7 +21,7 @@ struct DisparityRange {
   }
 };
 
-/** \brief A number for each pixel and disparity. */
+/** \brief One cost per pixel and disparity. */
 struct CostVolume {
   int width = 0;
   int height = 0;
@@ -45,9 +45,9 @@ struct CostVolume {
   }
 };
 
-/** \brief What it costs to give a pixel a disparity; both stacks centred as the recipe has
- * it, the target with the range's first + stride behind its rows. Runs in all threads of
- * the caller's arena. */
+/** \brief Computes the cost of each disparity of each pixel. Both stacks must be
+ * centred if the recipe is; the target must be readable for first + stride pixels
+ * behind its rows. Runs in all threads of the caller's arena. */
 void
 fillCosts(const ShotStack& reference,
           const ShotStack& target,

@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Puts a laid-out pair's pixels where they are in the image. */
+/** Maps pixels of a transposed or mirrored pair to their indices in the image. */
 class PixelPlaces {
 public:
   PixelPlaces(const PairLayout& layout, int width, int height)
@@ -35,7 +35,7 @@ private:
   int width_, height_;
 };
 
-/** Tests matches in the order in which a user would look for the cause. */
+/** Tests matches in the order in which a user would search for the cause. */
 class PairJudge {
 public:
   PairJudge(const PairWinners& winners,
@@ -53,7 +53,7 @@ public:
   {
     if (!std::isfinite(refined_.disparity[at]))
       return DisparityOutcome::OutOfView;
-    // What is all of one grey fits anywhere, whatever the threshold.
+    // A uniformly grey pixel fits anywhere and is rejected with any threshold.
     if (refined_.deviation[at] <= 0.0F || refined_.deviation[at] < tests_.deviation)
       return DisparityOutcome::Untextured;
     if (refined_.correlation[at] < tests_.correlation)

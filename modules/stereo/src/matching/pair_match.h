@@ -11,23 +11,24 @@
 
 namespace pcl::acmap {
 
-/** \brief When a match is believed. */
+/** \brief Conditions under which a match is accepted. */
 struct MatchTests {
   int uniqueness = 0;           ///< percent, 0 for no such test
-  double deviation = 0;         ///< grey levels, at least
-  double correlation = -1;      ///< at least
-  bool left_right = true;       ///< whether it is tested
+  double deviation = 0;         ///< minimum, grey levels
+  double correlation = -1;      ///< minimum
+  bool left_right = true;       ///< if true, the left-right check is applied
   int left_right_threshold = 1; ///< px
 };
 
-/** \brief Images of a pair in all shots, and how they are laid. */
+/** \brief Images of a pair in all shots, and their layout. */
 struct PairImages {
   std::vector<const CameraImage*> reference;
   std::vector<const CameraImage*> target;
   PairLayout layout;
 };
 
-/** \brief What a pair tells of each pixel of the reference image, rows from the top. */
+/** \brief Result of a pair for each pixel of the reference image, row by row from the
+ * top. */
 struct PairMatch {
   std::vector<float> disparity;   ///< px
   std::vector<float> sigma;       ///< px
@@ -38,8 +39,8 @@ struct PairMatch {
 /** \brief Matches a pair of cameras; keeps its memory from run to run. */
 class PairMatcher {
 public:
-  /** \brief Runs in all threads of the caller's arena; the result does not depend on them.
-   */
+  /** \brief Runs in all threads of the caller's arena; the result does not depend on
+   * them. */
   void
   match(const PairImages& images,
         const MatchingRecipe& recipe,

@@ -12,24 +12,26 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr int reach = 2;                                 ///< px, of the window
+constexpr int reach = 2;                                 ///< radius of the window, px
 constexpr std::size_t places = WindowAtQuarters::places; ///< from -1 px on
-constexpr float unit = ShotStack::unit;                  ///< of levels
+constexpr float unit = ShotStack::unit;                  ///< per grey level
 constexpr float noise_floor = 0.25F * unit * unit;
 constexpr float quarter = 0.25F; ///< px
 
-/** Blur and interpolation make neighbours alike: as many of a window's values are
- * independent. Measured in simulation, see doc/stereo/trinocular_matching.md. */
+/** Share of the values of a window that are independent: blur and interpolation
+ * correlate adjacent values. Measured in simulation, see
+ * doc/stereo/trinocular_matching.md. */
 constexpr float independent_share = 0.34F;
 
-/** What is known of a window. */
+/** Sums over a window. */
 class Window {
 public:
   explicit Window(bool centred)
   : centred_(centred)
   {}
 
-  /** Adds those of a row whose winners are as that of the middle.
+  /** Adds the pixels of a row whose winners differ by at most 1 from that of the
+   * middle.
    * \param[in] begin, end columns */
   void
   add(const QuarterSums& row, int begin, int end, int winner)
@@ -53,7 +55,8 @@ public:
     values_ = value;
   }
 
-  /** All pixels are there. \param[in] shots values of a pixel */
+  /** Must be called after the last pixel was added. \param[in] shots values per pixel
+   */
   void
   finish(int shots)
   {
@@ -64,7 +67,7 @@ public:
     square_ = std::max(squares_ - size_ * mean_ * mean_, 0.0F);
   }
 
-  /** ZNCC at a place. */
+  /** ZNCC at a quarter pixel. */
   float
   correlate(std::size_t place) const
   {
@@ -80,7 +83,7 @@ public:
     return square_ / size_;
   }
 
-  /** How many values are compared. */
+  /** Number of values that are compared. */
   float
   size() const
   {
@@ -93,12 +96,12 @@ private:
   bool centred_;
   std::array<const float*, pixels> pixels_;
   int count_ = 0;
-  float squares_ = 0, values_ = 0; ///< of the reference
+  float squares_ = 0, values_ = 0; ///< sums over the reference
   WindowAtQuarters sums_;
   float size_ = 0, floor_ = 0, mean_ = 0, square_ = 0;
 };
 
-/** Rows of sums, as many as a window is high. */
+/** Rows of sums, as many as the height of a window. */
 class SumRows {
 public:
   SumRows(const ShotStack& reference,
@@ -130,8 +133,9 @@ public:
     return window;
   }
 
-  /** ZNCC of a pixel's own levels over time. A hidden pixel takes the disparity of those
-   * beside it, whose window is as good as theirs; only its own levels tell. */
+  /** ZNCC of the pixel's own levels over time. An occluded pixel takes the disparity of
+   * adjacent pixels, and its window fits as well as theirs; only its own levels differ.
+   */
   float
   ownCorrelation(int x, int y, float offset)
   {
@@ -178,7 +182,7 @@ private:
 struct Peak {
   float offset = 0;      ///< px
   float correlation = 0; ///< ZNCC
-  float curvature = 0;   ///< of the correlation, 1 / px^2, turned round: above 0
+  float curvature = 0;   ///< negative second derivative of it, 1 / px^2, at least 0
 };
 
 Peak
@@ -192,8 +196,8 @@ peakOf(const Window& window)
     return correlations[place];
   };
   std::size_t best = places / 2;
-  // Uphill from the winner, half a pixel at most: a higher peak beyond a valley is another
-  // match, one farther away that of what stands beside an edge.
+  // Climbs from the winner by at most half a pixel: a higher peak beyond a valley is
+  // another match, and a peak farther away belongs to a surface next to an edge.
   while (best < 3 * places / 4 && at(best + 1) > at(best))
     ++best;
   while (best > places / 4 && at(best - 1) > at(best))
@@ -211,8 +215,8 @@ peakOf(const Window& window)
   return peak;
 }
 
-/** Of a least-squares shift: what the correlation lacks of 1 is noise of both views, its
- * curvature is how steep the levels are. */
+/** Standard deviation of a least-squares shift: 1 minus the correlation is the noise of
+ * both views, its curvature depends on the gradient of the levels. */
 float
 sigmaOf(const Peak& peak, float values)
 {

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::int16_t never = 30000;
 
-/** Memory of path costs of a row: a slot for each pixel and one on either side. */
+/** Path costs of a row: one slot for each pixel and one on either side. */
 class PathRow {
 public:
   PathRow(int width, int stride)
   : slot_(stride + disparity_block)
   {
     for (std::size_t path = 0; path < 3; ++path) {
-      // Before the first slot as behind each.
+      // The padding before the first slot is the same as that behind each slot.
       costs_[path].assign(
           static_cast<std::size_t>(disparity_block + (width + 2) * slot_), never);
       least_[path].assign(static_cast<std::size_t>(width + 2), 0);
@@ -48,8 +48,8 @@ private:
   std::vector<std::int16_t> least_[3];
 };
 
-/** Sums of 3 x 3 pixels' costs, by disparity. Sums along paths would not do: what lies at
- * the border of the image is carried over all of a picture that repeats itself. */
+/** Sums the costs of 3 x 3 pixels by disparity. Sums along paths are not suitable: in a
+ * repetitive image they propagate the costs at the border over the whole image. */
 void
 sumCostsAround(const CostVolume& costs, int x, int y, std::vector<int>& sums)
 {
@@ -66,7 +66,8 @@ sumCostsAround(const CostVolume& costs, int x, int y, std::vector<int>& sums)
 std::uint8_t
 uniquenessOf(const std::vector<int>& sums, int best)
 {
-  constexpr int smallest = 100; // a perfect match is no reason to believe a chance
+  // Lower bound of the costs: a perfect match alone is no evidence for uniqueness.
+  constexpr int smallest = 100;
   int other = std::numeric_limits<int>::max() / 200;
   for (int i = 0; i < static_cast<int>(sums.size()); ++i)
     if (std::abs(i - best) > 1)
@@ -94,7 +95,7 @@ findUniqueness(const CostVolume& costs,
 
 } // namespace
 
-/** All rows in one direction: down from the first, or up from the last. */
+/** A pass over all rows in one direction: down from the first, or up from the last. */
 class PathSums::Pass {
 public:
   Pass(const ShotStack& image, const PathSettings& settings, CostVolume& costs, bool up)

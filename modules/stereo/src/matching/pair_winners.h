@@ -7,30 +7,30 @@
 
 namespace pcl::acmap {
 
-/** \brief The disparity of least cost for each pixel of a reference view, rows from the
- * top. */
+/** \brief The disparity with the minimum cost for each pixel of a reference view, row
+ * by row from the top. */
 struct PairWinners {
-  std::vector<std::int16_t> index; ///< from the range's first on
+  std::vector<std::int16_t> index; ///< relative to the first one of the range
 
-  /** \brief By pixel of the neighbour's view: the column of the reference that matches it
-   * best, -1 where none can. */
+  /** \brief For each pixel of the neighbour's view: the column of the reference that
+   * matches it best, -1 if there is none. */
   std::vector<std::int16_t> matched_by;
 
-  /** \brief Percent by which disparities more than 1 px away cost more, at least, in 3 x 3
-   * pixels without paths. */
+  /** \brief Percent by which the costs of all disparities more than 1 px away are
+   * higher, in 3 x 3 pixels without paths. */
   std::vector<std::uint8_t> uniqueness;
 };
 
-/** \brief What \ref PathSums needs besides costs. */
+/** \brief Settings of \ref PathSums. */
 struct PathSettings {
   std::int16_t small_penalty = 0;
   std::int16_t large_penalty = 0;
   int contrast = 0;        ///< as in \ref MatchingRecipe
-  bool uniqueness = false; ///< whether it is asked for
+  bool uniqueness = false; ///< if true, the uniqueness is computed
 };
 
-/** \brief Sums costs along eight paths (semi-global matching, Hirschmueller 2008) and takes
- * the least. Keeps its memory from run to run. */
+/** \brief Sums costs along eight paths (semi-global matching, Hirschmueller 2008) and
+ * finds the minima. Keeps its memory from run to run. */
 class PathSums {
 public:
   /** \param[in] image the reference, for the contrast

@@ -18,7 +18,7 @@ PenaltyRows::row(int y)
 {
   const int ahead = up_ ? -1 : 1;
   if (settings_.contrast > 0) {
-    // The border of the image repeats it, so that a step from outside has no contrast.
+    // The border repeats the outermost pixels, so a step from outside has no contrast.
     const std::int16_t* const levels = image_.rows(y).values;
     const std::int16_t* const before = image_.rows(y - ahead).values;
     for (int x = 0; x < image_.width(); ++x) {

@@ -9,8 +9,8 @@
 
 namespace pcl::acmap {
 
-/** \brief P2 for the steps of each path, by the contrast of the image (Hirschmueller 2008,
- * section 2.3). */
+/** \brief P2 for the steps of each path, depending on the contrast of the image
+ * (Hirschmueller 2008, section 2.3). */
 class PenaltyRows {
 public:
   PenaltyRows(const ShotStack& image, const PathSettings& settings, bool up)
@@ -22,7 +22,7 @@ public:
       row.assign(static_cast<std::size_t>(image.width()), settings.large_penalty);
   }
 
-  /** \brief Valid until the next call. */
+  /** \brief The result is valid until the next call. */
   PathPenalties
   row(int y);
 

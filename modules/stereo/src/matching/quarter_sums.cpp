@@ -7,10 +7,10 @@ namespace pcl::acmap {
 namespace {
 
 constexpr int quarters = 4;
-constexpr int before = 2; ///< px, to the left of a winner
+constexpr int before = 2; ///< px to the left of a winner
 
-/** Weights of the pixel before a place, of its own and of the two behind, at each quarter:
- * cubic convolution (Keys, 1981). */
+/** Weights at each quarter, of the pixel before a position, the pixel itself and the
+ * two behind it: cubic convolution (Keys, 1981). */
 constexpr std::array<std::array<float, quarters>, 4> weights{
     {{0.0F, -0.0703125F, -0.0625F, -0.0234375F},
      {1.0F, 0.8671875F, 0.5625F, 0.2265625F},
@@ -49,7 +49,7 @@ QuarterSums::fill(const ShotStack& reference,
                   int y)
 {
   const int width = reference.width();
-  // Beyond the image stands its border, two pixels of which a winner in it may need.
+  // A winner at the border of the image may need two pixels beyond it.
   const int length = width + 2 * before;
   interpolate(target, y, length);
   const ShotRows<std::int16_t> rows = reference.rows(y);

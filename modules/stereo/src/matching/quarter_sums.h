@@ -7,8 +7,8 @@
 
 namespace pcl::acmap {
 
-/** \brief For the pixels of one row: sums over the shots, at sixteen quarter pixels from 2
- * px before the winner on. */
+/** \brief Sums over the shots for the pixels of one row, at sixteen quarter pixels
+ * starting 2 px before the winner. */
 class QuarterSums {
 public:
   void
@@ -18,7 +18,7 @@ public:
        const DisparityRange& range,
        int y);
 
-  /** \brief Of the neighbour, by pixel of the row. */
+  /** \brief Sums of the neighbour, by pixel of the row. */
   const SubPixelSums*
   sums() const
   {
@@ -39,7 +39,7 @@ public:
     return values_.data();
   }
 
-  /** \brief Winners; \ref outside those that lie outside the neighbour's image. */
+  /** \brief Winners; \ref outside if they are outside the neighbour's image. */
   const int*
   winners() const
   {

@@ -5,44 +5,45 @@
 
 namespace pcl::acmap {
 
-/** \brief By what a pixel is compared. */
+/** \brief The values by which pixels are compared. */
 enum class PairCost {
-  OverTime, ///< its levels in all shots
-  Windows,  ///< those of a square round it
-  Census,   ///< which of its neighbours are brighter
+  OverTime, ///< grey levels of the pixel in all shots
+  Windows,  ///< grey levels of a square window around it
+  Census,   ///< signs of the differences to its neighbours
 };
 
-/** \brief Grey levels squared, added to the variance of what is compared: what changes no
- * more than its noise is like nothing. */
+/** \brief Added to the variances of the compared values, in squared grey levels: values
+ * that vary no more than by noise do not correlate with anything. */
 inline constexpr float variance_floor = 4.0F;
 
-/** \brief How a number of shots is matched; measured, see doc/stereo/trinocular_matching.md.
- */
+/** \brief Parameters of the matching for a number of shots; determined by measurements,
+ * see doc/stereo/trinocular_matching.md. */
 struct MatchingRecipe {
   PairCost cost = PairCost::OverTime;
-  int radius = 0; ///< px, of the windows
+  int radius = 0; ///< of the windows, px
 
-  double blur = 0.6; ///< px, one standard deviation, of the images before all else
+  double blur = 0.6; ///< standard deviation of the blur before the matching, px
 
-  /** \brief Whether each pixel is compared without its mean over the shots; else each
-   * window without its mean. */
+  /** \brief If true, the mean over the shots is subtracted from each pixel; otherwise
+   * the mean of each window is subtracted. */
   bool centred = true;
 
-  std::int16_t cost_of_bit = 12; ///< of the census
+  std::int16_t cost_of_bit = 12; ///< cost of a bit of the census
 
-  std::int16_t small_penalty = 100; ///< P1; 2000 is what no correlation costs
+  std::int16_t small_penalty = 100; ///< P1; no correlation costs 2000
   std::int16_t large_penalty = 400; ///< P2
 
-  /** \brief Grey levels: the excess of P2 over P1 is half as large where the image changes
-   * that much from pixel to pixel; 0: always the same. */
+  /** \brief Grey levels: P2 - P1 is halved if the image changes by this amount from
+   * pixel to pixel; 0: P2 is constant. */
   int contrast = 0;
 
   double least_deviation = 2.0; ///< grey levels
   double least_correlation = 0.5;
 };
 
-/** \param[in] lit whether they were taken under patterns; one that was not is passive
- * stereo, where little is blank, edges are what counts, and no mask is needed */
+/** \param[in] lit true if the shots were taken under patterns. A shot without a pattern
+ * is treated as passive stereo: most surfaces are textured, edges must be preserved,
+ * and no mask is needed */
 MatchingRecipe
 recipeOf(std::size_t shots, bool lit);
 

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Calls body (begin, end) for blocks of rows, in any order, in all threads of the
- * caller's arena. */
+/** \brief Calls body (begin, end) for blocks of rows, in any order, in all threads of
+ * the caller's arena. */
 template <typename Body>
 void
 forRowBlocks(int height, const Body& body)

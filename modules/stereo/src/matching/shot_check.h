@@ -12,13 +12,14 @@ namespace pcl::acmap {
 std::string
 sizeText(int width, int height);
 
-/** \brief Refuses a rig that no camera can have, that has no neighbours, or whose baselines
- * differ more than 16 times: no disparities serve both then.
+/** \brief Rejects a rig that has invalid values or no neighbours, or whose baselines
+ * differ by more than a factor of 16, because no range of disparities is suitable for
+ * both.
  * \throws BadArgumentException naming value and legal range */
 void
 requireStereoRig(const TrinocularRig& rig);
 
-/** \brief Refuses a shot that is not one of the rig.
+/** \brief Rejects a shot that does not belong to the rig.
  * \throws BadArgumentException naming the camera and what is wrong */
 void
 requireShotOf(const TrinocularRig& rig, const TrinocularFrame& shot);

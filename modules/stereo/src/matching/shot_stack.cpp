@@ -11,7 +11,7 @@ namespace {
 
 constexpr int blur_reach = 2;
 
-/** Where the pixels of a laid-out image lie in the image itself. */
+/** Position of the pixels of a transposed or mirrored image in the image itself. */
 struct PixelSteps {
   PixelSteps(const CameraImage& image, const PairLayout& layout)
   : along(layout.transposed ? image.width : 1)
@@ -27,7 +27,7 @@ struct PixelSteps {
   std::ptrdiff_t first = 0, along, across;
 };
 
-/** Levels of a row, in units of a 16th. */
+/** Grey levels of a row, in 16ths. */
 void
 readRow(
     const CameraImage& image, const PixelSteps& steps, int y, int width, float* levels)
@@ -47,7 +47,7 @@ readRow(
   }
 }
 
-/** Repeats the first and the last of some values beside them. */
+/** Repeats the first and the last value outside the range. */
 template <typename Value>
 void
 repeatEnds(Value* values, int size, int before, int behind)

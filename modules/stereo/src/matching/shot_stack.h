@@ -10,15 +10,16 @@
 
 namespace pcl::acmap {
 
-/** \brief How a camera's image is laid so that its pair is always searched the same way: a
- * pixel of the reference at column x lies in the neighbour's row at x + disparity. */
+/** \brief How an image is transposed and mirrored so that every pair is searched in the
+ * same direction: a pixel of the reference at column x corresponds to the column x +
+ * disparity in the same row of the neighbour. */
 struct PairLayout {
-  bool transposed = false; ///< the neighbour stands above or below
-  bool mirrored = false;   ///< it stands to the right, or below
+  bool transposed = false; ///< the neighbour is above or below
+  bool mirrored = false;   ///< the neighbour is to the right, or below
 };
 
-/** \brief Of a Gaussian, from the middle outwards; on both sides they add up to 1024. Whole
- * numbers, which a float holds exactly and multiplies faster. */
+/** \brief Weights of a Gaussian, from the middle outwards; the sum over both sides is
+ * 1024. They are integers, which a float represents exactly and multiplies faster. */
 struct BlurWeights {
   explicit BlurWeights(double sigma);
 
@@ -33,25 +34,26 @@ struct BlurWeights {
   std::array<float, 3> weights;
 };
 
-/** \brief Grey levels of one camera in several shots, blurred, as whole numbers, with a
- * border that repeats the outermost ones. */
+/** \brief Blurred grey levels of one camera in several shots, as integers, with a
+ * border that repeats the outermost pixels. */
 class ShotStack {
 public:
-  static constexpr int border = 4; ///< pixels on each side, more behind a row
-  static constexpr int unit = 16;  ///< in a grey level
+  static constexpr int border = 4; ///< pixels on each side; more are behind a row
+  static constexpr int unit = 16;  ///< per grey level
 
-  /** \brief Replaces what was read before, in its memory.
-   * \param[in] images of one size, whole
-   * \param[in] blur px, one standard deviation
-   * \param[in] behind pixels to be read behind the end of a row
-   * Runs in all threads of the caller's arena. */
+  /** \brief Replaces the images that were read before and reuses their memory. Runs in
+   * all threads of the caller's arena.
+   * \param[in] images complete and of one size
+   * \param[in] blur standard deviation, px
+   * \param[in] behind number of pixels behind the end of a row that can be read */
   void
   read(const std::vector<const CameraImage*>& images,
        const PairLayout& layout,
        double blur,
        int behind);
 
-  /** \brief Takes the mean over the shots off each pixel; there are two shots at least. */
+  /** \brief Subtracts the mean over the shots from each pixel; requires at least two
+   * shots. */
   void
   takeOffMean();
 
@@ -73,7 +75,8 @@ public:
     return shots_;
   }
 
-  /** \brief From \a column of \a row on, each up to \ref border beside the image. */
+  /** \brief Values from \a column of \a row on; both may be up to \ref border outside
+   * the image. */
   ShotRows<std::int16_t>
   rows(int row, int column = 0) const
   {

@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Means and norms of the square window round each pixel, over all shots. */
+/** \brief Means and norms of the square window around each pixel, over all shots. */
 class WindowSums {
 public:
-  /** \param[in] behind pixels to be read behind the end of a row */
+  /** \param[in] behind number of pixels behind the end of a row that can be read */
   WindowSums(const ShotStack& stack, const MatchingRecipe& recipe, int behind);
 
   WindowRow

@@ -9,10 +9,11 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Rows and columns of the mean camera may be turned by this against baselines. */
+/** \brief Cosine of 60 degrees: limits the angles between baselines, axes of the
+ * cameras and viewing directions. */
 constexpr double least_cosine = 0.5;
 
-/** \brief Mean over the cameras of an axis of theirs, in the reference's frame. */
+/** \brief Mean of one axis over all cameras, in the frame of the reference. */
 Eigen::Vector3d
 meanAxis(const RigCalibration& calibration, int axis)
 {
@@ -23,7 +24,8 @@ meanAxis(const RigCalibration& calibration, int axis)
   return sum.normalized();
 }
 
-/** \brief The direction of a baseline, along an axis of the cameras. */
+/** \brief The direction of a baseline, with the sign of the given axis of the cameras.
+ */
 Eigen::Vector3d
 along(const CameraCalibration& neighbour, const Eigen::Vector3d& axis, const char* name)
 {
@@ -49,7 +51,7 @@ commonRotation(const RigCalibration& calibration)
   Eigen::Vector3d x = meanAxis(calibration, 0);
   Eigen::Vector3d y = meanAxis(calibration, 1);
   const Eigen::Vector3d forward = meanAxis(calibration, 2);
-  // With one neighbour the third direction is that in which the cameras look.
+  // With one neighbour, the third direction is the viewing direction of the cameras.
   if (horizontal.is_there)
     x = along(horizontal, x, "horizontal");
   if (vertical.is_there)
@@ -64,7 +66,7 @@ commonRotation(const RigCalibration& calibration)
   const Eigen::Vector3d z = across.normalized();
   if (!(z.dot(forward) > least_cosine))
     throw BadArgumentException("the cameras do not look across their baselines");
-  // One pair alone keeps its own baseline exactly.
+  // A single pair keeps its own baseline exactly.
   if (!horizontal.is_there)
     x = y.cross(z).normalized();
   Eigen::Matrix3d rotation;
@@ -74,7 +76,7 @@ commonRotation(const RigCalibration& calibration)
   return rotation;
 }
 
-/** \brief What all cameras see, on the plane z = 1 of the common frame. */
+/** \brief The region that all cameras see, on the plane z = 1 of the common frame. */
 struct CommonBounds {
   Eigen::Vector2d least = Eigen::Vector2d::Constant(-1e9);
   Eigen::Vector2d most = Eigen::Vector2d::Constant(1e9);
@@ -93,7 +95,7 @@ seenAt(const CameraCalibration& camera,
   return ray.hnormalized();
 }
 
-/** \brief Takes off what a camera does not see, walking round the edge of its image. */
+/** \brief Reduces the region to what a camera sees, along the border of its image. */
 void
 narrow(const RigCalibration& calibration,
        const CameraCalibration& camera,
@@ -115,7 +117,7 @@ narrow(const RigCalibration& calibration,
   }
 }
 
-/** \brief The shortest focal length that fills the image from the window. */
+/** \brief Sets the smallest focal length for which the window fills the image. */
 void
 setPinhole(const CommonBounds& window, TrinocularRig& rig)
 {

@@ -4,9 +4,10 @@
 
 namespace pcl::acmap {
 
-/** \brief The frame and the pinhole that all cameras of a rig are turned to. */
+/** \brief The frame and the pinhole that are common to all cameras of a rig. */
 struct CommonView {
-  /** \brief Turns directions of the reference camera's frame into the common one. */
+  /** \brief Rotates directions from the frame of the reference camera to the common
+   * one. */
   Eigen::Matrix3d R_common_reference = Eigen::Matrix3d::Identity();
 
   /** \brief Pinhole, size and baselines. */
@@ -15,7 +16,7 @@ struct CommonView {
   /** \brief Metres along x from the reference to the vertical neighbour. */
   double column_offset = 0;
 
-  /** \brief Turns directions of a camera's frame into the common one. */
+  /** \brief Rotates directions from the frame of a camera to the common one. */
   Eigen::Matrix3d
   rotationOf(const CameraCalibration& camera) const
   {
@@ -23,7 +24,7 @@ struct CommonView {
   }
 };
 
-/** \throws BadArgumentException when no such view is in sight */
+/** \throws BadArgumentException when there is no such view */
 CommonView
 commonViewOf(const RigCalibration& calibration);
 

@@ -24,7 +24,7 @@ RemapTable::RemapTable(const RigCalibration& calibration,
                                 (row - rig.center_y) / rig.focal_length,
                                 1.0);
       const Eigen::Vector2d from = projectPoint(camera, R_camera_common * ray);
-      // The view was chosen so that only rounding leads over the edge.
+      // The common view is inside all images, up to rounding errors.
       const Place x = placeOf(from.x(), width_);
       const Place y = placeOf(from.y(), height_);
       sources_[i] = {static_cast<std::uint32_t>(y.pixel * width_ + x.pixel),
@@ -40,7 +40,7 @@ RemapTable::placeOf(double value, std::size_t size)
   const auto last = static_cast<double>(size - 1);
   const auto place = static_cast<std::size_t>(
       std::clamp(std::round(value * steps), 0.0, last * steps));
-  // Of two pixels, the last one is the second.
+  // The last position belongs to the interval between the last two pixels.
   const std::size_t pixel = std::min(place / steps, std::max<std::size_t>(size, 2) - 2);
   return {pixel, place - pixel * steps};
 }
@@ -52,13 +52,13 @@ RemapTable::fill(const std::uint8_t* from,
                  std::size_t end,
                  std::uint8_t* to) const
 {
-  // A neighbour over the edge, of one row or column, has no weight.
+  // With a single row or column there is no such neighbour, and its weight is 0.
   const std::size_t right = width_ > 1 ? channels : 0;
   const std::size_t below = height_ > 1 ? channels * width_ : 0;
   const Source* const sources = sources_.data();
   to += channels * begin;
   for (std::size_t i = begin; i < end; ++i) {
-    const Source source = sources[i]; // a copy: a byte that is written may lie anywhere
+    const Source source = sources[i]; // a copy, because written bytes may alias it
     const std::uint8_t* const a = from + channels * source.pixel;
     const std::uint8_t* const b = a + below;
     for (std::size_t k = 0; k < channels; ++k) {

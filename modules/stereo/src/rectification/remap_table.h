@@ -10,8 +10,8 @@
 
 namespace pcl::acmap {
 
-/** \brief For each pixel of a rectified image, where in the raw image it comes from. Whole
- * numbers only, so that every machine gives the same bytes. */
+/** \brief For each pixel of a rectified image, its position in the raw image. Uses only
+ * integers, so that every machine gives the same bytes. */
 class RemapTable {
 public:
   RemapTable(const RigCalibration& calibration,
@@ -23,20 +23,21 @@ public:
   apply(const CameraImage& image) const;
 
 private:
-  static constexpr int steps = 256; // of a pixel
+  static constexpr int steps = 256; // per pixel
 
-  /** \brief A pixel and those to its right, below it and below that one, of which at the
-   * edges the weight says which counts. Small, as all are read for each image. */
+  /** \brief Interpolates between a pixel and its neighbours to the right, below, and
+   * below right; at the border the weights select the pixels. The structure is small,
+   * because all of them are read for each image. */
   struct Source {
     std::uint32_t pixel;
-    std::uint16_t right; ///< weight of the right ones, 0 to steps
-    std::uint16_t below; ///< weight of the lower ones, likewise
+    std::uint16_t right; ///< weight of the neighbours to the right, 0 to steps
+    std::uint16_t below; ///< weight of the neighbours below, 0 to steps
   };
 
-  /** \brief Along a row or column. */
+  /** \brief Position along a row or column. */
   struct Place {
     std::size_t pixel;
-    std::size_t rest; ///< steps from the pixel on, 0 to steps
+    std::size_t rest; ///< offset from the pixel in steps, 0 to steps
   };
 
   static Place

@@ -1,11 +1,11 @@
-// Eight floats, eight or sixteen whole numbers at once, as vector types of the compiler.
-// For the inside of one source file: all is in an unnamed namespace, since every variant
-// is compiled with its own flags.
+// Eight floats, or eight or sixteen integers at once, as vector types of the compiler.
+// To be included by source files only: everything is in an unnamed namespace, because
+// every variant is compiled with its own flags.
 #pragma once
 
 #include <cstdint>
 
-// The vectors never pass between functions of different files.
+// The vectors are never passed between functions of different files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {

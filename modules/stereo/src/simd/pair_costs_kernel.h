@@ -1,4 +1,4 @@
-// Costs of a row, compiled once for each variant; as lanes.h.
+// Costs of a row, compiled once for each variant; included in the same way as lanes.h.
 #pragma once
 
 #include "lanes.h"
@@ -23,8 +23,8 @@ costsOf(const Floats& correlation, float scale)
                                  EightShorts);
 }
 
-/** Of as many blocks of eight disparities at once, so that a level of the reference is
- * read once for all. */
+/** Computes several blocks of eight disparities at once, so that each grey level of the
+ * reference is read only once. */
 template <int blocks>
 ACMAP_INLINE void
 correlateBlocks(const ShotRows<float>& reference,

@@ -1,4 +1,5 @@
-// Sums of costs along paths, compiled once for each variant; as lanes.h.
+// Sums of costs along paths, compiled once for each variant; included in the same way
+// as lanes.h.
 #pragma once
 
 #include "lanes.h"
@@ -12,7 +13,7 @@ using pcl::acmap::PathPenalties;
 using pcl::acmap::PathRows;
 using pcl::acmap::RowWinners;
 
-/** Where a path stands: costs of its last pixel, and the least of them. */
+/** State of a path: costs of its last pixel, and their minimum. */
 struct PathStep {
   const std::int16_t* before;
   std::int16_t least;
@@ -67,8 +68,8 @@ followRow(const CostRow& costs,
 {
   const std::int64_t slot = costs.stride + pcl::acmap::disparity_block;
   constexpr int ahead = reversed ? -1 : 1;
-  // The path within the row takes turns between the two slots beside the row, which the
-  // path from straight above never reads.
+  // The path within the row alternates between the two slots beside the row, which are
+  // never read by the path from straight above.
   std::int16_t* const row_ends[2] = {after.costs[1],
                                      after.costs[1] + (costs.width + 1) * slot};
   std::memset(row_ends[0], 0, static_cast<std::size_t>(costs.stride) * 2);
@@ -115,7 +116,7 @@ follow(const CostRow& costs,
 
 constexpr Shorts first_indices{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
-/** Sums are unsigned; less 32768 they compare as signed. */
+/** Sums are unsigned; after subtraction of 32768 they can be compared as signed. */
 ACMAP_INLINE Shorts
 comparable(const std::int16_t* sums, int i, int disparities)
 {

@@ -1,4 +1,5 @@
-// Sums at quarter pixels, compiled once for each variant; as lanes.h.
+// Sums at quarter pixels, compiled once for each variant; included in the same way as
+// lanes.h.
 #pragma once
 
 #include "lanes.h"

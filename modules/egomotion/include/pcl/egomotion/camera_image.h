@@ -11,10 +11,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Lets clouds pass that are images, or empty.
+/** \brief Checks that a cloud is an image, or empty.
  * \throws InitFailedException without a cloud, or for an index outside of it
- * \throws UnorganizedPointCloudException unless the cloud is organized, with a point for
- * each pixel that its header tells of */
+ * \throws UnorganizedPointCloudException unless the cloud is organized and has as many
+ * points as pixels in its header */
 template <typename PointT>
 void
 requireImage(const typename PointCloud<PointT>::ConstPtr& cloud, const Indices* indices)
@@ -28,7 +28,7 @@ requireImage(const typename PointCloud<PointT>::ConstPtr& cloud, const Indices* 
                                       << ", is no image: it must be organized");
 }
 
-/** \brief One for each pixel, not 0 where one of the indices has a place. */
+/** \brief One value per pixel, not 0 if the pixel is among the indices and finite. */
 template <typename PointT>
 std::vector<std::uint8_t>
 placesIn(const PointCloud<PointT>& cloud, const Indices& indices)

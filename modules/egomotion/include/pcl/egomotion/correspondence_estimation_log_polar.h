@@ -13,34 +13,37 @@
 
 namespace pcl::registration {
 
-/** \brief What CorrespondenceEstimationLogPolar tells about its last run.
+/** \brief Report of CorrespondenceEstimationLogPolar on its last run.
  * \ingroup egomotion */
 struct LogPolarReport : Report {
-  std::size_t source_keypoints = 0, target_keypoints = 0; ///< with a place
+  std::size_t source_keypoints = 0, target_keypoints = 0; ///< with a 3D point
   std::size_t source_patches = 0,
               target_patches = 0; ///< inside the image, with contrast
-  std::size_t weak = 0;           ///< sources whose best score is below the least
-  std::size_t ambiguous = 0;      ///< whose second best is too near the best
-  std::size_t one_sided = 0;      ///< who are not the best of their best
+  std::size_t weak = 0;           ///< sources whose best score is below the minimum
+  std::size_t ambiguous = 0;      ///< sources whose second best score is too similar
+  std::size_t one_sided = 0;      ///< sources that are not the best of their target
   std::size_t matches = 0;
 };
 
-/** \brief Matches keypoints of two organized clouds by how they look: the Pearson
+/** \brief Matches keypoints of two organized clouds by appearance, using the Pearson
  * coefficient of log-polar patches. Feature matching of "Active Stereo Based Compact
- * Mapping", II-B.1: the coefficient is blind to gain and offset of the light, the
- * log-polar grid makes a change of scale and a turn shifts of its rings and sectors.
+ * Mapping", II-B.1: the coefficient is invariant to gain and offset of the light; on
+ * the log-polar grid a change of scale shifts the rings, and a rotation shifts the
+ * sectors.
  *
- * A match is strong (\ref setMinimumScore), distinct from the second best that lies
- * elsewhere (\ref setMaximumAmbiguity) and mutual: swapping source and target gives the
- * same matches. Source and target are the clouds as they came from the camera, organized,
- * colour at every pixel; keypoints are their indices (setIndicesSource,
- * setIndicesTarget), or those that \ref GradientMaximumKeypoint finds without them. In an
- * ICP loop the clouds may be moved, only distances use their coordinates; but give ICP no
- * guess, for it would drop the colours and the rows.
+ * A match is strong (\ref setMinimumScore), distinct from the second best at another
+ * position (\ref setMaximumAmbiguity) and mutual: swapping source and target gives the
+ * same matches. Source and target must be the clouds as received from the camera:
+ * organized, with a colour at every pixel. Keypoints are their indices
+ * (setIndicesSource, setIndicesTarget); if no indices are set,
+ * \ref GradientMaximumKeypoint finds them. In an ICP loop the clouds may be moved,
+ * because coordinates are only used for distances; but do not pass a guess to ICP,
+ * because it would discard the colours and the rows.
  *
- * Output: `index_query` in the source, `index_match` in the target, `distance` the squared
- * metres between both; \ref getScores the coefficients. By source index. Time: O(n m) for n and m
- * keypoints, one matrix product a shift; the same bytes for every number of threads.
+ * Output: `index_query` in the source, `index_match` in the target, `distance` in
+ * squared metres; \ref getScores returns the coefficients. Matches are ordered by
+ * source index. Time: O(n m) for n and m keypoints, one matrix product per shift; the
+ * result is the same for every number of threads.
  * \code
  * pcl::registration::CorrespondenceEstimationLogPolar<pcl::PointXYZRGB> matcher;
  * matcher.setInputSource (now);
@@ -66,9 +69,9 @@ public:
   CorrespondenceEstimationLogPolar();
 
   /** \brief Sets the grid (default 12 rings of 24 samples).
-   * \throws BadArgumentException unless rings are within [2, 64] and sectors within [4,
-   * 128], or when the shifts that are set (\ref setMaximumShifts) ask for more: at least
-   * ring shifts + 2 rings, and twice as many sectors as sector shifts */
+   * \throws BadArgumentException unless rings are within [2, 64] and sectors within
+   * [4, 128], or when the shifts that are set (\ref setMaximumShifts) require more: at
+   * least ring shifts + 2 rings, and twice as many sectors as sector shifts */
   void
   setGrid(int rings, int sectors);
 
@@ -77,31 +80,33 @@ public:
   void
   setRadii(float inner, float outer);
 
-  /** \brief Sets the least Pearson coefficient (default 0.8).
+  /** \brief Sets the minimum Pearson coefficient (default 0.8).
    * \throws BadArgumentException unless within [-1, 1] */
   void
   setMinimumScore(float score);
 
-  /** \brief Sets how ambiguous a match may be (default 0.7): 1.003 - its score, divided
-   * by 1.003 - that of the second best of either, more than 3 pixels from the best; at 1
-   * anything better than the second will do, at 0 nothing matches.
+  /** \brief Sets the maximum ambiguity of a match (default 0.7): 1.003 - its score,
+   * divided by 1.003 - the second best score of either keypoint, more than 3 pixels
+   * from the best. At 1, any match that is better than the second best is accepted; at
+   * 0, none is.
    * \throws BadArgumentException unless within [0, 1] */
   void
   setMaximumAmbiguity(float ambiguity);
 
-  /** \brief Sets the least standard deviation in a patch (default 0.3), grey levels.
+  /** \brief Sets the minimum standard deviation in a patch (default 0.3), grey levels.
    * \throws BadArgumentException unless within [0, 128] */
   void
   setMinimumContrast(float contrast);
 
-  /** \brief Sets how many scales (rings) and turns (sectors) are tried on either side
-   * (default 0 and 0). A ring is a factor of (outer / inner)^(1 / (rings - 1)), 1.31 by
-   * default, a sector 15 degrees.
+  /** \brief Sets the number of scales (rings) and rotations (sectors) that are tried in
+   * either direction (default 0 and 0). A ring is a factor of
+   * (outer / inner)^(1 / (rings - 1)), 1.31 by default; a sector is 15 degrees by
+   * default.
    * \throws BadArgumentException unless within [0, rings - 2] and [0, sectors / 2] */
   void
   setMaximumShifts(int rings, int sectors);
 
-  /** \brief Sets how far a match may move in the image, pixels (default: any).
+  /** \brief Sets the maximum displacement in the image, pixels (default: any).
    * \throws BadArgumentException unless above 0 */
   void
   setMaximumImageDistance(float pixels);
@@ -131,7 +136,7 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Pearson coefficients of the last run's matches, in their order. */
+  /** \brief Pearson coefficients of the matches of the last run, in their order. */
   const std::vector<float>&
   getScores() const
   {
@@ -144,9 +149,9 @@ public:
     return report_;
   }
 
-  /** \brief Matches, each the best of the other.
-   * \param[in] max_distance metres between the points of a match
-   * \throws InitFailedException without source or target, or for an index outside of them
+  /** \brief Finds the matches, each of which is mutually the best.
+   * \param[in] max_distance maximum distance between the points of a match, metres
+   * \throws InitFailedException without source or target, or for an index outside them
    * \throws UnorganizedPointCloudException unless both are organized (or empty)
    * \throws BadArgumentException unless max_distance is above 0 */
   void
@@ -154,7 +159,7 @@ public:
       Correspondences& correspondences,
       double max_distance = std::numeric_limits<double>::max()) override;
 
-  /** \brief The same: matches are mutual in any case. */
+  /** \brief Same as \ref determineCorrespondences: matches are mutual in any case. */
   void
   determineReciprocalCorrespondences(
       Correspondences& correspondences,

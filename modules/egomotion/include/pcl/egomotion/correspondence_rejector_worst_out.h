@@ -16,27 +16,31 @@
 
 namespace pcl::registration {
 
-/** \brief What CorrespondenceRejectorWorstOut tells about its last run. \ingroup egomotion */
+/** \brief Report of CorrespondenceRejectorWorstOut on its last run.
+ * \ingroup egomotion */
 struct WorstOutReport : Report {
   std::size_t given = 0, kept = 0;
-  std::size_t invalid = 0; ///< with a point that is not finite: removed
-  double distortion = 0;   ///< largest D_ij of those kept
+  std::size_t invalid = 0; ///< removed because a point is not finite
+  double distortion = 0;   ///< largest D_ij of the kept matches
 };
 
-/** \brief Removes matches that bend the scene: leaving the worst out, "Active Stereo Based
- * Compact Mapping", II-B.1 and Eq. 1. A rigid motion keeps distances; D_ij is the mean,
- * over the other matches (k, l), of the larger ratio between |M_t^i - M_t^k| and
- * |M_{t-1}^j - M_{t-1}^l|, 1 for a perfect match. The match with the largest is removed
- * again and again until none exceeds \ref setMaximumDistortion.
+/** \brief Removes matches that contradict a rigid motion: leaving the worst out,
+ * "Active Stereo Based Compact Mapping", II-B.1 and Eq. 1. A rigid motion preserves
+ * distances; D_ij is the mean, over the other matches (k, l), of the larger ratio
+ * between |M_t^i - M_t^k| and |M_{t-1}^j - M_{t-1}^l|, 1 for a perfect match. The match
+ * with the largest D_ij is removed repeatedly until none exceeds
+ * \ref setMaximumDistortion.
  *
- * Needs no motion and no tree: it works before any alignment, and inside of PCL's own
- * ICP (`addCorrespondenceRejector`). Pairs nearer than \ref setMinimumDistance in both
- * clouds tell nothing and are skipped; a match that no pair tells about is removed. Where
- * less than \ref setMinimumMatches remain, none is returned. Of equally bad matches the first is
- * removed first; nothing else depends on their order.
+ * This requires neither a motion nor a search tree: it can be used before any
+ * alignment, and in PCL's own ICP (`addCorrespondenceRejector`). Pairs that are closer
+ * than \ref setMinimumDistance in both clouds provide no information and are skipped; a
+ * match without any valid pair is removed. If fewer than \ref setMinimumMatches remain,
+ * none is returned. Of equally bad matches the first one is removed first; apart from
+ * this, the result does not depend on their order.
  *
- * Time O(n^2) once and O(n) a removal, memory O(n). Above \ref setSampleSize matches Eq.
- * 1 is a mean over evenly chosen ones, which are cleaned first: O(n) then.
+ * Time O(n^2) once and O(n) per removal, memory O(n). For more than \ref setSampleSize
+ * matches, Eq. 1 is a mean over an evenly chosen sample, which is cleaned first; the
+ * time is then O(n).
  * \code
  * pcl::registration::CorrespondenceRejectorWorstOut rejector;
  * rejector.setInputSource<pcl::PointXYZRGB> (now);
@@ -52,7 +56,7 @@ public:
 
   CorrespondenceRejectorWorstOut();
 
-  /** \brief Sets the cloud that `index_query` points into. \throws BadArgumentException
+  /** \brief Sets the cloud to which `index_query` refers. \throws BadArgumentException
    * without a cloud */
   template <typename PointT>
   void
@@ -61,7 +65,7 @@ public:
     source_ = placesOf<PointT>(cloud);
   }
 
-  /** \brief Sets the cloud that `index_match` points into. \throws BadArgumentException
+  /** \brief Sets the cloud to which `index_match` refers. \throws BadArgumentException
    * without a cloud */
   template <typename PointT>
   void
@@ -70,7 +74,7 @@ public:
     target_ = placesOf<PointT>(cloud);
   }
 
-  /** \brief Sets the largest D_ij of a match that stays (default 1.06).
+  /** \brief Sets the maximum D_ij of a match that is kept (default 1.06).
    * \throws BadArgumentException unless within [1, 1000] */
   void
   setMaximumDistortion(double distortion);
@@ -81,8 +85,9 @@ public:
     return settings_.most_distortion;
   }
 
-  /** \brief Sets below which distance two points tell nothing (default 0.05), metres;
-   * where they are so near in one cloud alone, they are taken for that far apart.
+  /** \brief Sets the minimum distance between two points (default 0.05), metres. Pairs
+   * that are closer in both clouds are skipped; a distance that is shorter in one cloud
+   * only is replaced by the minimum.
    * \throws BadArgumentException unless within [0, 1e6] */
   void
   setMinimumDistance(double metres);
@@ -93,7 +98,7 @@ public:
     return settings_.least_distance;
   }
 
-  /** \brief Sets how many matches must agree (default 6).
+  /** \brief Sets the minimum number of matches that must agree (default 6).
    * \throws BadArgumentException unless within [3, 1e6] */
   void
   setMinimumMatches(std::size_t matches);
@@ -104,7 +109,7 @@ public:
     return settings_.least_matches;
   }
 
-  /** \brief Sets over how many matches Eq. 1 is a mean, at most (default 1000).
+  /** \brief Sets the maximum number of matches for the mean of Eq. 1 (default 1000).
    * \throws BadArgumentException unless within [10, 1e6] */
   void
   setSampleSize(std::size_t matches);
@@ -121,7 +126,7 @@ public:
     return report_;
   }
 
-  /** \brief Keeps matches that agree, in their order.
+  /** \brief Keeps the matches that agree, in their order.
    * \throws InitFailedException without source or target
    * \throws BadArgumentException for an index outside of them */
   void
@@ -134,8 +139,8 @@ public:
     return true;
   }
 
-  /** \brief For PCL's ICP. \throws BadArgumentException without a cloud, or without fields
-   * x y z of one 32 bit float in it */
+  /** \brief For PCL's ICP. \throws BadArgumentException without a cloud, or if its
+   * fields x, y and z are missing or not one 32 bit float each */
   void
   setSourcePoints(PCLPointCloud2::ConstPtr cloud) override;
 

@@ -22,24 +22,23 @@ namespace pcl::acmap {
 struct EgomotionSettings {
   MotionModel model = MotionModel::Planar;
   MotionSolver solver = MotionSolver::ConjugateGradient;
-  double most_translation = 1;         ///< metres, from one view to the next
-  double most_rotation = 0.5235987756; ///< radians
-  bool refines = true;                 ///< compare surfaces too
+  double most_translation = 1;         ///< maximum between two views, metres
+  double most_rotation = 0.5235987756; ///< maximum between two views, radians
+  bool refines = true;                 ///< use surfaces and brightness as well
   KeypointSettings keypoints;
   LogPolarSettings patches;
   WorstOutSettings worst_out;
   unsigned threads = 0; ///< 0 = all
 };
 
-/** \brief What a camera saw, one value a pixel. */
+/** \brief A view of a camera, one value per pixel. */
 struct CameraView {
   GreyImage image;
-  std::vector<Eigen::Vector3f>
-      points;                ///< metres, camera frame; NaN where there is none
-  std::vector<float> sigmas; ///< metres along the ray; empty: estimated
+  std::vector<Eigen::Vector3f> points; ///< metres, camera frame; NaN if there is none
+  std::vector<float> sigmas; ///< metres along the ray; if empty, they are estimated
 };
 
-/** \brief What egomotion keeps of a view: features, their looks, pieces of surface. */
+/** \brief Data prepared from a view: features, their patches, surface blocks. */
 struct EgomotionView;
 
 ACMAP_EXPORT std::shared_ptr<const EgomotionView>
@@ -48,15 +47,16 @@ prepareView(CameraView view, const EgomotionSettings& settings);
 /** \brief Pixels of the source and of the target. */
 using PixelPairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/** \brief A motion, if there is one, and the matches it came from. */
+/** \brief A motion, if there is one, and the matches on which it is based. */
 struct EgomotionSolution {
   std::optional<EgomotionEstimate> estimate;
-  PixelPairs matches; ///< alike
-  PixelPairs inliers; ///< of these, what the motion stands on
+  PixelPairs matches; ///< similar in appearance
+  PixelPairs inliers; ///< the matches on which the motion is based
 };
 
-/** \param[in] source the later view, \param[in] target the one before it
- * \throws CancelledException when the progress was told to stop */
+/** \param[in] source the later view
+ * \param[in] target the earlier view
+ * \throws CancelledException when the progress callback cancels */
 ACMAP_EXPORT EgomotionSolution
 estimateEgomotion(const EgomotionView& source,
                   const EgomotionView& target,

@@ -10,46 +10,45 @@
 
 namespace pcl {
 
-/** \brief How an egomotion ended. All but Estimated are failures: there is no motion
- * then.
+/** \brief Outcome of an egomotion. All except Estimated are failures without a motion.
  * \ingroup egomotion */
 enum class EgomotionOutcome {
   Estimated,
-  BlankView,    ///< a view shows nothing to recognise, or has no points
+  BlankView,    ///< a view contains nothing to recognise, or has no points
   FewFeatures,  ///< too few keypoints in a view
-  FewMatches,   ///< too few look alike
-  Inconsistent, ///< too few of those agree on a rigid motion
-  Unobservable  ///< what agrees leaves a direction or turn open
+  FewMatches,   ///< too few keypoints have a similar appearance
+  Inconsistent, ///< too few matches agree, or surfaces or bounds contradict the motion
+  Unobservable  ///< a translation or rotation is not determined by the inliers
 };
 
 /** \brief A motion from one view to the next. \ingroup egomotion */
 struct EgomotionEstimate {
-  /** Takes points of the source (the later view) into the target's frame, metres. */
+  /** Maps points of the source (the later view) to the target's frame, metres. */
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
-  /** The same on the floor; of a Rigid motion its planar part. */
+  /** The same motion on the floor; for a Rigid motion, its planar part. */
   PlanarAction action;
-  /** Of small motions (tx, ty, tz in metres, rx, ry, rz in radians) in the target's
-   * frame after T_target_source; rows of what a Planar motion cannot do are 0. */
+  /** Covariance of small motions (tx, ty, tz in metres, rx, ry, rz in radians) in the
+   * target's frame after T_target_source; rows outside the Planar model are 0. */
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/** \brief What VisualEgomotion tells about its last run. \ingroup egomotion */
+/** \brief Report of VisualEgomotion on its last run. \ingroup egomotion */
 struct EgomotionReport : Report {
-  EgomotionOutcome outcome = EgomotionOutcome::BlankView; ///< of a run
+  EgomotionOutcome outcome = EgomotionOutcome::BlankView; ///< of the run
   std::string reason;                                     ///< of a failure, one line
-  std::size_t source_points = 0, target_points = 0;       ///< with a place
+  std::size_t source_points = 0, target_points = 0;       ///< valid points
   std::size_t source_keypoints = 0, target_keypoints = 0;
-  std::size_t matches = 0;    ///< alike
-  std::size_t consistent = 0; ///< of these, after leaving the worst out
-  std::size_t inliers = 0; ///< of these, within three standard deviations of the motion
-  double feature_residual = 0; ///< metres, rms between inliers after the motion
-  double feature_chi = 0;  ///< the same in standard deviations: 1 when sigma is right
+  std::size_t matches = 0;     ///< similar in appearance
+  std::size_t consistent = 0;  ///< matches that remain after leaving the worst out
+  std::size_t inliers = 0;     ///< consistent matches within three standard deviations
+  double feature_residual = 0; ///< RMS between inliers after the motion, metres
+  double feature_chi = 0;  ///< the same in standard deviations: 1 if sigma is correct
   bool is_refined = false; ///< did the surfaces improve the motion?
-  std::size_t surface_pairs = 0; ///< pieces of surface compared
+  std::size_t surface_pairs = 0; ///< number of surface blocks that were compared
   double surface_before =
-      0;                    ///< metres, rms between surfaces under the features' motion
-  double surface_after = 0; ///< metres, under the refined one
-  /** Share of the surfaces that would hide, in the other view, what that has seen. */
+      0;                    ///< RMS between surfaces under the features' motion, metres
+  double surface_after = 0; ///< RMS under the refined motion, metres
+  /** Share of the surface blocks that would occlude what the other view has seen. */
   double contradicted = 0;
 };
 

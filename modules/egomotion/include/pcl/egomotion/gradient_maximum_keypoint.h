@@ -12,29 +12,31 @@
 
 namespace pcl {
 
-/** \brief What GradientMaximumKeypoint tells about its last run. \ingroup egomotion */
+/** \brief Report of GradientMaximumKeypoint on its last run. \ingroup egomotion */
 struct GradientMaximumReport : Report {
   std::size_t keypoints = 0;
-  std::size_t maxima = 0;        ///< strict, of at least the least gradient
-  std::size_t without_place = 0; ///< of these: no 3D there, or not among the indices
-  std::size_t left_out = 0;      ///< with a place, beyond the number asked for
+  std::size_t maxima = 0;        ///< strict maxima of at least the minimum gradient
+  std::size_t without_place = 0; ///< maxima without a point, or not among the indices
+  std::size_t left_out = 0;      ///< maxima with a point beyond the maximum number
 };
 
-/** \brief Points to recognise again: strict local maxima of the reference image's
- * gradient that have a place in 3D. Feature extraction of "Active Stereo Based Compact
- * Mapping", II-B.1: the constrained cloud C~_t.
+/** \brief Keypoints that can be recognised again: strict local maxima of the gradient
+ * of the reference image that have a 3D point. Feature extraction of "Active Stereo
+ * Based Compact Mapping", II-B.1: the constrained cloud C~_t.
  *
- * The image is the colour of an organized cloud; take clouds whose colour is that of a
- * shot without a pattern, as \ref ActiveStereoGrabber and `pcl_active_stereo` make
- * them: projected lines move with the robot and would mislead. Brightness is
- * .299 r + .587 g + .114 b, smoothed with a Gaussian of one pixel. Where there are
- * more than \ref setMaximumKeypoints, those of less than half the gradient at which
- * strength alone would end are left out, and of the others cells of 32 x 24 pixels give
- * their strongest in turn, so that they spread over the image.
+ * The image is the colour of an organized cloud. Use clouds with the colour of a shot
+ * without a pattern, such as those of \ref ActiveStereoGrabber and `pcl_active_stereo`:
+ * projected lines move with the robot and would be misleading. Brightness is
+ * .299 r + .587 g + .114 b, smoothed with a Gaussian of one pixel. If there are more
+ * maxima than \ref setMaximumKeypoints, those with less than half the gradient of the
+ * last one that would be selected by strength alone are excluded; the others are
+ * selected in turns from cells of 32 x 24 pixels, the strongest of each cell first, so
+ * that they are spread over the image.
  *
- * Output: the points themselves, metres, in the order of their indices (PCL's
- * getKeypointsIndices). No search tree, no radius. Where indices are set, only these can
- * be keypoints. Time O(n) for n pixels; the same bytes for every number of threads.
+ * Output: the points themselves, metres, ordered by their indices (getKeypointsIndices
+ * of PCL). Neither a search tree nor a radius is required. If indices are set, only
+ * these can be keypoints. Time O(n) for n pixels; the result is the same for every
+ * number of threads.
  * \code
  * pcl::GradientMaximumKeypoint<pcl::PointXYZRGB> detector;
  * detector.setInputCloud (cloud);
@@ -52,9 +54,9 @@ public:
 
   GradientMaximumKeypoint();
 
-  /** \brief Sets the least gradient (default 0.5), grey levels (of 255) a pixel. What
-   * grain makes is a quarter to a half of its standard deviation; it is beaten where
-   * anything else is to be seen.
+  /** \brief Sets the minimum gradient (default 0.5), grey levels (of 255) per pixel.
+   * Noise causes gradients of a quarter to a half of its standard deviation; they are
+   * excluded wherever there is stronger texture.
    * \throws BadArgumentException unless within [0, 1000] */
   void
   setMinimumGradient(float gradient);
@@ -65,7 +67,7 @@ public:
     return settings_.least_gradient;
   }
 
-  /** \brief Sets how many at most (default 1000).
+  /** \brief Sets the maximum number of keypoints (default 1000).
    * \throws BadArgumentException unless within [1, 1e6] */
   void
   setMaximumKeypoints(std::size_t keypoints);
@@ -117,7 +119,7 @@ private:
   GradientMaximumReport report_;
 };
 
-// PCL has no search trees compiled for our point type, and Keypoint names them
+// PCL provides no search trees for this point type, but Keypoint refers to them.
 extern template class ACMAP_EXPORT Keypoint<PointXYZRGBSigma, PointXYZRGBSigma>;
 
 } // namespace pcl

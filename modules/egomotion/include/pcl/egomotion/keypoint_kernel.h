@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Brightness of an organized cloud's pixels, row by row, 0 to 255. */
+/** \brief Brightness of the pixels of an organized cloud, row by row, 0 to 255. */
 struct GreyImage {
   int width = 0, height = 0;
   std::vector<float> values;
@@ -16,26 +16,27 @@ struct GreyImage {
 
 /** \brief Settings of \ref gradientMaxima; see GradientMaximumKeypoint. */
 struct KeypointSettings {
-  float least_gradient = 0.5F;           ///< grey levels a pixel
-  std::size_t most = 1000;               ///< keypoints
-  int cell_width = 32, cell_height = 24; ///< pixels, of the cells that share them
+  float least_gradient = 0.5F;           ///< grey levels per pixel
+  std::size_t most = 1000;               ///< maximum number of keypoints
+  int cell_width = 32, cell_height = 24; ///< size of the cells for spreading, pixels
   unsigned threads = 0;                  ///< 0 = all
 };
 
-/** \brief What \ref gradientMaxima met. */
+/** \brief Counts of \ref gradientMaxima. */
 struct KeypointCounts {
-  std::size_t maxima = 0;        ///< strict, of at least the least gradient
-  std::size_t without_place = 0; ///< of these
-  std::size_t left_out = 0;      ///< maxima with a place beyond the number asked for
+  std::size_t maxima = 0;        ///< strict maxima of at least the minimum gradient
+  std::size_t without_place = 0; ///< maxima without a point
+  std::size_t left_out = 0;      ///< maxima with a point beyond the maximum number
 };
 
-/** \brief Pixels that are strict local maxima of the image's gradient (of brightness
- * smoothed with a Gaussian of one pixel) among their eight neighbours, and have a place.
- * Where there are more than asked for, those of less than half the gradient at which
- * strength alone would end are left out; of the others each cell gives its strongest, then
- * its second and so on, so that they spread over the image.
- * \param[in] has_place one a pixel, not 0 where a point lies there
- * \return pixels, rising */
+/** \brief Finds the pixels that are strict local maxima of the gradient of the image
+ * (of the brightness smoothed with a Gaussian of one pixel) among their eight
+ * neighbours and that have a point. If there are more than the maximum number, those
+ * with less than half the gradient of the last one that would be selected by strength
+ * alone are excluded; of the others, the strongest of each cell is selected, then the
+ * second strongest and so on, so that they are spread over the image.
+ * \param[in] has_place one value per pixel, not 0 if the pixel has a point
+ * \return pixels in ascending order */
 ACMAP_EXPORT std::vector<std::int32_t>
 gradientMaxima(const GreyImage& image,
                const std::vector<std::uint8_t>& has_place,

@@ -12,49 +12,50 @@
 
 namespace pcl::acmap {
 
-/** \brief How log-polar patches are taken and matched; see
+/** \brief Settings for computing and matching log-polar patches; see
  * registration::CorrespondenceEstimationLogPolar. */
 struct LogPolarSettings {
   int rings = 12, sectors = 24; ///< samples of a patch
-  float inner = 1, outer = 20;  ///< pixels, radius of the first and of the last ring
-  float least_contrast = 0.3F;  ///< grey levels, standard deviation in a patch
-  float least_score = 0.8F;     ///< Pearson coefficient of a match: its strength
-  float most_ambiguity = 0.7F;  ///< see PatchMatch: its distinctiveness
-  float second_distance = 3;    ///< pixels between best and second best, at least
-  int ring_shifts = 0;          ///< scales tried on either side
-  int sector_shifts = 0;        ///< turns tried on either side
+  float inner = 1, outer = 20;  ///< radius of the first and of the last ring, pixels
+  float least_contrast = 0.3F;  ///< minimum standard deviation in a patch, grey levels
+  float least_score = 0.8F;     ///< minimum Pearson coefficient of a match (strength)
+  float most_ambiguity = 0.7F;  ///< maximum, see PatchMatch (distinctiveness)
+  float second_distance = 3;    ///< minimum distance of best and second best, pixels
+  int ring_shifts = 0;          ///< scales tried in either direction
+  int sector_shifts = 0;        ///< rotations tried in either direction
   unsigned threads = 0;         ///< 0 = all
 };
 
-/** \brief Patches around keypoints, each of mean 0 and length 1, on rings of growing
- * radius: a turn of the image shifts the sectors, a change of scale the rings. Those of
- * a keypoint too near the border, or of too little contrast, are missing. */
+/** \brief Patches around keypoints, each with mean 0 and length 1, on rings of
+ * increasing radius: a rotation of the image shifts the sectors, a change of scale the
+ * rings. Keypoints too close to the border, or with too little contrast, have no patch.
+ */
 struct LogPolarPatches {
-  int width = 0;                      ///< pixels, of the image
+  int width = 0;                      ///< of the image, pixels
   std::vector<std::int32_t> pixels;   ///< of each patch
-  std::vector<std::int32_t> keypoint; ///< of each patch: position in what was asked for
-  std::vector<float> samples; ///< ring after ring, the patches one behind another
+  std::vector<std::int32_t> keypoint; ///< index of each patch's keypoint in the input
+  std::vector<float> samples;         ///< of all patches in sequence, ring by ring
 };
 
 /** \brief A match of two patches. */
 struct PatchMatch {
-  std::int32_t source = 0, target = 0; ///< position among the keypoints asked for
+  std::int32_t source = 0, target = 0; ///< indices of the keypoints in the input
   float score = 0;                     ///< Pearson coefficient
-  float ambiguity = 0; ///< 1.003 - score, by that of the second best of either
+  float ambiguity = 0; ///< 1.003 - score, divided by 1.003 - second best of either
 };
 
-/** \brief Which pairs may be matched. A pair is left out where it fails one. */
+/** \brief Conditions for pairs that may be matched; all of them must be satisfied. */
 struct MatchGate {
-  float image_distance = std::numeric_limits<float>::infinity(); ///< pixels
-  float distance = std::numeric_limits<float>::infinity();       ///< metres
-  float distance_per_metre = 0; ///< added for each metre of the target from its sensor
+  float image_distance = std::numeric_limits<float>::infinity(); ///< maximum, pixels
+  float distance = std::numeric_limits<float>::infinity();       ///< maximum, metres
+  float distance_per_metre = 0; ///< added per metre between the target and its sensor
 };
 
-/** \brief What \ref matchPatches left out, and why. */
+/** \brief Why \ref matchPatches rejected sources. */
 struct MatchCounts {
-  std::size_t weak = 0; ///< sources whose best score is too small, or without any pair
-  std::size_t ambiguous = 0; ///< whose second best is too near the best
-  std::size_t one_sided = 0; ///< not the best of their best
+  std::size_t weak = 0;      ///< the best score is too small, or there is no pair
+  std::size_t ambiguous = 0; ///< the second best score is too similar
+  std::size_t one_sided = 0; ///< the source is not the best of its best target
 };
 
 ACMAP_EXPORT LogPolarPatches
@@ -62,10 +63,10 @@ logPolarPatches(const GreyImage& image,
                 const std::vector<std::int32_t>& pixels,
                 const LogPolarSettings& settings);
 
-/** \brief Matches of patches, by source; the whole matching is one matrix product a
- * shift.
- * \param[in] source_points, target_points metres, one for each keypoint that was asked
- * for */
+/** \brief Matches patches and orders the matches by source; computes one matrix product
+ * per shift.
+ * \param[in] source_points, target_points metres, one for each keypoint in the input of
+ * \ref logPolarPatches */
 ACMAP_EXPORT std::vector<PatchMatch>
 matchPatches(const LogPolarPatches& source,
              const LogPolarPatches& target,

@@ -10,16 +10,19 @@
 
 namespace pcl::registration {
 
-/** \brief The motion that brings matched points together: minimises Eq. 2 of "Active
- * Stereo Based Compact Mapping" (II-B.1), E (R, t) = sum B_ij |M_{t-1}^j - (R M_t^i + t)|^2,
- * by conjugate gradient as the paper, or in closed form.
+/** \brief Estimates the motion that aligns matched points: minimises Eq. 2 of "Active
+ * Stereo Based Compact Mapping" (II-B.1),
+ * E (R, t) = sum B_ij |M_{t-1}^j - (R M_t^i + t)|^2, by conjugate gradient as in the
+ * paper, or in closed form.
  *
- * Planar (default): the paper's action, x and z and a turn about y; the points' heights are
- * left as they are. Rigid: all six. For PCL's own ICP as well (`setTransformationEstimation`).
- * The matrix takes the source's points into the target's frame, metres; double precision
- * inside. Pairs that are not finite do not count. What the pairs leave open stays as it is:
- * all without a pair, turns with one pair or with all in one place, the turn about a line
- * that all lie on (Rigid; of those that remain the shortest is taken). Time O(n).
+ * Planar (default): the action of the paper, x, z and the rotation about y; heights
+ * remain unchanged. Rigid: all six degrees of freedom. It can be used in PCL's own
+ * ICP (`setTransformationEstimation`). The matrix maps points of the source to the
+ * target's frame, metres; computations are in double precision. Pairs that are not
+ * finite are ignored. What the pairs do not determine remains unchanged: everything
+ * without a pair; rotations with one pair or with all points at one position; the
+ * rotation about a line that contains all points (Rigid: the smallest of the possible
+ * rotations). Time O(n).
  * \code
  * pcl::registration::TransformationEstimationPlanar<pcl::PointXYZ, pcl::PointXYZ> fit;
  * Eigen::Matrix4f T_target_source;
@@ -37,7 +40,7 @@ public:
   using ConstPtr = shared_ptr<const TransformationEstimationPlanar>;
   using Matrix4 = typename Base::Matrix4;
 
-  /** \brief Sets how the camera may move (default Planar). */
+  /** \brief Sets the motion model of the camera (default Planar). */
   void
   setMotionModel(MotionModel model)
   {
@@ -50,7 +53,7 @@ public:
     return model_;
   }
 
-  /** \brief Sets how to minimise (default ConjugateGradient). */
+  /** \brief Sets the method for minimising Eq. 2 (default ConjugateGradient). */
   void
   setSolver(MotionSolver solver)
   {
@@ -63,8 +66,8 @@ public:
     return solver_;
   }
 
-  /** \brief Sets how much each pair counts, in the order of the pairs of the next calls;
-   * empty (default): all the same. Take 1 / sigma^2.
+  /** \brief Sets the weights of the pairs, in the order of the pairs of the next calls;
+   * empty (default): equal weights. Use 1 / sigma^2.
    * \throws BadArgumentException unless all are finite and >= 0 */
   void
   setCorrespondenceWeights(const std::vector<double>& weights);
@@ -75,8 +78,9 @@ public:
     return weights_;
   }
 
-  /** \throws BadArgumentException where clouds, indices, correspondences or weights differ
-   * in number, or for an index outside of its cloud; this holds for all four */
+  /** \throws BadArgumentException if clouds, indices, correspondences or weights differ
+   * in number, or for an index outside of its cloud; this applies to all four overloads
+   */
   void
   estimateRigidTransformation(const PointCloud<PointSource>& cloud_src,
                               const PointCloud<PointTarget>& cloud_tgt,

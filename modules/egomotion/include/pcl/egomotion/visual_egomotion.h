@@ -15,26 +15,30 @@
 
 namespace pcl {
 
-/** \brief How far did the camera move between two observations? From what it saw alone:
- * visual egomotion of "Active Stereo Based Compact Mapping", II-B.1.
+/** \brief Estimates the motion of the camera between two observations from its views
+ * alone: visual egomotion of "Active Stereo Based Compact Mapping", II-B.1.
  *
- * GradientMaximumKeypoint in both views, registration::CorrespondenceEstimationLogPolar
- * between them, registration::CorrespondenceRejectorWorstOut (Eq. 1), then
- * registration::TransformationEstimationPlanar (Eq. 2), each match weighted by its sigma.
- * Beyond the paper: features are looked for at three scales and down to the image's noise,
- * so that nearly blank walls are enough; matches beyond three sigma are left out; then
- * pieces of surface (point to plane) and brightness are laid upon each other, together
- * with the features, where that fits better and brings the surfaces nearer.
+ * It applies GradientMaximumKeypoint to both views,
+ * registration::CorrespondenceEstimationLogPolar to their keypoints,
+ * registration::CorrespondenceRejectorWorstOut (Eq. 1), and then
+ * registration::TransformationEstimationPlanar (Eq. 2), where each match is weighted by
+ * its sigma. Beyond the paper, features are extracted at three scales and down to the
+ * noise of the image, so that nearly blank walls are sufficient; matches beyond three
+ * sigma are excluded; then surface blocks (point to plane) and brightness are aligned
+ * together with the features. The result is accepted if it fits better and brings the
+ * surfaces nearer.
  *
- * A view without features, matches that do not agree, a direction that nothing tells about
- * (\ref EgomotionOutcome) give no motion rather than a wrong one; the report says why.
+ * If a view has no features, the matches do not agree, or a direction is not determined
+ * (\ref EgomotionOutcome), there is no motion rather than a wrong one; the report gives
+ * the reason.
  *
- * Organized clouds in the camera's frame (x right, y down, z forward, metres), colour at
- * every pixel, that of a shot without a pattern. Where PointT has a field `sigma` it is one
- * standard deviation along the ray; else the noise is estimated. In the Planar model
- * (default) the camera moves level: in its XZ plane and about its y axis. Views are kept:
- * in a sequence each is looked at once. Time O(n) for n pixels, O(k^2) for k keypoints;
- * the same bytes for every number of threads.
+ * The input is organized clouds in the camera's frame (x right, y down, z forward,
+ * metres) with a colour at every pixel, from a shot without a pattern. If PointT has a
+ * field `sigma`, it must be one standard deviation along the ray; otherwise the noise
+ * is estimated. In the Planar model (default) the camera moves level: in its XZ plane
+ * and about its y axis. Prepared views are kept, so that in a sequence each view is
+ * prepared only once. Time O(n) for n pixels, O(k^2) for k keypoints; the result is the
+ * same for every number of threads.
  * \code
  * pcl::VisualEgomotion<pcl::PointXYZRGBSigma> egomotion;
  * egomotion.setInputTarget (before);
@@ -54,7 +58,7 @@ public:
   using PointCloud = pcl::PointCloud<PointT>;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
 
-  /** \brief Sets the later view, not to be changed afterwards. */
+  /** \brief Sets the later view; it must not be changed afterwards. */
   void
   setInputSource(const PointCloudConstPtr& cloud)
   {
@@ -67,7 +71,7 @@ public:
     return source_;
   }
 
-  /** \brief Sets the view before, in whose frame the motion is told. */
+  /** \brief Sets the earlier view, in whose frame the motion is expressed. */
   void
   setInputTarget(const PointCloudConstPtr& cloud)
   {
@@ -80,7 +84,7 @@ public:
     return target_;
   }
 
-  /** \brief Sets how the camera may move (default Planar). */
+  /** \brief Sets the motion model of the camera (default Planar). */
   void
   setMotionModel(MotionModel model)
   {
@@ -93,7 +97,7 @@ public:
     return settings_.model;
   }
 
-  /** \brief Sets how Eq. 2 is minimised (default ConjugateGradient). */
+  /** \brief Sets the method for minimising Eq. 2 (default ConjugateGradient). */
   void
   setSolver(MotionSolver solver)
   {
@@ -106,9 +110,9 @@ public:
     return settings_.solver;
   }
 
-  /** \brief Sets how far the camera moves between views, at most (default 1), metres;
-   * only matches within reach are looked at. \throws BadArgumentException unless within
-   * [0.001, 1e6] */
+  /** \brief Sets the maximum translation between views (default 1), metres; only
+   * matches within this distance are considered. \throws BadArgumentException unless
+   * within [0.001, 1e6] */
   void
   setMaximumTranslation(double metres);
 
@@ -118,7 +122,7 @@ public:
     return settings_.most_translation;
   }
 
-  /** \brief Sets how far it turns, at most (default pi / 6), radians.
+  /** \brief Sets the maximum rotation between views (default pi / 6), radians.
    * \throws BadArgumentException unless within [0, pi] */
   void
   setMaximumRotation(double radians);
@@ -129,7 +133,7 @@ public:
     return settings_.most_rotation;
   }
 
-  /** \brief Sets how many keypoints a view gives at most at each of its three scales
+  /** \brief Sets the maximum number of keypoints of a view at each of its three scales
    * (default 1000).
    * \throws BadArgumentException unless within [10, 100000] */
   void
@@ -141,8 +145,8 @@ public:
     return settings_.keypoints.most;
   }
 
-  /** \brief Sets whether surfaces refine what features gave (default true); they judge
-   * it in any case. */
+  /** \brief If true, surfaces and brightness refine the motion of the features (default
+   * true). Surfaces are used to check the motion in any case. */
   void
   setRefinement(bool refines)
   {
@@ -169,7 +173,7 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Sets who is told about the progress and may stop the run. */
+  /** \brief Sets the callback that receives the progress and may cancel the run. */
   void
   setProgressCallback(ProgressCallback callback)
   {
@@ -177,30 +181,30 @@ public:
   }
 
   /** \brief Estimates the motion.
-   * \return the motion, or none: \ref getReport says why
+   * \return the motion, or none; \ref getReport gives the reason
    * \throws InitFailedException without source or target
    * \throws UnorganizedPointCloudException unless both are organized, or empty
-   * \throws CancelledException when the progress callback stopped it; nothing changes
+   * \throws CancelledException when the progress callback cancels; nothing changes
    */
   std::optional<EgomotionEstimate>
   compute();
 
-  /** \brief Matches of the last run by look alone: indices in source and target,
-   * squared metres between both as they are. */
+  /** \brief Matches of the last run by appearance alone: indices in source and target,
+   * squared distance before the alignment, metres^2. */
   const Correspondences&
   getMatches() const
   {
     return matches_;
   }
 
-  /** \brief Of these, the ones the motion stands on. */
+  /** \brief The matches on which the motion is based. */
   const Correspondences&
   getInliers() const
   {
     return inliers_;
   }
 
-  /** \brief Outcome, reason, counts, residuals, seconds of the last run. */
+  /** \brief Outcome, reason, counts, residuals and seconds of the last run. */
   const EgomotionReport&
   getReport() const
   {
@@ -208,7 +212,7 @@ public:
   }
 
 private:
-  /** A view that was prepared, and of what it was. */
+  /** A prepared view and its cloud. */
   struct Prepared {
     PointCloudConstPtr cloud;
     std::shared_ptr<const acmap::EgomotionView> view;
@@ -220,7 +224,7 @@ private:
   acmap::EgomotionSettings settings_;
   ProgressCallback progress_;
   PointCloudConstPtr source_, target_;
-  std::vector<Prepared> kept_; ///< of the last run's two clouds
+  std::vector<Prepared> kept_; ///< of the two clouds of the last run
   Correspondences matches_, inliers_;
   EgomotionReport report_;
 };

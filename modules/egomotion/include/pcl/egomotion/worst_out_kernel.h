@@ -13,27 +13,27 @@ namespace pcl::acmap {
 /** \brief Settings of \ref leaveWorstOut; see
  * registration::CorrespondenceRejectorWorstOut. */
 struct WorstOutSettings {
-  double most_distortion = 1.06; ///< largest D_ij (Eq. 1) of a match that stays
-  double least_distance = 0.05;  ///< metres; shorter ones count as this
-  std::size_t least_matches = 6; ///< fewer are none
-  std::size_t sample = 1000;     ///< matches that Eq. 1 is a mean over, at most 1e6
+  double most_distortion = 1.06; ///< maximum D_ij (Eq. 1) of a match that is kept
+  double least_distance = 0.05;  ///< metres; shorter distances are set to this
+  std::size_t least_matches = 6; ///< if fewer remain, none is kept
+  std::size_t sample = 1000;     ///< matches over which Eq. 1 is averaged, at most 1e6
 };
 
-/** \brief What \ref leaveWorstOut did. */
+/** \brief Result of \ref leaveWorstOut. */
 struct WorstOutOutcome {
-  std::vector<std::int32_t> kept; ///< positions, rising; empty: no consistent set
+  std::vector<std::int32_t> kept; ///< indices, ascending; empty: no consistent set
   std::vector<std::int32_t>
-      removed; ///< positions, in the order of their removal; all, where none is kept
-  double distortion = 0; ///< largest D_ij of those kept
+      removed; ///< indices, in the order of their removal; all if none is kept
+  double distortion = 0; ///< largest D_ij of the kept matches
 };
 
-/** \brief Leaving the worst out: removes the match of the largest D_ij (Eq. 1; of equal
- * ones the first) again and again until none exceeds the bound. O(n^2) once, O(n) a
- * removal, O(n) memory. Pairs within the least distance in both clouds tell nothing; a
- * match that no pair tells about is removed. Above `sample` matches, evenly chosen ones
- * are cleaned, then judge the others.
- * \param[in] source, target as many points, metres; a match with a point that is not
- * finite is removed first */
+/** \brief Leaving the worst out: removes the match with the largest D_ij (Eq. 1; the
+ * first of equal ones) repeatedly until none exceeds the bound. O(n^2) once, O(n) per
+ * removal, O(n) memory. Pairs within the minimum distance in both clouds are skipped; a
+ * match without any valid pair is removed. If there are more than `sample` matches,
+ * evenly chosen ones are cleaned and then used to evaluate Eq. 1 for the others.
+ * \param[in] source, target equally many points, metres; a match with a point that is
+ * not finite is removed first */
 ACMAP_EXPORT WorstOutOutcome
 leaveWorstOut(const std::vector<Eigen::Vector3f>& source,
               const std::vector<Eigen::Vector3f>& target,

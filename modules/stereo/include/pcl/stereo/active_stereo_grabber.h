@@ -12,41 +12,44 @@
 
 namespace pcl {
 
-/** \brief What \ref ActiveStereoGrabber tells about its stream. \ingroup stereo */
+/** \brief Report of \ref ActiveStereoGrabber on its stream. \ingroup stereo */
 struct ActiveStereoGrabberReport : Report {
-  std::size_t frames = 0;       ///< that came from the frame grabber
-  std::size_t observations = 0; ///< given as clouds
+  std::size_t frames = 0;       ///< received from the frame grabber
+  std::size_t observations = 0; ///< delivered as clouds
 };
 
-/** \brief One observation, as it comes from an \ref ActiveStereoGrabber.
+/** \brief One observation, as delivered by \ref ActiveStereoGrabber.
  * \ingroup stereo */
 struct ActiveStereoObservation {
-  std::int32_t observation = 0; ///< its number, as its frames have it
+  std::int32_t observation = 0; ///< its number, as in its frames
   PointCloud<PointXYZRGBSigma>::ConstPtr cloud;
   shared_ptr<const MatchedDisparity> disparity;
   DisparityFusionReport fusion;
 };
 
-/** \brief Turns any grabber of frames (a camera, a recording, a simulation) into a grabber
- * of organized clouds, one an observation. Section II-A of "Active Stereo Based Compact
- * Mapping".
+/** \brief Turns any grabber of frames (a camera, a recording, a simulation) into a
+ * grabber of organized clouds, one per observation. Section II-A of "Active Stereo
+ * Based Compact Mapping".
  *
- * Callbacks run one after another: in the thread of the frame grabber with the first frame
- * of the next observation, so that frames wait while an observation is made; and after its
- * end in a thread of this one. An error, also one that a callback throws, ends the stream
- * and is kept for \ref getError; no exception leaves a thread. \ref start, \ref stop and
- * \ref wait may be called at any time, any number of times, from any thread and from a
- * callback. The frame grabber must not be started or stopped by others meanwhile.
+ * Callbacks run one after another: in the thread of the frame grabber when the first
+ * frame of the next observation arrives, so that frames wait while an observation is
+ * computed; and in a thread of this grabber after the end of the stream. An error,
+ * including one thrown by a callback, ends the stream and is stored for \ref getError;
+ * no exception leaves a thread. \ref start, \ref stop and \ref wait may be called at
+ * any time, any number of times, from any thread and from a callback. Other code must
+ * not start or stop the frame grabber in the meantime.
  *
- * A cloud's header has the first frame's stamp, the observation's number as `seq`, and
- * `frame_id` "reference_camera". Its sensor stands in the origin.
+ * The header of a cloud has the stamp of the first frame, the number of the observation
+ * as `seq`, and `frame_id` "reference_camera". The sensor is at the origin.
  *
- * An observation is over when a frame of another one comes, or one whose number is not
- * above the last, or when the stream ends by itself. One that \ref stop or an error cuts
- * off is dropped, with those of its frames that come later, which the report tells. A
- * callback that stops cuts nothing off: the next \ref start goes on. A frame grabber of
- * single frames (0 a second) gives one with each \ref start; the start that gets none
- * gives the last observation. Time and memory as \ref DisparityFusion.
+ * An observation is complete when a frame of another observation arrives, or a frame
+ * whose number is not greater than the last one, or when the stream ends by itself. An
+ * observation that is interrupted by \ref stop or by an error is dropped, and so are
+ * those of its frames that arrive later; the report mentions this. If a callback calls
+ * \ref stop, nothing is interrupted: the next \ref start continues. A frame grabber of
+ * single frames (0 per second) provides one frame with each \ref start; the start that
+ * finds no more frames delivers the last observation. For time and memory see
+ * \ref DisparityFusion.
  * \code
  * pcl::ActiveStereoGrabber grabber (
  *   std::make_shared<pcl::TrinocularFileGrabber> ("session", 1000.0f));
@@ -59,46 +62,49 @@ struct ActiveStereoObservation {
  * \ingroup stereo */
 class ACMAP_EXPORT ActiveStereoGrabber : public Grabber {
 public:
-  /** \brief Signatures of the two signals, for PCL's registerCallback. */
+  /** \brief Signatures of the two signals, for registerCallback of PCL. */
   using CloudCallback = void(const PointCloud<PointXYZRGBSigma>::ConstPtr& cloud);
   using ObservationCallback = void(const ActiveStereoObservation& observation);
 
-  /** \param[in] frames rectified; its rig is that of fusion and back-projection
-   * \throws BadArgumentException for none, and for a rig without neighbours */
+  /** \param[in] frames grabber of rectified frames; its rig is used for the fusion and
+   * the back-projection
+   * \throws BadArgumentException for a null pointer, and for a rig without neighbours
+   */
   explicit ActiveStereoGrabber(shared_ptr<TrinocularGrabber> frames);
 
-  /** \brief Stops. Not to be called from a callback. */
+  /** \brief Stops the stream. Must not be called from a callback. */
   ~ActiveStereoGrabber() noexcept override;
 
-  /** \brief How disparities are found: set it up before \ref start.
+  /** \brief Settings of the fusion; change them before \ref start.
    * \throws InitFailedException while the stream runs */
   DisparityFusion&
   fusion();
 
-  /** \brief How they become points: as above. */
+  /** \brief Settings of the back-projection; change them before \ref start.
+   * \throws InitFailedException while the stream runs */
   DisparityBackProjection&
   backProjection();
 
-  /** \brief Streams on from where the frame grabber stands; does nothing while it streams.
-   */
+  /** \brief Continues from the current position of the frame grabber; does nothing
+   * while the stream runs. */
   void
   start() override;
 
-  /** \brief Stops the frame grabber; no callback is called after it has returned. From a
-   * callback: no other observation is given. */
+  /** \brief Stops the frame grabber; no callback is called after this has returned. If
+   * it is called from a callback, no further observation is delivered. */
   void
   stop() override;
 
   bool
   isRunning() const override;
 
-  /** \brief Waits until the stream has ended and the last observation was given; in a
-   * callback it returns at once. */
+  /** \brief Waits until the stream has ended and the last observation was delivered;
+   * returns at once if it is called from a callback. */
   void
   wait();
 
-  /** \brief What ended the stream, null when it ended well or still runs; the next stream
-   * forgets it. */
+  /** \brief The error that ended the stream; null if it ended without an error or still
+   * runs. The next stream resets it. */
   std::exception_ptr
   getError() const;
 
@@ -106,14 +112,15 @@ public:
   std::string
   getName() const override;
 
-  /** \brief Of observations; 0, which PCL has for no fixed rate. */
+  /** \brief Rate of the observations: 0, which means "not fixed" in PCL. */
   float
   getFramesPerSecond() const override;
 
   TrinocularRig
   getRig() const;
 
-  /** \brief Of this stream, or the last one; seconds are sums over its observations. */
+  /** \brief Report of the current or the last stream; seconds are sums over its
+   * observations. */
   ActiveStereoGrabberReport
   getReport() const;
 

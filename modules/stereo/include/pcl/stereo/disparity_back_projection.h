@@ -13,26 +13,27 @@
 
 namespace pcl {
 
-/** \brief What \ref DisparityBackProjection tells about its last run. \ingroup stereo */
+/** \brief Report of \ref DisparityBackProjection on its last run. \ingroup stereo */
 struct DisparityBackProjectionReport : Report {
-  std::size_t points = 0;   ///< with a place
+  std::size_t points = 0;   ///< with finite coordinates
   std::size_t invalid = 0;  ///< pixels without a disparity
-  std::size_t too_near = 0; ///< nearer than the least depth
-  std::size_t too_far = 0;  ///< farther than the largest depth, or disparity 0 or below
+  std::size_t too_near = 0; ///< nearer than the minimum depth
+  std::size_t too_far = 0;  ///< beyond the maximum depth, or disparity 0 or below
 };
 
-/** \brief Turns disparities into an organized cloud in the frame of the reference camera
- * (x right, y down, z forward, metres): Z = f B / d, X = (column - center_x) Z / f,
- * Y = (row - center_y) Z / f. Section II-A of "Active Stereo Based Compact Mapping".
+/** \brief Turns disparities into an organized cloud in the frame of the reference
+ * camera (x right, y down, z forward, metres): Z = f B / d,
+ * X = (column - center_x) Z / f, Y = (row - center_y) Z / f. Section II-A of "Active
+ * Stereo Based Compact Mapping".
  *
- * `sigma` is one standard deviation along the ray, metres: the disparity's times Z^2 / (f
- * B), times the length of the ray at Z = 1. `rgb` is valid at every pixel, also where
- * there is no place (NaN).
+ * `sigma` is one standard deviation along the ray, in metres: the standard deviation of
+ * the disparity times Z^2 / (f B), times the length of the ray at Z = 1. `rgb` is valid
+ * at every pixel, even if the coordinates are NaN.
  *
- * pcl::DisparityMapConverter does less and takes other input: a file or buffer of
- * disparities without standard deviations, of which it makes points without `sigma`; its
- * verb returns silently where images are missing. It is no base of this class. Time O(n)
- * for n pixels.
+ * pcl::DisparityMapConverter is not a base of this class, because its input is
+ * different: a file or a buffer of disparities without standard deviations, from which
+ * it computes points without `sigma`; it returns silently if images are missing. Time
+ * O(n) for n pixels.
  * \code
  * pcl::DisparityBackProjection projection;
  * projection.setInputRig (grabber.getRig ());
@@ -50,7 +51,7 @@ public:
   const TrinocularRig&
   getInputRig() const;
 
-  /** \brief Nearer points have no place, metres (default 0: none).
+  /** \brief Points that are nearer are set to NaN, metres (default 0: none).
    * \throws BadArgumentException unless within [0, 10000] */
   void
   setMinimumDepth(double depth);
@@ -61,7 +62,7 @@ public:
     return minimum_depth_;
   }
 
-  /** \brief Farther points have no place, metres (default 100).
+  /** \brief Points that are farther are set to NaN, metres (default 100).
    * \throws BadArgumentException unless within [0.01, 10000] */
   void
   setMaximumDepth(double depth);
@@ -85,13 +86,14 @@ public:
     return threads_;
   }
 
-  /** \param[in] matched of the rig's size, disparity and sigma only; where it has no
-   * finite sigma of at least 0, or none at all, the rig's is taken
-   * \param[in] color of the rig's size, 1 or 3 channels; empty: black
-   * \param[out] cloud organized, as large as the rig's view; untouched after an exception
+  /** \param[in] matched of the size of the rig; only disparity and sigma are read. If
+   * sigma is missing, not finite or negative, the disparity_sigma of the rig is used
+   * \param[in] color of the size of the rig, 1 or 3 channels; if empty, points are
+   * black
+   * \param[out] cloud organized, of the size of the rig; unchanged after an exception
    * \throws InitFailedException without a rig
-   * \throws BadArgumentException for another size or missing values, and where the least
-   * depth is not below the largest */
+   * \throws BadArgumentException for another size or an incomplete image, and if the
+   * minimum depth is not below the maximum */
   void
   project(const MatchedDisparity& matched,
           const CameraImage& color,

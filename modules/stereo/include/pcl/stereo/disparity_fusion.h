@@ -13,35 +13,35 @@
 
 namespace pcl {
 
-/** \brief What \ref DisparityFusion tells about its last run. \ingroup stereo */
+/** \brief Report of \ref DisparityFusion on its last run. \ingroup stereo */
 struct DisparityFusionReport : Report {
   std::size_t shots = 0;     ///< with a pattern
-  std::size_t off_shots = 0; ///< without one: colour
+  std::size_t off_shots = 0; ///< without a pattern, used for the colour
 
-  /** \brief Pixels by \ref DisparityOutcome. */
+  /** \brief Number of pixels per \ref DisparityOutcome. */
   std::array<std::size_t, disparity_outcomes> outcomes{};
 
-  /** \brief After each shot with a pattern: the share of the reference's pixels that the
-   * patterns so far have told apart (covered well enough to be matched), in [0, 1]. */
+  /** \brief Coverage after each shot with a pattern: the share of the pixels of the
+   * reference whose grey levels vary enough over the shots so far, in [0, 1]. */
   std::vector<double> coverage;
 };
 
-/** \brief Makes one disparity image of the shots of an observation. Section II-A of "Active
- * Stereo Based Compact Mapping".
+/** \brief Computes one disparity image from the shots of an observation. Section II-A
+ * of "Active Stereo Based Compact Mapping".
  *
- * - Median: each shot is matched by itself; a pixel gets the lower median of its
+ * - Median: each shot is matched separately; a pixel gets the lower median of its
  *   disparities, as in the paper.
- * - Statistical: the same, then the disparities that are consistent with each other (within
- *   three robust deviations of the median, at least 1 px), their mean weighted by their
- *   variances, its standard deviation; what fails a chi-square test is told as
- *   inconsistent. The paper's future work (i).
- * - SpaceTime: all shots are matched at once, see \ref TrinocularMatching. The default: it
- *   is the most accurate, and the fastest.
+ * - Statistical: each shot is matched separately; a pixel gets the mean, weighted by
+ *   inverse variances, of the disparities that are within three robust standard
+ *   deviations of the median (at least 1 px). A pixel that fails a chi-square test is
+ *   inconsistent. This is the future work (i) of the paper.
+ * - SpaceTime: all shots are matched at once, see \ref TrinocularMatching. This is the
+ *   default, because it is the most accurate and the fastest method.
  *
- * Colour is that of the mean shot without a pattern; without one, of the mean of all
- * shots. Disparities in pixels, metres only in the rig. Time O(n * disparities) a shot
- * (Median, Statistical) or O(n * disparities * shots) once (SpaceTime); memory
- * O(n * shots).
+ * The colour is the mean of the shots without a pattern; if there are none, the mean of
+ * all shots. Disparities are in pixels; only the rig is in metres. Time
+ * O(n * disparities) per shot (Median, Statistical) or O(n * disparities * shots) once
+ * (SpaceTime) for n pixels; memory O(n * shots).
  * \code
  * pcl::DisparityFusion fusion;
  * fusion.setInputRig (grabber.getRig ());
@@ -61,28 +61,29 @@ public:
   DisparityFusion&
   operator=(DisparityFusion&&) noexcept;
 
-  /** \brief Geometry of the frames, rectified; forgets the shots.
+  /** \brief Geometry of the rectified frames; discards the shots.
    * \throws BadArgumentException as \ref TrinocularMatching::setInputRig */
   void
   setInputRig(const TrinocularRig& rig);
 
-  /** \brief How shots are matched; its threads and progress callback are not taken over,
-   * nor its rig where the fusion has one. Forgets the shots. */
+  /** \brief Settings for matching the shots. Its number of threads and its progress
+   * callback are ignored, and so is its rig if the fusion has one. Discards the shots.
+   */
   void
   setMatching(const TrinocularMatching& matching);
 
   const TrinocularMatching&
   getMatching() const;
 
-  /** \brief Forgets the shots where it changes the method. */
+  /** \brief A change of the method discards the shots. */
   void
   setMethod(Method method);
 
   Method
   getMethod() const;
 
-  /** \brief Least number of shots a disparity must rest on (default 3, or the number of
-   * shots where there are fewer); Median and Statistical.
+  /** \brief Minimum number of shots for a disparity (default 3, or the number of shots
+   * if there are fewer); used by Median and Statistical.
    * \throws BadArgumentException unless within [1, 256] */
   void
   setMinimumSupport(int shots);
@@ -90,8 +91,8 @@ public:
   int
   getMinimumSupport() const;
 
-  /** \brief Coverage that is reached by a further shot must be larger by this share for
-   * \ref wantsAnotherShot to say yes (default 0.005).
+  /** \brief Minimum gain in coverage of the last shot for which \ref wantsAnotherShot
+   * returns true (default 0.005 of the pixels).
    * \throws BadArgumentException unless within [0, 1] */
   void
   setLeastGain(double share);
@@ -105,38 +106,38 @@ public:
   unsigned
   getNumberOfThreads() const;
 
-  /** \brief Shows progress and can cancel, in \ref addShot and \ref fuse. */
+  /** \brief Reports the progress of \ref addShot and \ref fuse, and can cancel them. */
   void
   setProgressCallback(ProgressCallback callback);
 
-  /** \brief Forgets the shots: the next one begins an observation. */
+  /** \brief Discards the shots: the next one begins an observation. */
   void
   clear();
 
-  /** \brief Takes a shot of the observation; Median and Statistical match it now.
+  /** \brief Adds a shot to the observation; Median and Statistical match it at once.
+   * After an exception the previous shots are kept.
    * \throws InitFailedException without a rig
-   * \throws BadArgumentException when it is null, an image is missing, has another size
-   * than the rig or not all its values, or there are 256 shots already; the shots so far
-   * stay
-   * \throws CancelledException when the progress callback says so; the shots so far stay */
+   * \throws BadArgumentException when the shot is null, an image is missing, incomplete
+   * or not of the size of the rig, or there are 256 shots already
+   * \throws CancelledException when the progress callback cancels */
   void
   addShot(const TrinocularFrame::ConstPtr& shot);
 
-  /** \brief How many shots were taken, those without a pattern with them. */
+  /** \brief Number of shots that were added, with and without a pattern. */
   std::size_t
   shots() const;
 
-  /** \brief Whether another pattern would still help: the last one told more pixels apart
-   * than the least gain, or there are too few shots to know. For a grabber's callback, so
-   * that it throws no light for nothing. */
+  /** \brief Returns true if another pattern is worthwhile: there are fewer than three
+   * shots with a pattern, or the last one increased the coverage by more than the
+   * minimum gain. False after 256 shots. */
   bool
   wantsAnotherShot() const;
 
-  /** \brief The disparities of the shots so far; more shots may follow.
-   * \param[out] fused untouched after an exception; without a shot with a pattern all
+  /** \brief Fuses the shots so far; more shots may follow.
+   * \param[out] fused unchanged after an exception; without a shot with a pattern all
    * pixels are \ref DisparityOutcome::TooFewShots
    * \throws InitFailedException without a rig
-   * \throws CancelledException when the progress callback says so */
+   * \throws CancelledException when the progress callback cancels */
   void
   fuse(MatchedDisparity& fused);
 
@@ -144,7 +145,7 @@ public:
   CameraImage
   getColor() const;
 
-  /** \brief Of the last \ref fuse; coverage of the shots so far. */
+  /** \brief Report of the last \ref fuse; the coverage is that of the shots so far. */
   DisparityFusionReport
   getReport() const;
 
@@ -153,7 +154,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/** \brief The method a name means: `median`, `statistical` or `spacetime`.
+/** \brief The method with the given name: `median`, `statistical` or `spacetime`.
  * \throws BadArgumentException for another name \ingroup stereo */
 ACMAP_EXPORT DisparityFusion::Method
 disparityFusionMethod(const std::string& name);

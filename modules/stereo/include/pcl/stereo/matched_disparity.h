@@ -12,38 +12,38 @@
 
 namespace pcl {
 
-/** \brief What became of a pixel of the reference view: why it has no disparity, or that
- * it has one. \ingroup stereo */
+/** \brief Whether a pixel of the reference view has a disparity, and if not, why.
+ * \ingroup stereo */
 enum class DisparityOutcome : std::uint8_t {
-  Matched,      ///< it has one
-  OutOfView,    ///< what fits best lies outside the neighbours' images
-  Untextured,   ///< below the texture threshold: the projector does not reach it, or it
-                ///< is all of one grey
+  Matched,    ///< it has a disparity
+  OutOfView,  ///< the best match is outside the images of the neighbours
+  Untextured, ///< below the texture threshold: the projector does not illuminate it, or
+              ///< it is uniformly grey
   Uncorrelated, ///< below the correlation threshold
   Ambiguous,    ///< another disparity fits as well (ratio filter)
   OneSided,     ///< the neighbour's pixel matches another one better (left-right check)
-  PairsDisagree, ///< both pairs are sure, of different disparities
-  TooFewShots,   ///< fusion: matched in fewer shots than asked for
-  Inconsistent,  ///< fusion: the shots tell different disparities
+  PairsDisagree, ///< both pairs are matched, with different disparities
+  TooFewShots,   ///< fusion: matched in fewer shots than the minimum support
+  Inconsistent,  ///< fusion: the disparities of the shots contradict each other
 };
 
-/** \brief How many outcomes there are. \ingroup stereo */
+/** \brief Number of outcomes. \ingroup stereo */
 inline constexpr std::size_t disparity_outcomes = 9;
 
-/** \brief The outcome in a word or two, as reports have it. \ingroup stereo */
+/** \brief Short name of the outcome, as used in reports. \ingroup stereo */
 ACMAP_EXPORT const char*
 nameOf(DisparityOutcome outcome);
 
-/** \brief The disparities of one reference view and what is known of them; all members
- * have width * height entries, rows from the top. \ingroup stereo */
+/** \brief The disparities of one reference view, with their accuracy; all members have
+ * width * height entries, row by row from the top. \ingroup stereo */
 struct MatchedDisparity {
-  /** \brief px along \ref disparityBaseline; NaN where there is none. */
+  /** \brief px along \ref disparityBaseline; NaN if there is none. */
   DisparityImage disparity;
 
-  /** \brief One standard deviation of the disparity, px; NaN where there is none. */
+  /** \brief One standard deviation of the disparity, px; NaN if there is none. */
   std::vector<float> sigma;
 
-  /** \brief How many shots the disparity rests on; 0 where there is none. */
+  /** \brief Number of shots that support the disparity; 0 if there is none. */
   std::vector<std::uint16_t> support;
 
   std::vector<DisparityOutcome> outcome;
@@ -51,18 +51,19 @@ struct MatchedDisparity {
 
 namespace acmap {
 
-/** \brief Shots that an observation has, or that are matched at once. \ingroup stereo */
+/** \brief Maximum number of shots of an observation, or matched at once.
+ * \ingroup stereo */
 inline constexpr std::size_t most_shots = 256;
 
 } // namespace acmap
 
-/** \brief Pixels by \ref DisparityOutcome. \ingroup stereo */
+/** \brief Number of pixels per \ref DisparityOutcome. \ingroup stereo */
 ACMAP_EXPORT std::array<std::size_t, disparity_outcomes>
 countOutcomes(const MatchedDisparity& matched);
 
-/** \brief The baseline that disparities are of, metres, above 0: the horizontal one where
- * there is a horizontal neighbour, else the vertical one; 0 without neighbours. The depth
- * of a disparity d is focal_length * baseline / d. \ingroup stereo */
+/** \brief The baseline to which disparities refer, metres, above 0: the horizontal one
+ * if there is a horizontal neighbour, else the vertical one; 0 without neighbours. The
+ * depth of a disparity d is focal_length * baseline / d. \ingroup stereo */
 inline double
 disparityBaseline(const TrinocularRig& rig)
 {

@@ -13,37 +13,39 @@
 
 namespace pcl {
 
-/** \brief What \ref TrinocularMatching tells about its last run. \ingroup stereo */
+/** \brief Report of \ref TrinocularMatching on its last run. \ingroup stereo */
 struct TrinocularMatchingReport : Report {
   std::size_t shots = 0; ///< that were matched together
 
-  /** \brief Pixels by \ref DisparityOutcome. */
+  /** \brief Number of pixels per \ref DisparityOutcome. */
   std::array<std::size_t, disparity_outcomes> outcomes{};
 
-  std::size_t by_both_pairs = 0; ///< matched pixels that both pairs agree on
+  std::size_t by_both_pairs = 0; ///< matched pixels on which both pairs agree
 };
 
-/** \brief Finds for the pixels of the reference view how far they move into the views of
- * the neighbours, from one shot or from several of one place under different patterns.
- * Section II-A of "Active Stereo Based Compact Mapping"; the reference is the right camera
- * of the paper's L-shaped rig, any other side will do.
+/** \brief Computes the disparities of the pixels of the reference view with respect to
+ * its neighbours, from one shot or from several shots of one position under different
+ * patterns. Section II-A of "Active Stereo Based Compact Mapping"; the reference is the
+ * right camera of the L-shaped rig of the paper, but the neighbours may be on any side.
  *
- * Each pair of cameras is matched on its own (a neighbour in the row or in the column),
- * then both are joined: within the pair agreement the mean by their variances, else the one
- * that is much surer, or fits better, else the one that there is. Near-horizontal lines say
- * nothing to the horizontal pair, and occlusion spoils one pair at a time.
+ * Each pair of cameras (the reference and a neighbour in its row or column) is matched
+ * separately, then both results are joined: if they differ by at most the pair
+ * agreement, the mean weighted by inverse variances; otherwise the pair with a much
+ * smaller standard deviation or the higher correlation; if only one is matched, that
+ * one. Near-horizontal lines provide no information to the horizontal pair, and
+ * occlusions usually affect only one pair.
  *
- * Several shots are matched at once (space-time stereo), by zero-mean normalised correlation
- * (ZNCC): from three on a pixel is compared by its grey levels over time, two are compared
- * by windows. With one shot a pixel is compared by its neighbourhood; one without a pattern
- * is taken for passive stereo. Costs are summed along eight paths (Hirschmueller, 2008) in
- * whole numbers; the sub-pixel disparity is the place of highest correlation among quarter
- * pixels. The standard deviation follows from the curvature of the correlation there, and
- * from what it lacks of 1.
+ * Several shots are matched at once (space-time stereo) by zero-mean normalised
+ * cross-correlation (ZNCC): of the grey levels over time with three or more shots, of
+ * windows with two. With one shot, neighbourhoods of pixels are compared (census); one
+ * shot without a pattern is treated as passive stereo. Costs are summed along eight
+ * paths (Hirschmueller, 2008) in integers; the sub-pixel disparity is at the maximum of
+ * the correlation among quarter pixels. The standard deviation follows from the value
+ * and the curvature of the correlation at this maximum.
  *
- * Setters that PCL's StereoMatching has too are called as there. Metres only in the rig;
- * disparities in pixels. Time O(n * disparities * shots) for n pixels; memory 4 bytes for
- * each pixel and disparity of a pair, 2 pairs at once.
+ * Setters that also exist in PCL's StereoMatching have the same names. Disparities are
+ * in pixels; only the rig is in metres. Time O(n * disparities * shots) for n pixels;
+ * memory 4 bytes for each pixel and disparity of a pair, for 2 pairs at once.
  * \code
  * pcl::TrinocularMatching matching;
  * matching.setInputRig (grabber.getRig ());
@@ -57,14 +59,14 @@ public:
   TrinocularMatching();
   ~TrinocularMatching();
 
-  /** \brief The settings of another one; not its report. */
+  /** \brief Copies the settings of \a other, but not its report. */
   TrinocularMatching(const TrinocularMatching& other);
   TrinocularMatching&
   operator=(const TrinocularMatching& other);
 
-  /** \brief Geometry of the frames, rectified.
-   * \throws BadArgumentException for a rig that no camera can have, without neighbours, or
-   * whose baselines differ more than 16 times */
+  /** \brief Geometry of the rectified frames.
+   * \throws BadArgumentException for a rig with invalid values, without neighbours, or
+   * whose baselines differ by more than a factor of 16 */
   void
   setInputRig(const TrinocularRig& rig);
 
@@ -72,7 +74,7 @@ public:
   const TrinocularRig&
   getInputRig() const;
 
-  /** \brief The least disparity that is searched for, px (default 0).
+  /** \brief Minimum disparity of the search range, px (default 0).
    * \throws BadArgumentException unless within [0, 4095] */
   void
   setXOffset(int offset);
@@ -83,7 +85,7 @@ public:
     return x_offset_;
   }
 
-  /** \brief How many disparities are searched for, from the offset on (default 64).
+  /** \brief Number of disparities in the search range, from the offset on (default 64).
    * \throws BadArgumentException unless within [8, 1024] */
   void
   setMaxDisparity(int disparities);
@@ -94,8 +96,8 @@ public:
     return max_disparity_;
   }
 
-  /** \brief Uniqueness: percent by which every disparity farther than 1 px from the best
-   * one must cost more (default 0: no such test).
+  /** \brief Uniqueness: percent by which the cost of every disparity that is more than
+   * 1 px away from the best one must be higher (default 0: no such test).
    * \throws BadArgumentException unless within [0, 100] */
   void
   setRatioFilter(int percent);
@@ -106,22 +108,24 @@ public:
     return ratio_filter_;
   }
 
-  /** \brief Texture: least standard deviation of the grey levels that are compared, over
-   * the shots or, with one or two shots, over the window (default 2 with several shots: the
-   * mask of what the projector reaches; 1 with one or two; 0 for one without a pattern).
+  /** \brief Texture: minimum standard deviation of the grey levels that are compared,
+   * over the shots or, with one or two shots, over the window. The default is 2 with
+   * three or more shots, which masks what the projector does not illuminate; 1 with one
+   * or two; 0 for one without a pattern.
    * \throws BadArgumentException unless within [0, 128] grey levels */
   void
   setPeakFilter(double deviation);
 
-  /** \brief What was set; no value: by the number of shots. */
+  /** \brief The value that was set; no value means the default for the number of shots.
+   */
   std::optional<double>
   getPeakFilter() const
   {
     return peak_filter_;
   }
 
-  /** \brief Least correlation (ZNCC) of a match (default 0.75 from five shots on, 0.5
-   * with three or four, 0.2 with one or two, -1 for one without a pattern).
+  /** \brief Minimum correlation (ZNCC) of a match (default 0.75 with five or more
+   * shots, 0.5 with three or four, 0.2 with one or two, -1 for one without a pattern).
    * \throws BadArgumentException unless within [-1, 1] */
   void
   setCorrelationThreshold(double correlation);
@@ -132,7 +136,7 @@ public:
     return correlation_threshold_;
   }
 
-  /** \brief Whether the neighbour's pixel must match back (default true). */
+  /** \brief If true, the pixel of the neighbour must match back (default true). */
   void
   setLeftRightCheck(bool check)
   {
@@ -145,7 +149,7 @@ public:
     return left_right_check_;
   }
 
-  /** \brief How far it may match back beside the pixel, px (default 1).
+  /** \brief Maximum distance between the pixel and the match back, px (default 1).
    * \throws BadArgumentException unless within [0, 16] */
   void
   setLeftRightCheckThreshold(int threshold);
@@ -156,7 +160,7 @@ public:
     return left_right_threshold_;
   }
 
-  /** \brief Up to how many px of difference two pairs tell the same disparity (default 1).
+  /** \brief Maximum difference at which two pairs agree, px (default 1).
    * \throws BadArgumentException unless within [0.1, 16] */
   void
   setPairAgreement(double difference);
@@ -167,8 +171,8 @@ public:
     return pair_agreement_;
   }
 
-  /** \brief Whether a pixel for which both pairs are sure of different disparities has none
-   * (default false: the one that is much surer, or fits better). */
+  /** \brief If true, a pixel for which both pairs are matched but disagree is rejected
+   * (default false: the better of both disparities is taken). */
   void
   setRequirePairAgreement(bool require)
   {
@@ -183,19 +187,20 @@ public:
 
   /** \brief Matches one shot.
    * \param[in] shot grey or in colour, with all cameras of the rig
-   * \param[out] matched untouched after an exception
+   * \param[out] matched unchanged after an exception
    * \throws InitFailedException without a rig
-   * \throws BadArgumentException when an image is missing, has another size than the rig
-   * or not all its values
-   * \throws CancelledException when the progress callback says so */
+   * \throws BadArgumentException when an image is missing, incomplete or not of the
+   * size of the rig
+   * \throws CancelledException when the progress callback cancels */
   void
   match(const TrinocularFrame& shot, MatchedDisparity& matched);
 
-  /** \brief Matches shots of one place together. Those without a pattern are left out where
-   * there are others; where there are none, the first shot alone is matched. A remark tells
-   * both.
+  /** \brief Matches shots of one position together. Shots without a pattern are
+   * excluded if there are others; if there are no others, only the first shot is
+   * matched. A remark reports both cases.
    * \param[in] shots at least one, at most 256
-   * \throws as above; BadArgumentException also for no shot, too many, and a null one */
+   * \throws as above; BadArgumentException also for no shot, too many, and a null one
+   */
   void
   match(const std::vector<TrinocularFrame::ConstPtr>& shots, MatchedDisparity& matched);
 
@@ -205,7 +210,7 @@ private:
   void
   matchPairs(const std::vector<const TrinocularFrame*>& shots);
 
-  /** \return pixels that both pairs agree on */
+  /** \return the number of pixels on which both pairs agree */
   std::size_t
   joinPairs(std::size_t shots, MatchedDisparity& joined) const;
 

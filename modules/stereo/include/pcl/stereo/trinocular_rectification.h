@@ -9,30 +9,31 @@
 
 namespace pcl {
 
-/** \brief What \ref TrinocularRectification tells about its calibration.
+/** \brief Report of \ref TrinocularRectification on its calibration.
  * \ingroup stereo */
 struct TrinocularRectificationReport : Report {
-  /** \brief Degrees by which each camera is turned, by \ref RigCamera. */
+  /** \brief Rotation angle of each camera, degrees, by \ref RigCamera. */
   std::array<double, 3> turns{0, 0, 0};
 
-  /** \brief Metres by which the vertical neighbour stands beside the reference's column
-   * (along x), after rectification. */
+  /** \brief Offset of the vertical neighbour from the reference along x after
+   * rectification, metres. */
   double column_offset = 0;
 
-  /** \brief What it costs: px by which a point at the nearest depth lies beside its
-   * column. No rotation can take it off, see doc/stereo/trinocular_rectification.md. */
+  /** \brief Distance of a point at the nearest depth from its column that results from
+   * this offset, px. No rotation can remove it, see
+   * doc/stereo/trinocular_rectification.md. */
   double column_residual = 0;
 };
 
-/** \brief Turns the frames of a rig as it is built into those of a rectified one: the
- * distortion is off, the rows of the horizontal pair and the columns of the vertical pair
- * are aligned, all cameras have one focal length and one principal point (the geometry
- * that section II-A of "Active Stereo Based Compact Mapping" takes for granted).
+/** \brief Rectifies the frames of a physical rig: the distortion is removed, the rows
+ * of the horizontal pair and the columns of the vertical pair are aligned, and all
+ * cameras have the same focal length and principal point. Section II-A of "Active
+ * Stereo Based Compact Mapping" assumes this geometry.
  *
  * The common frame has x along the horizontal baseline and z perpendicular to both
- * baselines. The focal length is the shortest that leaves no border without image in any
- * camera; width and height stay. Tables are made once, with the calibration; a frame then
- * takes O(pixels), an interpolation each.
+ * baselines. The focal length is the smallest one for which no image has an empty
+ * border; width and height are unchanged. Tables are computed once per calibration; a
+ * frame then takes O(pixels), one bilinear interpolation per pixel.
  * \code
  * pcl::TrinocularRectification rectification;
  * rectification.setInputCalibration (pcl::loadRigCalibration ("rig.yaml"));
@@ -48,16 +49,17 @@ public:
   TrinocularRectification&
   operator=(TrinocularRectification&&) noexcept;
 
-  /** \brief The cameras as they are built: the reference and at least one neighbour. What
-   * was set before stays when they are refused.
-   * \throws BadArgumentException when they are no such rig: no neighbour, a value that is
-   * not finite, baselines less than 60 degrees apart, cameras that do not look across
-   * their baselines, views without a common part, a distortion without an inverse */
+  /** \brief The calibration of the physical rig: the reference and at least one
+   * neighbour. If it is rejected, the previous one is kept.
+   * \throws BadArgumentException when there is no neighbour, a value is not finite, a
+   * neighbour is not in the direction of its name to within 60 degrees, the baselines
+   * are less than 60 degrees apart, the cameras do not look across their baselines, the
+   * views have no common part, or the distortion has no inverse */
   void
   setInputCalibration(const RigCalibration& calibration);
 
-  /** \brief Depth for which the column residual is told, metres, 1 without. A residual of
-   * more than half a pixel gives a remark.
+  /** \brief Depth for which the column residual is reported, metres (default 1). A
+   * residual of more than half a pixel causes a remark.
    * \throws BadArgumentException when not within [0.01, 1000] */
   void
   setNearestDepth(double depth);
@@ -78,14 +80,15 @@ public:
     return threads_;
   }
 
-  /** \brief The rig that the rectified frames are of.
+  /** \brief The rig of the rectified frames.
    * \throws InitFailedException without a calibration */
   const TrinocularRig&
   getRig() const;
 
-  /** \brief Turns directions of a raw camera's frame into the common frame. The centres of
-   * the cameras stay: a raw reference camera at T_map_reference gives rectified views from
-   * T_map_reference times the inverse of its rotation.
+  /** \brief Rotates directions from the frame of a raw camera to the common frame. The
+   * centres of the cameras are unchanged: if the pose of the raw reference camera is
+   * T_map_reference, the pose of the rectified view is T_map_reference times the
+   * inverse of this rotation.
    * \throws InitFailedException without a calibration
    * \throws BadArgumentException without such a camera */
   Eigen::Matrix3d
@@ -95,18 +98,19 @@ public:
   TrinocularRectificationReport
   getReport() const;
 
-  /** \brief Where a pixel of a raw image comes to lie, px; NaN where it has no ray.
+  /** \brief Position of a pixel of a raw image in the rectified image, px; NaN if the
+   * pixel has no ray.
    * \throws InitFailedException without a calibration
    * \throws BadArgumentException without such a camera */
   Eigen::Vector2d
   rectifiedPixel(RigCamera camera, const Eigen::Vector2d& pixel) const;
 
-  /** \brief Rectifies the images of a frame, grey or in colour; those that are empty stay
-   * empty, number, observation, pattern and stamp are taken over.
-   * \param[out] rectified may be the frame itself; untouched after an exception
+  /** \brief Rectifies the images of a frame, grey or in colour. Empty images remain
+   * empty; number, observation, pattern and stamp are copied.
+   * \param[out] rectified may be the frame itself; unchanged after an exception
    * \throws InitFailedException without a calibration
-   * \throws BadArgumentException when an image has another size than the calibration, not
-   * all its values, or no camera in the calibration */
+   * \throws BadArgumentException when an image is incomplete, not of the size of the
+   * calibration, or of a camera that the calibration does not have */
   void
   rectify(const TrinocularFrame& frame, TrinocularFrame& rectified) const;
 

@@ -12,14 +12,14 @@
 namespace pcl {
 namespace acmap {
 
-/** \brief Keypoints of one cloud, with their places and looks. */
+/** \brief Keypoints of one cloud, with their points and patches. */
 struct MatchedSide {
   std::vector<std::int32_t> pixels;
   std::vector<Eigen::Vector3f> points; ///< metres
   LogPolarPatches patches;
 };
 
-/** \param[in] indices the keypoints; nullptr: they are looked for */
+/** \param[in] indices the keypoints; if nullptr, they are detected */
 template <typename PointT>
 MatchedSide
 matchedSideOf(const PointCloud<PointT>& cloud,
@@ -47,7 +47,7 @@ matchedSideOf(const PointCloud<PointT>& cloud,
   return side;
 }
 
-/** \brief Why a run gives no match. */
+/** \brief Adds a remark if a run gives no match. */
 inline void
 remark(registration::LogPolarReport& report)
 {
@@ -68,7 +68,7 @@ remark(registration::LogPolarReport& report)
     report.remarks.push_back("no pair of patches is strong, distinct and mutual");
 }
 
-/** \brief Tells what was there, and what became of it. */
+/** \brief Fills the report with the numbers of keypoints, patches and matches. */
 inline void
 fill(registration::LogPolarReport& report,
      const MatchedSide& source,

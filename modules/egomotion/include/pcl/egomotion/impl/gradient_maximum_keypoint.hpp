@@ -12,7 +12,7 @@
 namespace pcl {
 namespace acmap {
 
-/** \brief Why a run gives no keypoint. */
+/** \brief Adds a remark if a run gives no keypoint. */
 inline void
 remark(const KeypointCounts& counts,
        float least_gradient,
