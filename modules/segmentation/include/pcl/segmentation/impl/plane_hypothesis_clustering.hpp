@@ -86,7 +86,7 @@ PlaneHypothesisClustering<PointT>::gatherNormals() const
       normal = (*normals_)[index].getNormalVector3fMap();
     else if constexpr (acmap::has_normal<PointT>)
       normal = (*input_)[index].getNormalVector3fMap();
-    normal /= normal.norm(); // zero normals are none
+    normal /= normal.norm(); // zero normals become NaN
   }
   return normals;
 }
