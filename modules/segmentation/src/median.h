@@ -6,8 +6,9 @@
 
 namespace pcl::acmap {
 
-/** The upper one of two in the middle; 0 of none.
- * \param[in,out] values get another order */
+/** The median; for an even number of values the upper one of the two in the middle; 0
+ * if empty.
+ * \param[in,out] values they are reordered */
 inline double
 medianOf(std::vector<double>& values)
 {

@@ -5,8 +5,8 @@ namespace {
 
 using Loop = std::vector<Eigen::Vector3f>;
 
-/** Integrals of 1, p and p p^T over what a loop encloses, p from a patch's centre along
- * its axes; negative where it runs clockwise. */
+/** Integrals of 1, p and p p^T over the area that a loop encloses; p is relative to the
+ * centre of a patch, along its axes. Clockwise loops give negative values. */
 struct AreaMoments {
   double area = 0;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();

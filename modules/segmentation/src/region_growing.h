@@ -5,17 +5,20 @@
 
 namespace pcl::acmap {
 
-/** Of elements in no region. */
+/** Owner of elements that are in no region. */
 inline constexpr std::int32_t no_region = -1;
 
-/** Grows a region from its members over whoever is near and fits, breadth first.
+/** Grows a region breadth first from its members over all neighbours that fit.
  *
- * The engine knows nothing of planes. Who is a neighbour, what is a valid region and in
- * which order seeds are tried are three policies; so other shapes can join.
- * \param[in] neighbours visit (element, f) calls f (other) for each of its neighbours
- * \param[in,out] region accepts (element) tells who fits, add (element) takes it in
- * \param[in,out] members where it begins; those found are appended
- * \param[in,out] owner of each element; only elements of \ref no_region are taken
+ * The engine is independent of planes. Three policies define which elements are
+ * neighbours, which regions are valid, and in which order seeds are tried, so that
+ * other shapes can be added.
+ * \param[in] neighbours visit (element, f) calls f (other) for each neighbour of the
+ * element
+ * \param[in,out] region accepts (element) returns true if the element fits, add
+ * (element) adds it
+ * \param[in,out] members the initial members; new ones are appended
+ * \param[in,out] owner of each element; only elements of \ref no_region are added
  * \param[in] id of the region */
 template <typename Neighbours, typename Region>
 void

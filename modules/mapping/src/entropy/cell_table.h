@@ -6,15 +6,16 @@
 
 namespace pcl::acmap {
 
-/** \brief Sums over the points of a cell, as integers, so that no order matters. */
+/** \brief Sums over the points of a cell, as integers, so that they do not depend on
+ * the order. */
 struct CellSums {
-  std::int64_t column, row; ///< whatever the cells are called; equal: the same cell
+  std::int64_t column, row; ///< key of the cell
   std::uint64_t weight = 0;
-  std::uint64_t x = 0, z = 0;              ///< weight times place
+  std::uint64_t x = 0, z = 0;              ///< weight times position
   std::int64_t normal_x = 0, normal_z = 0; ///< weight times normal
 };
 
-/** \brief Cells by their names. */
+/** \brief Hash table of cells by their keys. */
 class CellTable {
 public:
   CellTable()
@@ -38,7 +39,7 @@ public:
     return cells_.back();
   }
 
-  /** \brief All of them, as they came. */
+  /** \brief All cells in the order of their insertion. */
   std::vector<CellSums>&
   cells()
   {
@@ -70,7 +71,7 @@ private:
     }
   }
 
-  std::vector<std::uint32_t> places_; ///< open addressing; a power of two
+  std::vector<std::uint32_t> places_; ///< open addressing; the size is a power of two
   std::vector<CellSums> cells_;
 };
 

@@ -27,8 +27,8 @@ wholeBlocks(std::int64_t bins)
   return (bins + block - 1) / block * block;
 }
 
-/** What the grid has around the range: one bin more than smoothing reaches, as rounding
- * may move a cell there. */
+/** Margin of the grid around the range: one bin more than the radius of smoothing,
+ * because a cell may be moved there by rounding. */
 struct Margin {
   std::int64_t x, z;
 
@@ -85,7 +85,7 @@ log2Of(double value)
   return values[0];
 }
 
-/** H of bins that sum up to \a weight, of the sum of q log2 q. */
+/** Entropy H of bins with the sum \a weight, given the sum of q log2 q. */
 double
 entropyOf(double sum, double weight)
 {
@@ -98,7 +98,7 @@ lengthOf(const FilledRun& run)
   return std::int64_t{run.end - run.begin} * block;
 }
 
-/** To a place that may be near others'. */
+/** Copies blocks without writing beyond them, as other runs may follow closely. */
 void
 copyBlocks(const float* from, std::int64_t size, float* to)
 {
@@ -209,10 +209,10 @@ EntropyGrid::begin(const BinRange& range)
   array_ = {bins_.begin(), depth_, width_ * depth_, marks_.marks.data()};
 }
 
-/** Runs one behind the other. */
+/** Consecutive runs in one array. */
 class EntropyGrid::Strips {
 public:
-  /** \param[in] room zeroes before the first and behind the last */
+  /** \param[in] room number of zeros before the first and after the last run */
   Strips(const FilledRun* first,
          const FilledRun* last,
          std::int64_t aside,
@@ -263,7 +263,7 @@ EntropyGrid::takeLogarithms()
   std::vector<double> sums(chunksOf(spread_));
   forChunks(spread_,
             [&](std::size_t chunk, const FilledRun* first, const FilledRun* last) {
-              // Each run ends with zeroes that smoothing along x does not reach.
+              // Each run ends with zeros, which smoothing along x does not write.
               Strips smoothed(first, last, 0, aside_);
               float* strip = smoothed.begin();
               for (const FilledRun* run = first; run < last; strip += lengthOf(*run++))
@@ -285,8 +285,9 @@ EntropyGrid::takeLogarithms()
 void
 EntropyGrid::takeSensitivities()
 {
-  // dH / dQ = -log2 Q - 1 / ln 2, whose constant cancels as the shares always sum to 1,
-  // and so does the weight's. Where Q = 0 the splines' derivatives are 0 too.
+  // dH / dQ = -log2 Q - 1 / ln 2. The constant cancels because the shares always sum to
+  // 1, and so does that of the weight. Where Q = 0, the derivatives of the splines are
+  // also 0.
   const SmoothingKernel kernel{float_kernel_.data(), radius_};
   const std::vector<float> on_x = sensitivitiesOf(on_x_);
   const std::vector<float> on_z = sensitivitiesOf(on_z_);
@@ -327,7 +328,7 @@ EntropyGrid::sensitivitiesOf(const std::vector<double>& logarithms) const
 MapEntropyTerms
 EntropyGrid::finish(double weight, bool sensitivities)
 {
-  const BlockBits bits(marks_); // a mark stands for three rows
+  const BlockBits bits(marks_); // a mark represents three rows
   bits.findRuns(0, 2, 0, filled_);
   bits.findRuns(radius_, radius_ + 2, aside_ / block, spread_);
   project();

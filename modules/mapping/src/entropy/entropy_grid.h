@@ -10,8 +10,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The floor of a place in bins, without the call that it takes where SSE2 is
- * all. */
+/** \brief The floor of a position in bins; faster than std::floor if only SSE2 is
+ * available. */
 inline std::int64_t
 binOf(double place)
 {
@@ -19,8 +19,8 @@ binOf(double place)
   return bin - (static_cast<double>(bin) > place ? 1 : 0);
 }
 
-/** \brief The bins that a map needs: bin (i, j) begins at (i, j) times the bin's edge,
- * whatever the map, so that entropies of different poses compare. */
+/** \brief The bins that a map needs. Bin (i, j) begins at (i, j) times the edge length
+ * for any map, so that entropies of different poses are comparable. */
 struct BinRange {
   std::int64_t least_x = INT64_MAX, most_x = INT64_MIN;
   std::int64_t least_z = INT64_MAX, most_z = INT64_MIN;
@@ -38,35 +38,36 @@ struct BinRange {
   }
 };
 
-/** \brief q(x, z) of Eq. 3, in one layer or in one for each direction of walls and one
- * for points without. Most bins are empty: only runs around what was filled in are
- * worked on.
+/** \brief q(x, z) of Eq. 3, in one layer, or in one layer per wall direction and one
+ * for points without a direction. Most bins are empty: only runs around the filled ones
+ * are processed.
  *
- * Each time: \ref begin; fill \ref bins, marking the blocks, where a mark also stands for
- * the two rows that follow; \ref finish, which leaves derivatives in the filled bins where
- * these are wanted. */
+ * For each evaluation: call \ref begin, fill \ref bins and mark their blocks (a mark
+ * also represents the two following rows), then call \ref finish, which replaces the
+ * filled bins by derivatives if requested. */
 class EntropyGrid {
 public:
   explicit EntropyGrid(const MapEntropySettings& settings);
 
-  /** \brief Bins of all layers, before anything is allocated. */
+  /** \brief Number of bins of all layers, computed before allocation. */
   static double
   binsOf(const BinRange& range, const MapEntropySettings& settings);
 
-  /** \brief Empties the grid and lets it cover a range.
-   * \param[in] range of the bins that will be filled; the grid adds what smoothing
-   * needs */
+  /** \brief Clears the grid and sets its range.
+   * \param[in] range of the bins that will be filled; the grid adds the margin that
+   * smoothing needs */
   void
   begin(const BinRange& range);
 
-  /** \brief To be filled: the range and, against rounding, one bin around it. */
+  /** \brief The bins to be filled: the range, and one bin around it because of
+   * rounding. */
   const BinArray&
   bins() const
   {
     return array_;
   }
 
-  /** \brief Index of the grid's first bin. */
+  /** \brief Index of the first bin of the grid. */
   std::int64_t
   firstX() const
   {
@@ -79,11 +80,11 @@ public:
     return first_z_;
   }
 
-  /** \brief Smooths and takes the entropies.
-   * \param[in] weight sum of what was filled in
-   * \param[in] sensitivities whether each bin that was filled shall become d total / d Q,
-   * where Q is the share of the weight filled into it; constants, which cancel, are left
-   * out */
+  /** \brief Smooths the bins and computes the entropies.
+   * \param[in] weight sum of the filled values
+   * \param[in] sensitivities if true, each filled bin is replaced by d total / d Q,
+   * where Q is the share of the weight filled into it; constants, which cancel, are
+   * omitted */
   MapEntropyTerms
   finish(double weight, bool sensitivities);
 
@@ -91,8 +92,8 @@ public:
   tell(MapEntropyReport& report) const;
 
 private:
-  /** \brief Bins with room before the first and behind the last, as loops reach over the
-   * ends. */
+  /** \brief Bins with padding before the first and after the last one, because loops
+   * access bins beyond the ends. */
   class Field {
   public:
     void
@@ -117,45 +118,45 @@ private:
     return std::int64_t{run.row} * depth_ + std::int64_t{run.begin} * BinArray::block;
   }
 
-  /** \brief Sums of what was filled in, smoothed: q_X and q_Z, not normalised. */
+  /** \brief Smoothed projections of the filled bins: q_X and q_Z, not normalised. */
   void
   project();
 
-  /** \brief Smooths and takes logarithms. \return sum of q log2 q */
+  /** \brief Smooths and computes logarithms. \return sum of q log2 q */
   double
   takeLogarithms();
 
-  /** \brief Logarithms become d total / d of what was filled in. */
+  /** \brief Computes d total / d filled value from the logarithms. */
   void
   takeSensitivities();
 
-  /** \brief What logarithms of projections add to these. */
+  /** \brief Contribution of the logarithms of a projection to the sensitivities. */
   std::vector<float>
   sensitivitiesOf(const std::vector<double>& logarithms) const;
 
   MapEntropySettings settings_;
-  std::vector<double> kernel_; ///< Gaussian, cut at 3 sigma; from its middle outwards
+  std::vector<double> kernel_; ///< Gaussian to 3 sigma; from the middle outwards
   std::vector<float> float_kernel_;
-  double smoothed_weight_; ///< what floats make of a weight of 1, nearly that
+  double smoothed_weight_; ///< sum of the kernel in floats, squared; nearly 1
   std::int64_t radius_, layers_;
-  std::int64_t aside_; ///< the radius in whole blocks, as bins
+  std::int64_t aside_; ///< the radius in bins, rounded up to whole blocks
   std::int64_t first_x_ = 0, first_z_ = 0, width_ = 0, depth_ = 0;
   BinArray array_;
   BlockMarks marks_;
-  Field bins_;                    ///< 0 where no run of filled_ says otherwise
-  Field logarithms_;              ///< those in spread_ are of use
-  std::vector<FilledRun> filled_; ///< what was filled
-  std::vector<FilledRun> spread_; ///< and what smoothing reaches
+  Field bins_;                    ///< 0 outside of the runs of filled_
+  Field logarithms_;              ///< valid in the runs of spread_
+  std::vector<FilledRun> filled_; ///< filled bins
+  std::vector<FilledRun> spread_; ///< filled bins and those within smoothing
   std::vector<double> on_x_, on_z_;
 };
 
-/** \brief A power of two by which the weights of a map are multiplied, so that floats
- * can hold all their sums and logarithms are small.
+/** \brief Returns a power of two by which the weights of a map are multiplied, so that
+ * floats can represent all their sums and the logarithms are small.
  * \param[in] weight of the whole map */
 double
 unitFor(double weight);
 
-/** \brief Layers of a grid. */
+/** \brief Number of layers of a grid. */
 int
 layersOf(const MapEntropySettings& settings);
 

@@ -13,7 +13,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** Where a pose puts points, in bins of the map. */
+/** Positions of the points under a pose, in bins of the map. */
 class PosedBins {
 public:
   PosedBins(const PosedPoints& observation, const MapEntropySettings& settings)
@@ -75,7 +75,8 @@ count(const PosedPoints& observation,
   }
 }
 
-/** The bins of points that have a weight; their places in bins are added to \a extent. */
+/** Range of the bins of points that have a weight. The positions of these points in
+ * bins are added to \a extent. */
 BinRange
 rangeOf(const PosedBins& bins, const PointWeights& weights, MapExtent& extent)
 {
@@ -97,7 +98,8 @@ rangeOf(const PosedBins& bins, const PointWeights& weights, MapExtent& extent)
   return range;
 }
 
-/** Adds integers, so that any order will do. */
+/** Adds the points to the bins; the sums are of integers, so they do not depend on the
+ * order. */
 void
 fill(const PosedBins& bins,
      const PointWeights& weights,

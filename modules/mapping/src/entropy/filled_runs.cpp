@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::int64_t word_bits = 64;
 
-/** Eight marks, the first in the lowest byte: none of the product's sums carries into its
- * highest byte. */
+/** Converts eight marks, the first one in the lowest byte, to bits: no sum of the
+ * product carries into its highest byte. */
 std::uint64_t
 bitsOf(std::uint64_t marks)
 {
@@ -30,7 +30,7 @@ addBits(const std::uint8_t* marks, std::int64_t size, std::uint64_t* bits)
   }
 }
 
-/** Runs of one word. \param[in] at block of its first bit */
+/** Appends the runs of one word. \param[in] at block of its first bit */
 void
 addRuns(std::uint64_t word,
         std::int32_t row,
@@ -45,7 +45,7 @@ addRuns(std::uint64_t word,
       runs.back().end += length;
     else
       runs.push_back({row, at + first, at + first + length});
-    word &= word + (std::uint64_t{1} << first); // which carries to where the run ends
+    word &= word + (std::uint64_t{1} << first); // the carry clears the run
   }
 }
 

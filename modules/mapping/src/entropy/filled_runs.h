@@ -10,24 +10,26 @@ struct FilledRun {
   std::int32_t row, begin, end;
 };
 
-/** \brief A bit map of blocks, one byte each, in rows; layers of rows follow each
- * other. */
+/** \brief A map of marked blocks, one byte each, in rows; the rows of all layers are
+ * consecutive. */
 struct BlockMarks {
   std::vector<std::uint8_t> marks;
-  std::int64_t blocks = 0; ///< of a row
-  std::int64_t rows = 0;   ///< of a layer
+  std::int64_t blocks = 0; ///< per row
+  std::int64_t rows = 0;   ///< per layer
 };
 
-/** \brief The same as bits. */
+/** \brief The marks as bits. */
 class BlockBits {
 public:
   /** \param[in] blocks marks of 0 or 1 */
   explicit BlockBits(const BlockMarks& blocks);
 
-  /** \brief The marked blocks and those near them, in the order of rows.
-   * \param[in] before, after how many rows of the same layer they reach beyond marks
-   * \param[in] aside how many blocks of the same row they reach farther to both sides
-   * \param[out] runs keep their memory */
+  /** \brief Finds the runs of marked blocks and those near them, in the order of rows.
+   * \param[in] before, after number of rows of the same layer by which they extend
+   * beyond marks
+   * \param[in] aside number of blocks of the same row by which they extend to both
+   * sides
+   * \param[out] runs their memory is reused */
   void
   findRuns(std::int64_t before,
            std::int64_t after,
@@ -39,8 +41,8 @@ private:
   widen(std::vector<std::uint64_t>& row, std::int64_t aside) const;
 
   std::int64_t blocks_, rows_, all_rows_;
-  std::int64_t words_;              ///< of a row
-  std::vector<std::uint64_t> bits_; ///< the lowest is the first block
+  std::int64_t words_;              ///< per row
+  std::vector<std::uint64_t> bits_; ///< the lowest bit is the first block
 };
 
 } // namespace pcl::acmap

@@ -11,24 +11,25 @@
 
 namespace pcl::acmap {
 
-/** \brief Tells whether points of the map lie in one place, on a line, or apart. */
+/** \brief Determines whether the points of the map are at one position, on a line, or
+ * spread in the plane. */
 class MapExtent {
 public:
   void
   add(const Eigen::Vector2d& place, double weight);
 
-  /** \brief Adds an observation, moved into the map. */
+  /** \brief Adds an observation, transformed to the map. */
   void
   add(const MapExtent& observation, const PlanarMotion& motion);
 
-  /** \brief Sum over all that was added. */
+  /** \brief Sum of all added weights. */
   double
   weight() const
   {
     return weight_;
   }
 
-  /** \param[in] bin_size a ten thousandth of it counts as none */
+  /** \param[in] bin_size spreads below a ten-thousandth of it are considered zero */
   int
   dimensions(double bin_size) const;
 
@@ -39,17 +40,17 @@ private:
   Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();
 };
 
-/** \brief Can the map have a grid? If not a remark says why.
+/** \brief Can the map have a grid? If not, a remark contains the reason.
  * \param[in] ranges of the observations, without margins
- * \param[in] weight of all points together */
+ * \param[in] weight of all points */
 bool
 canHaveGrid(const std::vector<BinRange>& ranges,
             double weight,
             const MapEntropySettings& settings,
             MapEntropyReport& report);
 
-/** \brief Remarks on maps whose poses the entropy does not determine, and on directions
- * that were asked for and are not to be had. */
+/** \brief Adds remarks if the entropy does not determine the poses of a map, or if
+ * directions were requested but are not available. */
 void
 remarkOnMap(const MapEntropyTerms& terms,
             const MapEntropySettings& settings,

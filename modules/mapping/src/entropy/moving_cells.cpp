@@ -23,7 +23,7 @@ requireCell(const EntropyCell& cell)
         "a cell of an observation must be finite and have no negative weight");
 }
 
-/** Cells from a few runs in turn. */
+/** Order that takes cells from a few runs alternately. */
 std::vector<std::size_t>
 interleaved(std::size_t size)
 {

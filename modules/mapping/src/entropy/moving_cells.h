@@ -13,43 +13,43 @@
 
 namespace pcl::acmap {
 
-/** \brief The cells of an observation as arrays, ready to be moved.
+/** \brief The cells of an observation as arrays, prepared for transformation.
  *
- * They stand in float relative to a reference among them; all that moves is in double.
- * Neighbours in an array are far apart in the map, as a processor waits where it adds to
- * a bin that it has just written. */
+ * They are stored as floats relative to a reference cell; transformations are computed
+ * in double precision. Neighbours in an array are far apart in the map, because a
+ * processor stalls when it adds to a bin that it has just written. */
 class MovingCells {
 public:
-  /** \param[in] unit what weights are multiplied by
-   * \throws BadArgumentException where a cell is not finite, has a negative weight or is
-   * farther than 2e9 m */
+  /** \param[in] unit factor of the weights
+   * \throws BadArgumentException when a cell is not finite, has a negative weight or is
+   * farther away than 2e9 m */
   MovingCells(const EntropyCells& observation,
               const MapEntropySettings& settings,
               double unit);
 
-  /** \brief Sum over the cells, times the unit. */
+  /** \brief Sum of the weights of the cells, times the unit. */
   double
   weight() const
   {
     return extent_.weight();
   }
 
-  /** \brief In the sensor's frame, metres. */
+  /** \brief Extent in the sensor's frame, metres. */
   const MapExtent&
   extent() const
   {
     return extent_;
   }
 
-  /** \brief The bins that the cells take under a pose, hardly more. */
+  /** \brief A tight range of the bins of the cells under a pose. */
   BinRange
   rangeUnder(const PlanarPose& pose) const;
 
   void
   fill(const EntropyGrid& grid, const PlanarPose& pose) const;
 
-  /** \brief Derivatives by x, z, theta in the field that the grid holds: a metre, a
-   * radian. */
+  /** \brief Derivatives by x, z and theta in the field that the grid contains, per
+   * metre and per radian. */
   Eigen::Vector3d
   forces(const EntropyGrid& grid, const PlanarPose& pose) const;
 
@@ -76,7 +76,7 @@ private:
   Eigen::Vector2d reference_ = Eigen::Vector2d::Zero(); ///< metres
   Arrays plain_, directed_;
   MapExtent extent_;
-  std::array<Eigen::Vector2d, 8> outline_; ///< octagon around, bins from the reference
+  std::array<Eigen::Vector2d, 8> outline_; ///< octagon in bins from the reference
 };
 
 } // namespace pcl::acmap

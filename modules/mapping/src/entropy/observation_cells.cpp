@@ -12,15 +12,15 @@
 namespace pcl::acmap {
 namespace {
 
-/** Places and normals are summed up as integers: so many steps along half a bin, or a
- * unit. */
+/** Positions and normals are summed as integers with this number of steps per half bin,
+ * or per unit. */
 constexpr double steps = 1 << 15;
 
-/** A point on one axis. */
+/** A coordinate of a point in bins. */
 struct Step {
   std::int64_t bin;
-  std::uint64_t place; ///< in the bin
-  int half;            ///< of the bin, 0 or 1
+  std::uint64_t place; ///< position in the bin
+  int half;            ///< half of the bin, 0 or 1
 
   Step(float coordinate, double bin_size)
   {
@@ -32,8 +32,8 @@ struct Step {
   }
 };
 
-/** Cells of one bin and sector follow each other when ordered by their names: the bin's x;
- * the bin's z, the sector, the quarter of the bin. */
+/** The cells of one bin and sector are consecutive when sorted by their keys: first the
+ * bin's x; then the bin's z, the sector, and the quarter of the bin. */
 constexpr std::int64_t quarters = 4, sectors = 64;
 
 CellSums&
@@ -74,8 +74,8 @@ toCell(const CellSums& sums, double bin_size, double unit)
   return cell;
 }
 
-/** Cells [first, last) are the quarters of one bin: where no one holds half of it they
- * become one cell. */
+/** Adds cells [first, last), which are the quarters of one bin: they are merged to one
+ * cell if none of them contains half of the weight. */
 void
 addCells(
     CellSums* first, CellSums* last, double bin_size, double unit, EntropyCells& to)

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A pose at work: its sine and cosine are taken once. */
+/** \brief A pose with its precomputed sine and cosine. */
 class PlanarMotion {
 public:
   explicit PlanarMotion(const PlanarPose& pose)
@@ -51,7 +51,8 @@ public:
     return matrix;
   }
 
-  /** \brief A direction atan2 (n_z, n_x) in the map; it falls as theta grows. */
+  /** \brief A direction atan2 (n_z, n_x) in the map; it decreases with increasing
+   * theta. */
   double
   direction(double angle) const
   {

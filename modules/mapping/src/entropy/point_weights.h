@@ -5,12 +5,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Weights of points as integers, at most 2^15, so that no order of
- * their sums matters. */
+/** \brief Weights of points as integers, at most 2^15, so that their sums do not depend
+ * on the order. */
 class PointWeights {
 public:
-  /** \param[in] weights one a point; nullptr: 1 each
-   * \param[in] largest no weight is larger */
+  /** \param[in] weights one per point; nullptr: 1 each
+   * \param[in] largest upper limit of the weights */
   PointWeights(const float* weights, float largest);
 
   std::uint64_t
@@ -21,7 +21,7 @@ public:
                     : one_;
   }
 
-  /** \brief What 1 stands for. */
+  /** \brief The weight that the integer 1 represents. */
   double
   unit() const
   {
@@ -31,11 +31,11 @@ public:
 private:
   const float* weights_;
   double scale_, unit_;
-  std::uint64_t one_; ///< where there are no weights, which may all be tiny
+  std::uint64_t one_; ///< used if there are no weights
 };
 
-/** \brief The largest weight, 1 for nullptr.
- * \throws BadArgumentException naming the first that is negative or not finite */
+/** \brief Returns the largest weight, 1 for nullptr.
+ * \throws BadArgumentException naming the first one that is negative or not finite */
 float
 largestWeight(const float* weights, std::size_t size);
 

@@ -14,7 +14,7 @@ WallDirection::angle() const
 int
 WallDirection::sector() const
 {
-  // The octant, then which quarter of it by the tangents of its inner borders.
+  // The octant, then its quarter by the tangents of the inner borders.
   const double wide = std::max(std::abs(x), std::abs(z));
   const double narrow = std::min(std::abs(x), std::abs(z));
   const int quarter = (narrow > 0.19891236737965800 * wide) +

@@ -5,7 +5,7 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double map_turn = 0.02; ///< radians, of the whole map for u = 1
+constexpr double map_turn = 0.02; ///< radians; turn of the whole map for u = 1
 
 } // namespace
 

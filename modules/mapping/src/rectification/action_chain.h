@@ -9,11 +9,12 @@
 
 namespace pcl::acmap {
 
-/** \brief A path as a chain of actions, each known with the odometry's noise.
+/** \brief A path as a chain of actions, each with the noise of the odometry.
  *
- * Its variables are the whitened residuals u_t = C_t^{-1/2} (a_t - a_ego,t), three for
- * each action; u = 0 is the path as odometry has it. One more turns the whole map about
- * the first pose: bins favour walls along their axes, and would bend the path for it. */
+ * The variables are the whitened residuals u_t = C_t^{-1/2} (a_t - a_ego,t), three per
+ * action; u = 0 is the path of the odometry. One more variable rotates the whole map
+ * about the first pose: bins favour walls along their axes, so without it the path
+ * would be bent to align the walls. */
 class ActionChain {
 public:
   ActionChain(const std::vector<PlanarPose>& odometry, const OdometryNoise& noise);
@@ -24,32 +25,33 @@ public:
     return residuals() + 1;
   }
 
-  /** \brief Those of the actions, which come first; the prior is on them alone. */
+  /** \brief Number of the residuals of the actions, which are the first variables; the
+   * prior applies to them only. */
   Eigen::Index
   residuals() const
   {
     return 3 * static_cast<Eigen::Index>(actions_.size());
   }
 
-  /** \brief p_t = p_{t-1} (+) a_t, in the turned map. */
+  /** \brief p_t = p_{t-1} (+) a_t, in the rotated map. */
   std::vector<PlanarPose>
   poses(const Eigen::VectorXd& u) const;
 
-  /** \brief The same where the first pose stays as it is. */
+  /** \brief Same, without the rotation of the map: the first pose is unchanged. */
   std::vector<PlanarPose>
   path(Eigen::VectorXd u) const;
 
-  /** \brief From the derivatives by each pose those by each variable: an action moves all
-   * poses after it, so its are sums over a suffix. */
+  /** \brief Computes the derivatives by each variable from those by each pose: an
+   * action moves all poses after it, so its derivatives are sums over a suffix. */
   Eigen::VectorXd
   gradient(const std::vector<PlanarPose>& poses,
            const std::vector<Eigen::Vector3d>& by_pose) const;
 
-  /** \brief The chain of poses [first, last), beginning at the origin. */
+  /** \brief The chain of poses [first, last), starting at the origin. */
   ActionChain
   part(std::size_t first, std::size_t last) const;
 
-  /** \brief The same with all sigmas times \a factor. */
+  /** \brief Same, with all sigmas multiplied by \a factor. */
   ActionChain
   widened(double factor) const;
 

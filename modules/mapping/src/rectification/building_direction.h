@@ -6,14 +6,15 @@
 
 namespace pcl::acmap {
 
-/** \brief The turn about y that lays a building along the axes: where H(q_X) + H(q_Z) of
- * Eq. 3 is least, in [0, pi / 2), within a twentieth of a degree. */
+/** \brief The rotation about y that aligns a building with the axes: the angle in [0,
+ * pi / 2) with the minimum of H(q_X) + H(q_Z) of Eq. 3, within a twentieth of a
+ * degree. */
 double
 buildingDirection(const std::vector<EntropyCells>& observations,
                   const std::vector<PlanarPose>& poses,
                   const MapEntropySettings& settings);
 
-/** \brief Poses in a map that is turned about y. */
+/** \brief Returns the poses in a map that is rotated about y. */
 std::vector<PlanarPose>
 turnedMap(const std::vector<PlanarPose>& poses, double turn);
 

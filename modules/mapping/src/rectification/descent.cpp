@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::size_t most_pairs = 12;
 constexpr int most_steps = 100;
-constexpr int most_tries = 12;      ///< of a step's length
-constexpr double shortening = 0.4;  ///< from one try to the next
-constexpr double first_step = 0.3;  ///< length of the very first
-constexpr double longest = 3;       ///< step of a variable
-constexpr double sufficient = 1e-4; ///< Armijo's share of the fall along the slope
+constexpr int most_tries = 12;      ///< trials of the step length
+constexpr double shortening = 0.4;  ///< factor from one trial to the next
+constexpr double first_step = 0.3;  ///< length of the first step
+constexpr double longest = 3;       ///< maximum step of a variable
+constexpr double sufficient = 1e-4; ///< Armijo constant
 
-/** The last steps and what they changed in the gradient. */
+/** The last steps and the changes of the gradient. */
 class CurvaturePairs {
 public:
   void
@@ -41,7 +41,7 @@ public:
     return pairs_.empty();
   }
 
-  /** The two-loop recursion. */
+  /** The two-loop recursion of L-BFGS. */
   Eigen::VectorXd
   direction(const Eigen::VectorXd& gradient) const
   {
@@ -63,7 +63,7 @@ public:
 private:
   struct Pair {
     Eigen::VectorXd step, change;
-    double inverse; ///< of their product
+    double inverse; ///< inverse of their dot product
   };
 
   std::deque<Pair> pairs_;
@@ -97,7 +97,7 @@ descend(const Objective& objective,
     }
     if (!falls && pairs.empty())
       break;
-    if (!falls) { // the pairs mislead: once more from the gradient alone
+    if (!falls) { // The pairs are misleading: try again with the gradient only.
       pairs.clear();
       continue;
     }

@@ -12,8 +12,8 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double least_fall = 3e-6;        ///< of F, for each observation
-constexpr double least_window_fall = 1e-5; ///< windows are but the beginning
+constexpr double least_fall = 3e-6;        ///< of F, per observation
+constexpr double least_window_fall = 1e-5; ///< the same for windows
 
 PointView
 viewOf(const std::vector<Eigen::Vector3f>& values)
@@ -22,7 +22,7 @@ viewOf(const std::vector<Eigen::Vector3f>& values)
                         : PointView(values.data(), sizeof(values[0]), values.size());
 }
 
-/** Windows of a pass: [first, last) with the last one taking in a short rest. */
+/** Windows [first, last) of a pass; the last one includes a short remainder. */
 std::vector<std::pair<std::size_t, std::size_t>>
 windowsOf(std::size_t observations, std::size_t size, std::size_t first)
 {
@@ -35,7 +35,8 @@ windowsOf(std::size_t observations, std::size_t size, std::size_t first)
   return windows;
 }
 
-/** The level whose entropy is taken off: what it cannot tell apart is no gain. */
+/** The level whose entropy is subtracted, so that a decrease that also occurs in wide
+ * bins does not count. */
 EntropyLevel
 widened(const EntropyLevel& level)
 {
@@ -135,7 +136,7 @@ EntropySearch::descendPart(const ActionChain& chain,
     MapEntropyReport ignored;
     const std::vector<PlanarPose> poses = chain.poses(at);
     const MapEntropyTerms terms = fine.evaluate(poses, ignored, &by_pose);
-    if (terms.points == 0) { // torn apart farther than a grid can be
+    if (terms.points == 0) { // the map is larger than a grid can be
       gradient.setZero();
       return std::numeric_limits<double>::infinity();
     }

@@ -11,36 +11,38 @@
 
 namespace pcl::acmap {
 
-/** \brief A level of the descent: how coarse, and how much a bit weighs. */
+/** \brief A level of the descent: its resolution and the weight of the entropy. */
 struct EntropyLevel {
   double bin_size;
   double weight; ///< kappa
   bool direction_aware;
-  bool is_sharp; ///< less the entropy in wide bins
+  bool is_sharp; ///< minus the entropy in wide bins
 };
 
-/** \brief Minimises F(u) = kappa N (E - E_wide) + |u|^2 / 2 over N observations: the entropy
- * of their map against the odometry; or kappa N E + |u|^2 / 2.
+/** \brief Minimises F(u) = kappa N (E - E_wide) + |u|^2 / 2 over N observations: the
+ * entropy of their map against the odometry; or kappa N E + |u|^2 / 2.
  *
- * E_wide is the same entropy in bins four times as wide. E alone falls when a map shrinks,
- * and when any walls are laid on each other, however far apart; both fall by as much in
- * wide bins. What is left is how sharp walls are that are near each other already; from farther away
- * only E leads. */
+ * E_wide is the same entropy in bins four times as wide. E alone decreases when a map
+ * shrinks, and when any walls are moved onto each other, however far apart they are; in
+ * both cases E_wide decreases equally. The difference measures the sharpness of walls
+ * that are already near each other; to move walls over larger distances, E is
+ * needed. */
 class EntropySearch {
 public:
   explicit EntropySearch(const RectificationTask& task)
   : task_(task)
   {}
 
-  /** \brief The whole map. \param[in] name of the search, for the energy curve */
+  /** \brief Minimises over the whole map. \param[in] name of the search, for the energy
+   * curve */
   void
   descendWhole(const ActionChain& chain,
                const EntropyLevel& level,
                const std::string& name,
                Eigen::VectorXd& u);
 
-  /** \brief Windows of \a size observations, each alone: first those that begin at
-   * multiples of the size, then those between. */
+  /** \brief Minimises over windows of \a size observations separately: first over those
+   * that begin at multiples of the size, then over those shifted by half of it. */
   void
   descendWindows(const ActionChain& chain,
                  const EntropyLevel& level,
@@ -48,7 +50,7 @@ public:
                  const std::string& name,
                  Eigen::VectorXd& u);
 
-  /** \brief Says how much of the whole work is done. */
+  /** \brief Sets the fraction of the work that is done. */
   void
   advanceTo(double fraction)
   {

@@ -10,12 +10,13 @@
 namespace pcl::acmap {
 namespace {
 
-/** One search after that in windows of neighbours: how they grow, on which entropy. */
+/** A search that follows the one in windows of neighbours: its window sizes and its
+ * entropy. */
 struct Plan {
   const char* name;
   bool direction_aware;
   bool is_sharp;
-  std::vector<std::size_t> windows; ///< then the whole map
+  std::vector<std::size_t> windows; ///< followed by the whole map
 };
 
 const Plan sharp{"sharp", true, true, {4 * neighbours}};
@@ -24,10 +25,10 @@ const Plan undirected{"undirected", false, false, {4 * neighbours}};
 const Plan gradual{
     "gradual", true, false, {2 * neighbours, 4 * neighbours, 8 * neighbours}};
 
-/** A map that was found. */
+/** A candidate for the rectified map. */
 struct Candidate {
   const char* name = "";
-  double scale = 1; ///< times the odometry's noise
+  double scale = 1; ///< factor of the odometry noise
   Eigen::VectorXd u;
   std::vector<PlanarPose> poses;
   MapEvidence evidence;
@@ -42,7 +43,7 @@ distanceBetween(const std::vector<PlanarPose>& a, const std::vector<PlanarPose>&
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/** Share of all rays that end on a wall which near observations have seen, and the same of
+/** Share of all rays that end on a wall seen by near observations, plus the same for
  * far ones: up to 2. */
 double
 confirmedShares(const MapEvidence& rays)
@@ -63,7 +64,8 @@ contradictionsOf(const MapEvidence& rays)
   return rays.near_contradictions + rays.far_contradictions;
 }
 
-/** Confirmed less contradicted rays, shares of all by near and by far observations. */
+/** Confirmed minus contradicted rays, as shares of all rays, by near plus by far
+ * observations. */
 double
 balanceOf(const MapEvidence& rays)
 {
@@ -71,9 +73,10 @@ balanceOf(const MapEvidence& rays)
          rays.far_rays * rays.far_contradictions;
 }
 
-/** Is a map clearly better than another? Unless clearly fewer rays are contradicted, walls
- * must meet more often, or their variance must fall below half: in a map that was correct
- * already they do neither. */
+/** Is a map clearly better than another one? Either clearly fewer rays are
+ * contradicted; or, without clearly more contradictions, walls coincide more often or
+ * their variance is less than half. A map that was already correct cannot be improved
+ * like this. */
 bool
 isBetter(const MapEvidence& map, const MapEvidence& other)
 {
@@ -85,7 +88,7 @@ isBetter(const MapEvidence& map, const MapEvidence& other)
   return fewer || ((met || thinner) && now < before + 0.02);
 }
 
-/** Metres along a path. */
+/** Length of a path, metres. */
 double
 lengthOf(const std::vector<PlanarPose>& path)
 {
@@ -144,8 +147,8 @@ private:
             {bin, 10, plan.direction_aware, plan.is_sharp}};
   }
 
-  /** Windows of a few observations, under odometry that errs as told, twice and four
-   * times as much. The usual scale is the smallest with which the rays are content. */
+  /** Searches windows of a few observations with one, two and four times the odometry
+   * noise. The usual scale is the smallest one that the rays support. */
   void
   fitWindows()
   {
@@ -173,7 +176,8 @@ private:
     return locals_[local].evidence.near_contradictions;
   }
 
-  /** \param[in] local whose windows it begins with, and whose scale it takes */
+  /** \param[in] local index of the window result from which it starts, and whose scale
+   * is used */
   void
   consider(const Plan& plan, std::size_t local)
   {
@@ -194,8 +198,9 @@ private:
     search_.advanceTo(0.3 + 0.14 * static_cast<double>(candidates_.size()));
   }
 
-  /** Walls that lie right contradict no more than neighbours do among themselves; a little
-   * more for what is seen again at another time and from another side. */
+  /** In a correct map, rays are contradicted hardly more often than within windows. A
+   * little more is permitted for walls that are seen again at another time and from
+   * another side. */
   bool
   isGood(const Candidate& map) const
   {
@@ -209,7 +214,7 @@ private:
            strongestAction(map) < most_sigmas;
   }
 
-  /** Is there no need to look further? */
+  /** Is the map so good that no further search is needed? */
   bool
   isConvincing(const Candidate& map) const
   {
@@ -218,8 +223,9 @@ private:
            rays.far_contradictions < 1.7 * rays.near_contradictions + 0.03;
   }
 
-  /** The one of which rays confirm most and contradict least; the first, which is the
-   * most accurate where both are right, unless another is clearly better. */
+  /** Returns the candidate with the best balance of confirmed and contradicted rays.
+   * The first candidate, which is the most accurate one if several are correct, is
+   * preferred unless another one is clearly better. */
   const Candidate&
   best() const
   {
@@ -275,9 +281,9 @@ private:
     return given_;
   }
 
-  static constexpr double most_contradicted = 0.5; ///< share: there is no building
-  static constexpr double least_length = 2.0 / 3;  ///< of the path: a collapse
-  static constexpr double most_sigmas = 6;         ///< of an action
+  static constexpr double most_contradicted = 0.5; ///< share of rays
+  static constexpr double least_length = 2.0 / 3;  ///< against a collapse
+  static constexpr double most_sigmas = 6;         ///< maximum residual of an action
 
   const RectificationTask& task_;
   EntropySearch& search_;
@@ -285,8 +291,8 @@ private:
   ActionChain chain_;
   const std::vector<PlanarPose>& given_;
   EntropyRectificationReport& report_;
-  std::vector<Candidate> locals_; ///< windows alone, by scale
-  std::size_t usual_ = 0;         ///< of them
+  std::vector<Candidate> locals_; ///< results of windows only, by scale
+  std::size_t usual_ = 0;         ///< index of the usual scale
   std::vector<Candidate> candidates_;
 };
 

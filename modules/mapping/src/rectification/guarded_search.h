@@ -7,9 +7,9 @@
 namespace pcl::acmap {
 
 /** \brief Descent on the direction-aware entropy with the odometry as prior, from short
- * windows to the whole map, coarse to fine, the entropy's weight from small to large.
- * Several searches are made until the rays (\ref RayEvidence) agree with one; where they
- * agree with none the poses stay. */
+ * windows to the whole map, from coarse to fine, with increasing weight of the entropy.
+ * Several searches are made until the rays (\ref RayEvidence) support one of them; if
+ * they support none, the poses are unchanged. */
 std::vector<PlanarPose>
 guardedSearch(const RectificationTask& task,
               EntropySearch& search,

@@ -13,10 +13,10 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double size = 0.4;        ///< metres, edge of a neighbourhood
-constexpr std::size_t fewest = 10;  ///< points of a neighbourhood
-constexpr double long_enough = 3;   ///< variances of a wall, along over across
-constexpr double resolution = 1e-3; ///< metres; sharper is not told apart
+constexpr double size = 0.4;        ///< metres, edge length of a neighbourhood
+constexpr std::size_t fewest = 10;  ///< minimum number of points of a neighbourhood
+constexpr double long_enough = 3;   ///< minimum variance of a wall, along / across
+constexpr double resolution = 1e-3; ///< metres; finer structures are not resolved
 constexpr std::size_t most_points = 1000000;
 
 struct Place {
@@ -24,7 +24,7 @@ struct Place {
   Eigen::Vector2d at;
 };
 
-/** Points of the map, those of a neighbourhood together. */
+/** Points of the map, grouped by neighbourhoods. */
 std::vector<Place>
 sortedPlaces(const std::vector<LevelledPoints>& observations,
              const std::vector<PlanarPose>& poses)
@@ -52,10 +52,10 @@ sortedPlaces(const std::vector<LevelledPoints>& observations,
   return places;
 }
 
-/** A neighbourhood: its points' covariance, taken apart. */
+/** A neighbourhood with the decomposed covariance of its points. */
 struct Neighbourhood {
   double points, across, along; ///< variances, m^2
-  std::complex<double> turn;    ///< e^{4 i phi} of its direction: the same on all axes
+  std::complex<double> turn; ///< of its direction: equal for all axes of the building
 };
 
 Neighbourhood

@@ -6,8 +6,9 @@
 
 namespace pcl::acmap {
 
-/** \brief How sharp a map is: its mean map entropy, and the variance of its walls that lie
- * along the building's two main directions. Both over neighbourhoods of 0.4 m in XZ. */
+/** \brief Measures the sharpness of a map: its mean map entropy, and the variance of
+ * the walls along the two main directions of the building. Both are computed for
+ * neighbourhoods of 0.4 m in XZ. */
 void
 measureQuality(const std::vector<LevelledPoints>& observations,
                const std::vector<PlanarPose>& poses,

@@ -11,14 +11,14 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double start = 0.3;  ///< metres from the sensor: the robot itself
-constexpr double margin = 0.5; ///< metres before a ray's end: the wall it meets
+constexpr double start = 0.3;  ///< metres from the sensor, to exclude the robot
+constexpr double margin = 0.5; ///< metres before a ray's end, to exclude its wall
 constexpr double step = 0.7;   ///< cells
 constexpr double least_cell = 0.1, most_cell = 0.2; ///< metres
-constexpr double crossing = 0.7;                    ///< least cosine of ray and normal
-constexpr double agreeing = 0.9; ///< least cosine of two normals of a wall
+constexpr double crossing = 0.7; ///< minimum |cosine| of ray and normal
+constexpr double agreeing = 0.9; ///< minimum cosine of two normals of a wall
 constexpr std::size_t most_rays = 200000;
-constexpr std::size_t least_points = 2; ///< of others, that make a wall
+constexpr std::size_t least_points = 2; ///< points of others that form a wall
 
 double
 shareOf(std::size_t part, std::size_t whole)
@@ -33,7 +33,7 @@ struct RayEvidence::Counts {
   std::size_t contradicted[2] = {0, 0}, confirmed[2] = {0, 0}; ///< near, far
 };
 
-/** From a sensor to a point, in the map. */
+/** A ray from a sensor to a point, in the map. */
 struct RayEvidence::Ray {
   Ray(std::size_t number,
       const Eigen::Vector3d& point,
@@ -49,7 +49,7 @@ struct RayEvidence::Ray {
   , fall((point[1] - height) / std::max(1e-9, range))
   {}
 
-  /** \param[in] left metres to the end */
+  /** \param[in] left distance to the end, metres */
   std::uint64_t
   cellBefore(double left) const
   {
@@ -57,12 +57,12 @@ struct RayEvidence::Ray {
   }
 
   std::size_t observation;
-  double cell; ///< metres, edge of cells
+  double cell; ///< metres, edge length of cells
   Eigen::Vector2d end;
   double end_y;
   double range;        ///< metres
-  Eigen::Vector2d way; ///< in XZ, for each metre of the ray
-  double fall;         ///< in y, for each metre of the ray
+  Eigen::Vector2d way; ///< direction in XZ, per metre of the ray
+  double fall;         ///< change of y per metre of the ray
 };
 
 RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,

@@ -8,14 +8,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Asks the rays whether a map can be: what lies before the end of a ray was free
- * when it was seen, whatever the entropy says. */
+/** \brief Verifies a map by its rays: the space before the end of a ray was free when
+ * it was measured. The entropy does not use this information. */
 class RayEvidence {
 public:
-  /** \param[in] bin_size of the finest level, metres: cells of walls are twice as wide */
+  /** \param[in] bin_size of the finest level, metres: the cells of walls are twice as
+   * wide, but within [0.1, 0.2] m */
   RayEvidence(const std::vector<LevelledPoints>& observations, double bin_size);
 
-  /** \brief The shares of \ref MapEvidence that rays tell. */
+  /** \brief Computes the shares of \ref MapEvidence that are derived from rays. */
   void
   judge(const std::vector<PlanarPose>& poses, MapEvidence& evidence) const;
 
@@ -28,8 +29,9 @@ private:
            const PlanarPose& pose,
            const WallTable& table) const;
 
-  /** \brief Of points of walls in a cell that others have seen, those for which
-   * \a counts (cosine of a direction and the wall's normal) is true: near, far. */
+  /** \brief Counts the points of walls in a cell that were seen by other observations
+   * (near, far) and for which \a counts (cosine between a direction and the normal of
+   * the wall) returns true. */
   template <typename Predicate>
   void
   countWalls(const Ray& ray,
@@ -40,8 +42,8 @@ private:
              std::size_t points[2]) const;
 
   const std::vector<LevelledPoints>& observations_;
-  double cell_;           ///< metres, edge
-  std::size_t every_ = 1; ///< point is a ray
+  double cell_;           ///< metres, edge length
+  std::size_t every_ = 1; ///< every n-th point is used as a ray
   bool has_normals_ = false;
 };
 

@@ -7,11 +7,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Observations this close in time share little drift: what "near" is for the rays,
- * and the shortest window that is searched alone. */
+/** \brief Observations within this number share little drift: it defines "near" for the
+ * rays, and the shortest window that is searched separately. */
 inline constexpr std::size_t neighbours = 16;
 
-/** \brief What a rectification works on. */
+/** \brief Inputs and outputs of a rectification. */
 struct RectificationTask {
   const std::vector<LevelledPoints>& observations;
   const RectificationSettings& settings;

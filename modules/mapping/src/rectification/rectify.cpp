@@ -38,7 +38,8 @@ tellMoves(const std::vector<PlanarPose>& before,
   }
 }
 
-/** The first observations: their walls lie as the first pose has them, free of drift. */
+/** The first observations: their walls have the orientation of the first pose, without
+ * drift. */
 template <typename Value>
 std::vector<Value>
 firstOf(const std::vector<Value>& values)
@@ -48,7 +49,7 @@ firstOf(const std::vector<Value>& values)
               static_cast<std::ptrdiff_t>(std::min(neighbours, values.size()))};
 }
 
-/** Poses moved \a times the way from the origin to a place. */
+/** Poses translated by \a times the vector from the origin to a place. */
 std::vector<PlanarPose>
 shifted(std::vector<PlanarPose> poses, double times, const PlanarPose& place)
 {
@@ -59,7 +60,8 @@ shifted(std::vector<PlanarPose> poses, double times, const PlanarPose& place)
   return poses;
 }
 
-/** Searches in a map whose building lies along the axes, where projections count. */
+/** Searches in a map whose building is aligned with the axes, if projections are
+ * used. */
 std::vector<PlanarPose>
 searchAlongAxes(const RectificationTask& task,
                 EntropySearch& search,
@@ -69,11 +71,11 @@ searchAlongAxes(const RectificationTask& task,
   double turn = 0;
   if (settings.projection_weight > 0) {
     const EntropyLevel level{
-        settings.bin_size, 1, false, false}; // coarse bins: 1 degree off
+        settings.bin_size, 1, false, false}; // coarse bins would be 1 degree off
     turn = buildingDirection(
         firstOf(search.cells(level)), firstOf(poses), search.entropySettings(level));
   }
-  const PlanarPose& first = poses.front(); // far from the origin nothing is lost
+  const PlanarPose& first = poses.front(); // avoids rounding far from the origin
   const bool paper = settings.mode == RectificationMode::Paper;
   const std::vector<PlanarPose> found = (paper ? votingSearch : guardedSearch)(
       task, search, turnedMap(shifted(poses, -1, first), turn));
@@ -82,7 +84,7 @@ searchAlongAxes(const RectificationTask& task,
              : poses;
 }
 
-/** Why observations tell nothing about their poses; empty where they do. */
+/** Reason why the observations do not determine their poses; empty if they do. */
 std::string
 whatHinders(EntropySearch& search,
             const std::vector<PlanarPose>& poses,

@@ -12,16 +12,16 @@ namespace pcl::acmap {
 namespace {
 
 const Eigen::Array3d unit_step(0.05, 0.05, 0.02); ///< m, m, rad
-constexpr double probe_spread = 0.5;              ///< sd of a probe, in steps
-constexpr double memory = 0.7;                    ///< of a vote
-constexpr double full_effect = 0.02;              ///< bits that give a whole vote
+constexpr double probe_spread = 0.5; ///< standard deviation of a probe, in steps
+constexpr double memory = 0.7;       ///< weight of the previous vote
+constexpr double full_effect = 0.02; ///< bits that result in a full vote
 constexpr double growth = 1.3, decay = 0.9, least_step = 0.04;
 constexpr int probes_a_round = 40;
-constexpr int evaluations_a_pose = 50; ///< of all levels
+constexpr int evaluations_a_pose = 50; ///< for all levels
 
-/** One action, as it is tried. */
+/** State of the search for one action. */
 struct Voter {
-  Eigen::Array3d vote = Eigen::Array3d::Zero(); ///< in [-1, 1], downhill
+  Eigen::Array3d vote = Eigen::Array3d::Zero(); ///< in [-1, 1], towards lower energy
   double step = 1;
 };
 
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /** What was found, the first pose as it was given. */
+  /** The result, with the first pose as it was given. */
   std::vector<PlanarPose>
   poses() const
   {
@@ -115,7 +115,7 @@ private:
     action.dtheta += by[2];
   }
 
-  /** Changes one action: the source of its vote. \return was it for the better? */
+  /** Changes one action and updates its vote. \return whether the energy decreased */
   bool
   probe()
   {
@@ -146,7 +146,7 @@ private:
     return better;
   }
 
-  /** The paper's move: half of the actions at once, each by its vote. */
+  /** The paper's move: half of the actions are changed at once, each by its vote. */
   bool
   moveTogether()
   {
@@ -169,7 +169,7 @@ private:
   }
 
   PlanarAction start_;
-  Actions actions_; ///< the first leads to the first pose: it turns the whole map
+  Actions actions_; ///< the first one is the first pose: it turns the map
   std::vector<Voter> voters_;
   Random random_;
   const Progress& progress_;

@@ -6,9 +6,9 @@
 
 namespace pcl::acmap {
 
-/** \brief The paper's minimiser (II-B.2): random subsets of actions are changed, each in
- * proportion to its vote, which is what changing it did to the energy before. Eq. 3
- * alone; the energy never rises at a bin size. */
+/** \brief The paper's minimiser (II-B.2): random subsets of actions are changed, each
+ * in proportion to its vote, which is the effect of its previous changes on the energy.
+ * It uses Eq. 3 alone; for each bin size the energy never increases. */
 std::vector<PlanarPose>
 votingSearch(const RectificationTask& task,
              EntropySearch& search,

@@ -24,7 +24,7 @@ wallNormal(const LevelledPoints& seen, std::size_t i, const PlanarMotion& motion
   return motion.rotation() * (away ? -level : level).normalized();
 }
 
-/** Sums walls up that one observation has in one cell. */
+/** Merges the walls of one observation in the same cell. */
 void
 merge(std::vector<SeenWall>& walls)
 {

@@ -7,22 +7,25 @@
 
 namespace pcl::acmap {
 
-/** \brief What one observation saw in one cell of the map: points of walls. */
+/** \brief The wall points of one observation in one cell of the map. */
 struct SeenWall {
   std::uint64_t cell;
   std::uint32_t observation, points;
-  float normal_x, normal_z; ///< unit, in the map, towards the sensor; 0, 0: not known
+  float normal_x, normal_z; ///< unit, in the map, towards the sensor; (0, 0): unknown
 };
 
-/** \brief The cell, a cube, of a place in the map. \param[in] edge of a cell, metres */
+/** \brief Returns the cell, a cube, of a position in the map. \param[in] edge edge
+ * length of a cell, metres */
 std::uint64_t
 wallCellOf(const Eigen::Vector2d& place, double y, double edge);
 
-/** \brief Points farther than this from their sensor are of no building. */
+/** \brief Maximum distance of points from their sensor, metres: farther points do not
+ * belong to a building. */
 inline constexpr double longest_ray = 1000;
 
-/** \brief Walls that an observation sees, in the order of their cells.
- * \param[in] has_normals only points with a level normal are walls; else all are */
+/** \brief Returns the walls of an observation, sorted by their cells.
+ * \param[in] has_normals if true, only points with a horizontal normal are walls;
+ * otherwise all points */
 std::vector<SeenWall>
 seenWalls(const LevelledPoints& seen,
           std::size_t observation,
@@ -30,7 +33,7 @@ seenWalls(const LevelledPoints& seen,
           double edge,
           bool has_normals);
 
-/** \brief Walls by their cell. */
+/** \brief Hash table of walls by their cells. */
 class WallTable {
 public:
   explicit WallTable(std::vector<SeenWall> walls);
@@ -49,7 +52,7 @@ private:
   slotOf(std::uint64_t cell) const;
 
   std::vector<SeenWall> walls_;
-  std::vector<std::size_t> slots_; ///< 1 + position of a cell's first wall
+  std::vector<std::size_t> slots_; ///< 1 + index of a cell's first wall
 };
 
 } // namespace pcl::acmap

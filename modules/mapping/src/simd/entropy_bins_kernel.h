@@ -1,4 +1,4 @@
-// The loops themselves, compiled once for each variant; as lanes.h.
+// The loops, compiled once for each variant; see lanes.h.
 #pragma once
 
 #include "entropy_bins.h"
@@ -15,11 +15,11 @@ using pcl::acmap::SmoothingLevels;
 
 constexpr int wall_layers = 8;
 
-/** Quadratic B-spline: how places, in bins, are shared by three of them. At a border
- * between bins both roundings give the same. */
+/** Quadratic B-spline that distributes positions, in bins, over three bins. At a border
+ * between bins, rounding up or down gives the same result. */
 struct Spline {
-  Lanes middle;      ///< the second of the three
-  FourFloats offset; ///< from its centre, within half a bin
+  Lanes middle;      ///< index of the second of the three
+  FourFloats offset; ///< offset from its centre, within half a bin
   FourFloats shares[3];
 
   explicit ACMAP_INLINE
@@ -34,7 +34,7 @@ struct Spline {
     shares[2] = 0.5F * after * after;
   }
 
-  /** d share / d place */
+  /** d share / d position */
   ACMAP_INLINE FourFloats
   slope(int k) const
   {
@@ -42,11 +42,11 @@ struct Spline {
   }
 };
 
-/** Four cells in the grid. */
+/** Positions of four cells in the grid. */
 struct PlacedCells {
-  Lanes across, along; ///< from the reference, in the map's axes
+  Lanes across, along; ///< relative to the reference, in the map's axes
   Spline x, z;
-  LaneInts first; ///< of the 3 x 3 bins, in layer 0
+  LaneInts first; ///< first of the 3 x 3 bins, in layer 0
 
   ACMAP_INLINE
   PlacedCells(const CellArrays& cells,
@@ -71,7 +71,7 @@ private:
   {}
 };
 
-/** The layers of four cells: one, or three that share them. */
+/** The layers of four cells: one, or three over which they are distributed. */
 template <bool directed>
 struct Layers {
   ACMAP_INLINE
@@ -106,7 +106,7 @@ struct Layers<true> {
   }
 };
 
-/** One cell of four into 3 x 3 bins; the fourth of a row gets nothing. */
+/** Adds one of four cells to 3 x 3 bins; the fourth bin of a row gets zero. */
 ACMAP_INLINE void
 fillBins(const BinArray& grid,
          std::int64_t first,
@@ -155,8 +155,8 @@ fillCells(const CellArrays& cells, const CellMotion& motion, const BinArray& gri
   }
 }
 
-/** What a field has around a cell, each bin along z: its level (the low half) and how it
- * rises along x. */
+/** Values of a field around a cell, for each bin along z: its level (low half) and its
+ * slope along x (high half). */
 struct StripReader {
   Floats factors[3];
 
@@ -230,7 +230,7 @@ forcesOnCells(const CellArrays& cells, const CellMotion& motion, const BinArray&
   return {sumOf(sum_x), sumOf(sum_z), sumOf(sum_turn), sumOf(sum_layers)};
 }
 
-/** Sum over the middle and what lies on both sides of it, \a apart. */
+/** Weighted sum over a bin and its neighbours on both sides, which are \a apart. */
 template <typename Vector>
 ACMAP_INLINE Vector
 smooth(const float* bins, std::int64_t apart, const SmoothingKernel& kernel)
@@ -242,8 +242,8 @@ smooth(const float* bins, std::int64_t apart, const SmoothingKernel& kernel)
   return sum;
 }
 
-/** Calls loop with a kernel whose radius is known to the compiler where it is the usual
- * one, a sigma of one bin. */
+/** Calls loop with a kernel whose radius is a compile-time constant in the usual case,
+ * a sigma of one bin. */
 template <typename Loop>
 ACMAP_INLINE auto
 withUsualRadius(const SmoothingKernel& kernel, const Loop& loop)
@@ -280,7 +280,8 @@ takeLogarithms(const float* bins,
                std::int64_t size,
                float* out)
 {
-  // Few enough floats are summed up that rounding stays far below that of bins.
+  // The parts are short enough for the rounding of float sums to be far below that of
+  // bins.
   constexpr std::int64_t part = 16 * float_count;
   return withUsualRadius(
       kernel, [=](const SmoothingKernel& by) __attribute__((always_inline)) {

@@ -1,9 +1,9 @@
-// Four doubles, eight floats or four at once, as vector types of the compiler. For the
-// inside of one source file: all is in an unnamed namespace, since every variant is
-// compiled with its own flags.
+// Four doubles, or eight or four floats, as vector types of the compiler. To be
+// included in a single source file per variant: everything is in an unnamed namespace,
+// because each variant is compiled with its own flags.
 #pragma once
 
-// The vectors never pass between functions of different files.
+// The vectors are never passed between functions of different files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {
@@ -28,7 +28,7 @@ loadLanes(const double* from)
   return lanes;
 }
 
-/** Floats or FourFloats. */
+/** Loads Floats or FourFloats. */
 template <typename Vector>
 ACMAP_INLINE Vector
 load(const float* from)
@@ -99,7 +99,7 @@ allLanes(double value)
   return Lanes{value, value, value, value};
 }
 
-/** In the order of the lanes. */
+/** Sum in the order of the lanes. */
 ACMAP_INLINE double
 sumOf(const Lanes& lanes)
 {
@@ -119,7 +119,7 @@ transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d)
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-/** The low halves and the high ones, each for itself. */
+/** Transposes the low and the high halves separately. */
 ACMAP_INLINE void
 transpose(Floats& a, Floats& b, Floats& c, Floats& d)
 {
@@ -133,8 +133,8 @@ transpose(Floats& a, Floats& b, Floats& c, Floats& d)
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/** Added to a number below 2^51 it leaves no bits for fractions: the sum's lowest bits
- * are the nearest integer. */
+/** If this is added to a number below 2^51, no bits are left for fractions: the lowest
+ * bits of the sum are the nearest integer. */
 constexpr double rounder = 0x1.8p52;
 
 ACMAP_INLINE Lanes
@@ -143,7 +143,7 @@ roundLanes(const Lanes& values)
   return (values + allLanes(rounder)) - allLanes(rounder);
 }
 
-/** Of integers below 2^51. */
+/** Converts integers below 2^51. */
 ACMAP_INLINE LaneInts
 intsOf(const Lanes& integers)
 {
@@ -151,8 +151,8 @@ intsOf(const Lanes& integers)
   return reinterpret_cast<LaneInts>(integers + allLanes(rounder)) - bits_of_rounder;
 }
 
-/** log2 of normal numbers to 1e-14; of 0 something finite. The C library's own differs
- * between processors. */
+/** log2 of normal numbers with an error of 1e-14; finite for 0. The function of the C
+ * library differs between processors. */
 ACMAP_INLINE Lanes
 log2Lanes(const Lanes& values)
 {
@@ -173,8 +173,8 @@ log2Lanes(const Lanes& values)
   return exponent + t * sum;
 }
 
-/** log2 of normal numbers to 2e-7 of the larger of it and 1; 0 for 0. \a Bits are
- * integers as wide as the vector. */
+/** log2 of normal numbers with an error of 2e-7 times the larger of it and 1; 0 for 0.
+ * \a Bits are integers of the same width as the vector. */
 template <typename Bits, typename Vector>
 ACMAP_INLINE Vector
 log2Floats(const Vector& values)

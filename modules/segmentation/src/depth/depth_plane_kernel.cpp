@@ -16,17 +16,18 @@ namespace pcl::acmap {
 namespace depth {
 namespace {
 
-/** Noise is shared within squares of so many pixels. */
+/** Edge length of a noise cluster in pixels: noise is correlated within such a
+ * square. */
 constexpr std::size_t cluster_edge = 32;
 
-/** What the pixels of a plane sum up to. */
+/** Sums over the pixels of a plane. */
 struct PatchSums {
-  Moments points;                                   ///< where their rays meet the plane
-  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();   ///< of ray ray^T
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(); ///< of the clusters' residuals
-  Eigen::Vector3d cluster = Eigen::Vector3d::Zero(); ///< residual . ray, not yet closed
+  Moments points; ///< intersections of their rays with the plane
+  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();    ///< sum of ray ray^T
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< sum of cluster cluster^T
+  Eigen::Vector3d cluster = Eigen::Vector3d::Zero(); ///< residual * ray in this one
   std::size_t clusters = 0;
-  double squares = 0; ///< of distances from the plane, square metres
+  double squares = 0; ///< sum of squared distances from the plane, square metres
 
   void
   closeCluster()
@@ -39,7 +40,7 @@ struct PatchSums {
   }
 };
 
-/** Visits the pixels of the planes, one cluster after the other. */
+/** Visits the pixels of the planes cluster by cluster. */
 std::vector<PatchSums>
 sumPlanes(const DepthView& view, const DepthPlanes& found)
 {
@@ -73,8 +74,9 @@ sumPlanes(const DepthView& view, const DepthPlanes& found)
   return sums;
 }
 
-/** Covariance of slopes and offset from how the clusters' residuals vary.
- * \return NaN where there are too few clusters to tell */
+/** Covariance of slopes and offset, estimated from the variation of the cluster
+ * residuals.
+ * \return NaN if there are too few clusters for an estimate */
 Eigen::Matrix3d
 covarianceOf(const PatchSums& sums, const DepthPlane& plane, const PlanePatch& patch)
 {

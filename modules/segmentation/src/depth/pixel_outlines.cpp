@@ -28,7 +28,7 @@ public:
                              -std::copysign(row, view.focal().y()));
   }
 
-  /** For each plane the edges that have its pixels on their left, sorted. */
+  /** For each plane the pixel edges that have its pixels on their left, sorted. */
   std::vector<Edges>
   rims(const std::vector<std::int32_t>& labels, std::size_t planes) const
   {
@@ -45,7 +45,8 @@ public:
     const auto labelAt = [&](std::size_t row, std::size_t column) {
       return row < height && column < width ? labels[row * width + column] : -1;
     };
-    // beside the first row and column there is none: their index wraps beyond the size
+    // At row or column 0 the index of the neighbour wraps around, so that it is
+    // outside.
     for (std::size_t row = 0; row <= height; ++row)
       for (std::size_t column = 0; column <= width; ++column) {
         const std::int32_t own = labelAt(row, column);
@@ -72,7 +73,7 @@ public:
     return places_;
   }
 
-  /** Through a place of the picture, pixels. */
+  /** Viewing ray through a position of the image, in pixels. */
   Eigen::Vector3d
   ray(const Eigen::Vector2d& place) const
   {
@@ -114,7 +115,7 @@ loopsOf(const Edges& edges,
 Eigen::Vector3d
 meet(const Eigen::Vector3d& ray, const Eigen::Vector4d& coefficients)
 {
-  // half a pixel beyond the rim of a plane that is hardly seen a ray may miss it
+  // A ray half a pixel beyond the rim of a plane seen at a grazing angle may miss it.
   constexpr double farthest = 1000; // times the plane's distance
   const Eigen::Vector3d inverse = -coefficients.head<3>() / coefficients[3];
   return ray / std::max(inverse.dot(ray), inverse.norm() / farthest);

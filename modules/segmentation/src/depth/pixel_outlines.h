@@ -6,15 +6,16 @@
 
 namespace pcl::acmap::depth {
 
-/** \brief Gives each plane its polygons and their area: the rims of its pixels in the
- * picture, simplified there and laid onto the plane. Gaps of a few pixels are closed.
+/** \brief Sets the polygons of each plane and their area: the boundaries of its pixels
+ * are simplified in the image and projected onto the plane. Gaps of a few pixels are
+ * closed.
  * \param[in] labels for each pixel its plane, -1 for none */
 void
 outlinePixels(const DepthView& view,
               const std::vector<std::int32_t>& labels,
               std::vector<KnownPlane>& planes);
 
-/** \brief The point in which a ray of the view meets a plane. */
+/** \brief Returns the intersection of a ray of the view with a plane. */
 Eigen::Vector3d
 meet(const Eigen::Vector3d& ray, const Eigen::Vector4d& coefficients);
 

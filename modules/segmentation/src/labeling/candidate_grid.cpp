@@ -12,7 +12,7 @@ slotOf(VoxelKey key, std::size_t mask)
   return static_cast<std::size_t>(mixed >> 20) & mask;
 }
 
-/** Which labels there are in which voxels, each once, ascending. */
+/** All pairs of a voxel and a label in it, sorted, without duplicates. */
 std::vector<std::pair<VoxelKey, std::int32_t>>
 labeledVoxels(const KnownPlanes& known, const VoxelLattice& lattice)
 {

@@ -9,14 +9,14 @@
 
 namespace pcl::acmap::labeling {
 
-/** Planes near a place; at most so many, those of the voxel itself first. */
+/** Planes near a voxel: at most \a most of them, those of the voxel itself first. */
 struct Candidates {
   static constexpr std::size_t most = 6;
   std::array<std::int32_t, most> planes;
   std::int32_t home = -1; ///< plane of a hypothesis in the voxel itself, -1 for none
   std::uint8_t size = 0;
-  bool has_strangers = false;  ///< points of no plane in the voxel
-  bool near_strangers = false; ///< or beside it
+  bool has_strangers = false;  ///< the voxel contains points without a plane
+  bool near_strangers = false; ///< the voxel or a neighbour contains such points
 
   void
   add(std::int32_t plane);
@@ -29,19 +29,20 @@ struct Candidates {
   }
 };
 
-/** Which planes are within a voxel or two of any place: a hash table of voxels. */
+/** A hash table of voxels with the planes that are within a voxel or two of each. */
 class CandidateGrid {
 public:
-  /** \param[in] edge of a voxel, metres
-   * \param[in] reach voxels around each hypothesis in which it is entered */
+  /** \param[in] edge edge length of a voxel, metres
+   * \param[in] reach each hypothesis is entered in the voxels up to this distance from
+   * its own */
   CandidateGrid(const KnownPlanes& known, double edge, int reach);
 
-  /** Follows planes that were joined or dropped.
+  /** Updates the numbers of planes after some were merged or removed.
    * \param[in] numbers for each plane its new number, -1 for none */
   void
   renumber(const std::vector<std::int32_t>& numbers);
 
-  /** Number of the voxel's entry; -1 where no plane is near. */
+  /** Returns the number of the entry of a voxel, -1 if no plane is near. */
   std::int32_t
   find(VoxelKey key) const;
 
@@ -57,13 +58,14 @@ public:
     return lattice_;
   }
 
-  /** Are there points of no plane at a place near a voxel? Noise moves points, so places
-   * are asked for where rays meet planes: else the answer would sort points by their noise.
-   */
+  /** Does the voxel of a position near the voxel of the entry \a near contain points
+   * without a plane? The position should be the intersection of a viewing ray with a
+   * plane, not the measured point: noise moves points, so the result would depend on
+   * the noise of each point. */
   bool
   hasStrangersAt(const Eigen::Vector3d& place, std::int32_t near) const;
 
-  /** Plane of a hypothesis in the voxel of a place, -1 for none. */
+  /** Returns the plane of a hypothesis in the voxel of a position, -1 for none. */
   std::int32_t
   homeAt(const Eigen::Vector3d& place) const;
 
@@ -87,8 +89,8 @@ private:
   grow();
 
   VoxelLattice lattice_;
-  std::vector<VoxelKey> keys_;       ///< of the table's slots
-  std::vector<std::int32_t> places_; ///< of the slots' entries, -1 for empty
+  std::vector<VoxelKey> keys_;       ///< keys of the table's slots
+  std::vector<std::int32_t> places_; ///< entry of each slot, -1 if empty
   std::vector<Candidates> entries_;
   std::vector<VoxelKey> entry_keys_;
   std::size_t mask_ = 0;

@@ -6,7 +6,8 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-/** Of one plane's points near another one: metres from that one, with and without sign. */
+/** Sums over the points of a plane near another plane: their distances from the latter
+ * in metres, signed and absolute. */
 struct Balance {
   double sum = 0;
   double total = 0;
@@ -14,8 +15,8 @@ struct Balance {
 
 constexpr int plane_bits = 32;
 
-/** By plane and its neighbour; only pairs that share a voxel: a map has thousands of
- * planes, each with a few neighbours. */
+/** Balances by plane and neighbour, only of pairs that share a voxel: a map has
+ * thousands of planes, but each has only a few neighbours. */
 using Balances = std::unordered_map<std::uint64_t, Balance>;
 
 Balances

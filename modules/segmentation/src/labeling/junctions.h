@@ -4,14 +4,15 @@
 
 namespace pcl::acmap::labeling {
 
-/** On which side of its neighbours each plane lies: in front at an inner edge, such as
- * between wall and floor, behind at an outer one, as of a box. */
+/** The side of its neighbours on which each plane lies: in front of them at a concave
+ * edge, such as between a wall and the floor, behind them at a convex edge, such as
+ * that of a box. */
 class Junctions {
 public:
   Junctions(const KnownPlanes& known, const CandidateGrid& grid);
 
-  /** Of points of plane \a a near plane \a b: 1 in front of b, -1 behind it, 0 where that
-   * does not tell them apart. */
+  /** Side of plane \a b on which the points of plane \a a near it lie: 1 in front of b,
+   * -1 behind it, 0 if there is no clear side. */
   int
   side(std::size_t a, std::size_t b) const
   {
@@ -27,14 +28,14 @@ public:
   }
 
 private:
-  /** What a plane has on one side. */
+  /** A neighbour and the side of it on which the plane lies. */
   struct Neighbour {
     std::uint32_t plane;
     std::int8_t side;
   };
 
-  std::vector<std::ptrdiff_t> first_; ///< of each plane's neighbours, and their number
-  std::vector<Neighbour> neighbours_; ///< ascending for each plane
+  std::vector<std::ptrdiff_t> first_; ///< first neighbour of each plane, and the end
+  std::vector<Neighbour> neighbours_; ///< sorted by plane, then by neighbour
 };
 
 } // namespace pcl::acmap::labeling

@@ -13,7 +13,7 @@ namespace pcl::acmap {
 namespace labeling {
 namespace {
 
-/** Which of the planes are large enough once their parts are joined. */
+/** Is each plane large enough, after its parts are merged? */
 std::vector<std::uint8_t>
 largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_area)
 {
@@ -28,7 +28,8 @@ largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_are
   return is_large;
 }
 
-/** Renumbers what is left. \return for each old plane its new number, -1 for none */
+/** Removes planes that are refuted or too small, merges parts and renumbers the rest.
+ * \return for each old plane its new number, -1 for none */
 std::vector<std::int32_t>
 sift(const Verdicts& verdicts,
      double least_area,
@@ -69,7 +70,7 @@ normalsOf(const std::vector<KnownPlane>& planes)
   return normals;
 }
 
-/** All that labels and fits need of a cloud. */
+/** Data of a cloud that labelling and fitting need. */
 struct Scenery {
   CandidateGrid grid;
   Survey survey;
@@ -84,7 +85,8 @@ struct Scenery {
   }
 };
 
-/** Fits planes anew whose parts poses tore apart, and lets them be as thick as that. */
+/** Fits those planes again whose parts were separated by pose errors, and increases
+ * their warp accordingly. */
 void
 settleDrift(const Verdicts& verdicts,
             const std::vector<std::int32_t>& numbers,
@@ -102,7 +104,8 @@ settleDrift(const Verdicts& verdicts,
     }
   if (std::all_of(drift.begin(), drift.end(), [](double d) { return d == 0; }))
     return;
-  // wide enough for the far side of the part, as the plane still lies in the larger one
+  // The gate has to include the far side of the part, because the plane is still that
+  // of the larger part.
   std::vector<KnownPlane> wide = known.planes;
   for (std::size_t p = 0; p < wide.size(); ++p)
     wide[p].warp = std::hypot(wide[p].warp, drift[p]);
@@ -116,7 +119,8 @@ settleDrift(const Verdicts& verdicts,
   }
 }
 
-/** Rounds of labelling and fitting, then judgement; grid and guesses follow. */
+/** Labels and fits in several rounds, then removes and merges planes; updates the grid
+ * and the guesses. */
 void
 settle(const LabelingLimits& limits,
        const Progress& progress,
@@ -169,7 +173,7 @@ finish(const Scenery& scenery,
 {
   const auto& [grid, survey, noise] = scenery;
   std::vector<PlaneSums> sums = sumPlanes(survey, labels, grid, noise, known.planes);
-  centerFrames(sums, known.planes); // parts may have been joined since the last fit
+  centerFrames(sums, known.planes); // parts may have been merged since the last fit
   sumClusters(survey, labels, grid, noise, known.planes, coarseness, sums);
   finishPlanes(sums, guesses, known.planes);
 }

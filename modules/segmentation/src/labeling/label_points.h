@@ -10,16 +10,17 @@ namespace pcl::acmap {
 
 /** Limits of \ref labelPoints. */
 struct LabelingLimits {
-  double distance = 0;   ///< metres; what one plane may deviate from itself
-  double cosine = 1;     ///< between normals of one plane
+  double distance = 0;   ///< metres; maximum deviation between parts of one plane
+  double cosine = 1;     ///< minimum, between normals of parts of one plane
   double least_area = 0; ///< square metres
-  double stray = 0;      ///< metres; so near a hypothesis of no plane joins one
-  int coarseness = 1;    ///< edge of a cluster of shared noise in two spacings
+  double stray = 0;   ///< metres; a hypothesis without a plane joins one that is nearer
+  int coarseness = 1; ///< edge length of noise clusters, unit: two spacings
 };
 
-/** Gives each point its plane and fits the planes to their points; planes that the points
- * refute are dropped, and parts of one plane joined. The hypotheses' labels follow.
- * \param[in,out] known in: as grown; out: what is left
+/** Assigns each point to its plane and fits the planes to their points. Planes that the
+ * points refute are removed, and parts of one plane are merged. The labels of the
+ * hypotheses are updated.
+ * \param[in,out] known in: as grown; out: the remaining planes
  * \return for each point its plane, -1 for none */
 std::vector<std::int32_t>
 labelPoints(const PointView& points,
@@ -29,7 +30,8 @@ labelPoints(const PointView& points,
             KnownPlanes& known,
             PlaneClusteringReport& report);
 
-/** Fits the planes to the hypotheses that are theirs by their labels, which stay. */
+/** Fits the planes to the hypotheses with their labels. These labels are not changed,
+ * but hypotheses without a plane may join one. */
 void
 fitLabeled(const PointView& points,
            const SensorView& sensors,

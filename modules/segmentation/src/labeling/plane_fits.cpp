@@ -9,7 +9,7 @@ namespace {
 
 constexpr double guess_weight = 1 / (0.0175 * 0.0175); // one degree, radians
 
-/** Are there points to fit to? All may be beyond the gate. */
+/** Are there enough points for a fit? All of them may be outside of the gate. */
 bool
 canBeFitted(const PlaneSums& sums)
 {
@@ -17,7 +17,7 @@ canBeFitted(const PlaneSums& sums)
   return sums.points >= least_points && sums.best().matrix(2, 2) > 0;
 }
 
-/** Adds what a guessed normal knows of the slopes. */
+/** Adds a guessed normal as a prior of the slopes. */
 void
 addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
 {
@@ -32,7 +32,7 @@ bool
 needsGuess(const PlaneSums& sums, const KnownPlane& plane)
 {
   constexpr double most_tilt =
-      0.1; // radians; beyond it the points as good as know none
+      0.1; // radians; beyond it the points do not determine the tilt
   return plane.trust == PlaneTrust::Strip || !knowsTilt(sums.best(), most_tilt);
 }
 
@@ -45,7 +45,8 @@ withGuess(const PlaneSums& sums, const KnownPlane& plane, const Eigen::Vector3d&
   return fit;
 }
 
-/** A rectangle of half side h has the variance h^2 / 3. */
+/** Half sides of a rectangle with the variances of the points: a half side h has the
+ * variance h^2 / 3. */
 Eigen::Vector2d
 halfSize(const FitSums& sums)
 {
@@ -55,8 +56,8 @@ halfSize(const FitSums& sums)
   return (3 * variances.max(0.0)).sqrt();
 }
 
-/** So many independent points would know the offset as well; of points without noise all
- * are. */
+/** Number of independent points that would determine the offset equally well; for
+ * points without noise it is their number. */
 double
 effectiveSupport(const PlanePatch& patch, double count)
 {

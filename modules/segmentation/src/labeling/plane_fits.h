@@ -4,19 +4,19 @@
 
 namespace pcl::acmap::labeling {
 
-/** Moves each plane to its points, and its frame with them. Strips, and planes whose points
- * are on one line, keep the tilt that was guessed for them where the points do not know
- * better. */
+/** Fits each plane to its points and updates its frame. Strips, and planes whose points
+ * are on one line, keep their guessed tilt unless the points determine it better. */
 void
 fitPlanes(const std::vector<PlaneSums>& sums,
           const std::vector<Eigen::Vector3d>& guesses,
           std::vector<KnownPlane>& planes);
 
-/** Puts the frame of each plane where its points are; the sums follow. */
+/** Moves the frame of each plane to its points and transforms the sums accordingly. */
 void
 centerFrames(std::vector<PlaneSums>& sums, std::vector<KnownPlane>& planes);
 
-/** As \ref fitPlanes without the frames, with support, rms and covariance. */
+/** Same as \ref fitPlanes, but sets support, rms and covariance instead of the
+ * frames. */
 void
 finishPlanes(const std::vector<PlaneSums>& sums,
              const std::vector<Eigen::Vector3d>& guesses,

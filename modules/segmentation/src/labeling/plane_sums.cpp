@@ -7,8 +7,6 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-// points beyond three deviations may be of another plane
-
 VoxelKey
 clusterKey(VoxelKey key, int coarseness)
 {
@@ -32,7 +30,7 @@ sumPlanes(const Survey& survey,
     const std::size_t count = survey.count(i);
     if (survey.entry(i) >= 0 && grid[survey.entry(i)].home >= 0)
       all[static_cast<std::size_t>(grid[survey.entry(i)].home)].points_at_home += count;
-    if (labels[i] < 0 || survey.entry(i) < 0) // a member may be out of the grid's reach
+    if (labels[i] < 0 || survey.entry(i) < 0) // a member may be outside of the grid
       continue;
     const auto plane = static_cast<std::size_t>(labels[i]);
     const PlanePatch& patch = planes[plane].patch;
@@ -62,7 +60,7 @@ findShadows(const Survey& survey,
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes)
 {
-  constexpr double squared_reach = 20.25; // as far as points are given to a plane
+  constexpr double squared_reach = 20.25; // the same as for labelling
   std::vector<std::size_t> points(planes.size(), 0);
   std::vector<std::map<std::int32_t, std::size_t>> shared(planes.size());
   for (std::size_t i = 0; i < survey.size(); ++i) {
@@ -93,7 +91,7 @@ findShadows(const Survey& survey,
 
 namespace {
 
-/** Numbers of the clusters of each plane, counted as they are met. */
+/** Numbers of the clusters of each plane, assigned on first use. */
 class ClusterNumbers {
 public:
   ClusterNumbers(const CandidateGrid& grid, std::size_t planes, int coarseness)
@@ -109,7 +107,7 @@ public:
     const Candidates& candidates = grid_[entry];
     const auto begin = candidates.planes.begin();
     const auto place = std::find(begin, begin + candidates.size, plane) - begin;
-    if (place == candidates.size) // too many planes are near for all to be listed
+    if (place == candidates.size) // the list of near planes is limited
       return lookUp(entry, plane);
     std::int32_t& known = known_[static_cast<std::size_t>(entry) * Candidates::most +
                                  static_cast<std::size_t>(place)];

@@ -5,22 +5,23 @@
 
 namespace pcl::acmap::labeling {
 
-/** Points beyond three standard deviations of a plane may be of another one. */
+/** Squared gate: points beyond three standard deviations may belong to another
+ * plane. */
 constexpr double squared_gate = 9;
 
-/** What the points of a plane sum up to. */
+/** Sums over the points of a plane. */
 struct PlaneSums {
-  FitSums fit;                   ///< over all points within the gate
-  FitSums clean;                 ///< over those of them far from points of no plane
-  std::vector<FitSums> clusters; ///< parts of the fit in use, by place
+  FitSums fit;   ///< over all points within the gate
+  FitSums clean; ///< over those of them that are not near points without a plane
+  std::vector<FitSums> clusters; ///< parts of best (), one per cluster
   std::size_t points = 0;
   std::size_t clean_points = 0;
-  std::size_t points_at_home = 0; ///< of any plane, where its hypotheses are
-  double squares = 0;             ///< of distances along the normal
-  double chi = 0;                 ///< of the same in standard deviations
+  std::size_t points_at_home = 0; ///< with any label, in voxels of its hypotheses
+  double squares = 0;             ///< sum of squared distances along the normal
+  double chi = 0;                 ///< sum of squared distances in standard deviations
 
-  /** A plane with enough of it is fitted to its clean points: others may be of surfaces
-   * that nobody knows of. */
+  /** A plane with enough clean points is fitted to them only: other points may belong
+   * to unknown surfaces. */
   bool
   isClean() const
   {
@@ -35,7 +36,7 @@ struct PlaneSums {
   }
 };
 
-/** Sums for each plane over its points. */
+/** Returns the sums for each plane over its points. */
 std::vector<PlaneSums>
 sumPlanes(const Survey& survey,
           const std::vector<std::int32_t>& labels,
@@ -43,9 +44,10 @@ sumPlanes(const Survey& survey,
           const RangeNoise& noise,
           const std::vector<KnownPlane>& planes);
 
-/** For each plane the one before it that would have most of its points, -1 for none: they
- * are within its noise, and where their rays meet it there is hypothesis upon hypothesis
- * of it. What a noisy wall scatters is such a shadow; a door that lies back is none. */
+/** Returns for each plane the number of a previous plane that explains most of its
+ * points, -1 for none: the points are within the noise of that plane, and the
+ * intersections of their rays with it are in voxels of its hypotheses. Points scattered
+ * by a noisy wall form such a shadow; a door that is set back does not. */
 std::vector<std::int32_t>
 findShadows(const Survey& survey,
             const std::vector<std::int32_t>& labels,
@@ -53,9 +55,9 @@ findShadows(const Survey& survey,
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes);
 
-/** Adds the clusters of the fits in use: points of a voxel of the grid, or of several,
- * and of one plane.
- * \param[in] coarseness voxels a cluster along each axis */
+/** Adds the clusters of the fits in use. A cluster contains the points of one plane in
+ * a voxel of the grid, or in a block of voxels.
+ * \param[in] coarseness edge length of a cluster in voxels */
 void
 sumClusters(const Survey& survey,
             const std::vector<std::int32_t>& labels,

@@ -11,14 +11,16 @@ namespace {
 constexpr std::size_t most_samples = 40000;
 constexpr std::size_t least_in_bin = 50;
 
-/** Of absolute values: the standard deviation, were they normal. */
+/** Standard deviation of normally distributed values from the median of their absolute
+ * values. */
 double
 scaledMedian(std::vector<double>& values)
 {
   return 1.4826 * medianOf(values);
 }
 
-/** Calls visit (sight, plane) for a sample of the points that only one plane is near. */
+/** Calls visit (sight, plane) for a sample of those points that have only one plane
+ * near. */
 template <typename Visit>
 void
 visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& visit)
@@ -31,8 +33,8 @@ visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& vi
 
 } // namespace
 
-// Two bins an octave, from 6 cm to a megametre; 0 for the unknown. Their borders are read
-// off the bits of the number: half an octave is the fraction 0x6a09e667f3bcd.
+// Two bins per octave, from 6 cm to a megametre; bin 0 for unknown ranges. The bin is
+// computed from the bits of the number: half an octave is the fraction 0x6a09e667f3bcd.
 std::size_t
 RangeNoise::bin(double range)
 {
@@ -52,7 +54,7 @@ RangeNoise::RangeNoise(const Survey& survey,
                        const CandidateGrid& grid,
                        const std::vector<KnownPlane>& planes)
 {
-  constexpr double floor = 0.01; // of the grid's voxels
+  constexpr double floor = 0.01; // relative to the edge of the grid's voxels
   squared_floor_ = std::pow(floor * grid.lattice().edge(), 2);
   std::array<std::vector<double>, bins> offs;
   visitSurePoints(survey, grid, [&](const Sight& sight, std::size_t plane) {
@@ -61,7 +63,7 @@ RangeNoise::RangeNoise(const Survey& survey,
     if (crossing.slant > frontal)
       offs[bin(sight.range)].push_back(std::abs(crossing.off) / crossing.slant);
   });
-  // a bin without enough points is as noisy as the nearest one that has them
+  // A bin without enough points gets the noise of the nearest bin that has enough.
   std::vector<double> all;
   for (std::size_t b = 0; b < bins; ++b) {
     all.insert(all.end(), offs[b].begin(), offs[b].end());

@@ -4,15 +4,16 @@
 
 namespace pcl::acmap::labeling {
 
-/** Noise along the ray by distance from the sensor, measured on points near one plane
- * only; across the surface where no sensor is known. */
+/** Noise along the ray as a function of the distance from the sensor, measured on
+ * points near one plane only. If the sensor is unknown, it is the noise along the
+ * normal. */
 class RangeNoise {
 public:
   RangeNoise(const Survey& survey,
              const CandidateGrid& grid,
              const std::vector<KnownPlane>& planes);
 
-  /** Metres. */
+  /** Standard deviation along the ray, metres. */
   double
   sigma(double range) const
   {
@@ -34,11 +35,12 @@ private:
   bin(double range);
 
   std::array<double, bins> sigmas_{};
-  double squared_floor_ = 0; ///< what no surface is flatter than, square metres
+  double squared_floor_ = 0; ///< minimum variance, square metres
 };
 
-/** What the points of large planes are off them beyond the noise of their ranges: walls are
- * warped, clouds laid double, and not every sensor errs along its rays only. */
+/** Measures how far the points of large planes deviate from them beyond the noise of
+ * their ranges: walls are warped, clouds are misregistered, and not every sensor has
+ * errors along its rays only. */
 void
 measureWarps(const Survey& survey,
              const CandidateGrid& grid,

@@ -13,7 +13,7 @@ FitSums
 movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to)
 {
   const Eigen::Vector3d way = from.center - to.center;
-  Eigen::Matrix3d terms = Eigen::Matrix3d::Identity(); // of the new frame from the old
+  Eigen::Matrix3d terms = Eigen::Matrix3d::Identity(); // from old to new
   terms.row(0) << to.axis_u.dot(from.axis_u), to.axis_u.dot(from.axis_v),
       to.axis_u.dot(way);
   terms.row(1) << to.axis_v.dot(from.axis_u), to.axis_v.dot(from.axis_v),
@@ -25,7 +25,7 @@ bool
 knowsTilt(const FitSums& sums, double most)
 {
   const Eigen::Matrix3d covariance = sums.matrix.inverse();
-  const auto isKnown = [&](double variance) { // NaN and rounding below 0 are not
+  const auto isKnown = [&](double variance) { // false for NaN or < 0
     return variance >= 0 && variance <= most * most;
   };
   return isKnown(covariance(0, 0)) && isKnown(covariance(1, 1));
@@ -58,7 +58,7 @@ moveToFit(const FitSums& sums, PlanePatch& patch)
       (normal - solution[0] * patch.axis_u - solution[1] * patch.axis_v)
           .stableNormalized();
   patch.center += solution[2] * normal;
-  // along the plane, however far it turned
+  // in the plane, also after a large rotation
   patch.axis_u = (patch.axis_u + solution[0] * normal).stableNormalized();
   patch.axis_v = turned.cross(patch.axis_u);
   patch.coefficients << turned, -turned.dot(patch.center);
@@ -77,14 +77,14 @@ clusteredCovariance(const FitSums& sums,
   if (clusters.size() < least_clusters)
     return unknown;
   const Eigen::Matrix3d inverse = sums.matrix.inverse();
-  // A sum of squares, so that no rounding takes a variance below 0.
+  // This is a sum of squares, so that rounding cannot make a variance negative.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const FitSums& cluster : clusters) {
     const Eigen::Vector3d shift = inverse * (cluster.right - cluster.matrix * solution);
     covariance += shift * shift.transpose();
   }
   const double count = static_cast<double>(clusters.size());
-  covariance *= count / (count - 3); // three were fitted
+  covariance *= count / (count - 3); // three fitted parameters
   for (const int slope : {0, 1})
     covariance += guess_weight * inverse.col(slope) * inverse.col(slope).transpose();
   return covariance.allFinite() ? covariance : unknown;

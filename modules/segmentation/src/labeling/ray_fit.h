@@ -21,9 +21,10 @@ struct FitSums {
     return *this;
   }
 
-  /** Adds a point: its distance from the plane, at the place where its ray meets it. Taken
-   * at the point itself, distance and place would be wrong together, and the plane tilted.
-   * \param[in] weight 1 over the variance of the distance */
+  /** Adds the distance of a point from the plane, at the intersection of its ray with
+   * the plane. At the point itself, the errors of distance and position would be
+   * correlated, and the plane would be tilted.
+   * \param[in] weight inverse variance of the distance */
   void
   add(const Crossing& crossing, const PlanePatch& patch, double weight)
   {
@@ -35,31 +36,33 @@ struct FitSums {
   }
 };
 
-/** The same sums in another frame of the same plane. */
+/** Transforms the sums to another frame of the same plane. */
 FitSums
 movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to);
 
-/** Does the fit know both slopes to so many radians, one standard deviation? Not where its
+/** Are the standard deviations of both slopes at most \a most, in radians? Not if the
  * points are on one line. */
 bool
 knowsTilt(const FitSums& sums, double most);
 
-/** Middle and axes of a patch from where its points are; axis_u along the largest spread.
- * \param[in] sums of one point at least */
+/** Sets centre and axes of a patch from the distribution of its points; axis_u is along
+ * the largest variance.
+ * \param[in] sums of at least one point */
 void
 setFrame(const FitSums& sums, PlanePatch& patch);
 
 /** Moves the plane to the fit.
- * \return what was solved for: slopes and offset; zero where nothing can be solved */
+ * \return the solution: slopes and offset; zero if the system cannot be solved */
 Eigen::Vector3d
 moveToFit(const FitSums& sums, PlanePatch& patch);
 
-/** Covariance of the fit from how the residuals of clusters vary: noise that points of a
- * cluster share does not average out.
- * \param[in] guess_weight of the guess of both slopes that the sums hold beside the
- * clusters: an inverse variance, 0 for none
- * \param[in] solution what \ref moveToFit gave
- * \return NaN where there are too few clusters to tell, or it is beyond numbers */
+/** Covariance of the fit, estimated from the variation of the residuals of clusters:
+ * noise that is shared within a cluster does not average out.
+ * \param[in] guess_weight inverse variance of the guessed slopes that are included in
+ * the sums but not in the clusters, 0 for none
+ * \param[in] solution the result of \ref moveToFit
+ * \return NaN if there are too few clusters for an estimate, or the result is not
+ * finite */
 Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
                     double guess_weight,

@@ -16,7 +16,8 @@ RayLabels::chooseAll(const Survey& survey) const
   return labels;
 }
 
-/** Does the ray meet the plane on the side of the other planes on which it is seen? */
+/** Does the ray intersect the plane on that side of the other planes on which the plane
+ * lies? */
 bool
 RayLabels::isInFront(const Eigen::Vector3d& foot,
                      std::size_t own,

@@ -5,11 +5,12 @@
 
 namespace pcl::acmap::labeling {
 
-/** Decides which plane a point is of.
+/** Decides to which plane a point belongs.
  *
- * What a sensor measures is wrong along the ray, hardly across it. So where planes meet
- * the point is of that plane which its ray meets in front of the others, at an inner edge,
- * or behind them, at an outer one; only then of the one it is nearest to. */
+ * The error of a sensor is along the ray, hardly across it. Therefore, where planes
+ * meet, a point belongs to the plane that its ray intersects in front of the others (at
+ * a concave edge) or behind them (at a convex edge). Only if there is no such plane is
+ * the nearest one chosen. */
 class RayLabels {
 public:
   RayLabels(const CandidateGrid& grid,

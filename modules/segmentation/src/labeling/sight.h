@@ -7,7 +7,7 @@
 
 namespace pcl::acmap::labeling {
 
-/** How a point was measured: where it is, and along which unit direction it may be wrong. */
+/** A measured point, and the unit direction along which it may be wrong. */
 struct Sight {
   Eigen::Vector3d point;
   Eigen::Vector3d ray; ///< unit, from the sensor; zero where it is unknown
@@ -26,18 +26,18 @@ struct Sight {
   }
 };
 
-/** A point against a plane. */
+/** A point relative to a plane. */
 struct Crossing {
-  double off;           ///< metres, of the point from the plane along its normal
-  double slant;         ///< |cosine| between ray and normal; 1 where there is no ray
-  Eigen::Vector3d foot; ///< where the ray meets the plane; else below the point
-  double range;         ///< metres from the sensor to the foot; 0 where it is unknown
+  double off;           ///< signed distance of the point from the plane, metres
+  double slant;         ///< |cosine| between ray and normal; 1 without a ray
+  Eigen::Vector3d foot; ///< intersection of ray and plane, or projection of the point
+  double range;         ///< metres from the sensor to the foot; 0 if unknown
 
   Crossing(const Sight& sight, const PlanePatch& patch)
   {
     const Eigen::Vector3d normal = patch.coefficients.head<3>();
     off = normal.dot(sight.point) + patch.coefficients[3];
-    constexpr double least_slant = 0.05; // rays that graze tell nothing of the range
+    constexpr double least_slant = 0.05; // grazing rays do not determine the range
     const double along = normal.dot(sight.ray);
     slant = std::abs(along);
     if (slant > least_slant) {

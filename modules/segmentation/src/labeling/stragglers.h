@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::labeling {
 
-/** Gives hypotheses of no plane, as those at creases, whose normals are mixed, to the plane
- * near them that they lie on.
+/** Assigns hypotheses without a plane to the nearest plane within a distance. Such
+ * hypotheses are often at creases, where normals are mixed.
  * \param[in] distance metres */
 void
 gatherStragglers(double distance, const CandidateGrid& grid, KnownPlanes& known);

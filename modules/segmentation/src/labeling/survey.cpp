@@ -31,7 +31,7 @@ Survey::thinned(std::size_t most, const CandidateGrid& grid) const
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i] < 0)
       continue;
-    // by a hash: every n-th point could be a column of the view
+    // A hash is used because every n-th point could be one column of the view.
     const std::size_t step = counts[static_cast<std::size_t>(entries_[i])] / most + 1;
     if ((i * 0x9e3779b97f4a7c15u >> 32) % step != 0)
       continue;

@@ -5,13 +5,14 @@
 
 namespace pcl::acmap::labeling {
 
-/** The points that are to be labelled, each with the planes near it: looked up once. */
+/** The points to be labelled, each with its entry in the grid of near planes, which is
+ * looked up once. */
 class Survey {
 public:
   Survey(const PointView& points, const SensorView& sensors, const CandidateGrid& grid);
 
-  /** At most about so many points of each voxel, enough to judge by; each stands for as many
-   * as were left out. */
+  /** A sample of about \a most points of each voxel at most. Each point represents
+   * several ones, see count. */
   Survey
   thinned(std::size_t most, const CandidateGrid& grid) const;
 
@@ -34,14 +35,14 @@ public:
     return Sight(points_[place(i)], sensors_[place(i)]);
   }
 
-  /** Number of the observation that saw the point, -1 where unknown. */
+  /** Number of the observation of the point, -1 if unknown. */
   std::int32_t
   observation(std::size_t i) const
   {
     return sensors_.observation(place(i));
   }
 
-  /** How many points it stands for. */
+  /** Number of points that this point represents. */
   std::size_t
   count(std::size_t i) const
   {
@@ -63,8 +64,8 @@ private:
   const PointView& points_;
   const SensorView& sensors_;
   std::vector<std::int32_t> entries_;
-  std::vector<std::size_t> places_; ///< of the points, empty for all of them
-  std::vector<std::size_t> counts_; ///< of points they stand for, empty for one each
+  std::vector<std::size_t> places_; ///< indices of the points; empty for all of them
+  std::vector<std::size_t> counts_; ///< represented points; empty for one each
 };
 
 } // namespace pcl::acmap::labeling

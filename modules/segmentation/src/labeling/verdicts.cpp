@@ -8,8 +8,7 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-/** Of a fit whose weights are inverse variances: what it knows, were all points independent.
- */
+/** Covariance of the weighted fit, assuming independent points. */
 Eigen::Matrix3d
 covarianceOf(const FitSums& sums)
 {
@@ -20,11 +19,10 @@ bool
 isRefuted(const PlaneSums& sums, const KnownPlane& plane)
 {
   constexpr std::size_t least_points = 20;
-  constexpr double most_chi = 1.5; // noise that is as expected has 1
-  constexpr double most_strip_chi =
-      2;                              // the roundings of its edges are among its points
-  constexpr double most_tilt = 0.035; // radians, one standard deviation
-  constexpr double least_share = 0.2; // of the points where it should be
+  constexpr double most_chi = 1.5;     // it is 1 if the noise is as expected
+  constexpr double most_strip_chi = 2; // its points include those of rounded edges
+  constexpr double most_tilt = 0.035;  // radians, one standard deviation
+  constexpr double least_share = 0.2;  // of the points in voxels of its hypotheses
   if (sums.points < 3 || static_cast<double>(sums.points) <
                              least_share * static_cast<double>(sums.points_at_home))
     return true;
@@ -37,7 +35,8 @@ isRefuted(const PlaneSums& sums, const KnownPlane& plane)
   return plane.trust == PlaneTrust::Small && !knowsTilt(sums.best(), most_tilt);
 }
 
-/** Standard deviation of a plane's place at a point, metres. */
+/** Standard deviation of the position of a plane at a point, along the normal,
+ * metres. */
 double
 deviationAt(const PlaneSums& sums,
             const PlanePatch& patch,
@@ -49,8 +48,8 @@ deviationAt(const PlaneSums& sums,
   return std::sqrt(terms.dot(covarianceOf(sums.best()) * terms));
 }
 
-/** How far the points of a patch would be off another plane, beyond being off their own:
- * root mean square. */
+/** Additional deviation of the points of a patch if they are assigned to another plane
+ * instead of their own: root mean square. */
 double
 deviation(const PlaneSums& sums, const PlanePatch& patch, const PlanePatch& from)
 {
@@ -63,8 +62,8 @@ deviation(const PlaneSums& sums, const PlanePatch& patch, const PlanePatch& from
                        fit.matrix(2, 2));
 }
 
-/** \return how far the part lies off the whole beyond what one plane may deviate, 0 for
- * within it; nothing where it is no part */
+/** \return 0 if the part is within the permitted deviation of the whole; its offset if
+ * that is larger but due to pose errors; nothing if it is not a part */
 std::optional<double>
 driftOfPart(std::size_t part,
             std::size_t whole,
@@ -80,7 +79,7 @@ driftOfPart(std::size_t part,
     return std::nullopt;
   const double unsure = deviationAt(sums[whole], b, a.center);
   if (!(unsure <= distance))
-    return std::nullopt; // it may lie anywhere so far from its points
+    return std::nullopt; // the plane is too uncertain so far from its points
   const double own = std::sqrt(covarianceOf(sums[part].best())(2, 2));
   const double gap = deviation(sums[part], a, b);
   if (gap < distance + 2 * (own + unsure))

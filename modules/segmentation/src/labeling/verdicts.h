@@ -5,24 +5,27 @@
 
 namespace pcl::acmap::labeling {
 
-/** What becomes of each plane: its own number, that of the plane it is a part of, or -1. */
+/** For each plane: its own number, the number of the plane of which it is a part, or
+ * -1. */
 struct Verdicts {
   std::vector<std::int32_t> kept_as;
   std::size_t merged = 0;
 
-  /** For each plane how far parts of it lie off it because poses err, metres; 0 for most. */
+  /** For each plane the maximum offset of its parts due to pose errors, metres; 0 for
+   * most. */
   std::vector<double> drift;
 
-  std::size_t refuted = 0; ///< the points do not lie on them, or cannot tell their tilt
+  std::size_t refuted = 0; ///< the points deviate, or do not determine the tilt
 };
 
-/** Judges planes by their points. A plane is refuted when its points are farther off than
- * their noise; a small one or a strip is also when its tilt stays unknown. Those that lie
- * in the plane of a surer one, as far as both can tell, become part of it; so do those that
- * lie beside it in the map but not in the observations that see both.
- * \param[in] shadows see \ref findShadows; they become part of what casts them
- * \param[in] distance metres; what one plane may deviate from itself
- * \param[in] cosine between normals of one plane */
+/** Verifies planes by their points. A plane is refuted if its points deviate from it by
+ * more than their noise. A small plane is also refuted if its tilt remains unknown. A
+ * plane becomes a part of a previous one if both are the same within their uncertainty,
+ * or if they differ in the map but not in those observations that contain both.
+ * \param[in] shadows see \ref findShadows; they become parts of the planes that cause
+ * them
+ * \param[in] distance metres; maximum deviation between parts of one plane
+ * \param[in] cosine minimum, between normals of parts of one plane */
 Verdicts
 judge(const std::vector<PlaneSums>& sums,
       const ViewSteps& steps,

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double min_points = 30; // of each plane in an observation
 
-/** Is an unlabelled point at the place of the one plane near it, however far poses moved it
- * off? Exact points that lie off have no label. */
+/** May an unlabelled point belong to the only plane near it, moved away from it by pose
+ * errors? Points without such errors that are off the plane are of no plane. */
 bool
 isMovedOff(const Sight& sight,
            std::int32_t entry,
@@ -57,15 +57,15 @@ struct Step {
   double variance;
 };
 
-/** The step between two parallel planes by least squares (analysis of covariance): both
- * share the tilt that the observation's pose errs by. */
+/** The step between two parallel planes by least squares (analysis of covariance). Both
+ * have the same tilt, which is the pose error of the observation. */
 std::optional<Step>
 stepBetween(const Group& part, const Group& whole)
 {
   const Eigen::Matrix3d scatter = part.scatter + whole.scatter;
   const double freedom = part.count + whole.count - 4;
-  constexpr double pose_tilt = 0.0175;    // radians, expected of a pose
-  constexpr double max_independent = 100; // noise is shared by neighbours
+  constexpr double pose_tilt = 0.0175;    // radians, expected tilt error of a pose
+  constexpr double max_independent = 100; // noise of neighbours is correlated
   const double noise = std::max(scatter(2, 2) / freedom, 1e-12);
   const Eigen::Matrix2d information =
       scatter.topLeftCorner<2, 2>() / noise +
@@ -81,7 +81,7 @@ stepBetween(const Group& part, const Group& whole)
                   way.head<2>().dot(covariance * way.head<2>())};
 }
 
-/** The weighted mean; its variance is also what the steps differ by. */
+/** The weighted mean; its variance also includes the differences between the steps. */
 Step
 meanOf(const std::vector<Step>& steps)
 {

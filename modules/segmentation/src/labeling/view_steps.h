@@ -8,14 +8,15 @@
 
 namespace pcl::acmap::labeling {
 
-/** Parts of one plane lie no farther apart than this because poses err, metres. */
+/** Maximum offset between parts of one plane due to pose errors, metres. */
 constexpr double max_drift = 0.06;
 
-/** The height of one plane over another as the single observations saw it.
+/** The step height between two planes in the individual observations.
  *
- * Where poses err, the observations of one floor lie at several heights, and what they
- * merge to are several planes. Within one observation the floor is one plane, and a true
- * step is a step. So observations that see both planes decide which of the two it is. */
+ * With pose errors, the observations of one floor lie at several heights, and the
+ * merged cloud contains several planes. Within one observation the floor is one plane,
+ * and a true step is visible as a step. Therefore the observations that contain both
+ * planes decide between these cases. */
 class ViewSteps {
 public:
   ViewSteps(const Survey& survey,
@@ -24,16 +25,17 @@ public:
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes);
 
-  /** Tells whether the observations that see both planes rule out that the part stands as
-   * far from the whole as it does in the map: they see less than half of that, and no more
-   * than one plane may deviate. False where no observation sees both.
-   * \param[in] gap metres, of the part from the plane of the whole in the map
-   * \param[in] tolerance metres; what one plane may deviate from itself */
+  /** Returns true if the observations that contain both planes rule out the offset that
+   * the part has from the whole in the map: the observed step is less than half of it,
+   * and at most the permitted deviation. Returns false if no observation contains both.
+   * \param[in] gap offset of the part from the plane of the whole in the map, metres
+   * \param[in] tolerance metres; maximum deviation between parts of one plane */
   bool
   ruleOut(double gap, double tolerance, std::size_t part, std::size_t whole) const;
 
 private:
-  /** The points of one plane in one observation, about the center of the plane's patch. */
+  /** The points of one plane in one observation, relative to the centre of the plane's
+   * patch. */
   struct Seen {
     std::int32_t observation;
     Moments moments;

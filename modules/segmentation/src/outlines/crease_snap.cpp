@@ -14,7 +14,7 @@ CreaseSnap::CreaseSnap(const labeling::CandidateGrid& grid,
 , reach_(reach)
 , lines_(planes.size())
 {
-  constexpr double least_sine = 0.3; // lines of flatter junctions lie too unsurely
+  constexpr double least_sine = 0.3; // lines of flatter junctions are too uncertain
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const Eigen::Vector4d& other = planes[p].patch.coefficients;
     const Eigen::Vector3d normal = other.head<3>();
@@ -43,8 +43,8 @@ CreaseSnap::corner(const Line& a,
   return (found - place).norm() < 1.5 * reach_;
 }
 
-/** Is the other plane there where the crease would be? Beside an opening its line goes on
- * without it. */
+/** Is the other plane really near the position of the crease? Beside an opening the
+ * intersection line continues without it. */
 bool
 CreaseSnap::isAt(const Eigen::Vector2d& place, std::size_t plane) const
 {
@@ -102,8 +102,8 @@ CreaseSnap::operator()(const Loop& loop) const
   return snapped;
 }
 
-/** Draws short stretches between points on one line to that line as well, from somewhat
- * farther off: the mesh frays where normals are mixed. */
+/** Moves short sequences of points between points on one line onto that line as well,
+ * with a larger reach: the mesh is ragged where normals are mixed. */
 void
 CreaseSnap::bridge(const Loop& loop,
                    const std::vector<std::int32_t>& line_of,

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::outlines {
 
-/** The frame of a patch: places in its plane, metres. */
+/** The frame of a patch: 2D positions in its plane, metres. */
 struct PatchFrame {
   const PlanePatch& patch;
 
@@ -23,8 +23,9 @@ struct PatchFrame {
   }
 };
 
-/** Moves the points of a rim onto the lines in which the plane meets other planes that are
- * near them, where those lines are within reach; into the corner where there are two. */
+/** Moves the points of a loop onto the intersection lines of its plane with other
+ * planes near them, if these lines are within reach; if there are two lines, into their
+ * corner. */
 class CreaseSnap {
 public:
   CreaseSnap(const labeling::CandidateGrid& grid,
@@ -32,17 +33,18 @@ public:
              std::size_t own,
              double reach);
 
-  /** A single point.
-   * \param[out] line number of the plane on whose line it is, -1 where it stayed */
+  /** Moves a single point.
+   * \param[out] line number of the plane whose line it was moved onto, -1 if it was not
+   * moved */
   Eigen::Vector2d
   moved(const Eigen::Vector2d& place, std::int32_t& line) const;
 
-  /** All points of a rim. */
+  /** Moves all points of a loop. */
   Loop
   operator()(const Loop& loop) const;
 
 private:
-  /** Where normal . place = offset, the normal of unit length. */
+  /** The line normal . place = offset with a unit normal. */
   struct Line {
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
     double offset = 0;
@@ -80,7 +82,7 @@ private:
   const labeling::CandidateGrid& grid_;
   PatchFrame frame_;
   double reach_;
-  std::vector<Line> lines_; ///< with each plane; zero where there is none
+  std::vector<Line> lines_; ///< for each plane; zero if there is none
 };
 
 } // namespace pcl::acmap::outlines

@@ -11,7 +11,7 @@ struct RimEdge {
   bool is_taken = false;
 };
 
-/** Edges with a triangle on their left only, by where they begin. */
+/** Edges with a triangle on their left only, sorted by their first vertex. */
 std::vector<std::pair<std::int32_t, std::int32_t>>
 rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
 {
@@ -27,8 +27,8 @@ rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
   return rim;
 }
 
-/** The edge by which a rim goes on from the end of another: the first one clockwise from
- * the way back, be it the one that the rim began with. */
+/** Returns the edge that continues a loop after another edge: the first one clockwise
+ * from the reversed edge, which may be the first edge of the loop. */
 RimEdge*
 nextEdge(std::vector<RimEdge>& rim,
          const RimEdge& first,

@@ -28,7 +28,7 @@ farthestFrom(const Loop& loop, const Eigen::Vector2d& point)
   return best;
 }
 
-/** Marks what is to be kept between two points that are kept. */
+/** Marks the points to be kept between two points that are kept. */
 void
 markKept(const Loop& loop,
          std::size_t begin,
@@ -58,7 +58,8 @@ markKept(const Loop& loop,
   }
 }
 
-/** \param[out] place where segments ab and cd cross inside of both */
+/** \param[out] place intersection of the segments ab and cd
+ * \return whether there is an intersection in the interior of both */
 bool
 segmentsCross(const Eigen::Vector2d& a,
               const Eigen::Vector2d& b,
@@ -76,8 +77,8 @@ segmentsCross(const Eigen::Vector2d& a,
   return true;
 }
 
-/** The first crossing of the segment that begins at \a i with a later one. \return where
- * that one begins, 0 for none */
+/** Finds the first intersection of the segment that begins at \a i with a later one.
+ * \return where that one begins, 0 for none */
 std::size_t
 firstCrossing(const Loop& loop, std::size_t i, Eigen::Vector2d& place)
 {
@@ -124,7 +125,8 @@ simplified(const Loop& loop, double tolerance)
 {
   if (loop.size() < 4)
     return loop;
-  // from a point that is surely a corner to the one farthest from it and back
+  // The loop is split at a point that is surely a corner and at the point farthest from
+  // it.
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& point : loop)
     middle += point / static_cast<double>(loop.size());

@@ -6,26 +6,26 @@
 
 namespace pcl::acmap::outlines {
 
-/** A closed line in a plane, metres; the last point joins the first. */
+/** A closed polygon in a plane, metres; the last point is connected to the first. */
 using Loop = std::vector<Eigen::Vector2d>;
 
-/** Positive where \a b points to the left of \a a. */
+/** Cross product, positive if \a b points to the left of \a a. */
 double
 cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/** Square metres, positive where it runs counter-clockwise. */
+/** Area in square metres, positive if the loop is counter-clockwise. */
 double
 signedArea(const Loop& loop);
 
 bool
 contains(const Loop& loop, const Eigen::Vector2d& point);
 
-/** Leaves points out as long as none of them was farther than \a tolerance from what is
- * left (Douglas and Peucker). */
+/** Removes points while all of them are within \a tolerance of the simplified loop
+ * (Douglas and Peucker). */
 Loop
 simplified(const Loop& loop, double tolerance);
 
-/** Cuts off the smaller side wherever the line crosses itself. */
+/** Removes self-crossings: at each one the smaller part is cut off. */
 Loop
 uncrossed(Loop loop);
 

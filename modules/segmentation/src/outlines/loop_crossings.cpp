@@ -16,8 +16,8 @@ struct Edge {
   std::size_t loop;
 };
 
-/** Cuts are off their edges by as much: nearer places are one, or each cut would make new
- * ones. */
+/** Rounding error of the distance between a cut and its edge. Places that are nearer to
+ * each other are merged; otherwise each cut would cause new ones. */
 double
 roundingOf(const std::vector<Loop>& loops)
 {
@@ -28,7 +28,7 @@ roundingOf(const std::vector<Loop>& loops)
   return 1e-12 * largest;
 }
 
-/** \brief Edges of loops between numbered places, cut where they meet. */
+/** \brief Edges of loops between numbered places, cut where they intersect. */
 class CutEdges {
 public:
   CutEdges(const std::vector<Loop>& loops, double distance)
@@ -43,25 +43,25 @@ public:
         edges_.push_back({first + i, first + (i + 1) % size, l});
     }
     merge();
-    // Cuts move edges by a little, so that they may meet others.
+    // Cuts move edges slightly, so that these may intersect others.
     constexpr int most_rounds = 20;
     for (int round = 0; round < most_rounds && cut(); ++round)
       merge();
   }
 
-  /** Whether a loop meets itself or another. */
+  /** Does a loop touch itself or another one? */
   bool
   isMet(std::size_t loop) const
   {
     return is_met_[loop] != 0;
   }
 
-  /** The edges of such loops that have surface on their left side only. */
+  /** The edges of such loops that have the surface on their left side only. */
   std::vector<std::pair<std::int32_t, std::int32_t>>
   rims() const
   {
     struct Net {
-      int count = 0; ///< up to down the numbers
+      int count = 0; ///< towards higher numbers minus reverse
       bool is_met = false;
     };
     std::map<std::pair<std::int32_t, std::int32_t>, Net> nets;
@@ -103,7 +103,8 @@ private:
     is_met_[a.loop] = is_met_[b.loop] = 1;
   }
 
-  /** Gives places that meet the number of the first of them. */
+  /** Merges places that are within the distance: they get the number of the first of
+   * them. */
   void
   merge()
   {
@@ -129,7 +130,7 @@ private:
       edge.from = same[static_cast<std::size_t>(edge.from)];
       edge.to = same[static_cast<std::size_t>(edge.to)];
     }
-    // A loop passes a place once, or meets itself or another there.
+    // If a place is passed twice, a loop touches itself or another one there.
     std::vector<const Edge*> passing(places_.size(), nullptr);
     for (const Edge& edge : edges_) {
       if (edge.from == edge.to) {
@@ -147,9 +148,9 @@ private:
                  edges_.end());
   }
 
-  /** Nearer than places are to each other by more than the square root of two, so that of
-   * three places one at most is near the edge of the others: else each would cut it for
-   * ever. */
+  /** Is a place near an edge? The threshold is smaller than the minimum distance
+   * between places by more than a factor of sqrt(2), so that among three places at most
+   * one is near the edge between the others; otherwise the cuts would never end. */
   bool
   isNear(const Edge& edge, std::int32_t place) const
   {
@@ -162,7 +163,7 @@ private:
            std::abs(cross(way, there)) <= distance_ / 2 * way.norm();
   }
 
-  /** Where two edges cross inside of both; -1 where they do not. */
+  /** Intersection in the interior of both edges, -1 for none. */
   std::int32_t
   crossing(const Edge& e, const Edge& f)
   {
@@ -203,7 +204,7 @@ private:
       meet(e, f);
   }
 
-  /** Cuts all edges once; whether there was anything to cut. */
+  /** Cuts all edges once. Returns true if there was anything to cut. */
   bool
   cut()
   {
@@ -254,13 +255,12 @@ private:
     pieces.push_back({from, edge.to, edge.loop});
   }
 
-  /** Whether there is surface on the left side, and none on the right, of an edge that is
-   * there so many times. */
+  /** Is the surface on the left side only of an edge that occurs \a count times? */
   bool
   isRim(const std::pair<std::int32_t, std::int32_t>& way, int count) const
   {
     const Place direction = at(way.second) - at(way.first);
-    // Turned, if need be, so that a ray along x leaves the edge.
+    // Rotated if necessary, so that a ray along x leaves the edge.
     const bool is_turned = std::abs(direction.x()) > std::abs(direction.y());
     const auto seen = [&](const Place& place) {
       return is_turned ? Place(place.y(), -place.x()) : place;
@@ -287,7 +287,7 @@ private:
   std::vector<std::uint8_t> is_met_;
 };
 
-/** Takes a rim apart where it comes back to a place. */
+/** Splits a rim at places to which it returns. */
 void
 appendSimple(const std::vector<std::int32_t>& rim,
              const std::vector<Place>& places,

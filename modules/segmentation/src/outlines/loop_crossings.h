@@ -4,11 +4,12 @@
 
 namespace pcl::acmap::outlines {
 
-/** Loops of a surface on their left, such that none crosses itself or another: those that
- * do are cut where they meet, and drawn anew round what they wind round. What they share is
- * then whole corners. Loops that keep their distance stay as they are.
- * \param[in] distance below which points meet, metres; well above rounding to floats.
- * Where doubles round to more it is that */
+/** Resolves intersections of loops that have a surface on their left: loops that cross
+ * or touch themselves or another one are cut at the intersections, and replaced by the
+ * boundaries of the area that they enclose. The results share complete vertices only.
+ * Loops that keep the distance are unchanged.
+ * \param[in] distance points within it are merged, metres; well above the rounding of
+ * floats. The rounding of doubles is its lower limit. */
 std::vector<Loop>
 disentangled(const std::vector<Loop>& loops, double distance);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Triangles = std::vector<TriangleMesh::Triangle>;
 
-/** For each plane the triangles with all corners on it. */
+/** For each plane the triangles that have all their vertices on it. */
 std::vector<Triangles>
 trianglesOfPlanes(const Triangles& triangles, const KnownPlanes& known)
 {
@@ -27,7 +27,8 @@ trianglesOfPlanes(const Triangles& triangles, const KnownPlanes& known)
   return of_planes;
 }
 
-/** The corners in the plane, and the triangles with their numbers, counter-clockwise. */
+/** Projects the vertices into the plane and renumbers the triangles accordingly; makes
+ * them counter-clockwise. */
 std::vector<Eigen::Vector2d>
 flatten(const PointView& points, const PatchFrame& frame, Triangles& triangles)
 {
@@ -53,7 +54,7 @@ flatten(const PointView& points, const PatchFrame& frame, Triangles& triangles)
   return places;
 }
 
-/** A rim drawn to the creases and simplified. */
+/** A boundary loop moved onto the creases and simplified. */
 Loop
 shaped(const Loop& loop, const CreaseSnap& snap, double tolerance)
 {
@@ -102,7 +103,7 @@ setPolygons(const std::vector<Loop>& shaped,
     if (signedArea(loop) > -least_area)
       continue;
     for (std::size_t r = rims.size(); r-- > 0;)
-      // in the middle of an edge: corners may touch the rim
+      // The middle of an edge is tested, because vertices may touch the rim.
       if (contains(*rims[r], (loop[0] + loop[1]) / 2)) {
         patch.polygons[r].holes.push_back(lift(loop, frame));
         patch.area += signedArea(loop);
@@ -133,8 +134,8 @@ meshLoops(const PointView& points,
   return loops;
 }
 
-/** A strip, or what is too small for a rim, as rectangles: the mesh is too coarse to show
- * its width, but shows where along its line there is some of it. */
+/** A strip, or a plane that is too small for an outline, as rectangles: the mesh is too
+ * coarse for its width, but it shows where along its axis the strip exists. */
 std::vector<Loop>
 rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 {
@@ -160,7 +161,7 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
     for (const Eigen::Vector2d& corner : plain)
       loop.push_back(snap.moved(corner, line));
     if (signedArea(loop) < signedArea(plain) / 2)
-      loop = plain; // both sides went to one line
+      loop = plain; // both sides were moved onto the same line
     loops.push_back(std::move(loop));
   }
   return loops;
@@ -174,7 +175,7 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
 {
   using namespace outlines;
   if (known.planes.empty())
-    return; // there may be no spacing either
+    return; // there may also be no spacing
   const labeling::CandidateGrid grid(known, known.spacing, 0);
   const double reach = 2 * known.spacing;
   const double least_area = 4 * known.spacing * known.spacing;
@@ -182,7 +183,7 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
     PlanePatch& patch = known.planes[p].patch;
     const CreaseSnap snap(grid, known.planes, p, reach);
-    patch.area = 0; // of the outlines now, of its members before
+    patch.area = 0; // of the outlines from here on; before, of its members
     if (known.planes[p].trust != PlaneTrust::Strip)
       setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
                   least_area,

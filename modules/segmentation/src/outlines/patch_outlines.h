@@ -9,13 +9,13 @@ namespace pcl::acmap {
 
 namespace outlines {
 
-/** Loops as polygons: each hole in the least rim around it. Holes and islands of a few
- * triangles are what the mesh happened to miss or to catch. Loops that were drawn to lines
- * and simplified each on its own may cross.
- * Adds to the patch's polygons and area.
+/** Converts loops to polygons and adds them to the patch, with their area: each hole is
+ * assigned to the smallest rim around it. Small holes and islands of a few triangles
+ * are artefacts of the mesh and are ignored. The loops may cross, because they were
+ * moved onto lines and simplified independently.
  * \param[in] shaped in the patch's frame, metres
- * \param[in] least_area of a polygon or a hole, square metres
- * \param[in] spacing metres; points a thousandth of it apart meet */
+ * \param[in] least_area minimum area of a polygon or a hole, square metres
+ * \param[in] spacing metres; points within a thousandth of it are merged */
 void
 setPolygons(const std::vector<Loop>& shaped,
             double least_area,
@@ -24,9 +24,9 @@ setPolygons(const std::vector<Loop>& shaped,
 
 } // namespace outlines
 
-/** Gives each plane its polygons: the rims of the mesh's faces on it, drawn to the lines in
- * which it meets its neighbours, simplified within a spacing. Openings stay open. The area
- * is that of the polygons. */
+/** Sets the polygons of each plane: the boundaries of its mesh faces, moved onto the
+ * intersection lines with its neighbours and simplified with a tolerance of one
+ * spacing. Openings are kept. The area of the plane is set to that of the polygons. */
 void
 outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known);
 

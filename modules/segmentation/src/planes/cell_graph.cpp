@@ -13,7 +13,7 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** Corners of triangles that can be used: others would poison sums. */
+/** Triangles with finite vertices only: others would spoil the sums. */
 std::vector<TriangleMesh::Triangle>
 finiteTriangles(const PlaneHypotheses& hypotheses)
 {
@@ -28,7 +28,7 @@ finiteTriangles(const PlaneHypotheses& hypotheses)
   return triangles;
 }
 
-/** Median coordinates, which one point far off does not move away from the others. */
+/** Median of each coordinate, which is robust against points far away. */
 Eigen::Vector3d
 middleOf(const std::vector<Eigen::Vector3d>& points)
 {
@@ -44,7 +44,7 @@ middleOf(const std::vector<Eigen::Vector3d>& points)
   return middle;
 }
 
-/** Of the lengths of the edges. */
+/** Mean length of the edges. */
 double
 meanEdge(const CellGraph& graph)
 {
@@ -57,8 +57,9 @@ meanEdge(const CellGraph& graph)
              : sum / static_cast<double>(graph.neighbours.size());
 }
 
-/** How far the points lie off the middle of their neighbours along their normal: the
- * median is that of flat surface, where a curved one would need strong curvature. */
+/** Noise of the points along their normals, from their offsets from the mean of their
+ * neighbours. The median is that of flat surfaces, unless most of the surface is
+ * strongly curved. */
 double
 localNoise(const CellGraph& graph)
 {
@@ -122,8 +123,8 @@ CellGraph::areaOf(const std::vector<std::int32_t>& members) const
   return area;
 }
 
-/** Without a mesh: whoever is within two spacings is a neighbour, and each point stands for
- * as much surface as any. */
+/** Without a mesh, points within two spacings are neighbours, and each point represents
+ * the same area. */
 void
 CellGraph::connectNear(const PointView& view, unsigned threads)
 {

@@ -5,15 +5,16 @@
 
 namespace pcl::acmap::planes {
 
-/** The hypotheses as doubles about their middle, with what the mesh says of them. */
+/** The hypotheses in double precision, relative to their median, with their neighbours
+ * and areas in the mesh. */
 struct CellGraph {
   /** \param[in] threads 0: all */
   CellGraph(const PlaneHypotheses& hypotheses, unsigned threads);
 
-  std::vector<Eigen::Vector3d> points;  ///< from the origin
+  std::vector<Eigen::Vector3d> points;  ///< relative to the origin
   std::vector<Eigen::Vector3f> normals; ///< NaN where there is none
-  std::vector<double> areas;            ///< square metres each one stands for
-  VertexNeighbours neighbours;          ///< in the mesh, or near
+  std::vector<double> areas;   ///< surface area that each one represents, square metres
+  VertexNeighbours neighbours; ///< in the mesh; without one, in a radius
   Eigen::Vector3d origin;
   double spacing = 0; ///< metres
   double sigma = 0;   ///< metres
@@ -30,7 +31,7 @@ struct CellGraph {
     return normals[i].x() == normals[i].x();
   }
 
-  /** Square metres that they stand for together. */
+  /** Total area of hypotheses, square metres. */
   double
   areaOf(const std::vector<std::int32_t>& members) const;
 

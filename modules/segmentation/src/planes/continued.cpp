@@ -7,15 +7,16 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** Where two regions meet. */
+/** The border between two regions. */
 struct Border {
-  std::size_t pairs = 0; ///< of hypotheses across it
+  std::size_t pairs = 0; ///< pairs of hypotheses across it
   double step = 0;       ///< metres, sum over the pairs
 };
 
 using Borders = std::map<std::pair<std::int32_t, std::int32_t>, Border>;
 
-/** Of regions within two edges of the mesh: hypotheses between them may be of neither. */
+/** Borders of regions that are within two edges of the mesh: hypotheses between them
+ * may belong to neither. */
 Borders
 bordersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
 {
@@ -42,12 +43,13 @@ bool
 goesOn(const Border& border, const GrownPlane& a, const GrownPlane& b, double distance)
 {
   const std::size_t smaller = std::min(a.members.size(), b.members.size());
-  // a border of a quarter of a square's rim has about as many edges as a side has points
+  // A square region has about as many pairs along one side as the square root of its
+  // size.
   return static_cast<double>(border.pairs) > std::sqrt(static_cast<double>(smaller)) &&
          std::abs(border.step) < distance / 2 * static_cast<double>(border.pairs);
 }
 
-/** \return whether one plane takes both */
+/** Merges two regions if one plane fits both. \return whether they were merged */
 bool
 joinWhereBent(const PlaneLimits& limits, double cosine, GrownPlane& a, GrownPlane& b)
 {

@@ -4,10 +4,10 @@
 
 namespace pcl::acmap::planes {
 
-/** Joins regions that go on in one another along a border without a step, where one plane
- * takes both within what builders and sensors bend a surface by: a floor of 40 m is no
- * mirror, but it is one floor.
- * \return number of regions that were taken in */
+/** Merges adjacent regions without a step between them, if one plane fits both within
+ * the usual bending of real surfaces and of sensor data: a floor of 40 m is not
+ * perfectly flat, but it is one floor.
+ * \return number of regions that were merged into others */
 std::size_t
 joinContinued(const CellGraph& graph,
               const PlaneLimits& limits,

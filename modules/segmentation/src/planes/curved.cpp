@@ -10,8 +10,8 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** Root mean square of what a bend explains of the distances from the plane: the quadratic
- * terms, free of offset and slopes. */
+/** Root mean square of that part of the distances from the plane that is explained by
+ * bending, i.e. by the quadratic terms without offset and slopes. */
 double
 bend(const CellGraph& graph,
      const std::vector<std::int32_t>& members,
@@ -43,17 +43,18 @@ bend(const CellGraph& graph,
     right += plane.distance(point) * terms;
   }
   const Terms fit = normal_matrix.ldlt().solve(right);
-  // what the fit lowers the sum of squares by, less what offset and slopes alone would
+  // Reduction of the sum of squares by the full fit, minus that by offset and slopes
+  // only.
   const Eigen::Vector3d linear = normal_matrix.topLeftCorner<3, 3>().ldlt().solve(
       Eigen::Vector3d(right.head<3>()));
   const double explained = fit.dot(right) - linear.dot(right.head<3>());
   return std::sqrt(std::max(explained, 0.0) / static_cast<double>(members.size()));
 }
 
-/** How the surface goes on beyond the rim of a region, as shares of its rim. */
+/** Continuation of the surface beyond the rim of a region, as fractions of its rim. */
 struct Surroundings {
-  double smooth = 0; ///< smoothly, but off the plane
-  double curved = 0; ///< smoothly, and there it is known to be curved
+  double smooth = 0; ///< smooth, but off the plane
+  double curved = 0; ///< smooth, and known to be curved there
 };
 
 Surroundings
@@ -100,13 +101,14 @@ isCurved(const CellGraph& graph,
   constexpr double least_curved = 0.35; // of the rim
   const Surroundings around = surroundingsOf(graph, members, owner, region, cosine);
   if (around.curved > least_curved)
-    return true; // what others left of a curved surface is too narrow to bend
+    return true; // the rest of a curved surface is too narrow to bend
   const std::vector<std::int32_t> inner = interior(graph, members, owner);
   constexpr std::size_t least_inner = 12;
   if (inner.size() < least_inner)
     return false;
-  // a parabola that just stays within the limits has a bend of 0.45 of them, and less
-  // where the region is but a few points wide; then all its rim has to tell the same
+  // A parabola that just stays within the limits has a bend of 0.45 times the limit,
+  // and less if the region is only a few points wide; then more of its rim has to be
+  // smooth.
   const double bent = bend(graph, inner, region.plane()) / region.distance();
   return (bent > 0.25 && around.smooth > 0.35) || (bent > 0.15 && around.smooth > 0.8);
 }

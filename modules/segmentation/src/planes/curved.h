@@ -4,11 +4,11 @@
 
 namespace pcl::acmap::planes {
 
-/** Owner of what lies on curved surfaces. */
+/** Owner of hypotheses on curved surfaces. */
 inline constexpr std::int32_t curved_surface = -2;
 
-/** Is the region a piece of a curved surface? It is when it bends as far as its limits let
- * it, and ends where the surface goes on beyond them. */
+/** Is the region a part of a curved surface? It is if it bends by as much as its limits
+ * permit, and ends where the surface continues beyond them. */
 bool
 isCurved(const CellGraph& graph,
          const std::vector<std::int32_t>& members,

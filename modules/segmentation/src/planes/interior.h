@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::planes {
 
-/** Those members all of whose neighbours in the mesh are of the region too: neither at its
- * rim nor in a strip too narrow to have a plane of its own. */
+/** Returns the members whose mesh neighbours are all in the same region: they are
+ * neither at its rim nor in a strip that is too narrow to define a plane. */
 inline std::vector<std::int32_t>
 interior(const CellGraph& graph,
          const std::vector<std::int32_t>& members,

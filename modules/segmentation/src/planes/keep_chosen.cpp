@@ -5,7 +5,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** \param[in,out] values one for each of an array, or none at all */
+/** \param[in,out] values one per element of an array, or empty */
 template <typename Value>
 void
 keep(const std::vector<std::int32_t>& chosen, std::vector<Value>& values)

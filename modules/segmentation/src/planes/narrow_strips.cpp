@@ -10,7 +10,7 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** Believed planes within two edges of the mesh, with how often. */
+/** Reliable planes within two edges of the mesh, with the number of contacts. */
 std::map<std::int32_t, std::size_t>
 neighbouringPlanes(const CellGraph& graph,
                    const std::vector<GrownPlane>& planes,
@@ -40,13 +40,13 @@ longAxis(const GrownPlane& strip)
 bool
 isNarrow(const Moments& moments, double spacing)
 {
-  constexpr double least_width = 1.2; // standard deviation: three points abreast
+  constexpr double least_width = 1.2; // standard deviation of three points side by side
   return std::sqrt(fitPlane(moments).variances[1]) < least_width * spacing;
 }
 
 namespace {
 
-/** The guess for one strip; as it was where nothing larger is near. */
+/** Guesses the plane of one strip; it is unchanged if there is no larger plane near. */
 void
 raise(const CellGraph& graph,
       const std::vector<GrownPlane>& planes,
@@ -70,7 +70,8 @@ raise(const CellGraph& graph,
   }
 }
 
-/** Do two strips run along one line? Where their cells are is unsure by half a spacing. */
+/** Are two strips on one line? The positions of their hypotheses are uncertain by half
+ * a spacing. */
 bool
 areInLine(const GrownPlane& a, const GrownPlane& b, double spacing)
 {
@@ -82,7 +83,7 @@ areInLine(const GrownPlane& a, const GrownPlane& b, double spacing)
          a.plane.normal.dot(b.plane.normal) > 0.5;
 }
 
-/** Does the strip run along the crease of two larger planes? Then it is the rounding of that
+/** Is the strip along the crease of two larger planes? Then it is the rounding of that
  * crease, not a surface between them. */
 bool
 isRounding(const CellGraph& graph,

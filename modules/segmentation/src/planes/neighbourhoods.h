@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::planes {
 
-/** Who shares an edge of the mesh, or is near where there is no mesh. */
+/** Points that share an edge of the mesh, or are near if there is no mesh. */
 class GraphNeighbourhood {
 public:
   explicit GraphNeighbourhood(const CellGraph& graph)
@@ -24,7 +24,7 @@ private:
   const VertexNeighbours& neighbours_;
 };
 
-/** Who is nearer than the paper's W_d. */
+/** Points within the paper's W_d. */
 class RadiusNeighbourhood {
 public:
   RadiusNeighbourhood(const CellGraph& graph, double radius)

@@ -12,7 +12,7 @@ namespace {
 
 using Members = std::vector<std::int32_t>;
 
-/** One run: who owns which hypothesis, and the planes so far. */
+/** State of one run: the owner of each hypothesis, and the planes so far. */
 class NoiseDrivenGrowth {
 public:
   NoiseDrivenGrowth(const CellGraph& graph,
@@ -55,9 +55,9 @@ public:
     });
   }
 
-  /** Walls are warped, and registered clouds laid double, by more than noise. Unlike a
-   * curved surface, which goes on smoothly beyond any band, such a wall ends at its own
-   * edges once the band is wide enough. */
+  /** Warped walls and misregistered clouds deviate by more than noise. Such a wall ends
+   * at its own edges if the band is wide enough, unlike a curved surface, which
+   * continues smoothly beyond any band. */
   void
   growWarped(const std::vector<std::int32_t>& seeds, PlaneLimits limits)
   {
@@ -123,7 +123,7 @@ private:
   std::vector<std::int32_t> owner_;
   std::vector<GrownPlane> grown_;
   std::int32_t next_ = 0; ///< number of the next region
-  bool is_wide_ = false;  ///< is the band wider than noise alone would have it?
+  bool is_wide_ = false;  ///< is the band wider than for noise alone?
 };
 
 } // namespace

@@ -4,9 +4,9 @@
 
 namespace pcl::acmap::planes {
 
-/** Regions over the mesh within the noise. First the large planes; then what remains is
- * grown again and kept as small ones and strips, which only the points can make planes.
- * Curved surfaces are taken out and counted. */
+/** Grows regions over the mesh within the noise. First the large planes are grown; then
+ * the remaining hypotheses are grown again and kept as small regions and strips, which
+ * have to be verified with the points. Curved surfaces are removed and counted. */
 std::vector<GrownPlane>
 growNoiseDriven(const CellGraph& graph,
                 const std::vector<std::int32_t>& seeds,

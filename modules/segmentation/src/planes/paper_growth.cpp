@@ -10,8 +10,9 @@ namespace pcl::acmap::planes {
 
 namespace {
 
-/** \brief Tells how far growing is, by the pairs of points that it has looked at: their
- * number, and so the time, grows with the square of the points within W_d. */
+/** \brief Reports the progress of growing by the number of point pairs that were
+ * visited: this number, and so the time, grows with the square of the number of points
+ * within W_d. */
 class PairProgress {
 public:
   PairProgress(const CellGraph& graph,
@@ -21,8 +22,7 @@ public:
   , is_closed_(graph.size(), false)
   {
     constexpr std::size_t samples = 100;
-    constexpr double visits =
-        2; // of a point: when it joins, and when all are looked at
+    constexpr double visits = 2; // per point: when it joins, and in the final check
     const std::size_t step = 1 + graph.size() / samples;
     std::size_t pairs = 0, points = 0;
     for (std::size_t i = 0; i < graph.size(); i += step, ++points)
@@ -35,7 +35,7 @@ public:
   addPairs(std::size_t pairs)
   {
     pairs_ += static_cast<double>(pairs);
-    constexpr double pairs_between = 1 << 22; // some hundredths of a second
+    constexpr double pairs_between = 1 << 22; // a few hundredths of a second
     if (pairs_ - told_ < pairs_between)
       return;
     told_ = pairs_;
@@ -44,8 +44,9 @@ public:
     progress_.tell(share_of_growth * share_, "growing");
   }
 
-  /** \brief Notes members of a region, which are no seeds any more. Where regions are
-   * refused, and their members looked at again, those to come take longer too. */
+  /** \brief Marks the members of a region, which are no longer seeds. If regions are
+   * rejected and their members are visited again, the estimate for the remaining points
+   * is increased. */
   void
   close(const std::vector<std::int32_t>& members)
   {
@@ -63,12 +64,12 @@ private:
   const Progress& progress_;
   std::vector<bool> is_closed_;
   std::size_t closed_ = 0;
-  double pairs_each_ = 0;       ///< to look at for a point that is open
-  double pairs_ = 0, told_ = 0; ///< looked at so far, and when it was last told
-  double share_ = 0;            ///< that was told; it never falls
+  double pairs_each_ = 0;       ///< expected per open point
+  double pairs_ = 0, told_ = 0; ///< visited so far, and at the last report
+  double share_ = 0;            ///< last reported; it never decreases
 };
 
-/** \brief Who is nearer than W_d, counted. */
+/** \brief Points within W_d; the visited pairs are counted. */
 class CountedNeighbourhood {
 public:
   CountedNeighbourhood(const RadiusNeighbourhood& near, PairProgress& progress)

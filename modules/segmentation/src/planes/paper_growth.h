@@ -4,11 +4,12 @@
 
 namespace pcl::acmap::planes {
 
-/** The paper's hypotheses (II-C.2): a point supports a plane when it is nearer than W_d to
- * one of its points, W_n to its normal and W_t to the plane, which follows with every
- * supporter; with more than W_h of them it is accepted.
- * \param[in] progress is told from 0 to 0.85, now and then
- * \throws CancelledException when it was told to stop */
+/** Grows planes as in the paper (II-C.2): a point supports a plane if it is within W_d
+ * of one of its points, within W_n of its normal and within W_t of the plane, which is
+ * fitted again after every supporter, from the twelfth on. A plane with more than W_h
+ * supporters is accepted.
+ * \param[in] progress reported from 0 to 0.85 from time to time
+ * \throws CancelledException when the progress callback requested to stop */
 std::vector<GrownPlane>
 growAsPaper(const CellGraph& graph,
             const std::vector<std::int32_t>& seeds,

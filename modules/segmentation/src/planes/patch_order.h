@@ -4,7 +4,7 @@
 
 namespace pcl::acmap::planes {
 
-/** Sorts the patches by falling area; the labels follow. */
+/** Sorts the patches by decreasing area and updates the labels. */
 void
 sortByArea(PlaneClusters& clusters);
 

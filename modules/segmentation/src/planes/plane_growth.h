@@ -9,15 +9,15 @@ namespace pcl::acmap::planes {
 /** A region that became a plane. */
 struct GrownPlane {
   std::vector<std::int32_t> members;
-  Moments moments; ///< of the members, frame of the graph
+  Moments moments; ///< of the members, in the frame of the graph
   Plane plane;
-  double area = 0; ///< square metres the members stand for
+  double area = 0; ///< area of the members, square metres
   PlaneTrust trust = PlaneTrust::Sure;
   double warp = 0; ///< metres, see KnownPlane
 };
 
-/** Drops members that the plane of all of them refuses and grows on from the others,
- * until nothing changes. */
+/** Removes members that do not fit the plane of all members and grows again from the
+ * others, until nothing changes, in at most five rounds. */
 template <typename Neighbours>
 void
 settleRegion(const Neighbours& neighbours,
@@ -46,8 +46,8 @@ settleRegion(const Neighbours& neighbours,
     region.setMembers(members);
 }
 
-/** Calls accept (members, region) for each grown region, in the order of the seeds; what
- * it refuses (false) is free again, but is no seed any more.
+/** Calls accept (members, region) for each grown region, in the order of the seeds. If
+ * it returns false, the members are free again, but are no longer used as seeds.
  * \param[in,out] next number of the next region */
 template <typename Neighbours, typename Accept>
 void

@@ -23,7 +23,7 @@ namespace pcl::acmap {
 namespace planes {
 namespace {
 
-/** Hypotheses off creases, the flattest first. */
+/** Hypotheses that are not at creases, in order of increasing curvature. */
 std::vector<std::int32_t>
 orderSeeds(const PlaneHypotheses& hypotheses, const CellGraph& graph)
 {
@@ -50,8 +50,8 @@ automaticDistance(const CellGraph& graph)
   return std::max(sigmas * graph.sigma, spacings * graph.spacing);
 }
 
-/** A tenth of a square metre in a building; a scan of a desk has planes too, and of all its
- * surface a small part is enough. */
+/** A tenth of a square metre for buildings; for small scenes, such as the scan of a
+ * desk, a small fraction of the total surface. */
 double
 automaticArea(const CellGraph& graph)
 {
@@ -60,7 +60,7 @@ automaticArea(const CellGraph& graph)
   return std::min(of_buildings, share * surface);
 }
 
-/** All regions, those of one plane joined. */
+/** Grows all regions and merges those of one plane. */
 std::vector<GrownPlane>
 growAll(const CellGraph& graph,
         const std::vector<std::int32_t>& seeds,
@@ -84,12 +84,12 @@ growAll(const CellGraph& graph,
   if (limits.bow > 0)
     report.merged += joinContinued(graph, limits, merge_cosine, grown);
   raiseStrips(graph, grown);
-  const double noise = automaticDistance(graph); // W_t may be far above it
+  const double noise = automaticDistance(graph); // W_t may be much larger
   widenRims(graph, std::min(limits.distance, noise), grown);
   return grown;
 }
 
-/** As the hypotheses grew them, in their frame. */
+/** Converts the grown planes to the frame of the hypotheses. */
 KnownPlanes
 knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
 {
@@ -100,7 +100,8 @@ knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
     const Plane& plane = grown[p].plane;
     PlanePatch patch;
     patch.coefficients << plane.normal, plane.offset - plane.normal.dot(graph.origin);
-    // that of members on a line, to which no plane was fitted, may be beside the plane
+    // The mean of members on a line, to which no plane was fitted, may be off the
+    // plane.
     const Eigen::Vector3d middle = grown[p].moments.mean();
     patch.center = middle - plane.distance(middle) * plane.normal + graph.origin;
     patch.axis_u = plane.normal.unitOrthogonal();
@@ -114,7 +115,7 @@ knownPlanes(const CellGraph& graph, const std::vector<GrownPlane>& grown)
   return known;
 }
 
-/** Without a source nobody can judge small ones and strips. */
+/** Removes small regions and strips, which cannot be verified without a source. */
 void
 dropUnsure(KnownPlanes& known, PlaneClusteringReport& report)
 {
@@ -132,8 +133,8 @@ dropUnsure(KnownPlanes& known, PlaneClusteringReport& report)
     label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
 }
 
-/** Patches that look like layers of a quantised depth: parallel to others like them, and
- * with far fewer points than their area asks for. */
+/** Counts patches that look like layers of a quantised depth: they are parallel to
+ * other such patches and have far fewer points than their area requires. */
 std::size_t
 countLayers(const std::vector<PlanePatch>& patches, double spacing)
 {
@@ -154,7 +155,7 @@ countLayers(const std::vector<PlanePatch>& patches, double spacing)
       }));
 }
 
-/** Counts, and the reason where nothing was found. */
+/** Sets counts and remarks, with the reason if no planes were found. */
 void
 describe(const PlaneClusters& clusters,
          const PlaneHypotheses& hypotheses,
@@ -193,8 +194,8 @@ describe(const PlaneClusters& clusters,
         " are curved; the points may be too far apart, too noisy, or on no plane");
 }
 
-/** What growing goes by; noise may bow and warp a plane where nobody says how far off it
- * points may be. */
+/** Limits of growing. Bending and warping of planes is permitted if noise-driven and no
+ * plane distance is set. */
 PlaneLimits
 growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
 {
@@ -212,7 +213,7 @@ growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
   return limits;
 }
 
-/** Labels and patches, without what else was known on the way. */
+/** Moves labels and patches to the result, without intermediate data. */
 void
 takeOver(KnownPlanes&& known, PlaneClusters& clusters)
 {
@@ -269,7 +270,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
     else {
       dropUnsure(known, report);
-      labeling.coarseness = 3; // consolidated points share windows with neighbours
+      labeling.coarseness = 3; // windows of neighbouring consolidated points overlap
       fitLabeled(known.points, SensorView(), labeling, known);
     }
     if (settings.regular) {

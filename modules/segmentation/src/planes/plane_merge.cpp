@@ -7,7 +7,7 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** Of points with such moments about a plane. */
+/** Mean squared distance of points with the given moments from a plane. */
 double
 meanSquare(const Moments& m, const Plane& plane)
 {
@@ -49,8 +49,9 @@ ownersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
 
 namespace {
 
-/** The normal of the largest plane that is as good as parallel: a small patch cannot tell
- * where its plane lies ten metres on, but a wall beside it knows the direction. */
+/** The normal of the largest plane that is parallel within the tolerances: a small
+ * patch does not determine its plane ten metres away, but a parallel wall provides the
+ * direction. */
 Eigen::Vector3d
 surestNormal(const std::vector<GrownPlane>& planes,
              const GrownPlane& patch,
@@ -72,8 +73,8 @@ surestNormal(const std::vector<GrownPlane>& planes,
   return own;
 }
 
-/** The common plane, where there is one. Under a free normal any two small patches far
- * apart would have one. */
+/** Computes the common plane, if there is one. With a free normal, any two small
+ * patches far apart would have one. */
 bool
 fitsTogether(const GrownPlane& a,
              const GrownPlane& b,
@@ -125,7 +126,8 @@ mergePlanes(std::vector<GrownPlane>& planes, double cosine, double distance)
     return a.trust != b.trust ? a.trust < b.trust : a.area > b.area;
   });
   std::size_t merged = 0;
-  // a plane that has grown takes in what it could not before: again until nothing changes
+  // A larger plane may absorb what it could not absorb before, so repeat until nothing
+  // changes.
   for (std::size_t before = merged + 1; before != merged;) {
     before = merged;
     for (std::size_t i = 0; i < planes.size(); ++i) {

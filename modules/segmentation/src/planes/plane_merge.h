@@ -4,14 +4,15 @@
 
 namespace pcl::acmap::planes {
 
-/** Joins regions of one plane, however far apart: where their normals agree within
- * \a cosine and a common plane takes the points of both within \a distance (root mean
- * square). Larger ones take in smaller ones.
- * \return number of regions that were taken in */
+/** Merges regions of one plane, however far apart: their normals have to agree within
+ * \a cosine, and a common plane has to fit the points of both within \a distance (root
+ * mean square). Smaller regions are merged into larger ones.
+ * \return number of regions that were merged into others */
 std::size_t
 mergePlanes(std::vector<GrownPlane>& planes, double cosine, double distance);
 
-/** How much worse a plane fits a region than its own one, metres. */
+/** Additional root mean square distance of a region from a plane instead of its own
+ * one, metres. */
 double
 excess(const GrownPlane& grown, const Plane& plane);
 

@@ -18,21 +18,22 @@ struct Plane {
   }
 };
 
-/** What may join a plane. */
+/** Limits for points to join a plane. */
 struct PlaneLimits {
   double distance = 0; ///< W_t, metres
   double cosine = 0;   ///< of W_n
   bool refit_always = false;
 
-  /** What builders and sensors bend a surface by, as a share of its extent, and at most so
-   * much, metres. */
+  /** Permitted bending of real surfaces and sensor data, as a fraction of the extent,
+   * and its maximum in metres. */
   double bow = 0;
   double most_bow = 0;
 
-  double most_warp = 0; ///< what a surface without a step may be off its plane, metres
+  double most_warp = 0; ///< deviation of a surface without a step, metres
 };
 
-/** Region of a plane: members add to its moments, and the plane follows them. */
+/** Region of a plane: moments are updated with each member, and the plane is fitted to
+ * them. */
 class PlaneRegion {
 public:
   PlaneRegion(const CellGraph& graph, const PlaneLimits& limits, std::size_t seed);
@@ -44,7 +45,7 @@ public:
            std::abs(plane_.distance(graph_->points[i])) < distance_;
   }
 
-  /** Metres; W_t, or more for a large region where noise decides. */
+  /** W_t in metres, or more for large regions if bending is permitted. */
   double
   distance() const
   {
@@ -54,11 +55,11 @@ public:
   void
   add(std::size_t i);
 
-  /** Takes exactly these as members. */
+  /** Replaces the members. */
   void
   setMembers(const std::vector<std::int32_t>& members);
 
-  /** Follows the members, unless they do not fix a plane. */
+  /** Fits the plane to the members, unless they do not define a plane. */
   void
   refit();
 
@@ -83,7 +84,7 @@ private:
   double refit_at_;
 };
 
-/** The plane of least squares, to the side of \a front. */
+/** The least squares plane, with its normal towards the side of \a front. */
 Plane
 planeThrough(const PlaneFit& fit, const Eigen::Vector3d& front);
 

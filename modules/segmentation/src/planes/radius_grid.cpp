@@ -28,7 +28,7 @@ RadiusGrid::isBefore(const Member& member, const Cube& cube)
 RadiusGrid::Cube
 RadiusGrid::cubeOf(const Eigen::Vector3d& place) const
 {
-  // far out all cubes are one: it costs time, not points
+  // Far away all cubes are one: this costs time, but no points are lost.
   const auto along = [&](double coordinate) {
     return static_cast<std::int64_t>(std::clamp(coordinate / radius_, -1e15, 1e15) -
                                      (coordinate < 0 ? 1 : 0));

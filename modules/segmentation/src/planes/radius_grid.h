@@ -8,16 +8,16 @@
 
 namespace pcl::acmap::planes {
 
-/** Points in cubes of one radius, so that all within the radius of a place are in 27 of
- * them. Points that are not finite are in none. */
+/** Points in cubes with the radius as edge length: all points within the radius of a
+ * position are in 27 of them. Points that are not finite are omitted. */
 class RadiusGrid {
 public:
-  /** \param[in] points must outlive this
+  /** \param[in] points must outlive this object
    * \param[in] radius metres, above 0 */
   RadiusGrid(const std::vector<Eigen::Vector3d>& points, double radius);
 
-  /** Calls visit (number) for each point nearer than the radius; none is near a place
-   * that is not finite. */
+  /** Calls visit (number) for each point that is nearer than the radius; for none if
+   * the position is not finite. */
   template <typename Visit>
   void
   visitNear(const Eigen::Vector3d& place, const Visit& visit) const
@@ -56,7 +56,7 @@ private:
 
   const std::vector<Eigen::Vector3d>& points_;
   double radius_;
-  std::vector<Member> members_; ///< by cube, then by number
+  std::vector<Member> members_; ///< sorted by cube, then by number
 };
 
 } // namespace pcl::acmap::planes

@@ -10,9 +10,8 @@ namespace pcl::acmap::planes {
 namespace {
 
 constexpr double deviations = 3;
-constexpr double least_turn =
-    1e-4; // radians; where the covariance is too sure of itself
-constexpr double most_turn = 0.0175; // a degree
+constexpr double least_turn = 1e-4;  // radians; for covariances that are too small
+constexpr double most_turn = 0.0175; // one degree
 
 double
 allowedTurn(const PlanePatch& patch)
@@ -29,8 +28,9 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/** The nearest normal that is parallel to a direction, or else at right angles to those
- * that are nearly so; turned by no more than \a turn in all. */
+/** Returns the nearest normal that is parallel to a direction, or otherwise
+ * perpendicular to those that are nearly perpendicular to it. The total rotation is at
+ * most \a turn. */
 Eigen::Vector3d
 regularNormal(const Eigen::Vector3d& normal,
               const std::vector<Eigen::Vector3d>& directions,
@@ -40,7 +40,7 @@ regularNormal(const Eigen::Vector3d& normal,
     if (normal.cross(direction).norm() < std::sin(turn))
       return normal.dot(direction) < 0 ? Eigen::Vector3d(-direction) : direction;
   Eigen::Vector3d turned = normal;
-  std::vector<Eigen::Vector3d> upright; // at right angles to one another
+  std::vector<Eigen::Vector3d> upright; // orthogonal to each other
   for (const Eigen::Vector3d& direction : directions) {
     if (upright.size() == 2 || std::abs(normal.dot(direction)) > std::sin(turn))
       continue;

@@ -4,15 +4,14 @@
 
 namespace pcl::acmap::planes {
 
-/** What \ref makeRegular did. */
+/** Result of \ref makeRegular. */
 struct Regularity {
   std::size_t turned = 0;
   double largest_turn = 0; ///< radians
 };
 
-/** Turns planes about their centres to be exactly parallel or at right angles to larger
- * ones, as far as their own uncertainty allows: three standard deviations, a degree at
- * most. */
+/** Rotates planes about their centres to be exactly parallel or perpendicular to larger
+ * ones, by at most three standard deviations of their tilt and at most one degree. */
 Regularity
 makeRegular(std::vector<KnownPlane>& planes);
 

@@ -5,7 +5,8 @@
 namespace pcl::acmap::planes {
 namespace {
 
-/** The planes' rims in the order of their members; who is first gets the point. */
+/** Adds one ring of points to a plane, in the order of its members; a point belongs to
+ * the first plane that takes it. */
 void
 addRing(const CellGraph& graph,
         double distance,

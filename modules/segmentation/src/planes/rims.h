@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::planes {
 
-/** Gives points beside a plane in the mesh, that lie on it but whose normals are mixed or
- * missing, to that plane: two rings of them.
+/** Assigns points to an adjacent plane in the mesh if they are on it but their normals
+ * are mixed or missing: two rings of them.
  * \param[in] distance metres */
 void
 widenRims(const CellGraph& graph, double distance, std::vector<GrownPlane>& planes);

@@ -22,14 +22,14 @@ SideFrame::SideFrame(const PointTree& tree,
 
 namespace {
 
-/** \brief Can a search in floats count in units of this length? */
+/** \brief Can a search in floats use this length as its unit? */
 bool
 isWithinFloats(double length)
 {
   return length > 1e-37 && length < 1e37;
 }
 
-/** \brief The nearest apex among points looked at one by one. */
+/** \brief Keeps the nearest apex among points that are tested one by one. */
 class NearestApex {
 public:
   NearestApex(const PointTree& tree, const SizeConstraint& size, const SideFrame& side)
@@ -38,7 +38,7 @@ public:
   , side_(side)
   {}
 
-  /** \brief True when the point is the nearest so far. */
+  /** \brief Returns true if the point is the nearest so far. */
   bool
   consider(std::int32_t i)
   {
@@ -63,8 +63,8 @@ private:
   Apex best_;
 };
 
-/** \brief The same without lanes, for more ties than the search has room for and for what
- * leaves the floats. */
+/** \brief Search without SIMD, for more ties than the result can hold and for values
+ * outside of the range of floats. */
 std::int32_t
 findApexOneByOne(const PointTree& tree,
                  const SizeConstraint& size,
@@ -79,7 +79,8 @@ findApexOneByOne(const PointTree& tree,
       if (i == side.a || i == side.b || passed_over.contains(tree, i) ||
           !nearest.consider(i))
         continue;
-      // All better apexes lie in balls through a and b, hence within this of the middle.
+      // All better apexes are in balls through a and b, hence within this distance of
+      // the middle.
       const double t = h * nearest.best().dot / nearest.best().cross;
       radius = std::min(radius, t > 0 ? t + std::sqrt(t * t + h * h) : h);
     }

@@ -10,14 +10,14 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief An open side with what the search for its next triangle needs of it. */
+/** \brief An open edge with the data for the search of its next triangle. */
 struct SideFrame {
   std::int32_t a, b;
   Eigen::Vector3d origin;  ///< position of a
   Eigen::Vector3d u;       ///< b - a
-  Eigen::Vector3d outward; ///< unit, in the plane of its triangle, away from it
+  Eigen::Vector3d outward; ///< unit, in the plane of its triangle, off it
   double half_length;
-  double longest; ///< edge allowed at both ends
+  double longest; ///< maximum edge length at both ends
 
   SideFrame(const PointTree& tree,
             const SizeConstraint& size,
@@ -26,11 +26,12 @@ struct SideFrame {
             std::int32_t opposite);
 };
 
-/** \brief Points that a search for an apex passes over. */
+/** \brief Points that are skipped in a search for an apex. */
 struct PassedOver {
-  std::int32_t point = -1; ///< one of them
+  std::int32_t point = -1; ///< a single one, -1 for none
 
-  /** Bits of the points of each leaf, looked at between the two leaves. */
+  /** Bits of the points of each leaf; used for the leaves from first_leaf to before
+   * end_leaf. */
   const std::uint16_t* masks = nullptr;
   std::int32_t first_leaf = 0, end_leaf = 0;
 
@@ -43,26 +44,27 @@ struct PassedOver {
   }
 };
 
-/** \brief The search for the apex over a side, in float. */
+/** \brief Returns the query in floats for the apex over an edge. */
 ApexQuery
 apexQuery(const PointTree& tree,
           const SizeConstraint& size,
           const SideFrame& side,
           const PassedOver& passed_over);
 
-/** \brief The search for points inside the smallest sphere through three, in float. */
+/** \brief Returns the query in floats for points inside the smallest sphere through
+ * three points. */
 BallQuery
 ballQuery(const PointTree& tree,
           const std::array<std::int32_t, 3>& corners,
           const Sphere& sphere);
 
-/** \brief Is the apex in the valid half-space beyond plane beta and within the size
- * constraint? */
+/** \brief Is the apex in the valid half-space beyond plane beta, and does it satisfy
+ * the size constraint? */
 bool
 isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& apex);
 
-/** \brief Farthest a point may be from the middle of a side under the size constraint.
- */
+/** \brief Maximum distance of a point from the middle of an edge under the size
+ * constraint. */
 inline double
 reachFromMiddle(const SideFrame& side)
 {
@@ -70,9 +72,10 @@ reachFromMiddle(const SideFrame& side)
       std::max(0.0, side.longest * side.longest - side.half_length * side.half_length));
 }
 
-/** \brief Finds the Delaunay-nearest point over a side: the largest angle a p b in the
- * valid half-space beyond plane beta, under the size constraint ([P] II-C.1).
- * \return its index, -1 where there is none */
+/** \brief Finds the Delaunay-nearest point over an edge: the point with the largest
+ * angle a p b in the valid half-space beyond plane beta, under the size constraint ([P]
+ * II-C.1).
+ * \return its index, -1 if there is none */
 std::int32_t
 findApex(const PointTree& tree,
          const SizeConstraint& size,
@@ -87,7 +90,7 @@ sphereOf(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
       tree.position(corners[0]), tree.position(corners[1]), tree.position(corners[2]));
 }
 
-/** \brief The paper's Delaunay condition: no point lies inside the smallest sphere
+/** \brief The paper's Delaunay condition: no point is inside the smallest sphere
  * through three others, up to \ref sphere_tolerance. */
 bool
 isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners);

@@ -5,14 +5,15 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Visits the leaves that a ball touches, near ones first.
+/** \brief Visits the leaves that intersect a ball, near ones first.
  *
- * \param[in] start a point near the centre, where the walk begins
+ * \param[in] start a point near the centre, where the traversal begins
  * \param[in] centre of the ball
- * \param[in] radius read anew after each visit, which may shrink it; negative ends the
- * walk
- * \param[in] keep (level, group) gives a bit for each member of a group worth a visit
- * \param[in] visit (leaf, index of its first point, index after its last) */
+ * \param[in] radius it is read again after each visit, which may shrink it; a negative
+ * value ends the traversal
+ * \param[in] keep_members (level, group) returns a bit for each member of a group that
+ * has to be visited
+ * \param[in] visit_leaf (leaf, index of its first point, index after its last) */
 template <typename Keep, typename Visit>
 void
 visitBall(const PointTree& tree,
@@ -45,7 +46,7 @@ visitBall(const PointTree& tree,
   walkTree(tree.cells(), visitor, tree.leafOf(start));
 }
 
-/** \brief The same for all leaves. */
+/** \brief Visits all leaves that intersect a ball. */
 template <typename Visit>
 void
 visitBall(const PointTree& tree,

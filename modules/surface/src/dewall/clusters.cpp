@@ -7,8 +7,8 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Joins points by triangles, then across and within leaves, looking at no pair
- * that is joined. */
+/** \brief Connects points by triangles, then within and between leaves; pairs that are
+ * already connected are skipped. */
 class Clustering {
 public:
   Clustering(const PointTree& tree,
@@ -24,7 +24,7 @@ public:
         sets_.unite(triangle.corners[0], triangle.corners[1]);
         sets_.unite(triangle.corners[0], triangle.corners[2]);
       }
-    // Of two sets one at least is not the largest: that one looks for the other.
+    // Of two sets, at least one is not the largest; this one searches for the other.
     const std::int32_t largest = memberOfLargest();
     for (std::int32_t leaf = 0; leaf < tree.leafCount(); ++leaf)
       if (!isWithin(leaf, largest)) {
@@ -56,7 +56,7 @@ private:
     return sets_.find(tree_.firstOfLeaf(leaf)) == sets_.find(member) && isOneSet(leaf);
   }
 
-  /** \brief Are all points of a leaf joined? Once they are they stay so. */
+  /** \brief Are all points of a leaf connected? Once they are, they remain so. */
   bool
   isOneSet(std::int32_t leaf)
   {
@@ -101,7 +101,7 @@ private:
   const PointTree& tree_;
   const SizeConstraint& size_;
   DisjointSets sets_;
-  std::vector<bool> is_one_set_; ///< of each leaf
+  std::vector<bool> is_one_set_; ///< for each leaf
 };
 
 } // namespace

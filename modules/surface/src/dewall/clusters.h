@@ -5,10 +5,11 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Number of connected clusters of at least three points ([P] II-C.1): points are
- * connected when a chain of edges within the size constraint joins them. No triangle
- * joins two clusters; the front starts anew in each, so that they need not be known
- * before, and counting starts from what the triangles joined. */
+/** \brief Returns the number of connected clusters of at least three points ([P]
+ * II-C.1): two points are connected if there is a chain of edges between them that
+ * satisfies the size constraint. No triangle connects two clusters. The front is seeded
+ * again in each cluster, so the clusters need not be known before, and counting starts
+ * from the points that are connected by triangles. */
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,

@@ -25,8 +25,8 @@ namespace dewall {
 
 namespace {
 
-/** \brief Tells the progress now and then, by the share of the sides worked off, from
- * the thread that called; the tasks of other threads only count. */
+/** \brief Reports the progress from time to time as the fraction of processed edges,
+ * only from the calling thread; the tasks of other threads only count. */
 class Ticker {
 public:
   Ticker(const Progress& progress, std::int32_t points)
@@ -72,8 +72,8 @@ whyEmpty(const SizeConstraint& size)
   return reason.str();
 }
 
-/** \brief Small blocks that were freed stay with the process where the C library is not
- * asked. */
+/** \brief Requests the C library to return freed small blocks, which otherwise remain
+ * with the process. */
 void
 returnFreeMemory()
 {
@@ -92,7 +92,8 @@ remarkOnSearch(const Spacing& spacing, DeWallReport& report)
                              " points; the nearest ones were taken there");
 }
 
-/** \brief Those of the parts and those that came last. Counts what the parts refused. */
+/** \brief Returns the triangle lists of the parts and of the last passes, and counts
+ * the rejections of the parts. */
 std::vector<TriangleList>
 listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
 {
@@ -150,7 +151,7 @@ triangulate(const PointView& view,
       finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
   const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
   timer.finish("last passes");
-  arrays.edges.clear(); // the rest needs the triangles alone
+  arrays.edges.clear(); // only the triangles are needed from here on
   returnFreeMemory();
   report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");

@@ -30,7 +30,7 @@ public:
     slots_.assign(slots, -1);
   }
 
-  /** \brief False when a point of the list has this position already. */
+  /** \brief Returns false if a point of the list already has this position. */
   bool
   insert(const std::vector<SourcePoint>& points, const std::array<float, 3>& position)
   {
@@ -64,7 +64,7 @@ distinctPoints(const PointView& view, DeWallReport& report)
       ++report.invalid_points;
       continue;
     }
-    // Adding zero makes -0 and 0 one position.
+    // Adding zero converts -0 to 0.
     const std::array<float, 3> position{p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f};
     if (seen.insert(points, position))
       points.push_back({position, view.index(i)});

@@ -7,8 +7,8 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief The finite points of a view without repetitions: of equal ones the first
- * stays. Fills the report's counts of points left out. */
+/** \brief Returns the finite points of a view without repetitions: the first of equal
+ * points is kept. The report's counts of skipped points are set. */
 std::vector<SourcePoint>
 distinctPoints(const PointView& view, DeWallReport& report);
 

@@ -10,17 +10,16 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief What is known of an edge of the mesh. */
+/** \brief An edge of the mesh. */
 struct Edge {
   static constexpr std::uint32_t largest_component = (1u << 29) - 1;
 
-  std::int32_t high; ///< its end of higher index; the list it stands in is the lower
-  std::int32_t next; ///< in that list, -1 at its end
-  std::int32_t opposites; ///< third corners of its triangles, combined by exclusive or
-  std::uint32_t component : 29; ///< of its first triangle
-  std::uint32_t
-      ascending : 1; ///< that runs through it from the lower to the higher end
-  std::uint32_t triangles : 2; ///< at it, at most 2 under the guard; 3: more
+  std::int32_t high;      ///< its higher end; the edge is in the list of its lower end
+  std::int32_t next;      ///< next edge in this list, -1 at the end
+  std::int32_t opposites; ///< XOR of the third corners of its triangles
+  std::uint32_t component : 29; ///< component of its first triangle
+  std::uint32_t ascending : 1;  ///< its first triangle runs from lower to higher end
+  std::uint32_t triangles : 2;  ///< their number, at most 2 with the guard; 3: more
 
   std::int32_t
   componentNumber() const
@@ -41,14 +40,15 @@ struct Edge {
   }
 };
 
-/** \brief Room for edges that tasks fill side by side; an edge keeps its place. */
+/** \brief Storage of edges that is filled by concurrent tasks; the index of an edge
+ * does not change. */
 class EdgePool {
 public:
   explicit EdgePool(std::int32_t points)
   : blocks_(64 + static_cast<std::size_t>(points) / (block_size / 24))
   {}
 
-  /** \brief Forgets all edges. */
+  /** \brief Removes all edges. */
   void
   clear()
   {
@@ -64,7 +64,7 @@ public:
                   [static_cast<std::size_t>(e) % block_size];
   }
 
-  /** \brief Hands out new edges of one task, block by block. */
+  /** \brief Allocates new edges for one task, block by block. */
   class Cursor {
   public:
     explicit Cursor(EdgePool& pool)
@@ -84,7 +84,7 @@ public:
         pool_->spare_.emplace_back(edge, edge + 1);
     }
 
-    /** \brief Takes an edge back that is in no list any more. */
+    /** \brief Frees an edge that is no longer in a list. */
     void
     giveBack(std::int32_t edge)
     {
@@ -113,7 +113,7 @@ public:
 private:
   static constexpr std::size_t block_size = 1024;
 
-  /** \brief What is left of a block by another task, or a new one. */
+  /** \brief Returns the rest of a block of another task, or a new block. */
   std::pair<std::int32_t, std::int32_t>
   takeRun()
   {

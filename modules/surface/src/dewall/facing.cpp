@@ -13,8 +13,8 @@ usableNormal(const Eigen::Vector3f& normal)
   return std::abs(normal.norm() - 1) < tolerance ? normal : Eigen::Vector3f::Zero();
 }
 
-/** Points that follow each other in the tree are neighbours: nearly all of them look the
- * same way, unless the normals have random signs. */
+/** Consecutive points in the tree are neighbours: nearly all of them have similar
+ * directions, unless the signs of the normals are random. */
 bool
 neighboursAgree(const std::vector<Eigen::Vector3f>& directions)
 {

@@ -9,20 +9,21 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief The side from which each point was seen, where that is known: a direction off
- * the surface. Where it is, the mesh is oriented by it from its first triangle on, and no
- * component ever has to be turned over. */
+/** \brief For each point, the direction towards the side from which it was measured, if
+ * known. If it is known, the mesh is oriented by it from the first triangle on, and no
+ * component ever has to be flipped. */
 class Facing {
 public:
-  /** \brief Nothing is known. */
+  /** \brief The directions are unknown. */
   Facing() = default;
 
-  /** \brief One sensor saw all points. */
+  /** \brief The directions from all points to one sensor. */
   static Facing
   towards(const PointTree& tree, const Eigen::Vector3d& sensor);
 
-  /** \brief By normals, those of the array whose points the tree holds. Unknown when
-   * fewer than half of them are of unit length, or when neighbours disagree. */
+  /** \brief The directions of the normals of the array from which the points of the
+   * tree are. They are unknown if fewer than half of the normals have unit length, or
+   * if neighbours disagree. */
   static Facing
   byNormals(const PointTree& tree, const PointView& normals);
 
@@ -32,8 +33,8 @@ public:
     return !directions_.empty();
   }
 
-  /** \brief Twice the area that a triangle shows to that side, negative when it shows
-   * its back; 0 where nothing is known. */
+  /** \brief Twice the area of a triangle projected along the direction, negative if its
+   * back side is visible; 0 if unknown. */
   double
   shownArea(const PointTree& tree, const std::array<std::int32_t, 3>& corners) const
   {
@@ -54,7 +55,7 @@ private:
   }
 
   std::vector<Eigen::Vector3f>
-      directions_; // unit, or zero where one point's is unknown
+      directions_; // unit, or zero for points whose direction is unknown
 };
 
 } // namespace pcl::acmap::dewall

@@ -9,7 +9,7 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-using Incidence = std::pair<std::int32_t, GrownTriangle*>; ///< vertex, triangle at it
+using Incidence = std::pair<std::int32_t, GrownTriangle*>; ///< vertex, triangle
 
 bool
 shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
@@ -21,8 +21,8 @@ shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
   return false;
 }
 
-/** \brief Finds the triangles round a vertex that are not in its largest fan (of equal
- * ones the fan of the earliest triangle stays). */
+/** \brief Finds the triangles at a vertex that are not in its largest fan. If there are
+ * several largest fans, the one of the earliest triangle is kept. */
 class SmallerFans {
 public:
   const std::vector<GrownTriangle*>&
@@ -60,16 +60,16 @@ private:
     sizes_.push_back(members_.size());
   }
 
-  std::vector<std::ptrdiff_t> fan_; ///< of each triangle
+  std::vector<std::ptrdiff_t> fan_; ///< for each triangle
   std::vector<std::size_t> sizes_, members_;
   std::vector<GrownTriangle*> smaller_;
 };
 
-/** \brief A stable sort without comparisons: there are many, and in no order at all. */
+/** \brief Stable radix sort: there are many elements in random order. */
 void
 sortByVertex(std::vector<Incidence>& incidences)
 {
-  constexpr int digit_bits = 11, digits = 3; // of 31 bits and a sign that is never set
+  constexpr int digit_bits = 11, digits = 3; // for 31 bits; the sign is never set
   std::vector<Incidence> sorted(incidences.size());
   for (int digit = 0; digit < digits; ++digit) {
     const auto digitOf = [&](const Incidence& incidence) {
@@ -115,7 +115,8 @@ private:
     return v.was_pinched && (are_walls_known_ || !v.is_of_wall);
   }
 
-  /** \brief Triangles at the pinched vertices, by vertex, then as they stand. */
+  /** \brief Returns the triangles at pinched vertices, sorted by vertex, then in their
+   * current order. */
   std::vector<Incidence>
   findIncidences() const
   {

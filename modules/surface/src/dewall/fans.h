@@ -4,12 +4,13 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Takes out what is not in the largest fan of a pinched vertex, and what that
- * pinches in turn.
+/** \brief Removes the triangles that are not in the largest fan of a pinched vertex,
+ * and repeats this for vertices that are pinched by the removal.
  *
- * \param[in] lists all triangles at the vertices looked at; those taken out leave them
- * \param[in] are_walls_known false passes over vertices that walls use
- * \return the triangles taken out */
+ * \param[in] lists all triangles at the tested vertices; the removed ones are erased
+ * from them
+ * \param[in] are_walls_known if false, vertices that are used by walls are skipped
+ * \return the removed triangles */
 std::vector<GrownTriangle>
 keepLargestFans(GrowingMesh& mesh,
                 const std::vector<std::vector<GrownTriangle>*>& lists,

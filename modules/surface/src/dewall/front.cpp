@@ -20,7 +20,7 @@ Front::advance(const Range& range)
 void
 Front::advancePostponed(const Range& range)
 {
-  // Most of them have been mended by a neighbour meanwhile.
+  // Most of them have been resolved by a neighbour in the meantime.
   while (!postponed_.empty() || !bridges_.empty()) {
     while (!postponed_.empty()) {
       for (const Candidate& candidate : std::exchange(postponed_, {}))
@@ -84,8 +84,8 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
     passed_over.first_leaf = range.first_leaf;
     passed_over.end_leaf = range.end_leaf;
   }
-  // With the paper's rule the second-nearest apex gets its chance when the guard
-  // refuses the first; without the sphere test it would open second sheets.
+  // With the paper's rule, the second-nearest apex is tried if the guard rejects the
+  // first one. Without the sphere test this would create second layers.
   for (int attempt = 0; attempt < (mask ? 2 : 1); ++attempt) {
     const std::int32_t apex = findApex(tree_, size_, frame, passed_over);
     if (apex < 0)

@@ -11,9 +11,8 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Grows triangles side by side, first in first out ([P] Fig. 6, the while
- * loop).
- */
+/** \brief Grows triangles over edges in the order in which these were found ([P] Fig.
+ * 6, the while loop). */
 class Front {
 public:
   Front(const PointTree& tree,
@@ -28,40 +27,42 @@ public:
   , tick_(std::move(tick))
   {}
 
-  /** \brief Takes a side into its list: L_alpha when alpha cuts it, else for a half. */
+  /** \brief Adds an edge to its list: L_alpha if alpha cuts it, otherwise the list of a
+   * half. */
   void
   insert(const Side& side, const Range& range)
   {
     (range.isCut(side) ? queue_ : uncut_).push_back(side);
   }
 
-  /** \brief Works L_alpha off; apexes come from the range alone. Triangles that would
-   * pinch a vertex or turn steeply are postponed. */
+  /** \brief Processes L_alpha, with apexes from the range only. Triangles that would
+   * pinch a vertex or make a steep turn are postponed. */
   void
   advance(const Range& range);
 
-  /** \brief Works off what was postponed, now allowing it. */
+  /** \brief Processes the postponed triangles, which are now permitted. */
   void
   advancePostponed(const Range& range);
 
-  /** \brief Works off what would show the sensor its back, last of all: a few such
-   * triangles between parts that already fit can turn nothing inside out. */
+  /** \brief Finally processes the triangles whose back side would face the sensor: a
+   * few of them between parts that already fit cannot flip anything. */
   void
   advanceContrary(const Range& range);
 
-  /** \brief Tries the triangle of p1, p2 and the p3 of smallest circumcircle as the
-   * first of a component (FindFirstTriangle), and works its sides off. */
+  /** \brief Tries the triangle of p1, p2 and the p3 with the smallest circumcircle as
+   * the first one of a component (FindFirstTriangle), and processes its edges. */
   void
   startAt(std::int32_t p1, std::int32_t p2, const Range& range);
 
-  /** \brief Hands over the sides not cut by alpha (L_l and L_r). */
+  /** \brief Returns the edges that are not cut by alpha (L_l and L_r) and clears their
+   * list. */
   std::vector<Side>
   takeUncut()
   {
     return std::exchange(uncut_, {});
   }
 
-  /** \brief Leaves what waits to the last pass. */
+  /** \brief Defers the waiting edges to the last pass. */
   void
   deferWaiting()
   {
@@ -71,8 +72,8 @@ public:
       deferred_.push_back(side);
   }
 
-  /** \brief Hands over the sides left to the last pass: those, and the ones whose apex
-   * lay beyond their range. */
+  /** \brief Returns the edges that are deferred to the last pass: the waiting ones, and
+   * those whose apex is outside of their range. */
   std::vector<Side>
   takeDeferred()
   {
@@ -82,16 +83,16 @@ public:
 private:
   enum class Doubt { Postpones, IsAllowed, MayBridge, MayBeContrary };
 
-  /** A triangle that has passed all tests but waits for the doubts about it. */
+  /** A triangle that has passed all tests but is postponed because it is doubtful. */
   struct Candidate {
     Side side;
     std::int32_t apex;
     GrowingMesh::Bridge bridge;
-    std::size_t votes = 0; ///< of the bridge
+    std::size_t votes = 0; ///< votes for the bridge
   };
 
-  /** \brief Pending bridges, those of the most popular joints first: when two
-   * components touch along a seam, the many decide how they fit, not the first. */
+  /** \brief Returns the pending bridges in order of decreasing votes: if two components
+   * touch along a seam, the majority decides how they fit, not the first one. */
   std::vector<Candidate>
   bridgesByVotes();
 
@@ -101,11 +102,12 @@ private:
   void
   process(const Side& side, const Range& range, Doubt doubt);
 
-  /** \brief Adds, postpones or gives up; false when another apex may be tried. */
+  /** \brief Adds, postpones or rejects a triangle. Returns false if another apex may be
+   * tried. */
   bool
   tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
 
-  /** \brief As above for an apex whose sphere is known to be empty. */
+  /** \brief As above, for an apex whose sphere is known to be empty. */
   bool
   tryCandidate(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
 

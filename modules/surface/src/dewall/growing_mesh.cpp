@@ -45,7 +45,8 @@ GrowingMesh::demands(const Side& side,
                      const Edge* at_b)
 {
   Demands all;
-  // Neighbours agree when they run through their common edge in opposite directions.
+  // Neighbours have the same orientation if they traverse their common edge in opposite
+  // directions.
   const auto demand = [&](const Edge* edge, bool ascending) {
     if (!edge || !edge->isOpen())
       return;
@@ -78,7 +79,8 @@ GrowingMesh::bridge(const Side& side, std::int32_t apex)
 bool
 GrowingMesh::isOrientable(const Demands& all) const
 {
-  if (facing_.isKnown()) // all components face it already: none may be turned over
+  // All components are already oriented by it, so none may be flipped.
+  if (facing_.isKnown())
     return std::none_of(all.of.begin(),
                         all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
                         [](const Demands::Demand& demand) { return demand.flipped; });
@@ -113,7 +115,8 @@ GrowingMesh::judge(const Side& side, std::int32_t apex)
   const Edge* at_b = arrays_.find(side.b, apex);
   if ((at_a && !at_a->isOpen()) || (at_b && !at_b->isOpen()))
     return Verdict::Blocked;
-  if (!at_a && !at_b && isUsed(apex)) // one pinch a vertex: most are taken out again
+  // At most one pinch per vertex is permitted, because most are removed later.
+  if (!at_a && !at_b && isUsed(apex))
     return vertex(apex).open_edges == 2 ? Verdict::Pinches : Verdict::Blocked;
   const Edge* base = arrays_.find(side.a, side.b);
   const double cosine = steepestCosine(side, apex, base, at_a, at_b);
@@ -240,7 +243,7 @@ GrowingMesh::takeOut(GrownTriangle& triangle)
   for (const std::int32_t corner : triangle.corners) {
     Vertex& v = vertex(corner);
     v.has_lost = true;
-    v.was_pinched = true; // without it the fan may have fallen apart
+    v.was_pinched = true; // its fan may be split by the removal
     if (--v.triangles == 0)
       arrays_.noteUse(corner, false);
     arrays_.noteSaturation(corner, v.triangles > 0 && v.open_edges == 0);

@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief An edge with one triangle, which runs through it from a to b. */
+/** \brief An edge with one triangle, which traverses it from a to b. */
 struct Side {
   std::int32_t a, b;
 };
@@ -17,9 +17,9 @@ struct Side {
 /** \brief A triangle of tree points. */
 struct GrownTriangle {
   std::array<std::int32_t, 3> corners;
-  std::int32_t component; ///< the seed it grew from; its corners run as that seed's do
+  std::int32_t component; ///< the seed it grew from, which has the same orientation
 
-  /** \brief True until it is swept out of its list. */
+  /** \brief Is it removed, but still in its list? */
   bool
   isTakenOut() const
   {
@@ -27,7 +27,7 @@ struct GrownTriangle {
   }
 };
 
-/** \brief The sides of a triangle, as it runs. */
+/** \brief The edges of a triangle in its orientation. */
 inline std::array<Side, 3>
 sidesOf(const GrownTriangle& triangle)
 {
@@ -38,24 +38,25 @@ sidesOf(const GrownTriangle& triangle)
 /** \brief Triangles of one wall, or of one leaf. */
 struct TriangleList {
   std::vector<GrownTriangle>* triangles;
-  std::uint8_t depth; ///< of the divide step, 255 for the last passes
+  std::uint8_t depth; ///< depth of the divide step, 255 for the last passes
 };
 
-/** \brief Two components that share an edge, one turned over if flipped. */
+/** \brief Two components that share an edge; flipped: one of them has to be flipped. */
 struct Joint {
   std::int32_t first, second;
   bool flipped;
 };
 
-/** \brief The mesh as one task grows it, and the guard that keeps it a manifold. */
+/** \brief The part of the mesh that one task grows, with the guard that keeps it
+ * manifold. */
 class GrowingMesh {
 public:
-  /** Doubtful: legal, but steep or thin, so that one of them may turn half a wall
-   * inside out. Pinches: opens a second fan at its apex. */
+  /** Doubtful: permitted, but with a steep turn or thin, so that it may cause half a
+   * wall to be flipped. Pinches: it starts a second fan at its apex. */
   enum class Verdict { Fits, Doubtful, Pinches, Blocked };
 
-  /** \brief Which two components a triangle would join, and whether one of them has to
-   * be turned over for that; first < 0: none. */
+  /** \brief The two components that a triangle would connect, and whether one of them
+   * has to be flipped for that; first < 0: none. */
   struct Bridge {
     std::int32_t first = -1, second = -1;
     bool flipped = false;
@@ -68,7 +69,7 @@ public:
     }
   };
 
-  /** \param[in] parity of the components of the walls above */
+  /** \param[in] parity orientations of the components of the walls above */
   GrowingMesh(MeshArrays& arrays, ParityUnion parity)
   : arrays_(arrays)
   , tree_(arrays.tree)
@@ -83,19 +84,20 @@ public:
     return arrays_;
   }
 
-  /** \brief From now on the triangles cross a splitting plane, or do not. */
+  /** \brief Sets whether the following triangles cross a splitting plane. */
   void
   setOfWall(bool is_of_wall)
   {
     is_of_wall_ = is_of_wall;
   }
 
-  /** \brief Would triangle (b, a, apex) over an open side keep the guarantees? */
+  /** \brief Checks whether triangle (b, a, apex) over an open edge keeps the mesh
+   * manifold. */
   Verdict
   judge(const Side& side, std::int32_t apex);
 
-  /** \brief Would triangle (b, a, apex) show its back to the side from which its points
-   * were seen? False where that is not known. */
+  /** \brief Would the back of triangle (b, a, apex) face the side from which its points
+   * were measured? False if that is unknown. */
   bool
   isContrary(const Side& side, std::int32_t apex) const
   {
@@ -105,21 +107,22 @@ public:
   Bridge
   bridge(const Side& side, std::int32_t apex);
 
-  /** \brief Adds triangle (b, a, apex) over an open side. */
+  /** \brief Adds triangle (b, a, apex) over an open edge. */
   void
   add(const Side& side, std::int32_t apex);
 
-  /** \brief Adds the first triangle of a component, turned to its face. */
+  /** \brief Adds the first triangle of a component, oriented by its facing
+   * direction. */
   void
   addSeed(const std::array<std::int32_t, 3>& corners);
 
-  /** \brief Takes a triangle out, but leaves it in its list, marked; sweep () is due when
-   * all have been taken out. */
+  /** \brief Removes a triangle but leaves it in its list, with a mark; call sweep ()
+   * after all removals. */
   void
   takeOut(GrownTriangle& triangle);
 
-  /** \brief Drops what was taken out from the lists of triangles, and gives the open edges
-   * round it to the triangles that stayed. */
+  /** \brief Erases the removed triangles from their lists, and assigns the open edges
+   * at them to the remaining triangles. */
   void
   sweep(const std::vector<std::vector<GrownTriangle>*>& lists);
 
@@ -129,7 +132,8 @@ public:
     return arrays_.find(a, b) != nullptr;
   }
 
-  /** \brief Third corner of the only triangle at a side; -1 when it is not open. */
+  /** \brief Third corner of the only triangle at an edge; -1 if the edge is not
+   * open. */
   std::int32_t
   oppositeOf(const Side& side)
   {
@@ -137,7 +141,7 @@ public:
     return edge && edge->isOpen() ? edge->opposites : -1;
   }
 
-  /** \brief An open side the way its triangle's component runs through it. */
+  /** \brief An open edge in the direction in which its triangle traverses it. */
   Side
   asItRuns(const Side& side)
   {
@@ -145,8 +149,8 @@ public:
     return bool(edge->ascending) == (side.a < side.b) ? side : Side{side.b, side.a};
   }
 
-  /** \brief From one open side of a fan at vertex \a at over its triangles to the other:
-   * the other end of that side. */
+  /** \brief Follows a fan at vertex \a at from one open edge over its triangles to the
+   * other open edge, and returns the other end of that edge. */
   std::int32_t
   endOfFan(std::int32_t at, const Side& side);
 
@@ -175,14 +179,15 @@ public:
     return triangles_;
   }
 
-  /** \brief Sides of the triangle added last. */
+  /** \brief Edges of the last added triangle. */
   std::array<Side, 3>
   sidesOfLast() const
   {
     return sidesOf(triangles_.back());
   }
 
-  /** \brief Open sides whose lower end is in [begin, end), by ascending lower end. */
+  /** \brief Open edges with the lower end in [begin, end), in ascending order of this
+   * end. */
   std::vector<Side>
   openSides(std::int32_t begin, std::int32_t end);
 
@@ -198,7 +203,8 @@ public:
     return std::exchange(joints_, {});
   }
 
-  /** \brief Triangles not made because their component would be a Moebius band. */
+  /** \brief Number of triangles that were rejected because their component would become
+   * a Moebius strip. */
   std::size_t
   refusedMoebius() const
   {
@@ -212,7 +218,7 @@ private:
     return arrays_.vertex(i);
   }
 
-  /** What the neighbours of a new triangle ask of its orientation. */
+  /** Required orientations of a new triangle by its neighbours. */
   struct Demands {
     struct Demand {
       std::int32_t root;
@@ -229,8 +235,9 @@ private:
           const Edge* at_a,
           const Edge* at_b);
 
-  /** \brief Is the triangle thin, or far from the mean normal at one of the ends of its
-   * side? A chain of gentle turns can turn over as well as a steep one. */
+  /** \brief Is the triangle thin, or is its normal far from the mean normal at one of
+   * the ends of its edge? A chain of gentle turns can flip the orientation just as a
+   * steep one. */
   bool
   isOdd(const Side& side, std::int32_t apex, std::int32_t component);
 
@@ -240,7 +247,7 @@ private:
   bool
   isOrientable(const Demands& demands) const;
 
-  /** \brief Cosine of the largest turn the triangle would make at one of its sides. */
+  /** \brief Cosine of the largest turn of the triangle at one of its edges. */
   double
   steepestCosine(const Side& side,
                  std::int32_t apex,

@@ -6,7 +6,7 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief From the numbers of components in a part to those in the whole. */
+/** \brief Maps component numbers of a part to those of the whole mesh. */
 class Numbering {
 public:
   explicit Numbering(const std::vector<Part>& parts)
@@ -71,7 +71,8 @@ renumber(MeshArrays& arrays, std::vector<Part>& parts, const Numbering& numberin
   });
 }
 
-/** \brief Joins what the parts joined; false when they contradict each other. */
+/** \brief Repeats the joints of the parts. Returns false if they contradict each
+ * other. */
 bool
 replay(const std::vector<Part>& parts, ParityUnion& parity)
 {
@@ -82,7 +83,7 @@ replay(const std::vector<Part>& parts, ParityUnion& parity)
   return true;
 }
 
-/** \brief A triangle at an edge whose first triangle is of another component. */
+/** \brief A triangle at an edge whose first triangle belongs to another component. */
 struct Seam {
   GrownTriangle* triangle;
   Joint joint;
@@ -106,7 +107,8 @@ findSeams(MeshArrays& arrays, std::vector<GrownTriangle>& triangles)
   return seams;
 }
 
-/** \brief Joins the components edge by edge, and takes out what contradicts. */
+/** \brief Joins the components edge by edge, and removes the triangles that
+ * contradict. */
 ParityUnion
 removeContradictions(MeshArrays& arrays,
                      std::vector<Part>& parts,

@@ -13,7 +13,7 @@ wholeOf(const PointTree& tree)
   return Range(tree, PointTree::Node{}, false);
 }
 
-/** \brief The deferred sides, with apexes from everywhere. */
+/** \brief Processes the deferred edges, with apexes from all points. */
 void
 growAcrossPlanes(GrowingMesh& mesh,
                  const SizeConstraint& size,
@@ -33,11 +33,11 @@ growAcrossPlanes(GrowingMesh& mesh,
   front.advanceContrary(all);
 }
 
-/** \brief Open sides of walls that no part had to itself. */
+/** \brief Adds open edges of walls, which are not inside a single part. */
 void
 addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& begun)
 {
-  const std::size_t walls = parts.size() / 2; // they stand before the leaves
+  const std::size_t walls = parts.size() / 2; // they come before the leaves
   for (std::size_t p = 0; p < walls; ++p)
     for (const GrownTriangle& triangle : parts[p].triangles)
       for (const Side& side : sidesOf(triangle))

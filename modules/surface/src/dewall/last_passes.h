@@ -4,12 +4,12 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief What the parts left open, in one thread: sides whose apex lies beyond their
- * half, fans at the walls, and what these change.
+/** \brief Completes what the parts left open, in one thread: edges whose apex is
+ * outside of their half, fans at the walls, and the surroundings of such changes.
  *
  * \param[in] mesh of all points
- * \param[in] removed triangles taken out before
- * \return triangles removed to leave one fan a vertex */
+ * \param[in] removed triangles that were removed before
+ * \return number of triangles removed to keep one fan per vertex */
 std::size_t
 finishMesh(GrowingMesh& mesh,
            const SizeConstraint& size,

@@ -9,20 +9,19 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief What the mesh knows of a vertex. Its open edges count 0 when it is unused or
- * *saturated* (its fan is closed), 2 for one open fan, more for a *pinch*, which later
- * triangles may mend. */
+/** \brief A vertex of the mesh. The number of its open edges is 0 if it is unused or
+ * *saturated* (its fan is closed), 2 for one open fan, and more for a *pinch*, which
+ * later triangles may resolve. */
 struct Vertex {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< sum over its triangles, ...
-  std::int32_t component = -1;                      ///< ... as this component runs
-  std::int32_t first_edge = -1; ///< head of the list of edges it is the lower end of
+  std::int32_t component = -1;  ///< ... in this component's orientation
+  std::int32_t first_edge = -1; ///< head of the list of edges with it as lower end
   std::uint16_t triangles = 0;
   std::uint16_t open_edges : 12;
   std::uint16_t was_pinched : 1;
-  std::uint16_t
-      has_lost : 1; ///< a triangle, so that its edges are to be looked through
+  std::uint16_t has_lost : 1;   ///< a triangle was removed, so check its edges
   std::uint16_t is_mixed : 1;   ///< triangles of several components meet here
-  std::uint16_t is_of_wall : 1; ///< a triangle that crosses a splitting plane has it
+  std::uint16_t is_of_wall : 1; ///< used by a triangle across a plane
 
   void
   addOpenEdges(int change)
@@ -39,15 +38,16 @@ struct Vertex {
   {}
 };
 
-/** \brief The arrays of the mesh, common to the tasks that grow it: each has a range of
- * points of its own, and touches nothing of others. */
+/** \brief The arrays of the mesh, shared by the tasks that grow it: each task has its
+ * own range of points and does not access data of the others. */
 struct MeshArrays {
   const PointTree& tree;
   const Facing& facing;
   std::vector<Vertex> vertices;
   EdgePool edges;
-  std::vector<std::uint16_t> saturated, unused; ///< bits of the points of each leaf
-  /** Number in each group of eight leaves, which small tasks may share. */
+  std::vector<std::uint16_t> saturated, unused; ///< bits for the points of each leaf
+  /** Number of unused points in each group of eight leaves, which small tasks may
+   * share. */
   std::vector<std::atomic<std::uint8_t>> unused_in_group;
 
   MeshArrays(const PointTree& t, const Facing& f)
@@ -84,7 +84,7 @@ struct MeshArrays {
     return vertices[static_cast<std::size_t>(i)].triangles > 0;
   }
 
-  /** \brief The edge between two points, nullptr where there is none. */
+  /** \brief Returns the edge between two points, nullptr if there is none. */
   Edge*
   find(std::int32_t a, std::int32_t b)
   {
@@ -98,8 +98,8 @@ struct MeshArrays {
     return nullptr;
   }
 
-  /** \brief Takes the edge between two points out of its list.
-   * \return its place in the pool */
+  /** \brief Removes the edge between two points from its list.
+   * \return its index in the pool */
   std::int32_t
   unlink(std::int32_t a, std::int32_t b)
   {

@@ -4,8 +4,9 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Point nearest to tree point \a i within a distance among those that \a accept
- * lets pass, -1 where there is none. Ties go to the lower index. */
+/** \brief Returns the nearest point to tree point \a i within a distance, among those
+ * for which \a accept returns true; -1 if there is none. Ties are resolved by the lower
+ * index. */
 template <typename Accept>
 std::int32_t
 nearestPoint(const PointTree& tree, std::int32_t i, double within, const Accept& accept)

@@ -6,8 +6,8 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Components of the mesh, by vertices: under the guarantee of one fan a vertex,
- * triangles that share a vertex are joined by edges too. */
+/** \brief Components of the mesh by vertices: as each vertex has only one fan,
+ * triangles that share a vertex are also connected by edges. */
 DisjointSets
 findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 {
@@ -20,7 +20,8 @@ findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
   return components;
 }
 
-/** \brief Area a triangle shows to the sensor; negative when it shows its back. */
+/** \brief Area of a triangle projected towards the sensor; negative if its back faces
+ * the sensor. */
 double
 areaFacing(const PointTree& tree,
            const std::array<std::int32_t, 3>& corners,
@@ -33,7 +34,7 @@ areaFacing(const PointTree& tree,
   return distance > 0 ? (b - a).cross(c - a).dot(view) / (2 * distance) : 0.0;
 }
 
-/** \brief Gives each component the way round in which it shows most. */
+/** \brief Orients each component so that the larger area faces the sensor. */
 class Turning {
 public:
   Turning(GrowingMesh& grown,

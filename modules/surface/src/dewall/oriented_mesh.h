@@ -8,10 +8,9 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief The grown triangles as a mesh of source indices, every component turned as a
- * whole to its face where that is known, else towards the sensor (by projected area);
- * fills the report's counts of the mesh.
- */
+/** \brief Converts the grown triangles to a mesh of source indices. Each component is
+ * oriented as a whole, by the facing directions if known, otherwise towards the sensor
+ * (by projected area). The report's counts of the mesh are set. */
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,

@@ -6,8 +6,9 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Union-find over the seeds of the front that also knows whether two components
- * run the same way round (parity 0) or must be turned over to fit (parity 1). */
+/** \brief Union-find over the seeds of the front that also stores whether two
+ * components have the same orientation (parity 0) or one of them has to be flipped
+ * (parity 1). */
 class ParityUnion {
 public:
   struct Root {
@@ -17,7 +18,7 @@ public:
 
   ParityUnion() = default;
 
-  /** \brief So many components, each alone. */
+  /** \brief Creates components, each in a set of its own. */
   explicit ParityUnion(std::int32_t components)
   {
     while (size() < components)
@@ -57,7 +58,8 @@ public:
     return result;
   }
 
-  /** \brief As unite (), but false where they are joined with another parity. */
+  /** \brief As unite (), but returns false if they are already joined with another
+   * parity. */
   bool
   uniteIfConsistent(std::int32_t a, std::int32_t b, bool flipped)
   {
@@ -66,8 +68,8 @@ public:
     return (find(a).flipped != find(b).flipped) == flipped;
   }
 
-  /** \brief Joins two components; the lower root stays.
-   * \return false when they were joined already, whatever their parity then was */
+  /** \brief Joins two components; the lower root is kept.
+   * \return false if they were joined before, with any parity */
   bool
   unite(std::int32_t a, std::int32_t b, bool flipped)
   {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** \brief Halves of fewer points are divided without a task of their own. */
+/** \brief Halves with fewer points are divided without a task of their own. */
 constexpr std::int32_t least_task = 1 << 15;
 
 std::size_t
@@ -40,7 +40,7 @@ depthFor(std::size_t points)
   return depth;
 }
 
-/** \brief Depth at which the groups of a level stand. */
+/** \brief Depth in the tree of the groups of a level. */
 int
 depthOfLevel(const TreeCells& cells, int level)
 {
@@ -61,8 +61,8 @@ noBoxes()
 
 } // namespace
 
-/** \brief Divides the points; the order is total, so that a node's points do not depend
- * on the standard library. */
+/** \brief Divides the points. Their order is total, so that the points of a node do not
+ * depend on the standard library. */
 struct PointTree::Builder {
   PointTree& tree;
   std::vector<SourcePoint>& points;
@@ -130,7 +130,7 @@ PointTree::takePoints(const std::vector<SourcePoint>& points)
   });
 }
 
-/** A group's box goes into its place among its siblings, level by level. */
+/** Stores the box of each group among its siblings, level by level. */
 void
 PointTree::makeGroups()
 {
@@ -162,8 +162,8 @@ PointTree::makeGroups()
   }
 }
 
-/** The planes on the way up bound a group's cell; the nearest one on each side counts,
- * and that is met first. */
+/** The cell of a group is bounded by the planes of its ancestors; the nearest one on
+ * each side is relevant, which is encountered first. */
 void
 PointTree::makeCells(int level)
 {

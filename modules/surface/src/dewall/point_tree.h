@@ -12,7 +12,7 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief A point and its place in the view it came from. */
+/** \brief A point and its index in the view. */
 struct SourcePoint {
   std::array<float, 3> position;
   std::int32_t source;
@@ -20,14 +20,14 @@ struct SourcePoint {
 
 /** \brief The splitting planes of the divide step, and the cells of all searches.
  *
- * A complete tree of median splits along the widest axis. The points stand in the order
- * of its leaves, so that a node owns a run of indices, a splitting plane alpha
- * separates two runs, and a leaf (8 to 16 points in a tight box) is a cell that adapts to
- * any density and extent. Nothing else is stored of the nodes than planes and boxes:
- * where they begin follows from the number of points. */
+ * This is a complete tree of median splits along the widest axis. The points are in the
+ * order of its leaves, so that a node has a contiguous range of indices, a splitting
+ * plane alpha separates two ranges, and a leaf (8 to 16 points in a tight box) is a
+ * cell that adapts to any density and extent. Only planes and boxes of the nodes are
+ * stored: their ranges follow from the number of points. */
 class PointTree {
 public:
-  /** \brief A node: number \a index of the 2^depth nodes at a depth. */
+  /** \brief Node \a index of the 2^depth nodes at a depth. */
   struct Node {
     int depth = 0;
     std::int32_t index = 0;
@@ -72,7 +72,8 @@ public:
     return cells_;
   }
 
-  /** \brief First point of a node; its last is the one before the first of the next. */
+  /** \brief First point of a node; its last one precedes the first one of the next
+   * node. */
   std::int32_t
   firstOf(const Node& node) const
   {
@@ -104,14 +105,15 @@ public:
     return std::int32_t{1} << cells_.depth;
   }
 
-  /** \brief First point of a leaf, and with the number of leaves the number of points. */
+  /** \brief First point of a leaf; for the number of leaves it is the number of
+   * points. */
   std::int32_t
   firstOfLeaf(std::int32_t leaf) const
   {
     return dewall::firstOfLeaf(cells_, leaf);
   }
 
-  /** \brief The leaf that holds tree point \a i. */
+  /** \brief The leaf that contains tree point \a i. */
   std::int32_t
   leafOf(std::int32_t i) const
   {
@@ -120,8 +122,8 @@ public:
     return leaf + (i >= firstOfLeaf(leaf + 1));
   }
 
-  /** \brief Coordinates along an axis, of all points in tree order; a leaf's length of
-   * zeros follows. */
+  /** \brief Coordinates of all points along an axis, in tree order; they are followed
+   * by zeros for the capacity of a leaf. */
   const float*
   coordinates(int axis) const
   {
@@ -134,7 +136,7 @@ public:
     return {coordinates(0)[i], coordinates(1)[i], coordinates(2)[i]};
   }
 
-  /** \brief Place of tree point \a i in the view. */
+  /** \brief Index of tree point \a i in the view. */
   std::int32_t
   source(std::int32_t i) const
   {
@@ -161,7 +163,7 @@ private:
   double leaves_a_point_ = 0;
   std::array<std::vector<float>, 3> coordinates_;
   std::vector<std::int32_t> source_;
-  std::vector<Plane> planes_; ///< those at depth d begin at 2^d
+  std::vector<Plane> planes_; ///< planes at depth d begin at 2^d
   std::array<std::vector<SiblingBoxes>, TreeCells::most_levels + 1> boxes_;
   std::array<std::vector<CellBox>, TreeCells::most_levels + 1> cell_boxes_;
 };

@@ -56,7 +56,8 @@ signedSquare(const Integer& value)
   return value < 0 ? Integer(-value * value) : Integer(value * value);
 }
 
-/** \brief Products of a candidate p's triangle, in powers of the unit of u and v = p - a. */
+/** \brief Exact products for the triangle of a candidate p, in powers of the unit of u
+ * and v = p - a. */
 struct ExactApex {
   Integer at_apex; ///< (a - p) . (b - p)
   Integer at_a;    ///< u . v
@@ -71,8 +72,9 @@ struct ExactApex {
   }
 };
 
-/** \brief Sign of the difference of the cotangents of two candidates' angles, exact.
- * \param[in] cosine where the angle is */
+/** \brief Exact sign of the difference between the cotangents of an angle of two
+ * candidates.
+ * \param[in] cosine member for the vertex of the angle */
 int
 compareCotangents(const ExactApex& p, const ExactApex& q, Integer ExactApex::*cosine)
 {
@@ -81,9 +83,10 @@ compareCotangents(const ExactApex& p, const ExactApex& q, Integer ExactApex::*co
   return left < right ? -1 : (right < left ? 1 : 0);
 }
 
-/** \brief Which of two candidates on one circle through a and b the pulled
- * triangulation puts over side a b. Of those on several circles of one size, round the
- * side, the same by where they are on theirs, so that any of them are in one order. */
+/** \brief Decides between two candidates on one circle through a and b: returns true if
+ * p is the apex over edge a b in the pulled triangulation. Candidates on several
+ * circles of the same size around the edge are compared by their positions on these
+ * circles, so that all candidates have one order. */
 bool
 winsTie(std::int32_t p,
         std::int32_t q,
@@ -93,7 +96,7 @@ winsTie(std::int32_t p,
 {
   if (std::min(p, q) < std::min(a, b))
     return p < q;
-  // Round the circle: a b p q, when the angle b a p is the smaller one.
+  // The order on the circle is a b p q if the angle b a p is the smaller one.
   const int p_follows_b = compareCotangents(exact[0], exact[1], &ExactApex::at_a);
   return p_follows_b != 0 ? (p_follows_b > 0) == (a < b) : p < q;
 }

@@ -6,33 +6,34 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Sphere through the corners of a triangle, centred in its plane (the
- * smallest). */
+/** \brief The smallest sphere through the corners of a triangle; its centre is in the
+ * plane of the triangle. */
 struct Sphere {
   Eigen::Vector3d centre;
   double radius;
 };
 
-/** \brief Points nearer to the sphere's centre than (1 - this) radius are inside. */
+/** \brief Points within (1 - this) radius of the centre are inside a sphere. */
 inline constexpr double sphere_tolerance = 1e-6;
 
-/** \brief Cosine of the turn from a triangle to its neighbour (0 degrees is flat)
- * beyond which it is built only when nothing else is left (60 degrees). */
+/** \brief Cosine of the turn between adjacent triangles (0 degrees is flat) beyond
+ * which a triangle is built only if there is no other (60 degrees). */
 inline constexpr double cos_gentle_turn = 0.5;
 
-/** \brief Cosine of the largest turn at the sides a new triangle closes besides the one
- * it grew over, whose plane beta bounds the turn at 90 degrees: creases of 90 degrees
- * and noise must close, folds must not (127 degrees). */
+/** \brief Cosine of the largest permitted turn at the edges that a new triangle closes,
+ * 127 degrees: creases of 90 degrees and noisy surfaces have to be closed, but not
+ * folds. At the edge over which the triangle is built, plane beta limits the turn to 90
+ * degrees. */
 inline constexpr double cos_largest_turn = -0.6;
 
-/** \brief Height of a triangle over its longest edge below which noise decides where
- * its normal points, so that it is built only when nothing else is left. */
+/** \brief Height of a triangle relative to its longest edge below which its normal is
+ * determined by noise, so that it is built only if there is no other. */
 inline constexpr double least_plumpness = 0.25;
 
-/** \brief Sine below which the three corners count as collinear. */
+/** \brief Sine below which three corners are considered collinear. */
 inline constexpr double least_sine = 1e-10;
 
-/** \brief True when the corners lie on a line, as far as their coordinates tell. */
+/** \brief Are the corners on a line, within the precision of their coordinates? */
 inline bool
 isDegenerate(const Eigen::Vector3d& a,
              const Eigen::Vector3d& b,
@@ -56,8 +57,9 @@ smallestSphere(const Eigen::Vector3d& a,
   return {a + to_centre, to_centre.norm()};
 }
 
-/** \brief Part of p - a at right angles to the line a b. Of a needle's corner the first
- * subtraction leaves rounding that is longer than the part itself. */
+/** \brief Component of p - a perpendicular to the line a b. For the corner of a needle,
+ * the rounding error of the first subtraction is larger than this component, so it is
+ * repeated. */
 inline Eigen::Vector3d
 perpendicular(const Eigen::Vector3d& a,
               const Eigen::Vector3d& b,
@@ -70,8 +72,9 @@ perpendicular(const Eigen::Vector3d& a,
   return part - u * (part.dot(u) / u.squaredNorm());
 }
 
-/** \brief Cosine of the turn at side a b from triangle (a, b, o) to (a, b, p): positive
- * when p is in the valid half-space beyond plane beta, 1 when both are in one plane. */
+/** \brief Cosine of the turn at edge a b from triangle (a, b, o) to (a, b, p): positive
+ * if p is in the valid half-space beyond plane beta, 1 if both triangles are
+ * coplanar. */
 inline double
 cosineOfTurn(const Eigen::Vector3d& a,
              const Eigen::Vector3d& b,
@@ -82,10 +85,10 @@ cosineOfTurn(const Eigen::Vector3d& a,
   return -to_o.dot(to_p) / (to_o.norm() * to_p.norm());
 }
 
-/** \brief A candidate for the apex over side a b, seen from a. */
+/** \brief A candidate for the apex over edge a b, relative to a. */
 struct Apex {
   std::int32_t index = -1;
-  Eigen::Vector3d from_a; ///< p - a, exact for neighbouring floats
+  Eigen::Vector3d from_a; ///< p - a, exact for floats that are close
   double dot = 0;         ///< (a - p) . (b - p)
   double cross = 0;       ///< |(b - a) x (p - a)|
 };
@@ -93,16 +96,16 @@ struct Apex {
 Apex
 makeApex(std::int32_t index, const Eigen::Vector3d& u, const Eigen::Vector3d& v);
 
-/** \brief True when p is Delaunay-nearer to the side than q: the angle a p b is larger.
+/** \brief Is p Delaunay-nearer to the edge than q, i.e. is the angle a p b larger?
  *
- * The signed Delaunay distance orders candidates by (|ab| / 2) cot (angle apb); the
- * signs decide in double where an error bound allows, in exact arithmetic otherwise.
- * Exact ties (cocircular points) are broken as if the point of lowest index were
- * lowered onto the paraboloid: the diagonal of four cocircular points starts at their
- * lowest index, which gives one triangulation from whichever side it is grown. The order
- * is strict and weak for any candidates, also for those round the side that are on
- * circles of one size.
- * \param[in] a, b indices of the side's ends
+ * Candidates are ordered by the signed Delaunay distance (|ab| / 2) cot (angle apb).
+ * The comparison is done in double precision if an error bound permits, otherwise in
+ * exact arithmetic. Exact ties (cocircular points) are resolved as if the point with
+ * the lowest index were lowered from the paraboloid: the diagonal of four cocircular
+ * points starts at their lowest index, so the triangulation is the same from whichever
+ * edge it is grown. The result is a strict weak order for any candidates, including
+ * those on circles of the same size around the edge.
+ * \param[in] a, b indices of the ends of the edge
  * \param[in] u b - a */
 bool
 isNearerApex(const Apex& p,

@@ -4,13 +4,12 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief A run of tree points, and in a wall the first one beyond the splitting plane.
- */
+/** \brief A contiguous range of tree points; for a wall, also the first one beyond the
+ * splitting plane. */
 struct Range {
   std::int32_t begin, end;
-  std::int32_t
-      middle; ///< equal to begin in a leaf of the recursion: every side is ours
-  std::int32_t first_leaf, end_leaf; ///< of the tree
+  std::int32_t middle;               ///< begin in a leaf: all edges belong to it
+  std::int32_t first_leaf, end_leaf; ///< leaves of the tree
 
   Range(const PointTree& tree, const PointTree::Node& node, bool is_wall)
   : begin(tree.firstOf(node))
@@ -32,7 +31,7 @@ struct Range {
     return end - begin == tree.size();
   }
 
-  /** \brief Is this side in L_alpha, the list of sides that alpha cuts (Fig. 6)? */
+  /** \brief Is this edge in L_alpha, the list of edges that alpha cuts (Fig. 6)? */
   bool
   isCut(const Side& side) const
   {

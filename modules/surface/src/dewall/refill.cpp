@@ -7,7 +7,8 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief So many unused points round an unused one are combined to a first triangle. */
+/** \brief Maximum number of unused points around an unused one that are combined to a
+ * first triangle. */
 constexpr std::size_t largest_neighbourhood = 64;
 
 } // namespace
@@ -15,7 +16,7 @@ constexpr std::size_t largest_neighbourhood = 64;
 Unfinished
 Refill::run(Unfinished begun)
 {
-  // What is not open now and opens later is then tried anyway.
+  // Edges that are not open now will be tried when they are opened.
   for (const Side& side : begun.sides)
     if (mesh_.oppositeOf(side) >= 0)
       queue_.push_back(mesh_.asItRuns(side));
@@ -23,7 +24,7 @@ Refill::run(Unfinished begun)
     if (mesh_.oppositeOf(refusal.side) >= 0)
       left_.refusals.push_back({mesh_.asItRuns(refusal.side), refusal.apex});
   workOff();
-  // Where first triangles that keep the tie rule have failed, any empty sphere will do.
+  // Where no first triangle satisfies the tie rule, any empty sphere is accepted.
   for (const Ties ties : {Ties::Matter, Ties::DoNotMatter})
     for (const std::int32_t p1 : begun.points)
       if (!mesh_.isUsed(p1) && !startAt(p1, ties) && ties == Ties::DoNotMatter)
@@ -118,8 +119,8 @@ Refill::fits(const Side& side, std::int32_t apex)
          verdict == GrowingMesh::Verdict::Doubtful;
 }
 
-/** A used apex fits only beside an open edge to one of the side's ends; which points
- * beyond the range are used is not known. */
+/** A used apex is possible only at an open edge to one of the ends; for points outside
+ * of the range it is unknown whether they are used. */
 void
 Refill::findApexes(const Side& side, const SideFrame& frame)
 {
@@ -129,7 +130,8 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
              frame.outward.cast<float>());
   is_at_wall_ = false;
   for (const std::int32_t end : {side.a, side.b}) {
-    // The fan at a wall may lead over points of another task, or there may be several.
+    // The fan at a wall may contain points of another task, or there may be several
+    // fans.
     if (!range_.isWhole(tree_) && mesh_.arrays().vertex(end).is_of_wall) {
       is_at_wall_ = true;
       continue;
@@ -229,7 +231,7 @@ affectedBy(const std::vector<GrownTriangle>& removed,
            GrowingMesh& mesh)
 {
   MeshArrays& arrays = mesh.arrays();
-  std::vector<std::int32_t> near; // points whose open sides may close
+  std::vector<std::int32_t> near; // points whose open edges may be closed
   Unfinished affected;
   for (const GrownTriangle& triangle : removed)
     near.insert(near.end(), triangle.corners.begin(), triangle.corners.end());

@@ -9,26 +9,26 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief A triangle of the dense rule that the guard refused. */
+/** \brief A triangle of the dense rule that the guard rejected. */
 struct Refusal {
   Side side;
   std::int32_t apex;
 };
 
-/** \brief What a refill leaves open. */
+/** \brief Open cases of a refill. */
 struct Unfinished {
-  std::vector<Side> sides;          ///< points beyond the range might close them
-  std::vector<std::int32_t> points; ///< unused, with points beyond the range in reach
-  std::vector<Refusal> refusals;    ///< to be asked again where something changes
+  std::vector<Side> sides;          ///< points outside of the range might close them
+  std::vector<std::int32_t> points; ///< unused, with points outside of the range near
+  std::vector<Refusal> refusals;    ///< to be tried again after changes
 };
 
-/** \brief Completes the mesh of a range of points without ever pinching a vertex.
+/** \brief Completes the mesh of a range of points without pinching a vertex.
  *
- * Open sides try all of their apexes, unused points all triangles of unused points round
- * them. An earlier refusal can become legal only by a new open side, which is tried
- * itself: when the pass ends, no legal triangle is left. With the dense rule a side has
- * but one apex, the Delaunay-nearest; those refused are asked again until nothing
- * changes. */
+ * All apexes of open edges and all triangles of neighbouring unused points are tried. A
+ * rejected triangle can become permitted only by a new open edge, which is tried as
+ * well: at the end of the pass, no permitted triangle is left. With the dense rule an
+ * edge has only one apex, the Delaunay-nearest; rejected ones are tried again until
+ * nothing changes. */
 class Refill {
 public:
   Refill(const SizeConstraint& size,
@@ -44,8 +44,8 @@ public:
   , tick_(std::move(tick))
   {}
 
-  /** \param[in] begun open sides, unused points and refusals to begin with
-   * \return what may go on beyond the range */
+  /** \param[in] begun open edges, unused points and rejected triangles to begin with
+   * \return cases that may be continued outside of the range */
   Unfinished
   run(Unfinished begun);
 
@@ -67,18 +67,18 @@ private:
 
   enum class Ties { Matter, DoNotMatter };
 
-  /** \brief False when points beyond the range might have helped. */
+  /** \brief Returns false if points outside of the range might have helped. */
   bool
   startAt(std::int32_t p1, Ties ties);
 
-  /** \brief Indices of the apexes, the Delaunay-nearest first. */
+  /** \brief Finds the apexes in order of Delaunay distance. */
   void
   findApexes(const Side& side, const SideFrame& frame);
 
-  /** \brief Finds the points inside a ball that are unused, or beyond the range.
-   * \param[in] inward unit normal of a plane through the start, behind which none is
-   * wanted; zero: everywhere
-   * \return false when the ball touches leaves beyond the range */
+  /** \brief Finds the points inside a ball that are unused or outside of the range.
+   * \param[in] inward unit normal of a plane through the start; points behind it are
+   * not needed; zero: no plane
+   * \return false if the ball intersects leaves outside of the range */
   bool
   findUnused(double radius,
              const Eigen::Vector3d& centre,
@@ -96,13 +96,14 @@ private:
   std::function<void()> tick_;
   std::vector<Side> queue_;
   Unfinished left_;
-  std::vector<std::int32_t> found_; ///< unused points, kept for its memory
-  std::vector<Apex> apexes_;        ///< as found_
-  bool is_at_wall_ = false; ///< the side last looked at: it may have more apexes
+  std::vector<std::int32_t> found_; ///< unused points; reused memory
+  std::vector<Apex> apexes_;        ///< reused memory
+  bool is_at_wall_ = false;         ///< at the last edge; it may have more apexes
 };
 
-/** \brief Sides that may close, and points that may be used, now that triangles are gone:
- * the open sides at their corners, and what is in reach of corners no longer used. */
+/** \brief Returns the edges that may be closed and the points that may be used after
+ * triangles were removed: the open edges at their corners, and those in reach of
+ * corners that are no longer used. */
 Unfinished
 affectedBy(const std::vector<GrownTriangle>& removed,
            const SizeConstraint& size,

@@ -7,7 +7,7 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Points on the sphere, its three corners apart. */
+/** \brief Points on the sphere, without its three corners. */
 std::vector<std::int32_t>
 pointsOnSphere(const PointTree& tree,
                const Sphere& sphere,
@@ -25,7 +25,7 @@ pointsOnSphere(const PointTree& tree,
   return result;
 }
 
-/** \brief Does point q, on the same side of a b as c, come before c as its apex? */
+/** \brief Is point q, on the same side of a b as c, preferred to c as the apex? */
 bool
 comesBefore(const PointTree& tree,
             const SizeConstraint& size,

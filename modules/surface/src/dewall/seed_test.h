@@ -6,9 +6,10 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief May three unused points be the first triangle of a component? Its smallest
- * sphere must be empty, and of the triangulations of points on one circle it must belong
- * to the one that \ref isNearerApex grows, or two seeds would cross each other. */
+/** \brief Can three unused points be the first triangle of a component? Its smallest
+ * sphere has to be empty, and for cocircular points it has to belong to the
+ * triangulation that results from \ref isNearerApex; otherwise triangles from two seeds
+ * could intersect. */
 bool
 isFirstTriangle(const PointTree& tree,
                 const SizeConstraint& size,

@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Fewer triples of neighbouring pixels say nothing. */
+/** \brief Minimum number of triples of neighbouring pixels for a decision. */
 constexpr std::size_t least_triples = 100;
 
 } // namespace

@@ -9,10 +9,11 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief Edges reach this many times the distance to the eighth neighbour. */
+/** \brief Maximum edge length in multiples of the distance to the eighth neighbour. */
 constexpr double reach = 2.5;
 
-/** \brief The largest float that is not above a length: no edge is longer than asked. */
+/** \brief The largest float that is not above a length, so that no edge exceeds the
+ * requested limit. */
 float
 floatBelow(double length)
 {

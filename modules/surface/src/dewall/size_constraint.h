@@ -9,9 +9,10 @@ namespace pcl::acmap::dewall {
 
 struct Spacing;
 
-/** \brief The paper's triangle size constraint, as a predicate over edges.
+/** \brief The paper's triangle size constraint, as a predicate for edges.
  *
- * Every leaf of the tree has its longest edge; an edge obeys both of its ends. */
+ * Each leaf of the tree has a maximum edge length; an edge has to satisfy the limits of
+ * both ends. */
 class SizeConstraint {
 public:
   /** \brief The same length everywhere. */
@@ -20,21 +21,21 @@ public:
   /** \brief From the spacing around each leaf. */
   SizeConstraint(const PointTree& tree, const Spacing& spacing);
 
-  /** \brief Longest edge at tree point \a i, metres. */
+  /** \brief Maximum edge length at tree point \a i, metres. */
   double
   longest(std::int32_t i) const
   {
     return longestInLeaf(tree_.leafOf(i));
   }
 
-  /** \brief Longest edge at the points of a leaf, metres. */
+  /** \brief Maximum edge length at the points of a leaf, metres. */
   double
   longestInLeaf(std::int32_t leaf) const
   {
     return longest_[static_cast<std::size_t>(leaf)];
   }
 
-  /** \brief That of every leaf. */
+  /** \brief Maximum edge length of all leaves, metres. */
   const float*
   longestOfLeaves() const
   {

@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::size_t most_sides = 8;
 
-/** \brief The sides of a hole, each beginning where the one before it ends. */
+/** \brief The edges of a hole; each begins where the previous one ends. */
 using Hole = std::vector<Side>;
 
-/** \brief Finds holes by walking round them from each side at their first corner. */
+/** \brief Finds holes by walking around them from each open edge of their first
+ * corner. */
 class HoleSearch {
 public:
   HoleSearch(GrowingMesh& mesh, const Range& range)
@@ -34,7 +35,7 @@ public:
   }
 
 private:
-  /** \brief True when a small hole begins with a side at its first corner. */
+  /** \brief Returns true if a small hole begins with an edge at its first corner. */
   bool
   walk(std::int32_t first, const Side& begin, Hole& hole)
   {
@@ -52,13 +53,14 @@ private:
       hole.push_back(from_corner ? Side{corner, next} : Side{next, corner});
       corner = next;
     }
-    // Each hole is met in both directions.
+    // Each hole is found in both directions.
     const Side& last = hole.back();
     return hole.size() >= 3 && begin.a + begin.b < last.a + last.b &&
            isOrientable(first, hole);
   }
 
-  /** \brief Do the components round the hole, as they run, leave it orientable? */
+  /** \brief Can the hole be filled with a consistent orientation of the components
+   * around it? */
   bool
   isOrientable(std::int32_t first, const Hole& hole)
   {
@@ -78,7 +80,7 @@ private:
     return true;
   }
 
-  /** \brief Has it one fan, and none that leads over points of another task? */
+  /** \brief Does the corner have exactly one fan, without points of another task? */
   bool
   isPassable(std::int32_t corner) const
   {
@@ -100,8 +102,8 @@ private:
   const bool is_whole_;
 };
 
-/** \brief The triangulation of a hole whose sharpest turn is the gentlest, by dynamic
- * programming over runs of its corners. */
+/** \brief Computes the triangulation of a hole with the smallest maximum turn, by
+ * dynamic programming over ranges of its corners. */
 class HoleFilling {
 public:
   HoleFilling(const SizeConstraint& size, GrowingMesh& mesh, const Hole& hole)
@@ -119,7 +121,7 @@ public:
         solve(first, first + length);
   }
 
-  /** \brief Adds the triangles if all of their turns are allowed. */
+  /** \brief Adds the triangles if all their turns are permitted. */
   void
   fill()
   {
@@ -132,10 +134,11 @@ public:
   }
 
 private:
-  /** The corners from the first to the last of a run, closed by the chord between them. */
+  /** A range of consecutive corners, closed by the chord between the first and the last
+   * one. */
   struct Run {
-    double cosine = -2; ///< of the sharpest turn inside, chord excepted; -2: impossible
-    std::size_t apex = 0; ///< corner that makes a triangle with the chord
+    double cosine = -2;   ///< largest turn without chord; -2: impossible
+    std::size_t apex = 0; ///< corner of the triangle at the chord
   };
 
   static std::int32_t
@@ -168,7 +171,8 @@ private:
             size_.allows(a, b, (tree_.position(a) - tree_.position(b)).squaredNorm()));
   }
 
-  /** \brief Turn at the chord of a run from what lies inside the run to corner \a apex. */
+  /** \brief Minimum cosine inside a range and at its chord, if corner \a apex is
+   * added. */
   double
   cosineAtChord(std::size_t first, std::size_t last, std::size_t apex)
   {
@@ -201,7 +205,7 @@ private:
     }
   }
 
-  /** \brief Adds the triangle over a chord, then those of the two runs beside it. */
+  /** \brief Adds the triangle over a chord, then those of the two ranges beside it. */
   void
   add(std::size_t first, std::size_t last, const Side& chord)
   {
@@ -210,7 +214,7 @@ private:
     const std::size_t apex = best(first, last).apex;
     const std::int32_t p = corners_[apex];
     mesh_.add(chord, p);
-    // The new triangle runs b a p: its new sides are a p and p b.
+    // The new triangle is (b, a, p): its new edges are a p and p b.
     const bool starts_at_first = chord.a == corners_[first];
     add(first, apex, starts_at_first ? Side{chord.a, p} : Side{p, chord.b});
     add(apex, last, starts_at_first ? Side{p, chord.b} : Side{chord.a, p});
@@ -220,7 +224,7 @@ private:
   const SizeConstraint& size_;
   GrowingMesh& mesh_;
   const Hole& hole_;
-  std::vector<std::int32_t> corners_; ///< side i runs from corner i to corner i + 1
+  std::vector<std::int32_t> corners_; ///< edge i is from corner i to corner i + 1
   std::vector<Run> best_;
 };
 

@@ -5,11 +5,11 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief Closes holes of few sides by the triangles that turn least, under the guard and
- * the size constraint; where one would turn too steeply the hole stays.
+/** \brief Closes holes with few edges by the triangles with the smallest turns, under
+ * the guard and the size constraint; a hole that needs too large a turn remains open.
  *
- * In the whole of the points only holes at vertices of walls are looked at: the parts
- * have closed the others. */
+ * In the range of all points, only holes at vertices of walls are considered, as the
+ * parts have closed the others. */
 void
 closeSmallHoles(const SizeConstraint& size, GrowingMesh& mesh, const Range& range);
 

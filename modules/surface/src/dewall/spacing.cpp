@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_neighbours = 8;
 
-/** \brief Squared distances to the nearest neighbours, ascending; fewer in a small tree. */
+/** \brief Squared distances to the nearest neighbours, ascending; there are fewer in a
+ * small tree. */
 std::vector<double>
 nearestSquared(const PointTree& tree, std::int32_t i)
 {
@@ -41,8 +42,8 @@ nearestSquared(const PointTree& tree, std::int32_t i)
   return nearest;
 }
 
-/** \brief The same from a search of the caller's, as far as it makes sense; where a place
- * is repeated, its points are none of its neighbours. */
+/** \brief Same, from the results of the caller's search. Invalid distances and those of
+ * repeated positions (zero) are ignored. */
 std::vector<double>
 usableSquared(const std::vector<float>& found)
 {
@@ -56,7 +57,8 @@ usableSquared(const std::vector<float>& found)
   return squared;
 }
 
-/** \brief Fills in what the points around one in each quarter of a leaf say. */
+/** \brief Measures the spacing of a leaf at two of its points, a quarter from either
+ * end. */
 template <typename Search>
 void
 measureLeaf(const PointTree& tree,

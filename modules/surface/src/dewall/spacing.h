@@ -9,22 +9,23 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief How far apart the points of each leaf of the tree stand, metres. */
+/** \brief Spacing of the points in each leaf of the tree, metres. */
 struct Spacing {
-  std::vector<double> nearest; ///< for each, from a point to its nearest neighbour
-  std::vector<double> eighth;  ///< and to its eighth: 1.41 spacings on a square grid
+  std::vector<double> nearest; ///< to the nearest neighbour of a point
+  std::vector<double> eighth;  ///< to its eighth: 1.41 spacings on a square grid
 
-  std::size_t asked = 0;      ///< points that the caller's search was asked about
-  std::size_t unanswered = 0; ///< of these, where it found none but the point
+  std::size_t asked = 0;      ///< points for which the caller's search was called
+  std::size_t unanswered = 0; ///< of these, without any neighbour
 
   /** \brief Median of \ref nearest. */
   double
   median() const;
 };
 
-/** \brief Looks at two points a leaf and takes the lesser values, so that one outlier in a
- * leaf does not speak for the others. The tree has at least two points.
- * \param[in] neighbours a search to be asked instead of the tree; empty for none */
+/** \brief Measures the spacing at two points per leaf and uses the smaller values, so
+ * that a single outlier does not determine the spacing of its leaf. The tree must have
+ * at least two points.
+ * \param[in] neighbours a search that is used instead of the tree; may be empty */
 Spacing
 measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours);
 

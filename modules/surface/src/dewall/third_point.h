@@ -8,8 +8,8 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief The p3 whose circumcircle with p1 and p2 is smallest, on whichever side,
- * under the size constraint ([P] II-C.1); -1 where there is none. */
+/** \brief Returns the point p3 with the smallest circumcircle with p1 and p2, on either
+ * side, under the size constraint ([P] II-C.1); -1 if there is none. */
 template <typename Accept>
 std::int32_t
 findThirdPoint(const PointTree& tree,
@@ -36,7 +36,8 @@ findThirdPoint(const PointTree& tree,
         continue;
       smallest = radius;
       best = i;
-      // A circle of this radius through p1 and p2 stays within this of their middle.
+      // A circle of this radius through p1 and p2 is within this distance of their
+      // middle.
       reach = std::min(
           reach, radius + std::sqrt(std::max(0.0, radius * radius - half * half)));
     }

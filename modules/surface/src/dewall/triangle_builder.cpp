@@ -10,7 +10,8 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-/** \brief The leaves of the tree within reach of alpha, the nearest first. */
+/** \brief The leaves of the tree that are within the maximum edge length of alpha, the
+ * nearest ones first. */
 std::vector<std::int32_t>
 leavesNearPlane(const PointTree& tree,
                 const PointTree::Plane& alpha,
@@ -57,7 +58,7 @@ public:
     part.first_component = parity.size();
   }
 
-  /** \return the sides of each half (L_l and L_r) */
+  /** \return the edges of each half (L_l and L_r) */
   std::array<std::vector<Side>, 2>
   growWall(const std::vector<Side>& sides)
   {
@@ -66,7 +67,7 @@ public:
     front_.advance(range_);
     for (const std::int32_t leaf :
          leavesNearPlane(tree_, tree_.planeOf(part_.node), range_, size_))
-      seedAt(leaf, 2); // what a wall misses the halves find
+      seedAt(leaf, 2); // the halves find what a wall misses
     front_.deferWaiting();
     std::array<std::vector<Side>, 2> halves;
     for (const Side& side : front_.takeUncut())
@@ -97,8 +98,8 @@ public:
   }
 
 private:
-  /** \brief Starts a component in a leaf of the tree where many points are unused: that a
-   * few are left over under noise is no sign of another surface. */
+  /** \brief Starts a component in a leaf of the tree if many of its points are unused:
+   * a few unused points below a noisy surface do not indicate another surface. */
   void
   seedAt(std::int32_t leaf, int trials)
   {
@@ -122,7 +123,7 @@ private:
     }
   }
 
-  /** \brief The last passes, for what they can decide here. */
+  /** \brief Performs the last passes as far as possible within the part. */
   void
   complete()
   {
@@ -214,7 +215,7 @@ private:
   const SizeConstraint& size_;
   const BuilderSettings& settings_;
   const std::function<void()>& tick_;
-  int depth_ = 0; ///< of the leaves of the recursion
+  int depth_ = 0; ///< depth of the leaves of the recursion
   std::vector<Part> parts_;
 };
 

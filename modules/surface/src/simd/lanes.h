@@ -1,12 +1,13 @@
-// Eight floats at once, as a vector type of the compiler. For the inside of one source
-// file: all is in an unnamed namespace, since every variant is compiled with its own flags.
+// Eight floats as a vector type of the compiler. To be included in a single source file
+// per variant: everything is in an unnamed namespace, because each variant is compiled
+// with its own flags.
 #pragma once
 
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
-// The vectors never pass between functions of different files.
+// The vectors are never passed between functions of different files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {
@@ -36,7 +37,7 @@ maxLanes(const Lanes& a, const Lanes& b)
   return a > b ? a : b;
 }
 
-/** A bit for each lane whose mask is set. */
+/** Returns a bit for each lane whose mask is set. */
 ACMAP_INLINE unsigned
 bitsOf(const LaneMask& mask)
 {

@@ -4,26 +4,26 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief The tight boxes of up to eight siblings of the tree, an axis after the other. */
+/** \brief The tight boxes of up to eight siblings of the tree, axis by axis. */
 struct alignas(32) SiblingBoxes {
   float low[3][8], high[3][8];
 };
 
-/** \brief The share of space of a group of siblings, between the splitting planes. */
+/** \brief The region of space of a group of siblings, between the splitting planes. */
 struct CellBox {
   float low[3], high[3];
 };
 
-/** \brief A PointTree as plain arrays, for kernels that may not use Eigen.
+/** \brief A PointTree as plain arrays, for kernels that must not use Eigen.
  *
- * The tree is complete: 2^depth leaves, and leaf l begins at point l n / 2^depth. Eight
- * leaves make a group of level 1, eight of these one of level 2, and so on; the single
- * group of the highest level may have fewer members. */
+ * The tree is complete: it has 2^depth leaves, and leaf l begins at point l n /
+ * 2^depth. Eight leaves form a group of level 1, eight of these form one of level 2,
+ * and so on; the single group of the highest level may have fewer members. */
 struct TreeCells {
   static constexpr int leaf_capacity = 16;
   static constexpr int most_levels = 10;
 
-  const float* coordinates[3] = {}; ///< in tree order; a leaf's length of zeros follows
+  const float* coordinates[3] = {}; ///< in tree order, followed by zeros for a leaf
   std::int64_t points = 0;
   int depth = 0;
   int levels = 0;

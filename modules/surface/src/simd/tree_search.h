@@ -4,49 +4,52 @@
 
 namespace pcl::acmap::dewall {
 
-/** \brief A search for the apex over a side a b, in float: the points whose angle apb may
- * be the largest, up to a margin above all rounding. Doubles decide between them. */
+/** \brief Query in floats for the apex over an edge a b: it finds the points whose
+ * angle apb may be the largest, with a margin above all rounding errors. The decision
+ * is made in double precision. */
 struct ApexQuery {
-  std::int32_t a, b;       ///< of the side, never found
-  std::int32_t left_out;   ///< never found either; -1: none
+  std::int32_t a, b;       ///< ends of the edge, excluded from the result
+  std::int32_t left_out;   ///< also excluded; -1: none
   float at_a[3], at_b[3];  ///< their positions
   float along[3];          ///< unit, from a to b
-  float outward[3];        ///< unit, beyond plane beta
+  float outward[3];        ///< unit, towards the half-space beyond plane beta
   float length;            ///< |ab|
-  float longest;           ///< edge allowed at a and b
-  float reach;             ///< farthest from the middle that it allows
-  const float* longest_at; ///< edge allowed at the points of each leaf
+  float longest;           ///< maximum edge length at a and b
+  float reach;             ///< maximum distance from the middle
+  const float* longest_at; ///< maximum edge length in each leaf
   std::int32_t leaf;       ///< where the walk begins
-  /** Bits of the points of each leaf that are no apexes, for leaves from first_masked to
-   * end_masked; elsewhere nothing is masked. */
+  /** Bits of the points of each leaf that are excluded as apexes, for the leaves from
+   * first_masked to before end_masked; the other leaves have no mask. */
   const std::uint16_t* masks;
   std::int32_t first_masked, end_masked;
 };
 
 /** \brief A search for points inside a ball. */
 struct BallQuery {
-  std::int32_t corners[3]; ///< on its surface, never found
+  std::int32_t corners[3]; ///< on its surface, excluded from the result
   float origin[3];         ///< a position near the ball, exact
-  float centre[3];         ///< from there
+  float centre[3];         ///< centre relative to origin
   float middle[3];         ///< centre of the ball, rounded
   float radius;
   std::int32_t leaf; ///< where the walk begins
 };
 
-/** \brief What a search found: the answer for doubles to choose from. */
+/** \brief Candidates found by a search; the decision between them is made in double
+ * precision. */
 struct SearchHits {
   static constexpr std::int32_t capacity = 64;
-  std::int32_t count = 0; ///< capacity + 1: more than fit
+  std::int32_t count = 0; ///< capacity + 1: there are more
   std::int32_t index[capacity];
 };
 
-/** \brief The searches that take most of the time, in variants for processors. All give
- * hits that lead to the same answer. */
+/** \brief The searches that take most of the time, in variants for different
+ * processors. The hits of all variants lead to the same result. */
 struct TreeSearch {
-  /** Candidates, among them every allowed point of largest angle. */
+  /** Finds candidates, including each permitted point with the largest angle. */
   void (*apexes)(const TreeCells&, const ApexQuery&, SearchHits&);
 
-  /** \brief True: a point lies inside for sure. False: only the hits may. */
+  /** \brief Returns true if a point is certainly inside. If false, only the hits may be
+   * inside. */
   bool (*ball)(const TreeCells&, const BallQuery&, SearchHits&);
 };
 
@@ -55,8 +58,8 @@ extern const TreeSearch tree_search_base;
 extern const TreeSearch tree_search_avx2;
 #endif
 
-/** \brief The variant for this processor, or what the environment variable ACMAP_SIMD
- * names ("base"). */
+/** \brief The variant for this processor, or the one that the environment variable
+ * ACMAP_SIMD selects ("base"). */
 const TreeSearch&
 treeSearch();
 

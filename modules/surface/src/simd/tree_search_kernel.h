@@ -1,4 +1,4 @@
-// The searches themselves, compiled once for each variant; as lanes.h.
+// The search kernels, compiled once for each variant; see lanes.h.
 #pragma once
 
 #include "tree_search.h"
@@ -12,7 +12,7 @@ using pcl::acmap::dewall::SearchHits;
 
 constexpr float unbounded = __builtin_inff();
 
-/** The cotangent whose signed square is given. */
+/** Returns the cotangent, given its signed square. */
 ACMAP_INLINE float
 cotangentOf(float signed_square)
 {
@@ -20,10 +20,10 @@ cotangentOf(float signed_square)
                            : __builtin_sqrtf(signed_square);
 }
 
-/** Looks at points as apexes in units of the side's length: the angle apb is largest
- * where (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p - a)|^2, the signed square of its
- * cotangent, is least. A point counts as *sure* when it is allowed whatever the rounding:
- * only such ones raise the bar for the others. */
+/** Tests points as apexes, in units of the edge length: the angle apb is largest where
+ * the signed square of its cotangent, (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p -
+ * a)|^2, is minimal. A point is *sure* if it is permitted regardless of rounding: only
+ * such points lower the limit for the others. */
 struct ApexVisitor {
   const TreeCells& tree;
   const ApexQuery& query;
@@ -31,8 +31,8 @@ struct ApexVisitor {
   Ball ball;
   float scale;
   float* score;            ///< of each hit
-  float best = unbounded;  ///< of the sure ones
-  float limit = unbounded; ///< above it no candidate
+  float best = unbounded;  ///< minimum of the sure ones
+  float limit = unbounded; ///< upper limit of candidates
 
   ACMAP_INLINE unsigned
   keep(int level, std::int32_t group) const
@@ -48,13 +48,14 @@ struct ApexVisitor {
     const float size = cotangent < 0 ? -cotangent : cotangent;
     const float bar = cotangent + 1e-4f * (1 + size);
     limit = bar < 0 ? -bar * bar : bar * bar;
-    // All better apexes lie in balls through a and b, hence within this of the middle.
+    // All better apexes are in balls through a and b, hence within this distance of the
+    // middle.
     const float half = query.length / 2;
     const float radius = bar > 0 ? half * (bar + __builtin_sqrtf(bar * bar + 1)) : half;
     ball.radius = radius < ball.radius ? radius : ball.radius;
   }
 
-  /** Drops the hits above the bar. */
+  /** Removes the hits above the limit. */
   void
   prune()
   {
@@ -164,7 +165,8 @@ findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
     visitor.prune();
 }
 
-/** In units of the radius: squares of metres leave the floats below 1e-19 and above 1e19. */
+/** Uses the radius as unit: squares in metres exceed the range of floats below 1e-19
+ * and above 1e19. */
 struct BallVisitor {
   const TreeCells& tree;
   const BallQuery& query;

@@ -1,5 +1,5 @@
-// The walk through a tree's groups of eight, near ones first. For the inside of one source
-// file, as lanes.h.
+// Traversal of a tree's groups of eight, near ones first. To be included in a single
+// source file per variant, as lanes.h.
 #pragma once
 
 #include "lanes.h"
@@ -12,10 +12,10 @@ using pcl::acmap::dewall::firstOfLeaf;
 using pcl::acmap::dewall::SiblingBoxes;
 using pcl::acmap::dewall::TreeCells;
 
-/** A ball that may shrink under the walk; a negative radius ends it. */
+/** A ball that may shrink during the traversal; a negative radius ends it. */
 struct Ball {
   float centre[3];
-  float slack; ///< rounding may have moved the centre so far: no box must be missed
+  float slack; ///< maximum rounding error of the centre
   float radius;
 
   ACMAP_INLINE float
@@ -62,8 +62,9 @@ squaredDistances(const SiblingBoxes& boxes, const Ball& ball)
   return sum;
 }
 
-/** A bit for each member of a group of which a point may lie in a half-space.
- * \param[in] origin of the half-space, \a inward its unit normal */
+/** Returns a bit for each member of a group that may have points in a half-space.
+ * \param[in] origin of the half-space
+ * \param[in] inward its unit normal */
 ACMAP_INLINE unsigned
 membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inward)
 {
@@ -78,8 +79,8 @@ membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inwar
   return bitsOf(most >= allLanes(-1e-6f) * size);
 }
 
-/** A bit for each member that a group of a level has; only the highest may have fewer than
- * eight. A ball without end would reach the others, too. */
+/** Returns a bit for each member of a group of a level; only the highest level may have
+ * fewer than eight. The masked lanes would be reached by an infinite ball. */
 ACMAP_INLINE unsigned
 membersOf(const TreeCells& tree, int level)
 {
@@ -87,9 +88,9 @@ membersOf(const TreeCells& tree, int level)
   return depth < 3 ? (1u << (1u << depth)) - 1 : 0xffu;
 }
 
-/** Visits the members of a group, and what is below them, all but one (-1: all).
- * Visitor: ball; keep (level, group) gives a bit a member; visit (leaf) may shrink the
- * ball. */
+/** Visits the members of a group and their descendants, except member \a without (-1:
+ * none is excluded). The visitor has a ball; keep (level, group) returns a bit per
+ * member; visit (leaf) may shrink the ball. */
 template <typename Visitor>
 void
 walkGroup(
@@ -119,7 +120,7 @@ walkGroup(
   }
 }
 
-/** Climbs from a leaf no farther than to the group whose cell holds the ball. */
+/** Ascends from a leaf until the cell of the group contains the ball. */
 template <typename Visitor>
 void
 walkTree(const TreeCells& tree, Visitor& visitor, std::int32_t leaf)

@@ -14,28 +14,29 @@
 
 namespace pcl {
 
-/** \brief Straightens a map: finds the poses of observations under which their points
- * fit together best, without matching any of them, as in II-B.2 of
- * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM.
+/** \brief Rectifies a map: finds the poses of observations under which their points
+ * fit together best, without correspondences, as in II-B.2 of "Active Stereo Based
+ * Compact Mapping". The interface is similar to PCL's registration::LUM.
  *
  * Guarded mode (default) minimises F = kappa N (E - E_wide) + |u|^2 / 2. E is the
- * direction-aware entropy of \ref MapEntropy, E_wide the same in bins four times as wide:
- * entropy alone also falls when a map shrinks, the difference does not. u are the actions'
- * residuals against the odometry in sigmas. By gradient descent, from windows of 16
- * observations to the whole map, coarse to fine, kappa from small to large. Candidates
- * are then judged by what entropy does not use: rays that pass through walls which others
- * have seen. If they speak against all of them, or the given map was as good, the poses
- * stay and the report says so.
+ * direction-aware entropy of \ref MapEntropy, E_wide is the same in bins four times as
+ * wide: the entropy alone also decreases when a map shrinks, the difference does not. u
+ * are the residuals of the actions against the odometry, in standard deviations. The
+ * minimisation uses L-BFGS, from windows of 16 observations to the whole map, from
+ * coarse to fine, with increasing kappa. The candidates are then verified by
+ * evidence that the entropy does not use: rays that pass through walls seen by other
+ * observations. If the rays contradict all candidates, or if the given map was as good,
+ * the poses are unchanged and the report contains the reason.
  *
- * Paper mode minimises Eq. 3 alone, E = H(q_XZ) + mu (H(q_X) + H(q_Z)), along the
- * building's main directions, by voting on random subsets of actions; the energy never
- * rises at a bin size. It has no guard.
+ * Paper mode minimises Eq. 3 alone, E = H(q_XZ) + mu (H(q_X) + H(q_Z)), along the main
+ * directions of the building, by voting on random subsets of actions; for each bin size
+ * the energy never increases. This mode has no verification.
  *
- * Poses move in the XZ plane (y is the vertical) and turn about y; heights and tilts
- * stay. Normals should be given (\ref VoxelConsolidation makes them); their side is
- * taken from the sensor. Metres, radians. Time: O(n) once for n points, then some hundred
- * evaluations of the entropy, each O(cells + bins). The same bytes for every number of
- * threads.
+ * Poses are translated in the XZ plane (y is vertical) and rotated about y; heights and
+ * tilts are unchanged. Normals should be given (\ref VoxelConsolidation computes them);
+ * they are oriented towards the sensor. Units are metres and radians. The time is O(n)
+ * once for n points, plus some hundred evaluations of the entropy, each O(cells +
+ * bins). The result is bitwise the same for any number of threads.
  * \code
  * pcl::EntropyRectification<pcl::PointNormal> rectification;
  * for (std::size_t i = 0; i < clouds.size (); ++i)
@@ -55,25 +56,27 @@ public:
   using PointCloudPtr = typename PointCloud::Ptr;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
 
-  /** \brief Adds an observation, in the order in which they were made.
-   * \param[in] cloud in the sensor's frame, not to be changed afterwards; points may
-   * be NaN
+  /** \brief Adds an observation; the order must be that in which they were made.
+   * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
+   * may be NaN
    * \param[in] pose T_map_camera
-   * \param[in] weights how much each point counts, as in \ref MapEntropy; empty: 1
+   * \param[in] weights weight of each point, as in \ref MapEntropy; empty: 1
    * \return its number
-   * \throws BadArgumentException when the cloud is missing, the pose no rigid motion,
-   * or the weights are not one a point, finite and >= 0 */
+   * \throws BadArgumentException when the cloud is missing, the pose is not a rigid
+   * motion, or the weights are not one per point, finite and >= 0 */
   std::size_t
   addPointCloud(const PointCloudConstPtr& cloud,
                 const Eigen::Isometry3d& pose,
                 const std::vector<float>& weights = {});
 
-  /** \brief Sets the pose from which \ref compute starts.
-   * \throws BadArgumentException as \ref addPointCloud, or when there is no such one */
+  /** \brief Sets the initial pose of an observation for \ref compute.
+   * \throws BadArgumentException as \ref addPointCloud, or when there is no such
+   * observation */
   void
   setPose(std::size_t number, const Eigen::Isometry3d& pose);
 
-  /** \brief T_map_camera: rectified after \ref compute, as it came before it. */
+  /** \brief T_map_camera: the rectified pose after \ref compute, the given pose
+   * before. */
   const Eigen::Isometry3d&
   getPose(std::size_t number) const;
 
@@ -83,11 +86,11 @@ public:
     return clouds_.size();
   }
 
-  /** \brief Takes all observations out. */
+  /** \brief Removes all observations. */
   void
   clear();
 
-  /** \brief Sets how to search (default Guarded). */
+  /** \brief Sets the search mode (default Guarded). */
   void
   setMode(RectificationMode mode)
   {
@@ -100,8 +103,9 @@ public:
     return settings_.mode;
   }
 
-  /** \brief Sets the edge of the finest bins (default 0.1 m); the search begins with
-   * four times that. \throws BadArgumentException unless within [0.001, 25] m */
+  /** \brief Sets the edge length of the finest bins (default 0.1 m); the search begins
+   * with four times this value.
+   * \throws BadArgumentException unless within [0.001, 25] m */
   void
   setBinSize(double metres);
 
@@ -111,8 +115,9 @@ public:
     return settings_.bin_size;
   }
 
-  /** \brief Sets how much a bit of entropy counts against the odometry, times the
-   * default. \throws BadArgumentException unless within [1e-3, 1e3] */
+  /** \brief Sets the weight of the entropy against the odometry, as a factor of the
+   * default.
+   * \throws BadArgumentException unless within [1e-3, 1e3] */
   void
   setEntropyWeight(double factor);
 
@@ -122,21 +127,23 @@ public:
     return settings_.entropy_weight;
   }
 
-  /** \brief Sets mu, the weight of H(q_X) + H(q_Z) along the building's main directions
-   * (default: 0.1 in Paper mode, 0 in Guarded mode, where it does harm in buildings that
-   * are not plane-parallel). \throws BadArgumentException unless within [0, 1000] */
+  /** \brief Sets mu, the weight of H(q_X) + H(q_Z) along the main directions of the
+   * building (default: 0.1 in Paper mode; 0 in Guarded mode, because it is harmful in
+   * buildings that are not plane-parallel).
+   * \throws BadArgumentException unless within [0, 1000] */
   void
   setProjectionWeight(double mu);
 
-  /** \brief mu as set; negative: by the mode. */
+  /** \brief mu as it was set; negative: the default of the mode. */
   double
   getProjectionWeight() const
   {
     return settings_.projection_weight;
   }
 
-  /** \brief Sets what the odometry is expected to err by. If the rays say so twice or four
-   * times as much is allowed for. \throws BadArgumentException naming the value */
+  /** \brief Sets the expected errors of the odometry. If the rays indicate it, twice or
+   * four times as much is permitted.
+   * \throws BadArgumentException naming the value */
   void
   setOdometryNoise(const OdometryNoise& noise);
 
@@ -159,22 +166,23 @@ public:
     return settings_.seed;
   }
 
-  /** \brief Rectifies the poses, beginning with those that were given, whatever an
-   * earlier run has found.
+  /** \brief Rectifies the poses, always starting from the given ones, regardless of
+   * earlier results.
    * \throws InitFailedException without an observation
-   * \throws CancelledException when the progress callback stopped it; nothing changes */
+   * \throws CancelledException when the progress callback requested to stop; nothing is
+   * changed */
   void
   compute();
 
-  /** \brief \ref getPose as PCL's transformations. */
+  /** \brief Same as \ref getPose, in the type that PCL uses for transformations. */
   Eigen::Affine3f
   getTransformation(std::size_t number) const;
 
-  /** \brief An observation in the map. */
+  /** \brief Returns an observation in the frame of the map. */
   PointCloudPtr
   getTransformedCloud(std::size_t number) const;
 
-  /** \brief All observations in the map. */
+  /** \brief Returns all observations in the frame of the map. */
   PointCloudPtr
   getConcatenatedCloud() const;
 

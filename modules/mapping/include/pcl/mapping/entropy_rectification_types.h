@@ -8,68 +8,73 @@
 
 namespace pcl {
 
-/** \brief How EntropyRectification searches. \ingroup mapping */
+/** \brief Search mode of EntropyRectification. \ingroup mapping */
 enum class RectificationMode {
-  Guarded, ///< descent on the direction-aware entropy with an odometry prior, judged by rays
-  Paper ///< voting on subsets of actions, on the entropy of Eq. 3 alone
+  /** Descent on the direction-aware entropy with an odometry prior, verified by
+   * rays. */
+  Guarded,
+  /** Voting on subsets of actions, on the entropy of Eq. 3 alone. */
+  Paper
 };
 
-/** \brief How it ended. \ingroup mapping */
+/** \brief Outcome of EntropyRectification. \ingroup mapping */
 enum class RectificationOutcome {
-  Rectified,   ///< the poses are new
-  Kept,        ///< the map was as good before: the poses are as they came
-  Refused,     ///< the rays spoke against every candidate: the poses are as they came
-  Undetermined ///< there was nothing to go by: the poses are as they came
+  Rectified,   ///< the poses were rectified
+  Kept,        ///< the given map was as good: the poses are unchanged
+  Refused,     ///< the rays contradict all candidates: poses unchanged
+  Undetermined ///< there is no information: the poses are unchanged
 };
 
-/** \brief What a robot's odometry is expected to err by, one standard deviation for one
- * action of length l and turn dtheta. \ingroup mapping */
+/** \brief Expected errors of a robot's odometry: standard deviations for an action of
+ * length l and turn dtheta. \ingroup mapping */
 struct OdometryNoise {
-  double length = 0.005;          ///< metres, on dx and on dz, of any action
+  double length = 0.005;          ///< metres, of dx and of dz, for any action
   double length_per_metre = 0.03; ///< added for each metre of l
-  double turn = 0.006;            ///< radians, of any action
+  double turn = 0.006;            ///< radians, for any action
   double turn_per_radian = 0.02;  ///< added for each radian of |dtheta|
 };
 
 /** \brief A point of the energy curve. \ingroup mapping */
 struct RectificationStep {
-  std::string search;  ///< which one
+  std::string search;  ///< name of the search
   double bin_size = 0; ///< metres
-  double entropy = 0;  ///< bits, at this bin size; Guarded: less that in wide bins
-  double prior = 0;    ///< half the squared sum of the actions' residuals, in sigmas
-  double energy = 0;   ///< what is minimised: both, weighted
+  double entropy = 0;  ///< bits, at this bin size; Guarded: minus that of wide bins
+  double prior = 0;    ///< half the sum of squared residuals of the actions, in sigmas
+  double energy = 0;   ///< minimised value: weighted sum of both
 };
 
-/** \brief What the rays of a map and its points tell; the search uses none of it.
+/** \brief Evidence from the rays and points of a map, which the search does not use.
  *
- * A ray is contradicted where it passes through a wall that another observation has
- * seen, confirmed where it ends on one. The share is contradicted over both. Near are
- * observations at most 16 apart, far the others. \ingroup mapping */
+ * A ray is contradicted if it passes through a wall that another observation has seen,
+ * and confirmed if it ends on such a wall. The share is the number of contradicted rays
+ * divided by the sum of both. Near observations are at most 16 observations apart, far
+ * ones are the others. \ingroup mapping */
 struct MapEvidence {
   std::size_t rays = 0;
   double near_contradictions = 0; ///< share, 0 without any near evidence
   double far_contradictions = 0;  ///< share, 0 without any far evidence
-  double near_rays = 0;           ///< share of the rays that near walls tell about
-  double far_rays = 0;            ///< share of the rays that far walls tell about
-  /** Nats, mean over points of the entropy of their neighbourhood, 0.4 m in XZ. */
+  double near_rays = 0;           ///< share of the rays with evidence by near walls
+  double far_rays = 0;            ///< share of the rays with evidence by far walls
+  /** Mean map entropy in nats: mean over points of the entropy of their neighbourhood,
+   * 0.4 m in XZ. */
   double mean_map_entropy = 0;
-  /** m^2, mean variance across walls along the building's two main directions. */
+  /** Mean variance across walls along the two main directions of the building, m^2. */
   double orthogonal_variance = 0;
 };
 
-/** \brief What EntropyRectification tells about its last run. \ingroup mapping */
+/** \brief Report of the last run of EntropyRectification. \ingroup mapping */
 struct EntropyRectificationReport : Report {
   RectificationOutcome outcome = RectificationOutcome::Undetermined;
-  std::string reason; ///< of the outcome, one line
+  std::string reason; ///< reason of the outcome, one line
   std::size_t observations = 0, points = 0, invalid_points = 0;
-  std::size_t evaluations = 0; ///< of the energy of the whole map, or as much work
-  double odometry_scale = 1;   ///< times OdometryNoise: what the rays preferred
+  std::size_t evaluations = 0; ///< of the energy of the whole map, or equivalent
+  double odometry_scale = 1;   ///< factor of OdometryNoise that the rays preferred
   double strongest_action = 0; ///< largest residual of an action, in sigmas
   double disagreement = 0;     ///< metres, rms, between the two best candidates
   std::vector<RectificationStep> steps;
-  MapEvidence before, after;  ///< after: of the best candidate, even when refused
-  std::vector<double> moved;  ///< metres, each observation
-  std::vector<double> turned; ///< radians, each observation
+  MapEvidence before, after;  ///< after: of the best candidate, even if refused
+  std::vector<double> moved;  ///< metres, for each observation
+  std::vector<double> turned; ///< radians, for each observation
 };
 
 } // namespace pcl

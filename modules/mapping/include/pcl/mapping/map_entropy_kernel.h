@@ -21,38 +21,40 @@ struct MapEntropySettings {
   bool direction_aware = false;
 };
 
-/** \brief A grid of more bins (all layers) is refused: two of them are held, 256 MB. */
+/** \brief Grids with more bins (all layers) are refused: two of them are stored, 256
+ * MB. */
 inline constexpr double maximum_entropy_bins = 33554432;
 
-/** \brief The points of an observation within half a bin of each other; within a whole
- * one where they fill it evenly. */
+/** \brief Sum of the points of an observation in half a bin, or in a whole bin if they
+ * fill it evenly. */
 struct EntropyCell {
   double x = 0, z = 0;  ///< metres, mean in the sensor's frame
   double weight = 0;    ///< number of points, or the sum of their weights
   double direction = 0; ///< rad, atan2 (n_z, n_x) towards the sensor; NaN: none
 };
 
-/** \brief An observation as cells, in an order that does not depend on the points'. */
+/** \brief An observation as cells; their order does not depend on that of the
+ * points. */
 struct EntropyCells {
   std::vector<EntropyCell> cells;
   std::size_t points = 0, invalid_points = 0, distant_points = 0, directed_points = 0;
 };
 
-/** \brief An observation as it came. */
+/** \brief An observation as it was given. */
 struct PosedPoints {
   PointView points;  ///< metres, sensor's frame
   PointView normals; ///< unit, of the same points; empty: none
   PlanarPose pose;
-  const float* weights = nullptr; ///< one a point; nullptr: 1 each
+  const float* weights = nullptr; ///< one per point; nullptr: 1 each
 };
 
-/** \throws BadArgumentException unless x and z are within [-1e9, 1e9] m and theta within
- * [-1e3, 1e3] rad */
+/** \throws BadArgumentException unless x and z are within [-1e9, 1e9] m and theta
+ * within [-1e3, 1e3] rad */
 ACMAP_EXPORT void
 requirePlanarPose(const PlanarPose& pose);
 
-/** \throws BadArgumentException unless there are none or one for each point, and naming
- * the first that is negative or not finite */
+/** \throws BadArgumentException unless there are none or one per point; names the first
+ * one that is negative or not finite */
 ACMAP_EXPORT void
 requirePointWeights(const std::vector<float>& weights, std::size_t points);
 
@@ -60,24 +62,25 @@ requirePointWeights(const std::vector<float>& weights, std::size_t points);
 ACMAP_EXPORT void
 requireObservation(std::size_t number, std::size_t observations);
 
-/** \brief Sums the points of an observation up in cells of half a bin, and of 11.25
- * degrees where directions count. Cells of one bin and direction of which none holds half
- * of it become one.
- * \param[in] weights one a point, in their order; rounded to 2^-15 of the largest.
+/** \brief Aggregates the points of an observation in cells of half a bin, and of 11.25
+ * degrees if directions are used. The cells of one bin and direction are merged if none
+ * of them contains half of its weight.
+ * \param[in] weights one per point, in their order; rounded to 2^-15 of the maximum.
  * nullptr: 1 each
- * \throws BadArgumentException naming the first weight that is negative or not finite */
+ * \throws BadArgumentException naming the first weight that is negative or not
+ * finite */
 ACMAP_EXPORT EntropyCells
 aggregateCells(const PointView& points,
                const PointView& normals,
                const MapEntropySettings& settings,
                const float* weights = nullptr);
 
-/** \brief The fast entropy, continuously differentiable in every pose, of observations
- * whose poses change. Keeps its memory from one evaluation to the next. */
+/** \brief The fast entropy, continuously differentiable with respect to each pose, for
+ * observations whose poses change. The memory is reused between evaluations. */
 class ACMAP_EXPORT MapEntropyEvaluator {
 public:
   /** \throws BadArgumentException when the smoothing is wider than 100 bins, or a cell
-   * is not finite, has a negative weight or lies farther than 2e9 m */
+   * is not finite, has a negative weight or is farther away than 2e9 m */
   MapEntropyEvaluator(const std::vector<EntropyCells>& observations,
                       const MapEntropySettings& settings);
 
@@ -87,10 +90,10 @@ public:
   MapEntropyEvaluator&
   operator=(MapEntropyEvaluator other) noexcept;
 
-  /** \param[in] poses one for each observation, see \ref PosedPoints
+  /** \param[in] poses one per observation, see \ref PosedPoints
    * \param[out] report counts and remarks are added
    * \param[out] gradient d total / d (x, z, theta) of each pose, bits per metre and
-   * radian; nullptr: not wanted
+   * radian; nullptr: not computed
    * \throws BadArgumentException when poses and observations differ in number, or as
    * \ref requirePlanarPose */
   MapEntropyTerms
@@ -111,10 +114,10 @@ mapEntropy(const std::vector<EntropyCells>& observations,
            MapEntropyReport& report,
            std::vector<Eigen::Vector3d>* gradient = nullptr);
 
-/** \brief The entropy as the paper counts it, each point in the bin it lies in.
+/** \brief Computes the entropy as in the paper, each point in its bin.
  * \param[out] report counts and remarks are added
  * \throws BadArgumentException as \ref requirePlanarPose, \ref aggregateCells
- * \throws CancelledException when the progress was told to stop */
+ * \throws CancelledException when the progress callback requested to stop */
 ACMAP_EXPORT MapEntropyTerms
 exactMapEntropy(const std::vector<PosedPoints>& observations,
                 const MapEntropySettings& settings,

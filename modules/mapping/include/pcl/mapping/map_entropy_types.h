@@ -13,23 +13,24 @@ struct MapEntropyTerms {
   double along_x = 0;
   double along_z = 0;
 
-  /** That were counted, whatever they weigh; 0: all terms are 0 and mean nothing. */
+  /** Number of counted points, with any weight; if 0, all terms are 0 and
+   * meaningless. */
   std::size_t points = 0;
 
-  /** In how many directions of the XZ plane the points lie apart: 0 in one place, 1
-   * on a line, 2. Below 2 no pose is determined. */
+  /** Number of directions of the XZ plane in which the points are spread: 0 if they are
+   * at one position, 1 on a line, otherwise 2. Below 2 the poses are not determined. */
   int dimensions = 0;
 };
 
-/** \brief What MapEntropy tells about its last run. \ingroup mapping */
+/** \brief Report of the last run of MapEntropy. \ingroup mapping */
 struct MapEntropyReport : Report {
   std::size_t observations = 0;
   std::size_t points = 0;          ///< of all observations
   std::size_t invalid_points = 0;  ///< not finite, skipped
   std::size_t distant_points = 0;  ///< 1e9 m and more from their sensor
   std::size_t directed_points = 0; ///< with the direction of a wall
-  std::size_t cells = 0; ///< that stood for the points; 0 where each one was counted
-  std::size_t bins_x = 0, bins_z = 0, layers = 0; ///< of the grid, margins included
+  std::size_t cells = 0;           ///< representing the points; 0 if computed exactly
+  std::size_t bins_x = 0, bins_z = 0, layers = 0; ///< of the grid, with margins
 };
 
 } // namespace pcl

@@ -17,18 +17,18 @@ namespace pcl::acmap {
 struct RectificationSettings {
   RectificationMode mode = RectificationMode::Guarded;
   double bin_size = 0.1;         ///< metres, of the finest level
-  double entropy_weight = 1;     ///< times the weights of the levels
-  double projection_weight = -1; ///< mu; negative: 0 guarded, 0.1 as the paper
+  double entropy_weight = 1;     ///< factor of the weights of the levels
+  double projection_weight = -1; ///< mu; negative: 0 (Guarded), 0.1 (Paper)
   OdometryNoise odometry;
   std::uint64_t seed = 1;
 };
 
-/** \brief An observation, levelled: in a frame at the foot of its sensor whose y points
+/** \brief A levelled observation: its frame is below its sensor, and its y axis points
  * down in the map, so that its pose is planar. */
 struct LevelledPoints {
   std::vector<Eigen::Vector3f> points;  ///< metres
-  std::vector<Eigen::Vector3f> normals; ///< one a point, NaN: none; or empty
-  std::vector<float> weights;           ///< one a point; empty: 1 each
+  std::vector<Eigen::Vector3f> normals; ///< one per point, NaN: none; or empty
+  std::vector<float> weights;           ///< one per point; empty: 1 each
   double sensor_height = 0;             ///< metres, y of the sensor
 };
 
@@ -37,27 +37,27 @@ struct LevelledPoints {
 ACMAP_EXPORT void
 requireMapPose(const Eigen::Isometry3d& T_map_camera);
 
-/** \brief Height and tilt of a pose, from the sensor's frame into the levelled one:
- * T_map_camera is isometryOf (planarPartOf (T_map_camera)) times this. */
+/** \brief Height and tilt of a pose: the transformation from the sensor's frame to the
+ * levelled one. T_map_camera is isometryOf (planarPartOf (T_map_camera)) times this. */
 ACMAP_EXPORT Eigen::Isometry3d
 levelOf(const Eigen::Isometry3d& T_map_camera);
 
-/** \brief An observation in its levelled frame.
+/** \brief Transforms an observation to its levelled frame.
  * \param[in] points metres, sensor's frame
  * \param[in] normals of the same points; empty: none
- * \param[in] weights one a point; empty: 1 each */
+ * \param[in] weights one per point; empty: 1 each */
 ACMAP_EXPORT LevelledPoints
 levelledPoints(const PointView& points,
                const PointView& normals,
                const Eigen::Isometry3d& T_map_camera,
                const std::vector<float>& weights);
 
-/** \brief The poses that fit observations together.
- * \param[in] poses one for each observation, in the order in which they were made
+/** \brief Computes the poses under which the observations fit together.
+ * \param[in] poses one per observation, in the order in which they were made
  * \param[out] report counts, evidence and remarks are added
- * \return as many poses; those given where the outcome is not Rectified
+ * \return as many poses; the given ones if the outcome is not Rectified
  * \throws BadArgumentException when poses and observations differ in number
- * \throws CancelledException when the progress was told to stop */
+ * \throws CancelledException when the progress callback requested to stop */
 ACMAP_EXPORT std::vector<PlanarPose>
 rectify(const std::vector<LevelledPoints>& observations,
         const std::vector<PlanarPose>& poses,

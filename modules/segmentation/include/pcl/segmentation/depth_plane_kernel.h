@@ -9,14 +9,15 @@ namespace pcl::acmap {
 /** \brief Settings of \ref segmentDepthPlanes; see DepthPlaneSegmentation. */
 struct DepthSegmentationSettings {
   double least_area = 0; ///< square metres; 0 is automatic
-  bool regular = false;  ///< turn planes to right angles
+  bool regular = false;  ///< rotate planes to be parallel or perpendicular
 };
 
-/** \brief The kernel behind DepthPlaneSegmentation, free of PCL's point types.
+/** \brief The kernel of DepthPlaneSegmentation, independent of PCL's point types.
  * \param[in] noise of the view
- * \param[out] report counts, seconds, remarks; begun anew
- * \return patches, and for each pixel its patch as labels
- * \throws CancelledException when the progress was told to stop \ingroup segmentation */
+ * \param[out] report counts, seconds, remarks; it is reset first
+ * \return patches; labels: for each pixel the number of its patch
+ * \throws CancelledException when the progress callback requested to stop
+ * \ingroup segmentation */
 ACMAP_EXPORT PlaneClusters
 segmentDepthPlanes(const DepthView& view,
                    const NoiseScale::InverseDepth& noise,

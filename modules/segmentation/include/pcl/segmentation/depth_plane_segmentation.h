@@ -12,30 +12,32 @@
 
 namespace pcl {
 
-/** \brief All planes of one view of a depth camera, found in its picture.
+/** \brief Finds all planes of one view of a depth camera in its depth image.
  *
- * Structured light and stereo measure disparities: their noise and their steps are even in
- * inverse depth, and grow with the square of the distance in metres. In space the far wall
- * of a Kinect's view is a stack of layers; in its picture it is a plane of 1/z with the
- * noise of any other. So planes are grown there (\ref acmap::findDepthPlanes), each pixel
- * goes to the plane it fits, and each plane gets its equation, covariance and outline.
- * The noise is measured on the view itself (NoiseScale::InverseDepth): the sensor's steps,
- * what each pixel errs on its own and what neighbours share.
+ * Structured light and stereo cameras measure disparities. Their noise and quantisation
+ * steps are uniform in inverse depth; in metres they grow with the square of the
+ * distance. In 3D space, the far wall of a Kinect's view is a stack of layers; in the
+ * image of 1/z it is a plane with the same noise as any other. Therefore the planes are
+ * grown there (\ref acmap::findDepthPlanes), each pixel is assigned to the plane that
+ * it fits, and each plane gets its equation, covariance and outline.
+ * The noise is measured on the view itself (NoiseScale::InverseDepth): the quantisation
+ * steps of the sensor, the independent error of each pixel, and the error that
+ * neighbours share.
  *
- * Takes an organized cloud in its sensor's frame (x right, y down, z forward, metres), as
- * grabbers and files of RGB-D cameras have it; pixels without a measurement are NaN. A view
- * from which such pixels were removed (removeNaNFromPointCloud) is put back into its
- * picture (\ref acmap::findPictureOrder).
- * Normals look towards the sensor. The same answer at every run and for every number of
- * threads; linear time, some ten milliseconds for 640 x 480 pixels.
+ * The input is an organized cloud in the frame of its sensor (x right, y down, z
+ * forward, metres), as grabbers and files of RGB-D cameras provide it; pixels without a
+ * measurement are NaN. If such pixels were removed (removeNaNFromPointCloud), the image
+ * is restored from the points (\ref acmap::findPictureOrder).
+ * Normals point towards the sensor. The result is the same in every run and for any
+ * number of threads. The time is linear, some ten milliseconds for 640 x 480 pixels.
  * \code
  * pcl::DepthPlaneSegmentation<pcl::PointXYZRGB> segmentation;
  * segmentation.setInputCloud (kinect_view);
  * std::vector<pcl::PlanePatch> planes;
  * segmentation.segment (planes);
  * \endcode
- * It goes beyond "Active Stereo Based Compact Mapping", whose II-C.2 clusters hypotheses
- * in space; for merged clouds take PlaneHypothesisClustering.
+ * This class is not part of "Active Stereo Based Compact Mapping", whose section II-C.2
+ * clusters hypotheses in 3D space. For merged clouds use PlaneHypothesisClustering.
  * \ingroup segmentation
  */
 template <typename PointT>
@@ -46,10 +48,10 @@ public:
   using ConstPtr = shared_ptr<const DepthPlaneSegmentation<PointT>>;
   using PointCloudConstPtr = typename PCLBase<PointT>::PointCloudConstPtr;
 
-  /** \brief Sets the least area of a plane.
-   * \param[in] area square metres; 0 (default): automatic, 0.1, or 0.3 % of all the surface
-   * in view where that is less
-   * \throws BadArgumentException when negative or not finite */
+  /** \brief Sets the minimum area of a plane.
+   * \param[in] area square metres; 0 (default) is automatic: 0.1, or 0.3 % of the
+   * visible surface if that is smaller
+   * \throws BadArgumentException when it is negative or not finite */
   void
   setMinArea(double area);
 
@@ -59,9 +61,9 @@ public:
     return least_area_;
   }
 
-  /** \brief Turns planes about their centres to be exactly parallel or at right angles to
-   * larger ones (default false), by at most three standard deviations of their tilt and a
-   * degree. */
+  /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
+   * to larger ones (default false), by at most three standard deviations of their tilt
+   * and at most one degree. */
   void
   setRegularize(bool regularize)
   {
@@ -74,23 +76,24 @@ public:
     return regularize_;
   }
 
-  /** \brief Finds all planes of the view (of its indices, where set: the other pixels count
-   * as not measured).
-   * \param[out] patches by falling area; none, with the reason in the report, where there
-   * are none, or no pinhole camera fits the points: they are not in their sensor's frame
+  /** \brief Finds all planes of the view, or of its indices if they are set; the other
+   * pixels then count as not measured.
+   * \param[out] patches in order of decreasing area; empty if there are no planes, or
+   * if no pinhole camera fits the points, because they are not in the frame of their
+   * sensor. The report contains the reason.
    * \throws InitFailedException without a cloud, or with indices outside of it
-   * \throws UnorganizedPointCloudException when the cloud is not organized, and cannot be put
-   * back into a picture
-   * \throws CancelledException when the progress callback stopped it */
+   * \throws UnorganizedPointCloudException when the cloud is not organized and its
+   * image cannot be restored
+   * \throws CancelledException when the progress callback requested to stop */
   void
   segment(std::vector<PlanePatch>& patches);
 
-  /** \brief The same as the points of each plane, as OrganizedMultiPlaneSegmentation gives
-   * its inliers. */
+  /** \brief Same as segment, but returns the point indices of each plane, like the
+   * inliers of OrganizedMultiPlaneSegmentation. */
   void
   extract(std::vector<PointIndices>& clusters);
 
-  /** \brief For each point of the input cloud the position of its plane in the last
+  /** \brief For each point of the input cloud the number of its plane in the last
    * result, -1 for none. */
   const std::vector<std::int32_t>&
   getLabels() const

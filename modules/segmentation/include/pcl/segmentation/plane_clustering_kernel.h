@@ -21,7 +21,7 @@ struct PlaneClusteringSettings {
   double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
   std::size_t least_support = 50;   ///< W_h; unless noise-driven
   double least_area = 0;            ///< square metres; noise-driven; 0 is automatic
-  bool regular = false;             ///< turn planes to right angles
+  bool regular = false;             ///< rotate planes to be parallel or perpendicular
   unsigned threads = 0;             ///< 0: all
 };
 
@@ -29,15 +29,16 @@ struct PlaneClusteringSettings {
 struct PlaneHypotheses {
   PointView points;
   std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
-  std::vector<std::uint8_t> is_crease;  ///< no plane starts there; may be empty
-  std::vector<float> curvatures; ///< flat ones start first, NaN last; may be empty
+  std::vector<std::uint8_t> is_crease;  ///< no plane is seeded there; may be empty
+  std::vector<float> curvatures; ///< seed order: ascending, NaN last; may be empty
   std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
 };
 
-/** \brief Leaves the chosen ones of the hypotheses, and the triangles between them.
- * \param[in] chosen ascending, each once
- * \param[in,out] hypotheses in: of a whole array; out: of a view of it through \a chosen,
- * which the caller sets as their points \ingroup segmentation */
+/** \brief Keeps only the chosen hypotheses and the triangles between them.
+ * \param[in] chosen ascending, without duplicates
+ * \param[in,out] hypotheses in: for a whole array of points; out: for the view of this
+ * array through \a chosen. The caller has to set this view as their points.
+ * \ingroup segmentation */
 ACMAP_EXPORT void
 keepChosen(const std::vector<std::int32_t>& chosen, PlaneHypotheses& hypotheses);
 
@@ -48,7 +49,7 @@ struct PlaneSource {
 };
 
 struct PlaneClusters {
-  std::vector<PlanePatch> patches;  ///< by falling area; without a mesh it is 0
+  std::vector<PlanePatch> patches;  ///< by decreasing area; 0 without a mesh
   std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
   std::vector<std::int32_t> source_labels; ///< the same for each point of the source
 };
@@ -68,9 +69,10 @@ isUnit(const Eigen::Vector3f& normal)
 ACMAP_EXPORT double
 secondsOfPaperGrowth(const PointView& points, double member_distance);
 
-/** \brief The kernel behind PlaneHypothesisClustering, free of PCL's point types.
- * \param[out] report counts, seconds, remarks; begun anew
- * \throws CancelledException when the progress was told to stop \ingroup segmentation */
+/** \brief The kernel of PlaneHypothesisClustering, independent of PCL's point types.
+ * \param[out] report counts, seconds, remarks; it is reset first
+ * \throws CancelledException when the progress callback requested to stop
+ * \ingroup segmentation */
 ACMAP_EXPORT PlaneClusters
 clusterPlanes(const PlaneHypotheses& hypotheses,
               const PlaneSource& source,

@@ -13,41 +13,45 @@
 
 namespace pcl {
 
-/** \brief The plane as PCL's plane models have it: four values a, b, c, d with
- * a x + b y + c z + d = 0, metres.
- * \param[in] patch frame of the cloud
- * \param[out] coefficients its header stays as it is \ingroup segmentation */
+/** \brief Converts a plane to PCL's plane model: four values a, b, c, d with a x + b y
+ * + c z + d = 0, in metres.
+ * \param[in] patch in the frame of the cloud
+ * \param[out] coefficients the header is not changed \ingroup segmentation */
 ACMAP_EXPORT void
 toModelCoefficients(const PlanePatch& patch, ModelCoefficients& coefficients);
 
 namespace acmap {
 
-/** \brief Covariance of points spread evenly over the polygons of a patch, as far off the
- * plane as its support is: square metres. Not what PlanePatch calls its covariance, which
- * tells how surely the plane lies where it does. \ingroup segmentation */
+/** \brief Covariance of points that are distributed uniformly over the polygons of a
+ * patch and deviate from its plane as its support does; square metres. It is not the
+ * covariance of PlanePatch, which is the uncertainty of the plane's parameters.
+ * \ingroup segmentation */
 ACMAP_EXPORT Eigen::Matrix3d
 spreadOf(const PlanePatch& patch);
 
-/** \brief The points of each plane, from the plane of each point (-1 for none). */
+/** \brief Returns the point indices of each plane, given the plane of each point (-1
+ * for none). */
 ACMAP_EXPORT std::vector<PointIndices>
 clustersOf(const std::vector<std::int32_t>& labels,
            std::size_t planes,
            const PCLHeader& header);
 
-/** \brief Rim of the largest polygon, empty where there is none. */
+/** \brief Returns the outer boundary of the largest polygon, or an empty one if there
+ * is none. */
 ACMAP_EXPORT std::vector<Eigen::Vector3f>
 largestRim(const PlanePatch& patch);
 
 } // namespace acmap
 
-/** \brief The plane as PCL's organized segmentation gives it.
+/** \brief Converts a plane to the type that PCL's organized segmentation returns.
  *
- * Contour is the rim of the largest polygon, count the support, centroid the middle of the
- * support. PCL's covariance is that of the points: see \ref acmap::spreadOf. Holes, other
- * polygons and the uncertainty of the plane get lost.
- * \param[in] patch frame of the cloud, metres
- * \param[out] region fields of a contour's points other than x, y, z are those of a
- * default-constructed one \ingroup segmentation */
+ * The contour is the outer boundary of the largest polygon, the count is the support,
+ * and the centroid is the centre of the patch. PCL's covariance is that of the points:
+ * see \ref acmap::spreadOf. Holes, other polygons and the uncertainty of the plane are
+ * lost.
+ * \param[in] patch in the frame of the cloud, metres
+ * \param[out] region the fields of its contour points other than x, y, z have their
+ * default values \ingroup segmentation */
 template <typename PointT>
 void
 toPlanarRegion(const PlanePatch& patch, PlanarRegion<PointT>& region)

@@ -18,26 +18,29 @@
 
 namespace pcl {
 
-/** \brief All planes of a cloud with normals, in one call and without chance.
+/** \brief Finds all planes of a cloud with normals in one deterministic call.
  *
- * The clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point is a
- * hypothesis (p_i, n_i). From the flattest one on (by the curvature of the normals that
- * \ref setInputNormals gives; those of PointT go in their order), a plane takes in whoever
- * is nearer than W_d to one of its points, than W_n to its normal and than W_t to the plane, and is
- * estimated again with its supporters; above W_h of them it is accepted. These are the
- * defaults.
+ * This is the clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point
+ * is a hypothesis (p_i, n_i). Planes are grown from seeds, starting at the hypothesis
+ * with the minimum curvature (if the normals were set by \ref setInputNormals; normals
+ * of PointT are used in the order of the points). A point joins a plane if it is within
+ * W_d of one of its points, within W_n of its normal and within W_t of the plane. The
+ * plane is estimated again with its supporters, and accepted if there are more than W_h
+ * of them. These are the defaults.
  *
- * With \ref setNoiseDriven the mesh tells who is a neighbour, the noise of the points how
- * far they may be off, and the area what is accepted: the paper's W_t of 0.25 m swallows
- * doors. Planes that are one are joined, however far apart; curved surfaces are told apart
- * and counted. Where the cloud from which the points were consolidated is given too
- * (\ref setSourceCloud), its points judge the planes, narrow ones between larger ones
- * (reveals of doors) are found as well, and each plane is fitted to its points along the
- * rays of their sensors.
+ * With \ref setNoiseDriven, the mesh defines which points are neighbours, the noise of
+ * the points defines how far they may be from the plane, and the area decides which
+ * planes are accepted: with the paper's W_t of 0.25 m, doors are merged with their
+ * walls. Coplanar regions are merged, however far apart they are; curved surfaces are
+ * recognised and counted. If the cloud from which the points were consolidated is also
+ * given (\ref setSourceCloud), its points verify the planes, narrow planes between
+ * larger ones (reveals of doors) are found as well, and each plane is fitted to its
+ * points along the rays of their sensors.
  *
- * Metres, frame of the cloud. Normals look where those of the points do. The same answer
- * at every run and for every number of threads. Time O(n) with a mesh; by W_d each point
- * looks at all within, so bring raw clouds to their noise scale first.
+ * Units are metres, in the frame of the cloud. Plane normals have the direction of the
+ * normals of the points. The result is the same in every run and for any number of
+ * threads. The time is O(n) with a mesh; otherwise each point is compared with all
+ * points within W_d, so raw clouds should be reduced to their noise scale first.
  * \code
  * pcl::PlaneHypothesisClustering<pcl::PointNormal> clustering;
  * clustering.setInputCloud (consolidated);
@@ -56,23 +59,24 @@ public:
   using ConstPtr = shared_ptr<const PlaneHypothesisClustering<PointT>>;
   using PointCloudConstPtr = typename PCLBase<PointT>::PointCloudConstPtr;
 
-  /** \brief Sets the normals n_i, one a point of the cloud; unset: those of PointT. */
+  /** \brief Sets the normals n_i, one per point of the cloud. If unset, those of PointT
+   * are used. */
   void
   setInputNormals(const PointCloud<Normal>::ConstPtr& normals)
   {
     normals_ = normals;
   }
 
-  /** \brief Sets what NormalVectorVoting says of the points: no plane starts at a crease.
-   */
+  /** \brief Sets the classes that NormalVectorVoting assigned to the points: no plane
+   * is seeded at a crease. */
   void
   setVertexClasses(const PointCloud<Label>::ConstPtr& classes)
   {
     classes_ = classes;
   }
 
-  /** \brief Sets the mesh whose corners the points are; it gives the planes their outlines,
-   * and with \ref setNoiseDriven their neighbourhood. */
+  /** \brief Sets the mesh whose vertices the points are. The outlines of the planes are
+   * computed from it, and with \ref setNoiseDriven the neighbourhoods as well. */
   void
   setTriangles(const std::vector<Vertices>& polygons);
 
@@ -84,9 +88,10 @@ public:
 
   /** \brief Sets the cloud from which the input was consolidated; used with
    * \ref setNoiseDriven.
-   * \param[in] cloud kept until another one is set
-   * \param[in] viewpoints where the observations stood that its field `view` names, in
-   * metres; without that field its points were seen from its sensor_origin_
+   * \param[in] cloud it is kept until another one is set
+   * \param[in] viewpoints sensor positions of the observations to which the field
+   * `view` of the cloud refers, in metres; without that field, the sensor position of
+   * all points is sensor_origin_
    * \throws BadArgumentException when a viewpoint is not finite */
   template <typename SourceT>
   void
@@ -116,8 +121,7 @@ public:
   double
   estimateSeconds() const;
 
-  /** \brief Lets noise and mesh decide instead of the paper's thresholds (default false).
-   */
+  /** \brief Uses noise and mesh instead of the paper's thresholds (default false). */
   void
   setNoiseDriven(bool noise_driven)
   {
@@ -130,7 +134,8 @@ public:
     return noise_driven_;
   }
 
-  /** \brief Sets W_d, metres (default 0.8): how near a supporter is to one of the others.
+  /** \brief Sets W_d in metres (default 0.8): the maximum distance of a point from the
+   * nearest supporter of the plane.
    * \throws BadArgumentException unless it is above 0 and finite, here and below */
   void
   setClusterTolerance(double distance);
@@ -141,7 +146,7 @@ public:
     return member_distance_;
   }
 
-  /** \brief Sets W_n, radians (default pi / 8), up to pi / 2. */
+  /** \brief Sets W_n in radians (default pi / 8, maximum pi / 2). */
   void
   setSmoothnessThreshold(double angle);
 
@@ -151,7 +156,8 @@ public:
     return normal_angle_;
   }
 
-  /** \brief Sets W_t, metres (default 0.25; by the noise, where that decides). */
+  /** \brief Sets W_t in metres (default 0.25; if noise-driven, it is computed from the
+   * noise). */
   void
   setDistanceThreshold(double distance);
 
@@ -161,7 +167,8 @@ public:
     return plane_distance_.value_or(noise_driven_ ? 0 : paper_distance);
   }
 
-  /** \brief Sets W_h (default 50): a plane has more supporters; unless noise decides. */
+  /** \brief Sets W_h (default 50): a plane needs more supporters than this. Not used if
+   * noise-driven. */
   void
   setMinClusterSize(std::size_t support)
   {
@@ -174,10 +181,10 @@ public:
     return least_support_;
   }
 
-  /** \brief Sets the least area of a plane; where noise decides.
-   * \param[in] area square metres; 0 (default): automatic, 0.1, or 0.3 % of all the surface
-   * where that is less
-   * \throws BadArgumentException when negative or not finite */
+  /** \brief Sets the minimum area of a plane; used if noise-driven.
+   * \param[in] area square metres; 0 (default) is automatic: 0.1, or 0.3 % of the total
+   * surface if that is smaller
+   * \throws BadArgumentException when it is negative or not finite */
   void
   setMinArea(double area);
 
@@ -187,9 +194,10 @@ public:
     return least_area_;
   }
 
-  /** \brief Turns planes about their centres to be exactly parallel or at right angles to
-   * larger ones (default false), by at most three standard deviations of their tilt and a
-   * degree; the report says how many and how far. */
+  /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
+   * to larger ones (default false), by at most three standard deviations of their tilt
+   * and at most one degree. The report contains their number and the maximum
+   * rotation. */
   void
   setRegularize(bool regularize)
   {
@@ -202,20 +210,23 @@ public:
     return regularize_;
   }
 
-  /** \brief Finds all planes of the input cloud (of its indices, where set).
-   * \param[out] patches the planes by falling area, without a mesh, where it is 0, those
-   * grown larger first; none, with the reason in the report, where there are none
-   * \throws InitFailedException without a cloud or normals, with normals or classes of
-   * another number, with indices or corners outside of the cloud
-   * \throws CancelledException when the progress callback stopped it */
+  /** \brief Finds all planes of the input cloud, or of its indices if they are set.
+   * \param[out] patches the planes in order of decreasing area (without a mesh the area
+   * is 0, and the planes are in the order of the area of their regions); if empty, the
+   * report contains the reason
+   * \throws InitFailedException without a cloud or normals, if the number of normals or
+   * classes differs from that of the points, or with indices or triangle corners
+   * outside of the cloud
+   * \throws CancelledException when the progress callback requested to stop */
   void
   segment(std::vector<PlanePatch>& patches);
 
-  /** \brief The same as the points of each plane, as RegionGrowing gives them. */
+  /** \brief Same as segment, but returns the point indices of each plane, as
+   * RegionGrowing does. */
   void
   extract(std::vector<PointIndices>& clusters);
 
-  /** \brief For each point of the input cloud the position of its plane in the last
+  /** \brief For each point of the input cloud the number of its plane in the last
    * result, -1 for none. */
   const std::vector<std::int32_t>&
   getLabels() const
@@ -223,7 +234,8 @@ public:
     return labels_;
   }
 
-  /** \brief The same for each point of the source cloud; empty without one. */
+  /** \brief For each point of the source cloud the number of its plane; empty without a
+   * source cloud. */
   const std::vector<std::int32_t>&
   getSourceLabels() const
   {

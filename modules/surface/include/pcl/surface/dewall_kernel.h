@@ -12,9 +12,9 @@
 
 namespace pcl::acmap {
 
-/** \brief A search of the caller's: squared distances, in square metres and any order,
- * from a point of the array under the view to its nearest \a count points, itself
- * included. Called by one thread at a time. */
+/** \brief Nearest neighbour search of the caller: returns the squared distances, in
+ * square metres and any order, from a point of the array under the view to its nearest
+ * \a count points, including itself. It is called by one thread at a time. */
 using NeighbourDistances =
     std::function<std::vector<float>(std::int32_t point, int count)>;
 
@@ -24,38 +24,41 @@ struct DeWallSettings {
   double maximum_edge_length = 0; ///< metres; 0: automatic
   bool compute_wall_depth = false;
   unsigned threads = 0;         ///< 0: all
-  std::size_t memory_limit = 0; ///< bytes beside the input; 0: none
+  std::size_t memory_limit = 0; ///< bytes without the input; 0: no limit
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
-  bool is_single_view = false; ///< every point was seen from there
+  bool is_single_view = false; ///< all points were measured from there
 
-  /** Unit normals of the array under the points, off the side from which they were seen;
-   * empty: unknown. */
+  /** Unit normals of the array under the points, towards the side from which they were
+   * measured; empty: unknown. */
   PointView normals;
 
-  NeighbourDistances neighbours; ///< who tells the spacing; empty: the kernel's cells
+  NeighbourDistances neighbours; ///< measures the spacing; empty: the tree does
 
-  /** Halves of at most so many points are grown without a further wall. The mesh
-   * depends on it, so it depends on nothing else. */
+  /** Halves with at most this number of points are not divided further. The mesh
+   * depends on this number, so it must not depend on anything else, such as the number
+   * of threads. */
   std::int32_t leaf_size = 65536;
 };
 
-/** \brief The kernel behind DeWallTriangulation, free of PCL's point types.
+/** \brief The kernel of DeWallTriangulation, independent of PCL's point types.
  * \param[in] view the points
- * \param[out] report counts, seconds, remarks; begun anew
+ * \param[out] report counts, seconds, remarks; it is reset first
  * \return index triples into the array under the view
  * \throws MemoryLimitException when the estimate exceeds the memory limit
- * \throws CancelledException when the progress was told to stop \ingroup surface */
+ * \throws CancelledException when the progress callback requested to stop
+ * \ingroup surface */
 ACMAP_EXPORT TriangleMesh
 triangulateDeWall(const PointView& view,
                   const DeWallSettings& settings,
                   const Progress& progress,
                   DeWallReport& report);
 
-/** \brief Are these the pixels of one camera that stood at \a origin, row by row?
+/** \brief Are the points the pixels of one camera at \a origin, row by row?
  *
- * The rays to a pixel, its right and its lower neighbour turn the same way round all over
- * an image, whatever the depths. A cloud that was moved after it was taken fails.
- * \param[in] width pixels a row \ingroup surface */
+ * The rays to a pixel, its right and its lower neighbour form a triple of the same
+ * handedness in the entire image, for any depths; up to 1 % of exceptions are accepted.
+ * The test fails for a cloud that was transformed after it was taken.
+ * \param[in] width pixels per row \ingroup surface */
 ACMAP_EXPORT bool
 isSingleView(const PointView& view, std::size_t width, const Eigen::Vector3d& origin);
 

@@ -15,21 +15,23 @@ namespace pcl {
  * triangles.
  *
  * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A
- * splitting plane alpha divides the points; the triangles that cross it, the wall, are
- * built first, side by side, each new apex being the Delaunay-nearest point in the
- * half-space beyond the side's plane beta; then each half is treated alike with points
- * of its own. The mesh is open: it ends where the size constraint ends it. Vertices are
- * the input points, in their order. No normals are needed; where the points have unit
- * normals that mostly agree with their neighbours', the mesh is oriented by them.
+ * splitting plane alpha divides the points. The triangles that cross it, the wall, are
+ * built first, one edge after the other: each new apex is the Delaunay-nearest point in
+ * the half-space beyond plane beta of the edge. Then each half is triangulated in the
+ * same way with its own points. The mesh is open: its boundary is determined by the
+ * size constraint. The vertices are the input points, in their order. No normals are
+ * needed; if the points have unit normals that mostly agree with those of their
+ * neighbours, the mesh is oriented by them.
  *
- * Every result of rules \c Paper and \c Dense has at most two triangles an edge, one
- * fan a vertex, no degenerate or doubled face, one orientation a component (towards
- * `sensor_origin_` of the cloud), and no edge beyond the size constraint; with \c Paper
- * no input point lies inside the smallest sphere through a triangle's corners by more
- * than the relative tolerance 1e-6 of its radius. The same input gives the same bytes
- * for every number of threads.
+ * With the rules \c Paper and \c Dense, every result has at most two triangles per
+ * edge, one fan per vertex, no degenerate or duplicate faces, one orientation per
+ * component (towards `sensor_origin_` of the cloud), and no edge that violates the size
+ * constraint. With \c Paper, no input point is inside the smallest sphere through the
+ * corners of a triangle by more than the relative tolerance 1e-6 of its radius. The
+ * same input gives bitwise the same result for any number of threads.
  *
- * Coordinates in metres. Time O(n log n), memory at most 170 bytes a point.
+ * Coordinates are in metres. The time is O(n log n), the memory at most 170 bytes per
+ * point.
  * \code
  * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
  * dewall.setInputCloud (cloud);
@@ -57,12 +59,12 @@ public:
     return rule_;
   }
 
-  /** \brief Sets the size constraint L: no edge is longer.
-   * \param[in] length metres; 0 (default): automatic, for each point a multiple of the
-   * spacing around it, and an edge obeys the smaller one of its two ends. Who is around it
-   * is up to PCL's \c setSearchMethod, where one was set; the search for triangles has
-   * cells of its own.
-   * \throws BadArgumentException when negative or not finite */
+  /** \brief Sets the size constraint L, the maximum length of an edge.
+   * \param[in] length metres; 0 (default) is automatic: the limit of each point is a
+   * multiple of the spacing around it, and an edge has to respect the smaller limit of
+   * its two ends. The spacing is measured with PCL's \c setSearchMethod if one was set;
+   * the search for triangles always uses the internal tree.
+   * \throws BadArgumentException when it is negative or not finite */
   void
   setMaximumEdgeLength(double length);
 
@@ -84,7 +86,8 @@ public:
     return leaf_size_;
   }
 
-  /** \brief Asks for \ref TriangleMesh::wall_depth (default false). */
+  /** \brief Requests the computation of \ref TriangleMesh::wall_depth (default
+   * false). */
   void
   setComputeWallDepth(bool compute)
   {
@@ -97,8 +100,8 @@ public:
     return compute_wall_depth_;
   }
 
-  /** \brief Sets how much memory reconstruct () may take beside its input, in bytes (0 =
-   * no limit, default); a cloud for which the estimate exceeds it is refused. */
+  /** \brief Sets the maximum memory of reconstruct (), without its input, in bytes (0 =
+   * no limit, default). A cloud for which the estimate exceeds it is rejected. */
   void
   setMemoryLimit(std::size_t bytes)
   {
@@ -111,20 +114,21 @@ public:
     return memory_limit_;
   }
 
-  /** \brief Triangulates the input cloud (its indices, where set).
-   * \param[out] mesh index triples into the whole input cloud; empty, with the reason
-   * in the report, where no triangle is possible \throws InitFailedException without an
-   * input cloud, or with indices outside of it \throws MemoryLimitException when it
-   * would exceed the memory limit \throws CancelledException when the progress callback
-   * stopped it */
+  /** \brief Triangulates the input cloud, or its indices if they are set.
+   * \param[out] mesh index triples into the whole input cloud; if no triangle is
+   * possible, it is empty and the report contains the reason
+   * \throws InitFailedException without an input cloud, or with indices outside of it
+   * \throws MemoryLimitException when it would exceed the memory limit
+   * \throws CancelledException when the progress callback requested to stop */
   void
   reconstruct(TriangleMesh& mesh);
 
-  /** \brief As above, as PCL's mesh: the whole input cloud and its polygons. */
+  /** \brief As above, but returns PCL's mesh: the whole input cloud and its
+   * polygons. */
   void
   reconstruct(PolygonMesh& output) override;
 
-  /** \brief As above, polygons alone. */
+  /** \brief As above, but returns only the polygons. */
   void
   reconstruct(std::vector<Vertices>& polygons) override;
 

@@ -116,7 +116,7 @@ template <typename PointT>
 void
 MapEntropy<PointT>::makeCells(const acmap::Progress& progress)
 {
-  constexpr std::size_t batch = 16; // between two looks at the progress
+  constexpr std::size_t batch = 16; // between two calls of the progress
   while (cells_.size() < clouds_.size()) {
     progress.tell(0.9 * static_cast<double>(cells_.size()) /
                       static_cast<double>(clouds_.size()),

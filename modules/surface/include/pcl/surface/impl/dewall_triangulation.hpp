@@ -16,7 +16,7 @@ namespace pcl {
 template <typename PointInT>
 DeWallTriangulation<PointInT>::DeWallTriangulation()
 {
-  check_tree_ = false; // without a search method the kernel's own cells do
+  check_tree_ = false; // without a search method the internal tree is used
 }
 
 template <typename PointInT>
