@@ -8,8 +8,10 @@ std::shared_ptr<const PointCloudFile>
 ObservationCache::find(const std::string& path) const
 {
   const std::lock_guard lock(mutex_);
-  const auto found = files_.find(path);
-  return found == files_.end() ? nullptr : found->second;
+  for (const auto* clouds : {&held_, &files_})
+    if (const auto found = clouds->find(path); found != clouds->end())
+      return found->second;
+  return nullptr;
 }
 
 std::shared_ptr<const PointCloudFile>
@@ -24,6 +26,14 @@ ObservationCache::load(const std::string& path, double scale)
   if (bytes <= limit_ && bytes_ <= limit_ - bytes && files_.emplace(path, file).second)
     bytes_ += bytes;
   return file;
+}
+
+void
+ObservationCache::hold(const std::string& path,
+                       std::shared_ptr<const PointCloudFile> cloud)
+{
+  const std::lock_guard lock(mutex_);
+  held_[path] = std::move(cloud);
 }
 
 void

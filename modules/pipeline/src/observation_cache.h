@@ -23,6 +23,10 @@ public:
   std::shared_ptr<const PointCloudFile>
   load(const std::string& path, double scale);
 
+  /** \brief Keeps a cloud that no file holds, beside the limit. */
+  void
+  hold(const std::string& path, std::shared_ptr<const PointCloudFile> cloud);
+
   void
   setLimit(std::size_t bytes);
 
@@ -35,7 +39,7 @@ private:
   find(const std::string& path) const;
 
   mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const PointCloudFile>> files_;
+  std::map<std::string, std::shared_ptr<const PointCloudFile>> files_, held_;
   std::size_t limit_ = std::size_t{512} << 20;
   std::size_t bytes_ = 0;
   std::size_t reads_ = 0;

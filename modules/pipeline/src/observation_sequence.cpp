@@ -68,6 +68,29 @@ ObservationSequence::ObservationSequence(std::vector<std::string> files, double 
   source_ = paths_.front();
 }
 
+ObservationSequence::ObservationSequence(
+    std::vector<std::shared_ptr<const PointCloudFile>> clouds, Trajectory trajectory)
+: source_("the sequence in memory")
+, scale_(1)
+, trajectory_(std::move(trajectory))
+, is_given_(true)
+, cache_(std::make_shared<acmap::ObservationCache>())
+{
+  if (clouds.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no clouds");
+  if (hasTrajectory() && trajectory_.poses.size() != clouds.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << trajectory_.poses.size() << " poses for "
+                                     << clouds.size() << " clouds");
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    if (!clouds[i])
+      PCL_THROW_EXCEPTION(BadArgumentException, "cloud " << i << " is missing");
+    paths_.push_back(acmap::observationName(i));
+    cache_->hold(paths_.back(), std::move(clouds[i]));
+    rows_.push_back(i);
+  }
+}
+
 ObservationSequence
 ObservationSequence::withPoses(const std::vector<std::string>& names,
                                Trajectory trajectory) const

@@ -200,6 +200,25 @@ VisualOdometryResult::reasonOf(std::size_t lost,
   return {};
 }
 
+OdometryNoise
+VisualOdometryResult::noise() const
+{
+  const auto deviation = [&](int i) {
+    std::vector<double> values;
+    for (const OdometryPair& pair : pairs)
+      if (pair.estimate)
+        values.push_back(std::sqrt(pair.estimate->covariance(i, i)));
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return values.empty() ? 0.0 : *middle;
+  };
+  const double length = std::max(deviation(0), deviation(2));
+  const double turn = deviation(4);
+  if (!(length > 0) || !(turn > 0))
+    return {};
+  return {length, 0, turn, 0};
+}
+
 Trajectory
 VisualOdometryResult::trajectory(const std::vector<double>& stamps) const
 {

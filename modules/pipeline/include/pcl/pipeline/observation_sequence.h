@@ -52,6 +52,15 @@ public:
    * \throws BadArgumentException if there is none */
   explicit ObservationSequence(std::vector<std::string> files, double scale = 1);
 
+  /** \brief Takes clouds in memory, which are named as files of a sequence are.
+   * \param[in] clouds one per observation, camera frame, metres
+   * \param[in] trajectory their poses; empty: those of their sensors
+   * \throws BadArgumentException if there is no cloud, one is missing, or the trajectory has
+   * another number of poses */
+  explicit ObservationSequence(
+      std::vector<std::shared_ptr<const PointCloudFile>> clouds,
+      Trajectory trajectory = {});
+
   /** \brief Those observations whose poses were found elsewhere, with these poses.
    *
    * Files of the result share memory with those of this sequence.

@@ -5,6 +5,7 @@
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/egomotion/visual_egomotion.h>
+#include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/pipeline/observation_sequence.h>
 
 #include <Eigen/Geometry>
@@ -63,6 +64,12 @@ struct VisualOdometryResult {
    * \param[in] names of the files of the sequence */
   ACMAP_EXPORT std::string
   reasonOf(std::size_t lost, const std::vector<std::string>& names) const;
+
+  /** \brief Odometry noise for \ref EntropyRectification: the medians of the standard
+   * deviations of the motions.
+   * \return the default noise if no motion was found */
+  ACMAP_EXPORT OdometryNoise
+  noise() const;
 
   /** \brief The poses of those observations that have one.
    * \param[in] stamps seconds, one per observation */

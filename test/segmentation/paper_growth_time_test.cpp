@@ -1,6 +1,5 @@
-#include "plane_extraction/plane_stages.h"
-
 #include <pcl/core/random.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "map_rows.h"
-
 #include <pcl/conversions.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -83,7 +82,7 @@ TEST(MapRows, HalvesUntilTheyFit)
                                         {5, 500}})
     for (const std::size_t most : {1u, 2u, 3u, 7u, 16u, 33u, 100000u}) {
       MapRows rows(0, true);
-      rows.setMost(most);
+      rows.setMaximum(most);
       int first = 0;
       for (std::size_t view = 0; view < sizes.size(); ++view) {
         PointCloudFile file = line(first, sizes[view]);

@@ -1,0 +1,309 @@
+#pragma once
+
+#include <pcl/core/compact_map.h>
+#include <pcl/core/export.h>
+#include <pcl/core/stage_controls.h>
+#include <pcl/core/trinocular_frame.h>
+#include <pcl/core/trinocular_rig.h>
+#include <pcl/io/grabber.h>
+#include <pcl/mapping/entropy_rectification.h>
+#include <pcl/pipeline/compact_mapping_types.h>
+#include <pcl/pipeline/observation_merging.h>
+#include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/visual_odometry.h>
+#include <pcl/stereo/disparity_back_projection.h>
+#include <pcl/stereo/disparity_fusion.h>
+#include <pcl/texture/plane_texturing.h>
+
+#include <boost/signals2/connection.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+
+/** \brief From what a robot saw to a compact map: the whole chain of "Active Stereo Based
+ * Compact Mapping" as one object.
+ *
+ * Frames of a rig are fused and projected to observations (II-A), poses that are unknown
+ * are estimated by visual odometry (II-B.1), the map is rectified by minimum entropy
+ * (II-B.2), the merged observations are consolidated and triangulated (II-C.1), their
+ * planes are found (II-C.2) and textured (II-C). Every step is an object that can be set;
+ * its threads and progress are those of this object.
+ * \code
+ * pcl::CompactMapping mapping;
+ * for (std::size_t i = 0; i < clouds.size (); ++i)
+ *   mapping.addObservation (clouds[i], poses[i]);  // organized, with colours, camera frame
+ * pcl::CompactMap map;
+ * mapping.compute (map);
+ * pcl::saveCompactMap ("map", map);
+ * \endcode
+ * The map is the frame of the poses; if these are estimated, that of the first
+ * observation. Metres. The result is the same for every number of threads, and that of
+ * `pcl_compact_mapping` for the same observations. Not thread-safe: observations must not be
+ * added while \ref compute runs.
+ * \ingroup pipeline */
+class ACMAP_EXPORT CompactMapping : public StageControls<CompactMappingReport> {
+public:
+  using Rectification = EntropyRectification<PointNormal>;
+  using Texturing = PlaneTexturing<PointXYZRGB>;
+
+  CompactMapping();
+  ~CompactMapping();
+
+  /** \name Input
+   * Frames, observations, or one sequence: one kind, and observations all with poses or all
+   * without, else \ref compute throws. */
+  ///@{
+
+  /** \brief Sets the geometry of the rectified frames.
+   * \throws BadArgumentException for a rig without neighbours */
+  void
+  setInputRig(const TrinocularRig& rig);
+
+  /** \brief Adds a rectified frame. The previous observation is computed when the first
+   * frame of another one arrives, and the last one by \ref compute.
+   * \throws InitFailedException without a rig
+   * \throws BadArgumentException as \ref DisparityFusion::addShot */
+  void
+  addFrame(const TrinocularFrame::ConstPtr& frame);
+
+  /** \brief Adds an observation whose pose is to be estimated.
+   * \param[in] cloud organized, with colours, camera frame; copied
+   * \throws BadArgumentException without a cloud */
+  template <typename PointT>
+  void
+  addObservation(const std::shared_ptr<const PointCloud<PointT>>& cloud)
+  {
+    add(fileOf(cloud), std::nullopt);
+  }
+
+  template <typename PointT>
+  void
+  addObservation(const std::shared_ptr<PointCloud<PointT>>& cloud)
+  {
+    addObservation(std::shared_ptr<const PointCloud<PointT>>(cloud));
+  }
+
+  /** \brief Adds an observation with its pose.
+   * \param[in] T_map_camera from the camera to the map
+   * \throws BadArgumentException without a cloud, or for a pose that is not rigid */
+  template <typename PointT>
+  void
+  addObservation(const std::shared_ptr<const PointCloud<PointT>>& cloud,
+                 const Eigen::Isometry3d& T_map_camera)
+  {
+    add(fileOf(cloud), T_map_camera);
+  }
+
+  template <typename PointT>
+  void
+  addObservation(const std::shared_ptr<PointCloud<PointT>>& cloud,
+                 const Eigen::Isometry3d& T_map_camera)
+  {
+    addObservation(std::shared_ptr<const PointCloud<PointT>>(cloud), T_map_camera);
+  }
+
+  /** \brief The same for a cloud of any fields, as files have them; it is shared. */
+  void
+  addObservation(std::shared_ptr<const PointCloudFile> cloud,
+                 const std::optional<Eigen::Isometry3d>& T_map_camera = std::nullopt)
+  {
+    add(std::move(cloud), T_map_camera);
+  }
+
+  /** \brief Takes what a grabber delivers: frames of a \ref TrinocularGrabber, or organized
+   * clouds of points with colours (PointXYZRGBSigma, PointXYZRGB, PointXYZRGBA).
+   * \param[in] grabber not started; it must be stopped before \ref compute
+   * \return the connection, which ends with this object or by its disconnect ()
+   * \throws BadArgumentException if it delivers neither */
+  boost::signals2::connection
+  setInputGrabber(Grabber& grabber);
+
+  /** \brief Sets a sequence, which is read when it is needed.
+   * \param[in] has_poses Are its poses known? Otherwise they are estimated. */
+  void
+  setInputSequence(const ObservationSequence& sequence, bool has_poses);
+
+  /** \brief Removes all frames and observations. */
+  void
+  clear();
+
+  /** \brief Number of complete observations. */
+  std::size_t
+  getNumberOfObservations() const;
+  ///@}
+
+  /** \name Steps */
+  ///@{
+
+  /** \brief Settings of the fusion of frames and of their projection. */
+  DisparityFusion&
+  fusion()
+  {
+    return fusion_;
+  }
+
+  DisparityBackProjection&
+  backProjection()
+  {
+    return projection_;
+  }
+
+  void
+  setVisualOdometry(const VisualOdometry& odometry)
+  {
+    odometry_ = odometry;
+  }
+
+  const VisualOdometry&
+  getVisualOdometry() const
+  {
+    return odometry_;
+  }
+
+  /** \brief Sets how the map is rectified. If its odometry noise is the default one, that
+   * of estimated poses is used. */
+  void
+  setRectification(const Rectification& rectification)
+  {
+    rectification_ = rectification;
+  }
+
+  const Rectification&
+  getRectification() const
+  {
+    return rectification_;
+  }
+
+  /** \brief Rectifies the map (default true). */
+  void
+  setRectify(bool rectify)
+  {
+    rectify_ = rectify;
+  }
+
+  bool
+  getRectify() const
+  {
+    return rectify_;
+  }
+
+  void
+  setMerging(const ObservationMerging& merging)
+  {
+    merging_ = merging;
+  }
+
+  const ObservationMerging&
+  getMerging() const
+  {
+    return merging_;
+  }
+
+  void
+  setPlaneMapping(const PlaneMapping& planes)
+  {
+    planes_ = planes;
+  }
+
+  const PlaneMapping&
+  getPlaneMapping() const
+  {
+    return planes_;
+  }
+
+  void
+  setTexturing(const Texturing& texturing)
+  {
+    texturing_ = texturing;
+  }
+
+  const Texturing&
+  getTexturing() const
+  {
+    return texturing_;
+  }
+  ///@}
+
+  /** \brief Computes the map.
+   * \param[out] map no planes, with the reason in the report, if there are none
+   * \throws InitFailedException without an observation, if observations have poses only in
+   * part, or if none could be joined to another one
+   * \throws what the steps throw
+   * \throws CancelledException if the progress callback stopped it */
+  void
+  compute(CompactMap& map);
+
+  /** \brief Mesh, normals and planes of the last run. */
+  const MappedPlanes&
+  getMappedPlanes() const
+  {
+    return mapped_;
+  }
+
+  /** \brief Poses of the last run before the rectification; metres. */
+  const Trajectory&
+  getOdometryTrajectory() const
+  {
+    return before_;
+  }
+
+private:
+  template <typename PointT>
+  static std::shared_ptr<const PointCloudFile>
+  fileOf(const std::shared_ptr<const PointCloud<PointT>>& cloud);
+
+  void
+  add(std::shared_ptr<const PointCloudFile> cloud,
+      const std::optional<Eigen::Isometry3d>& T_map_camera);
+
+  void
+  finishObservation();
+
+  ObservationSequence
+  collected() const;
+
+  ObservationSequence
+  estimatePoses(const ObservationSequence& sequence, CompactMappingReport& report);
+
+  ObservationSequence
+  rectify(const ObservationSequence& sequence, CompactMappingReport& report);
+
+  CompactMap
+  paint(const ObservationSequence& sequence, CompactMappingReport& report);
+
+  std::optional<std::int32_t> current_; ///< observation of the last frame
+  std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
+  std::vector<std::optional<Eigen::Isometry3d>> poses_;
+  std::optional<ObservationSequence> sequence_;
+  bool has_poses_ = false; ///< of the sequence
+  DisparityFusion fusion_;
+  DisparityBackProjection projection_;
+  std::vector<boost::signals2::scoped_connection> connections_;
+  VisualOdometry odometry_;
+  Rectification rectification_;
+  bool rectify_ = true;
+  ObservationMerging merging_;
+  PlaneMapping planes_;
+  Texturing texturing_;
+  MappedPlanes mapped_;
+  Trajectory before_;
+};
+
+template <typename PointT>
+std::shared_ptr<const PointCloudFile>
+CompactMapping::fileOf(const std::shared_ptr<const PointCloud<PointT>>& cloud)
+{
+  if (!cloud)
+    return nullptr;
+  const auto file = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(*cloud, file->cloud);
+  file->sensor_origin = cloud->sensor_origin_.template head<3>();
+  file->sensor_orientation = cloud->sensor_orientation_;
+  return file;
+}
+
+} // namespace pcl

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <pcl/core/report.h>
+#include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/pipeline/observation_merging.h>
+#include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/sequence_consolidation.h>
+#include <pcl/pipeline/visual_odometry.h>
+#include <pcl/texture/texturing_types.h>
+
+#include <optional>
+
+namespace pcl {
+
+/** \brief What CompactMapping reports of its last run; steps that did not run have no
+ * report. Its seconds are those of the steps, its remarks those of all steps.
+ * \ingroup pipeline */
+struct CompactMappingReport : Report {
+  std::optional<VisualOdometryResult> odometry; ///< if the poses were unknown
+  std::optional<SequenceConsolidationReport> consolidation;
+  std::optional<EntropyRectificationReport> rectification;
+  MergingReport merging;
+  PlaneMappingReport planes;
+  TexturingReport texture;
+};
+
+} // namespace pcl

@@ -1,0 +1,304 @@
+#include "part_of_progress.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/trinocular_grabber.h>
+#include <pcl/pipeline/compact_mapping.h>
+#include <pcl/pipeline/sequence_consolidation.h>
+
+#include <algorithm>
+
+namespace pcl {
+
+namespace {
+
+using acmap::partOf;
+using acmap::StepTimer;
+
+void
+addRemarks(const Report& step, Report& report)
+{
+  report.remarks.insert(report.remarks.end(), step.remarks.begin(), step.remarks.end());
+}
+
+bool
+isDefault(const OdometryNoise& noise)
+{
+  const OdometryNoise usual;
+  return noise.length == usual.length &&
+         noise.length_per_metre == usual.length_per_metre && noise.turn == usual.turn &&
+         noise.turn_per_radian == usual.turn_per_radian;
+}
+
+std::vector<std::string>
+namesOf(const ObservationSequence& sequence, const std::vector<std::size_t>& places)
+{
+  std::vector<std::string> names;
+  for (const std::size_t place : places)
+    names.push_back(sequence.name(place));
+  return names;
+}
+
+/** Connects a callback that adds clouds of a point type.
+ * \return nothing if the grabber does not deliver them */
+template <typename PointT>
+std::optional<boost::signals2::connection>
+connectClouds(Grabber& grabber, CompactMapping& mapping)
+{
+  using Cloud = PointCloud<PointT>;
+  using Callback = void(const typename Cloud::ConstPtr&);
+  if (!grabber.providesCallback<Callback>())
+    return std::nullopt;
+  return grabber.registerCallback(
+      std::function<Callback>([&mapping](const typename Cloud::ConstPtr& cloud) {
+        mapping.addObservation(cloud);
+      }));
+}
+
+} // namespace
+
+CompactMapping::CompactMapping()
+{
+  rectification_.setBinSize(0.05); // cameras see walls closer than laser scanners do
+}
+
+CompactMapping::~CompactMapping() = default;
+
+void
+CompactMapping::setInputRig(const TrinocularRig& rig)
+{
+  fusion_.setInputRig(rig);
+  projection_.setInputRig(rig);
+}
+
+void
+CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
+{
+  if (frame && current_ && *current_ != frame->observation)
+    finishObservation();
+  fusion_.addShot(frame);
+  current_ = frame->observation;
+}
+
+void
+CompactMapping::finishObservation()
+{
+  MatchedDisparity disparity;
+  const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>();
+  fusion_.setNumberOfThreads(threads_);
+  projection_.setNumberOfThreads(threads_);
+  fusion_.fuse(disparity);
+  projection_.project(disparity, fusion_.getColor(), *cloud);
+  fusion_.clear();
+  current_.reset();
+  addObservation(cloud);
+}
+
+void
+CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
+                    const std::optional<Eigen::Isometry3d>& T_map_camera)
+{
+  constexpr double rounding = 1e-4;
+  if (!cloud)
+    throw BadArgumentException("an observation needs a cloud");
+  if (T_map_camera && (!T_map_camera->matrix().allFinite() ||
+                       !T_map_camera->linear().isUnitary(rounding) ||
+                       T_map_camera->linear().determinant() < 0))
+    throw BadArgumentException("the pose of an observation is no rigid motion");
+  clouds_.push_back(std::move(cloud));
+  poses_.push_back(T_map_camera);
+}
+
+boost::signals2::connection
+CompactMapping::setInputGrabber(Grabber& grabber)
+{
+  std::optional<boost::signals2::connection> connection;
+  if (auto* const frames = dynamic_cast<TrinocularGrabber*>(&grabber)) {
+    setInputRig(frames->getRig());
+    connection =
+        grabber.registerCallback(std::function<TrinocularGrabber::FrameCallback>(
+            [this](const TrinocularFrame::ConstPtr& frame) { addFrame(frame); }));
+  }
+  if (!connection)
+    connection = connectClouds<PointXYZRGBSigma>(grabber, *this);
+  if (!connection)
+    connection = connectClouds<PointXYZRGB>(grabber, *this);
+  if (!connection)
+    connection = connectClouds<PointXYZRGBA>(grabber, *this);
+  if (!connection)
+    throw BadArgumentException(grabber.getName() +
+                               " delivers neither frames of a rig nor clouds of points "
+                               "with colours");
+  connections_.emplace_back(*connection);
+  return *connection;
+}
+
+void
+CompactMapping::setInputSequence(const ObservationSequence& sequence, bool has_poses)
+{
+  sequence_ = sequence;
+  has_poses_ = has_poses;
+}
+
+void
+CompactMapping::clear()
+{
+  fusion_.clear();
+  current_.reset();
+  clouds_.clear();
+  poses_.clear();
+  sequence_.reset();
+}
+
+std::size_t
+CompactMapping::getNumberOfObservations() const
+{
+  return sequence_ ? sequence_->size() : clouds_.size();
+}
+
+ObservationSequence
+CompactMapping::collected() const
+{
+  const auto posed = static_cast<std::size_t>(std::count_if(
+      poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
+  if (clouds_.empty())
+    PCL_THROW_EXCEPTION(InitFailedException, "there is no observation");
+  if (posed != 0 && posed != poses_.size())
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        posed << " of " << poses_.size()
+                              << " observations have poses: give all of them, or none");
+  Trajectory trajectory;
+  for (std::size_t i = 0; i < posed; ++i) {
+    trajectory.stamps.push_back(static_cast<double>(i));
+    trajectory.poses.push_back(*poses_[i]);
+  }
+  return ObservationSequence(clouds_, trajectory);
+}
+
+ObservationSequence
+CompactMapping::estimatePoses(const ObservationSequence& sequence,
+                              CompactMappingReport& report)
+{
+  VisualOdometry odometry = odometry_;
+  odometry.setNumberOfThreads(threads_);
+  odometry.setProgressCallback(partOf(progress_, 0, 0.2));
+  report.odometry = odometry.compute(sequence);
+  const VisualOdometryResult& found = *report.odometry;
+  if (found.posed() == 0)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "no observation could be joined to another one; the first one "
+                            << found.reasonOf(0, sequence.names()));
+  std::vector<double> stamps;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    stamps.push_back(sequence.stamp(i));
+    if (found.poses[i])
+      places.push_back(i);
+    else
+      report.remarks.push_back("lost: " + sequence.name(i) + ": " +
+                               found.reasonOf(i, sequence.names()));
+  }
+  return sequence.withPoses(namesOf(sequence, places), found.trajectory(stamps));
+}
+
+ObservationSequence
+CompactMapping::rectify(const ObservationSequence& sequence,
+                        CompactMappingReport& report)
+{
+  SequenceConsolidation consolidation;
+  consolidation.setNumberOfThreads(threads_);
+  consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
+  ConsolidatedObservations observations;
+  consolidation.compute(sequence, observations);
+  report.consolidation = consolidation.getReport();
+
+  Rectification rectification = rectification_;
+  if (report.odometry && isDefault(rectification.getOdometryNoise()))
+    rectification.setOdometryNoise(report.odometry->noise());
+  rectification.setNumberOfThreads(threads_);
+  rectification.setProgressCallback(partOf(progress_, 0.3, 0.5));
+  rectification.clear();
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(observations.clouds[i],
+                                observations.trajectory.poses[i],
+                                observations.weights[i]);
+  rectification.compute();
+  report.rectification = rectification.getReport();
+  addRemarks(*report.rectification, report);
+  Trajectory rectified = observations.trajectory;
+  for (std::size_t i = 0; i < rectified.poses.size(); ++i)
+    rectified.poses[i] = rectification.getPose(i);
+  before_ = std::move(observations.trajectory);
+  return sequence.withPoses(namesOf(sequence, observations.places), rectified);
+}
+
+CompactMap
+CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport& report)
+{
+  Texturing texturing = texturing_;
+  texturing.setPlanes(mapped_.planes);
+  texturing.clearObservations();
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    texturing.addObservation([&sequence, i]() -> std::optional<TexturedObservation> {
+      const PosedObservation seen = sequence.load(i);
+      return TexturedObservation{
+          {seen.file, &seen.file->cloud}, seen.T_map_camera, sequence.stamp(i), true};
+    });
+  texturing.setNumberOfThreads(threads_);
+  texturing.setProgressCallback(partOf(progress_, 0.8, 1));
+  CompactMap map;
+  texturing.texture(map);
+  report.texture = texturing.getReport();
+  addRemarks(report.texture, report);
+  return map;
+}
+
+void
+CompactMapping::compute(CompactMap& map)
+{
+  if (current_)
+    finishObservation();
+  if (sequence_ && !clouds_.empty())
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "there are a sequence and observations: give one of both");
+  CompactMappingReport report;
+  StepTimer timer(report);
+  before_ = Trajectory();
+  ObservationSequence sequence = sequence_ ? *sequence_ : collected();
+  const bool has_poses = sequence_ ? has_poses_ : poses_.front().has_value();
+  if (!has_poses && sequence.size() > 1) {
+    sequence = estimatePoses(sequence, report);
+    timer.finish("odometry");
+  }
+  if (rectify_ && sequence.size() > 1) {
+    sequence = rectify(sequence, report);
+    timer.finish("rectification");
+  }
+
+  ObservationMerging merging = merging_;
+  merging.setNumberOfThreads(threads_);
+  merging.setProgressCallback(partOf(progress_, 0.5, 0.6));
+  MergedCloud merged;
+  merging.compute(sequence, merged);
+  report.merging = merging.getReport();
+  addRemarks(report.merging, report);
+  timer.finish("merging");
+
+  PlaneMapping planes = planes_;
+  planes.setInputCloud(merged.cloud);
+  planes.setViewpoints(merged.viewpoints);
+  planes.setNumberOfThreads(threads_);
+  planes.setProgressCallback(partOf(progress_, 0.6, 0.8));
+  planes.compute(mapped_);
+  report.planes = planes.getReport();
+  addRemarks(report.planes, report);
+  timer.finish("planes");
+
+  CompactMap result;
+  if (!mapped_.planes.empty())
+    result = paint(sequence, report);
+  timer.finish("texture");
+  map = std::move(result);
+  report_ = std::move(report);
+}
+
+} // namespace pcl

@@ -1,0 +1,307 @@
+#include "depth_room.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/cloud_fields.h>
+#include <pcl/pipeline/plane_mapping.h>
+#include <pcl/simulation/simulated_observation.h>
+#include <pcl/simulation/standard_scenes.h>
+#include <pcl/surface/gp3.h>
+
+#include <gmock/gmock.h>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::Each;
+using testing::Ge;
+
+/** Two views of an office, merged. */
+class Office : public testing::Test {
+protected:
+  static void
+  SetUpTestSuite()
+  {
+    const MergedObservations merged = mergeObservations(standardScene("office"), 2, 1);
+    const auto file = std::make_shared<PointCloudFile>();
+    file->cloud = cloudOf(merged);
+    cloud_ = file;
+    for (const Eigen::Isometry3d& pose : merged.trajectory.poses)
+      viewpoints_.push_back(pose.translation().cast<float>());
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    cloud_.reset();
+  }
+
+  static PlaneMapping
+  mapping()
+  {
+    PlaneMapping mapping;
+    mapping.setInputCloud(cloud_);
+    mapping.setViewpoints(viewpoints_);
+    return mapping;
+  }
+
+  static inline std::shared_ptr<const PointCloudFile> cloud_;
+  static inline std::vector<Eigen::Vector3f> viewpoints_;
+};
+
+std::vector<Eigen::Vector4d>
+equationsOf(const std::vector<PlanePatch>& planes)
+{
+  std::vector<Eigen::Vector4d> equations;
+  for (const PlanePatch& plane : planes)
+    equations.push_back(plane.coefficients);
+  return equations;
+}
+
+/** The same, class by class. */
+std::vector<PlanePatch>
+chained(const std::shared_ptr<const PointCloudFile>& cloud,
+        const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  using Vertex = PlaneMapping::Vertex;
+  const PointCloud<Vertex>::Ptr points(new PointCloud<Vertex>),
+      vertices(new PointCloud<Vertex>);
+  fromPCLPointCloud2(cloud->cloud, *points);
+  VoxelConsolidation<Vertex> consolidation;
+  consolidation.setInputCloud(points);
+  consolidation.setViewpoints(viewpoints);
+  consolidation.filter(*vertices);
+  DeWallTriangulation<Vertex> dewall;
+  dewall.setInputCloud(vertices);
+  dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
+                              consolidation.getReport().voxel_size);
+  TriangleMesh mesh;
+  dewall.reconstruct(mesh);
+  NormalVectorVoting<Vertex> voting;
+  voting.setInputCloud(vertices);
+  voting.setTriangles(mesh);
+  const PointCloud<Normal>::Ptr normals(new PointCloud<Normal>);
+  const PointCloud<Label>::Ptr classes(new PointCloud<Label>);
+  voting.compute(*normals);
+  voting.getVertexClasses(*classes);
+  PlaneHypothesisClustering<Vertex> clustering;
+  clustering.setInputCloud(vertices);
+  clustering.setInputNormals(normals);
+  clustering.setVertexClasses(classes);
+  clustering.setTriangles(mesh);
+  clustering.setNoiseDriven(true);
+  clustering.setSourceCloud(points, viewpoints);
+  std::vector<PlanePatch> planes;
+  clustering.segment(planes);
+  return planes;
+}
+
+TEST_F(Office, isMappedAsTheClassesOneByOneWould)
+{
+  MappedPlanes found;
+  PlaneMapping mapping = this->mapping();
+  mapping.compute(found);
+  EXPECT_EQ(equationsOf(found.planes), equationsOf(chained(cloud_, viewpoints_)));
+  ASSERT_GE(found.planes.size(), 3U);
+  EXPECT_EQ(found.labels.size(), cloud_->points().size());
+  EXPECT_EQ(found.finite_points, cloud_->points().size());
+  const std::size_t vertices = found.vertices.points().size();
+  EXPECT_EQ(found.vertex_labels.size(), vertices);
+  EXPECT_EQ(found.normals->size(), vertices);
+  EXPECT_EQ(found.vertex_classes->size(), vertices);
+  EXPECT_LT(vertices, found.labels.size() / 5);
+  const PlaneMappingReport& report = mapping.getReport();
+  EXPECT_TRUE(report.consolidation && report.mesh && report.votes && report.planes);
+  EXPECT_FALSE(report.depth_planes);
+}
+
+TEST_F(Office, givesThePaperLabelsOfAllPoints)
+{
+  PlaneMapping mapping = this->mapping();
+  PlaneMapping::Clustering clustering;
+  clustering.setNoiseDriven(false);
+  mapping.setClustering(clustering);
+  PlaneMapping::Consolidation consolidation;
+  consolidation.setVoxelSize(0.15);
+  mapping.setConsolidation(consolidation);
+  double seconds = 0;
+  mapping.setCostCallback([&](const std::string&, std::size_t, double expected) {
+    seconds = std::max(seconds, expected);
+  });
+  MappedPlanes found;
+  mapping.compute(found);
+  EXPECT_GT(seconds, 0) << "how long it takes is known before";
+  EXPECT_EQ(found.labels.size(), cloud_->points().size());
+  EXPECT_THAT(found.labels, Each(Ge(-1)));
+}
+
+TEST_F(Office, takesAMeshOfPcl)
+{
+  const auto greedy =
+      std::make_shared<GreedyProjectionTriangulation<PlaneMapping::Vertex>>();
+  greedy->setSearchRadius(0.3);
+  greedy->setMu(2.5);
+  greedy->setMaximumNearestNeighbors(50);
+  PlaneMapping mapping = this->mapping();
+  mapping.setMeshConstruction(greedy);
+  MappedPlanes found;
+  mapping.compute(found);
+  EXPECT_GE(found.planes.size(), 3U);
+  EXPECT_FALSE(mapping.getReport().mesh) << "it has no report of ours";
+  EXPECT_GT(found.spacing, 0);
+}
+
+TEST_F(Office, takesAMeshThatIsThere)
+{
+  MappedPlanes first, again;
+  PlaneMapping mapping = this->mapping();
+  mapping.compute(first);
+  PlaneMapping of_mesh;
+  of_mesh.setInputCloud(std::make_shared<const PointCloudFile>(first.vertices));
+  of_mesh.setInputMesh(first.mesh);
+  of_mesh.compute(again);
+  EXPECT_EQ(again.mesh.triangles, first.mesh.triangles);
+  EXPECT_EQ(again.labels, again.vertex_labels);
+  EXPECT_GE(again.planes.size(), 3U);
+  EXPECT_FALSE(of_mesh.getReport().mesh);
+  of_mesh.setInputMesh({{{0, 1, 1 << 30}}, {}});
+  EXPECT_THROW(of_mesh.compute(again), InitFailedException);
+}
+
+TEST_F(Office, canBeCancelledAndRefused)
+{
+  PlaneMapping mapping = this->mapping();
+  MappedPlanes found;
+  found.labels = {42};
+  double last = 0;
+  mapping.setProgressCallback([&](double done, const std::string&) {
+    EXPECT_GE(done, last);
+    last = done;
+    return done < 0.5;
+  });
+  EXPECT_THROW(mapping.compute(found), CancelledException);
+  mapping.setProgressCallback({});
+  mapping.setCostCallback([](const std::string&, std::size_t bytes, double) {
+    if (bytes > 0)
+      throw std::bad_alloc();
+  });
+  EXPECT_THROW(mapping.compute(found), std::bad_alloc);
+  EXPECT_EQ(found.labels, std::vector<std::int32_t>{42});
+}
+
+TEST_F(Office, isNoPicture)
+{
+  PlaneMapping mapping = this->mapping();
+  mapping.setDepthSensor(DepthSensor::Stereo);
+  MappedPlanes found;
+  EXPECT_THROW(mapping.compute(found), UnorganizedPointCloudException);
+}
+
+PointCloud<PointXYZ>::Ptr
+kinectView()
+{
+  const DepthRoom room{{}};
+  PointCloud<PointXYZ>::Ptr view(new PointCloud<PointXYZ>);
+  for (const Eigen::Vector3f& point : room.points)
+    view->push_back(PointXYZ(point.x(), point.y(), point.z()));
+  view->width = DepthRoom::width;
+  view->height = DepthRoom::height;
+  view->is_dense = false;
+  return view;
+}
+
+TEST(PlaneMapping, findsThePlanesOfAKinectInItsPicture)
+{
+  PlaneMapping mapping;
+  mapping.setInputCloud(kinectView());
+  mapping.setComputeMesh(false);
+  MappedPlanes found, with_mesh;
+  mapping.compute(found);
+  EXPECT_GE(found.planes.size(), 3U);
+  EXPECT_EQ(found.labels.size(), DepthRoom::width * DepthRoom::height);
+  EXPECT_TRUE(found.mesh.triangles.empty());
+  EXPECT_TRUE(mapping.getReport().depth_planes);
+  mapping.setComputeMesh(true);
+  mapping.compute(with_mesh);
+  EXPECT_EQ(equationsOf(with_mesh.planes), equationsOf(found.planes));
+  EXPECT_GT(with_mesh.mesh.triangles.size(), 10000U);
+  EXPECT_EQ(with_mesh.vertex_labels, with_mesh.labels);
+  EXPECT_TRUE(mapping.getReport().refinement);
+}
+
+TEST(PlaneMapping, arrangesAViewWithoutItsNanPixels)
+{
+  const PointCloud<PointXYZ>::Ptr view = kinectView(), dense(new PointCloud<PointXYZ>);
+  for (const PointXYZ& point : *view)
+    if (point.getVector3fMap().allFinite())
+      dense->push_back(point);
+  PlaneMapping mapping;
+  MappedPlanes organized, unorganized;
+  mapping.setInputCloud(view);
+  mapping.compute(organized);
+  mapping.setInputCloud(dense);
+  mapping.compute(unorganized);
+  EXPECT_EQ(unorganized.planes.size(), organized.planes.size());
+  EXPECT_EQ(unorganized.labels.size(), dense->size());
+  EXPECT_GT(unorganized.vertices.cloud.height, 1U);
+}
+
+TEST(PlaneMapping, consolidatesAlwaysWhereItIsTold)
+{
+  PlaneMapping mapping;
+  mapping.setInputCloud(kinectView());
+  mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
+  MappedPlanes found;
+  mapping.compute(found);
+  EXPECT_TRUE(mapping.getReport().consolidation);
+  EXPECT_FALSE(mapping.getReport().depth_planes);
+}
+
+TEST(PlaneMapping, doesNotConsolidateWhatIsSparseAndExact)
+{
+  PointCloud<PointXYZ>::Ptr floor(new PointCloud<PointXYZ>);
+  for (int i = 0; i < 60; ++i)
+    for (int k = 0; k < 60; ++k)
+      floor->push_back(PointXYZ(0.05F * i + 0.001F * (k % 3), 1, 0.05F * k));
+  PlaneMapping mapping;
+  mapping.setInputCloud(floor);
+  MappedPlanes found;
+  mapping.compute(found);
+  ASSERT_EQ(found.planes.size(), 1U);
+  EXPECT_FALSE(mapping.getReport().consolidation);
+  EXPECT_EQ(found.vertices.points().size(), floor->size());
+  EXPECT_EQ(found.labels, std::vector<std::int32_t>(floor->size(), 0));
+}
+
+TEST(PlaneMapping, refusesWhatIsNoCloud)
+{
+  PlaneMapping mapping;
+  MappedPlanes found;
+  EXPECT_THROW(mapping.compute(found), InitFailedException);
+  EXPECT_THROW(mapping.setInputCloud(std::shared_ptr<const PointCloudFile>()),
+               InitFailedException);
+  EXPECT_THROW(mapping.setInputCloud(PointCloud<PointXYZ>::Ptr()), InitFailedException);
+  EXPECT_THROW(mapping.setMeshConstruction(nullptr), BadArgumentException);
+  const auto lying = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(*kinectView(), lying->cloud);
+  lying->cloud.data.resize(100);
+  mapping.setInputCloud(std::shared_ptr<const PointCloudFile>(lying));
+  EXPECT_THROW(mapping.compute(found), InitFailedException);
+}
+
+TEST(PlaneMapping, ofNothingIsNothing)
+{
+  PointCloud<PointXYZ>::Ptr cloud(new PointCloud<PointXYZ>);
+  PlaneMapping mapping;
+  for (const float value : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
+    cloud->assign(value == 0 ? 0 : 20, PointXYZ(value, value, value));
+    mapping.setInputCloud(cloud);
+    MappedPlanes found;
+    mapping.compute(found);
+    EXPECT_TRUE(found.planes.empty());
+    EXPECT_FALSE(mapping.getReport().remarks.empty());
+    EXPECT_EQ(found.finite_points, 0U);
+  }
+}
+
+} // namespace
+} // namespace pcl::acmap::test
