@@ -19,7 +19,8 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
       !T_map_camera.linear().isUnitary(rounding) ||
       T_map_camera.linear().determinant() < 0)
     throw BadArgumentException("the pose of an observation is no rigid motion");
-  // poses that were multiplied in float are no rotation to the digit that files ask for
+  // poses multiplied in float are not orthonormal to the precision that the files
+  // require
   Eigen::Isometry3d pose = T_map_camera;
   pose.linear() =
       Eigen::Quaterniond(T_map_camera.linear()).normalized().toRotationMatrix();
