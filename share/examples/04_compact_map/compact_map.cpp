@@ -1,5 +1,5 @@
-// From clouds with poses to a compact map, class by class: what pcl_compact_mapping does
-// once it knows the poses.
+// From clouds with poses to a compact map, class by class. pcl_compact_mapping does the
+// same after it has estimated the poses.
 // Usage: compact_map FOLDER [VIEWS]   2 to 40, default 12
 
 #include <pcl/common/transforms.h>
@@ -21,8 +21,8 @@
 
 namespace {
 
-// An observation is organized, as its camera saw it, in the camera's frame, with colour at
-// each pixel; a point of the map knows which observation saw it.
+// An observation is an organized cloud in the frame of its camera, with a colour at
+// each pixel. Each point of the map stores the number of its observation.
 using Observation = pcl::PointCloud<pcl::PointXYZRGB>;
 using MapPoint = pcl::PointXYZRGBNormalView;
 using MapCloud = pcl::PointCloud<MapPoint>;
@@ -41,7 +41,7 @@ struct Sequence {
   }
 };
 
-// Yours would come from files: pcl::loadPointCloud, pcl::loadTrajectory.
+// Your data would come from files: pcl::loadPointCloud, pcl::loadTrajectory.
 Sequence
 lookRound(std::size_t views)
 {
@@ -56,7 +56,7 @@ lookRound(std::size_t views)
   return sequence;
 }
 
-// All points that have a place, in the map's frame.
+// All finite points in the frame of the map.
 MapCloud::Ptr
 merged(const Sequence& sequence)
 {
@@ -76,8 +76,8 @@ merged(const Sequence& sequence)
   return map;
 }
 
-// The noise of such clouds exceeds their spacing: first to one point a voxel, then a mesh
-// between them, and its votes for normals and creases.
+// The noise of such clouds exceeds their point spacing. So they are consolidated to one
+// point per voxel first; then a mesh of these points votes for normals and creases.
 std::vector<pcl::PlanePatch>
 planesOf(const MapCloud::Ptr& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
 {
@@ -90,7 +90,8 @@ planesOf(const MapCloud::Ptr& cloud, const std::vector<Eigen::Vector3f>& viewpoi
   std::cout << cloud->size() << " points, " << consolidated->size() << " in voxels of "
             << voxel << " m\n";
 
-  // the mesher is compiled for PCL's types; its mesh is numbers of points, so it fits both
+  // the mesher is compiled for PCL's types; its mesh contains point indices only, so it
+  // is valid for both clouds
   const pcl::PointCloud<pcl::PointNormal>::Ptr vertices(
       new pcl::PointCloud<pcl::PointNormal>);
   pcl::copyPointCloud(*consolidated, *vertices);
@@ -160,7 +161,7 @@ main(int argc, char** argv)
     for (const std::string& name : pcl::saveCompactMap(argv[1], map))
       if (name.find("texture_") != 0)
         std::cout << argv[1] << "/" << name << "\n";
-    // floor, ceiling and a wall at least
+    // at least floor, ceiling and one wall
     if (planes.size() < 3 || planes[0].area < 1) {
       std::cerr << "compact_map: this is no room\n";
       return 1;
