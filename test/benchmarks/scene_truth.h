@@ -18,7 +18,7 @@ struct TruthSurface {
   Eigen::Vector3d normal; ///< unit, towards the observed side
   Eigen::Vector2d size;   ///< metres
   Eigen::Vector2i cells;
-  std::vector<std::uint8_t> visible; ///< index u varies first, then v
+  std::vector<std::uint8_t> visible; ///< see cellIndex
 
   /** \brief Metres along u, along v and along the normal. */
   Eigen::Vector3d
