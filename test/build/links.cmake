@@ -36,7 +36,7 @@ foreach(line IN LISTS lines)
     endif()
   elseif(NOT fenced)
     string(REGEX REPLACE "^#+ +" "" text "${text}")
-    string(REGEX REPLACE "\\([^()]*\\.md[^()]*\\)" "" text "${text}") # a link's place
+    string(REGEX REPLACE "\\([^()]*\\.md[^()]*\\)" "" text "${text}") # a link's target
     string(TOLOWER "${text}" text)
     string(REGEX REPLACE "${punctuation}" "" text "${text}")
     string(REGEX REPLACE "→|×|°|…|’" "" text "${text}")
