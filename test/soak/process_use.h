@@ -9,8 +9,8 @@ namespace pcl::acmap::test {
 struct ProcessUse {
   std::ptrdiff_t allocated = 0; ///< bytes requested and not yet freed
   std::ptrdiff_t resident = 0;  ///< bytes in memory after the allocator released free
-      ///< memory; 0 under a sanitizer, which keeps more
-  std::ptrdiff_t files = 0; ///< open descriptors
+                                ///< memory; 0 under a sanitizer, which keeps more
+  std::ptrdiff_t files = 0;     ///< open descriptors
   std::ptrdiff_t threads = 0;
 };
 
