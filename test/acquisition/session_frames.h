@@ -30,7 +30,7 @@ frameOf(const TrinocularRig& rig,
 void
 expectEqual(const TrinocularFrame& a, const TrinocularFrame& b);
 
-/** \brief Patterns per observation of \ref recordSession: none, 0, 1. */
+/** \brief Patterns per observation of \ref recordSession (none, 0, 1). */
 constexpr std::int32_t patterns_recorded = 3;
 
 /** \brief The frame with a given number in \ref recordSession. */

@@ -117,7 +117,7 @@ TEST_F(KeypointOracle, pixelsWithoutPlaceAreCountedAndLeftOut)
   EXPECT_EQ(counts_.left_out, 0u);
 }
 
-/** Selects in rounds, one keypoint per tile. */
+/** Selects in rounds: each one takes the strongest remaining keypoint of each tile. */
 std::vector<std::int32_t>
 naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t most)
 {

@@ -70,8 +70,8 @@ takeBuild() {
   exec 9>&-
 }
 
-# Runs one round of a fuzzer; fails if it found something. The timeout is not ten
-# seconds, because the machine may be busy.
+# Runs one round of a fuzzer; fails if it found something. The timeout of an input is
+# more than ten seconds, because the machine may be busy.
 runRound() {
   local state=$1 kind=$2 name=$3 remaining=$4 flags=() log code=0
   shift 4

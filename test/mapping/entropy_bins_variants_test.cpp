@@ -95,7 +95,7 @@ edgeBins(std::size_t size)
   return bins;
 }
 
-/** Compares with any NaN, as the standard does not define which NaN a sum returns. */
+/** Appends numbers; replaces NaN, as the standard does not define the NaN of a sum. */
 template <typename Number>
 void
 keepBits(const std::vector<Number>& numbers, std::vector<double>& all)

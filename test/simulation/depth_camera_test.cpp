@@ -74,8 +74,7 @@ TEST(DepthCamera, WithoutNoiseAWallIsHalfAStepOff)
     SimulatedScene scene = wallSeenByKinect(depth);
     scene.rig.disparity_sigma = 0.0;
     const SeenView seen(scene);
-    // tolerance for millimetres, and for 1e-5 px of the growth with the angle of
-    // incidence
+    // rounding to mm, and 1e-5 px of the growth with the angle of incidence
     const double rounding = 0.0006 / (depth * depth);
     for (int row = 0; row < scene.rig.height; ++row)
       for (int column = 0; column < scene.rig.width - 8; ++column)

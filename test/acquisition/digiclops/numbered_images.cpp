@@ -41,8 +41,7 @@ sentBytes(const TrinocularFrame& frame, const Sending& sending)
   return bytes;
 }
 
-/** Sets the margin to zero, because its colours are not interpolated like the
- * others. */
+/** Sets the margin to zero, because its colours are not those of the sensor. */
 void
 clearMargin(std::vector<std::uint8_t>& bytes, std::size_t row)
 {
