@@ -15,8 +15,8 @@ shapeOf(const py::array& array)
   return py::str(array.attr("shape"));
 }
 
-/** Values that one step of as many bytes leads through.
- * \throws py::value_error where rows or columns do not allow for that */
+/** Values of an array that are separated by a constant number of bytes.
+ * \throws py::value_error when the strides are not constant or are negative */
 Column
 stepThrough(const std::string& name, const py::array& array, int leading)
 {

@@ -16,9 +16,9 @@ namespace pcl::acmap::python {
 
 namespace py = pybind11;
 
-/** \brief Any object: it is checked by the functions below, whose messages name it, and
- * not by pybind11, which would convert it.
- * \tparam Shown has as name what signatures show that it ought to be */
+/** \brief Argument of any type. It is checked by the functions below, whose messages
+ * contain its name, and not by pybind11, which would convert it.
+ * \tparam Shown its `name` is the type that signatures show */
 template <typename Shown>
 class Argument : public py::object {
   PYBIND11_OBJECT_DEFAULT(Argument, object, anything)
@@ -48,35 +48,35 @@ using IndexArgument = Argument<ShownIndices>;
 using WeightArgument = Argument<ShownWeights>;
 using PoseArgument = Argument<ShownPoses>;
 
-/** \brief Points of an array, which must live as long as the view. */
+/** \brief Points of an array; the array must outlive the view. */
 struct PointRows {
   PointView view;
-  std::size_t width = 0; ///< points a row; 0 unless the array is (h, w, 3)
+  std::size_t width = 0; ///< points per row; 0 unless the array is (h, w, 3)
 };
 
-/** \brief Looks at an array of (n, 3) or (h, w, 3) float32 where it is.
+/** \brief View of an array of (n, 3) or (h, w, 3) float32, without a copy.
  * \param[in] name of the argument, for messages
- * \throws py::type_error when it is no array of float32
- * \throws py::value_error when its shape or strides are others */
+ * \throws py::type_error when it is not an array of float32
+ * \throws py::value_error when its shape or strides are not supported */
 PointRows
 pointRowsOf(const std::string& name, const py::handle& argument);
 
-/** \brief A column of an array, one value a point. */
+/** \brief A column of an array with one value per point. */
 struct Column {
   const void* first = nullptr;
   std::size_t stride = 0; ///< bytes
   std::size_t size = 0;
 };
 
-/** \brief Looks at an array of (n,), or (h, w), values of a type where it is.
- * \throws as \ref pointRowsOf, also when there is not one value a point */
+/** \brief View of an array of (n,), or (h, w), values of a type, without a copy.
+ * \throws as \ref pointRowsOf, also unless there is one value per point */
 Column
 columnOf(const std::string& name,
          const py::handle& argument,
          const py::dtype& type,
          std::size_t points);
 
-/** \brief An array of a given type and rank, as it is.
+/** \brief Checks the type and rank of an array, and returns it without a copy.
  * \throws as \ref pointRowsOf */
 py::array
 arrayOf(const std::string& name,
@@ -85,11 +85,11 @@ arrayOf(const std::string& name,
         const std::vector<py::ssize_t>& ranks,
         const std::string& shape);
 
-/** \brief Lets as many pass as there are points. \throws py::value_error */
+/** \brief Requires one entry per point. \throws py::value_error */
 void
 requireAsMany(const std::string& name, std::size_t number, std::size_t points);
 
-/** \brief Hands a value to Python, for arrays over it to keep. */
+/** \brief Moves a value into a Python capsule, which can be the owner of arrays. */
 template <typename Value>
 std::pair<Value&, py::capsule>
 owned(Value&& value)
@@ -100,10 +100,10 @@ owned(Value&& value)
           })};
 }
 
-/** \brief An array over one field of each record of a vector, without a copy.
- * \param[in] address of the field's first value, for a record
- * \param[in] columns values a record; 0: one, and the array has one dimension
- * \param[in] owner of the vector, kept by the array */
+/** \brief An array that refers to one field of each record of a vector, without a copy.
+ * \param[in] address function that returns the address of the field's first value
+ * \param[in] columns number of values per record; 0: one value, and a 1-D array
+ * \param[in] owner of the vector; the array keeps a reference to it */
 template <typename Value, typename Record, typename Address>
 py::array
 fieldOf(const std::vector<Record>& records,
@@ -121,7 +121,7 @@ fieldOf(const std::vector<Record>& records,
   return py::array(py::dtype::of<Value>(), shape, strides, first, owner);
 }
 
-/** \brief An array over a vector of numbers, which it takes over. */
+/** \brief Moves a vector of numbers into an array. */
 template <typename Value>
 py::array
 arrayOver(std::vector<Value>&& values)

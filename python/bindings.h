@@ -4,11 +4,11 @@
 
 namespace pcl::acmap::python {
 
-/** \brief Lets the exceptions of acmap and PCL become Python's. */
+/** \brief Translates the exceptions of acmap and PCL to Python exceptions. */
 void
 bindErrors();
 
-// A stage each: its function and what that returns.
+// Each of these binds one stage: its function and the class of its result.
 
 void
 bindConsolidation(pybind11::module_& module);

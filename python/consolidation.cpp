@@ -12,7 +12,7 @@ namespace {
 
 using namespace py::literals;
 
-/** What consolidate returns: arrays over one Consolidation. */
+/** Result of consolidate: arrays that refer to one Consolidation. */
 struct Consolidated {
   py::array points, normals, curvature, witness;
   py::object representative_of;

@@ -6,7 +6,7 @@ namespace pcl::acmap::python {
 
 namespace {
 
-/** Without the place in the source that PCL puts before its messages. */
+/** Removes the source location that PCL prepends to its messages. */
 void
 raise(PyObject* type, const PCLException& error)
 {

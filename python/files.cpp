@@ -14,7 +14,7 @@ namespace {
 
 using namespace py::literals;
 
-/** What read_cloud returns: arrays over a PointCloudFile. */
+/** Result of read_cloud: arrays that refer to a PointCloudFile. */
 struct Cloud {
   py::array points;
   py::dict fields;
@@ -22,7 +22,7 @@ struct Cloud {
   std::vector<std::string> remarks;
 };
 
-/** numpy's name of a field's type; none for those that a cloud cannot have. */
+/** The numpy name of a field's type; nullptr for types that a cloud cannot have. */
 const char*
 typeNameOf(const PCLPointField& field)
 {
@@ -48,8 +48,8 @@ typeNameOf(const PCLPointField& field)
   }
 }
 
-/** Values of all points at an offset, as (n, columns) or (h, w, columns); 0 columns: one
- * value a point. */
+/** Values of all points at an offset, as (n, columns) or (h, w, columns); 0 columns:
+ * one value per point. */
 py::array
 pointArray(const PCLPointCloud2& cloud,
            std::size_t offset,
@@ -114,7 +114,7 @@ addField(PCLPointCloud2& cloud, const std::string& name)
   cloud.point_step += sizeof(float);
 }
 
-/** A cloud of x y z, and of normals where there are some. */
+/** A cloud of x y z, and of the normals if they are given. */
 PCLPointCloud2
 cloudOfRows(const PointRows& points, const PointView* normals)
 {

@@ -12,7 +12,7 @@ ProgressRelay::tell(double fraction, const std::string& step)
     if (!listener_)
       return true;
     const py::object answer = (*listener_)(fraction, step);
-    if (answer.is_none()) // a listener that only prints
+    if (answer.is_none()) // the listener does not return anything
       return true;
     const int is_true = PyObject_IsTrue(answer.ptr());
     if (is_true < 0)
@@ -20,7 +20,8 @@ ProgressRelay::tell(double fraction, const std::string& step)
     return is_true == 1;
   }
   catch (const py::error_already_set&) {
-    error_ = std::current_exception(); // kernels know C++ errors only
+    error_ = std::current_exception(); // kernels can only handle C++ exceptions;
+                                       // rethrown by raise()
     return false;
   }
 }

@@ -13,22 +13,22 @@ namespace pcl::acmap::python {
 
 namespace py = pybind11;
 
-/** \brief What a Python caller gives as `progress`: called with (fraction, step). */
+/** \brief The `progress` argument of Python functions: called with (fraction, step). */
 using Listener = std::optional<py::function>;
 
-/** \brief Tells Python about the progress of a kernel that works without the GIL, and
- * lets Ctrl-C through. */
+/** \brief Reports the progress of a kernel that runs without the GIL to Python, and
+ * checks for signals such as Ctrl-C. */
 class ProgressRelay {
 public:
   explicit ProgressRelay(const Listener& listener)
   : listener_(listener)
   {}
 
-  /** \return false when Python wants to stop */
+  /** \return false when the kernel shall stop */
   bool
   tell(double fraction, const std::string& step);
 
-  /** \brief Throws what Python raised, if it did. */
+  /** \brief Rethrows the Python exception, if there is one. */
   void
   raise() const;
 
@@ -38,7 +38,7 @@ private:
 };
 
 /** \brief Calls kernel (progress) without the GIL.
- * \throws py::error_already_set what the listener or a signal raised */
+ * \throws py::error_already_set raised by the listener or a signal handler */
 template <typename Kernel>
 auto
 callKernel(const Listener& listener, const Kernel& kernel)

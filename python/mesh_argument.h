@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::python {
 
-/** \brief What triangulate returns. The arrays look at the mesh. */
+/** \brief Result of triangulate. Its arrays refer to the mesh. */
 struct Mesh {
   std::shared_ptr<TriangleMesh> mesh;
   py::array triangles;
@@ -21,17 +21,17 @@ struct ShownMesh {
       py::detail::const_name("Union[acmap.Mesh, numpy.ndarray[int32[m, 3]]]");
 };
 
-/** \brief A Mesh, or an array: checked by \ref meshOf. */
+/** \brief A Mesh, or an array; checked by \ref meshOf. */
 using MeshArgument = Argument<ShownMesh>;
 
-/** \brief A mesh with arrays over it. */
+/** \brief Creates a Mesh with arrays that refer to it. */
 Mesh
 pythonMesh(TriangleMesh&& mesh, py::object report);
 
-/** \brief The triangles of an argument: those of a Mesh as they are, those of an array,
- * (m, 3) int32, as a copy.
+/** \brief The triangles of an argument: those of a Mesh without a copy, those of an
+ * array, (m, 3) int32, as a copy.
  * \throws py::type_error, py::value_error when it is neither
- * \throws InitFailedException when a corner is none of so many points */
+ * \throws InitFailedException when an index is not less than \a points */
 std::shared_ptr<const TriangleMesh>
 meshOf(const MeshArgument& argument, std::size_t points);
 

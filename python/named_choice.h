@@ -9,11 +9,11 @@
 
 namespace pcl::acmap::python {
 
-/** \brief The values of an enumeration by the names that Python knows them by. */
+/** \brief The values of an enumeration and their names in Python. */
 template <typename Value, std::size_t size>
 using NamedChoices = std::array<std::pair<const char*, Value>, size>;
 
-/** \throws pybind11::value_error telling the names there are */
+/** \throws pybind11::value_error that lists the valid names */
 template <typename Value, std::size_t size>
 Value
 chosen(const std::string& argument,

@@ -54,7 +54,7 @@ setNormals(const NormalsArgument& argument, PlaneHypotheses& hypotheses)
   requireAsMany("normals", view.size(), points);
   for (std::size_t i = 0; i < view.size(); ++i) {
     Eigen::Vector3f normal = view[i];
-    normal /= normal.norm(); // zero normals are none
+    normal /= normal.norm(); // zero normals become NaN, which means unknown
     hypotheses.normals.push_back(normal);
   }
 }

@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::python {
 
-/** \brief What vote_normals returns: arrays over the votes. */
+/** \brief Result of vote_normals: arrays that refer to the votes. */
 struct Normals {
   std::shared_ptr<VotedNormals> votes;
   py::array normals, directions, saliency, vertex_class;
@@ -22,17 +22,17 @@ struct ShownNormals {
       py::detail::const_name("Union[acmap.Normals, numpy.ndarray[float32[n, 3]]]");
 };
 
-/** \brief Normals, or an array of them: checked by \ref setNormals. */
+/** \brief Normals, or an array of them; checked by \ref setNormals. */
 using NormalsArgument = Argument<ShownNormals>;
 
-/** \brief Normals with arrays over them. */
+/** \brief Creates Normals with arrays that refer to them. */
 Normals
 pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report);
 
-/** \brief Makes hypotheses of normals; those of vote_normals also tell of creases and of
- * curvature.
+/** \brief Sets the normals of hypotheses; those of vote_normals also set creases and
+ * curvatures.
  * \param[in,out] hypotheses their points are set
- * \throws py::type_error, py::value_error when it is neither, or there is not one a point */
+ * \throws py::type_error, py::value_error when it is neither, or not one per point */
 void
 setNormals(const NormalsArgument& argument, PlaneHypotheses& hypotheses);
 

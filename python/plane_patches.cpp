@@ -9,7 +9,8 @@ namespace pcl::acmap::python {
 
 namespace {
 
-/** An array over numbers inside of a Python object, which it keeps. */
+/** A property that returns an array of numbers inside a Python object and keeps it
+ * alive. */
 template <typename Owner, typename Value>
 py::cpp_function
 memberArray(std::vector<py::ssize_t> shape, const Value* (*address)(const Owner&))
@@ -20,7 +21,8 @@ memberArray(std::vector<py::ssize_t> shape, const Value* (*address)(const Owner&
   };
 }
 
-/** A rim as (k, 3), kept by the Python object that it is part of. */
+/** A polygon loop as (k, 3); the array keeps the Python object alive that contains
+ * it. */
 py::array
 rimArray(const std::vector<Eigen::Vector3f>& rim, const py::object& self)
 {

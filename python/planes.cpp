@@ -15,7 +15,7 @@ namespace {
 
 using namespace py::literals;
 
-/** What find_planes returns. */
+/** Result of find_planes. */
 struct Planes {
   py::list patches;
   py::array labels;
@@ -23,7 +23,7 @@ struct Planes {
   py::object report;
 };
 
-/** The points from which the hypotheses were consolidated. */
+/** The points from which the hypotheses were consolidated, and their sensors. */
 struct SourceArguments {
   std::optional<PointArgument> points;
   SensorArguments sensors;
@@ -134,7 +134,7 @@ bindPlanesClass(py::module_& module)
                     "pcl::PlaneClusteringReport");
 }
 
-/** W_t as it was given, or as the mode has it. */
+/** W_t as given, or the default of the mode. */
 double
 planeDistance(std::optional<double> given, bool noise_driven)
 {

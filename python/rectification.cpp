@@ -22,13 +22,13 @@ constexpr NamedChoices<RectificationMode, 2> modes = {
 
 using Poses = std::vector<Eigen::Isometry3d>;
 
-/** What rectify returns. */
+/** Result of rectify. */
 struct Rectified {
   py::array poses;
   py::object report;
 };
 
-/** An observation as it came, not yet copied. */
+/** An observation before its points are copied. */
 struct Observation {
   PointView points;
   PointView normals;
@@ -74,7 +74,7 @@ weightsOf(const std::string& name, const py::handle& argument, std::size_t point
   return weights;
 }
 
-/** The lists that rectify takes, one entry an observation. */
+/** The lists that rectify accepts, with one entry per observation. */
 struct ObservationArguments {
   std::vector<PointArgument> clouds;
   std::optional<std::vector<PointArgument>> normals;
@@ -125,7 +125,7 @@ requireLegal(const RectificationSettings& settings)
   requireInRange("odometry_turn_per_radian", noise.turn_per_radian, 0, 10, "rad/rad");
 }
 
-/** The poses of the sensors, where the outcome is new. */
+/** The rectified poses of the sensors, or the given ones unless it succeeded. */
 Poses
 search(const std::vector<Observation>& observations,
        const Poses& given,
@@ -165,7 +165,7 @@ arrayOfPoses(Poses&& poses)
   return py::array(
       py::dtype::of<double>(),
       {static_cast<py::ssize_t>(kept.size()), py::ssize_t{4}, py::ssize_t{4}},
-      {16 * size, size, 4 * size}, // columns stand together
+      {16 * size, size, 4 * size}, // column-major
       kept.empty() ? nullptr : kept.front().data(),
       owner);
 }

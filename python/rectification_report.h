@@ -6,7 +6,7 @@
 
 namespace pcl::acmap::python {
 
-/** \brief The report of a rectification as a Python object. */
+/** \brief Converts the report of a rectification to a Python object. */
 pybind11::object
 reportOfRectification(EntropyRectificationReport&& report);
 

@@ -7,7 +7,8 @@
 
 namespace pcl::acmap::python {
 
-/** \brief A report as a Python object with fields of the same names, which prints itself.
+/** \brief Converts a report to a Python object with fields of the same names, which can
+ * be printed.
  * \param[in] fields of the stage; `seconds` and `remarks` are added */
 inline pybind11::object
 reportOf(pybind11::dict fields, const Report& report)

@@ -9,17 +9,17 @@
 
 namespace pcl::acmap::python {
 
-/** \brief Where the sensors stood, as the functions take it. */
+/** \brief The arguments of functions that describe sensor positions. */
 struct SensorArguments {
-  std::optional<std::array<double, 3>> origin; ///< of all points
-  std::optional<PointArgument> viewpoints;     ///< of observations
-  std::optional<IndexArgument> view;           ///< which of these saw a point
+  std::optional<std::array<double, 3>> origin; ///< common sensor position of all points
+  std::optional<PointArgument> viewpoints;     ///< sensor position of each observation
+  std::optional<IndexArgument> view;           ///< observation of each point
 };
 
-/** \brief Who saw the points: viewpoints where they are given, else the one origin, else
- * unknown. The views stay where they are.
- * \throws py::value_error when only one of viewpoints and view is given, or one is not
- * finite; as \ref pointRowsOf */
+/** \brief The sensor positions of the points: viewpoints if given, else the common
+ * origin, else unknown. Does not copy \a view.
+ * \throws py::value_error when only one of viewpoints and view is given, or a
+ * viewpoint is not finite; as \ref pointRowsOf */
 SensorView
 sensorViewOf(const SensorArguments& sensors, std::size_t points);
 

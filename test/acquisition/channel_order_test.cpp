@@ -32,7 +32,7 @@ allOrders()
   return orders;
 }
 
-/** Cameras that are turned and beside their places, with distortion. */
+/** Cameras with rotations, displacements and distortion. */
 RigCalibration
 askewCameras()
 {
@@ -49,7 +49,7 @@ askewCameras()
   return cameras;
 }
 
-/** A corner of a room with nothing on its walls. */
+/** A corner of a room with plain walls. */
 SimulatedScene
 room()
 {
@@ -62,7 +62,7 @@ room()
   return scene;
 }
 
-/** The room under a pattern, and without where there is none. */
+/** A frame of the room under a pattern, or without pattern if there is none. */
 TrinocularFrame
 filmUnder(const std::vector<RgbImage>& patterns, const RigCalibration& cameras)
 {
@@ -75,7 +75,7 @@ film(const RigCalibration& cameras)
   return filmUnder({RandomLinePattern().generate(3)}, cameras);
 }
 
-/** What comes of a frame when it is unpacked under another order than its own. */
+/** A frame that was unpacked with a wrong channel order. */
 TrinocularFrame
 mixedUp(const TrinocularFrame& frame,
         const ChannelOrder& own,

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
-// Where doc/acquisition/frame_file.md says that things stand.
+// Offsets in the file, from doc/acquisition/frame_file.md.
 constexpr std::size_t number_place = 12;
 constexpr std::size_t first_image_place = 36;
 constexpr std::size_t second_image_place = 60;
@@ -34,7 +34,7 @@ faultOf(const Bytes& bytes)
   return faultOfRunning<InputFileException>([&] { decodeFrame("f.acf", bytes); });
 }
 
-/** The small frame with a number of its header replaced, and a checksum that agrees. */
+/** The small frame with a modified number in its header, and a valid checksum. */
 template <typename Unsigned>
 Bytes
 frameWith(std::size_t place, Unsigned value)
@@ -165,14 +165,14 @@ TEST(FrameFile, RefusesHeadersThatLie)
         {second_image_place + 12, 0U, "cannot hold"}})
     EXPECT_THAT(faultOf(frameWith<std::uint32_t>(place, value)),
                 testing::AllOf(HasSubstr("frame 17"), HasSubstr(fault)));
-  // More bytes than the file has, and so many that their sum would overflow.
+  // More bytes than the file has, and a number so large that the sum would overflow.
   for (const std::uint64_t bytes : {std::uint64_t{191}, ~std::uint64_t{0}})
     EXPECT_NE(faultOf(frameWith<std::uint64_t>(first_image_place + 16, bytes)), "");
 }
 
 TEST(FrameFile, RefusesImagesThatDoNotUnpackToTheirSize)
 {
-  // A sound checksum over a frame whose packed bytes are of a taller image.
+  // A valid checksum over a frame whose packed bytes belong to a taller image.
   const TrinocularFrame tall = frameOf(rigOf(16, 13), 17, 2, 5);
   Bytes bytes = encodeFrame(tall);
   for (const std::size_t image : {0U, 1U, 2U}) {

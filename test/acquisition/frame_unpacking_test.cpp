@@ -41,7 +41,8 @@ bytesOf(const PlaneLayout& layout)
   return noise(static_cast<std::size_t>(layout.width * layout.height * layout.cameras));
 }
 
-/** A plane of the frame, under a filter whose colours are named from the upper left. */
+/** One channel of a frame with a colour filter, whose colours are named from the upper
+ * left. */
 class Mosaic {
 public:
   Mosaic(const Bytes& bytes, const PlaneLayout& layout, int plane, std::string filter)
@@ -58,13 +59,13 @@ public:
     return bytes_[static_cast<std::size_t>(layout_.cameras * pixel + plane_)];
   }
 
-  /** The mean of the nearest pixels that have a color. */
+  /** The mean of the nearest pixels that have a colour. */
   int
   color(int x, int y, char color) const
   {
     x = std::clamp(x, 1, layout_.width - 2);
     y = std::clamp(y, 1, layout_.height - 2);
-    for (const int farthest : {0, 1, 2}) { // squares of distances
+    for (const int farthest : {0, 1, 2}) { // squared distances
       int sum = 0;
       int found = 0;
       for (int v = y - 1; v <= y + 1; ++v)
@@ -209,7 +210,7 @@ TEST(FrameUnpacking, WhatCannotBeIsRefused)
   EXPECT_THAT(faultOf({8, 8, 0, turned_order, none}, 192), HasSubstr("0 cameras"));
   EXPECT_THAT(faultOf({8, 8, 4, turned_order, none}, 256), HasSubstr("4 cameras"));
   EXPECT_THAT(faultOf({8, 8, 3, twice, none}, 192), HasSubstr("vertical camera twice"));
-  EXPECT_EQ(faultOf({8, 8, 2, twice, none}, 128), ""); // its third is not used
+  EXPECT_EQ(faultOf({8, 8, 2, twice, none}, 128), ""); // the third camera is not used
   expectEqual(before, frameOf(rigOf(8, 8), 1, 0, 0));
 }
 

@@ -31,7 +31,7 @@ protected:
                          {bytes.begin(), bytes.end()});
   }
 
-  /** Frame 1, in which a file is the reference. */
+  /** Frame 1 with \a file as the image of the reference camera. */
   TrinocularFrame::Ptr
   frameWith(const std::string& file)
   {

@@ -5,7 +5,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief A pixel tells its place. */
+/** \brief An image whose pixels encode their positions. */
 RgbImage
 ruler(int width, int height)
 {
@@ -43,7 +43,8 @@ TEST(PatternFit, TheLargestPlaceOfItsShapeInTheMiddle)
 TEST(PatternFit, PixelsAreThoseUnderTheCentres)
 {
   const RgbImage image = ruler(10, 8);
-  const RgbImage larger = fitImage(image, 35, 24); // threefold, 2 px black at the left
+  const RgbImage larger = fitImage(image, 35, 24); // scaled by three, with 2 black
+                                                   // columns on the left
   for (int row = 0; row < 24; ++row)
     for (int column = 0; column < 35; ++column) {
       const bool is_black = column < 2 || column >= 32;

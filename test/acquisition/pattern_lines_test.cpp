@@ -16,7 +16,8 @@ manyLines(const PatternLaw& changed = {})
   return sampleLines(law, 17);
 }
 
-/** \brief Chi-square of a histogram over [least, most) against the uniform law. */
+/** \brief Chi-square statistic of a histogram over [least, most) for a uniform
+ * distribution. */
 double
 chiSquare(const std::vector<PatternLine>& lines,
           double least,
@@ -38,7 +39,7 @@ chiSquare(const std::vector<PatternLine>& lines,
   return sum;
 }
 
-/** \brief What a uniform law exceeds once in a thousand (Wilson and Hilferty). */
+/** \brief The 99.9 % quantile of chi-square (Wilson and Hilferty). */
 double
 limitOf(int bins)
 {
@@ -54,7 +55,7 @@ TEST(PatternLines, AnglesAndDistancesAreUniform)
   const auto distance = [](const PatternLine& line) { return line.distance; };
   EXPECT_LT(chiSquare(lines, 0, M_PI, 40, angle), limitOf(40));
   EXPECT_LT(chiSquare(lines, -640, 640, 40, distance), limitOf(40));
-  // and independent of each other: a cell of both is as likely as any
+  // both are independent: all cells of their joint histogram are equally likely
   const auto both = [](const PatternLine& line) {
     const double column = std::floor(line.angle / M_PI * 8);
     return column + (line.distance + 640) / 1280;

@@ -62,7 +62,8 @@ TEST(PatternRaster, PixelsAreThoseWhoseCentresAreWithinTheBand)
         const double way = -std::sin(line.angle) * (column - 31.0) +
                            std::cos(line.angle) * (row - 23.5) - line.distance;
         const double to_rim = std::abs(way) - 0.5 * line.width;
-        if (std::abs(to_rim) > 1e-3) { // rounded normals may decide the others
+        if (std::abs(to_rim) > 1e-3) { // closer pixels can depend on the rounding of
+                                       // normals
           ASSERT_EQ(isLit(image, column, row), to_rim < 0)
               << line.angle << " " << line.distance << " " << column << " " << row;
         }

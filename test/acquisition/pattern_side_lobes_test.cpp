@@ -19,7 +19,7 @@ stripes(int size, int period)
   return values;
 }
 
-/** \brief Independent runs of a few pixels, as lines leave them in a row. */
+/** \brief Independent runs of a few pixels, similar to a row of a line pattern. */
 std::vector<int>
 randomRuns(std::size_t size, std::uint64_t seed)
 {
@@ -33,7 +33,7 @@ randomRuns(std::size_t size, std::uint64_t seed)
   return values;
 }
 
-/** \brief The plain definition. */
+/** \brief Straightforward implementation of the definition. */
 double
 correlationOf(const std::vector<int>& values, std::size_t shift)
 {

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Every pixel another colour than its neighbours. */
+/** An image in which neighbouring pixels have different colours. */
 RgbImage
 noise(int width, int height, std::uint64_t seed)
 {
@@ -23,7 +23,7 @@ noise(int width, int height, std::uint64_t seed)
   return image;
 }
 
-/** How many pixels of the screen differ from an image laid at (x, y). */
+/** Number of pixels in which the screen differs from an image at (x, y). */
 int
 differencesAt(const RgbImage& screen, const RgbImage& image, int x, int y)
 {
@@ -105,7 +105,7 @@ TEST_F(Window, ComesToTheTopAndBackWithoutHelpOfItsOwner)
     EXPECT_EQ(differencesAt(shootScreen(), first, 0, 0), 0);
     above.show(second);
   }
-  // the server draws again what the other window hid
+  // the server redraws what the other window covered
   EXPECT_EQ(differencesAt(shootScreen(), first, 0, 0), 0);
 }
 
@@ -124,7 +124,7 @@ TEST_F(Window, ScalesOtherSizesWithoutMixingPixels)
                          ? 0
                          : 1;
   EXPECT_EQ(differences, 0);
-  // narrow: full height, in the middle, black at both sides
+  // a narrow image: full height, centred, black on both sides
   const RgbImage narrow = noise(100, 240, 4);
   window.show(narrow);
   const RgbImage again = shootScreen();
@@ -186,7 +186,7 @@ TEST_F(Window, RefusesMonitorsAndImagesThatAreNot)
 
 TEST_F(Window, WhatTheServerRefusesIsAnException)
 {
-  divideScreen({{"too wide", 0, 0, 40000, 10, true}}); // pixmaps end at 32767
+  divideScreen({{"too wide", 0, 0, 40000, 10, true}}); // pixmaps are limited to 32767
   PatternWindow window(0);
   const std::string message =
       refusal<IOException>([&] { window.show(noise(40, 10, 1)); });

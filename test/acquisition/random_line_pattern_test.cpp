@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief FNV-1a. */
+/** \brief FNV-1a hash. */
 std::uint64_t
 hashOf(const RgbImage& image)
 {
@@ -31,7 +31,7 @@ TEST(RandomLinePattern, IsOfItsSeedAndNumberAlone)
   EXPECT_EQ(RandomLinePattern().generate(3).values, third.values);
   pattern.setSeed(2);
   EXPECT_NE(pattern.generate(3).values, third.values);
-  // neighbours of seed and number are no shifted copies of each other
+  // patterns of neighbouring seeds and numbers are different
   EXPECT_NE(pattern.generate(0).values, RandomLinePattern().generate(1).values);
 }
 
@@ -58,7 +58,7 @@ TEST(RandomLinePattern, CoversHalfOfThePictureBarely)
 TEST(RandomLinePattern, DrawsAgainWhatRepeatsItself)
 {
   RandomLinePattern pattern;
-  pattern.setNumberOfLines(60); // every fifth is redrawn
+  pattern.setNumberOfLines(60); // about every fifth pattern is redrawn
   int redrawn = 0;
   for (std::uint32_t index = 0; index < 40; ++index) {
     pattern.generate(index);
@@ -109,7 +109,7 @@ TEST(RandomLinePattern, IsGreyOrColoured)
 TEST(RandomLinePattern, LinesOffTheRowsLeaveNoRowWithoutContrast)
 {
   RandomLinePattern pattern;
-  pattern.setMinimumAngle(1.5); // columns would never pass
+  pattern.setMinimumAngle(1.5); // the side lobes of columns would always be too high
   for (std::uint32_t index = 0; index < 5; ++index) {
     pattern.generate(index);
     EXPECT_EQ(pattern.getReport().redraws, 0);

@@ -17,7 +17,7 @@
 
 namespace {
 
-/** What the program asked the disk for, and what the disk says. */
+/** Files that the program has synchronized, and the result that fsync returns. */
 std::mutex synced_mutex;
 std::vector<std::string> synced;
 std::atomic<int> disk_fault{0};
@@ -25,7 +25,8 @@ std::atomic<bool> disk_hangs{false};
 
 } // namespace
 
-/** Stands before the system's: a power failure cannot be tested, this can. */
+/** Replaces the system's function: a power failure cannot be tested, but calls of fsync
+ * can. */
 extern "C" __attribute__((visibility("default"))) int
 fsync(int file)
 {
@@ -117,7 +118,7 @@ TEST_F(SessionDisk, ThatHangsDoesNotKeepUpThoseWhoMayWait)
   for (std::uint64_t i = 0; i < frames; ++i)
     recorder.record(recordedFrame(rig_, i));
   EXPECT_EQ(recorder.frames(), 0U);
-  // One that waits was recorded before, too.
+  // A frame in the queue counts as recorded, too.
   EXPECT_THROW(recorder.record(recordedFrame(rig_, 2)), BadArgumentException);
   disk_hangs = false;
   recorder.finish();
@@ -140,7 +141,7 @@ TEST_F(SessionDisk, IsWaitedForWhenTooManyWait)
     for (std::uint64_t i = 0; i < 8; ++i, ++taken)
       recorder.record(recordedFrame(rig_, i));
   });
-  while (taken < most + 1) // and one is being written
+  while (taken < most + 1) // one more, as one is being written
     std::this_thread::yield();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(taken, most + 1);
@@ -158,7 +159,7 @@ TEST_F(SessionDisk, ThatFailsIsToldWithTheNextFrame)
   disk_fault = EIO;
   recorder.record(recordedFrame(rig_, 0));
   disk_hangs = false;
-  // A frame that is refused, until the thread has come so far.
+  // Tries a frame that is refused, until the thread has failed.
   const TrinocularFrame other = frameOf(rigOf(1, 1), 1, 1, 1);
   std::string fault;
   for (int i = 0; i < 10000 && fault.empty(); ++i) {

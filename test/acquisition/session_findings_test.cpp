@@ -68,7 +68,7 @@ TEST_F(SessionFindings, ShotsMissingAtTheBeginningAndBetween)
   recordSession(session_, rig_, 6);
   fs::remove(frameFile(0));
   fs::remove(frameFile(2));
-  fs::remove(frameFile(3)); // of no observation is there a shot without a pattern now
+  fs::remove(frameFile(3)); // now no observation has a shot without a pattern
   const TrinocularFileReport report = TrinocularFileGrabber(session_).getReport();
   EXPECT_THAT(report.missing, ElementsAre(TrinocularShot{0, 1}));
   EXPECT_THAT(report.remarks,
@@ -128,7 +128,7 @@ TEST_F(SessionFindings, BrokenHeadersAreNamedAtOnce)
 TEST_F(SessionFindings, DamagedImagesAreNamedOnceTheyAreRead)
 {
   recordSession(session_, rig_, 6);
-  damage(frameFile(2), -40); // within the last image: the header is sound
+  damage(frameFile(2), -40); // inside the last image: the header remains valid
   const TrinocularFileGrabber grabber(session_);
   EXPECT_THAT(grabber.getReport().remarks, IsEmpty());
   EXPECT_THAT(faultOfRunning<InputFileException>([&] { grabber.frame(2); }),
@@ -141,7 +141,8 @@ TEST_F(SessionFindings, DamagedImagesAreNamedOnceTheyAreRead)
 TEST_F(SessionFindings, ImagesOfDifferentSizes)
 {
   recordSession(session_, rig_, 3);
-  constexpr std::size_t width_place = 60; // of the horizontal image, in a frame file
+  constexpr std::size_t width_place = 60; // offset in a frame file of the horizontal
+                                          // image's width
   std::string bytes = contentOf(frameFile(1));
   bytes[width_place] = 15;
   std::ofstream(frameFile(1), std::ios::binary) << bytes;

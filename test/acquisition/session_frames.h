@@ -14,12 +14,12 @@ namespace pcl::acmap::test {
 TrinocularRig
 rigOf(int width, int height);
 
-/** \brief An image with gradients and noise, the same for the same seed. */
+/** \brief An image with gradients and noise, determined by the seed. */
 CameraImage
 noisyImage(int width, int height, int channels, std::uint64_t seed);
 
-/** \brief A frame of such images, which differ, of the rig's cameras; its stamp tells its
- * number too. */
+/** \brief A frame of such images, all different, with the cameras of the rig; its stamp
+ * depends on its number. */
 TrinocularFrame
 frameOf(const TrinocularRig& rig,
         std::uint64_t number,
@@ -30,24 +30,25 @@ frameOf(const TrinocularRig& rig,
 void
 expectEqual(const TrinocularFrame& a, const TrinocularFrame& b);
 
-/** \brief Patterns of each observation that \ref recordSession makes: none, 0, 1. */
+/** \brief Patterns per observation of \ref recordSession (none, 0, 1). */
 constexpr std::int32_t patterns_recorded = 3;
 
-/** \brief The frame that \ref recordSession gives a number. */
+/** \brief The frame with a given number in \ref recordSession. */
 TrinocularFrame
 recordedFrame(const TrinocularRig& rig, std::uint64_t number);
 
-/** \brief Records a session of that many frames and finishes it. */
+/** \brief Records a session with this number of frames and finishes it. */
 void
 recordSession(const std::string& folder,
               const TrinocularRig& rig,
               std::uint64_t frames);
 
-/** \brief Inverts a byte of a file, counted from its end when negative. */
+/** \brief Inverts a byte of a file; negative positions count from the end. */
 void
 damage(const std::string& path, std::ptrdiff_t place);
 
-/** \brief What a piece of work threw, empty when it threw nothing of this kind. */
+/** \brief Message of the exception that a function throws; empty if it does not
+ * throw. */
 template <typename Exception, typename Work>
 std::string
 faultOfRunning(const Work& work)
@@ -56,7 +57,7 @@ faultOfRunning(const Work& work)
     work();
   }
   catch (const Exception& exception) {
-    // PCL puts ": " before every message.
+    // PCL puts ": " before every message
     const std::string what = exception.what();
     return what.substr(what.find_first_not_of(": "));
   }

@@ -117,7 +117,7 @@ TEST_F(SessionRecorder, RefusesFramesByTheirNumber)
               HasSubstr("frame 7: horizontal camera: 7 byte"));
   EXPECT_EQ(recorder.frames(), 1U);
   EXPECT_EQ(TrinocularFileGrabber(session_).frames(), 1U);
-  // What was refused leaves no trace: number and shot are still free.
+  // Rejected frames have no effect: number and shot are still free.
   recorder.record(frameOf(rig_, 7, 0, 0));
 }
 
@@ -184,7 +184,7 @@ TEST_F(SessionRecorder, RefusesCamerasThatAreNotOfTheRig)
   calibration = distortedCamerasOf(rig_);
   calibration.cameras[1].focal_x = 0;
   expectRefused(calibration);
-  fs::create_directory(session_); // one that was there before stays
+  fs::create_directory(session_); // an existing folder is kept
   EXPECT_THROW(TrinocularRecorder(session_, rig_, calibration), BadArgumentException);
   EXPECT_TRUE(fs::is_empty(session_));
 }
@@ -209,7 +209,7 @@ TEST_F(SessionRecorder, AFullDiskLosesNoMoreThanTheFrame)
   EXPECT_EQ(grabber.frames(), 2U);
 }
 
-/** Records without end; tells of each frame once it is recorded. */
+/** Records until it is killed; reports each frame after it is recorded. */
 [[noreturn]] void
 recordUntilKilled(const std::string& session, const TrinocularRig& rig, int told)
 {

@@ -36,7 +36,7 @@ errorOf(const TrinocularGrabber& grabber)
   return "";
 }
 
-/** A session of six frames, and what a grabber gave of it. */
+/** A session of six frames, and the frames delivered by a grabber. */
 class SessionStream : public testing::Test {
 protected:
   SessionStream()
@@ -101,7 +101,7 @@ TEST_F(SessionStream, GivesAllFramesInOrderInAThreadOfItsOwn)
   EXPECT_THAT(numbers(), ElementsAre(0, 1, 2, 3, 4, 5));
   EXPECT_NE(thread_, std::this_thread::get_id());
   EXPECT_EQ(errorOf(*grabber), "");
-  grabber->start(); // at the end: nothing more
+  grabber->start(); // at the end: no more frames
   grabber->wait();
   EXPECT_EQ(numbers().size(), recorded);
   grabber->rewind();
@@ -114,7 +114,7 @@ TEST_F(SessionStream, RepeatsUntilStopped)
 {
   const auto grabber = open(fast, true);
   grabber->start();
-  grabber->start(); // runs already
+  grabber->start(); // is already running
   waitForFrames(3 * recorded);
   EXPECT_TRUE(grabber->isRunning());
   grabber->stop();
@@ -142,7 +142,7 @@ TEST_F(SessionStream, NoCallbackAfterStopInAHundredCycles)
   }
   EXPECT_EQ(wrong, 0);
   EXPECT_GE(before, 50U);
-  const FrameNumbers given = numbers(); // where it stopped, it went on
+  const FrameNumbers given = numbers(); // it continued where it had stopped
   for (std::size_t i = 0; i < given.size(); ++i)
     EXPECT_EQ(given[i], i % recorded);
 }
@@ -204,7 +204,7 @@ TEST_F(SessionStream, CallbacksMayStopAndStart)
   grabber->wait();
   EXPECT_THAT(numbers(), ElementsAre(0));
   EXPECT_FALSE(grabber->isRunning());
-  grabber->start(); // the next callback starts again, the one after it does not
+  grabber->start(); // the next callback starts again, the following one does not
   grabber->wait();
   EXPECT_THAT(numbers(), ElementsAre(0, 1, 2));
 }

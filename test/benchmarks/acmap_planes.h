@@ -4,11 +4,12 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief All of ours on one thread: consolidation, mesh, voting, clustering, labels. */
+/** \brief All stages of acmap on one thread: consolidation, mesh, voting, clustering,
+ * labels. */
 FoundPlanes
 findAcmapPlanes(const PlaneInput& input);
 
-/** \brief Given the tolerance that the peers are given. */
+/** \brief As above, with the tolerance that the peers get. */
 FoundPlanes
 findAcmapPlanesWithin(const PlaneInput& input);
 

@@ -53,7 +53,7 @@ printPatterns(const std::string& name,
       .print();
 }
 
-/** The shots of two places that lie apart. */
+/** The shots of two distant observations. */
 std::vector<TrinocularFrame::Ptr>
 film(const std::string& scene)
 {
@@ -70,7 +70,7 @@ film(const std::string& scene)
   return frames;
 }
 
-/** What a grey camera sees: one channel, with all of its noise. */
+/** Simulates a grey camera: one channel with its full noise. */
 void
 keepGreen(CameraImage& image)
 {
@@ -80,7 +80,7 @@ keepGreen(CameraImage& image)
   image = green;
 }
 
-/** What a way to keep frames takes, CPU seconds of each frame. */
+/** Size and CPU seconds per frame of a method to store frames. */
 struct WayFigures {
   std::string name;
   double bytes = 0;
@@ -147,12 +147,12 @@ printWays(const std::string& name, const std::vector<TrinocularFrame::Ptr>& fram
   }
 }
 
-/** How long the recorder waits for the disk, of what it takes to record. */
+/** Wall time of synchronizing each recorded frame to disk. */
 void
 printDisk(const std::string& name, const std::vector<TrinocularFrame::Ptr>& frames)
 {
   constexpr std::size_t rounds = 5;
-  constexpr double most = 0.9; // of all frames
+  constexpr double most = 0.9; // quantile over all frames
   std::vector<double> waits;
   for (std::size_t round = 0; round < rounds; ++round) {
     const test::TemporaryFolder folder;

@@ -17,10 +17,11 @@ struct Source {
   const char* name;
   const char* path;
   MarkedPoints (*read)(const std::string& path);
-  bool is_view; ///< seen from the origin; elsewhere the sensors are unknown
+  bool is_view; ///< observed from the origin; otherwise the sensors are unknown
 
-  /** Metres, for the peers: what serves most of them best between 2 and 20 mm. Planes of
-   * real sensors are warped by more than their noise, and three sigma tear them. */
+  /** Tolerance of the peers in metres: the value between 2 and 20 mm that is best for
+   * most of them. Planes of real sensors are warped by more than their noise, so that
+   * three sigma would split them. */
   double tolerance;
 };
 
@@ -36,7 +37,7 @@ constexpr Source sources[] = {
     {"ICL-NUIM", "F_planes/iclnuim_planes/depth.png", readIclnuim, true, 0.005},
 };
 
-/** Numbers from 0 on, without gaps, in the order in which planes appear. */
+/** Consecutive numbers from 0 in the order in which planes appear. */
 class Numbering {
 public:
   std::int32_t

@@ -9,21 +9,21 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A cloud whose planes people, or a renderer, have marked. */
+/** \brief A cloud whose planes were annotated by people or by a renderer. */
 struct AnnotatedCloud {
   std::string name;
   PlaneInput input;
-  std::vector<std::int32_t> labels; ///< for each point index of its plane, -1 for none
+  std::vector<std::int32_t> labels; ///< plane of each point, -1 for none
   std::size_t planes = 0;
 
-  /** \brief Root mean square of the points of a marked plane off it, metres: if the middle
-   * one were large, the file would have been read wrongly. */
+  /** \brief Median over the annotated planes of the RMS distance of their points,
+   * metres; a large value would mean that the file was read incorrectly. */
   double median_rms = 0;
   double largest_rms = 0;
 };
 
-/** \brief Calls a function for one cloud after the other. Those that are not there are
- * named on stderr and left out. */
+/** \brief Calls a function for one cloud after another. Missing clouds are reported on
+ * stderr and skipped. */
 void
 forEachAnnotatedCloud(const std::function<void(const AnnotatedCloud&)>& use);
 

@@ -16,7 +16,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** \param[in] mark gives the plane of a point */
+/** \param[in] mark returns the plane of a point */
 template <typename PointT, typename Mark>
 MarkedPoints
 readMarked(const std::string& path, const Mark& mark)
@@ -33,7 +33,7 @@ readMarked(const std::string& path, const Mark& mark)
 MarkedPoints
 pointsOfDepths(const DepthImage& image)
 {
-  constexpr float units = 5000; // of depth, a metre
+  constexpr float units = 5000; // depth units per metre
   const Eigen::Vector2f focal_length(481.2f, -480.0f);
   const Eigen::Vector2f center(319.5f, 239.5f);
   MarkedPoints points;

@@ -10,40 +10,41 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A point with the number of the plane somebody marked, -1 for none. */
+/** \brief A point with the number of its annotated plane, -1 for none. */
 struct MarkedPoint {
-  Eigen::Vector3f place; ///< metres; may be not finite
+  Eigen::Vector3f place; ///< metres; may be NaN
   std::int32_t plane = -1;
 };
 
 using MarkedPoints = std::vector<MarkedPoint>;
 
-/** \brief A PCD of the SynPEB scans: its intensity is the number of the plane.
+/** \brief Reads a PCD of the SynPEB scans, whose intensity is the number of the plane.
  * \param[in] path of a file, here and below */
 MarkedPoints
 readSynpeb(const std::string& path);
 
-/** \brief A PCD of the modified Object Segmentation Database: its labels 1 to 9 are the
- * table; the objects on it are not marked here. */
+/** \brief Reads a PCD of the modified Object Segmentation Database: labels 1 to 9 are
+ * the table; objects on it are not annotated here. */
 MarkedPoints
 readTable(const std::string& path);
 
-/** \brief A PCD whose labels are parts of a room, 0 for none; parts that are planes are
- * marked: those of 300 points and more that lie within 2 cm of one, root mean square. */
+/** \brief Reads a PCD whose labels are parts of a room, 0 for none. Parts count as
+ * planes if they have at least 300 points and an RMS distance of less than 2 cm from
+ * their plane. */
 MarkedPoints
 readRoomParts(const std::string& path);
 
-/** \brief An image of depths, 5000 a metre, of the ICL-NUIM camera, beside which a file
- * planes.txt lists the pixels of each plane in a line. */
+/** \brief Reads a depth image of the ICL-NUIM camera, 5000 units per metre. The file
+ * planes.txt beside it lists the pixels of one plane per line. */
 MarkedPoints
 readIclnuim(const std::string& path);
 
-/** \brief The plane of least squares through the points of each number up to the largest;
- * without points for numbers that are not there. */
+/** \brief Least-squares planes through the points of each number, up to the largest
+ * number; fits of missing numbers are empty. */
 std::vector<PlaneFit>
 fitMarkedPlanes(const MarkedPoints& points);
 
-/** \brief Root mean square of the points off their plane, metres. */
+/** \brief RMS distance of the points from their plane, metres. */
 double
 deviationOf(const PlaneFit& plane);
 

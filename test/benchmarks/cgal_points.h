@@ -13,7 +13,7 @@ namespace pcl::acmap::bench {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/** \brief A point, its normal and its index in the input: CGAL changes the order. */
+/** \brief A point, its normal and its index in the input, as CGAL changes the order. */
 using CgalPoint = std::tuple<CgalKernel::Point_3, CgalKernel::Vector_3, std::int32_t>;
 using CgalPoints = std::vector<CgalPoint>;
 using CgalPointMap = CGAL::Nth_of_tuple_property_map<0, CgalPoint>;
@@ -21,11 +21,12 @@ using CgalNormalMap = CGAL::Nth_of_tuple_property_map<1, CgalPoint>;
 
 inline constexpr unsigned cgal_neighbours = 48;
 
-/** \brief Of the normal of a point to that of its plane, degrees. By CGAL's 25 the noise
- * of a depth camera takes 5 % of the points off their planes. */
+/** \brief Maximum angle between the normals of a point and of its plane, degrees. With
+ * CGAL's default of 25, noise of a depth camera removes 5 % of the points from their
+ * planes. */
 inline constexpr double cgal_most_angle = 45;
 
-/** \brief With the normals of pca_estimate_normals, on one thread. */
+/** \brief Computes the normals with pca_estimate_normals on one thread. */
 CgalPoints
 cgalPointsOf(const PlaneInput& input);
 

@@ -19,7 +19,7 @@ using test::Points;
 
 constexpr double degree = M_PI / 180;
 
-/** The rotation and shift of least squares, without a mirror (Kabsch). */
+/** Least-squares rotation and translation without reflection (Kabsch). */
 Eigen::Isometry3d
 bestMotion(const Points& from, const Points& to)
 {
@@ -42,14 +42,14 @@ bestMotion(const Points& from, const Points& to)
   return motion;
 }
 
-/** Places on planes, each for at most 4 square centimetres, and whose they are. */
+/** Samples on planes, each for at most 4 square centimetres, with their plane. */
 struct PlanePlaces {
   Points places;
   std::vector<double> area; ///< square metres
   std::vector<std::size_t> plane;
 };
 
-/** Cuts a triangle in four until it is small, and keeps the middles. */
+/** Splits a triangle into four until it is small, and stores the centres. */
 void
 addPlaces(const Eigen::Vector3d& a,
           const Eigen::Vector3d& b,
@@ -106,10 +106,10 @@ moved(std::vector<PlanePatch> planes, const Eigen::Isometry3d& motion)
   return planes;
 }
 
-/** What a plane of the reference shares with one of the map. */
+/** Overlap of a plane of the reference and a plane of the map. */
 struct Shared {
   double area = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< of places, by their areas
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< of the positions, weighted by area
 };
 
 double
@@ -119,10 +119,11 @@ angleBetween(const PlanePatch& a, const PlanePatch& b)
   return std::acos(std::min(1.0, std::abs(cosine))) / degree;
 }
 
-/** For each plane of the reference those of the map that are near it. */
+/** For each plane of the reference, the planes of the map that are near it. */
 struct Overlaps {
   std::vector<std::map<std::size_t, Shared>> shared;
-  double area = 0, near = 0; ///< of the reference, and what of it is near any plane
+  double area = 0, near = 0; ///< area of the reference, and the part of it that is near
+                             ///< any plane
 };
 
 Overlaps

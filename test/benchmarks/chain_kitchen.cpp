@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degree = M_PI / 180, centi = 100, milli = 1000;
 
-/** Poses of one kind, in the views' order. */
+/** Poses of one kind, in the order of the views. */
 std::vector<Eigen::Isometry3d>
 posesOf(const ChainRun& run, Eigen::Isometry3d ChainView::*pose)
 {
@@ -61,7 +61,7 @@ printPath(const ChainWay& way, const ChainRun& run)
       .print();
 }
 
-constexpr std::size_t furthest = 30; // views whose surfaces are compared
+constexpr std::size_t furthest = 30; // maximum step between compared views
 
 void
 printSurfaces(const ChainWay& way, const ChainRun& run)

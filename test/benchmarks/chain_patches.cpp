@@ -17,12 +17,12 @@ using Cube = std::array<int, 3>;
 
 constexpr double edge = 0.1; // metres
 
-/** A piece of a surface that one view sees. */
+/** A piece of a surface in one view. */
 struct Patch {
   Eigen::Vector3d middle, normal;
 };
 
-/** The pieces in a view's cubes that are plane, in the camera's frame. */
+/** The planar pieces in the cubes of a view, in the camera frame. */
 std::vector<Patch>
 patchesOf(const ChainView& view)
 {
@@ -40,7 +40,7 @@ patchesOf(const ChainView& view)
   return patches;
 }
 
-/** How far off a surface of other patches this one lies, across it. */
+/** Distance across the surface to the nearest one of other patches. */
 std::optional<double>
 apart(const Patch& patch, const std::vector<Patch>& others)
 {

@@ -21,7 +21,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** CPU seconds of all programs that have ended. */
+/** CPU seconds of all child processes that have ended. */
 double
 childSeconds()
 {
@@ -58,8 +58,8 @@ observationIn(const std::string& folder, std::size_t number)
   return path.str();
 }
 
-/** Stamps of our own poses are the observations' numbers; those that came are told by
- * their order. */
+/** The stamps of estimated poses are the numbers of the observations; given poses are
+ * in the order of the observations. */
 std::vector<ChainView>
 viewsOf(const std::string& observations,
         const Trajectory& given,

@@ -10,39 +10,39 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief How a recording is made into a map. */
+/** \brief Settings for turning a recording into a map. */
 struct ChainWay {
   std::string name;
-  std::size_t every = 1;            ///< of the recording's frames one is taken
-  bool is_given = true;             ///< with the poses that came with it, else our own
+  std::size_t every = 1;            ///< one of this number of frames is used
+  bool is_given = true;             ///< use the given poses, or else estimate them
   std::vector<std::string> mapping; ///< further options of pcl_compact_mapping
 };
 
 /** \brief An observation that has a pose. */
 struct ChainView {
-  std::vector<Eigen::Vector3d> points; ///< one in 4 x 4 pixels, camera frame, metres
-  Eigen::Isometry3d given;             ///< T_map_camera that came with it
+  std::vector<Eigen::Vector3d> points; ///< one of 4 x 4 pixels, camera frame, metres
+  Eigen::Isometry3d given;             ///< T_map_camera given with the recording
   Eigen::Isometry3d found;             ///< T_map_camera of the map
 };
 
-/** \brief What came of it. */
+/** \brief Result of a run. */
 struct ChainRun {
   std::size_t observations = 0;
-  std::vector<ChainView> views; ///< those that have a pose
+  std::vector<ChainView> views; ///< all views with a pose
   CompactMap map;
-  double compactness = 0;      ///< 16 bytes a point over bytes of map.glb
-  double seconds = 0;          ///< of pcl_compact_mapping, CPU
+  double compactness = 0;      ///< 16 bytes per point divided by the size of map.glb
+  double seconds = 0;          ///< CPU time of pcl_compact_mapping
   std::size_t peak_memory = 0; ///< bytes, of pcl_compact_mapping
 };
 
-/** \brief Runs a tool to its end.
- * \throws std::runtime_error when it fails, with what it said */
+/** \brief Runs a tool and waits for its end.
+ * \throws std::runtime_error when it fails, with its messages */
 void
 runWhole(const std::string& tool, const std::vector<std::string>& arguments);
 
-/** \brief Imports frames of a recording in 7-Scenes' layout and maps them.
- * \param[in] folder where its outputs may lie; they take 10 MB a frame
- * \throws std::runtime_error when a tool fails, with what it said */
+/** \brief Imports frames of a recording in the layout of 7-Scenes and maps them.
+ * \param[in] folder for the outputs, which take 10 MB per frame
+ * \throws std::runtime_error when a tool fails, with its messages */
 ChainRun
 runChainOfTools(const ChainWay& way,
                 const std::string& recording,

@@ -12,7 +12,8 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** What the camera needs for the patterns of 106 observations, 14 shots a second. */
+/** Time that a camera with 14 shots per second needs for the patterns of 106
+ * observations. */
 constexpr double capture = 106 * 10 / 14.0; // seconds
 
 void

@@ -2,13 +2,13 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A simulated session of the paper's size through all stages: seconds, memory, and
- * what the map is off. */
+/** \brief A simulated session of the paper's size through all stages: time, memory, and
+ * errors of the map. */
 void
 printChainSize();
 
-/** \brief A hand-held recording made into a map by the tools, with the poses that came
- * with it and with our own. */
+/** \brief A hand-held recording that the tools turn into a map, with the given and with
+ * estimated poses. */
 void
 printChainKitchen();
 

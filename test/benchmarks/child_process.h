@@ -10,7 +10,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Writes all of a result, or tells the parent by silence. */
+/** \brief Writes a result completely; on failure writes nothing, which the parent
+ * detects. */
 template <typename Result, typename Function>
 bool
 answerParent(int pipe, const Function& function)
@@ -25,10 +26,10 @@ answerParent(int pipe, const Function& function)
   }
 }
 
-/** \brief What a function gives in a process of its own, so that the memory of one run is
- * not there for the next. To be called before any thread was started: threads do not
- * survive a fork, and a pool would wait for them.
- * \throws std::runtime_error when the child gave nothing */
+/** \brief Runs a function in a separate process and returns its result, so that the
+ * memory of one run does not affect the next one. Must be called before any thread is
+ * started: threads do not survive a fork, and a pool would wait for them.
+ * \throws std::runtime_error when the child returned nothing */
 template <typename Function>
 auto
 runInChild(const Function& function)

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Meshes representatives by the paper's rule on one thread: edges up to 2.5 voxels,
- * faces turned as the normals. */
+/** \brief Meshes representatives with the paper's rule on one thread: edges up to 2.5
+ * voxels, faces oriented like the normals. */
 TriangleMesh
 meshOf(const Consolidation& consolidation, double voxel);
 

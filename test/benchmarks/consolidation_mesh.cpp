@@ -12,7 +12,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** What a mesh should reach. */
+/** Targets for a mesh. */
 struct MeshReach {
   double median, p95;           // degrees
   double cover, area, boundary; // percent
@@ -69,7 +69,7 @@ printRow(const SimulatedCloud& cloud,
       .print();
 }
 
-/** One figure of many views; the larger, the worse. */
+/** Prints one figure of many views; larger values are worse. */
 void
 printSpread(const char* name, const std::vector<double>& values, double reach)
 {

@@ -20,7 +20,7 @@ deviation(double measured, double truth)
   return 100 * (measured / truth - 1);
 }
 
-/** A cloud of the corridor that was measured. */
+/** A measured cloud of the corridor. */
 struct Measured {
   std::string name;
   NoiseScale scale;

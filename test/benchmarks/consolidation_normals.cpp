@@ -33,7 +33,7 @@ printRow(const std::string& name,
       .print();
 }
 
-/** \return the edge of a voxel */
+/** \return the edge length of a voxel */
 double
 printOurs(const SimulatedCloud& cloud, double voxel, const SceneTruth& truth)
 {

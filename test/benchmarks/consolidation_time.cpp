@@ -19,10 +19,10 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr float leaf = 0.05f; // metres
-constexpr double reach = 0.2; // us a point
+constexpr double reach = 0.2; // us per point
 constexpr double cell_bytes = 112;
 
-/** A cloud in all the forms that are timed. */
+/** A cloud in all formats that are timed. */
 struct TimedCloud {
   const SimulatedCloud& cloud;
   PointCloud<PointXYZ>::Ptr plain;
@@ -66,7 +66,7 @@ readAndSum(const PointCloud<PointXYZ>& cloud)
   return sum.allFinite() ? 1 : 0;
 }
 
-/** Something that is timed; gives how many points or triangles came out. */
+/** A timed function; returns its number of points or triangles. */
 struct Timed {
   std::string name;
   double reach;

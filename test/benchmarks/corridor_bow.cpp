@@ -8,7 +8,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** The spread of the points of one wall. */
+/** Scatter of the points of one wall. */
 class Spread {
 public:
   void
@@ -33,8 +33,8 @@ private:
   Eigen::Matrix2d products_ = Eigen::Matrix2d::Zero();
 };
 
-/** -1 left, 1 right, 0 for a point that is on none of the two walls: doors, which lie
- * back, boxes, floor. */
+/** -1 for the left wall, 1 for the right wall, 0 for other points: recessed doors,
+ * boxes, floor. */
 int
 wallOf(const PointNormal& point, const Eigen::Isometry3d& T_scene_camera)
 {
@@ -49,7 +49,7 @@ wallOf(const PointNormal& point, const Eigen::Isometry3d& T_scene_camera)
   return place.x() > 0 ? 1 : -1;
 }
 
-/** Direction of both walls together, as some observations have them, radians from z. */
+/** Common direction of both walls in some observations, in radians from z. */
 double
 directionOf(const RectificationMap& map,
             const std::vector<PlanarPose>& poses,

@@ -12,15 +12,15 @@ clockSeconds(clockid_t clock)
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/** \brief CPU seconds the calling thread has used: unlike wall time, hardly disturbed by
- * what else the machine does. */
+/** \brief CPU seconds used by the calling thread; unlike wall time, other load of the
+ * machine hardly affects them. */
 inline double
 threadSeconds()
 {
   return clockSeconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/** \brief CPU seconds all threads of the process have used. */
+/** \brief CPU seconds used by all threads of the process. */
 inline double
 processSeconds()
 {

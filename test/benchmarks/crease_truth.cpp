@@ -25,7 +25,7 @@ isOnBorder(const TruthSurface& surface, const Eigen::Vector3d& point)
                    std::abs(place[1] - surface.size[1])}) < touching;
 }
 
-/** The four edges of a rectangle in pieces. */
+/** The four edges of a rectangle, split into pieces. */
 std::vector<EdgePiece>
 borderOf(const SimulatedRectangle& rectangle)
 {
@@ -74,7 +74,7 @@ edgePieces(const SceneTruth& truth)
     for (EdgePiece& piece : borderOf(surfaces[a].rectangle))
       for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const TruthSurface& other = surfaces[b];
-        // two borders may run together: the first of them counts
+        // if two borders coincide, only the first one counts
         if (!meetAtAnAngle(surfaces[a], other) ||
             other.distance(piece.place) > touching ||
             (b < a && isOnBorder(other, piece.place)))

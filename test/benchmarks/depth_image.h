@@ -7,7 +7,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief An image of 16 bit depths, row by row from the top. */
+/** \brief An image of 16 bit depths, in row-major order from the top. */
 struct DepthImage {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -15,7 +15,7 @@ struct DepthImage {
 };
 
 /** \brief Reads a grey PNG of 16 bits.
- * \throws std::runtime_error when it is none */
+ * \throws std::runtime_error when the file is not one */
 DepthImage
 readDepthImage(const std::string& path);
 

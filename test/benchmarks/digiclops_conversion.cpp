@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t rounds = 100;
 constexpr double milli = 1e3;
 
-/** The rectification of a camera as OpenCV has it. */
+/** Rectification of a camera with OpenCV. */
 class CameraRemap {
 public:
   CameraRemap(const TrinocularRectification& rectification,
@@ -55,11 +55,12 @@ private:
   cv::Mat weights_;
 };
 
-/** The peer must do the same work. */
+/** Checks that both methods give the same images. */
 void
 requireAlike(const CameraImage& ours, const cv::Mat& theirs)
 {
-  constexpr double most = 4; // grey levels, on noise: theirs has steps of 1/32 px
+  constexpr double most = 4; // mean difference on noise, in grey levels: cv::remap has
+                             // steps of 1/32 px
   double sum = 0;
   for (std::size_t i = 0; i < ours.values.size(); ++i)
     sum += std::abs(int{ours.values[i]} - int{theirs.data[i]});
@@ -139,7 +140,7 @@ private:
 void
 printCosts(const std::string& name, const ConversionCosts& costs)
 {
-  constexpr double reach = 4; // times three grey planes
+  constexpr double reach = 4; // multiple of three grey images
   const auto least = [](const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
   };

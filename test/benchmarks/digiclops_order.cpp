@@ -16,15 +16,15 @@ namespace pcl::acmap::bench {
 
 namespace {
 
-/** What becomes of a kind of frames under all orders. */
+/** Results of the check for one kind of frames under all channel orders. */
 class OrderFigures {
 public:
-  /** \param[in] has_order whether there is a right answer */
+  /** \param[in] has_order is there a correct answer? */
   explicit OrderFigures(bool has_order = true)
   : has_order_(has_order)
   {}
 
-  /** Mixes the channels in each way, and checks. */
+  /** Permutes the channels in all ways, and checks each permutation. */
   void
   add(const TrinocularFrame& frame, const RigCalibration& cameras)
   {
@@ -91,7 +91,7 @@ squares(const SimulatedProjector& projector)
   return image;
 }
 
-/** Lines all alike, upright. */
+/** Equal vertical stripes. */
 RgbImage
 stripes(const SimulatedProjector& projector)
 {
@@ -103,7 +103,7 @@ stripes(const SimulatedProjector& projector)
   return image;
 }
 
-/** Both kinds of cameras in a scene. */
+/** Simulates a scene with rectified cameras and with cameras as built. */
 class Filming {
 public:
   Filming(SimulatedScene scene, const std::vector<RgbImage>& patterns, double noise)
@@ -119,8 +119,7 @@ public:
         std::make_unique<SimulatedRigGrabber>(scene, patterns, cameras_[1], light);
   }
 
-  /** Some views, evenly spread, as rectified cameras and as such that are built see
-   * them. */
+  /** Simulates some evenly spaced views with both kinds of cameras. */
   void
   run(std::size_t views,
       const std::function<void(const TrinocularFrame&, const RigCalibration&)>& see)
@@ -141,9 +140,9 @@ private:
 };
 
 constexpr std::size_t views_of_scene = 8;
-constexpr double usual_noise = 1.0; // grey levels, as SimulatedLight has it
+constexpr double usual_noise = 1.0; // grey levels, the default of SimulatedLight
 
-/** Shots without a pattern, and those under one. */
+/** Shots without a pattern and under a pattern. */
 void
 printScene(const std::string& name, const SimulatedScene& scene)
 {
@@ -157,7 +156,7 @@ printScene(const std::string& name, const SimulatedScene& scene)
   plain.print(name + ", no pattern");
 }
 
-/** Shots under a pattern of another kind, or with more noise. */
+/** Shots under another kind of pattern, or with more noise. */
 void
 printPattern(const std::string& name, const RgbImage& pattern, double noise)
 {
@@ -172,7 +171,7 @@ printPattern(const std::string& name, const RgbImage& pattern, double noise)
   figures.print(name);
 }
 
-/** Shots that are broken in a way that leaves no right answer. */
+/** Corrupted shots for which there is no correct answer. */
 void
 printBroken(const std::string& name,
             const std::function<void(TrinocularFrame&, std::size_t)>& spoil)

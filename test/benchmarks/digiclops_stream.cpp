@@ -25,12 +25,12 @@ namespace pcl::acmap::bench {
 
 namespace {
 
-constexpr std::size_t frames_wanted = 840; // a minute
+constexpr std::size_t frames_wanted = 840; // one minute
 constexpr float rate = 14;                 // as in the paper
 constexpr std::size_t most_waiting = 28;   // two seconds
 constexpr double milli = 1e3;
 
-/** Bytes of shots as a camera sends them. */
+/** Bytes of shots in the format of the camera. */
 std::vector<std::vector<std::uint8_t>>
 filmBytes(const std::string& tiles)
 {
@@ -50,14 +50,14 @@ filmBytes(const std::string& tiles)
   return shots;
 }
 
-/** What the frames of a stream took. */
+/** Timing of the frames of a stream. */
 struct StreamFigures {
   std::size_t frames = 0;
   std::uint64_t first_stamp = 0;
   std::uint64_t last_stamp = 0;
   std::uint64_t last_number = 0;
   std::vector<double> grabs; ///< CPU seconds of the stream's thread between callbacks
-  std::vector<double> waits; ///< wall seconds of the callbacks
+  std::vector<double> waits; ///< wall seconds in the callbacks
   double process = 0;        ///< CPU seconds
   DigiclopsGrabberReport report;
 
@@ -68,7 +68,7 @@ struct StreamFigures {
            static_cast<double>(last_stamp - first_stamp);
   }
 
-  /** Numbers that no frame has. */
+  /** Number of missing frame numbers. */
   std::size_t
   gaps() const
   {
@@ -76,7 +76,7 @@ struct StreamFigures {
   }
 };
 
-/** Records each frame and keeps the time. */
+/** Records each frame and measures the time. */
 class TimedRecorder {
 public:
   TimedRecorder(const std::string& folder, const TrinocularRig& rig)
@@ -85,7 +85,7 @@ public:
     recorder_.setMostWaiting(most_waiting);
   }
 
-  /** Called in the thread of the stream. */
+  /** Called in the stream's thread. */
   void
   see(const TrinocularFrame& frame)
   {
@@ -103,7 +103,7 @@ public:
       done_.set_value();
   }
 
-  /** Until all frames came, or much too much time is over. */
+  /** Waits for all frames, with a long timeout. */
   void
   wait()
   {
@@ -183,7 +183,7 @@ printStream(const std::string& name, const std::string& tiles)
       .print();
 }
 
-/** Whether what libusb sees can be emulated. */
+/** Can the USB devices that libusb sees be emulated? */
 bool
 hasEmulation()
 {

@@ -2,17 +2,17 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief From the bytes of a camera to rectified images: CPU of a frame, beside OpenCV's
- * remap. */
+/** \brief From the bytes of a camera to rectified images: CPU time per frame, compared
+ * with OpenCV's remap. */
 void
 printConversion();
 
-/** \brief Simulated frames whose channels are mixed up: how often the check finds their
- * order, and is certain of it. */
+/** \brief Simulated frames with permuted channels: how often the check finds their
+ * order and is certain of it. */
 void
 printOrder();
 
-/** \brief A minute of frames from an emulated camera on the USB, recorded. */
+/** \brief Records one minute of frames from an emulated USB camera. */
 void
 printStream();
 

@@ -8,7 +8,8 @@ namespace pcl::acmap::bench {
 
 namespace {
 
-/** Calls with index and signed error of each pixel of a mask that has a disparity. */
+/** Calls a function with index and signed error of each pixel of a mask with a
+ * disparity. */
 template <typename Function>
 void
 forEachError(const DisparityImage& found,

@@ -7,34 +7,35 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief How disparities differ from the truth; several images may be added up. */
+/** \brief Errors of disparities; accumulates several images. */
 class DisparityErrors {
 public:
   /** \brief An error above this is bad, px. */
   static constexpr double bad_error = 1.0;
 
-  /** \brief Holds an image against the truth at the pixels of a mask; they must have one.
-   */
+  /** \brief Compares an image with the truth at the pixels of a mask, which must have a
+   * true disparity. */
   void
   add(const DisparityImage& found, const DisparityImage& truth, const PixelMask& mask);
 
-  /** \brief Percent of the pixels judged that are bad or have no disparity. */
+  /** \brief Percentage of the evaluated pixels that are bad or have no disparity. */
   double
   bad() const;
 
-  /** \brief Percent of the pixels judged that have a disparity, right or wrong. */
+  /** \brief Percentage of the evaluated pixels that have a disparity, correct or
+   * not. */
   double
   present() const;
 
-  /** \brief Percent of the pixels judged that have a bad one. */
+  /** \brief Percentage of the evaluated pixels that have a bad disparity. */
   double
   wrong() const;
 
-  /** \brief Median of the unsigned errors of all disparities, px. */
+  /** \brief Median of the absolute errors of all disparities, px. */
   double
   medianError() const;
 
-  /** \brief Root mean square of the errors that are not bad, px. */
+  /** \brief RMS of the errors that are not bad, px. */
   double
   rms() const;
 
@@ -47,11 +48,11 @@ public:
 private:
   std::size_t judged_ = 0;
   std::size_t wrong_ = 0;
-  std::vector<double> errors_; // unsigned
+  std::vector<double> errors_; // absolute values
 };
 
-/** \brief Signed errors by the fraction of the true disparity: what a sub-pixel method
- * that prefers some fractions shows. Bad errors are left out. */
+/** \brief Signed errors by the fractional part of the true disparity: shows if a
+ * sub-pixel method prefers some fractions. Bad errors are ignored. */
 class FractionErrors {
 public:
   static constexpr std::size_t bins = 20;
@@ -66,7 +67,7 @@ public:
   double
   medianOf(std::size_t bin) const;
 
-  /** \brief Standard deviation over the bins of their means, px. */
+  /** \brief Standard deviation of the means of the bins, px. */
   double
   lockingOfMeans() const;
 
@@ -77,7 +78,7 @@ private:
   std::vector<std::vector<double>> errors_ = std::vector<std::vector<double>>(bins);
 };
 
-/** \brief How honest standard deviations are. Bad errors are left out. */
+/** \brief Checks the estimated standard deviations. Bad errors are ignored. */
 class SigmaErrors {
 public:
   void
@@ -86,11 +87,11 @@ public:
       const DisparityImage& truth,
       const PixelMask& mask);
 
-  /** \brief Root mean square of error / sigma: 1 where they are honest. */
+  /** \brief RMS of error / sigma: 1 if the standard deviations are correct. */
   double
   ratio() const;
 
-  /** \brief px. */
+  /** \brief Mean standard deviation, px. */
   double
   meanSigma() const;
 

@@ -14,7 +14,7 @@ namespace pcl::acmap::bench {
 
 namespace {
 
-/** Points drawn as small squares, the nearest on top. */
+/** Points drawn as small squares; the nearest one is visible. */
 class PointPicture {
 public:
   explicit PointPicture(const TrinocularRig& rig)
@@ -27,7 +27,7 @@ public:
     image_.values.assign(3 * depths_.size(), paper);
   }
 
-  /** \param[in] point in the frame of the place it is seen from */
+  /** \param[in] point in the frame of the virtual camera */
   void
   draw(const Eigen::Vector3d& point, const std::array<std::uint8_t, 3>& color)
   {
@@ -77,7 +77,7 @@ colorAt(const CameraImage& image, std::size_t pixel)
   return {first[0], first[channels / 2], first[channels - 1]};
 }
 
-/** Depth of the middle: nine in ten of the points lie before twice of it. */
+/** Centre of the depth range: 90 % of the points are closer than twice this depth. */
 double
 middleDepth(const DisparityImage& disparity, const TrinocularRig& rig)
 {
@@ -121,7 +121,7 @@ viewFromBeside(const DisparityImage& disparity,
                double yaw)
 {
   constexpr double pitch = 0.3; // rad, from above
-  constexpr double back = 0.25; // of the middle's depth
+  constexpr double back = 0.25; // of the centre's depth
   const double depth = middleDepth(disparity, rig);
   const Eigen::Vector3d middle(0, 0, depth);
   const Eigen::Isometry3d T_beside_camera =

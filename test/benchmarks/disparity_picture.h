@@ -6,16 +6,17 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Disparities as colours, from blue (the least) to red; black where there is none.
+/** \brief Disparities as colours, from blue (minimum) to red; black for invalid ones.
  * \param[in] least px
  * \param[in] most px */
 CameraImage
 coloredDisparity(const DisparityImage& image, float least, float most);
 
-/** \brief What the points of a view look like from a place beside and above it, turned to
- * their middle; of the same size.
+/** \brief Renders the points of a view from a position beside and above it, looking at
+ * their centre; the picture has the same size.
  * \param[in] color of the reference view, grey or in colour
- * \param[in] yaw how far round the middle the place lies, rad, positive to the left */
+ * \param[in] yaw rotation of the position about the centre, rad, positive to the
+ * left */
 CameraImage
 viewFromBeside(const DisparityImage& disparity,
                const CameraImage& color,

@@ -8,8 +8,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Where a pixel with a disparity lies, metres in the camera frame.
- * \param[in] pixel its index, row by row */
+/** \brief Back-projects a pixel with a disparity, metres in the camera frame.
+ * \param[in] pixel its index in row-major order */
 inline Eigen::Vector3d
 pointOf(const TrinocularRig& rig, std::size_t pixel, double disparity)
 {

@@ -24,8 +24,8 @@ drawPatterns()
   return images;
 }
 
-/** The same building with another grain on what is nearly textureless.
- * \param[in] building of rectangles, as corridors are */
+/** The same building with a different grain on nearly textureless surfaces.
+ * \param[in] building of rectangles, such as corridors */
 SceneGeometry
 withGrain(const SceneGeometry& building, double grain)
 {

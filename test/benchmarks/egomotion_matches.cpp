@@ -42,7 +42,7 @@ matchedPair(const EgomotionSequence& sequence, std::size_t target)
                    {},
                    sequence.truth[target].inverse() * sequence.truth[target + 1]};
   registration::CorrespondenceEstimationLogPolar<Point> matcher;
-  matcher.setMinimumContrast(1.5F); // grey levels: the grain of the walls is faint
+  matcher.setMinimumContrast(1.5F); // grey levels: the grain of the walls is weak
   matcher.setInputSource(pair.source);
   matcher.setIndicesSource(keypointsOf(pair.source));
   matcher.setInputTarget(pair.target);
@@ -63,7 +63,7 @@ spoilt(const MatchedPair& pair, double share, Random& random)
   const auto wrong =
       static_cast<std::size_t>(share * static_cast<double>(pair.matches.size()));
   for (std::size_t i = 0; i < wrong;
-       ++i) // those that are right stay in the list of them
+       ++i) // partial shuffle; the first ones become wrong
     std::swap(matches.right[i], matches.right[i + drawn(matches.right.size() - i)]);
   matches.all = matches.right;
   matches.right.erase(matches.right.begin(),

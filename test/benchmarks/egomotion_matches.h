@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Two views with the matches between their keypoints. */
+/** \brief Two views with matches between their keypoints. */
 struct MatchedPair {
   PointCloud<PointXYZRGB>::ConstPtr source, target;
   IndicesPtr target_keypoints;
@@ -17,17 +17,18 @@ struct MatchedPair {
   Eigen::Isometry3d truth; ///< T_target_source
 };
 
-/** \brief Matches neighbours by the public classes.
- * \param[in] target the earlier view of both */
+/** \brief Matches neighbouring views with the public classes.
+ * \param[in] target the earlier one of both views */
 MatchedPair
 matchedPair(const EgomotionSequence& sequence, std::size_t target);
 
-/** \brief Matches, a share of them led to keypoints drawn at random, and the others alone. */
+/** \brief Matches of which a fraction leads to random keypoints, and the other ones
+ * alone. */
 struct SpoiltMatches {
   Correspondences all, right;
 };
 
-/** \brief Spoils a share of a pair's matches. */
+/** \brief Replaces a fraction of a pair's matches by wrong ones. */
 SpoiltMatches
 spoilt(const MatchedPair& pair, double share, Random& random);
 

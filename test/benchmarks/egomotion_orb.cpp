@@ -54,7 +54,7 @@ matchesOf(const OrbView& source, const OrbView& target, double ratio)
   return matches;
 }
 
-/** Points of the target with the pixels of the source that show them. */
+/** Points of the target with their pixels in the source. */
 struct PnpInput {
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> pixels;

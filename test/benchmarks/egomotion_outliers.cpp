@@ -14,13 +14,13 @@ namespace {
 
 using Point = PointXYZRGB;
 
-/** What is found of some matches. */
+/** Result for some matches. */
 struct PlanarResult {
   std::size_t kept = 0;
   PlanarAction action;
 };
 
-/** Noise along the ray grows with the square of the depth. */
+/** Accounts for noise along the ray, which grows with the square of the depth. */
 double
 weightOf(const Point& now, const Point& before)
 {
@@ -55,7 +55,7 @@ vectorOf(const PlanarAction& action)
   return {action.dx, action.dz, std::remainder(action.dtheta, 2 * M_PI)};
 }
 
-/** Root mean square of each part. */
+/** Root mean square of each component. */
 Eigen::Vector3d
 rmsOf(const std::vector<Eigen::Vector3d>& differences)
 {
@@ -78,8 +78,8 @@ trueAction(const MatchedPair& pair)
   return vectorOf({truth.x, truth.z, truth.theta});
 }
 
-/** \param[in] clean actions of all matches, none of them spoilt
- * \param[in] noise one standard deviation of their dx, dz (metres), dtheta (rad) */
+/** \param[in] clean actions from all matches, without wrong ones
+ * \param[in] noise standard deviations of their dx, dz (metres), dtheta (rad) */
 void
 printShare(const std::vector<MatchedPair>& pairs,
            const std::vector<Eigen::Vector3d>& clean,

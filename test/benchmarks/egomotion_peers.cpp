@@ -68,7 +68,7 @@ gicpMethod(double correspondence_distance, int neighbours)
 EgomotionMethod
 ndtMethod(double resolution)
 {
-  // PCL's tutorial has 0.01 and 35: there it stops after the first step.
+  // PCL's tutorial uses 0.01 and 35, with which it stops after the first step here.
   constexpr double step = 0.1, least_change = 1e-4; // metres, square metres
   constexpr int most_iterations = 100;
   std::ostringstream title;

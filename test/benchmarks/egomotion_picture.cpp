@@ -10,7 +10,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Matches that look alike, above; below those that the motion stands on. */
+/** Draws all matches above, and the ones used for the motion below. */
 RgbImage
 picturePair(const EgomotionSequence& sequence, std::size_t target)
 {

@@ -11,7 +11,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double voxel = 0.06; // metres, as of the other rectified scenes
+constexpr double voxel = 0.06; // metres, as for the other rectified scenes
 
 PointCloud<PointNormal>::Ptr
 consolidated(const EgomotionCloud& seen)
@@ -35,7 +35,7 @@ consolidated(const EgomotionCloud& seen)
 RectificationMap
 mapOf(const EgomotionSequence& sequence)
 {
-  constexpr double usual = 0.05; // metres; a voxel of this weighs 1
+  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
   constexpr float weight = voxel * voxel / (usual * usual);
   RectificationMap map;
   map.name = sequence.name;

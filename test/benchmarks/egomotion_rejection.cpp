@@ -21,7 +21,7 @@ namespace {
 constexpr int rounds = 10;
 constexpr std::size_t matches_a_round = 300;
 
-/** Matches in PCL's form. */
+/** Matches in the format of PCL. */
 struct GivenMatches {
   test::StereoMatchSettings scene;
   test::StereoMatches made;
@@ -48,7 +48,7 @@ givenMatches(std::size_t percent, std::uint64_t seed)
   return given;
 }
 
-/** A way to reject, with its name. */
+/** A named rejection method. */
 struct Rejection {
   std::string name;
   std::function<void(const GivenMatches&, Correspondences&)> run;
@@ -101,7 +101,7 @@ sampleConsensus(double metres)
           }};
 }
 
-/** Of all rounds. */
+/** Results over all rounds. */
 struct RejectionScore {
   double kept = 0, right = 0, kept_right = 0, seconds = 0;
   double squared_metres = 0, squared_radians = 0;
@@ -139,7 +139,7 @@ score(const Rejection& rejection, const GivenMatches& given, RejectionScore& sco
 void
 printEgomotionRejection()
 {
-  // peers as they come, and as they do best here
+  // peers with their defaults, and with their best settings here
   const std::vector<Rejection> rejections = {worstOut(1.06),
                                              polygons(0.75F),
                                              polygons(0.95F),

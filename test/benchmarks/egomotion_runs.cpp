@@ -10,7 +10,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Motions, and what became of them. */
+/** Motions and their errors. */
 class Tally {
 public:
   Tally(const EgomotionMethod& method, const EgomotionSequence& sequence)
@@ -20,7 +20,7 @@ public:
     run_.name = method.name;
   }
 
-  /** The motion, identity for a failure. */
+  /** Adds a motion and returns it; identity for a failure. */
   Eigen::Isometry3d
   add(std::size_t target, std::size_t source)
   {

@@ -11,30 +11,32 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Motions of a method between views of a sequence. */
+/** \brief Motions estimated by a method between views of a sequence. */
 struct EgomotionRun {
   std::string name;            ///< of the method
-  std::size_t failures = 0;    ///< told by the method
-  std::size_t wrong = 0;       ///< not told, and far off: \ref isWrong
-  RelativePoseError estimated; ///< of the motions it gave
-  RelativePoseError all;       ///< with no motion at all in place of a failure
-  /** Of all motions one after the other, the same there; NaN where none are chained. */
+  std::size_t failures = 0;    ///< reported by the method
+  std::size_t wrong = 0;       ///< not reported, with a large error: \ref isWrong
+  RelativePoseError estimated; ///< of the motions that it returned
+  RelativePoseError all;       ///< with identity instead of failed motions
+  /** Errors of the chained motions, with identity for failures; NaN if they are not
+   * chained. */
   AbsoluteTrajectoryError chain{no_reach, no_reach};
-  std::vector<Eigen::Isometry3d> poses; ///< of the chain, from the true first one on
-  double seconds = 0;                   ///< CPU a pair, its mean
+  std::vector<Eigen::Isometry3d> poses; ///< of the chain, starting with the true first
+                                        ///< pose
+  double seconds = 0;                   ///< mean CPU time per pair
 };
 
-/** \brief Further off than any use would bear: by 10 cm or 5 degrees. */
+/** \brief Is the error too large for any use? The limits are 10 cm and 5 degrees. */
 bool
 isWrong(const MotionError& error);
 
-/** \brief Runs a method on neighbours, later to earlier, and chains them. Of planar
- * sequences the planar part counts. */
+/** \brief Runs a method on neighbouring views, from later to earlier, and chains the
+ * motions. For planar sequences only the planar part is evaluated. */
 EgomotionRun
 runChain(const EgomotionMethod& method, const EgomotionSequence& sequence);
 
-/** \brief Runs a method on views some files apart, at most 25 pairs evenly over the
- * sequence; without a chain. */
+/** \brief Runs a method on views with a given distance in the sequence, for at most 25
+ * evenly distributed pairs; the motions are not chained. */
 EgomotionRun
 runApart(const EgomotionMethod& method,
          const EgomotionSequence& sequence,

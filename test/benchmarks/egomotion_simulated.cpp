@@ -63,7 +63,7 @@ printEgomotionSimulated()
       const EgomotionSequence sequence = driveThrough(scene, grain);
       for (const EgomotionMethod& method : by_look)
         printRun(runChain(method, sequence), sequence);
-      if (grain > 2) // the shape is the same
+      if (grain > 2) // the shape is the same for all
         continue;
       for (const EgomotionMethod& method : by_shape)
         printRun(runChain(method, sequence), sequence);

@@ -4,33 +4,35 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Drives through simulated corridors, with walls of more and less grain, through
- * our own stereo. */
+/** \brief Simulated drives through corridors, with walls of different grain, using the
+ * stereo matching of acmap. */
 void
 printEgomotionSimulated();
 
-/** \brief A hand-held Kinect: neighbours, and views further apart. */
+/** \brief A hand-held Kinect: neighbouring views, and views further apart. */
 void
 printEgomotionKitchen();
 
-/** \brief Matches replaced by wrong ones before the worst are left out: what becomes of
- * the action. */
+/** \brief Replaces matches by wrong ones before the rejection, and measures the effect
+ * on the action. */
 void
 printEgomotionOutliers();
 
-/** \brief CPU of one pair, by stage. */
+/** \brief CPU time per pair, by stage. */
 void
 printEgomotionTimes();
 
-/** \brief Driven corridors: the path of egomotion, and the same rectified. */
+/** \brief Drives through corridors: the trajectory of egomotion, and the same
+ * rectified. */
 void
 printEgomotionRectification();
 
-/** \brief Wrong matches among right ones: which are kept, and what motion they give. */
+/** \brief Mixes wrong matches with correct ones: which are kept, and what motion they
+ * give. */
 void
 printEgomotionRejection();
 
-/** \brief Writes pictures of matches before and after rejection, and of the path.
+/** \brief Writes pictures of matches before and after rejection, and of the trajectory.
  * \throws OutputFileException when they could not be written */
 void
 saveEgomotionPictures(const std::string& folder);

@@ -14,10 +14,11 @@ namespace {
 constexpr std::size_t rounds = 5;
 constexpr double milli = 1000;
 
-/** CPU seconds of each stage of one motion, on one thread, in their order. */
+/** CPU seconds of each stage of one motion, on one thread, in order of execution. */
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
-/** Stages tell when they begin. \param[in] keeps whether the target was seen before */
+/** Uses the progress reports of the stages. \param[in] keeps was the target seen
+ * before? */
 StageTimes
 timeStages(const EgomotionSequence& sequence, bool keeps)
 {

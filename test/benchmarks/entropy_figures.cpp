@@ -28,7 +28,8 @@ aggregateAll(const std::vector<PosedPoints>& observations,
   return cells;
 }
 
-/** CPU seconds, one thread, medians of interleaved rounds; the slow ones fewer. */
+/** CPU seconds, one thread, medians of interleaved rounds; slow ones get fewer
+ * rounds. */
 struct EntropyCosts {
   double pass = 0, histogram = 0, cells = 0, entropy = 0, gradient = 0, exact = 0;
   double difference = 0; ///< bits, fast - exact
@@ -67,7 +68,7 @@ measure(const EntropyMap& map, const MapEntropySettings& settings)
         measureThread([&] { evaluator.evaluate(map.poses, costs.report, &slopes); }));
   }
   if (sum == 1)
-    std::cerr << "a rare sum\n"; // so that no compiler leaves the pass out
+    std::cerr << "a rare sum\n"; // prevents the compiler from removing the pass
   costs.pass = median(pass);
   costs.histogram = median(histogram);
   costs.cells = median(cells);
@@ -78,7 +79,7 @@ measure(const EntropyMap& map, const MapEntropySettings& settings)
   return costs;
 }
 
-/** What a map should reach; \ref no_reach where nothing was set. */
+/** Targets for a map; \ref no_reach if there is no target. */
 struct EntropyReach {
   double entropy_ms, passes, gradient_times, gradient_ms, cells;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-/** A piece of wall along one axis (0: x, 1: z). */
+/** A wall segment along one axis (0: x, 1: z). */
 struct Wall {
   int along;
   double at, begin, end; ///< metres
@@ -20,7 +20,7 @@ struct Wall {
 
 constexpr double building = 30, room = 6, door = 1.2;
 
-/** Rooms in rows, a door in the middle of each inner wall. */
+/** Rows of rooms with a door in the middle of each inner wall. */
 std::vector<Wall>
 wallsOfRooms()
 {
@@ -39,10 +39,10 @@ wallsOfRooms()
   return walls;
 }
 
-/** What a beam meets first. */
+/** First intersection of a beam. */
 struct Hit {
   double range = 1e9;
-  int along = 0; ///< of the wall
+  int along = 0; ///< axis of the wall
 };
 
 Hit

@@ -7,24 +7,25 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What any entropy of points has to do at least: move each one by its pose and
- * find its bin, from arrays of floats, eight at once where the processor can. */
+/** \brief The minimum work of any entropy of points: transforms each point by its pose
+ * and computes its bin, from arrays of floats, eight at once if the processor supports
+ * it. */
 class EntropyPass {
 public:
   EntropyPass(const EntropyMap& map, double bin_size);
 
-  /** \brief Finds all bins.
-   * \return something of their numbers, that nothing is left out */
+  /** \brief Computes all bins.
+   * \return a value that depends on all bins, so that nothing is optimized away */
   std::int64_t
   find();
 
-  /** \brief Finds all bins and counts the points in them: the plain histogram. */
+  /** \brief Computes all bins and counts their points: the plain histogram. */
   std::int64_t
   count();
 
 private:
   struct Observation {
-    std::vector<float> x, z; ///< bins
+    std::vector<float> x, z; ///< in bins
     PlanarPose pose;
   };
 

@@ -11,11 +11,11 @@ namespace pcl::acmap::bench {
 struct FigureCloud {
   std::string name;
   test::Cloud cloud;
-  double spacing = 0; ///< median to the nearest other place, metres
+  double spacing = 0; ///< median distance to the nearest different position, metres
 };
 
-/** \brief The clouds of the issue's list of faults; those that are not there are named on
- * stderr and left out. */
+/** \brief The clouds of the table of faults; missing ones are reported on stderr and
+ * skipped. */
 std::vector<FigureCloud>
 realClouds();
 

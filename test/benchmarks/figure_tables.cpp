@@ -39,7 +39,7 @@ deWall(const test::Cloud& cloud, DeWallRule rule, double length = 0)
   return mesh.triangles;
 }
 
-/** One way to mesh a cloud. */
+/** A meshing method. */
 struct Mesher {
   std::string name;
   std::function<Triangles(const FigureCloud&)> mesh;

@@ -4,15 +4,18 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Faults and yield of both rules and of greedy projection on the real clouds. */
+/** \brief Faults and size of the meshes of both rules and of greedy projection on real
+ * clouds. */
 void
 printSoundness();
 
-/** \brief Uncovered and overlapped shares of synthetic surfaces over seeds 1 .. \a seeds. */
+/** \brief Uncovered and overlapped fractions of synthetic surfaces for seeds 1 .. \a
+ * seeds. */
 void
 printCoverage(std::size_t seeds);
 
-/** \brief CPU time of one view beside greedy projection, median of interleaved rounds. */
+/** \brief CPU time for one view compared with greedy projection, median of interleaved
+ * rounds. */
 void
 printTime(std::size_t rounds);
 

@@ -69,7 +69,7 @@ private:
   std::optional<TrinocularFileGrabber> grabber_;
 };
 
-/** Files of a camera's images, counted. */
+/** Stores the images of each camera in numbered files. */
 class ImageWay : public FolderWay {
 public:
   ImageWay(std::string folder, std::string ending)
@@ -110,7 +110,7 @@ private:
   virtual void
   writeImage(const CameraImage& image, OutputFile& file) const = 0;
 
-  /** \param[in,out] image has its shape */
+  /** \param[in,out] image has the correct size */
   virtual void
   readImage(const std::string& path, CameraImage& image) const = 0;
 

@@ -12,7 +12,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A way to keep frames in a folder. */
+/** \brief A method to store frames in a folder. */
 class FrameWay {
 public:
   virtual ~FrameWay() = default;
@@ -23,22 +23,22 @@ public:
   virtual void
   write(const TrinocularFrame& frame) = 0;
 
-  /** \brief Called once all are written. */
+  /** \brief Called after all frames have been written. */
   virtual void
   finish() = 0;
 
   /** \brief The images of a frame.
-   * \param[in] number counts the frames as they were written */
+   * \param[in] number in the order of writing */
   virtual std::array<CameraImage, 3>
   read(std::size_t number) const = 0;
 
-  /** \brief Of all its files. */
+  /** \brief Size of all files. */
   virtual std::uintmax_t
   bytes() const = 0;
 };
 
-/** \brief The values alone, a file a camera; the recorder's; a PNG a camera: each in a
- * part of the folder of its own. */
+/** \brief Raw values with one file per camera; the recorder; one PNG per camera. Each
+ * method uses its own subfolder. */
 std::vector<std::unique_ptr<FrameWay>>
 waysToKeepFrames(const std::string& folder, const TrinocularRig& rig);
 

@@ -5,11 +5,12 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief PCL's GreedyProjectionTriangulation with the normals it needs, on one thread.
+/** \brief PCL's GreedyProjectionTriangulation with the normals that it needs, on one
+ * thread.
  *
- * Normals from 16 neighbours towards the origin; 2.5 times the nearest neighbour, at most
- * 100 neighbours; a search radius of ten spacings, which its own limit undercuts nearly
- * everywhere.
+ * Normals are from 16 neighbours and point towards the origin; mu is 2.5, with at most
+ * 100 neighbours; the search radius is ten spacings, although mu limits it to less
+ * nearly everywhere.
  * \param[in] cloud finite points only
  * \param[in] spacing metres between neighbouring points */
 test::Triangles

@@ -8,13 +8,14 @@ namespace pcl::acmap::bench {
 
 /** \brief Structural similarity (SSIM) of two images. */
 struct Similarity {
-  double mean = 0; ///< over the windows, 1 for the same
+  double mean = 0; ///< over the windows, 1 for equal images
   std::size_t windows = 0;
 };
 
-/** \brief Of brightness, over windows of 8 x 8 pixels, 4 apart, that are known as a whole.
- * \param[in] a, b three values a pixel
- * \param[in] is_known one a pixel */
+/** \brief Compares brightness over windows of 8 x 8 pixels, 4 apart; windows with
+ * unknown pixels are ignored.
+ * \param[in] a, b three values per pixel
+ * \param[in] is_known one value per pixel */
 Similarity
 structuralSimilarity(const std::vector<std::uint8_t>& a,
                      const std::vector<std::uint8_t>& b,

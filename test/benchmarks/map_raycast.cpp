@@ -8,7 +8,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Where a ray meets a chart, in texels; not a number where it does not. */
+/** Intersection of a ray with a chart, in texels; NaN if there is none. */
 struct Meeting {
   double distance = std::numeric_limits<double>::infinity();
   Eigen::Vector2d texel;
@@ -20,7 +20,7 @@ meet(const TextureChart& chart, const Eigen::Vector3d& eye, const Eigen::Vector3
   const Eigen::Vector3d normal = chart.texel_v.cross(chart.texel_u);
   const double along = normal.dot(ray);
   Meeting meeting;
-  if (!(along < 0)) // seen from behind
+  if (!(along < 0)) // the back side
     return meeting;
   const double distance = normal.dot(chart.origin - eye) / along;
   if (!(distance > 0))
@@ -39,7 +39,7 @@ meet(const TextureChart& chart, const Eigen::Vector3d& eye, const Eigen::Vector3
   return meeting;
 }
 
-/** Between the middles of four texels. */
+/** Bilinear interpolation between the centres of four texels. */
 Eigen::Vector3d
 colorAt(const TextureChart& chart, const Eigen::Vector2d& texel)
 {

@@ -9,11 +9,11 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A view of a compact map: the colour of the first chart that each pixel's ray
- * meets. */
+/** \brief A view of a compact map: for each pixel the colour of the first chart that
+ * its ray intersects. */
 struct MapView {
-  std::vector<std::uint8_t> rgb;      ///< 3 a pixel, rows from the top
-  std::vector<std::uint8_t> is_known; ///< one a pixel: a texel with colour was met
+  std::vector<std::uint8_t> rgb;      ///< 3 per pixel, in row-major order from the top
+  std::vector<std::uint8_t> is_known; ///< one per pixel: a texel with colour was hit
 };
 
 MapView

@@ -8,19 +8,19 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A figure that is only told. */
+/** \brief Target of a figure that is only reported. */
 inline constexpr double no_reach = std::numeric_limits<double>::quiet_NaN();
 
 /** \brief Prints the head of a Markdown table. */
 void
 printHead(std::initializer_list<const char*> titles);
 
-/** \brief How many times \a part goes into \a whole: "2.25 x". */
+/** \brief The ratio of \a whole to \a part, such as "2.25 x". */
 std::string
 timesOf(double whole, double part);
 
-/** \brief A row of a Markdown table. Figures stand beside what they should reach; those
- * that miss it are set in bold and say so. */
+/** \brief A row of a Markdown table. Figures are shown with their targets; those that
+ * miss the target are marked in bold. */
 class MarkdownRow {
 public:
   MarkdownRow&
@@ -29,18 +29,18 @@ public:
   MarkdownRow&
   count(std::size_t number);
 
-  /** \brief A dash for NaN. */
+  /** \brief Adds a number, or a dash for NaN. */
   MarkdownRow&
   number(double value, int digits);
 
-  /** \param[in] reach \ref no_reach for a figure without one, here and below */
+  /** \param[in] reach target, or \ref no_reach, here and below */
   MarkdownRow&
   atMost(double value, double reach, int digits);
 
   MarkdownRow&
   atLeast(double value, double reach, int digits);
 
-  /** \brief A deviation that should lie within plus and minus \a reach. */
+  /** \brief Adds a deviation whose absolute value should not exceed \a reach. */
   MarkdownRow&
   within(double value, double reach, int digits);
 

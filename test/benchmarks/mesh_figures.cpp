@@ -15,7 +15,7 @@ using test::Triangles;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/** How many triangles lie over each cell of the truth. */
+/** Number of triangles above each cell of the truth. */
 class CoverRaster {
 public:
   CoverRaster(const SceneTruth& truth, double tolerance)
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  /** x and y in cells, so that whole numbers are the cells' centres, z in metres. */
+  /** x and y in cells, with integers at the cells' centres; z in metres. */
   static Corners
   inCells(const TruthSurface& surface, const Corners& corners)
   {
@@ -76,7 +76,7 @@ private:
     const Eigen::Vector3d along_b = place[1] - place[0];
     const Eigen::Vector3d along_c = place[2] - place[0];
     const double area = along_b.x() * along_c.y() - along_c.x() * along_b.y();
-    constexpr double least_area = 1e-12; // on edge
+    constexpr double least_area = 1e-12; // seen edge-on
     if (std::abs(area) < least_area)
       return;
     Eigen::Array3d least = place[0].array().min(place[1].array()).min(place[2].array());
@@ -105,7 +105,7 @@ private:
 
   const SceneTruth& truth_;
   double tolerance_;
-  std::vector<std::vector<std::uint8_t>> counts_; // up to 2
+  std::vector<std::vector<std::uint8_t>> counts_; // saturated at 2
 };
 
 double

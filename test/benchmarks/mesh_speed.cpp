@@ -29,7 +29,7 @@ main(int argc, char** argv)
   if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
     return *exit_code;
 
-  // Greedy projection writes a line for every point it cannot place.
+  // Greedy projection prints a line for every point that it cannot connect.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   if (sections.isWanted("map")) // first: it forks, and the others start threads
     printMapSpeed("corridor");

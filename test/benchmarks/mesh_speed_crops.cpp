@@ -15,7 +15,7 @@ namespace {
 constexpr double voxel = 0.05; // metres
 constexpr std::size_t small_crop = 100000;
 
-/** CPU us a point of the mesh step. */
+/** CPU time of the mesh step, us per point. */
 struct CropCost {
   double raw = 0;
   double consolidated = 0;

@@ -23,7 +23,7 @@ namespace {
 
 using Action = std::function<void()>;
 
-/** A file that stays open for the time of a plain read or write. */
+/** An open file for plain reads or writes. */
 class PlainFile {
 public:
   PlainFile(const std::string& path, const char* mode)
@@ -64,7 +64,7 @@ void
 readPlain(const std::string& path)
 {
   const std::size_t bytes = std::filesystem::file_size(path);
-  const std::unique_ptr<char[]> data(new char[bytes]); // not cleared before it is read
+  const std::unique_ptr<char[]> data(new char[bytes]); // not initialized
   PlainFile(path, "rb").read(data.get(), bytes);
 }
 
@@ -74,7 +74,7 @@ writePlain(const std::string& path, const std::vector<char>& data)
   PlainFile(path, "wb").write(data.data(), data.size());
 }
 
-/** Prints a row; rounds of both are interleaved. */
+/** Prints a row; both methods are timed in interleaved rounds. */
 void
 printRow(const std::string& name,
          std::size_t points,
@@ -118,7 +118,7 @@ printLoadRow(const std::string& name,
       [&] { readPlain(path); });
 }
 
-/** Saves once to learn the size, then prints the row. */
+/** Saves once to get the size, then prints the row. */
 void
 printSaveRow(const std::string& name,
              std::size_t points,
@@ -151,7 +151,7 @@ printCloudRows(const PCLPointCloud2& cloud,
   std::filesystem::remove(ply);
 }
 
-/** A square grid, two triangles a cell. */
+/** A square grid with two triangles per cell. */
 void
 makeGridMesh(std::int32_t cells, PCLPointCloud2& cloud, TriangleMesh& mesh)
 {

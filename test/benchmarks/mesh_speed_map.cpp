@@ -17,7 +17,7 @@ namespace {
 struct MapRun {
   std::size_t points = 0, triangles = 0, used_points = 0;
   double seconds = 0;
-  std::size_t peak = 0; // bytes on top of the input
+  std::size_t peak = 0; // bytes in addition to the input
 };
 
 MapRun

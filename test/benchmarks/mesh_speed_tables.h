@@ -6,32 +6,33 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief One raw view: both rules, PCL's greedy projection and planar Delaunay, with what
- * the meshes are worth.
- * \param[in] rounds of which the median counts; greedy projection gets 1 */
+/** \brief One raw view: both rules, PCL's greedy projection and planar Delaunay, with
+ * the quality of the meshes.
+ * \param[in] rounds for the median; greedy projection gets 1 */
 void
 printViewSpeed(const SceneData& corridor, std::size_t rounds);
 
-/** \brief All raw points of a standard scene by both rules: time, and memory on top of the
- * input, each in a process of its own. To be called before any thread was started. */
+/** \brief All raw points of a standard scene with both rules: time, and memory in
+ * addition to the input, each in a separate process. Must be called before any thread
+ * is started. */
 void
 printMapSpeed(const std::string& standard_scene);
 
-/** \brief Pieces of the corridor, raw and consolidated: does a point cost the same in all
- * of them? */
+/** \brief Crops of the corridor, raw and consolidated: is the time per point
+ * constant? */
 void
 printCropSpeed(SceneData& corridor);
 
-/** \brief Consolidation of the whole corridor and the mesh of what it gives. */
+/** \brief Consolidation of the whole corridor, and the mesh of the result. */
 void
 printConsolidatedSpeed(SceneData& corridor, std::size_t rounds);
 
-/** \brief What a second thread gains and costs, beside a loop that shares nothing, and
- * whether the meshes depend on the number of threads. */
+/** \brief Speed-up and cost of a second thread compared with a loop without shared
+ * data, and a check that the meshes do not depend on the number of threads. */
 void
 printThreadSpeed(SceneData& corridor);
 
-/** \brief Loading and saving beside plain fread and fwrite of as many bytes. */
+/** \brief Loading and saving compared with plain fread and fwrite of the same size. */
 void
 printFileSpeed(SceneData& corridor, std::size_t rounds);
 

@@ -22,7 +22,7 @@ sumOfRoots(std::size_t begin, std::size_t end)
   return sum;
 }
 
-/** A loop that shares nothing and touches no memory: what the machine itself allows. */
+/** A loop without shared data or memory access: the upper bound of the machine. */
 void
 sumRoots(unsigned threads)
 {

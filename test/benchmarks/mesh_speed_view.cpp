@@ -21,7 +21,7 @@ namespace {
 
 using test::Triangles;
 
-/** A view as PCL's cloud, with its truth where there is one. */
+/** A view as a PCL cloud, with its truth if there is one. */
 struct SpeedView {
   std::string name;
   test::Cloud cloud;
@@ -35,7 +35,7 @@ struct SpeedView {
   }
 };
 
-/** One way to mesh a view; nothing comes out of a mesher that is only a bound. */
+/** A meshing method for a view; methods that are only a lower bound return no mesh. */
 struct SpeedMesher {
   std::string name;
   std::size_t rounds;
@@ -81,7 +81,7 @@ speedMeshers(const SpeedView& view, std::size_t rounds)
 void
 addTruthCells(const SpeedView& view, const Triangles& mesh, MarkdownRow& row)
 {
-  // Nearly all points lie within three standard deviations of the largest noise.
+  // Nearly all points are within three standard deviations of the largest noise.
   constexpr double tolerance = 0.09; // metres
   if (!view.truth) {
     row.text("–").text("–").text("–");

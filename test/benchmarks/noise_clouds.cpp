@@ -41,7 +41,7 @@ isPacked(const std::string& path)
          path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/** \return false where there is no xz, or it failed */
+/** \return false if xz is missing or failed */
 bool
 unpack(const std::string& packed, const std::string& unpacked)
 {

@@ -7,17 +7,18 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A real cloud that NoiseScale is tried on. */
+/** \brief A real cloud to test NoiseScale. */
 struct NoiseCloud {
   std::string name;
   PointCloudFile file;
-  bool is_view = false;  ///< seen from its viewpoint; elsewhere the sensors are unknown
-  bool is_exact = false; ///< a model: has no noise
+  bool is_view = false;  ///< observed from its viewpoint; otherwise the sensors are
+                         ///< unknown
+  bool is_exact = false; ///< a noise-free model
 };
 
-/** \brief Calls a function for one real cloud after the other, so that one at a time is in
- * memory. Those that are not there, or packed where there is no xz, are named on stderr
- * and left out. */
+/** \brief Calls a function for one real cloud after another, so that only one is in
+ * memory. Missing clouds, and packed ones if there is no xz, are reported on stderr
+ * and skipped. */
 void
 forEachNoiseCloud(const std::function<void(const NoiseCloud&)>& use);
 

@@ -32,7 +32,7 @@ cellKey(const TruthPlane& plane,
         const Eigen::Vector3d& point,
         double edge)
 {
-  constexpr double middle = 1 << 23; // keeps both numbers positive
+  constexpr double middle = 1 << 23; // keeps both indices positive
   const SimulatedRectangle& rectangle = plane.rectangles.front();
   const Eigen::Vector3d offset = point - rectangle.corner;
   const double u = std::floor(offset.dot(rectangle.edge_u.normalized()) / edge);

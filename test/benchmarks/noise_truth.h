@@ -7,21 +7,21 @@
 namespace pcl::acmap::bench {
 
 /** \brief The true noise of a simulated cloud, metres: each point is compared with the
- * plane that its label names. */
+ * plane of its label. */
 struct NoiseTruth {
-  /** \brief Median over the surface of the standard deviation across it, in square cells
-   * of 10 cm, or of as much as it takes to hold 16 points on average; those with less
-   * than 9 are left out. */
+  /** \brief Median over the surface of the standard deviation across it, in square
+   * cells of 10 cm, or larger ones if needed for 16 points on average; cells with
+   * fewer than 9 points are ignored. */
   double sigma = 0;
 
-  double spacing = 0; ///< root of the visible area over the points
+  double spacing = 0; ///< square root of the visible area per point
 
-  /** \brief Root mean square along the ray, by distance to the sensor; bins as those of
-   * NoiseScale, each under twice the binary logarithm of its least distance. */
+  /** \brief RMS along the ray, by distance to the sensor. The bins are those of
+   * NoiseScale, with twice the binary logarithm of their minimum distance as key. */
   std::map<int, double> ranges;
 };
 
-/** \brief The bin of a distance, metres. */
+/** \brief The bin of a distance in metres. */
 int
 rangeBin(double distance);
 

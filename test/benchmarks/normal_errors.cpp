@@ -32,7 +32,7 @@ printRow(const std::string& cloud,
       .print();
 }
 
-/** \return the edge of a voxel */
+/** \return the edge length of a voxel */
 double
 printRows(const SimulatedCloud& cloud, const SceneTruth& truth)
 {

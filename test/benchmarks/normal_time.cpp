@@ -14,7 +14,7 @@ namespace {
 
 constexpr double least_ratio = 20;
 
-/** Medians of each step over some rounds. */
+/** Median times of each step over several rounds. */
 struct TimedVoting {
   VotingSeconds seconds;
   double votes_with_curvatures = 0;
@@ -41,7 +41,7 @@ timeVoting(const SimulatedCloud& cloud, std::size_t rounds)
   return timed;
 }
 
-/** \param[in] peer CPU seconds a point of the normals to be held against; NaN for none */
+/** \param[in] peer CPU seconds per point of the compared method; NaN for none */
 void
 printRow(const SimulatedCloud& cloud,
          const std::string& name,

@@ -12,8 +12,8 @@ struct ObjMesh {
   test::Triangles triangles;
 };
 
-/** \brief Reads positions and faces; polygons become fans.
- * \throws InputFileException when the file cannot be opened or holds no face */
+/** \brief Reads positions and faces; polygons are split into fans.
+ * \throws InputFileException when the file cannot be opened or has no face */
 ObjMesh
 loadObjMesh(const std::string& path);
 

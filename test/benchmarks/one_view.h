@@ -14,12 +14,12 @@ namespace pcl::acmap::bench {
 /** \brief An organized view of a depth sensor, camera frame, metres. */
 struct OneView {
   std::string name;
-  PointCloud<PointXYZ>::Ptr organized; ///< NaN where nothing was measured
-  PlaneInput finite;                   ///< its finite points, in their order
-  Indices finite_of_pixel;             ///< for each pixel its place there, -1 for none
+  PointCloud<PointXYZ>::Ptr organized; ///< NaN if nothing was measured
+  PlaneInput finite;                   ///< its finite points, in the same order
+  Indices finite_of_pixel;             ///< index in finite of each pixel, -1 for none
 };
 
-/** \brief The tolerance of the peers, metres: that of PCL's tutorials for a Kinect. */
+/** \brief Tolerance of the peers in metres, from PCL's tutorials for a Kinect. */
 inline constexpr double view_tolerance = 0.02;
 
 OneView
@@ -29,7 +29,7 @@ makeOneView(const std::string& name, const PointCloud<PointXYZ>::Ptr& organized)
 OneView
 loadOneView(const std::string& name, const std::string& path);
 
-/** \brief A view of a simulated scene, with the planes that really are in it. */
+/** \brief A view of a simulated scene, with its true planes. */
 struct TrueView {
   OneView view;
   PlaneTruth truth; ///< labels of the finite points
@@ -38,7 +38,7 @@ struct TrueView {
 TrueView
 makeTrueView(const SimulatedScene& scene, std::size_t view);
 
-/** \brief What lies between the distinct depths of a view: median difference of their
+/** \brief Distance between the distinct depths of a view: median difference of their
  * inverses, 1/m. */
 double
 inverseDepthStep(const OneView& view);

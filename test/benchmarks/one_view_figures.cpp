@@ -18,7 +18,8 @@ int
 main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
-  // The last sample consensus finds nothing in the points that are left, and says so.
+  // The last sample consensus finds nothing in the remaining points and prints an
+  // error.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   const Part parts[] = {{"real", printRealViews},
                         {"tables", printTableViews},

@@ -13,7 +13,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-// Farther off, the noise of a Kinect is more than the tolerance.
+// At larger distances the noise of a Kinect exceeds the tolerance.
 constexpr double truth_reach = 4.0; // metres
 constexpr double tolerance = 0.1;   // metres, three standard deviations there
 
@@ -26,7 +26,7 @@ constexpr NamedMesher meshers[] = {{"acmap", ourMesh},
                                    {"PCL organized fast mesh", organizedMesh},
                                    {"PCL greedy projection", greedyMesh}};
 
-/** \brief What of the truth is seen from where. */
+/** \brief The truth and the pose of the view. */
 struct ViewTruth {
   SceneTruth scene;
   Eigen::Isometry3d T_scene_camera;

@@ -18,7 +18,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** \brief The path of a view, or nothing, which is told on stderr. */
+/** \brief The path of a view; nothing, with a message on stderr, if it is missing. */
 std::optional<std::string>
 pathOfView(const std::string& relative)
 {
@@ -28,11 +28,11 @@ pathOfView(const std::string& relative)
   return std::nullopt;
 }
 
-/** \brief The points of a found plane. */
+/** \brief The points of a detected plane. */
 struct FoundSupport {
   std::size_t points = 0;
   double depth = 0; ///< metres, mean
-  double rms = 0;   ///< metres off the plane
+  double rms = 0;   ///< metres, distance from the plane
 };
 
 std::vector<FoundSupport>
@@ -58,12 +58,13 @@ supportsOf(const OneView& view, const FoundPlanes& found)
   return supports;
 }
 
-/** \brief Planes that are no surface but one of the depths that the sensor can tell: flat
- * far below the step of depth, across the optical axis, and parallel to three others. */
+/** \brief Number of planes that are not surfaces but quantization levels of the sensor:
+ * much flatter than the depth step, perpendicular to the optical axis, and parallel to
+ * at least three others. */
 std::size_t
 countLayers(const OneView& view, const FoundPlanes& found)
 {
-  constexpr double most_rms = 1.0 / 3.0; // of the step
+  constexpr double most_rms = 1.0 / 3.0; // of the depth step
   constexpr double most_angle = 2.0;     // degrees
   constexpr std::size_t min_parallels = 3;
   const double cosine = std::cos(most_angle * M_PI / 180);
@@ -79,7 +80,7 @@ countLayers(const OneView& view, const FoundPlanes& found)
         });
     layers += std::abs(normal.z()) >= cosine &&
               supports[f].rms<most_rms * step&& static_cast<std::size_t>(parallels)>
-                  min_parallels; // itself is one
+                  min_parallels; // the plane itself is counted too
   }
   return layers;
 }

@@ -13,16 +13,16 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr std::size_t main_pixels = 2000;      // of a main plane, at least
+constexpr std::size_t main_pixels = 2000;      // minimum for a main plane
 constexpr PlaneLimits found_limits{5.0, 0.05}; // degrees, metres
 
-/** \brief Sums over views. */
+/** \brief Sums over several views. */
 struct ViewScores {
   std::size_t views = 0;
-  std::size_t main = 0;     ///< planes that are there
-  std::size_t found = 0;    ///< of these
-  std::size_t spurious = 0; ///< less than half of their points from one true plane
-  std::size_t astray = 0;   ///< of one true plane, but too far off it
+  std::size_t main = 0;     ///< true main planes
+  std::size_t found = 0;    ///< of these, found
+  std::size_t spurious = 0; ///< less than half of the points from one true plane
+  std::size_t astray = 0;   ///< from one true plane, but with a large deviation
   std::size_t duplicates = 0;
   std::vector<double> angles;  ///< degrees, of the main planes that were found
   std::vector<double> offsets; ///< metres
@@ -79,7 +79,7 @@ struct ViewScores {
   }
 };
 
-/** \brief All finders on the first views of a scene. */
+/** \brief Runs all methods on the first views of a scene. */
 void
 addScene(const std::string& name,
          const std::vector<OneViewFinder>& finders,

@@ -2,15 +2,16 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Real views without truth: planes, layers, share of points, time. */
+/** \brief Real views without truth: planes, quantization levels, fraction of points,
+ * time. */
 void
 printRealViews();
 
-/** \brief Real views of a table with boxes, whose points people have labelled. */
+/** \brief Real views of a table with boxes, with manual labels. */
 void
 printTableViews();
 
-/** \brief The first views of standard scenes as a Kinect measures them, with truth. */
+/** \brief The first views of standard scenes, simulated as for a Kinect, with truth. */
 void
 printSimulatedViews();
 

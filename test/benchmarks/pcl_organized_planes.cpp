@@ -10,9 +10,10 @@
 namespace pcl::acmap::bench {
 namespace {
 
-// Smoothing, angle and distance are those of PCL's organized_segmentation_demo. Its 10000
-// inliers, depth change of 0.02 and curvature of 0.001 lose planes: with 1000 inliers it
-// finds 83 of 120 in the simulated views. These find 91, most of seven settings tried there.
+// Smoothing, angle and distance are those of PCL's organized_segmentation_demo. Its
+// 10000 inliers, depth change of 0.02 and curvature of 0.001 lose planes: with 1000
+// inliers it finds 83 of 120 in the simulated views. These settings find 91, the most
+// of seven that were tried.
 constexpr float most_depth_change = 0.05f;
 constexpr double most_curvature = 0.01;
 constexpr float smoothing = 20.0f; // px

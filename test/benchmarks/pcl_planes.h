@@ -4,15 +4,16 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief SACSegmentation by RANSAC, with its fixed seed and optimised coefficients: finds
- * a plane, takes its points away, and so on until the next one is too small. In the end
- * the planes are fitted by least squares to what they took, as the others' are: PCL chooses
- * inliers anew after its own fit, and is three times as far off. */
+/** \brief SACSegmentation with RANSAC, its fixed seed and optimised coefficients: finds
+ * a plane, removes its points, and repeats until the next plane is too small. At the
+ * end the planes are fitted to their points by least squares, like those of the other
+ * methods. PCL selects the inliers again after its own fit, which gives three times
+ * larger errors. */
 FoundPlanes
 sacPlanes(const PlaneInput& input);
 
-/** \brief RegionGrowing on the normals of NormalEstimation, each region fitted by least
- * squares. */
+/** \brief RegionGrowing with the normals of NormalEstimation; each region is fitted by
+ * least squares. */
 FoundPlanes
 pclRegionPlanes(const PlaneInput& input);
 

@@ -15,7 +15,7 @@ namespace {
 
 using Tree = search::KdTree<PointXYZ>;
 
-/** A point with too few neighbours must not join anything; RegionGrowing lets NaN in. */
+/** Excludes points with too few neighbours, as RegionGrowing accepts NaN normals. */
 void
 takeAwayInvalid(PointCloud<Normal>& normals)
 {
@@ -29,7 +29,7 @@ takeAwayInvalid(PointCloud<Normal>& normals)
 PointCloud<Normal>::Ptr
 estimateNormals(const PlaneInput& input, const Tree::Ptr& tree)
 {
-  // Smaller and noise tears regions; the corridor's views get 10 cm.
+  // With smaller radii noise splits regions; this gives 10 cm for the corridor's views.
   constexpr double spacings = 8;
   NormalEstimation<PointXYZ, Normal> estimation;
   estimation.setInputCloud(input.points);

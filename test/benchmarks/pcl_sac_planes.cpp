@@ -16,7 +16,8 @@ namespace {
 SACSegmentation<PointXYZ>
 makeSegmentation(const PlaneInput& input)
 {
-  constexpr int most_iterations = 1000; // PCL's 50 give up on planes below a quarter
+  constexpr int most_iterations = 1000; // PCL's 50 miss planes with less than a quarter
+                                        // of the points
   SACSegmentation<PointXYZ> sac;
   sac.setModelType(SACMODEL_PLANE);
   sac.setMethodType(SAC_RANSAC);

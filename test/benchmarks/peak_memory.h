@@ -8,13 +8,14 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Most memory the process takes from here on, on top of what it has here. Linux. */
+/** \brief Peak memory of the process from now on, in addition to its current memory.
+ * Linux. */
 class PeakMemory {
 public:
   PeakMemory()
   {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5; // begins the peak anew
+    std::ofstream("/proc/self/clear_refs") << 5; // resets the peak
     begin_ = statusBytes("VmRSS:");
   }
 

@@ -8,12 +8,12 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What PCL's NormalEstimation makes of all points of a cloud. Scene frame. */
+/** \brief Result of PCL's NormalEstimation for all points of a cloud. Scene frame. */
 struct PeerNormals {
   std::string name;
   test::Points places;
   test::Points normals;
-  double seconds = 0; ///< CPU of one thread, the search tree included
+  double seconds = 0; ///< CPU time of one thread, including the search tree
 };
 
 PeerNormals

@@ -7,20 +7,20 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Rows of pictures of one size, each made smaller; in 64 levels a colour, for a
- * small file. */
+/** \brief A grid of pictures of the same size, scaled down, with 64 levels per colour
+ * for a small file. */
 class PictureSheet {
 public:
   /** \param[in] width of a picture, px
    * \param[in] height of a picture, px
-   * \param[in] smaller how many times smaller it becomes */
+   * \param[in] smaller divisor of the size */
   PictureSheet(int columns, int rows, int width, int height, int smaller);
 
-  /** \param[in] image in colour or grey, of the set size */
+  /** \param[in] image in colour or grey, of the given size */
   void
   put(int column, int row, const CameraImage& image);
 
-  /** \throws OutputFileException when it could not be written */
+  /** \throws OutputFileException when the file could not be written */
   void
   save(const std::string& path) const;
 

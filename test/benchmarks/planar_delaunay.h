@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief CGAL's Delaunay triangulation of x and y alone, on one thread: what a mesher in
- * space can hardly undercut.
+/** \brief CGAL's 2D Delaunay triangulation of x and y, on one thread: an approximate
+ * lower bound for 3D meshing methods.
  * \return number of triangles */
 std::size_t
 planarDelaunay(const PointView& points);

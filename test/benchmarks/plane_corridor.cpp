@@ -10,7 +10,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** What our figures should reach; every plane that counts should be found. */
+/** Targets for acmap; every plane that counts should be found. */
 struct PlaneReach {
   double spurious = no_reach;
   double angle = no_reach;  // degrees

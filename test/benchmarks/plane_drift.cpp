@@ -12,7 +12,8 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Moves each observation as a random walk of poses would that nobody has straightened.
+/** Moves each observation by a random walk, which simulates poses without
+ * rectification.
  * \param[in] step standard deviation along each axis from one observation to the next,
  * metres */
 void

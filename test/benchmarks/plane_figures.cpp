@@ -30,7 +30,8 @@ main(int argc, char** argv)
   if (const auto exit_code = Sections::read(argc, argv, known, usage, sections))
     return *exit_code;
 
-  // The last sample consensus finds nothing in the points that are left, and says so.
+  // The last sample consensus finds nothing in the remaining points and prints an
+  // error.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   NamedFinders finders = peers();
   finders.insert(finders.begin(), {"acmap", findAcmapPlanes, true});

@@ -13,28 +13,28 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What a finder of planes gives. */
+/** \brief Result of a plane detection method. */
 struct FoundPlanes {
   std::vector<Eigen::Vector4d> planes; ///< unit normal n and d: n.p + d = 0, metres
-  std::vector<std::int32_t> labels;    ///< for each point index of its plane, -1 none
-  double seconds = 0;                  ///< CPU of the calling thread, all in
+  std::vector<std::int32_t> labels;    ///< plane of each point, -1 for none
+  double seconds = 0;                  ///< total CPU time of the calling thread
 };
 
 using PlaneFinder = std::function<FoundPlanes(const PlaneInput&)>;
 
-/** \brief A finder as it appears in the tables. */
+/** \brief A method with its name in the tables. */
 struct NamedFinder {
   std::string name;
   PlaneFinder find;
-  bool is_ours = false; ///< its figures stand beside what they should reach
+  bool is_ours = false; ///< its figures are compared with targets
 
-  /** \brief Larger clouds take it too long, and are left out. */
+  /** Larger clouds would take too long and are skipped. */
   std::size_t most_points = std::numeric_limits<std::size_t>::max();
 
   bool is_slow = false; ///< takes several seconds for a view of 300,000 points
 };
 
-/** \brief Runs a function that gives found planes, and notes what it took. */
+/** \brief Runs a function that returns planes, and measures its time. */
 template <typename Function>
 FoundPlanes
 timedPlanes(const Function& find)
@@ -45,11 +45,11 @@ timedPlanes(const Function& find)
   return found;
 }
 
-/** \brief The methods of PCL and, where it is there, of CGAL. */
+/** \brief The methods of PCL and, if available, of CGAL. */
 std::vector<NamedFinder>
 peers();
 
-/** \brief Runs a finder; three times if it is fast, and then tells the median time. */
+/** \brief Runs a method; fast ones run three times, and the median time is returned. */
 FoundPlanes
 findPlanes(const NamedFinder& finder, const PlaneInput& input);
 

@@ -12,44 +12,46 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A cloud in which planes are looked for, with what a finder may know of it:
- * lengths are in metres. All points are finite. */
+/** \brief A cloud for plane detection, with prior knowledge for the methods. Lengths
+ * are in metres; all points are finite. */
 struct PlaneInput {
   PointCloud<PointXYZ>::Ptr points;
 
-  /** \brief Places of the sensors; empty where they are unknown. */
+  /** \brief Sensor positions; empty if unknown. */
   std::vector<Eigen::Vector3f> origins;
 
-  /** \brief For each point the sensor that saw it; empty where the first one saw all. */
+  /** \brief Sensor of each point; empty if the first one observed all points. */
   std::vector<std::int32_t> views;
 
   double sigma = 0;   ///< noise across the surface
   double spacing = 0; ///< of the points
 
-  /** \brief How far peers, which have one limit for a whole cloud, let a point lie off its
-   * plane. */
+  /** \brief Maximum distance of a point from its plane for peers, which have one limit
+   * per cloud. */
   double tolerance = 0;
 
-  /** \brief Valid as long as the input is. */
+  /** \brief Valid during the lifetime of the input. */
   SensorView
   sensors() const;
 
-  /** \brief Points of the smallest plane that peers look for: \ref largeCount. */
+  /** \brief Minimum number of points of a plane for the peers: \ref largeCount. */
   std::size_t
   leastSupport() const;
 };
 
-/** \brief The tolerance for a known noise: three sigma, or 2 mm if that is more. */
+/** \brief Tolerance for a known noise: three sigma, but at least 2 mm. */
 double
 toleranceFor(double sigma);
 
-/** \brief Measures sigma and spacing of a cloud of finite points, and has the tolerance follow. */
+/** \brief Estimates sigma and spacing of a cloud of finite points, and sets the
+ * tolerance. */
 PlaneInput
 makePlaneInput(const PointCloud<PointXYZ>::Ptr& points,
                std::vector<Eigen::Vector3f> origins,
                std::vector<std::int32_t> views);
 
-/** \brief From so many points on a plane in a cloud of \a size counts as large: 0.3 %. */
+/** \brief Minimum number of points of a large plane in a cloud of \a size points: 0.3
+ * %. */
 std::size_t
 largeCount(std::size_t size);
 

@@ -10,25 +10,27 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A found plane that deviates more is not the true one. */
+/** \brief Maximum deviations of a detected plane from its true plane. */
 struct PlaneLimits {
   double angle = 2;     ///< degrees
   double offset = 0.02; ///< metres, at the centroid of the true plane's points
 };
 
-/** \brief What a found plane deviates by from the true one. */
+/** \brief Deviation of a detected plane from the true one. */
 struct PlaneDeviation {
-  double angle = 0;  ///< degrees, whatever the signs of the normals
+  double angle = 0;  ///< degrees, independent of the signs of the normals
   double offset = 0; ///< metres, at the centroid of the true plane's points
 };
 
-/** \brief Which true plane is found by which found one. */
+/** \brief Assignment of detected planes to true planes. */
 struct PlaneMatches {
-  std::vector<std::int32_t> finder;      ///< for each true plane, -1 for none
-  std::vector<PlaneDeviation> deviation; ///< of these
-  std::size_t spurious = 0;   ///< less than half from one true plane, or too far off it
-  std::size_t astray = 0;     ///< of these the ones that are only too far off
-  std::size_t duplicates = 0; ///< of true planes that others found with more points
+  std::vector<std::int32_t> finder;      ///< detected plane of each true plane, -1 for
+                                         ///< none
+  std::vector<PlaneDeviation> deviation; ///< of these pairs
+  std::size_t spurious = 0;   ///< less than half from one true plane, or too large a
+                              ///< deviation
+  std::size_t astray = 0;     ///< of these, those with only too large a deviation
+  std::size_t duplicates = 0; ///< of true planes for which others have more points
 };
 
 PlaneMatches

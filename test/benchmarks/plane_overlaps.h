@@ -6,10 +6,10 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief How many points found planes and true ones have in common. */
+/** \brief Numbers of points that detected and true planes have in common. */
 class PlaneOverlaps {
 public:
-  /** \param[in] truth,found for each point index of its plane, -1 for none */
+  /** \param[in] truth,found plane of each point, -1 for none */
   PlaneOverlaps(const std::vector<std::int32_t>& truth,
                 std::size_t truth_planes,
                 const std::vector<std::int32_t>& found,
@@ -40,18 +40,18 @@ public:
     return truth_sizes_[truth];
   }
 
-  /** \brief All points of a found plane. */
+  /** \brief All points of a detected plane. */
   std::size_t
   foundSize(std::size_t found) const
   {
     return found_sizes_[found];
   }
 
-  /** \brief Points of a found plane that belong to some true one. */
+  /** \brief Points of a detected plane that belong to any true plane. */
   std::size_t
   labelledSize(std::size_t found) const;
 
-  /** \brief The true plane with most points of a found one, -1 for none. */
+  /** \brief The true plane with most points of a detected one, -1 for none. */
   std::int32_t
   majority(std::size_t found) const;
 

@@ -10,7 +10,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Counts what concerns some of the true planes. */
+/** Statistics of a subset of the true planes. */
 class Selection {
 public:
   Selection(const PlaneCase& plane_case,

@@ -17,7 +17,7 @@ constexpr double grid = 0.01; // metres
 
 struct Shape {
   std::string name;
-  std::size_t planes; // that are there
+  std::size_t planes; // true number of planes
   PlaneInput input;
 };
 
@@ -48,7 +48,7 @@ makeBoards(double distance, double noise)
   return points;
 }
 
-/** A wall 4 m wide and 2.5 m high that bends with a radius of 8 m. */
+/** A wall 4 m wide and 2.5 m high, curved with a radius of 8 m. */
 PointCloud<PointXYZ>::Ptr
 makeCurvedWall(double noise)
 {

@@ -11,11 +11,11 @@ using NamedFinders = std::vector<NamedFinder>;
 void
 printViewPlanes(const SceneData& corridor, const NamedFinders& finders);
 
-/** \brief Views all along the corridor, summed up. */
+/** \brief Sums over views along the whole corridor. */
 void
 printAllViewsPlanes(const SceneData& corridor, const NamedFinders& finders);
 
-/** \brief The same view as a camera sees it whose disparities are off by half a pixel. */
+/** \brief The same view with disparity noise of half a pixel. */
 void
 printNoisyViewPlanes(const SceneData& corridor, const NamedFinders& finders);
 
@@ -27,12 +27,11 @@ printMillionPlanes(SceneData& corridor, const NamedFinders& finders);
 void
 printWholePlanes(SceneData& corridor, const NamedFinders& finders);
 
-/** \brief Maps whose poses drift: how often one plane comes as several. */
+/** \brief Maps with drifting poses: how often is a plane split into several? */
 void
 printDriftPlanes(const NamedFinder& finder);
 
-/** \brief Boards and a curved wall: how many planes are found where it is plain how many
- * there are. */
+/** \brief Boards and a curved wall, for which the number of planes is known. */
 void
 printShapePlanes(const NamedFinders& finders);
 

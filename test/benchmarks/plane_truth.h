@@ -9,13 +9,13 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The planes that really are in a cloud, in its frame. */
+/** \brief The true planes of a cloud, in its frame. */
 struct PlaneTruth {
   std::vector<TruthPlane> planes;
-  std::vector<std::int32_t> labels; ///< for each point index of its plane, -1 none
+  std::vector<std::int32_t> labels; ///< plane of each point, -1 for none
 };
 
-/** \brief A simulated cloud in which planes are looked for. */
+/** \brief A simulated cloud for plane detection, with its truth. */
 struct PlaneCase {
   std::string name;
   PlaneInput input;
@@ -29,7 +29,7 @@ makePlaneCase(const SimulatedCloud& cloud);
 bool
 isMainPlane(const TruthPlane& plane);
 
-/** \brief The common planes of the doors on a side. */
+/** \brief The common planes of the doors on one side of the corridor. */
 bool
 isDoorPlane(const TruthPlane& plane);
 

@@ -11,7 +11,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** Sums over views. */
+/** Sums over several views. */
 struct ViewsScore {
   std::string name;
   FoundShare main, large;
@@ -31,7 +31,7 @@ struct ViewsScore {
     large.there += view.large.there;
     spurious += view.spurious;
     duplicates += view.duplicates;
-    // not a number where a view has none of them
+    // fmax ignores NaN, for views without main planes
     largest_angle = std::fmax(largest_angle, view.main_errors.largest_angle);
     largest_offset = std::fmax(largest_offset, view.main_errors.largest_offset);
     labels += view.large_labels;

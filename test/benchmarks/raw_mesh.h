@@ -11,8 +11,8 @@ struct RawMesh {
   DeWallReport report;
 };
 
-/** \brief Meshes points of which nothing else is known: automatic edge length, neither
- * normals nor sensors. */
+/** \brief Meshes points without prior knowledge: automatic edge length, no normals or
+ * sensors. */
 RawMesh
 meshRaw(const PointView& points, DeWallRule rule, unsigned threads = 1);
 

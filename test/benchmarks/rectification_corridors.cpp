@@ -14,10 +14,10 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** A run beside the peers. */
+/** A run of acmap and of the peers. */
 struct CorridorRun {
   RectificationRun ours;
-  PeerRun lum, elch; ///< elch without poses where there is no loop
+  PeerRun lum, elch; ///< elch has no poses if there is no loop
   double lum_ratio = 0, elch_ratio = no_reach;
 };
 
@@ -103,7 +103,7 @@ lengthOf(const std::vector<PlanarPose>& poses)
   return std::hypot(poses.back().x - poses.front().x, poses.back().z - poses.front().z);
 }
 
-/** How many percent longer one way is than another, from begin to end. */
+/** Relative difference of the distances from the first to the last pose, percent. */
 double
 excess(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& other)
 {

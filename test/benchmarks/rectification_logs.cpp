@@ -12,7 +12,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::uint64_t seeds = 3;
-constexpr double failure = 0.5; ///< ratio above which a map was not straightened
+constexpr double failure = 0.5; ///< ratio above which the rectification of a map failed
 
 using Maps = std::vector<RectificationMap>;
 using Runs = std::vector<RectificationRun>;
@@ -56,7 +56,8 @@ printRun(const RectificationRun& run)
       .print();
 }
 
-/** Each map with each seed, told as they end; the remark goes into their names. */
+/** Runs each map with each seed and prints the results one by one; the remark becomes
+ * part of their names. */
 Runs
 runAll(const Maps& maps,
        double level,
@@ -92,7 +93,7 @@ largest(const std::vector<double>& values)
   return *std::max_element(values.begin(), values.end());
 }
 
-/** The runs above a ratio, by name. */
+/** Names of the runs whose ratio is above a limit. */
 std::string
 namesAbove(const Runs& runs, double ratio)
 {
@@ -115,12 +116,12 @@ countAbove(const Runs& runs, double ratio)
       }));
 }
 
-/** What some runs should reach. */
+/** Targets for a group of runs. */
 struct RunsReach {
   double median = no_reach, failures = no_reach, worse = no_reach, seconds = no_reach;
 };
 
-/** Some runs that are summed up in one row. */
+/** Runs that are summarized in one row. */
 struct RunGroup {
   std::string name;
   Runs runs;
@@ -236,7 +237,7 @@ printConstants()
   std::cout << "\n### Laser logs, other constants\n";
   struct Variant {
     std::string name;
-    double entropy_weight, odometry_noise; ///< times the usual
+    double entropy_weight, odometry_noise; ///< factors of the default values
   };
   const Maps logs = makeLogMaps();
   printRunsHead();

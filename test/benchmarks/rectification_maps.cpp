@@ -12,7 +12,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** A log, of which every Nth scan is taken. */
+/** A log of which every Nth scan is used. */
 struct LogPart {
   std::string name;
   std::size_t every;
@@ -80,7 +80,7 @@ RectificationMap
 makeSceneMap(const SimulatedScene& scene)
 {
   constexpr double voxel = 0.06; // metres
-  constexpr double usual = 0.05; // metres; a voxel of this weighs 1
+  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
   constexpr float weight = voxel * voxel / (usual * usual);
   RectificationMap map;
   map.name = scene.name;

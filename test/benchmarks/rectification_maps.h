@@ -10,31 +10,31 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Observations whose true poses are known. */
+/** \brief Observations with known true poses. */
 struct RectificationMap {
   std::string name;
-  std::vector<PointCloud<PointNormal>::Ptr> clouds; ///< metres, sensors' frames
-  std::vector<std::vector<float>> weights;          ///< one a point
+  std::vector<PointCloud<PointNormal>::Ptr> clouds; ///< metres, sensor frames
+  std::vector<std::vector<float>> weights;          ///< one per point
   std::vector<PlanarPose> truth;
-  double bin_size = 0.1; ///< metres, as the tool has it for such observations
-  double consolidation_seconds = 0; ///< CPU, of all observations
+  double bin_size = 0.1; ///< metres, the tool's default for such observations
+  double consolidation_seconds = 0; ///< CPU time for all observations
 };
 
-/** \brief The laser logs for which figures were set, about 200 scans of each; those that
- * are not there are left out, with a word on stderr. */
+/** \brief The laser logs for which there are targets, about 200 scans of each; missing
+ * ones are reported on stderr and skipped. */
 std::vector<RectificationMap>
 makeLogMaps();
 
-/** \brief A long corridor, of which no figure was known when the search was made. */
+/** \brief A long corridor that was not used during the development of the search. */
 std::vector<RectificationMap>
 makeLongLogMaps();
 
-/** \brief All views of a scene, each consolidated for itself; poses in the scene's frame. */
+/** \brief All views of a scene, consolidated one by one; poses in the scene frame. */
 RectificationMap
 makeSceneMap(const SimulatedScene& scene);
 
-/** \brief 40 views of a corridor that is the same everywhere and has no end: nothing tells
- * how far along it the camera is. */
+/** \brief 40 views of an endless uniform corridor: the position along it is not
+ * observable. */
 SimulatedScene
 bareCorridor();
 

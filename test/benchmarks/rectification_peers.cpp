@@ -14,12 +14,14 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double largest_distance = 0.3; ///< metres, of corresponding points
+constexpr double largest_distance = 0.3; ///< maximum distance of corresponding points,
+                                         ///< metres
 
 using Points = PointCloud<PointXYZ>;
 
-/** The clouds as the given poses have them, in the frame of the first one. Both methods
- * move clouds that lie nearly right: so LUM's Euler angles stay small. */
+/** The clouds transformed by the given poses, in the frame of the first one. Both
+ * methods then only compute small corrections, so that LUM's Euler angles stay
+ * small. */
 std::vector<Points::Ptr>
 placedClouds(const RectificationMap& map, const std::vector<PlanarPose>& given)
 {

@@ -10,25 +10,26 @@ namespace pcl::acmap::bench {
 /** \brief Pairs of observations, the earlier one first. */
 using ObservationPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/** \brief What a method of PCL found. */
+/** \brief Result of a PCL method. */
 struct PeerRun {
   std::vector<PlanarPose> poses;
-  double seconds = 0; ///< CPU, on one thread
+  double seconds = 0; ///< CPU time on one thread
 };
 
-/** \brief Neighbours, and those that truly look at the same place at another time. */
+/** \brief Neighbours, and pairs that truly observe the same place at different
+ * times. */
 ObservationPairs
 truePairs(const RectificationMap& map);
 
-/** \brief registration::LUM, used as PCL's tool does: in turn it finds nearest neighbours
- * within 0.3 m in the given pairs and solves for the poses, five times. */
+/** \brief registration::LUM as in PCL's tool: alternates five times between nearest
+ * neighbours within 0.3 m in the given pairs and solving for the poses. */
 PeerRun
 runLum(const RectificationMap& map,
        const std::vector<PlanarPose>& given,
        const ObservationPairs& pairs);
 
-/** \brief registration::ELCH with the first and the last observation as ends of the loop,
- * closed by ICP of correspondences within 0.3 m. */
+/** \brief registration::ELCH with the first and the last observation as the loop ends,
+ * which are registered by ICP with correspondences within 0.3 m. */
 PeerRun
 runElch(const RectificationMap& map, const std::vector<PlanarPose>& given);
 

@@ -12,33 +12,33 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What an odometry errs by, one standard deviation for an action of length l and
- * turn dtheta. */
+/** \brief Odometry noise: standard deviations for an action of length l and turn
+ * dtheta. */
 struct Drift {
-  double length = 0;           ///< metres, on dx and on dz, of any action
-  double length_per_metre = 0; ///< added for each metre of l
-  double turn = 0;             ///< radians, of any action
-  double turn_per_radian = 0;  ///< added for each radian of |dtheta|
+  double length = 0;           ///< metres, of dx and dz, for any action
+  double length_per_metre = 0; ///< added per metre of l
+  double turn = 0;             ///< radians, for any action
+  double turn_per_radian = 0;  ///< added per radian of |dtheta|
   double turn_bias = 0;        ///< radians, the same for each action
 };
 
-/** \brief A wheeled robot's; level 1 is a usual one, others are so many times as bad. */
+/** \brief Noise of a wheeled robot; level 1 is typical, other levels are factors. */
 Drift
 robotDrift(double level);
 
-/** \brief A camera's: 1 % of the length and 0.2 degrees from view to view. */
+/** \brief Noise of a camera: 1 % of the length and 0.2 degrees from view to view. */
 Drift
 cameraDrift();
 
-/** \brief The poses that such an odometry tells, from the true first one on. */
+/** \brief Poses from simulated odometry, starting with the true first pose. */
 std::vector<PlanarPose>
 drifted(const std::vector<PlanarPose>& truth, const Drift& drift, std::uint64_t seed);
 
-/** \brief A map rectified. */
+/** \brief Result of rectifying a map. */
 struct RectificationRun {
   std::string name; ///< of the map, with level and seed
   std::vector<PlanarPose> given, found;
-  AbsoluteTrajectoryError before, after; ///< the first pose is the true one
+  AbsoluteTrajectoryError before, after; ///< with the true first pose
   EntropyRectificationReport report;
   double seconds = 0; ///< CPU
 
@@ -57,8 +57,8 @@ struct RectificationRun {
 
 using Rectification = EntropyRectification<PointNormal>;
 
-/** \brief Rectifies on one thread.
- * \param[in] configure sets what is not as usual */
+/** \brief Rectifies a map on one thread.
+ * \param[in] configure changes default settings */
 RectificationRun
 rectifyMap(const RectificationMap& map,
            const std::vector<PlanarPose>& given,

@@ -2,31 +2,32 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Laser logs with the drift of robots, half, once and twice as much as usual. */
+/** \brief Laser logs with robot drift of half, once and twice the typical level. */
 void
 printLogs();
 
-/** \brief The same with four times the drift: no run may make a map worse. */
+/** \brief As above with four times the drift: no run may degrade a map. */
 void
 printStrongDrift();
 
-/** \brief Other weights of the entropy, other notions of the odometry's noise. */
+/** \brief Other weights of the entropy, and other assumptions about the odometry
+ * noise. */
 void
 printConstants();
 
-/** \brief The runs of \ref printLogs by the paper's search. */
+/** \brief The runs of \ref printLogs with the search of the paper. */
 void
 printPaperMode();
 
-/** \brief Simulated corridors beside PCL's LUM and ELCH. */
+/** \brief Simulated corridors, compared with PCL's LUM and ELCH. */
 void
 printCorridors();
 
-/** \brief Maps that are right already. */
+/** \brief Maps that are already correct. */
 void
 printPerfect();
 
-/** \brief Time and memory of a map of the paper's size. */
+/** \brief Time and memory for a map of the paper's size. */
 void
 printSize();
 

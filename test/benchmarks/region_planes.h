@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Gives each region the plane of least squares through its points; what finds
- * regions tells no plane, or a rough one. */
+/** \brief Fits a least-squares plane to the points of each region, because the region
+ * methods return no plane or an inaccurate one. */
 FoundPlanes
 planesOfRegions(const PlaneInput& input, const std::vector<Indices>& regions);
 

@@ -19,7 +19,7 @@ makeTruthSurface(const SimulatedRectangle& rectangle, std::int32_t plane, double
   surface.unit_v = rectangle.edge_v.normalized();
   surface.normal = rectangle.normal();
   surface.size = {rectangle.edge_u.norm(), rectangle.edge_v.norm()};
-  // lengths that are multiples of the cell must not gain one by rounding
+  // multiples of the cell must not get an extra cell because of rounding
   surface.cells = (surface.size.array() / cell - 1e-6).ceil().max(1.0).cast<int>();
   surface.visible.assign(static_cast<std::size_t>(surface.cells.prod()), 0);
   return surface;

@@ -9,22 +9,22 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A rectangle of a scene with a raster of what was seen of it. Scene frame. */
+/** \brief A rectangle of a scene with a raster of its observed part. Scene frame. */
 struct TruthSurface {
   SimulatedRectangle rectangle;
   std::int32_t plane = -1; ///< index of the truth plane
   Eigen::Vector3d unit_u;
   Eigen::Vector3d unit_v;
-  Eigen::Vector3d normal; ///< unit, to the side it is seen from
+  Eigen::Vector3d normal; ///< unit, towards the observed side
   Eigen::Vector2d size;   ///< metres
   Eigen::Vector2i cells;
-  std::vector<std::uint8_t> visible; ///< by u, then v
+  std::vector<std::uint8_t> visible; ///< see cellIndex
 
-  /** \brief Metres along u, along v and off the surface. */
+  /** \brief Metres along u, along v and along the normal. */
   Eigen::Vector3d
   coordinates(const Eigen::Vector3d& point) const;
 
-  /** \brief To the nearest point of the rectangle. */
+  /** \brief Distance to the nearest point of the rectangle. */
   double
   distance(const Eigen::Vector3d& point) const;
 
@@ -42,16 +42,16 @@ struct TruthSurface {
   cellCenter(int i, int j) const;
 };
 
-/** \brief The rectangles of a simulated scene, and which part of them its views show: what
- * a mesh of the scene is held against. Curved surfaces are left out. */
+/** \brief The rectangles of a simulated scene with the parts that its views show: the
+ * reference for meshes of the scene. Curved surfaces are ignored. */
 class SceneTruth {
 public:
-  /** \param[in] cell edge of the raster's cells, metres; slightly less where an edge of a
-   * rectangle is no multiple of it */
+  /** \param[in] cell edge of the raster's cells, metres; slightly reduced if an edge of
+   * a rectangle is not a multiple of it */
   explicit SceneTruth(const SimulatedScene& scene, double cell = 0.02);
 
-  /** \brief Marks what a view sees within its reach.
-   * \param[in] factor how many times the pixels of the rig along each axis */
+  /** \brief Marks what a view sees within its range.
+   * \param[in] factor of the rig's resolution along each axis */
   void
   see(const SimulatedScene& scene, std::size_t view, int factor);
 
@@ -61,15 +61,15 @@ public:
     return surfaces_;
   }
 
-  /** \brief Square metres seen. */
+  /** \brief Observed area in square metres. */
   double
   visibleArea() const;
 
   const TruthSurface&
   nearest(const Eigen::Vector3d& point) const;
 
-  /** \brief Distance to the nearest surface of another plane than that of \a own.
-   * \param[in] parallel whether surfaces that lie parallel to it count */
+  /** \brief Distance to the nearest surface that belongs to another plane than \a own.
+   * \param[in] parallel do parallel surfaces count? */
   double
   distanceToOthers(const Eigen::Vector3d& point,
                    const TruthSurface& own,
@@ -77,11 +77,12 @@ public:
 
 private:
   std::vector<TruthSurface> surfaces_;
-  std::vector<std::int32_t> of_scene_; ///< for each of the scene its place here, or -1
+  std::vector<std::int32_t> of_scene_; ///< index here of each surface of the scene, or
+                                       ///< -1
 };
 
-/** \brief So far from another plane a surface is clear of the crease: a voxel and two
- * standard deviations of the noise. */
+/** \brief Distance from other planes at which a surface is not affected by creases: a
+ * voxel plus two standard deviations of the noise. */
 double
 creaseMargin(double voxel);
 

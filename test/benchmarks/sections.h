@@ -7,11 +7,12 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The parts of a benchmark that its command line names; without a name all. */
+/** \brief The sections of a benchmark selected on the command line; all if none is
+ * given. */
 class Sections {
 public:
-  /** \brief Reads the command line; where a name is not known, tells the usage and the
-   * exit code to end with. */
+  /** \brief Reads the command line; for unknown names prints the usage and returns the
+   * exit code. */
   static std::optional<int>
   read(int argc,
        char** argv,
@@ -38,13 +39,13 @@ private:
   std::set<std::string> asked_;
 };
 
-/** \brief A part that prints tables. */
+/** \brief A section that prints tables. */
 struct Part {
   const char* name;
   void (*print)();
 };
 
-/** \brief Prints the parts that the command line names.
+/** \brief Prints the sections selected on the command line.
  * \return exit code */
 template <typename Parts>
 int

@@ -15,7 +15,7 @@ isMost(std::size_t part, std::size_t whole)
   return part > 0 && static_cast<double>(part) >= overlap * static_cast<double>(whole);
 }
 
-/** What became of each plane; a plane is told once, in the order of the passes. */
+/** Classifies each plane once, in the order of the passes. */
 class Comparison {
 public:
   explicit Comparison(const PlaneOverlaps& overlaps)

@@ -32,7 +32,7 @@ mirroredOf(const cv::Mat& image)
   return other;
 }
 
-/** With columns on the left that tell nothing. */
+/** Adds constant columns on the left. */
 cv::Mat
 widened(const cv::Mat& image, int columns)
 {
@@ -44,7 +44,7 @@ widened(const cv::Mat& image, int columns)
 cv::Ptr<cv::StereoSGBM>
 matcherOf(const SgbmSetting& setting)
 {
-  constexpr int small_step = 8, large_step = 32; // penalties, as OpenCV's samples
+  constexpr int small_step = 8, large_step = 32; // penalties of OpenCV's samples
   constexpr int uniqueness = 5, speckle_size = 100, speckle_range = 2, check = 1;
   constexpr int block = 5, area = block * block;
   const auto matcher = cv::StereoSGBM::create(
@@ -84,7 +84,7 @@ sgbmDisparity(const TrinocularFrame& frame,
   cv::Mat reference = greyOf(frame.image(RigCamera::Reference));
   cv::Mat neighbour = greyOf(frame.image(RigCamera::Horizontal));
   const bool mirrored =
-      rig.baseline_horizontal < 0; // it takes the left one as reference
+      rig.baseline_horizontal < 0; // SGBM uses the left image as reference
   if (mirrored) {
     reference = mirroredOf(reference);
     neighbour = mirroredOf(neighbour);

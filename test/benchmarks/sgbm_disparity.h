@@ -8,29 +8,29 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief How OpenCV's StereoSGBM is called. */
+/** \brief Parameters of OpenCV's StereoSGBM. */
 struct SgbmSetting {
   int least = 0;        ///< px
   int disparities = 64; ///< a multiple of 16
-  int prefilter = 15;   ///< grey levels, where its gradients are cut off; its default
+  int prefilter = 15;   ///< grey levels, clipping of its gradients; the default
 
   /** \brief Uniqueness (5 %), speckles (100 px, 2 px) and the left-right check (1 px);
-   * else only what cannot be switched off. */
+   * false: only those that cannot be switched off. */
   bool filters = true;
 
-  /** \brief Whether the images are widened by the largest disparity: it leaves as many
-   * columns empty that others search. */
+  /** \brief Widens the images by the maximum disparity, because SGBM leaves this number
+   * of columns empty. */
   bool padded = true;
 };
 
-/** \brief Disparities of the reference and its horizontal neighbour by OpenCV's
- * semi-global block matching, of their grey images. */
+/** \brief Disparities of the reference and its horizontal neighbour from OpenCV's
+ * semi-global block matching of their grey images. */
 DisparityImage
 sgbmDisparity(const TrinocularFrame& frame,
               const TrinocularRig& rig,
               const SgbmSetting& setting);
 
-/** \brief Of each shot. */
+/** \brief As above for each shot. */
 std::vector<DisparityImage>
 sgbmDisparities(const std::vector<TrinocularFrame::ConstPtr>& frames,
                 const TrinocularRig& rig,

@@ -42,7 +42,7 @@ markDisc(const TruthSurface& surface,
         raster[surface.cellIndex(i, j)] = 1;
 }
 
-/** Adds the visible and the marked cells of a surface. */
+/** Counts the visible and the marked cells of a surface. */
 void
 countCells(const SceneTruth& truth,
            const TruthSurface& surface,

@@ -6,19 +6,20 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief How representatives lie on one plane of the truth, away from where others that
- * are not parallel to it meet it. */
+/** \brief Comparison of representatives with one true plane, except near other planes
+ * that are not parallel to it. */
 struct SheetFigures {
   std::size_t representatives = 0;
-  double cover = 0; ///< percent of what is seen of it with one, turned as it, near
+  double cover = 0; ///< percentage of its visible part with a representative of the
+                    ///< same orientation nearby
   double depth_error = 0; ///< mean distance, metres
   double p95_depth_error = 0;
-  double shift = 0;  ///< mean distance towards the side it is seen from, metres
-  double turned = 0; ///< percent with a normal into it
+  double shift = 0;  ///< mean distance towards the observed side, metres
+  double turned = 0; ///< percentage of normals that point into the surface
 };
 
-/** \brief Representatives belong to the surface nearest to them. One covers what lies
- * within a voxel of it along the surface and 3 cm off it. */
+/** \brief Representatives belong to the nearest surface. Each one covers the area
+ * within a voxel along the surface if its distance to the surface is at most 3 cm. */
 SheetFigures
 measureSheet(const SceneTruth& truth,
              std::int32_t plane,

@@ -16,7 +16,7 @@ namespace pcl::acmap::bench {
 /** \brief A cloud of a simulated scene with its truth. */
 struct SimulatedCloud {
   std::string name;
-  MergedObservations merged; ///< points and planes in the cloud's frame
+  MergedObservations merged; ///< points and planes in the frame of the cloud
   Eigen::Isometry3d T_scene_cloud = Eigen::Isometry3d::Identity();
 
   std::size_t
@@ -38,7 +38,7 @@ struct SimulatedCloud {
   colors() const;
 };
 
-/** \brief One view in the frame of its camera. */
+/** \brief One view in its camera frame. */
 SimulatedCloud
 makeViewCloud(const SimulatedScene& scene, std::size_t view);
 
@@ -46,12 +46,12 @@ makeViewCloud(const SimulatedScene& scene, std::size_t view);
 SimulatedCloud
 makeSceneCloud(const SimulatedScene& scene);
 
-/** \brief A seeded random part of a cloud, in its order. */
+/** \brief A seeded random subset of a cloud, in the same order. */
 SimulatedCloud
 makeRandomPart(const SimulatedCloud& cloud, std::size_t size, std::uint64_t seed);
 
-/** \brief The first \a size points along z of the scene, in the order of the cloud: a piece
- * as dense as the whole.
+/** \brief The first \a size points along z of the scene, in the order of the cloud: a
+ * crop with the density of the whole cloud.
  * \param[in] size at least 1 */
 SimulatedCloud
 makeCrop(const SimulatedCloud& cloud, std::size_t size);
@@ -61,12 +61,12 @@ makeCrop(const SimulatedCloud& cloud, std::size_t size);
 Consolidation
 consolidate(const SimulatedCloud& cloud, double voxel, ConsolidationReport& report);
 
-/** \brief "5 cm", or "automatic" for 0. */
+/** \brief Such as "5 cm", or "automatic" for 0. */
 std::string
 voxelName(double voxel);
 
-/** \brief A scene with all its points and the truth of all its views, made when they are
- * first asked for and then kept. */
+/** \brief A scene with all its points and the truth of all its views, which are
+ * computed when first requested and then cached. */
 class SceneData {
 public:
   explicit SceneData(const std::string& standard_scene);

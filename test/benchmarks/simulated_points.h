@@ -7,11 +7,11 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The coordinates alone, as PCL's point clouds. */
+/** \brief Only the coordinates, as a PCL cloud. */
 PointCloud<PointXYZ>::Ptr
 plainPoints(const SimulatedCloud& cloud);
 
-/** \brief With colour and view, as a map has them. */
+/** \brief Points with colour and view, as in a map. */
 PointCloud<PointXYZRGBNormalView>::Ptr
 mapPoints(const SimulatedCloud& cloud);
 

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-/** Two colours and hardly any grain: stereo finds nothing on it. */
+/** Two colours with hardly any grain, on which stereo finds nothing without
+ * patterns. */
 constexpr SurfaceLook wall_look{{168, 166, 160}, 2.0};
 constexpr SurfaceLook box_look{{142, 150, 160}, 2.0};
 
@@ -20,7 +21,7 @@ addWall(SimulatedScene& scene)
       "wall", "wall", {{-8, 4, 3}, {16, 0, 0}, {0, -8, 0}}, wall_look);
 }
 
-/** A camera that looks at the wall from askew. */
+/** Pose of a camera that looks at the wall obliquely. */
 Eigen::Isometry3d
 lookFrom(double x, double y, double yaw, double pitch)
 {

@@ -25,7 +25,7 @@ constexpr char usage[] =
 
 constexpr std::uint32_t patterns = 10; // as in the paper
 constexpr std::uint64_t seed = 1;
-constexpr double most_seconds = 1.0; // CPU, an observation
+constexpr double most_seconds = 1.0; // CPU, per observation
 
 std::vector<RgbImage>
 drawPatterns()
@@ -45,7 +45,7 @@ simulationOf(const std::string& name)
   return RigSimulation(std::move(scene), drawPatterns(), {}, std::move(cameras));
 }
 
-/** What an observation takes, CPU seconds of one thread. */
+/** CPU seconds of an observation on one thread. */
 struct ShotCosts {
   double cast, shade, noise, truth;
 };
@@ -98,7 +98,7 @@ printTimes(const std::string& name)
       .print();
 }
 
-/** Every shot of the corridor, taken and let go. */
+/** Simulates every shot of the corridor without storing it. */
 void
 printSession()
 {

@@ -7,7 +7,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The value that \a share of all values do not exceed; NaN of nothing. */
+/** \brief The value that a fraction \a share of all values do not exceed; NaN if there
+ * are none. */
 inline double
 quantile(std::vector<double> values, double share)
 {

@@ -15,17 +15,17 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** As it is often called, and as it is best here. */
+/** A common setting, and the best one here. */
 constexpr std::array<int, 2> sgbm_prefilters = {31, 63};
 
-/** What a method should reach. */
+/** Targets for a method. */
 struct Reach {
   double bad = no_reach;   // %
   double error = no_reach; // px, median
   double rms = no_reach;   // px
 };
 
-/** Disparities of several runs of a method, against the truth. */
+/** Errors of the disparities of several runs of a method. */
 class MethodErrors {
 public:
   explicit MethodErrors(const StereoShots& bag)
@@ -97,7 +97,7 @@ printSgbm(const std::string& name,
   fused.print(method + "median", images.size());
 }
 
-/** As many shots at a time, all of them in turn. */
+/** Matches groups of this number of shots, until all have been used. */
 void
 printTogether(const StereoShots& bag, std::size_t shots, const Reach& reach)
 {
@@ -133,7 +133,7 @@ printFused(const std::string& name,
   errors.print("acmap, " + name, bag.frames.size(), reach);
 }
 
-/** Sensor noise on top of what the images have. */
+/** Adds sensor noise to an image. */
 CameraImage
 noisy(CameraImage image, Random& random)
 {

@@ -6,25 +6,25 @@
 
 namespace pcl::acmap::bench {
 
-inline constexpr int bag_least = 48;       ///< px, where the search begins
-inline constexpr int bag_disparities = 64; ///< px, how far it goes
+inline constexpr int bag_least = 48;       ///< px, start of the search range
+inline constexpr int bag_disparities = 64; ///< px, size of the search range
 
-/** \brief Whether the bag's images are there; says so where they are not. */
+/** \brief Do the images of the bag exist? Prints a message if not. */
 bool
 hasBag(const char* section);
 
-/** \brief A bag before a wall under ten patterns of random lines, seen by two cameras. The
- * images are computed from 46 real captures under Gray-code patterns, since light adds up,
- * and so have less noise than real shots. The truth, for half of the pixels, is decoded from
- * the same captures: +-0.25 px. */
+/** \brief A bag in front of a wall under ten patterns of random lines, seen by two
+ * cameras. The images are computed from 46 real captures under Gray-code patterns,
+ * since light is additive, and therefore have less noise than real shots. The truth,
+ * for half of the pixels, is decoded from the same captures: +-0.25 px. */
 StereoShots
 loadBag();
 
-/** \brief The same under the projector's white: what there is without patterns. */
+/** \brief As above under white light of the projector: without patterns. */
 TrinocularFrame::ConstPtr
 loadPassiveBag();
 
-/** \brief The matching, with the range of the bag. */
+/** \brief The matching, with the search range for the bag. */
 TrinocularMatching
 bagMatching();
 

@@ -33,7 +33,7 @@ StereoShots
 loadBag()
 {
   constexpr int width = 1024, height = 750, patterns = 10;
-  constexpr double focal_length = 1851.6711, baseline = 0.0399255; // of its calib.txt
+  constexpr double focal_length = 1851.6711, baseline = 0.0399255; // from its calib.txt
   StereoShots bag = binocularShots(width, height, focal_length, baseline);
   for (int i = 0; i < patterns; ++i)
     bag.frames.push_back(loadPair(shots_folder, "0" + std::to_string(i), i));

@@ -10,18 +10,18 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Pixels of an image that are judged, 0 for the others. */
+/** \brief Nonzero for pixels of an image that are evaluated. */
 using PixelMask = std::vector<std::uint8_t>;
 
-/** \brief Shots of one place, rectified, and its true disparities. */
+/** \brief Rectified shots of one place, with its true disparities. */
 struct StereoShots {
   TrinocularRig rig;
   std::vector<TrinocularFrame::ConstPtr> frames;
   DisparityImage truth;
 };
 
-/** \brief A left image as the reference and a right one as its neighbour; truth and shots
- * are to be added. */
+/** \brief Creates shots with a left image as the reference and a right one as its
+ * neighbour; truth and frames must be added. */
 StereoShots
 binocularShots(int width, int height, double focal_length, double baseline);
 
@@ -29,24 +29,24 @@ binocularShots(int width, int height, double focal_length, double baseline);
 TrinocularFrame::ConstPtr
 frameOf(CameraImage reference, CameraImage horizontal, std::int32_t pattern);
 
-/** \brief An image of the test data, grey: of colours what OpenCV makes of them, so that
- * all methods have the same.
+/** \brief Loads an image of the test data as grey. Colours are converted by OpenCV, so
+ * that all methods get the same image.
  * \throws InputFileException */
 CameraImage
 loadGreyImage(const std::string& relative);
 
-/** \brief A true disparity image of the test data that is stored as a grey PNG; 0 is
- * unknown.
- * \param[in] steps stored values that make 1 px
+/** \brief Loads a true disparity image of the test data that is stored as a grey PNG; 0
+ * is unknown.
+ * \param[in] steps stored units per px
  * \throws InputFileException */
 DisparityImage
 loadPngDisparity(const std::string& relative, double steps);
 
-/** \brief The pixels with a truth. */
+/** \brief The pixels with a true disparity. */
 PixelMask
 pixelsWithTruth(const DisparityImage& truth);
 
-/** \brief Whether all files of a section are there; says so where they are not. */
+/** \brief Do all files of a section exist? Prints a message if not. */
 bool
 hasAllData(const char* section, const std::vector<std::string>& files);
 

@@ -13,10 +13,10 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double some_focal_length = 1000.0, some_baseline = 0.1; // play no part
+constexpr double some_focal_length = 1000.0, some_baseline = 0.1; // not used
 constexpr int range_step = 16;
 
-/** A pair with the truth, and the pixels that both cameras see. */
+/** An image pair with the truth, and the pixels that both cameras see. */
 struct TexturedPair {
   std::string name;
   StereoShots shots;
@@ -34,7 +34,7 @@ loadPair(const std::string& reference, const std::string& neighbour)
   return shots;
 }
 
-/** The truth of the right view sees the same place; where it has none, who knows. */
+/** The truth of the right view is the same surface; pixels without it are unknown. */
 PixelMask
 visibleByBothTruths(const DisparityImage& left, const DisparityImage& right)
 {
@@ -52,7 +52,7 @@ visibleByBothTruths(const DisparityImage& left, const DisparityImage& right)
   return mask;
 }
 
-/** Nothing of the truth itself lies before the place in the right view. */
+/** No part of the truth occludes the pixel's position in the right view. */
 PixelMask
 visibleByOneTruth(const DisparityImage& left)
 {
@@ -81,7 +81,7 @@ visibleByOneTruth(const DisparityImage& left)
   return mask;
 }
 
-/** \param steps stored values that make 1 px */
+/** \param steps stored units per px */
 TexturedPair
 loadBothTruths(const std::string& name,
                const std::string& left,
@@ -112,7 +112,7 @@ loadMotorcycle()
   return pair;
 }
 
-/** As much as the truth needs. */
+/** Search range that contains the truth. */
 int
 rangeOf(const DisparityImage& truth)
 {
@@ -187,7 +187,7 @@ printMiddlebury()
              "of it wrong, %",
              "median error, px",
              "without filters, bad or missing, %"});
-  constexpr double quarter = 4.0, third = 3.0; // px, what is stored
+  constexpr double quarter = 4.0, third = 3.0; // stored units per px
   printPair(loadBothTruths("Cones", "im2", "im6", quarter));
   printPair(loadBothTruths("Teddy", "im2", "im6", quarter));
   printPair(loadBothTruths("Art", "view1", "view5", third));

@@ -16,12 +16,12 @@ constexpr int columns = 4;
 constexpr int single_shots = 3;
 constexpr double from_right = -0.45, from_left = 0.15; // rad
 
-/** An observation with how it is matched and shown. */
+/** An observation with the parameters of its matching and display. */
 struct Showing {
   StereoShots shots;
   TrinocularFrame::ConstPtr off;
   TrinocularMatching matching;
-  float least; // px, of the colours
+  float least; // px, minimum of the colour map
   float most;
 
   CameraImage
@@ -53,8 +53,8 @@ struct Showing {
   }
 };
 
-/** Fig. 2: the reference without a pattern and with three, what stereo makes of each, the
- * median and all at once, and these from beside. */
+/** Fig. 2: the reference without a pattern and with three, the disparities of each,
+ * their median and space-time result, and the points of these from beside. */
 void
 putFusion(PictureSheet& sheet, Showing showing)
 {
@@ -77,7 +77,7 @@ putFusion(PictureSheet& sheet, Showing showing)
   sheet.put(3, 2, viewFromBeside(together, color, showing.shots.rig, from_left));
 }
 
-/** Fig. 3: the reference, the disparities, those of the truth, and the points. */
+/** Fig. 3: the reference, the disparities, the true disparities, and the points. */
 void
 putPlace(PictureSheet& sheet, int row, const Showing& showing)
 {

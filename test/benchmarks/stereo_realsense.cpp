@@ -18,7 +18,7 @@ namespace {
 constexpr char folder[] = "B_active/realsense_ir_on/";
 constexpr char number[] = "_20200819_235924";
 constexpr int width = 1280, height = 720;
-constexpr double baseline = 0.05; // metres, of the camera's data sheet
+constexpr double baseline = 0.05; // metres, from the camera's data sheet
 constexpr int disparities = 128;
 
 std::string
@@ -27,11 +27,11 @@ fileOf(const char* name, const char* ending)
   return std::string(folder) + name + number + ending;
 }
 
-/** Depths in millimetres, 0 for none; the file is a NumPy array of 16 bits. */
+/** Depths in millimetres, 0 for unknown; the file is a NumPy array of 16 bits. */
 std::vector<std::uint16_t>
 loadDepths()
 {
-  constexpr std::streamoff length_at = 8, header_at = 10; // version 1
+  constexpr std::streamoff length_at = 8, header_at = 10; // format version 1
   std::ifstream file(test::testDataPath(fileOf("depth", ".npy")), std::ios::binary);
   file.seekg(length_at);
   const int low = file.get();
@@ -46,7 +46,7 @@ loadDepths()
   return depths;
 }
 
-/** Disparity times depth, px mm: what is known of the focal length. */
+/** Disparity times depth, px mm, which replaces the unknown focal length. */
 double
 scaleOf(const DisparityImage& found, const std::vector<std::uint16_t>& depths)
 {
@@ -98,7 +98,7 @@ printRealsense()
   if (!hasAllData("realsense", {fileOf("depth", ".npy"), fileOf("left", ".png")}))
     return;
   const std::vector<std::uint16_t> depths = loadDepths();
-  constexpr double some_focal_length = 640.0; // plays no part
+  constexpr double some_focal_length = 640.0; // not used
   StereoShots shots = binocularShots(width, height, some_focal_length, baseline);
   shots.frames = {frameOf(loadGreyImage(fileOf("left", ".png")),
                           loadGreyImage(fileOf("right", ".png")),

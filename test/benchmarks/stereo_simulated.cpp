@@ -13,7 +13,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-/** What a method should reach on pixels that can be matched. */
+/** Targets for a method on pixels that can be matched. */
 struct Reach {
   double bad = no_reach;     // %
   double error = no_reach;   // px, median
@@ -21,7 +21,7 @@ struct Reach {
   double astray = no_reach;  // %, of the pixels that cannot be matched
 };
 
-/** All that is known of a method after some views. */
+/** Statistics of a method over several views. */
 struct MethodFigures {
   DisparityErrors matchable; // lit, and seen by a neighbour
   DisparityErrors unlit;
@@ -48,7 +48,7 @@ pixelsWhere(const SimulatedTruth& truth,
   return mask;
 }
 
-/** Without pixels beside another surface: they show some of it. */
+/** Removes pixels beside another surface, which show a mixture of both. */
 PixelMask
 withoutMixed(PixelMask mask, const SimulatedTruth& truth)
 {
@@ -225,7 +225,7 @@ printAstray(const std::vector<NamedFigures>& all)
 void
 printSigmas(const std::vector<NamedFigures>& all)
 {
-  constexpr double honest = 0.3; // deviation from 1
+  constexpr double honest = 0.3; // maximum deviation from 1
   constexpr double milli = 1e3;
   printHead({"standard deviations",
              "RMS of error / sigma, less 1",

@@ -4,39 +4,40 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief The bag under random lines, computed from real captures: bad pixels and errors by
- * method and by the number of shots. */
+/** \brief The bag under random lines, computed from real captures: bad pixels and
+ * errors by method and number of shots. */
 void
 printBag();
 
-/** \brief The same with noise added to all images. */
+/** \brief As above with noise added to all images. */
 void
 printNoise();
 
-/** \brief A blank wall with a box before it, simulated: all that the truth can tell. */
+/** \brief A simulated blank wall with a box in front of it: all statistics that need
+ * the truth. */
 void
 printSimulated();
 
-/** \brief Mean signed error by the fraction of the true disparity. */
+/** \brief Mean signed error by the fractional part of the true disparity. */
 void
 printSubpixel();
 
-/** \brief One shot of textured scenes, which the matching is not made for. */
+/** \brief One shot of textured scenes, for which the matching is not designed. */
 void
 printMiddlebury();
 
-/** \brief A camera of a factory with a dot projector, against its own depth. */
+/** \brief A commercial camera with a dot projector, compared with its own depth. */
 void
 printRealsense();
 
-/** \brief CPU seconds, against those of a frame of OpenCV's. */
+/** \brief CPU seconds, compared with those of OpenCV for one frame. */
 void
 printStereoTimes();
 
-/** \brief Writes into a folder what the paper's Fig. 2 and 3 show, of simulated shots:
- * stereo_disparities.png; and, where the data are there, the same of the bag:
+/** \brief Writes pictures as in the paper's Fig. 2 and 3 into a folder: from simulated
+ * shots stereo_disparities.png; and, if the data exist, from the bag
  * bag_disparities.png.
- * \throws OutputFileException when it could not be written */
+ * \throws OutputFileException when a file could not be written */
 void
 saveStereoPictures(const std::string& folder);
 

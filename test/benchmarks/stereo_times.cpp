@@ -13,9 +13,9 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double most_frames = 6.0; // of SGBM, an observation by space-time
+constexpr double most_frames = 6.0; // of SGBM, for an observation by space-time
 
-/** The least CPU seconds of several runs. */
+/** The minimum CPU seconds of several runs. */
 double
 leastSeconds(const std::function<void()>& function)
 {
@@ -29,7 +29,7 @@ leastSeconds(const std::function<void()>& function)
 double
 fusionSeconds(const StereoShots& shots, DisparityFusion::Method method)
 {
-  DisparityFusion fusion; // kept, as a program keeps it: so is its memory
+  DisparityFusion fusion; // reused, as in a program, so that its memory is too
   fusion.setMethod(method);
   fusion.setInputRig(shots.rig);
   MatchedDisparity fused;

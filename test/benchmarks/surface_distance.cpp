@@ -26,7 +26,7 @@ distanceToSegment(const Eigen::Vector3d& p,
   return (a + t * edge - p).norm();
 }
 
-/** Finds the nearest triangle through the tree of the triangles' centres. */
+/** Finds the nearest triangle with a tree of the triangles' centres. */
 class Surface {
 public:
   Surface(const Points& points, const Triangles& triangles)
@@ -71,7 +71,7 @@ private:
   const Points& points_;
   const Triangles& triangles_;
   PointTree tree_;
-  double reach_ = 0; ///< of the largest triangle about its centre
+  double reach_ = 0; ///< maximum radius of a triangle about its centre
 };
 
 Points

@@ -19,7 +19,8 @@ distanceToTriangle(const Eigen::Vector3d& point,
                    const Eigen::Vector3d& b,
                    const Eigen::Vector3d& c);
 
-/** \brief Samples surface \a from evenly by area and measures exactly to surface \a to. */
+/** \brief Samples surface \a from uniformly by area and computes exact distances to
+ * surface \a to. */
 SurfaceDistance
 measureDistance(const test::Points& from_points,
                 const test::Triangles& from,

@@ -63,7 +63,7 @@ brightened(std::uint32_t rgb, double gain)
   return result;
 }
 
-/** What the camera saw, brighter or darker. */
+/** An observation with a brightness factor. */
 SimulatedObservation
 observeWith(const SimulatedScene& scene, std::size_t view, double gain)
 {
@@ -86,12 +86,12 @@ viewOf(const SimulatedObservation& observation, const Eigen::Isometry3d& pose)
   return view;
 }
 
-/** The map with what it was painted from. */
+/** A map with the observations from which it was textured. */
 struct Painted {
   std::vector<texturing::Canvas> canvases;
   CompactMap map;
   std::vector<double> gains;
-  double seconds = 0; ///< CPU, without what the simulation takes
+  double seconds = 0; ///< CPU time without the simulation
 };
 
 Painted
@@ -133,7 +133,7 @@ paint(const SimulatedScene& scene,
   return painted;
 }
 
-/** Mean similarity of some views with the map seen from the same places. */
+/** Mean similarity of some views with renderings of the map from the same poses. */
 Similarity
 redraw(const SimulatedScene& scene,
        const Trajectory& trajectory,
@@ -160,8 +160,8 @@ redraw(const SimulatedScene& scene,
   return all;
 }
 
-/** Root mean square of what gains and exposures do not cancel, as a share; one common
- * factor is nobody's. */
+/** Relative RMS of the remaining exposure differences after the gains; a common factor
+ * is ignored. */
 double
 unbalanced(const std::vector<double>& gains, const std::vector<double>& exposures)
 {

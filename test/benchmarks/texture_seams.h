@@ -6,15 +6,15 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Steps of brightness between neighbouring texels that were seen, of 255. */
+/** \brief Brightness differences between neighbouring observed texels, of 255. */
 struct SeamSteps {
-  double across = 0;       ///< mean where the best samples are of two views
-  double inside = 0;       ///< mean where they are of one
-  std::size_t borders = 0; ///< pairs of texels of two views
+  double across = 0;       ///< mean if the best samples are from two views
+  double inside = 0;       ///< mean if they are from one view
+  std::size_t borders = 0; ///< pairs of texels with two views
 };
 
-/** \param[in] from_rim only texels that are so many from the polygon's rim: at creases and
- * depth edges views differ in what they take for the plane */
+/** \param[in] from_rim minimum distance from the polygon's border in texels: at creases
+ * and depth edges the views disagree about the extent of the plane */
 SeamSteps
 measureSeams(const std::vector<texturing::Canvas>& canvases,
              const std::vector<TextureChart>& charts,

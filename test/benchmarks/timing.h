@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What something took, seconds. */
+/** \brief Elapsed times in seconds. */
 struct Cost {
   double cpu = 0; ///< of all threads of the process
   double wall = 0;
@@ -26,7 +26,7 @@ measureCost(const Function& function)
   return {processSeconds() - begin_cpu, wall.count()};
 }
 
-/** \brief The medians of each part of some costs. */
+/** \brief The medians of both times. */
 inline Cost
 medianCost(const std::vector<Cost>& costs)
 {

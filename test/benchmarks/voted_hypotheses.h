@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Gives hypotheses the normals that were voted for them. */
+/** \brief Copies voted normals to hypotheses. */
 inline void
 addVotes(const VotedNormals& votes, PlaneHypotheses& hypotheses)
 {

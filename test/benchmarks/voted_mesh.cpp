@@ -34,7 +34,7 @@ voteAgain(const VotedMesh& voted, VotingSettings settings)
   VotingReport report;
   return voteNormals(voted.vertices(),
                      voted.mesh.triangles,
-                     SensorView(), // the mesh is turned already
+                     SensorView(), // the mesh is already oriented
                      settings,
                      Progress(),
                      report);

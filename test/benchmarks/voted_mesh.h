@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief CPU seconds of one thread on the way from points to normals. */
+/** \brief CPU seconds of the steps from points to normals, on one thread. */
 struct VotingSeconds {
   double consolidation = 0;
   double mesh = 0;
@@ -21,7 +21,7 @@ struct VotingSeconds {
   }
 };
 
-/** \brief A cloud as its representatives, their mesh and what that votes. */
+/** \brief The representatives of a cloud, their mesh and its votes. */
 struct VotedMesh {
   Consolidation consolidation;
   ConsolidationReport report;
@@ -37,14 +37,14 @@ struct VotedMesh {
 VotedMesh
 meshAndVote(const SimulatedCloud& cloud, const VotingSettings& settings = {});
 
-/** \brief Votes once more on the same mesh. */
+/** \brief Votes again on the same mesh. */
 VotedNormals
 voteAgain(const VotedMesh& voted, VotingSettings settings);
 
 test::Points
 votedNormalsInScene(const SimulatedCloud& cloud, const VotedMesh& voted);
 
-/** \brief Which vertices are creases or corners. */
+/** \brief For each vertex, is it a crease or a corner? */
 std::vector<bool>
 creasesOf(const VotedNormals& votes);
 

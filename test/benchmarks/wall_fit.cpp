@@ -15,7 +15,7 @@ using Point = Eigen::Vector3d;
 
 struct Plane {
   Point middle = Point::Zero();
-  Point normal = Point::UnitZ(); // away from the camera
+  Point normal = Point::UnitZ(); // pointing away from the camera
 };
 
 Plane
@@ -36,7 +36,7 @@ fitPlane(const std::vector<Point>& points)
   return plane;
 }
 
-/** The pixels of the wall that are right. */
+/** The pixels of the wall with a correct disparity. */
 std::vector<std::size_t>
 wallPixels(const MatchedDisparity& found,
            const SimulatedTruth& truth,
@@ -70,7 +70,7 @@ fitWall(const MatchedDisparity& found,
   WallFit fit;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const double off = plane.normal.dot(points[i] - plane.middle);
-    // A disparity moves its point along the ray.
+    // A disparity error moves its point along the ray.
     const double step = plane.normal.dot(points[i]) * found.sigma[pixels[i]] /
                         found.disparity.values[pixels[i]];
     fit.rms += off * off;

@@ -9,24 +9,24 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief What a plane through the points of a wall tells. */
+/** \brief Statistics of a plane fit to the points of a wall. */
 struct WallFit {
-  double rms = 0;      ///< metres, points off the plane
-  double expected = 0; ///< metres, the same as the standard deviations have it
-  double offset = 0; ///< metres, the plane off the true one in the middle of the points
-  double turn = 0;   ///< rad, between their normals
+  double rms = 0;      ///< metres, distances of the points from the plane
+  double expected = 0; ///< metres, the value expected from the standard deviations
+  double offset = 0;   ///< metres, distance from the true plane at the centroid of the
+                       ///< points
+  double turn = 0;     ///< rad, between their normals
 };
 
-/** \brief Fits a plane to the matched pixels of surface 0 that are within 1 px of the
- * truth.
- * \param[in] mask pixels that count */
+/** \brief Fits a plane to the matched pixels of surface 0 within 1 px of the truth.
+ * \param[in] mask pixels that are used */
 WallFit
 fitWall(const MatchedDisparity& found,
         const SimulatedTruth& truth,
         const PixelMask& mask,
         const TrinocularRig& rig);
 
-/** \brief The means of all. */
+/** \brief The means of several fits. */
 WallFit
 meanOf(const std::vector<WallFit>& fits);
 

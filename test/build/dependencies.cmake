@@ -1,9 +1,10 @@
-# Compares what each module includes of other modules with the DEPENDS it declares.
-# ROOT: the repository; DECLARED: file that sets acmap_modules and acmap_<module>_depends.
+# Compares the headers that each module includes from other modules with its DEPENDS.
+# ROOT: the repository; DECLARED: file that sets acmap_modules and
+# acmap_<module>_depends.
 cmake_minimum_required(VERSION 3.25)
 include("${DECLARED}")
 
-# The module that owns header <name>, or nothing: PCL has folders of the same names.
+# The module that owns header <name>, or nothing, as PCL has folders of the same names.
 function(find_owner name result)
   foreach(module IN LISTS acmap_modules)
     if(EXISTS "${ROOT}/modules/${module}/include/${name}"

@@ -1,5 +1,6 @@
-# Nothing that is installed has an instruction whose result depends on the maker of the processor:
-# approximate roots and quotients; nor a fused multiply-add, which others do not have.
+# Checks that installed binaries have no instruction whose result depends on the
+# manufacturer of the processor (approximate roots and quotients), and no fused
+# multiply-add, which some processors lack.
 # FROM: build tree; OBJDUMP: the disassembler.
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,6 +1,6 @@
-# Installs the build folder FROM into a fresh PREFIX, one component after the other: each has
-# its places, and together they are all there is. Nothing of how it was built may reach its
-# users.
+# Installs the build folder FROM into an empty PREFIX, one component after another.
+# Checks that each component has its own paths, that together they are the whole
+# installation, and that no build option is passed on to users.
 cmake_minimum_required(VERSION 3.25)
 set(document "share/doc/[a-z0-9.-]*acmap[a-z0-9.-]*/")
 set(library "lib[^ ]*/libacmap_[a-z]+\\.so")
@@ -9,7 +9,8 @@ set(places_of_dev "${document}|${library}$|include/acmap-|lib[^ ]*/cmake/acmap/"
 set(places_of_tools "${document}|bin/pcl_|share/acmap/|lib/udev/rules\\.d/")
 set(places_of_python "${document}|lib/python3[^ ]*/(dist|site)-packages/acmap")
 
-# install_into_prefix (<result> [<option>...]): files, relative, that came into the prefix.
+# install_into_prefix (<result> [<option>...]): relative paths of the files added to the
+# prefix.
 set(known)
 function(install_into_prefix result)
   execute_process(COMMAND ${CMAKE_COMMAND} --install "${FROM}" --prefix "${PREFIX}" ${ARGN}

@@ -1,5 +1,6 @@
-# Every relative link of a page leads to a file, and its #anchor to a heading there, as
-# GitHub names them; every benchmark program has its tables. ROOT: the repository.
+# Checks that every relative link of a page leads to a file, that its #anchor is a
+# heading there in GitHub's notation, and that every benchmark program has its tables.
+# ROOT: the repository.
 cmake_minimum_required(VERSION 3.25)
 find_program(grep grep REQUIRED)
 file(GLOB pages RELATIVE "${ROOT}" "${ROOT}/*.md")
@@ -8,8 +9,8 @@ foreach(folder IN ITEMS apps doc modules python share test)
   list(APPEND pages ${found})
 endforeach()
 
-# find_lines(<result> <pattern> <option>...): "file:text" for each match in the pages, without
-# brackets and semicolons, which lists of CMake do not bear.
+# find_lines(<result> <pattern> <option>...): "file:text" for each match in the pages,
+# without brackets and semicolons, which break CMake lists.
 function(find_lines result pattern)
   execute_process(COMMAND "${grep}" -E ${ARGN} -e "${pattern}" ${pages}
                   WORKING_DIRECTORY "${ROOT}" OUTPUT_VARIABLE lines)
@@ -19,7 +20,7 @@ function(find_lines result pattern)
   set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
 
-# Headings, but for comments between fences, as anchors_<page>.
+# Collects headings, except comments inside fences, as anchors_<page>.
 set(punctuation "[!\"#$%&'()*+,./:<=>?@\\^`{|}~]")
 set(fenced FALSE)
 find_lines(lines "^(#+ |```)" -H)
@@ -35,7 +36,7 @@ foreach(line IN LISTS lines)
     endif()
   elseif(NOT fenced)
     string(REGEX REPLACE "^#+ +" "" text "${text}")
-    string(REGEX REPLACE "\\([^()]*\\.md[^()]*\\)" "" text "${text}") # a link's place
+    string(REGEX REPLACE "\\([^()]*\\.md[^()]*\\)" "" text "${text}") # a link's target
     string(TOLOWER "${text}" text)
     string(REGEX REPLACE "${punctuation}" "" text "${text}")
     string(REGEX REPLACE "→|×|°|…|’" "" text "${text}")

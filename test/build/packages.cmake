@@ -1,5 +1,6 @@
-# Each component has a Debian package, and what the headers need is what acmap itself is
-# built with. ROOT: the repository; FROM: the build folder.
+# Checks that each component has a Debian package, and that the dependencies of the
+# headers are the libraries with which acmap is built. ROOT: the repository; FROM: the
+# build folder.
 cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${FROM}/CPackConfig.cmake")
   message("skipped: no Debian packages can be made here")

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Tries the Debian packages in a bare Debian of this machine's release: do the tools run, can
-# others build with the headers, does anything stay when the packages go? Needs root,
-# debootstrap, the network, 4 GB and ten minutes, which is why ctest does not run it.
+# Tests the Debian packages in a minimal Debian of this machine's release: do the tools
+# run, can other projects build with the headers, does anything remain after removing
+# the packages? Needs root, debootstrap, the network, 4 GB and ten minutes; therefore
+# ctest does not run it.
 set -eu
 
 usage="usage: sh test/build/packages.sh [FOLDER]    FOLDER: of the .deb files [build/package]"
@@ -18,8 +19,8 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
-# Runs the script on stdin inside, with its own processes: none outlives it. The script may
-# say: get PACKAGE..., never COMMAND...
+# Runs the script on stdin inside the minimal Debian, with its own process namespace: no
+# process outlives it. The script can use: get PACKAGE..., never COMMAND...
 inside() {
   {
     cat <<'END'
@@ -40,7 +41,7 @@ END
     sh -eu
 }
 
-# The bare tree is made once and kept.
+# Creates the minimal Debian once and keeps it.
 make_root() {
   mkdir -p "$work"
   if [ ! -e "$work/$release.tar" ]; then
@@ -57,13 +58,13 @@ make_root() {
   cp "$packages"/*.deb "$source/test/consumer" "$source/share/examples" "$root/try" -r
 }
 
-# list_files FILE: what is there, but for the kernel's files and our own.
+# list_files FILE: existing files, except those of the kernel and of this test.
 list_files() {
   (cd "$root" && find . \( -path ./proc -o -path ./sys -o -path ./dev -o -path ./try \) \
     -prune -o -print) | LC_ALL=C sort >"$1"
 }
 
-# What a user of the tools alone does.
+# Acts as a user who only needs the tools.
 use_tools() {
   say "libraries and tools"
   inside <<'END'
@@ -84,7 +85,7 @@ xvfb-run -a -s "-screen 0 1280x960x24" pcl_compact_mapping clouds -o map
 END
 }
 
-# What a programmer does: an outside project, and each example, alone.
+# Acts as a programmer: builds an outside project, and each example.
 use_headers() {
   say "headers"
   inside <<'END'
@@ -109,7 +110,7 @@ python3 -c 'import acmap; print(acmap.__file__)'
 END
 }
 
-# purge: our packages and all that came with them, then what is still there of ours.
+# purge: removes our packages and their dependencies, then lists what remains of them.
 purge() {
   say "purge"
   inside <<'END'

@@ -1,5 +1,6 @@
-# Every public class and every tool has a page under doc; that of a class with setters tells
-# of each of them, and which to touch when. ROOT: the repository.
+# Checks that every public class and every tool has a page under doc; the page of a
+# class with setters must describe each of them, and when to change it. ROOT: the
+# repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB classes "${ROOT}/modules/*/include/pcl/*/impl/*.hpp")
 file(GLOB tools "${ROOT}/apps/pcl_*.cpp")
@@ -13,9 +14,9 @@ foreach(file IN LISTS classes tools)
 endforeach()
 
 file(GLOB headers RELATIVE "${ROOT}/modules" "${ROOT}/modules/*/include/pcl/*/*.h")
-list(FILTER headers EXCLUDE REGEX "^core/") # no stages there, but what they share
+list(FILTER headers EXCLUDE REGEX "^core/") # core has no stages, only shared code
 foreach(header IN LISTS headers)
-  # The return type stands on a line of its own.
+  # The return type is on a separate line.
   file(STRINGS "${ROOT}/modules/${header}" setters REGEX "^  set[A-Z][A-Za-z]*\\(")
   if(NOT setters)
     continue()

@@ -1,10 +1,11 @@
-# What doc/paper_map.md names is there: `names` in the sources, [test: names] in the files
-# that they link. ROOT: the repository.
+# Checks that everything named in doc/paper_map.md exists: `names` in the sources,
+# [test: names] in the linked files. ROOT: the repository.
 cmake_minimum_required(VERSION 3.25)
 set(page "${ROOT}/doc/paper_map.md")
 file(READ "${page}" text)
 
-# Names in sources: words, as whole words anywhere; with a folder or an ending a file.
+# Names in sources: identifiers are searched as whole words anywhere; names with a
+# folder or an extension are files.
 string(REGEX MATCHALL "`[^`\n]+`" spans "${text}")
 set(words)
 foreach(span IN LISTS spans)
@@ -42,7 +43,7 @@ foreach(word IN LISTS words)
   endif()
 endforeach()
 
-# Tests: [file: name](place).
+# Tests: [file: name](path).
 string(REGEX MATCHALL "\\[[a-z0-9_]+: [A-Za-z0-9]+\\]\\([^)]*\\)" tests "${text}")
 list(LENGTH tests count)
 if(count LESS 50)

@@ -1,5 +1,6 @@
-# Modules have a README; files stay short; libraries leave the process to its owner and are
-# deterministic; CITATION.cff is of the version that is built. ROOT: the repository.
+# Checks that modules have a README, files are short, libraries do not affect the whole
+# process and are deterministic, and CITATION.cff has the current version. ROOT: the
+# repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB modules "${ROOT}/modules/*/CMakeLists.txt")
 foreach(module IN LISTS modules)

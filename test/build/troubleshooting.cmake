@@ -1,5 +1,5 @@
-# What doc/troubleshooting.md tells people to use is there: options of the tools in BIN,
-# setters of the modules or of PCL. ROOT: the repository.
+# Checks that everything recommended in doc/troubleshooting.md exists: options of the
+# tools in BIN, setters of the modules or of PCL. ROOT: the repository.
 cmake_minimum_required(VERSION 3.25)
 set(page "doc/troubleshooting.md")
 file(READ "${ROOT}/${page}" text)

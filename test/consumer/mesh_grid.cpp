@@ -17,7 +17,7 @@ makeGrid(int side)
   return cloud;
 }
 
-/** \brief Exceptions must be recognised across the border of the library. */
+/** \brief Exceptions of the library must be caught by their type here. */
 bool
 catchesMissingFile()
 {

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::test {
 
-/** Every public class with a verb has its traits here. */
+/** The traits of every public class with a main function. */
 using PublicClasses = testing::Types<DeWallTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,

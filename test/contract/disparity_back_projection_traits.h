@@ -12,7 +12,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Its output is told by its bits, as places that are not there are NaN. */
+/** \brief The output is compared bitwise, as missing points are NaN. */
 struct DisparityBackProjectionTraits {
   using Class = DisparityBackProjection;
   using Output = std::vector<std::array<std::uint32_t, 5>>;

@@ -13,8 +13,9 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Made with a rig, which each input needs, and with Statistical, which matches and
- * fuses. The output is the bytes of the disparities, standard deviations and support. */
+/** \brief Constructed with a rig, which each input needs, and with Statistical, which
+ * matches and fuses. The output consists of the bytes of disparities, standard
+ * deviations and support. */
 struct DisparityFusionTraits {
   using Class = DisparityFusion;
   using Output = std::vector<std::uint32_t>;
@@ -34,7 +35,7 @@ struct DisparityFusionTraits {
     return object;
   }
 
-  /** A wall of noise two or three pixels from infinity. */
+  /** A wall of random texture with a disparity of two or three pixels. */
   static TrinocularFrame::Ptr
   shot(int pattern, int disparity)
   {

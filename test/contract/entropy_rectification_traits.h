@@ -20,7 +20,7 @@ struct EntropyRectificationTraits {
     RectificationOutcome outcome = RectificationOutcome::Undetermined;
     std::string reason;
 
-    /** Byte by byte. */
+    /** Compares bytes. */
     bool
     operator==(const Output& other) const
     {
@@ -34,7 +34,7 @@ struct EntropyRectificationTraits {
     }
   };
 
-  /** The same cloud seen twice: one observation alone is never determined. */
+  /** Adds the same cloud twice, because one observation alone is never determined. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {
@@ -61,7 +61,7 @@ struct EntropyRectificationTraits {
     output.reason = object.getReport().reason;
   }
 
-  /** There was nothing to go by. */
+  /** Was the rectification undetermined? */
   static bool
   isEmpty(const Output& output)
   {

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The output are the places of the keypoints. */
+/** \brief The output consists of the positions of the keypoints. */
 struct GradientMaximumTraits {
   using Class = GradientMaximumKeypoint<PointXYZRGB>;
   using Output = std::vector<Eigen::Vector3f>;

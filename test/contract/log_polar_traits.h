@@ -11,7 +11,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The output are matches: source, target, squared distance and score. */
+/** \brief The output consists of matches: source, target, squared distance and
+ * score. */
 struct LogPolarTraits {
   using Class = registration::CorrespondenceEstimationLogPolar<PointXYZRGB>;
   using Output = std::vector<std::tuple<int, int, float, float>>;

@@ -20,7 +20,7 @@ struct MapEntropyTraits {
     MapEntropyTerms terms;
     std::vector<Eigen::Vector3d> gradient;
 
-    /** Byte by byte. */
+    /** Compares bytes. */
     bool
     operator==(const Output& other) const
     {
@@ -35,7 +35,8 @@ struct MapEntropyTraits {
     }
   };
 
-  /** The same cloud seen twice: one observation alone is always remarked on. */
+  /** Adds the same cloud twice, because one observation alone always causes a
+   * remark. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {
@@ -55,8 +56,8 @@ struct MapEntropyTraits {
     output.terms = object.computeGradient(output.gradient);
   }
 
-  /** Of points in one place or on one line there are entropies, but no pose to be
-   * told. */
+  /** Points at one position or on one line have entropies, but do not determine a
+   * pose. */
   static bool
   isEmpty(const Output& output)
   {

@@ -6,10 +6,10 @@
 
 namespace pcl::acmap::test {
 
-// of which only the refused calls are taken
+// only refusedCalls is used from that header
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
 
-/** Every public class with a verb on matches, on keypoints to match, or on both. */
+/** Every public class with a main function for matches, keypoints, or both. */
 using MatchClasses = testing::Types<GradientMaximumTraits,
                                     LogPolarTraits,
                                     PlanarEstimationTraits,

@@ -18,7 +18,7 @@ struct NormalVectorVotingTraits {
   using Class = NormalVectorVoting<PointXYZ>;
 
   struct Output : PointCloud<Normal> {
-    /** Byte by byte: normals may be NaN. What is behind the curvature is nobody's. */
+    /** Compares bytes, as normals may be NaN; ignores padding after the curvature. */
     bool
     operator==(const Output& other) const
     {
@@ -32,7 +32,8 @@ struct NormalVectorVotingTraits {
     }
   };
 
-  /** The class wants a mesh too: that of its sibling, empty of degenerate clouds. */
+  /** Also sets the mesh that the class needs, from DeWall; it is empty for degenerate
+   * clouds. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {

@@ -19,7 +19,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-// What doc/paper_map.md tells of defaults; who changes one changes that page.
+// The defaults in doc/paper_map.md; that page must be changed together with these.
 
 TEST(PaperDefaults, areThePapersNumbers)
 {

@@ -11,7 +11,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The output is the motion, none where it is the identity. */
+/** \brief The output is the motion; empty if it is the identity. */
 struct PlanarEstimationTraits {
   using Class = registration::TransformationEstimationPlanar<PointXYZ, PointXYZ>;
   using Output = Eigen::Matrix4f;

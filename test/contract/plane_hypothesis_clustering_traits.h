@@ -18,7 +18,7 @@ struct PlaneHypothesisClusteringTraits {
   using Class = PlaneHypothesisClustering<PointXYZ>;
 
   struct Output : std::vector<PlanePatch> {
-    /** Byte by byte: covariances may be NaN. */
+    /** Compares bytes, as covariances may be NaN. */
     bool
     operator==(const Output& other) const
     {
@@ -43,7 +43,7 @@ struct PlaneHypothesisClusteringTraits {
     }
   };
 
-  /** Normals and mesh are its siblings'; degenerate clouds have none. */
+  /** Also sets normals and mesh from other classes; degenerate clouds have none. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {

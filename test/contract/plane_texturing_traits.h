@@ -35,7 +35,7 @@ struct PlaneTexturingTraits {
     }
   };
 
-  /** The planes are its sibling's; degenerate clouds have none. */
+  /** Also sets the planes from another class; degenerate clouds have none. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {

@@ -8,8 +8,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief It has no input but its settings, so no run can be refused; that its setters
- * refuse nonsense is what keeps it so. */
+/** \brief The class has no input except its settings, and its setters reject invalid
+ * values, so that no run can fail. */
 struct RandomLinePatternTraits {
   using Class = RandomLinePattern;
   using Output = std::vector<std::uint8_t>;
@@ -29,7 +29,7 @@ struct RandomLinePatternTraits {
   static bool
   isEmpty(const Output& output)
   {
-    return output.size() != 3u * 1024 * 768; // the paper's projector
+    return output.size() != 3u * 1024 * 768; // size of the paper's projector
   }
 
   static Output

@@ -9,12 +9,13 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Made with the shots of the first input, so that what is set can be told. A pair
- * with few boards, as finding them takes the time of these tests. */
+/** \brief Constructed with the shots of the first input, so that its parameters can be
+ * compared. Uses a pair with few boards, because detecting boards takes most of the
+ * time of these tests. */
 struct RigCalibratorTraits {
   using Class = RigCalibrator;
 
-  /** Numbers of the cameras and of the rig. */
+  /** Parameters of the cameras and of the rig. */
   using Output = std::vector<double>;
 
   static constexpr std::size_t shots_of_input = 6;
@@ -41,7 +42,7 @@ struct RigCalibratorTraits {
     return all;
   }
 
-  /** \param[in] first of the shots that are added */
+  /** \param[in] first index of the first shot that is added */
   static void
   addShots(Class& object, std::size_t first, std::size_t count)
   {
@@ -105,7 +106,7 @@ struct RigCalibratorTraits {
              }}};
   }
 
-  /** A refused board takes no shot away. */
+  /** Rejected boards must not remove shots. */
   static std::string
   parameters(const Class& object)
   {
@@ -122,7 +123,7 @@ struct RigCalibratorTraits {
   }
 
 private:
-  /** Takes the outputs of the verb over whatever becomes of it. */
+  /** Checks also that the outputs are unchanged if the function throws. */
   static void
   calibrate(Class& object, Output& output)
   {

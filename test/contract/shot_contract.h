@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The words of a public header, however its comments' lines are broken. */
+/** \brief The words of a public header, independent of line breaks in comments. */
 inline std::string
 headerText(const std::string& path)
 {
@@ -20,19 +20,18 @@ headerText(const std::string& path)
   return text;
 }
 
-/** \brief The class contract of what works on patterns, frames, rigs and matches, not on
- * clouds; a class joins through a traits type:
+/** \brief The class contract for classes that process patterns, frames, rigs and
+ * matches instead of clouds. A class takes part with a traits type:
  *
  * - `Class`, `Output` (equality comparable);
- * - `make ()`: an object as constructed, where it needs something with it;
+ * - `make ()`: an object in its initial state, with everything it needs;
  * - `run (Class&, int which, Output&)`: sets the first or second (0, 1) input and calls
- *   the verb;
- * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can give;
- * - `refusedCalls ()`: setters with nonsense;
- * - `refusedRuns ()`: verbs without input, or with one that cannot be;
- * - `parameters (const Class&)`: all that is set, in words;
- * - `header ()`: the text of the public header.
- */
+ *   the main function;
+ * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can produce;
+ * - `refusedCalls ()`: setters with invalid values;
+ * - `refusedRuns ()`: runs without input, or with invalid input;
+ * - `parameters (const Class&)`: all parameters as text;
+ * - `header ()`: the text of the public header. */
 template <typename Traits>
 class ShotContract : public testing::Test {
 protected:
@@ -55,7 +54,7 @@ protected:
   }
 };
 
-/** \brief A verb that must throw, and what it is told in a failure. */
+/** \brief A run that must throw, with a name for messages. */
 template <typename Class, typename Output>
 struct RefusedRun {
   std::string name;
@@ -103,7 +102,7 @@ REGISTER_TYPED_TEST_SUITE_P(ShotContract,
                             refusedRunLeavesOutputAndObjectUsable,
                             parametersStayAndRunsDoNotDependOnEarlierOnes);
 
-/** \brief Of classes whose report is of their last run. */
+/** \brief Contract for classes whose report describes their last run. */
 template <typename Traits>
 class ReportContract : public ShotContract<Traits> {};
 
@@ -126,7 +125,7 @@ TYPED_TEST_P(ReportContract, tellsTheSecondsOfTheLastRun)
 
 REGISTER_TYPED_TEST_SUITE_P(ReportContract, tellsTheSecondsOfTheLastRun);
 
-/** \brief Of classes that work in threads. */
+/** \brief Contract for multi-threaded classes. */
 template <typename Traits>
 class ThreadContract : public ShotContract<Traits> {};
 
@@ -144,7 +143,7 @@ TYPED_TEST_P(ThreadContract, threadsDoNotChangeAByte)
 
 REGISTER_TYPED_TEST_SUITE_P(ThreadContract, threadsDoNotChangeAByte);
 
-/** \brief Of headers that say what a user must know. */
+/** \brief Contract for the documentation in headers. */
 template <typename Traits>
 class HeaderContract : public testing::Test {};
 

@@ -8,12 +8,12 @@
 
 namespace pcl::acmap::test {
 
-// of which only the refused calls are taken
+// only refusedCalls is used from that header
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
 
-/** Every public class with a verb on patterns, frames or rigs. Not here: what is made of
- * a folder, a device or a signal (recorder, projectors, other grabbers), whose own tests
- * check files, screens and threads. */
+/** Every public class with a main function for patterns, frames or rigs. Classes that
+ * use a folder, a device or a signal (recorder, projectors, other grabbers) are not
+ * included: their own tests check files, screens and threads. */
 using ShotClasses = testing::Types<DisparityBackProjectionTraits,
                                    DisparityFusionTraits,
                                    RandomLinePatternTraits,

@@ -9,8 +9,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Its input comes with its constructor, so it is not default-constructible; light
- * and projector are. */
+/** \brief Its input is set by its constructor, so it is not default-constructible;
+ * light and projector are. */
 struct SimulatedRigGrabberTraits {
   using Class = SimulatedRigGrabber;
   using Output = std::vector<std::array<CameraImage, 3>>;

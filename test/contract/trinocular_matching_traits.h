@@ -11,7 +11,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Made with a rig, so that what is set can be told. */
+/** \brief Constructed with a rig, so that its parameters can be compared. */
 struct TrinocularMatchingTraits {
   using Class = TrinocularMatching;
 

@@ -11,8 +11,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Made with a calibration, so that what is set can be told. Its report is of the
- * calibration, not of a run. */
+/** \brief Constructed with a calibration, so that its parameters can be compared. Its
+ * report describes the calibration, not a run. */
 struct TrinocularRectificationTraits {
   using Class = TrinocularRectification;
   using Output = std::array<CameraImage, 3>;
@@ -88,7 +88,7 @@ struct TrinocularRectificationTraits {
              }}};
   }
 
-  /** The rig is that of the calibration; the residual tells the nearest depth. */
+  /** The rig depends on the calibration, and the residual on the minimum depth. */
   static std::string
   parameters(const Class& object)
   {

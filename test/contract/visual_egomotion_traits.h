@@ -10,7 +10,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The output is the motion, none where there is none. */
+/** \brief The output is the motion; empty if there is none. */
 struct VisualEgomotionTraits {
   using Class = VisualEgomotion<PointXYZRGBSigma>;
   using Output = Eigen::Matrix4d;

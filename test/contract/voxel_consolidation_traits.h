@@ -15,7 +15,7 @@ struct VoxelConsolidationTraits {
   using Class = VoxelConsolidation<PointNormal>;
 
   struct Output : PointCloud<PointNormal> {
-    /** Byte by byte: normals may be NaN. */
+    /** Compares bytes, as normals may be NaN. */
     bool
     operator==(const Output& other) const
     {

@@ -11,7 +11,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The output is the positions of the matches that stay. */
+/** \brief The output consists of the indices of the remaining matches. */
 struct WorstOutTraits {
   using Class = registration::CorrespondenceRejectorWorstOut;
   using Output = std::vector<int>;

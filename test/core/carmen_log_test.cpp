@@ -28,7 +28,7 @@ textOf(double value)
   return text.str();
 }
 
-/** A FLASER message; its odometry differs from its pose. */
+/** A FLASER message whose odometry differs from its pose. */
 std::string
 message(
     const std::vector<float>& ranges, double x, double y, double theta, double stamp)
@@ -122,7 +122,7 @@ expectRead(const Written& log, const std::string& bytes)
     const PlanarScan& scan = read.scans[i];
     const auto number = static_cast<double>(i);
     EXPECT_EQ(scan.ranges, log.ranges[i]);
-    EXPECT_EQ(scan.pose.x, number - 3); // y is to the left
+    EXPECT_EQ(scan.pose.x, number - 3); // y points to the left
     EXPECT_EQ(scan.pose.z, 0.25 * number);
     EXPECT_EQ(scan.pose.theta, -0.1 * number);
     EXPECT_EQ(scan.stamp, 1e9 + 0.125 * number);
@@ -151,7 +151,7 @@ TEST(CarmenLog, LineEndsOfWindowsAndAMissingLastOneAreRead)
   expectRead(log, windows + "\r\n");
 }
 
-/** Where a beam's echo lies in the map. */
+/** Position of a beam's echo in the map. */
 Eigen::Vector3d
 echoOf(const PlanarScan& scan, std::size_t beam)
 {
@@ -163,7 +163,7 @@ echoOf(const PlanarScan& scan, std::size_t beam)
 
 TEST(CarmenLog, BeamsSweepFromTheRightToTheLeft)
 {
-  // At (10, 20), turned to the left by 90 degrees: ahead is +y, right is +x.
+  // At (10, 20), rotated to the left by 90 degrees: ahead is +y, right is +x.
   for (const std::size_t beams : {180, 181, 360, 361}) {
     const CarmenLog log =
         logOf(message(std::vector<float>(beams, 2.0F), 10, 20, pi / 2, 0));
@@ -184,7 +184,7 @@ TEST(CarmenLog, ReadingsWithoutEchoAreBeyondTheMaximum)
     std::vector<float> ranges = randomRanges(180, random);
     for (std::size_t beam = 0; beam < 5; ++beam)
       ranges[beam] = 51.05F + 0.01F * static_cast<float>(beam);
-    ranges[20] = i == 4 ? 2200.0F : ranges[20]; // a wild one
+    ranges[20] = i == 4 ? 2200.0F : ranges[20]; // an outlier
     text += message(ranges, i, 0, 0, i);
   }
   const float maximum = logOf(text).scans.at(0).maximum_range;
@@ -194,7 +194,7 @@ TEST(CarmenLog, ReadingsWithoutEchoAreBeyondTheMaximum)
 
 TEST(CarmenLog, FarWallsAreNoMissingEchoes)
 {
-  // A square room from its middle: its corners are farthest.
+  // A square room seen from its centre: the corners are the farthest points.
   std::vector<float> ranges;
   for (int i = 0; i < 180; ++i) {
     const double angle = (i - 90) * pi / 180;
@@ -269,7 +269,7 @@ TEST(CarmenLog, DamagedCompressionIsNamed)
     EXPECT_THAT(faultOf(packed.substr(0, size)), HasSubstr("is truncated")) << size;
   EXPECT_THAT(faultOf("\x1f\x8b" + std::string(500, 'x')), HasSubstr("is damaged"));
   EXPECT_THAT(faultOf(packed + "more"), HasSubstr("is damaged"));
-  constexpr std::size_t header = 10; // may say anything about when and where
+  constexpr std::size_t header = 10; // contains optional metadata such as a time stamp
   for (std::size_t at = header; at < packed.size(); at += 97) {
     std::string changed = packed;
     changed[at] = static_cast<char>(~changed[at]);
@@ -280,7 +280,7 @@ TEST(CarmenLog, DamagedCompressionIsNamed)
 struct RealLog {
   const char* name;
   std::size_t scans, beams;
-  float without_echo; // metres, the smallest such reading
+  float without_echo; // minimum reading without echo, metres
 };
 
 class RealCarmenLog : public testing::TestWithParam<RealLog> {};

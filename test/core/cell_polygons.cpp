@@ -13,7 +13,7 @@ namespace {
 using Place = std::pair<int, int>;
 using Edges = std::multimap<Place, Place>; // from corner to corner
 
-/** Takes a cell's part, joined by edges, out of the cells. */
+/** Removes one edge-connected component from the cells. */
 Cells
 takePart(Cells& cells)
 {
@@ -31,7 +31,7 @@ takePart(Cells& cells)
   return part;
 }
 
-/** The edges between a part and what is outside; the cells are to their left. */
+/** The boundary edges of a component; its cells are to their left. */
 Edges
 rimOf(const Cells& part)
 {
@@ -56,8 +56,9 @@ turnOf(const Place& a, const Place& b, const Place& c)
          (b.second - a.second) * (c.first - b.first);
 }
 
-/** Takes a loop out of the edges. Where two ways go on it turns left, which stays with
- * the cell, or right, which goes on along the touching one. */
+/** Removes a loop from the edges. If there are two possible continuations, it turns
+ * left, which follows the same cell, or right, which continues along the touching
+ * cell. */
 std::vector<Place>
 takeLoop(Edges& edges, bool right)
 {
@@ -67,7 +68,8 @@ takeLoop(Edges& edges, bool right)
   const Place second = at;
   for (;;) {
     const auto [first, last] = edges.equal_range(at);
-    // At the start, the way goes on only where it would not just close.
+    // At the start, continues only if the loop would not be closed by the preferred
+    // turn.
     auto best = edges.end();
     for (auto edge = first; edge != last; ++edge)
       if (best == edges.end() || (turnOf(loop.back(), at, edge->second) <
@@ -150,7 +152,7 @@ wronglyCovered(const PlanePolygon& polygon,
   int wrong = 0;
   for (int i = -2; i < 28; ++i)
     for (int k = -2; k < 28; ++k) {
-      // On no line through corners.
+      // not on a line through lattice points
       const Eigen::Vector2d p(0.5 * i + 0.2371, 0.5 * k + 0.1893);
       int cover = 0;
       for (const TriangleMesh::Triangle& triangle : triangles) {

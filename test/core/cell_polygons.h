@@ -10,18 +10,18 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Unit cells by their lower corners. */
+/** \brief Unit cells, given by their lower corners. */
 using Cells = std::set<std::pair<int, int>>;
 
-/** \brief A random set of cells of a square, with holes, and with corners that touch. */
+/** \brief A random set of cells of a square, with holes and touching corners. */
 class CellRegion {
 public:
   CellRegion(std::uint64_t seed, int side);
 
-  /** \brief The rims of its connected parts, with the cells of each.
-   * \param[in] pinched rims pass a corner twice where cells touch there, so that a rim
-   * touches itself and takes in the holes that hang on it; otherwise such loops are
-   * apart */
+  /** \brief The polygons of its connected components, with the cells of each.
+   * \param[in] pinched loops pass through a corner twice if cells touch there, so that
+   * an outline touches itself and contains the holes connected to it; otherwise such
+   * loops are separate */
   std::vector<std::pair<PlanePolygon, Cells>>
   polygons(bool pinched) const;
 
@@ -29,8 +29,8 @@ private:
   Cells cells_;
 };
 
-/** \brief Places, a few a cell and around, that not just as many triangles cover as
- * should: one inside, none outside. */
+/** \brief Number of sample positions (a few per cell, and around) with a wrong number
+ * of covering triangles: it should be one inside and none outside. */
 int
 wronglyCovered(const PlanePolygon& polygon,
                const Cells& cells,

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::vector<ChartCorner>;
 
-/** \brief A chart of 40 x 20 texels of 5 cm, slanted in space. */
+/** \brief A chart of 40 x 20 texels of 5 cm, oblique in space. */
 TextureChart
 slantedChart()
 {
@@ -69,7 +69,8 @@ TEST(ChartClip, WhatLiesBesideIsNothing)
                   .empty());
 }
 
-/** \brief Random triangles cut at four tiles make up what is cut at the four in one. */
+/** \brief Random triangles clipped at four tiles add up to the triangle clipped at one
+ * chart that covers all of them. */
 TEST(ChartClip, TilesMakeUpTheWholeAndTurnAsTheTriangleDoes)
 {
   const TextureChart whole = slantedChart();
@@ -94,14 +95,14 @@ TEST(ChartClip, TilesMakeUpTheWholeAndTurnAsTheTriangleDoes)
           EXPECT_NEAR(
               (at(tile, corner.place.x(), corner.place.y()) - corner.point).norm(),
               0,
-              0.002); // the slack of 0.01 texels
+              0.002); // the tolerance of 0.01 texels
       }
     const Vector3d wanted = turningArea(ChartClip(whole).clipped(triangle));
     EXPECT_NEAR((sum - wanted).norm(), 0, 0.003) << round;
   }
 }
 
-/** \brief What is wrong with a chart of squares of 10 cm, once changed. */
+/** \brief Error message for a chart with texels of 10 cm after a change. */
 template <typename Change>
 std::string
 faultAfter(const Change& change)

@@ -72,7 +72,7 @@ TEST(CloudFields, AnotherTypeIsReplaced)
   EXPECT_NE(findField(cloud, "label", PCLPointField::UINT8), nullptr);
 }
 
-/** \brief Adds a field of that name over bytes that are there. */
+/** \brief Adds a field with this name that refers to existing bytes. */
 void
 addField(PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype)
 {

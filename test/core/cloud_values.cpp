@@ -63,7 +63,8 @@ expectEqual(const PCLPointCloud2& cloud, const PCLPointCloud2& expected)
   EXPECT_EQ(cloud.height, expected.height);
   ASSERT_EQ(namesOf(cloud), namesOf(expected));
   for (const std::string& name : namesOf(cloud)) {
-    // PCL calls a packed colour float32 in a cloud and in binary, uint32 in ascii.
+    // PCL stores a packed colour as float32 in clouds and binary files, but as uint32
+    // in ASCII.
     if (name != "rgb") {
       EXPECT_EQ(findField(cloud, name).datatype, findField(expected, name).datatype);
     }

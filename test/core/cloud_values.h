@@ -8,24 +8,24 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The bytes of one field over all points, one point after the other.
+/** \brief The bytes of one field of all points, point by point.
  * \throws std::runtime_error when the cloud has no such field */
 std::vector<std::uint8_t>
 bytesOf(const PCLPointCloud2& cloud, const std::string& field);
 
-/** \brief The same as floats. */
+/** \brief As above, converted to float. */
 std::vector<float>
 floatsOf(const PCLPointCloud2& cloud, const std::string& field);
 
-/** \brief Names of the fields but padding, in their order. */
+/** \brief Names of the fields except padding, in their order. */
 std::vector<std::string>
 namesOf(const PCLPointCloud2& cloud);
 
-/** \brief Expects the same shape, fields and bytes, whatever the layout. */
+/** \brief Expects the same size, fields and bytes, independent of the memory layout. */
 void
 expectEqual(const PCLPointCloud2& cloud, const PCLPointCloud2& expected);
 
-/** \brief The bytes of a number, as they stand in memory. */
+/** \brief The bytes of a number as in memory. */
 template <typename Value>
 std::string
 rawBytes(Value value)

@@ -29,7 +29,7 @@ degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::acos(std::min(a.dot(b), 1.0)) * 180 / M_PI;
 }
 
-/** The plane that most pixels of a true one were given to. */
+/** The plane to which most pixels of a true plane were assigned. */
 std::int32_t
 foundFor(const DepthRoom& room, const DepthPlanes& found, std::size_t plane)
 {
@@ -60,7 +60,7 @@ TEST_P(QuantisedRooms, haveTheirPlanesAndNoOthers)
     const DepthPlane& plane = found.planes[static_cast<std::size_t>(own)];
     EXPECT_LT(degreesBetween(plane.normal(), room.planes[p].normal), p < 3 ? 0.5 : 1.5)
         << "plane " << p;
-    // where its pixels are, not where it is nearest to the camera
+    // depth errors at its pixels, not the distance to the camera
     std::vector<double> off;
     for (std::size_t i = 0; i < room.truth.size(); ++i) {
       if (room.truth[i] != static_cast<std::int32_t>(p))
@@ -113,7 +113,7 @@ TEST(DepthPlanes, keepARecessApart)
 {
   DepthRoom::Camera camera;
   DepthRoom room(camera);
-  // a door of 30 steps lies back behind the wall at 4 m: 0.2 m and more
+  // a door that is 4 steps behind the wall: about 0.2 m at 4 m
   std::size_t moved = 0;
   for (std::size_t row = 20; row < 110; ++row)
     for (std::size_t column = 120; column < 180; ++column) {

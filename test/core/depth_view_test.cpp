@@ -63,14 +63,15 @@ TEST(DepthView, isNoneInAnotherFrameOrWithoutPoints)
   EXPECT_FALSE(DepthView::recognize(viewOf(same), DepthRoom::width));
 }
 
-/** Every pixel in its place again, whatever the order of the points. */
+/** Each pixel gets its position again, for any order of the points. */
 TEST(PictureOrder, isFoundAgainWithoutPixelsThatMeasureNothing)
 {
   const DepthRoom room({});
   std::vector<std::size_t> kept;
   for (std::size_t pixel = 0; pixel < room.points.size(); ++pixel)
     if (pixel % 3 != 0 || pixel % DepthRoom::width < 20)
-      kept.push_back(pixel * 7919 % room.points.size()); // prime: each once
+      kept.push_back(pixel * 7919 % room.points.size()); // 7919 is prime, so that each
+                                                         // pixel occurs once
   std::vector<Eigen::Vector3f> points;
   for (const std::size_t pixel : kept)
     points.push_back(room.points[pixel]);
@@ -132,7 +133,7 @@ TEST(DepthStep, isNoneWhereDepthIsNotQuantised)
   const DepthRoom room(camera);
   EXPECT_EQ(measureDepthStep(viewOf(room.points)), 0);
   EXPECT_EQ(measureDepthStep({}), 0);
-  // even in depth, not in its inverse: a file in centimetres, a lattice
+  // regular in depth, not in inverse depth: a file in centimetres, a lattice
   std::vector<Eigen::Vector3f> lattice;
   for (const Eigen::Vector3f& point : room.points)
     lattice.push_back({point.x(), point.y(), std::round(100 * point.z()) / 100});
@@ -153,7 +154,7 @@ TEST(InverseDepthNoise, tellsWhatNeighboursShareFromWhatIsAPixelsOwn)
     const NoiseScale::InverseDepth noise = measureInverseDepthNoise(*view, 0);
     const double sigma = std::hypot(independent, correlated);
     EXPECT_NEAR(noise.sigma(), sigma, 0.2 * sigma);
-    // smoothed noise also changes within the smallest tiles
+    // smoothed noise also varies inside the smallest tiles
     EXPECT_GT(noise.independent, 0.8 * independent);
     EXPECT_LT(noise.independent, std::hypot(independent, 0.5 * correlated));
   }
@@ -179,7 +180,7 @@ TEST(NoiseScale, ofQuantisedDepthIsThatOfItsSteps)
     const NoiseScale scale = measureNoiseScale(viewOf(room.points), sensor, 0, width);
     ASSERT_TRUE(scale.inverse_depth);
     EXPECT_NEAR(scale.inverse_depth->step, 0.0029, 1e-4);
-    // two steps of rounding at most: at 3 m a step is 26 mm
+    // at most two quantization steps: at 3 m a step is 26 mm
     EXPECT_GT(scale.sigma, 0.0029 * 4 / std::sqrt(12.0));
     EXPECT_LT(scale.sigma, 0.0029 * 16);
     ASSERT_GT(scale.ranges.size(), 2u);

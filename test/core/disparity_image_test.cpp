@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/** The values 1.5 and -2, the upper row of two. */
+/** The values 1.5 and -2: the upper one of two rows. */
 const std::string upper_row("\0\0\xc0\x3f\0\0\0\xc0", 8);
 const std::string lower_row("\0\0\x80\x7f\0\0\x40\x40", 8); // infinity, 3
 

@@ -20,9 +20,9 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A few bytes that claim to be the begin of billions. */
+/** A short file that claims to contain billions of items. */
 struct HugeClaim {
-  const char* name; ///< with the ending that its reader wants
+  const char* name; ///< with the extension that its reader requires
   std::string bytes;
   std::function<void(const std::string& path)> read;
 };
@@ -45,7 +45,7 @@ pcd(const std::string& width,
          data + "\n" + std::string(48, '\1');
 }
 
-/** Sizes before the bytes of a compressed PCD. */
+/** Sizes in front of the data of a compressed PCD. */
 std::string
 compressedPcd(const std::string& packed, const std::string& unpacked)
 {

@@ -16,7 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/** A picture with slopes, edges and noise; its size is no multiple of a JPEG's blocks. */
+/** An image with gradients, edges and noise; its size is not a multiple of a JPEG
+ * block. */
 RgbImage
 sampleImage(std::int32_t width = 61, std::int32_t height = 43)
 {
@@ -102,7 +103,9 @@ TEST_F(ImageFile, PngComesBackAsItWas)
 TEST_F(ImageFile, JpegComesBackAlike)
 {
   RgbImage image = sampleImage(64, 48);
-  for (std::size_t i = 0; i < image.values.size(); ++i) // smooth, as colour is halved
+  for (std::size_t i = 0; i < image.values.size(); ++i) // smooth, because the
+                                                        // resolution of colour is
+                                                        // halved
     image.values[i] = static_cast<std::uint8_t>(i / 3 % 64 + i % 3 * 60 + i / 192);
   const auto bytes = encodeJpeg(image, 95);
   EXPECT_EQ(encodeJpeg(image, 95), bytes);
@@ -239,8 +242,8 @@ TEST_F(ImageFile, DepthHasOneChannelOfWholeBytes)
       HasSubstr("one channel"));
 }
 
-/** Lengths of a file's beginning: all that end in its headers or at its end, and some
- * that end in its data. */
+/** Lengths to which a file is truncated: all that end in its headers or near its end,
+ * and some that end in its data. */
 std::vector<std::size_t>
 lengthsShortOf(std::size_t size)
 {
@@ -283,7 +286,7 @@ TEST_F(ImageFile, FlippedBytesOfAJpegDoNoHarm)
     bad[place] = static_cast<char>(bad[place] ^ (place % 2 ? '\x01' : '\x80'));
     refused += rgbFault(bad) == "no fault" ? 0 : 1;
   }
-  EXPECT_GT(refused, 50u); // what is not noticed gives other colours
+  EXPECT_GT(refused, 50u); // undetected errors change colours
 }
 
 std::string
@@ -292,7 +295,7 @@ withBytes(std::string file, std::size_t place, const std::string& bytes)
   return file.replace(place, bytes.size(), bytes);
 }
 
-/** The header of a PNG with another size, and its checksum. */
+/** The header of a PNG with another size and a valid checksum. */
 std::string
 pngClaiming(std::uint32_t width, std::uint32_t height)
 {
@@ -319,7 +322,7 @@ pngClaiming(std::uint32_t width, std::uint32_t height)
 
 TEST_F(ImageFile, LyingHeadersAreRefused)
 {
-  ASSERT_EQ(grayFault(pngClaiming(1, 1)), "no fault"); // the checksum is right
+  ASSERT_EQ(grayFault(pngClaiming(1, 1)), "no fault"); // the checksum is valid
   EXPECT_THAT(grayFault(pngClaiming(60000, 60000)), HasSubstr("60000 x 60000"));
   EXPECT_THAT(rgbFault(pngClaiming(60000, 60000)), HasSubstr("at most 268435456"));
   EXPECT_THAT(grayFault(pngClaiming(1 << 30, 1)), HasSubstr("at most 268435456"));

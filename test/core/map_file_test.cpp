@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** Planes alone, as an older acmap wrote them. */
+/** Planes only, as written by an older version. */
 constexpr const char* old_file =
     R"({"version":"0.1.0","unit":"m","frame":"of the input","planes":[
 {"id":0,"coefficients":[0.0,0.6,-0.8,1.5],"center":[0.1,0.2,2.0],"axes":[[1.0,0.0,0.0],[0.0,0.8,0.6]],"covariance":[[null,null,null],[null,null,null],[null,null,null]],"support":7,"effective_support":0.5,"rmse":null,"area":0.5,"polygons":[{"outer":[[0.1,0.2,1e-08],[1.0,0.0,0.0],[16777217.0,3.3333333,0.0]],"holes":[[[0.25,0.1,0.0],[0.0,0.0,0.0],[1.0,1.0,1.0]]]}]},
@@ -52,7 +52,7 @@ protected:
     return "no fault";
   }
 
-  /** What is said when a value of the sample's file is replaced. */
+  /** Error message after replacing a value in the sample's file. */
   std::string
   faultAt(const std::string& pointer, const nlohmann::json& value) const
   {
@@ -110,7 +110,7 @@ TEST_F(MapFile, PlanesAloneAreWrittenAsEver)
   std::string wanted = old_file;
   wanted.replace(wanted.find("0.1.0"), 5, ACMAP_VERSION);
   EXPECT_EQ(contentOf(folder_.path("again.json")), [&] {
-    // The float nearest to 16777217 is 16777216.
+    // The float closest to 16777217 is 16777216.
     return wanted.replace(wanted.find("16777217"), 8, "16777216");
   }());
 }

@@ -15,7 +15,7 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/** A rectangle about a point. */
+/** A rectangle with a given centre. */
 PlanePatch
 plateOf(const Vector3d& center, const Vector3d& u, const Vector3d& v)
 {
@@ -31,7 +31,7 @@ plateOf(const Vector3d& center, const Vector3d& u, const Vector3d& v)
 }
 
 /** Floor, ceiling and four walls, 6 m wide, 2.6 m high and 4 m deep, in the frame of a
- * camera that is turned. */
+ * rotated camera. */
 CompactMap
 roomSeenBy(const Quaterniond& T_camera_room)
 {
@@ -54,7 +54,7 @@ turnedAbout(const Vector3d& axis, double degrees)
   return Quaterniond(AngleAxisd(degrees * M_PI / 180, axis));
 }
 
-const Vector3d up = -Vector3d::UnitY(); // of a room, and of a level camera
+const Vector3d up = -Vector3d::UnitY(); // of a room, and of a horizontal camera
 
 TEST(MapUp, ALevelMapHasItsOwnAxis)
 {
@@ -81,7 +81,7 @@ TEST(MapUp, ATiltedCameraIsSeenFromThePlanes)
 
 TEST(MapUp, OtherCamerasTellWhereTheFirstOneIsTiltedMuch)
 {
-  // by 55 degrees a wall is nearer to up than the ceiling
+  // when tilted by 55 degrees, a wall normal is closer to up than that of the ceiling
   const Quaterniond tilt = turnedAbout(Vector3d::UnitX(), 55);
   CompactMap map = roomSeenBy(tilt);
   map.trajectory.poses.assign(6, Eigen::Isometry3d(tilt));

@@ -17,7 +17,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A file as VTK reads it. */
+/** A file read by VTK. */
 class VtkFile {
 public:
   explicit VtkFile(const std::string& path)
@@ -47,7 +47,7 @@ private:
   vtkNew<vtkPolyDataReader> reader_;
 };
 
-/** Some fields of a cloud, point after point. */
+/** Some fields of a cloud, point by point. */
 std::vector<float>
 interleaved(const PCLPointCloud2& cloud, const std::vector<std::string>& names)
 {

@@ -83,7 +83,7 @@ TEST(NoiseScale, scalesWithTheUnit)
   EXPECT_NEAR(large.spacing, 1000 * small.spacing, 30 * small.spacing);
 }
 
-/** The uniform surface of a ball of 0.5 m: curved, but without noise. */
+/** Uniformly distributed points on a ball of 0.5 m: curved, but without noise. */
 Cloud
 makeBall(std::size_t size)
 {
@@ -99,7 +99,7 @@ makeBall(std::size_t size)
   return cloud;
 }
 
-/** A turned part as a CAD program leaves it: rings of vertices, and its flat ends. */
+/** A turned part as exported by a CAD program: rings of vertices with flat ends. */
 Cloud
 makeTurnedPart()
 {
@@ -120,7 +120,7 @@ makeTurnedPart()
   return cloud;
 }
 
-/** The faces of a cube, a grid each; they share its edges. */
+/** The faces of a cube as grids, which share its edges. */
 Cloud
 makeCube(int steps)
 {
@@ -217,8 +217,8 @@ TEST(NoiseScale, neitherThreadsNorViewsChangeIt)
   EXPECT_TRUE(measureNoiseScale(cloud.pointView(), {}).ranges.empty());
 }
 
-/** A wall across the view that recedes to one side, noise along the ray: 0.3 % of the
- * distance. Seen from (1, 2, 3). */
+/** A wall that recedes to one side, with noise along the ray of 0.3 % of the distance.
+ * Observed from (1, 2, 3). */
 NoisyCloud
 makeRecedingWall(std::uint64_t seed)
 {
@@ -229,7 +229,8 @@ makeRecedingWall(std::uint64_t seed)
   for (int i = 0; i < 200000; ++i) {
     const Eigen::Vector3d ray =
         Eigen::Vector3d(random.uniform(-0.7, 0.7), random.uniform(-0.4, 0.4), 1);
-    const double depth = 3 / (1 - 0.9 * ray.x()); // the plane z = 3 + 0.9 x
+    const double depth = 3 / (1 - 0.9 * ray.x()); // intersection with the plane z = 3 +
+                                                  // 0.9 x
     const Eigen::Vector3d hit = ray * depth;
     const double noise = 0.003 * hit.norm() * random.normal();
     cloud.points.emplace_back((sensor + hit + noise * ray.normalized()).cast<float>());
@@ -248,7 +249,7 @@ TEST(NoiseScale, growsWithTheDistanceAsTold)
     EXPECT_GT(range.distance, last);
     last = range.distance;
     points += range.points;
-    if (range.points < 1000) // the last bins are not filled up to their middle
+    if (range.points < 1000) // the last bins are incomplete
       continue;
     EXPECT_NEAR(range.sigma, 0.003 * range.distance, 0.15 * 0.003 * range.distance)
         << "at " << range.distance;
@@ -257,8 +258,8 @@ TEST(NoiseScale, growsWithTheDistanceAsTold)
   EXPECT_GT(scale.ranges.back().sigma, 2 * scale.ranges.front().sigma);
 }
 
-/** Standard deviation of the points about their true planes in squares of 10 cm: the
- * median over the squares. */
+/** Standard deviation of the points about their true planes: the median over squares of
+ * 10 cm. */
 double
 trueSigma(const std::vector<Eigen::Vector3f>& points,
           const std::vector<std::uint32_t>& labels,

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A parallelogram in space, metres; it looks along u x v. */
+/** \brief A parallelogram in space, metres; its normal is along u x v. */
 struct Patch {
   Eigen::Vector3d corner, u, v;
 
@@ -20,14 +20,14 @@ struct Patch {
     return u.cross(v).normalized();
   }
 
-  /** \brief How far a place lies before it; negative behind it. */
+  /** \brief Signed distance from the plane: positive in front, negative behind. */
   double
   depthOf(const Eigen::Vector3d& place) const
   {
     return (place - corner).dot(normal());
   }
 
-  /** \brief The same patch after a motion. */
+  /** \brief The patch after a rigid motion. */
   Patch
   movedBy(const Eigen::Isometry3d& motion) const
   {
@@ -35,7 +35,7 @@ struct Patch {
   }
 };
 
-/** \brief Points with the observation that saw each of them. */
+/** \brief Points with the observation of each point. */
 struct NoisyCloud {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::int32_t> view;
@@ -47,15 +47,15 @@ struct NoisyCloud {
     return {points.data(), sizeof(Eigen::Vector3f), points.size()};
   }
 
-  /** \brief The sensors that the field names. */
+  /** \brief The sensors of the points. */
   SensorView
   sensorView() const
   {
     return {view.data(), sizeof(std::int32_t), viewpoints};
   }
 
-  /** \brief Adds points spread at random over a patch, with normal noise across it.
-   * \param[in] density points a square metre
+  /** \brief Adds random points on a patch, with Gaussian noise along its normal.
+   * \param[in] density points per square metre
    * \param[in] sigma metres */
   void
   addPatch(const Patch& patch,
@@ -65,16 +65,17 @@ struct NoisyCloud {
            std::int32_t seen_from = 0);
 };
 
-/** \brief A square about (0.3, -0.2, 2) whose normal leaves the z axis by so many
- * radians. */
+/** \brief A square centred at (0.3, -0.2, 2) with this angle between its normal and the
+ * z axis, radians. */
 Patch
 squarePatch(double side, double inclination);
 
-/** \brief Floor, ceiling and walls of a room of 12 m by 12 m by 3 m, from its middle. */
+/** \brief Floor, ceiling and walls of a room of 12 m by 12 m by 3 m, observed from its
+ * centre. */
 NoisyCloud
 makeNoisyRoom(double density, double sigma, std::uint64_t seed);
 
-/** \brief The same points in another order, each with its view. */
+/** \brief The same points with their views, in another order. */
 NoisyCloud
 shuffled(const NoisyCloud& cloud, std::uint64_t seed);
 

@@ -40,7 +40,7 @@ TEST_F(ObjFaces, TexturesAndNormalsArePassedOver)
 
 TEST_F(ObjFaces, MaterialsAreNeverOpened)
 {
-  // who opened it would wait for ever
+  // opening it would block forever
   ASSERT_EQ(::mkfifo(folder_.path("pipe").c_str(), 0600), 0);
   for (const std::string& name :
        {folder_.path("pipe"), std::string("pipe"), std::string("../../etc/passwd")})

@@ -139,7 +139,7 @@ TEST(OutputFile, writesStraightIntoDevices)
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-/** Limits the length of files, so that writing fails as on a full disk. */
+/** Limits the size of files, so that writing fails as on a full disk. */
 class FileLimit {
 public:
   explicit FileLimit(rlim_t bytes)

@@ -83,7 +83,8 @@ TEST(OutputFolder, LeftoversOfKilledRunsAreRemoved)
 {
   const TemporaryFolder folder;
   const std::string path = folder.path("out");
-  // of a run that made the folder, of one that found it, and of a file in it
+  // left by a run that created the folder, by one that found it, and by one of a file
+  // in it
   for (const char* const name : {".out.acmap-unfinished-0/out",
                                  "out/.acmap-unfinished-1",
                                  "out/.a.acmap-unfinished-0"}) {
@@ -93,7 +94,7 @@ TEST(OutputFolder, LeftoversOfKilledRunsAreRemoved)
   const OutputFolder output(path);
   EXPECT_THAT(output.names(), IsEmpty());
   EXPECT_EQ(folder.count(), 1);
-  EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 1); // its own
+  EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 1); // only its own entry
 }
 
 TEST(OutputFolder, FaultsNameThePlaceThatTheUserKnows)

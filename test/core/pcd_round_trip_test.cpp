@@ -17,7 +17,7 @@ namespace {
 
 enum class Encoding { ascii, binary, binary_compressed };
 
-/** What PCL writes, and what PCL reads of it, for a cloud of any point type. */
+/** Round trips with PCL in both directions, for any point type. */
 class PcdRoundTrip : public testing::TestWithParam<Encoding> {
 protected:
   template <typename PointT>
@@ -107,15 +107,15 @@ TEST_P(PcdRoundTrip, keepsFieldsOfSeveralValues)
 {
   PCLPointCloud2 blob;
   toPCLPointCloud2(randomCloud<PointXYZRGBNormal>(20, 1), blob);
-  // One field of four values in the place of the normals.
+  // One field of four values instead of the normals.
   blob.fields.resize(5);
   blob.fields[4].name = "descriptor";
   blob.fields[4].count = 4;
   expectEqual(writeAndLoad(blob).cloud, blob);
 }
 
-// The fields of this type do not stand in the order of their offsets: PCL writes binary
-// padding with a negative COUNT, which PCL's reader takes minutes for.
+// The fields of this type are not in the order of their offsets. For such types PCL
+// writes binary padding with a negative COUNT, for which its reader needs minutes.
 TEST_P(PcdRoundTrip, leavesPaddingOut)
 {
   PCLPointCloud2 blob;

@@ -66,8 +66,8 @@ TEST(PlanarPose, survivesSpace)
   }
 }
 
-/** How near a pose's rotation comes to one in space: the trace, to be as large as can
- * be. */
+/** Similarity between the rotation of a pose and a planar rotation: the trace, which is
+ * to be maximal. */
 double
 nearness(const Eigen::Isometry3d& T_map_camera, double theta)
 {

@@ -30,7 +30,7 @@ angleOf(const PlanarScan& scan, std::size_t beam)
   return scan.first_angle + static_cast<double>(beam) * scan.angle_step;
 }
 
-/** A wall whose normal, towards the laser, points along (sin, cos) of an angle. */
+/** A wall whose normal, towards the laser, has the direction (sin, cos) of an angle. */
 PlanarScan
 scanOfWall(double distance, double normal_angle, double noise)
 {

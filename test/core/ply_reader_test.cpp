@@ -43,7 +43,7 @@ TEST(PlyReader, readsWhatPclWrites)
     cloud[i].r = static_cast<std::uint8_t>(20 * i);
     cloud[i].g = 7;
     cloud[i].b = 255;
-    cloud[i].a = 0; // PLY has no alpha for this type
+    cloud[i].a = 0; // PLY files do not store alpha for this type
   }
   PCLPointCloud2 blob;
   toPCLPointCloud2(cloud, blob);

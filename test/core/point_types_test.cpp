@@ -17,7 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/** Organized; a pixel in three has no place, all have a colour. */
+/** An organized cloud; every third pixel has no position, all have a colour. */
 PointCloud<PointXYZRGBSigma>
 observation()
 {

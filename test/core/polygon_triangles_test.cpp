@@ -31,7 +31,7 @@ pointsOf(const PlanePolygon& polygon)
   return points;
 }
 
-/** Area along the normal; below zero for triangles that turn the wrong way. */
+/** Area along the normal; negative for triangles with the wrong orientation. */
 double
 areaOf(const std::vector<Eigen::Vector3d>& points,
        const TriangleMesh::Triangle& triangle,
@@ -81,7 +81,7 @@ loopArea(const Loop& loop)
   return 0.5 * sum;
 }
 
-/** A loop about a centre whose radius leaps. */
+/** A loop around a centre with a random radius. */
 Loop
 makeStar(
     Random& random, std::size_t points, float x, float y, double least, double most)
@@ -161,7 +161,7 @@ TEST(PolygonTriangles, RepeatedAndCollinearPoints)
                  {0, 1, 0},
                  {0, 0, 0}};
   EXPECT_DOUBLE_EQ(totalArea({rim, {}}), 4);
-  // A spike inwards and one outwards, each there and back.
+  // A spike inwards and one outwards, each of zero width.
   const Loop spikes{{0, 0, 0},
                     {4, 0, 0},
                     {4, 2, 0},
@@ -176,12 +176,13 @@ TEST(PolygonTriangles, RepeatedAndCollinearPoints)
 
 TEST(PolygonTriangles, TouchingHoles)
 {
-  // A row of diamonds from rim to rim: two at the rim's edges, all at each other.
+  // A row of diamonds across the polygon: two touch its outline, all touch each other.
   PlanePolygon polygon{rectangle(0, 0, 6, 4), {}};
   for (const float x : {1.0F, 3.0F, 5.0F})
     polygon.holes.push_back({{x - 1, 2, 0}, {x, 3, 0}, {x + 1, 2, 0}, {x, 1, 0}});
   EXPECT_DOUBLE_EQ(totalArea(polygon), 18);
-  // At corners of the rim, with a common edge, and one in two places.
+  // Holes at corners of the outline, with a common edge, and one that touches at two
+  // points.
   polygon = {rectangle(0, 0, 4, 4),
              {{{0, 0, 0}, {1, 2, 0}, {2, 1, 0}},
               {{2, 2, 0}, {2, 3, 0}, {3, 3, 0}, {3, 2, 0}},
@@ -202,7 +203,7 @@ TEST(PolygonTriangles, RegionsOfCellsAreCoveredOnce)
   }
 }
 
-/** Loops of cells from the points of their corners. */
+/** A loop through lattice points. */
 Loop
 cornersOf(const std::vector<std::pair<int, int>>& corners)
 {
@@ -214,7 +215,8 @@ cornersOf(const std::vector<std::pair<int, int>>& corners)
 
 TEST(PolygonTriangles, RimsThatComeBackAlongAnEar)
 {
-  // Between the two holes and the rim's right part is a way of no width.
+  // Between the two holes and the right part of the outline there is a gap of zero
+  // width.
   const PlanePolygon bent{
       cornersOf({{8, 0}, {8, 1}, {7, 1}, {7, 2}, {6, 2}, {6, 4}, {8, 4},
                  {8, 5}, {9, 5}, {9, 8}, {8, 8}, {8, 9}, {5, 9}, {5, 4},
@@ -222,7 +224,7 @@ TEST(PolygonTriangles, RimsThatComeBackAlongAnEar)
       {cornersOf({{7, 6}, {8, 6}, {8, 5}, {7, 5}}),
        cornersOf({{8, 7}, {7, 7}, {7, 8}, {8, 8}})}};
   EXPECT_DOUBLE_EQ(totalArea(bent), 23);
-  // Two holes are bridged to the point that begins and ends the rim.
+  // Two holes are bridged to the start point of the outline.
   const PlanePolygon twice{
       cornersOf({{7, 6},  {7, 5},  {9, 5},  {10, 5}, {10, 4}, {9, 4},
                  {9, 3},  {9, 2},  {10, 2}, {10, 3}, {11, 3}, {11, 4},
@@ -300,8 +302,8 @@ TEST(PolygonTriangles, DegenerateOnesAreEmpty)
                BadArgumentException);
 }
 
-/** Places of a grid over 0 to 20 that triangles cover more than once, or that are outside
- * of the rim or in a hole and are covered. */
+/** Number of positions of a grid over 0 to 20 that are covered more than once, or are
+ * covered although they are outside the outline or in a hole. */
 int
 badlyCovered(const PlanePolygon& polygon,
              const std::vector<TriangleMesh::Triangle>& triangles)
@@ -338,12 +340,12 @@ badlyCovered(const PlanePolygon& polygon,
 
 TEST(PolygonTriangles, CrossingRimsLackTriangles)
 {
-  // The tip of a rim pokes through its other side, and a hole out of the rim.
+  // The tip of an outline crosses its other side, and a hole crosses the outline.
   const PlanePolygon poked{
       cornersOf({{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, -1}, {9, 10}, {0, 10}}), {}};
   const PlanePolygon left{cornersOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}),
                           {cornersOf({{5, 5}, {5, 7}, {15, 6}})}};
-  // Two parts that turn against each other and meet in a corner.
+  // Two parts with opposite orientation that meet in a corner.
   const PlanePolygon eight{
       cornersOf({{0, 0}, {8, 0}, {10, 5}, {12, 9}, {16, 9}, {16, 1}, {10, 5}, {0, 9}}),
       {}};

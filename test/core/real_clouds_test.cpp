@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A real file, read by PCL and by us. */
+/** A real file, read by PCL and by acmap. */
 class RealCloud : public testing::TestWithParam<const char*> {
 protected:
   void

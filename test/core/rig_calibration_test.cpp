@@ -40,7 +40,7 @@ turnedRig()
   return rig;
 }
 
-/** \brief A view at many pixels up to and over the edge of the image. */
+/** \brief Checks the inverse at many pixels up to and beyond the image border. */
 void
 expectInverse(const CameraCalibration& camera)
 {
@@ -75,13 +75,13 @@ TEST(RigCalibration, ProjectsAsOpenCvsModelIsWritten)
 
 TEST(RigCalibration, WhatCannotBeSeenIsNaN)
 {
-  // r - r^3 / 4 ends at r = 1.1547 with .7698: no ray comes to lie outside.
+  // r - r^3 / 4 has its maximum .7698 at r = 1.1547: larger radii cannot be reached.
   const CameraCalibration folded = distortedCamera({-0.25, 0, 0, 0, 0});
   const auto at = [](double r) { return Eigen::Vector2d(331.25 + 521.7 * r, 236.5); };
   EXPECT_TRUE(pixelRay(folded, at(0.78)).hasNaN());
   EXPECT_TRUE(pixelRay(folded, at(5.0)).hasNaN());
   const Eigen::Vector3d ray = pixelRay(folded, at(0.76));
-  EXPECT_LT(ray.x() / ray.z(), 1.1547); // not the one beyond the fold
+  EXPECT_LT(ray.x() / ray.z(), 1.1547); // not the solution beyond the maximum
   EXPECT_TRUE(pixelRay(folded, at(std::nan(""))).hasNaN());
   EXPECT_TRUE(projectPoint(folded, {0.1, 0.1, 0.0}).hasNaN());
   EXPECT_TRUE(projectPoint(folded, {0.1, 0.1, -1.0}).hasNaN());
@@ -134,7 +134,7 @@ TEST(RigCalibration, SurvivesItsFile)
   }
 }
 
-/** \brief What the reader says of a good file in which a text was replaced. */
+/** \brief Error message after a text was replaced in a valid file. */
 std::string
 faultAfter(const std::string& from, const std::string& to, std::size_t nth = 0)
 {
@@ -243,7 +243,7 @@ TEST(RigCalibration, CamerasThatCannotBeAreNamedWithValueAndRange)
               }),
               HasSubstr("camera_horizontal: pose is more than 100 m"));
   EXPECT_EQ(faultAfter([](RigCalibration& rig) {
-              rig.cameras[1].is_there = false; // then nothing of it counts
+              rig.cameras[1].is_there = false; // its other values are then ignored
               rig.cameras[1].focal_x = -1;
             }),
             "");

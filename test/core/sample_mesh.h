@@ -5,7 +5,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A cloud of all that a mesh file stores, with a mesh of random triangles. */
+/** \brief A cloud with all fields that mesh files store, and a mesh of random
+ * triangles. */
 struct SampleMesh {
   explicit SampleMesh(int points = 30000);
 

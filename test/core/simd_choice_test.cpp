@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Sets an environment variable and puts back what it was. */
+/** Sets an environment variable and restores the old value. */
 class Environment {
 public:
   explicit Environment(const char* value)

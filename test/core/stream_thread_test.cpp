@@ -34,7 +34,7 @@ waitFor(const std::atomic<int>& count, int wanted)
 
 TEST(StreamThreadEnd, ComesOnceAfterTheLastStepOfEachStream)
 {
-  std::string calls; // of the thread, read when it has ended
+  std::string calls; // of the thread; read after it has ended
   StreamThread stream(
       [&] {
         calls += 's';
@@ -46,7 +46,7 @@ TEST(StreamThreadEnd, ComesOnceAfterTheLastStepOfEachStream)
   stream.add(1);
   stream.wait();
   EXPECT_EQ(calls, "se");
-  stream.stop(); // nothing runs: nothing ends
+  stream.stop(); // not running, so that the end function is not called
   stream.add(1);
   stream.wait();
   EXPECT_EQ(calls, "sese");
@@ -72,12 +72,12 @@ TEST(StreamThreadEnd, ComesWhereverTheStreamEnds)
         EXPECT_TRUE(self->isRunning());
         EXPECT_TRUE(self->isWithin());
         EXPECT_EQ(errorOf(*self), fault);
-        self->wait(); // its own end does not wait for itself
+        self->wait(); // does not wait for the end function itself
         ++ends;
       });
   self = &stream;
   EXPECT_FALSE(stream.isWithin());
-  stream.add(StreamThread::endless); // the step says that there is no more
+  stream.add(StreamThread::endless); // the step returns that there are no more
   stream.wait();
   EXPECT_EQ(ends, 1);
   is_stopped_within = true;
@@ -153,7 +153,7 @@ TEST(StreamThreadEnd, FramesAskedForMeanwhileAreAStreamOfTheirOwn)
       });
   stream.add(1);
   waitFor(ends, 1);
-  stream.add(2); // must be neither lost nor held up
+  stream.add(2); // must be neither lost nor blocked
   EXPECT_TRUE(stream.isRunning());
   goes_on = true;
   stream.wait();

@@ -130,7 +130,7 @@ TEST(RelativePoseError, whatCannotBeComparedIsRefused)
 
 TEST(RelativePoseError, aPoseThatIsNotRigidIsRefusedWhateverItsMotions)
 {
-  // motions between mirrored poses are rigid; of a single pose there is none
+  // motions between mirrored poses are rigid; a single pose has no motion
   const Poses truth = randomWalk(1, 3);
   Poses mirrored = truth;
   for (Eigen::Isometry3d& pose : mirrored)
@@ -172,7 +172,7 @@ TEST(AbsoluteTrajectoryError, alignsWithoutScale)
   EXPECT_GT(absoluteTrajectoryError(stretched, truth).aligned, 0.3);
 }
 
-/** No other motion of space lays the places nearer. */
+/** No other rigid motion aligns the positions better. */
 TEST(AbsoluteTrajectoryError, alignsBest)
 {
   const Poses truth = randomWalk(5, 30);

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** A file that must be refused, and what the message says of it. */
+/** An invalid file, and a part of the error message. */
 struct Refusal {
   const char* name; // of the test
   const char* ending;
@@ -58,7 +58,7 @@ garbage(std::size_t size)
   return bytes;
 }
 
-/** A PCD of 12-byte points behind a header with these counts. */
+/** A PCD of 12-byte points with these counts in its header. */
 std::string
 pcd(const std::string& counts, const std::string& encoding, const std::string& data)
 {

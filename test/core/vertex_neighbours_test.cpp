@@ -45,7 +45,7 @@ TEST(VertexNeighbours, areThoseOfAllTriangles)
       triangles.push_back(triangle);
     }
     compareWithBruteForce(vertices,
-                          triangles); // corners may be the same, edges crowded
+                          triangles); // with repeated corners and crowded edges
   }
 }
 

@@ -13,7 +13,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Corner = std::array<std::int64_t, 3>; // in multiples of the edge
+using Corner = std::array<std::int64_t, 3>; // in multiples of the edge length
 using CellName = std::pair<Corner, unsigned>;
 using Naive = std::map<CellName, std::vector<std::size_t>>;
 
@@ -26,7 +26,7 @@ cornerOf(const Eigen::Vector3d& place, double edge)
   return corner;
 }
 
-/** The points of each cell, by a map. */
+/** The points of each cell, with a plain map. */
 Naive
 naiveCells(const NoisyCloud& cloud, const SensorView& sensors, double edge)
 {
@@ -74,7 +74,7 @@ gaussOf(const std::vector<Eigen::Vector3f>& points,
   return gauss;
 }
 
-/** In metres. */
+/** Mean and covariance in metres. */
 Gauss
 gaussOf(const VoxelCell& cell, const VoxelLattice& lattice)
 {
@@ -88,7 +88,7 @@ gaussOf(const VoxelCell& cell, const VoxelLattice& lattice)
   return gauss;
 }
 
-/** Counts exactly, means and covariances to a thousandth of an edge. */
+/** Requires equal counts, and means and covariances within a thousandth of an edge. */
 void
 expectAsNaive(const VoxelMoments& voxels,
               const NoisyCloud& cloud,
@@ -164,7 +164,7 @@ TEST(SumVoxels, neitherThreadsNorOrderShow)
   NoisyCloud cloud;
   cloud.viewpoints = {{0.5F, 0.2F, -1.0F}, {-0.7F, -0.4F, 4.5F}};
   Random random(3);
-  cloud.addPatch(squarePatch(3, 0.3), 45000, 0.02, random, 0); // 810 000 with the next
+  cloud.addPatch(squarePatch(3, 0.3), 45000, 0.02, random, 0); // 810 000 points in all
   cloud.addPatch(squarePatch(3, 0.3), 45000, 0.02, random, 1);
   std::vector<std::uint32_t> packed;
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
@@ -259,7 +259,7 @@ TEST(SumVoxels, sidesOfAWallNeverShareACell)
   const auto shared = std::count_if(
       sides.begin(), sides.end(), [](const auto& side) { return side.second >= 2; });
   EXPECT_GT(shared, 80);
-  // a cell holds the points of one view: the sensors stand before and behind the wall
+  // each cell holds points of one view, as the sensors are on both sides of the wall
   for (const auto& [name, points] : naiveCells(cloud, cloud.sensorView(), 0.2))
     for (const std::size_t i : points)
       ASSERT_EQ(cloud.view[i], cloud.view[points[0]]);
@@ -295,7 +295,7 @@ TEST(SumVoxels, witnessIsTheFirstPointWhereNoSensorIsKnown)
 TEST(SumVoxels, colorsAreSummed)
 {
   NoisyCloud cloud = makeTwoSides(11);
-  std::vector<std::array<std::uint32_t, 2>> packed; // the second one is in the way
+  std::vector<std::array<std::uint32_t, 2>> packed; // the second value must be skipped
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
     packed.push_back({static_cast<std::uint32_t>(0xff000000U + i * 2654435761U), 77});
   const VoxelMoments voxels = sumVoxels(cloud.pointView(),

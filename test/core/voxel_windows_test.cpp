@@ -20,12 +20,12 @@ makeScene(std::uint64_t seed)
   Random random(seed);
   cloud.addPatch(squarePatch(1, 0.4), 2000, 0.05, random, 0);
   cloud.addPatch(squarePatch(1, 1.2), 2000, 0.05, random, 1);
-  cloud.points.emplace_back(9, 9, 9); // nobody beside it
+  cloud.points.emplace_back(9, 9, 9); // isolated
   cloud.view.push_back(1);
   return cloud;
 }
 
-/** By a look at all cells, sorted. */
+/** Checks all cells; sorted. */
 std::vector<Part>
 naiveWindow(const VoxelMoments& voxels, VoxelKey middle, int reach)
 {

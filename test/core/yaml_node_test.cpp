@@ -78,7 +78,7 @@ TEST(YamlNode, NamesFileLineColumnAndKey)
               HasSubstr("a map of keys"));
 }
 
-/** A text that is no document, and what the message says of it. */
+/** An invalid document, and a part of the error message. */
 struct BadYaml {
   const char* name;
   std::string text;

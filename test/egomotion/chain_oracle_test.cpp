@@ -18,7 +18,8 @@ namespace {
 const Eigen::Isometry3d T_target_source =
     poseOf({0.03, -0.02, 0.05}, 0.02, -0.015, 0.01);
 
-/** \brief Derivatives of a sum of costs by the six small motions. */
+/** \brief Derivatives of a sum of costs with respect to the six parameters of a small
+ * motion. */
 Vector6
 numericalGradient(const std::function<double(const Eigen::Isometry3d&)>& cost)
 {
@@ -66,7 +67,8 @@ featurePairs()
   return pairs;
 }
 
-/** \brief Positive definite, units apart as in a real problem. */
+/** \brief Positive definite, with different scales of the unknowns as in a real
+ * problem. */
 NormalEquations
 randomEquations(std::uint64_t seed)
 {
@@ -82,14 +84,14 @@ randomEquations(std::uint64_t seed)
 
 } // namespace
 
-// The weights count as constants in the equations: Cauchy's cost has this very gradient.
+// The equations use constant weights: Cauchy's cost has the same gradient.
 TEST(ChainOracle, featureGradientIsTheCostsDerivative)
 {
   const std::vector<FeaturePair> pairs = featurePairs();
   const auto cost = [&](const Eigen::Isometry3d& motion) {
     double sum = 0;
     for (const FeaturePair& pair : pairs) {
-      // covariances turn with the motion, which the equations leave out
+      // covariances rotate with the motion, which the equations ignore
       const Eigen::Matrix3d covariance =
           pair.target_covariance + T_target_source.linear() * pair.source_covariance *
                                        T_target_source.linear().transpose();
@@ -130,8 +132,8 @@ TEST(ChainOracle, surfaceGradientIsTheCostsDerivative)
   expectNear(term.evidence.equations.gradient, numericalGradient(cost), 0.03);
 }
 
-// The view's gradients are central differences, those of the samples bilinear. Only the
-// middle of one wall is compared, so that the same pixels count under every motion.
+// The view's gradients are central differences, those of the samples are bilinear. Only
+// the centre of one wall is compared, so that the same pixels count for every motion.
 TEST(ChainOracle, appearanceGradientIsNearTheCostsDerivative)
 {
   Room room;
@@ -193,7 +195,8 @@ TEST(ChainOracle, covarianceIsTheInverseInsideOfTheModel)
 
 TEST(ChainOracle, whatIsOpenIsInfiniteAndStays)
 {
-  NormalEquations wall; // one plane before the camera: z, and the turns about x and y
+  NormalEquations wall; // one frontal plane determines z and the rotations about x and
+                        // y
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 0.0, 1.0})
       wall.add(motionRow({x, y, 2}, {0, 0, 1}), 0.1, 100);

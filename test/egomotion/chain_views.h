@@ -7,7 +7,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A view of a room as the chain sees it. */
+/** \brief A view of a room in the format of the chain. */
 inline CameraView
 chainView(const Room& room,
           const Eigen::Isometry3d& T_room_camera,

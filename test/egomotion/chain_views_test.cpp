@@ -16,7 +16,7 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 const Eigen::Isometry3d here = poseOf({-0.3, 0, -0.5}, 0.1);
 
-/** \brief A wall straight ahead that fills the view. */
+/** \brief A frontal wall that fills the view. */
 Room
 wallAt(double depth)
 {
@@ -63,7 +63,7 @@ TEST(Pinhole, ofHolesAndNoiseIsTheSame)
       point.setConstant(nan);
   const auto pinhole = fitPinhole(view);
   ASSERT_TRUE(pinhole);
-  EXPECT_NEAR(pinhole->focal_length.x(), 260, 1e-3); // noise runs along the rays
+  EXPECT_NEAR(pinhole->focal_length.x(), 260, 1e-3); // noise is along the rays
 }
 
 TEST(Pinhole, isNoneWherePointsLieOnNoCamerasRays)
@@ -153,7 +153,8 @@ TEST(ViewLevels, noiseIsMeasuredAndHalvedWithTheImage)
     Random random(9);
     for (float& value : view.image.values)
       value += static_cast<float>(noise * random.normal());
-    EXPECT_NEAR(imageNoise(view.image), noise, 0.2 * noise); // paint counts as noise
+    EXPECT_NEAR(imageNoise(view.image), noise, 0.2 * noise); // the texture also counts
+                                                             // as noise
     const CameraView clean = chainView(Room(), here);
     const std::vector<ViewLevel> levels = viewLevels(view), truth = viewLevels(clean);
     for (std::size_t l = 1; l < levels.size(); ++l) {
@@ -198,7 +199,8 @@ TEST(SurfaceBlocks, arePlanesOfTheRoom)
       ++planes;
     }
   EXPECT_GT(planes, surfaces.blocks.size() / 2);
-  // the variance is that of one point; here neighbours do not err alike
+  // the variance is that of a single point; here the errors of neighbours are
+  // independent
   EXPECT_NEAR(squared / static_cast<double>(planes), 1.0 / 64, 0.005);
 }
 
@@ -208,7 +210,8 @@ TEST(Contradiction, isWhatStandsBeforeWhatWasSeen)
   const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
   EXPECT_EQ(contradictedShare(*near, *near, still), 0);
   EXPECT_EQ(contradictedShare(*near, *far, still), 1);
-  EXPECT_EQ(contradictedShare(*far, *near, still), 1); // by the target's surfaces
+  EXPECT_EQ(contradictedShare(*far, *near, still), 1); // because of the target's
+                                                       // surfaces
   EXPECT_EQ(contradictedShare(*near, *far, poseOf({0, 0, 1}, 0)), 0);
 }
 

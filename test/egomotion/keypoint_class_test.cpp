@@ -51,7 +51,7 @@ TEST_F(GradientMaximum, givesThePointsOfItsIndices)
 
 TEST_F(GradientMaximum, gainAndOffsetOfLightChangeNothing)
 {
-  // whole grey levels, so that no rounding of colours comes in between
+  // integral grey levels, to avoid effects of rounding
   Cloud::Ptr dim = wallOf(paint(Wallpaper(2, 12)));
   const Indices wanted = indicesOf(dim);
   for (PointXYZRGB& point : *dim)
@@ -77,7 +77,7 @@ TEST_F(GradientMaximum, onlyIndicesCanBeKeypoints)
   const Indices all = indicesOf(cloud_);
   IndicesPtr half(new Indices(cloud_->size() / 2));
   std::iota(half->begin(), half->end(), 0);
-  half->insert(half->end(), half->begin(), half->end() - 5); // doubled
+  half->insert(half->end(), half->begin(), half->end() - 5); // duplicates
   detector_.setIndices(half);
   Indices wanted;
   for (const index_t index : all)
@@ -90,7 +90,7 @@ TEST_F(GradientMaximum, onlyIndicesCanBeKeypoints)
 
 TEST_F(GradientMaximum, colourCountsWherePlacesAreMissing)
 {
-  // no place in every other column: the others' keypoints stay where they are
+  // every other column has no positions: the remaining keypoints do not move
   const Indices all = indicesOf(cloud_);
   for (std::size_t i = 1; i < cloud_->size(); i += 2)
     (*cloud_)[i].z = nan;
@@ -132,7 +132,7 @@ TEST_F(GradientMaximum, whatIsNoImageIsRefused)
   refuse(torn);
   torn->points.resize(1000);
   refuse(torn);
-  torn->points.clear(); // the header tells of pixels still
+  torn->points.clear(); // the header still announces pixels
   refuse(torn);
   for (const index_t index : {-1, 43200}) {
     detector_.setIndices(IndicesPtr(new Indices{5, index}));

@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** The gradient's length in double, as the words of the header have it. */
+/** The norm of the gradient in double precision, as documented in the header. */
 class NaiveGradient {
 public:
   explicit NaiveGradient(const GreyImage& image)
@@ -24,7 +24,7 @@ public:
            2;
   }
 
-  /** \return by how much a pixel exceeds its neighbours */
+  /** \return difference between a pixel and the maximum of its neighbours */
   double
   prominence(int x, int y) const
   {
@@ -93,7 +93,7 @@ TEST_F(KeypointOracle, maximaAreThoseOfEightNeighbours)
     for (int x = 2; x + 2 < image_.width; ++x) {
       const double prominence = naive.prominence(x, y), value = naive.at(x, y);
       if (std::abs(prominence) < 1e-4 || std::abs(value - 4) < 1e-4)
-        continue; // rounding decides
+        continue; // depends on rounding
       EXPECT_EQ(std::binary_search(pixels.begin(), pixels.end(), y * image_.width + x),
                 prominence > 0 && value > 4)
           << x << ' ' << y;
@@ -117,7 +117,7 @@ TEST_F(KeypointOracle, pixelsWithoutPlaceAreCountedAndLeftOut)
   EXPECT_EQ(counts_.left_out, 0u);
 }
 
-/** Round after round, as one would deal cards. */
+/** Selects in rounds: each one takes the strongest remaining keypoint of each tile. */
 std::vector<std::int32_t>
 naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t most)
 {
@@ -169,7 +169,7 @@ TEST_F(KeypointOracle, cellsGiveTheirStrongestInTurn)
 
 TEST_F(KeypointOracle, alikeNeighboursAreNoStrictMaxima)
 {
-  // a straight edge: its gradient is the same all along
+  // a straight edge: its gradient is constant along it
   for (std::size_t i = 0; i < image_.values.size(); ++i)
     image_.values[i] = i % 150 < 70 ? 50 : 200;
   EXPECT_TRUE(found({}).empty());

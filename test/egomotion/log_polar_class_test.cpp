@@ -208,7 +208,7 @@ TEST_F(LogPolarClass, inputThatCannotBeIsRefusedAndOutputUntouched)
   EXPECT_THROW(matcher_.determineCorrespondences(matches), InitFailedException);
   EXPECT_THROW(refuse(Cloud::Ptr(new Cloud(1, 1))), UnorganizedPointCloudException);
   EXPECT_THROW(refuse(Cloud::Ptr(new Cloud(500, 1))), UnorganizedPointCloudException);
-  const Cloud::Ptr torn(new Cloud(640, 480)); // its header tells of more pixels
+  const Cloud::Ptr torn(new Cloud(640, 480)); // its header announces more pixels
   torn->points.resize(1000);
   EXPECT_THROW(refuse(torn), UnorganizedPointCloudException);
   matcher_.setInputTarget(torn);

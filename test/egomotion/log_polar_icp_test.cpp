@@ -16,8 +16,8 @@ using Cloud = PointCloud<PointXYZRGB>;
 using Icp = IterativeClosestPoint<PointXYZRGB, PointXYZRGB>;
 using Matcher = registration::CorrespondenceEstimationLogPolar<PointXYZRGB>;
 
-/** A painted floor and wall, seen by a camera from a place: each pixel's ray meets the
- * nearer of both. */
+/** A painted floor and wall, seen by a camera: each ray is intersected with the nearer
+ * one. */
 Cloud::Ptr
 corner(const Eigen::Isometry3d& T_world_camera)
 {
@@ -34,7 +34,7 @@ corner(const Eigen::Isometry3d& T_world_camera)
       const Eigen::Vector3d place = from + depth * way;
       PointXYZRGB& point = (*cloud)[static_cast<std::size_t>(y * 240 + x)];
       point.getVector3fMap() = (depth * ray).cast<float>();
-      // unrolled: the floor goes on where the wall ends
+      // the wall and the floor are continuous on the texture
       const Eigen::Vector2d on_paper(place.x(), place.y() + 3 - place.z());
       const double value = std::clamp(paper.at(80 * on_paper), 0.0, 255.0);
       point.r = point.g = point.b = static_cast<std::uint8_t>(std::lround(value));
@@ -62,7 +62,7 @@ TEST(LogPolarIcp, insideOfPclItFindsTheMotion)
   Cloud aligned;
   icp.align(aligned);
 
-  // of the last round: the colours came along with the moved points
+  // matches of the last iteration: colours were kept with the transformed points
   EXPECT_GT(matcher->getReport().matches, 80u);
   const Eigen::Isometry3d found(icp.getFinalTransformation().cast<double>());
   const Eigen::Isometry3d error = found.inverse() * truth;

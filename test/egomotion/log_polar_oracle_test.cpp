@@ -18,7 +18,7 @@ namespace {
 
 using Samples = std::vector<double>;
 
-/** The Pearson coefficient, from its definition. */
+/** Pearson's correlation coefficient, by its definition. */
 double
 pearson(const Samples& a, const Samples& b)
 {
@@ -35,14 +35,14 @@ pearson(const Samples& a, const Samples& b)
          std::sqrt((n * aa - sum_a * sum_a) * (n * bb - sum_b * sum_b));
 }
 
-/** What a camera sees and where its keypoints are. */
+/** An image with its keypoints. */
 struct Side {
   std::vector<std::int32_t> pixels;
   std::vector<Eigen::Vector3f> points;
   LogPolarPatches patches;
 };
 
-/** Matching word by word: every pair, every shift, every threshold. */
+/** Straightforward matching: every pair, every shift, every threshold. */
 class NaiveMatching {
 public:
   NaiveMatching(const LogPolarSettings& settings, const MatchGate& gate)
@@ -50,7 +50,7 @@ public:
   , gate_(gate)
   {}
 
-  /** Pairs of keypoints, by source. */
+  /** Pairs of keypoints, sorted by source. */
   std::vector<std::pair<int, int>>
   match(const Side& source, const Side& target) const
   {
@@ -116,7 +116,7 @@ private:
     return best;
   }
 
-  /** Of the rings that both have, one of them scaled and turned. */
+  /** Score of the common rings, with one patch scaled and rotated. */
   double
   scoreOfShift(const LogPolarPatches& a,
                std::size_t i,
@@ -162,7 +162,7 @@ protected:
     return side;
   }
 
-  /** Compares with the naive way. \return how many matches there are */
+  /** Compares with the straightforward matching. \return number of matches */
   std::size_t
   compare(const MatchGate& gate = {}) const
   {
@@ -230,7 +230,7 @@ TEST_F(LogPolarOracle, patchesAreSamplesOfTheSmoothedImage)
 {
   const GreyImage image = paint(paper_);
   const LogPolarPatches patches = logPolarPatches(image, {100 + 90 * 240}, settings_);
-  // waves keep their form under a Gaussian, so that the paper tells the samples nearly
+  // a Gaussian only attenuates the waves, so that the samples are known approximately
   Samples wanted, found(patches.samples.begin(), patches.samples.end());
   double sum = 0, squares = 0;
   for (int ring = 0; ring < 12; ++ring)
@@ -253,7 +253,7 @@ TEST_F(LogPolarOracle, patchesAreSamplesOfTheSmoothedImage)
   EXPECT_NEAR(squares, 1, 1e-4);
 }
 
-/** One run of a variant over rows and columns of random samples. */
+/** Runs one variant on rows and columns of random samples. */
 std::vector<std::int32_t>
 scoresOf(RaiseScores raise, std::size_t pairs, std::size_t blocks, int range)
 {

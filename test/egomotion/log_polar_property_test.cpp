@@ -57,7 +57,7 @@ protected:
     return pixelPairs(source, keypointsOf(source), target, keypointsOf(target));
   }
 
-  /** How many matches of the plain view with a changed one are right, and wrong. */
+  /** Numbers of correct and wrong matches between the plain view and a changed one. */
   std::pair<std::size_t, std::size_t>
   judge(const ViewChange& change)
   {
@@ -115,7 +115,7 @@ TEST_F(LogPolarProperty, gainAndOffsetOfLightChangeNothing)
   const Pairs wanted = pixelPairs(now, before);
   ASSERT_GT(wanted.size(), 80u);
   for (float& value : now.values)
-    value = 0.5F * value + 40; // exact enough to keep every maximum
+    value = 0.5F * value + 40; // preserves all maxima in spite of rounding
   EXPECT_EQ(pixelPairs(now, before), wanted);
 }
 
@@ -169,7 +169,7 @@ TEST_F(LogPolarProperty, everyNumberOfThreadsGivesTheSameBytes)
 
 TEST_F(LogPolarProperty, aRepeatedPatternIsAmbiguous)
 {
-  // the same every 48 pixels, wherever one looks
+  // periodic with 48 pixels in both directions
   GreyImage before = paint(paper_);
   for (int y = 0; y < before.height; ++y)
     for (int x = 0; x < before.width; ++x) {

@@ -26,7 +26,7 @@ greyOf(const std::string& number)
   return image;
 }
 
-/** Matches of two views of a kitchen, as pixels (now, before). */
+/** Matches between two views of a kitchen, as pixels (now, before). */
 std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>
 matchesOf(const std::string& now, const std::string& before)
 {
@@ -52,8 +52,9 @@ matchesOf(const std::string& now, const std::string& before)
   return matches;
 }
 
-/** How many matches move as most of their neighbours in the image do: a hand does not turn
- * so far between the views that the move of near ones differs by 15 pixels. */
+/** Number of matches that move like most of their neighbours in the image. The camera
+ * rotates so little between the views that the motions of neighbours differ by less
+ * than 15 pixels. */
 std::size_t
 agreeing(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& matches)
 {

@@ -14,7 +14,8 @@ protected:
 
 constexpr MotionModel models[] = {MotionModel::Planar, MotionModel::Rigid};
 
-/** 1e-6 of the closed form, also far from the origin and with tiny weights. */
+/** Differs by less than 1e-6 from the closed form, also far from the origin and with
+ * tiny weights. */
 TEST(MotionFitOracle, conjugateGradientFindsWhatTheClosedFormDoes)
 {
   for (const MotionModel model : models)
@@ -36,7 +37,8 @@ TEST(MotionFitOracle, conjugateGradientFindsWhatTheClosedFormDoes)
       }
 }
 
-/** Nothing is near, and no scaling of the unknowns right: steepest descent fails here. */
+/** The start is far from the solution and the unknowns are badly scaled: steepest
+ * descent fails here. */
 TEST(MotionFitOracle, soItDoesBetweenUnrelatedPoints)
 {
   for (const MotionModel model : models)
@@ -72,7 +74,7 @@ TEST_P(FittedMotion, aMotionWithoutNoiseIsRecovered)
     }
 }
 
-/** The energy, counted here, is least where the fit says. */
+/** The energy, computed here, has its minimum at the fit. */
 TEST_P(FittedMotion, noStepLeadsFurtherDown)
 {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -88,7 +90,7 @@ TEST_P(FittedMotion, noStepLeadsFurtherDown)
     const double least = energy(found.T_target_source);
     EXPECT_NEAR(found.energy, least, 1e-12 * least);
     for (int direction = 0; direction < 6; ++direction) {
-      // x, z and the turn about y are 0, 2 and 4
+      // x, z and the rotation about y are 0, 2 and 4
       if (model_ == MotionModel::Planar && direction % 2 != 0)
         continue;
       for (const double step : {-1e-3, 1e-3}) {
@@ -134,7 +136,7 @@ TEST_P(FittedMotion, aWeightCountsAsRepetition)
   }
 }
 
-/** A turn of the planar model leaves heights alone. */
+/** A planar motion does not change heights. */
 TEST(MotionFitOracle, planarMotionsAreOnTheFloor)
 {
   for (const MotionSolver solver :

@@ -12,7 +12,7 @@ using Places = std::vector<Eigen::Vector3d>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/** Of all models and solvers. */
+/** For all models and solvers. */
 class UglyPairs : public testing::TestWithParam<std::tuple<MotionModel, MotionSolver>> {
 protected:
   Eigen::Isometry3d
@@ -68,7 +68,7 @@ TEST_P(UglyPairs, aLineTellsNoTurnAboutItself)
   }
   EXPECT_LT(difference(motionOf(source, target), truth, source), 1e-9);
 
-  // a pole; the shortest turn is none
+  // a vertical line; the smallest rotation is none
   Places pole;
   for (int i = 0; i < 5; ++i)
     pole.emplace_back(1, 0.3 * i, 4);
@@ -89,7 +89,7 @@ TEST_P(UglyPairs, twoPairsAreALine)
   EXPECT_LT(difference(motionOf(source, target), truth, source), 1e-9);
 }
 
-/** There the gradient is nought, and nowhere is higher. */
+/** The identity is a maximum of the energy with zero gradient there. */
 TEST_P(UglyPairs, halfATurnIsFound)
 {
   Places source, target;
@@ -112,7 +112,7 @@ TEST_P(UglyPairs, aMirrorIsNoMotion)
     source.emplace_back(x, 2 * y, 3 * random.normal());
     target.emplace_back(-source.back().x(), source.back().y(), source.back().z());
   }
-  motionOf(source, target); // determinant 1
+  motionOf(source, target); // must have determinant 1
 }
 
 TEST_P(UglyPairs, pairsThatAreNotFiniteDoNotCount)

@@ -8,14 +8,15 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Points and where they are after a motion. */
+/** \brief Points, and their positions after a motion. */
 struct MotionProblem {
   std::vector<Eigen::Vector3d> source, target;
   std::vector<double> weights;
   Eigen::Isometry3d T_target_source;
 };
 
-/** \brief A random motion of 3 to 40 points, centimetres to metres apart in each axis. */
+/** \brief A random motion of 3 to 40 points, whose spread in each axis is centimetres
+ * to metres. */
 inline MotionProblem
 randomProblem(std::uint64_t seed, MotionModel model, double noise, double far = 0)
 {
@@ -50,8 +51,8 @@ fit(const MotionProblem& problem, MotionModel model, MotionSolver solver)
   return fitMotion(problem.source, problem.target, problem.weights, model, solver);
 }
 
-/** \brief The largest difference of two motions of the points themselves, and of their
- * turns. */
+/** \brief Maximum difference of two motions: of the transformed points and of the
+ * rotations. */
 inline double
 difference(const Eigen::Isometry3d& a,
            const Eigen::Isometry3d& b,

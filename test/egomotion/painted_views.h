@@ -11,8 +11,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Brightness of an endless wallpaper: waves in all directions, 8 to 60 pixels long,
- * about 128. */
+/** \brief Brightness of an infinite wallpaper: waves in all directions, with a mean of
+ * about 128 and wavelengths of 8 to 60 pixels. */
 class Wallpaper {
 public:
   explicit Wallpaper(std::uint64_t seed, double contrast = 30);
@@ -30,13 +30,14 @@ private:
   double amplitude_;
 };
 
-/** \brief How a camera before a wallpaper is turned, and how near it is. */
+/** \brief Motion of a camera in front of a wallpaper. */
 struct ViewChange {
   double turn = 0;                                 ///< radians
-  double scale = 1;                                ///< of the picture
+  double scale = 1;                                ///< of the image
   Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< pixels
 
-  /** \brief Where a pixel of the plain view (or a place of the paper) lies in this one. */
+  /** \brief Position in this view of a pixel of the plain view (or of a point of the
+   * paper). */
   Eigen::Vector2d
   operator()(const Eigen::Vector2d& pixel) const;
 
@@ -44,19 +45,19 @@ struct ViewChange {
   inverse(const Eigen::Vector2d& pixel) const;
 };
 
-/** \brief The wallpaper as seen, 240 x 180 pixels, turned about the middle. */
+/** \brief Image of the wallpaper, 240 x 180 pixels, rotated about its centre. */
 GreyImage
 paint(const Wallpaper& paper, const ViewChange& change = {});
 
-/** \brief Maxima of the gradient away from the border. */
+/** \brief Maxima of the gradient that are not close to the border. */
 std::vector<std::int32_t>
 keypointsOf(const GreyImage& image, std::size_t most = 400);
 
 Eigen::Vector2d
 placeOf(std::int32_t pixel, const GreyImage& image);
 
-/** \brief The image on a wall 2 m before a camera of 200 pixels focal length, turned by its
- * side so that every pixel has a depth of its own. */
+/** \brief The image on a wall at 2 m, for a camera with 200 pixels focal length. The
+ * wall is oblique, so that all pixels have different depths. */
 PointCloud<PointXYZRGB>::Ptr
 wallOf(const GreyImage& image);
 

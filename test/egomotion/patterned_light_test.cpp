@@ -11,13 +11,13 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A wall with grain, 2 m away, seen from two places beside each other by a camera that
- * carries a projector: without its pattern and with it. */
+/** A wall with grain at 2 m, seen from two positions by a camera that carries a
+ * projector: with and without its pattern. */
 class PatternedLight : public testing::Test {
 protected:
   struct Judgement {
-    std::size_t right = 0;  ///< moved as the wall does
-    std::size_t misled = 0; ///< moved as the pattern does: not at all
+    std::size_t right = 0;  ///< move like the wall
+    std::size_t misled = 0; ///< move like the pattern, that is, not at all
     std::size_t matches = 0;
   };
 
@@ -33,7 +33,7 @@ protected:
     return scene;
   }
 
-  /** Bright lines at places of their own along both directions. */
+  /** Bright lines at irregular positions in both directions. */
   static RgbImage
   lines(const SimulatedProjector& projector)
   {

@@ -35,7 +35,7 @@ protected:
       all_.push_back(i);
   }
 
-  /** The kernel's, of the same floats. */
+  /** Result of the kernel for the same floats. */
   Matrix4
   wanted(MotionModel model = MotionModel::Planar,
          MotionSolver solver = MotionSolver::ConjugateGradient,
@@ -69,7 +69,7 @@ TYPED_TEST(PlanarEstimation, theFourWaysAreOne)
   this->fit_.estimateRigidTransformation(this->source_, this->target_, motion);
   EXPECT_EQ(motion, wanted);
 
-  // other points among them
+  // inserts other points between them
   PointCloud<PointXYZ> more = this->source_;
   more.insert(more.begin(), 5, PointXYZ(9, 9, 9));
   Indices shifted;

@@ -14,7 +14,7 @@ using Icp = IterativeClosestPoint<PointXYZ, PointXYZ>;
 using Planar = registration::TransformationEstimationPlanar<PointXYZ, PointXYZ>;
 using WorstOut = registration::CorrespondenceRejectorWorstOut;
 
-/** Points of a room, some of which went their own way between the views. */
+/** Points of a room, some of which moved independently between the views. */
 class PlanarIcp : public testing::Test {
 protected:
   PlanarIcp()
@@ -39,7 +39,7 @@ protected:
                        static_cast<float>(place.z()));
   }
 
-  /** How far off a point in the middle of the room is. */
+  /** Position error of a point in the centre of the room. */
   double
   errorOf(Icp& icp) const
   {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 
-/** \brief Where a ray enters and leaves a box, in its own lengths. */
+/** \brief Where a ray enters and leaves a box, as multiples of its direction. */
 std::pair<double, double>
 crossing(const Box& box, const Eigen::Vector3d& from, const Eigen::Vector3d& ray)
 {
@@ -46,7 +46,7 @@ SpacePaint::SpacePaint(std::uint64_t seed, double contrast)
 {
   Random random(seed);
   for (Wave& wave : waves_) {
-    // one after another: compilers differ in the order of arguments
+    // in separate statements: the evaluation order of arguments is unspecified
     const double z = random.normal(), y = random.normal(), x = random.normal();
     const Eigen::Vector3d direction(x, y, z);
     wave.frequency = full_turn / random.uniform(0.1, 0.6) * direction.normalized();

@@ -6,7 +6,7 @@ namespace pcl::acmap::test {
 
 namespace {
 
-/** As two cameras see it: off along the ray by what their disparity is off. */
+/** Adds noise along the ray that corresponds to a disparity error. */
 Eigen::Vector3f
 seen(const Eigen::Vector3d& place, double noise, Random& random)
 {

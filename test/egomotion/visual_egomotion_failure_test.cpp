@@ -16,7 +16,7 @@ namespace {
 using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-/** \brief A room with grey levels of one's own. */
+/** \brief A room with custom grey levels. */
 Room
 roomOf(std::function<double(const Eigen::Vector3d&, const Eigen::Vector2d&)> brightness)
 {
@@ -100,7 +100,7 @@ TEST(VisualEgomotionFailure, blankViewsWithNoiseShowNothing)
             EgomotionOutcome::Estimated);
 }
 
-// One painted patch on the far wall: whatever is told must be right.
+// One textured patch on the far wall: if a motion is reported, it must be correct.
 TEST(VisualEgomotionFailure, smallPatchGivesTheMotionOrNone)
 {
   const SpacePaint paint(1);
@@ -144,8 +144,8 @@ TEST(VisualEgomotionFailure, motionsBeyondTheBoundsAreNone)
       << egomotion.getReport().reason;
 }
 
-// A strip of paint, upright on the far wall, leaves the turn about it open; the surfaces
-// close it.
+// A vertical strip of texture on the far wall does not determine the rotation about it;
+// the surfaces do.
 TEST(VisualEgomotionFailure, featuresOnALineLeaveATurnOpen)
 {
   const SpacePaint paint(1);
@@ -165,8 +165,9 @@ TEST(VisualEgomotionFailure, featuresOnALineLeaveATurnOpen)
   expectRight(*estimate);
 }
 
-// The colours are to be those of a shot without a pattern. Where they are not, the
-// surfaces deny what moves with the camera, where walls show little else.
+// The colours should be those of a shot without a pattern. If they are not, and the
+// walls have little texture, the surfaces contradict features that move with the
+// camera.
 TEST(VisualEgomotionFailure, lightThatMovesWithTheCameraIsDenied)
 {
   const SpacePaint pattern(4);
@@ -184,7 +185,7 @@ TEST(VisualEgomotionFailure, lightThatMovesWithTheCameraIsDenied)
   }
 }
 
-// Views of an endless pattern are the same after each period: no method could tell.
+// Views of an infinite pattern repeat with its period: no method can distinguish them.
 TEST(VisualEgomotionFailure, wallpaperThatRepeatsIsRightUpToItsPeriod)
 {
   int told = 0;

@@ -11,7 +11,7 @@ namespace {
 using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-/** \brief Where both cameras stand, and what may move. */
+/** \brief Poses of both cameras, and the motion model. */
 struct Motion {
   MotionModel model;
   Eigen::Isometry3d before, now;
@@ -64,7 +64,7 @@ egomotionOf(MotionModel model,
   return egomotion;
 }
 
-/** \brief Squared motion in standard deviations, by the coordinates that are free. */
+/** \brief Squared Mahalanobis distance of a motion in the free coordinates. */
 double
 squaredDeviations(const Eigen::Matrix<double, 6, 1>& motion,
                   const Eigen::Matrix<double, 6, 6>& covariance)

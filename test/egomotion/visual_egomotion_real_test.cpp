@@ -16,7 +16,8 @@ namespace {
 
 const std::string folder = "C_sequence/redkitchen_000_495";
 
-/** \brief A frame as pcl_rgbd_import registers it: in the frame of the colour camera. */
+/** \brief A frame registered as by pcl_rgbd_import: in the frame of the colour
+ * camera. */
 struct Observation {
   PointCloud<PointXYZRGBSigma>::Ptr cloud{new PointCloud<PointXYZRGBSigma>};
   Eigen::Isometry3d T_world_camera;
@@ -41,7 +42,7 @@ observationOf(const RgbdSequence& sequence, int number)
   return observation;
 }
 
-// The poses given are themselves wrong by about 1 cm and 0.3 degrees between such views.
+// The given poses have errors of about 1 cm and 0.3 degrees between such views.
 TEST(VisualEgomotionReal, neighboursOfAKitchenAreNearTheirPoses)
 {
   if (!hasTestData(folder + "/frame-000000.depth.png"))

@@ -57,7 +57,7 @@ estimateOf(Egomotion& egomotion, const Pair& pair, MotionModel model)
   return egomotion.compute();
 }
 
-/** \brief Mean of the squared error in standard deviations, of each degree of freedom. */
+/** \brief Mean squared error per degree of freedom, in units of the variance. */
 double
 meanSquaredDeviation(MotionModel model, bool refines)
 {
@@ -137,8 +137,9 @@ TEST(VisualEgomotionRefinement, covarianceIsHonest)
     }
 }
 
-// Somebody stands before the wall, and has moved by himself: near by, so that his matches
-// are the precise ones. He is left out, or there is no motion.
+// A person in front of the wall has moved independently; since the person is close,
+// these matches are the precise ones. The person must be rejected, or no motion
+// returned.
 TEST(VisualEgomotionRefinement, whatMovesAloneDoesNotSpoilIt)
 {
   const Eigen::Isometry3d before = poseOf({-0.1, 0, -0.2}, 0.05);

@@ -15,7 +15,7 @@ namespace {
 using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-/** \brief All that a run gives. */
+/** \brief Complete result of a run. */
 struct Outcome {
   Eigen::Matrix4d motion = Eigen::Matrix4d::Zero();
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -62,7 +62,7 @@ runOn(Egomotion& egomotion,
   return outcome;
 }
 
-/** \brief Views on a walk. */
+/** \brief Views along a path. */
 std::vector<Cloud::ConstPtr>
 walk(std::size_t steps)
 {
@@ -91,8 +91,8 @@ TEST(VisualEgomotionRuns, sequencesGiveWhatPairsGive)
   }
 }
 
-// The cloud must not change while it is kept, so that what is kept shows: were it looked
-// at again, there would be no points.
+// Cached clouds must not be changed; this test does so to show that they are cached:
+// without the cache, b would have no features.
 TEST(VisualEgomotionRuns, viewsAreLookedAtOnce)
 {
   const Cloud::ConstPtr a = walk(3)[0], c = walk(3)[2];
@@ -102,7 +102,7 @@ TEST(VisualEgomotionRuns, viewsAreLookedAtOnce)
   for (PointXYZRGBSigma& point : *b)
     point.r = point.g = point.b = 0;
   EXPECT_FALSE(runOn(egomotion, c, b).motion.isZero());
-  EXPECT_FALSE(runOn(egomotion, a, c).motion.isZero()); // forgets b
+  EXPECT_FALSE(runOn(egomotion, a, c).motion.isZero()); // b is removed from the cache
   EXPECT_TRUE(runOn(egomotion, c, b).motion.isZero());
   EXPECT_EQ(egomotion.getReport().outcome, EgomotionOutcome::BlankView);
 }

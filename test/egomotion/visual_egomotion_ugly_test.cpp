@@ -45,7 +45,7 @@ expectRight(const std::optional<EgomotionEstimate>& estimate, double metres = 0.
   EXPECT_TRUE(estimate->covariance.allFinite());
 }
 
-/** \brief Every few points of a view made ugly. */
+/** \brief Corrupts every few points of a view. */
 Cloud::Ptr
 spoilt(const Cloud::Ptr& view, const std::function<void(PointXYZRGBSigma&)>& spoil)
 {
@@ -56,7 +56,7 @@ spoilt(const Cloud::Ptr& view, const std::function<void(PointXYZRGBSigma&)>& spo
   return view;
 }
 
-/** \brief Pixels of a size of one's own: half of them with points, all with colours. */
+/** \brief An image of any size: half of the pixels have points, all have colours. */
 Cloud::Ptr
 rubble(std::uint32_t width, std::uint32_t height, std::uint64_t seed)
 {

@@ -10,10 +10,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Ratios of float distances are off by that much. */
+/** Relative error of ratios of float distances. */
 constexpr double rounding = 2e-6;
 
-/** Eq. 1 of one match as it stands in the paper, all others looked at anew. */
+/** Eq. 1 for one match as in the paper, computed from all others. */
 double
 naiveDistortion(std::int32_t match,
                 const std::vector<std::int32_t>& others,
@@ -48,7 +48,7 @@ naiveWorst(const std::vector<std::int32_t>& left,
   return worst;
 }
 
-/** Wrong matches, least distance. */
+/** Parameters: number of wrong matches, minimum distance. */
 class WorstOutOracle : public testing::TestWithParam<std::tuple<std::size_t, double>> {
 };
 
@@ -86,7 +86,7 @@ TEST_P(WorstOutOracle, everyRemovalIsOfTheWorstAndNoneTooMany)
 
 INSTANTIATE_TEST_SUITE_P(
     WrongAndLeast,
-    WorstOutOracle, // with 1 m, many pairs are near in one cloud or in both
+    WorstOutOracle, // with 1 m, many pairs are near in one or both clouds
     testing::Combine(testing::Values(0, 6, 20, 36), testing::Values(0.0, 0.05, 1.0)));
 
 TEST(WorstOutSample, othersAreJudgedByWhatIsLeftOfIt)
@@ -100,7 +100,7 @@ TEST(WorstOutSample, othersAreJudgedByWhatIsLeftOfIt)
   const WorstOutOutcome outcome =
       leaveWorstOut(matches.source, matches.target, settings);
 
-  // of 500 every fifth
+  // every fifth of 500
   std::vector<std::int32_t> sample;
   for (const std::int32_t kept : outcome.kept)
     if (kept % 5 == 4)

@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** How far off the motion of some matches is. */
+/** Errors of a motion computed from some matches. */
 struct MotionErrors {
   double squared_metres = 0, squared_radians = 0;
 
@@ -67,7 +67,7 @@ TEST_P(WorstOutOutliers, hardlyMoveTheAction)
   EXPECT_LT(radians, GetParam() ? 3 : 1.05);
   EXPECT_GT(static_cast<double>(kept_right), 0.99 * static_cast<double>(right));
   EXPECT_GT(static_cast<double>(kept_right), 0.96 * static_cast<double>(kept));
-  // what the wrong ones would do
+  // effect of the wrong matches without rejection
   if (GetParam()) {
     EXPECT_GT(timesNoise(of_all.squared_metres, of_right.squared_metres), 3.5);
   }

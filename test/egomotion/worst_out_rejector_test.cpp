@@ -13,7 +13,7 @@ namespace {
 
 using registration::CorrespondenceRejectorWorstOut;
 
-/** Matches among points that are shuffled, and have a neighbour that is no match. */
+/** Matches between shuffled points, with unmatched points in between. */
 class WorstOutRejector : public testing::Test {
 protected:
   WorstOutRejector()
@@ -79,7 +79,7 @@ TEST_F(WorstOutRejector, theSameByPclsWay)
     PCLPointCloud2::Ptr source(new PCLPointCloud2), target(new PCLPointCloud2);
     toPCLPointCloud2(*source_, *source);
     toPCLPointCloud2(*target_, *target);
-    if (is_organized) { // rows with room behind them
+    if (is_organized) { // rows with padding
       target->width /= 2;
       target->height = 2;
       target->row_step = target->width * target->point_step + 8;
@@ -111,7 +111,7 @@ TEST_F(WorstOutRejector, settingsDoWhatTheySay)
   EXPECT_EQ(rejector_.getReport().remarks.size(), 1u);
   rejector_.setMinimumMatches(6);
 
-  rejector_.setMinimumDistance(100); // all are near now
+  rejector_.setMinimumDistance(100); // all pairs count as near now
   rejector_.getRemainingCorrespondences(matches_, remaining);
   EXPECT_TRUE(remaining.empty());
 }
@@ -190,7 +190,7 @@ TEST_F(WorstOutRejector, blobsThatAreNoCloudsAreRefused)
   bad.row_step -= 1;
   expectRefused(bad);
 
-  // what was set before stays
+  // earlier settings are kept
   Correspondences remaining;
   rejector_.getRemainingCorrespondences(matches_, remaining);
   expectWanted(remaining);

@@ -23,7 +23,7 @@ expectNoneKept(const Places& places)
   EXPECT_EQ(outcome.distortion, 0);
 }
 
-/** Far enough from each other. */
+/** Sufficiently far apart. */
 Places
 cubeCorners()
 {
@@ -81,7 +81,7 @@ TEST(WorstOutUgly, squaresThatOverflowDoNotSpoilTheRest)
 
 TEST(WorstOutUgly, nearInOneCloudAloneIsAContradiction)
 {
-  // each on its own corner before; two of them on one now
+  // before, each point is at its own corner; now two of them are at the same one
   const Places source = cubeCorners();
   Places target = cubeCorners();
   target[5] = target[2] + Eigen::Vector3f(0.01F, 0, 0);
@@ -91,7 +91,7 @@ TEST(WorstOutUgly, nearInOneCloudAloneIsAContradiction)
 
 TEST(WorstOutUgly, ofEquallyBadOnesTheFirstGoesFirst)
 {
-  // both wrong in the same way: a mirror's two sides
+  // both have the same error, as they are mirror images of each other
   Places source = cubeCorners();
   for (const Eigen::Vector3f& corner : cubeCorners())
     source.push_back(corner * 3 - Eigen::Vector3f(1, 1, 1));

@@ -54,7 +54,7 @@ TYPED_TEST(AnyPointVotes, theSame)
 TEST(VotingClass, polygonsAreFans)
 {
   const VotingMesh plane = makePlaneMesh(3, 3, 1);
-  PolygonMesh polygons; // a pentagon, a square, a triangle, and what is no face
+  PolygonMesh polygons; // a pentagon, a square, a triangle, and an invalid face
   for (const Indices& corners :
        std::vector<Indices>{{1, 2, 5, 4, 0}, {3, 4, 7, 6}, {4, 5, 8}, {1, 2}, {}}) {
     polygons.polygons.emplace_back();

@@ -10,7 +10,7 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-/** Numbers the places of a lattice as they are asked for. */
+/** Creates the vertices of a lattice when they are first requested. */
 class LatticeVertices {
 public:
   LatticeVertices(Cloud& cloud, double spacing, double half)
@@ -55,7 +55,7 @@ makeIcosahedron()
     return mesh.cloud[static_cast<std::size_t>(i)].getVector3fMap();
   };
   const auto isEdge = [&](std::int32_t a, std::int32_t b) {
-    return (place(a) - place(b)).norm() < 1.1F; // edges are 1.05 long
+    return (place(a) - place(b)).norm() < 1.1F; // edges have length 1.05
   };
   for (std::int32_t a = 0; a < 12; ++a)
     for (std::int32_t b = a + 1; b < 12; ++b)
@@ -68,7 +68,7 @@ makeIcosahedron()
   return mesh;
 }
 
-/** Parts each triangle in four; new vertices lie on the unit sphere. */
+/** Splits each triangle into four; new vertices are on the unit sphere. */
 void
 refineOnSphere(VotingMesh& mesh)
 {

@@ -4,12 +4,12 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The surface of a cube of \a side squares along each edge, about the origin,
- * seen from outside. */
+/** \brief The surface of a cube with \a side squares along each edge, centred at the
+ * origin, oriented outwards. */
 VotingMesh
 makeCubeMesh(int side, double spacing);
 
-/** \brief An icosahedron with each face parted in four, \a levels times. */
+/** \brief An icosahedron whose faces are split into four, \a levels times. */
 VotingMesh
 makeSphereMesh(int levels, double radius);
 

@@ -36,7 +36,8 @@ TEST(VotedCreases, flatRoofHasNone)
   }
 }
 
-/** sin^2 phi = 1 / (2 + eps) for normals 2 phi apart, on the ridge. */
+/** On the ridge, sin^2 phi = 1 / (2 + eps) for an angle of 2 phi between the
+ * normals. */
 TEST(VotedCreases, weightSaysFromWhichAngleOn)
 {
   for (const double eps : {2.0, 5.0, 12.0, 30.0}) {
@@ -84,8 +85,8 @@ TEST(VotedCreases, cubeHasEightCorners)
   const std::vector<Eigen::Vector3f> directions = creaseDirections(mesh);
   for (std::size_t v = 0; v < mesh.cloud.size(); ++v) {
     const Eigen::Vector3f place = mesh.cloud[v].getVector3fMap() / 0.6F;
-    std::vector<int> edge_axes; // those along which the vertex is not at the end
-    float nearest_end = 2;      // of an edge or corner, in halves of the cube
+    std::vector<int> edge_axes; // axes along which the vertex is not at an end
+    float nearest_end = 2;      // distance to an edge or corner, in halves of the cube
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs(place[axis]) < 0.99F) {
         edge_axes.push_back(axis);

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Hills gentle enough that every vertex has one clear normal. */
+/** Smooth hills, so that the normal of every vertex is well defined. */
 VotingMesh
 makeHills(int side)
 {
@@ -118,8 +118,8 @@ TEST(VotingInvariance, scaleDoesNotMatter)
   }
 }
 
-/** Coordinates of a national grid: a float there is a multiple of 6 cm, and the middle of a
- * triangle is none. */
+/** Coordinates of a national grid: floats are multiples of 6 cm there, but the centre
+ * of a triangle is not. */
 TEST(VotingInvariance, farFromTheOriginIsAsGood)
 {
   for (const double slope : {0.25, 1.0, 3.0})

@@ -16,7 +16,7 @@ placeOf(const VotingMesh& mesh, std::int32_t vertex)
   return mesh.cloud[static_cast<std::size_t>(vertex)].getVector3fMap().cast<double>();
 }
 
-/** The unreached vertex of the shortest path so far; -1 when there is none. */
+/** The unvisited vertex with the shortest path so far, or -1. */
 std::int32_t
 nextVertex(const std::vector<double>& lengths, const std::vector<bool>& is_done)
 {
@@ -89,7 +89,8 @@ voteNaively(const VotingMesh& mesh, std::size_t vertex, const NaiveSettings& set
     const double cosine = -n.dot(u);
     const Eigen::Vector3d vote = n + 2 * cosine * u; // Eq. 6
     const double weight = cross.norm() / 2 * std::exp(-way / (settings.radius / 3)) *
-                          (1 - cosine * cosine); // Eq. 8 and the class's own factor
+                          (1 - cosine * cosine); // Eq. 8 with the additional factor of
+                                                 // the class
     sum += weight * vote * vote.transpose();     // Eq. 7
     front += weight * n;
     ++votes;

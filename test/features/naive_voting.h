@@ -6,17 +6,17 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What Page's equations say of a vertex, in doubles. */
+/** \brief Result of Page's equations for a vertex, in double precision. */
 struct NaiveVote {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  Eigen::Vector3d eigenvalues = Eigen::Vector3d::Zero(); ///< rising, their sum is 1
+  Eigen::Vector3d eigenvalues = Eigen::Vector3d::Zero(); ///< ascending, with sum 1
   VertexClass vertex_class = VertexClass::Unknown;
 };
 
 struct NaiveSettings {
   double radius = 1;
-  double nearest = 0; ///< metres; nearer triangles do not vote
+  double nearest = 0; ///< metres; closer triangles do not vote
   double crease_weight = 12;
   double corner_weight = 0.3;
 };
@@ -25,8 +25,9 @@ struct NaiveSettings {
 std::vector<double>
 pathLengths(const VotingMesh& mesh, std::size_t vertex);
 
-/** \brief Page et al., Eq. 6 to 10, as they stand, with the mean of the corners' path
- * lengths for the way to a triangle: each vertex asks each triangle. */
+/** \brief Direct implementation of Page et al., Eq. 6 to 10, with the mean of the
+ * corners' path lengths as the distance of a triangle: each triangle votes for each
+ * vertex. */
 NaiveVote
 voteNaively(const VotingMesh& mesh, std::size_t vertex, const NaiveSettings& settings);
 

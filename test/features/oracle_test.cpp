@@ -26,7 +26,7 @@ voteByKernel(const VotingMesh& mesh,
       report);
 }
 
-/** How far the strongest of the three cases is ahead of the next. */
+/** Difference between the strongest of the three cases and the second. */
 double
 leadOfClass(const NaiveVote& vote, const VotingSettings& settings)
 {
@@ -38,7 +38,7 @@ leadOfClass(const NaiveVote& vote, const VotingSettings& settings)
   return cases[2] - cases[1];
 }
 
-/** Compares what is well posed: directions of eigenvalues that lie apart. */
+/** Compares well-conditioned values only: directions of distinct eigenvalues. */
 void
 expectSame(const VotedNormal& found,
            const NaiveVote& wanted,
@@ -60,7 +60,7 @@ expectSame(const VotedNormal& found,
   }
 }
 
-/** Who finds too few voters asks once more, twice as far. */
+/** If there are too few votes, votes again with twice the radius. */
 NaiveVote
 voteTwice(const VotingMesh& mesh, std::size_t vertex, NaiveSettings settings)
 {
@@ -123,7 +123,7 @@ TEST(VotingOracle, closedSurfaces)
 
 TEST(VotingOracle, pathsAreThoseOfALattice)
 {
-  const VotingMesh mesh = makePlaneMesh(7, 7, 1); // diagonals rise to the right
+  const VotingMesh mesh = makePlaneMesh(7, 7, 1); // diagonals go up to the right
   const std::vector<double> lengths = pathLengths(mesh, 0);
   EXPECT_DOUBLE_EQ(lengths[6], 6);
   EXPECT_DOUBLE_EQ(lengths[48], 6 * std::sqrt(2.0));

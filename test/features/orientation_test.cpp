@@ -12,7 +12,7 @@ using MapPoint = PointXYZRGBNormalView;
 
 const std::vector<Eigen::Vector3f> above_and_below = {{0, 0, 5}, {0, 0, -5}};
 
-/** Points left of x = 0 were seen from above, the others from below. */
+/** Points left of x = 0 were observed from above, the others from below. */
 PointCloud<MapPoint>::Ptr
 toMap(const Cloud& cloud)
 {

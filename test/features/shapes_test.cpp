@@ -20,7 +20,7 @@ askForCurvatures(Voting& voting)
   voting.setComputeCurvatures(true);
 }
 
-/** The vertices that have a whole disc around them. */
+/** The vertices whose neighbourhood is a complete disc. */
 std::vector<std::size_t>
 withWholeDisc(const VotingMesh& mesh, const Voted& voted)
 {
@@ -127,7 +127,8 @@ TEST(VotedShapes, saddleBendsBothWays)
   EXPECT_NEAR(curvatures.pc1 + curvatures.pc2, 0, 0.05 / radius);
 }
 
-/** The votes all come from one side, so they are less exact: a screw line is no arc. */
+/** All votes come from one side and are less accurate, because a helix is not a
+ * circular arc. */
 TEST(VotedShapes, rimsOfOpenMeshesHaveNormals)
 {
   const VotingMesh mesh = makeHalfCylinderMesh(20, 0.5);

@@ -17,7 +17,7 @@ askForCurvatures(Voting& voting)
   voting.setComputeCurvatures(true);
 }
 
-/** Nobody could vote at the vertex. */
+/** Expects that there were no votes for the vertex. */
 void
 expectUnknown(const Voted& voted, std::size_t v)
 {
@@ -29,7 +29,7 @@ expectUnknown(const Voted& voted, std::size_t v)
   EXPECT_TRUE(std::isnan(voted.curvatures[v].pc2)) << v;
 }
 
-/** All vertices are unknown, and it is said why. */
+/** Expects that all vertices are unknown, with a remark that says why. */
 void
 expectNothing(const VotingMesh& mesh)
 {

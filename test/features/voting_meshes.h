@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Vertices and triangles of which the truth is known. Metres. */
+/** \brief Vertices and triangles with known truth. Metres. */
 struct VotingMesh {
   Cloud cloud;
   TriangleMesh faces;
@@ -21,37 +21,38 @@ toPoint(const Eigen::Vector3d& place)
   return {p.x(), p.y(), p.z()};
 }
 
-/** \brief Where the point (u, v) of a sheet lies in space. */
+/** \brief Maps the point (u, v) of a sheet to space. */
 using Place = std::function<Eigen::Vector3d(double u, double v)>;
 
-/** \brief A grid about u = v = 0, its columns along u, two triangles a square; of a level
- * plane they look up. */
+/** \brief A grid centred at u = v = 0 with its columns along u and two triangles per
+ * square. The normals of a horizontal plane point up. */
 VotingMesh
 makeSheetMesh(int columns, int rows, double spacing, const Place& place);
 
-/** \brief z = 0. */
+/** \brief The plane z = 0. */
 VotingMesh
 makePlaneMesh(int columns, int rows, double spacing);
 
 /** \brief A roof of 41 by 21 vertices, 1 m apart, with its ridge on the y axis.
- * \param[in] angle radians between its two sides, pi for a plane */
+ * \param[in] angle between its two sides, radians; pi for a plane */
 VotingMesh
 makeRoofMesh(double angle);
 
-/** \brief Half a cylinder about the y axis, seen from outside, 33 vertices around. */
+/** \brief Half a cylinder about the y axis, oriented outwards, with 33 vertices
+ * around. */
 VotingMesh
 makeHalfCylinderMesh(int rows, double radius);
 
-/** \brief A plane of random heights: creases of all kinds. */
+/** \brief A grid with random heights: creases of all kinds. */
 VotingMesh
 makeRoughMesh(int side, double height, std::uint64_t seed);
 
-/** \brief The same seen from the other side. */
+/** \brief The mesh with opposite orientation. */
 VotingMesh
 turnedOver(VotingMesh mesh);
 
-/** \brief Whether a vertex has neighbours all round, by the number of times its edges are
- * met. */
+/** \brief For each vertex, is it surrounded by triangles? Counts the uses of its
+ * edges. */
 std::vector<bool>
 innerVertices(const VotingMesh& mesh);
 

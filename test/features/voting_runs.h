@@ -11,7 +11,7 @@ namespace pcl::acmap::test {
 
 constexpr double degree = M_PI / 180; // radians
 
-/** \brief All that a run gives. */
+/** \brief Complete result of a run. */
 struct Voted {
   PointCloud<Normal> normals;
   PointCloud<Label> classes;
@@ -33,7 +33,7 @@ struct Voted {
 
 using Voting = NormalVectorVoting<PointXYZ>;
 
-/** \brief Asks an object for all that it gives, curvatures where it was told to. */
+/** \brief Runs an object and collects all outputs, including curvatures if enabled. */
 template <typename PointT>
 Voted
 runVoting(NormalVectorVoting<PointT>& voting)
@@ -46,17 +46,18 @@ runVoting(NormalVectorVoting<PointT>& voting)
   return voted;
 }
 
-/** \param[in] set what is not to stay at its default */
+/** \param[in] set changes default settings */
 Voted
 voteOn(
     const VotingMesh& mesh, const std::function<void(Voting&)>& set = [](Voting&) {});
 
-/** \brief Along the crease at each vertex: the kernel's e3. Default settings. */
+/** \brief Direction of the crease at each vertex: e3 of the kernel. Default
+ * settings. */
 std::vector<Eigen::Vector3f>
 creaseDirections(const VotingMesh& mesh);
 
-/** \brief Largest difference of two unit normals, where both are told; infinite where only
- * one is. */
+/** \brief Maximum difference of the unit normals of two runs; infinite if a normal is
+ * known in one run only. */
 double
 largestDifference(const Voted& a, const Voted& b);
 

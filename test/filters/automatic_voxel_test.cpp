@@ -34,7 +34,7 @@ TEST_P(AutomaticVoxel, leavesLittleNoise)
   EXPECT_LT(fit.rms, voxel / 40);
   EXPECT_LT(fit.median_angle, 0.03);
   EXPECT_GT(fit.coverage, 0.6);
-  // asked for by name it is the same
+  // setting this voxel size explicitly gives the same result
   const Consolidated named = consolidate(cloud, voxel);
   ASSERT_EQ(named.cloud.size(), found.cloud.size());
   for (std::size_t i = 0; i < found.cloud.size(); ++i)

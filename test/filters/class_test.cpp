@@ -169,7 +169,7 @@ TEST(ConsolidationClass, farPointsAreCountedAndRemarked)
   EXPECT_EQ(consolidation.getVoxelOfPoint().back(), -1);
 }
 
-/** The clouds that nobody wants, at a voxel size that somebody chose. */
+/** Degenerate clouds with an explicit voxel size. */
 TEST(ConsolidationClass, uglyCloudsAreTaken)
 {
   Cloud invalid;

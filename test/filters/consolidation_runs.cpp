@@ -72,7 +72,7 @@ fitOf(
   fit.mean /= size;
   fit.rms = std::sqrt(fit.rms / size);
   const double area =
-      (patch.u.norm() - 2 * inset) * (patch.v.norm() - 2 * inset); // at right angles
+      (patch.u.norm() - 2 * inset) * (patch.v.norm() - 2 * inset); // perpendicular
   fit.coverage = size * voxel * voxel / area;
   const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
   std::nth_element(angles.begin(), middle, angles.end());

@@ -10,11 +10,11 @@ using MapPoint = PointXYZRGBNormalView;
 using MapCloud = PointCloud<MapPoint>;
 using MapConsolidation = VoxelConsolidation<MapPoint>;
 
-/** \brief A map whose points know their views; colours are random. */
+/** \brief A map cloud whose points have their views and random colours. */
 MapCloud::Ptr
 toMapCloud(const NoisyCloud& cloud);
 
-/** \brief All that a run gives. */
+/** \brief Complete result of a run. */
 struct Consolidated {
   MapCloud cloud;
   ConsolidationReport report;
@@ -38,22 +38,24 @@ normalOf(const MapPoint& point)
   return point.getNormalVector3fMap().cast<double>();
 }
 
-/** \brief Metres from the rim of the patch to the foot of a place; negative outside. */
+/** \brief Distance of a projected point from the border of a patch, metres; negative
+ * outside. */
 double
 insetIn(const Patch& patch, const Eigen::Vector3d& place);
 
-/** \brief How the representatives of one plane lie, metres. */
+/** \brief Deviations of the representatives from a true plane, metres. */
 struct SheetFit {
   std::size_t points = 0;
-  double mean = 0;         ///< depth before the true plane
-  double rms = 0;          ///< of the depth
-  double largest = 0;      ///< of the depth, its amount
-  double coverage = 0;     ///< points for each voxel face of the area
-  double median_angle = 0; ///< radians between normal and the truth, signs count
+  double mean = 0;         ///< signed distance in front of the true plane
+  double rms = 0;          ///< of the signed distance
+  double largest = 0;      ///< absolute value of the signed distance
+  double coverage = 0;     ///< points per voxel face of the area
+  double median_angle = 0; ///< radians between the normal and the true one, including
+                           ///< the sign
 };
 
-/** \brief Of those that look to the patch's side, or nowhere, and lie within \a reach of
- * it and \a inset from its rim. */
+/** \brief Evaluates the representatives within \a reach of a patch and \a inset from
+ * its border whose normals point to the patch's side or are unknown. */
 SheetFit
 fitOf(const MapCloud& cloud,
       const Patch& patch,

@@ -42,7 +42,7 @@ refined(const Cloud::ConstPtr& cloud, DepthRefinementReport* report = nullptr)
   return result;
 }
 
-/** Root mean square of depth errors. */
+/** Root mean square of the depth errors. */
 double
 errorOf(const std::vector<double>& truth, const Cloud& cloud)
 {
@@ -73,7 +73,7 @@ TEST(DepthRefinement, takesTheStepsOut)
     const Eigen::Vector3f normal = result[i].getNormalVector3fMap();
     if (std::isnan(result[i].x))
       continue;
-    // along the ray, and towards the sensor
+    // positions only change along the ray, and normals point to the sensor
     EXPECT_LT(
         (result[i].getVector3fMap() / result[i].z - room.points[i] / room.points[i].z())
             .norm(),
@@ -108,7 +108,7 @@ TEST(DepthRefinement, withdrawsWhatHangsBetweenSurfaces)
 {
   DepthRoom room({});
   for (std::size_t i = 5000; i < room.points.size(); i += 7919)
-    room.points[i] *= 0.5F; // far before the walls
+    room.points[i] *= 0.5F; // far in front of the walls
   DepthRefinementReport report;
   const Cloud result = refined(cloudOf(room.points), &report);
   for (std::size_t i = 5000; i < room.points.size(); i += 7919)
@@ -120,7 +120,7 @@ TEST(DepthRefinement, keepsEdges)
 {
   const DepthRoom room({});
   const Cloud result = refined(cloudOf(room.points));
-  // where the box stands before the wall nothing is between them
+  // there are no points between the box and the wall
   for (std::size_t i = 0; i < result.size(); ++i)
     if (std::isfinite(result[i].z)) {
       ASSERT_LT(std::abs(static_cast<double>(result[i].z) - room.true_depths[i]), 0.15);
@@ -145,8 +145,7 @@ TEST(DepthRefinement, keepsOtherFieldsAndLeavesOutWhatIsNotChosen)
   EXPECT_FALSE(std::isnan(result[100].x));
 }
 
-/** The planes of a room and the pixels that are truly theirs, as a segmentation would give
- * them. */
+/** The planes of a room with their true pixels, like the output of a segmentation. */
 std::vector<PlanePatch>
 patchesOf(const DepthRoom& room)
 {

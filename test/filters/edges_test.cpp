@@ -8,10 +8,10 @@ namespace pcl::acmap::test {
 namespace {
 
 constexpr double sigma = 0.01;
-constexpr double density = 15000; // points a square metre
+constexpr double density = 15000; // points per square metre
 
-/** A wall of 3 m by 2.7 m with a door panel of 0.9 m by 2.1 m that lies back by 10 cm,
- * and the reveal around it, seen from three places before it. */
+/** A wall of 3 m by 2.7 m with a door panel of 0.9 m by 2.1 m recessed by 10 cm, and
+ * the reveal around it, observed from three positions in front of it. */
 struct Recess {
   Patch wall, panel;
   NoisyCloud cloud;
@@ -23,7 +23,7 @@ uprightPatch(double left, double right, double low, double high, double z)
   return {{left, low, z}, {right - left, 0, 0}, {0, high - low, 0}};
 }
 
-/** \param[in] turn of the wall about the vertical y axis, radians */
+/** \param[in] turn rotation of the wall about the vertical y axis, radians */
 Recess
 makeRecess(double turn)
 {
@@ -64,7 +64,7 @@ TEST_P(DoorPanel, keepsItsDepth)
   EXPECT_LT(panel.rms, 0.006);
   EXPECT_GT(panel.coverage, 0.75);
 
-  // depths over the panel, and over the wall beside it, away from the rim
+  // depths of the panel, and of the wall beside it, except near their border
   double panel_sum = 0, wall_sum = 0, panel_points = 0, wall_points = 0;
   for (const MapPoint& point : cloud) {
     const double inset = insetIn(recess.panel, placeOf(point));

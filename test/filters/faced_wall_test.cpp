@@ -7,8 +7,9 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** The end of a corridor as one camera sees it: the side walls at a slant, with little of
- * the noise along its rays across them; the end wall squarely, with all of it. */
+/** The end of a corridor in one view: the side walls are oblique, so that the noise
+ * along the rays is mostly parallel to them; the end wall is frontal, with the full
+ * noise. */
 TEST(FacedWall, isOnePlaneInSpiteOfItsNoise)
 {
   NoisyCloud cloud;
@@ -35,7 +36,7 @@ TEST(Rim, isReached)
   const Patch patch{{0.013, 0.021, 0.03}, {2, 0, 0}, {0, 2, 0}};
   cloud.addPatch(patch, 20000, 0.005, random);
   constexpr double voxel = 0.08;
-  std::map<int, double> farthest; // along x, by rows
+  std::map<int, double> farthest; // maximum x of each row
   for (const MapPoint& point : consolidate(cloud, voxel).cloud) {
     double& x = farthest[static_cast<int>(point.y / voxel)];
     x = std::max(x, static_cast<double>(point.x));

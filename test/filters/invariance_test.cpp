@@ -76,7 +76,8 @@ TEST(Invariance, wholeVoxelsMoveTheOutput)
 {
   constexpr float voxel = 0.125;
   NoisyCloud cloud = makeRoomOfTwoViews();
-  for (Eigen::Vector3f& point : cloud.points) // exact also after the shift
+  for (Eigen::Vector3f& point : cloud.points) // so that the shifted coordinates are
+                                              // exact too
     point = (point * 65536).array().round().matrix() / 65536;
   for (Eigen::Vector3f& viewpoint : cloud.viewpoints)
     viewpoint = (viewpoint * 65536).array().round().matrix() / 65536;

@@ -17,7 +17,8 @@ struct PlaneCase {
   double voxel;
 };
 
-/** A square of 2 m with noise of 1 cm, seen from (0.3, -0.2, 5) or from below it. */
+/** A square of 2 m with noise of 1 cm, observed from (0.3, -0.2, 5) or from below
+ * it. */
 class NoisyPlane : public testing::TestWithParam<PlaneCase> {
 protected:
   NoisyPlane()
@@ -36,7 +37,7 @@ TEST_P(NoisyPlane, pointsLieOnThePlane)
   const double voxel = GetParam().voxel;
   const Consolidated found = consolidate(cloud_, voxel);
   const double residual = found.report.residual;
-  // an inclined slab is cut off unevenly by the faces of its windows
+  // the faces of the windows cut an inclined plane unevenly
   const double cut = GetParam().inclination > 0 ? noise * noise / (2.5 * voxel) : 0;
   std::size_t points = 0, within = 0;
   double largest = 0;
@@ -60,7 +61,7 @@ TEST_P(NoisyPlane, normalsAreThoseOfThePlane)
   const double voxel = GetParam().voxel;
   const Consolidated found = consolidate(cloud_, voxel);
   const SheetFit fit = fitOf(found.cloud, patch_, voxel, 0.5, 2.5 * voxel);
-  // the noise of a plane's slope through 5 x 5 voxels, or 3 x 3 where these are thin
+  // uncertainty of a plane's slope in 5 x 5 voxels, or 3 x 3 if these are thin
   EXPECT_LT(fit.median_angle, std::max(degree, 5 * found.report.residual / voxel / 2));
   EXPECT_NEAR(fit.mean, 0, 0.1 * noise);
   EXPECT_GT(fit.coverage, 0.7);
@@ -107,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Consolidation,
 
 TEST(NoisyPlaneTail, leavesHardlyASpike)
 {
-  // voxels of three sigma: the tail of the noise has voxels of its own
+  // voxels of three sigma: points in the tail of the noise get voxels of their own
   for (const auto& [density, largest_share] :
        {std::pair{3000.0, 3e-3}, std::pair{30000.0, 1e-4}}) {
     std::size_t spikes = 0, points = 0;

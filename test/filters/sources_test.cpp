@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A thin wall seen from both sides, a floor and a few lonely points. */
+/** A thin wall seen from both sides, a floor and a few isolated points. */
 NoisyCloud
 makeThinWallScene()
 {

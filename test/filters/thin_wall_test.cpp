@@ -7,15 +7,16 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** Both faces of a wall of 2 m by 2 m, 12 cm thick, noise 1 cm, each from its own side. */
+/** Both faces of a wall of 2 m by 2 m, 12 cm thick, with 1 cm noise; each is observed
+ * from its own side. */
 struct Wall {
   std::array<Patch, 2> faces;
   NoisyCloud cloud;
 };
 
-/** \param[in] inclination of its normal off the z axis, radians
- * \param[in] stations of the sensors of the front in its own frame: along u, along v,
- * before it; the back has them mirrored */
+/** \param[in] inclination angle between its normal and the z axis, radians
+ * \param[in] stations sensor positions of the front in its own frame: along u, along
+ * v, in front; the back has the mirrored ones */
 Wall
 makeWall(double inclination, const std::vector<Eigen::Vector3d>& stations)
 {

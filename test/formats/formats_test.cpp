@@ -85,7 +85,7 @@ TEST(Formats, StagesOfTheFirst)
   EXPECT_FALSE(fs::exists(folder.path("stages/a/trajectory.txt")));
 }
 
-/** What a reader says of a sample with something put in. */
+/** Error message of a reader for a modified sample. */
 std::string
 faultOf(const std::string& name,
         std::size_t at,
@@ -176,7 +176,7 @@ TEST(Formats, NumbersThatAreNoneAreRefused)
                 HasSubstr("format"));
 }
 
-/** Who raises a number keeps a sample of the one before, and tells of it. */
+/** A new version number needs a sample of the previous one and an entry in the page. */
 TEST(Formats, EachHasItsRowInThePage)
 {
   const std::string page = contentOf(ACMAP_FORMATS_PAGE);

@@ -13,9 +13,9 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What a reader makes of its input; nothing where it refuses it, which it does in
- * one printable line that names the file. Whatever else it throws ends the program.
- * \param[in] read reads what it calls "input" */
+/** \brief Result of a reader; nothing if it rejects the input, with a printable message
+ * of one line that contains the file name. Any other exception ends the program.
+ * \param[in] read reads a file called "input" */
 template <typename Read>
 auto
 acceptedBy(const Read& read) -> std::optional<std::invoke_result_t<Read>>
@@ -25,7 +25,7 @@ acceptedBy(const Read& read) -> std::optional<std::invoke_result_t<Read>>
   }
   catch (const InputFileException& refusal) {
     const std::string line = refusal.what();
-    const std::string begin = ": input: "; // PCL writes the colon
+    const std::string begin = ": input: "; // PCL adds the colon
     require(line.compare(0, begin.size(), begin) == 0 && line.size() > begin.size());
     require(std::none_of(
         line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }));
@@ -39,7 +39,7 @@ textOfInput(const std::uint8_t* data, std::size_t size)
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/** \brief Equal, or both NaN. */
+/** \brief Are both numbers equal, or both NaN? */
 template <typename Number>
 bool
 isSame(Number a, Number b)

@@ -5,7 +5,7 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give scans with all their promises, which become points. */
+/** Bytes are rejected, or give valid scans, which are converted to points. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

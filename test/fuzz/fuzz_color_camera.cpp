@@ -4,7 +4,7 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give a camera that stands somewhere and looks some way. */
+/** Bytes are rejected, or give a camera with a valid pose. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -9,7 +9,7 @@
 
 namespace {
 
-/** A camera's ROM as on the bus: its highest byte first. */
+/** A quadlet of a camera's ROM, big-endian as on the bus. */
 std::uint32_t
 quadletAt(const std::uint8_t* data, std::size_t size, std::size_t index)
 {
@@ -23,7 +23,7 @@ quadletAt(const std::uint8_t* data, std::size_t size, std::size_t index)
 
 } // namespace
 
-/** A ROM is refused, or tells who the camera is, and is read once at most. */
+/** A ROM is rejected, or identifies the camera; each quadlet is read at most once. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -11,10 +11,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Completeness is judged on all triples of points: on few of them. */
+/** Completeness is checked with all triples of points, so only for few points. */
 constexpr std::size_t most_points = 40, most_judged = 12;
 
-/** A cloud and how it is to be meshed. */
+/** A cloud with the settings of its mesh. */
 struct DeWallTask {
   std::vector<Eigen::Vector3f> points;
   std::vector<Eigen::Vector3f> normals;
@@ -35,7 +35,7 @@ struct DeWallTask {
     const bool has_normals = choice & 64;
     const PointStyle style(bytes);
     is_moderate = style.isModerate();
-    settings.maximum_edge_length = // a float: what it counts as
+    settings.maximum_edge_length = // converted to float, as in the kernel
         std::min(0.25F * static_cast<float>(bytes.byte()) * style.scale, 1e9F);
     for (int axis = 0; axis < 3; ++axis)
       settings.sensor_origin[axis] = style.coordinate(bytes);
@@ -79,8 +79,10 @@ requireSound(const DeWallTask& task,
   MeshDemands demands;
   demands.edge_allowed = noLongerThan(points, longestAllowed(task, report));
   demands.empty_spheres = task.settings.rule != DeWallRule::Dense;
-  demands.sphere_tolerance = 1e-5;    // a sphere of flat corners is not known better
-  demands.least_area_ratio = 0.9e-10; // that of the kernel, with room for rounding
+  demands.sphere_tolerance = 1e-5;    // the sphere of a flat triangle is not more
+                                      // accurate
+  demands.least_area_ratio = 0.9e-10; // the kernel's threshold with a tolerance for
+                                      // rounding
   MeshFaults faults = checkMesh(points, mesh.triangles, demands);
   if (!isGuarded(task))
     faults.crowded_edges = faults.torn_vertices = faults.inconsistent_edges =
@@ -114,7 +116,7 @@ requireTrueReport(const DeWallTask& task,
   require(!mesh.triangles.empty() || !report.remarks.empty());
 }
 
-/** Each component shows the sensor more of its front than of its back. */
+/** More of each component's front than of its back faces the sensor. */
 void
 requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& mesh)
 {
@@ -134,14 +136,14 @@ requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& 
     const Eigen::Vector3d area = (b - a).cross(c - a);
     const Eigen::Vector3d view = sensor - (a + b + c) / 3;
     if (view.norm() < 1e-6 * sensor.norm())
-      return; // in the middle of a face: it may see either side
+      return; // inside a face: it may see either side
     front[components.root(face[0])] += area.dot(view.normalized());
     whole[components.root(face[0])] += area.norm();
   }
   require((front.array() >= -1e-9 * whole.array()).all());
 }
 
-/** No further triangle fits. */
+/** No further triangle can be added. */
 void
 requireComplete(const DeWallTask& task,
                 const Points& points,
@@ -150,7 +152,7 @@ requireComplete(const DeWallTask& task,
 {
   if (!isGuarded(task) || !task.is_moderate || points.size() > most_judged)
     return;
-  // A place that is there twice would make a mesh of its own.
+  // duplicate points would get a mesh of their own
   Points judged(points.size(), Points::value_type::Constant(std::nan("")));
   for (const std::int32_t i : usablePoints(task.points))
     judged[i] = points[i];
@@ -163,7 +165,7 @@ requireComplete(const DeWallTask& task,
               .empty());
 }
 
-/** Points that count for nothing change nothing, and neither does a second run. */
+/** Unusable points change nothing, and neither does a second run. */
 void
 requireSameOfUsable(const DeWallTask& task, const TriangleMesh& mesh)
 {
@@ -194,7 +196,7 @@ meshFuzzed(const DeWallTask& task)
 } // namespace
 } // namespace pcl::acmap::test
 
-/** Any points give a mesh that keeps what DeWallTriangulation promises. */
+/** Any points give a mesh with the guarantees of DeWallTriangulation. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -10,7 +10,7 @@
 
 namespace {
 
-/** Bytes are refused, or give a frame that can be written and read back. */
+/** Bytes are rejected, or give a frame that can be written and read again. */
 void
 read(const std::vector<std::uint8_t>& bytes)
 {
@@ -32,7 +32,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   std::vector<std::uint8_t> bytes(data, data + size);
   read(bytes);
-  // No fuzzer finds a checksum: with the right one, what lies behind it is reached.
+  // Sets a valid checksum, which a fuzzer does not find, to reach the code behind it.
   if (size >= sizeof(std::uint32_t)) {
     const std::size_t checked = size - sizeof(std::uint32_t);
     std::uint8_t* end = bytes.data() + checked;

@@ -21,8 +21,8 @@ layoutOf(test::FuzzedBytes& numbers)
   return layout;
 }
 
-/** \brief Every image is there, or not, as the layout says; each byte of a sensor without
- * filters is in its place. */
+/** \brief Images exist exactly if the layout has them; without a colour filter, each
+ * byte is at its position. */
 void
 requireUnpacked(const std::vector<std::uint8_t>& bytes,
                 const PlaneLayout& layout,
@@ -48,7 +48,7 @@ requireUnpacked(const std::vector<std::uint8_t>& bytes,
 
 } // namespace
 
-/** A layout is refused, or the bytes of a frame come apart. */
+/** A layout is rejected, or the bytes of a frame are unpacked. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

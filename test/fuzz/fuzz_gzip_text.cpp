@@ -3,7 +3,8 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or unpack to no more than deflate can pack into them. */
+/** Bytes are rejected, or unpack to at most the maximum size that deflate can
+ * achieve. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -10,8 +10,8 @@ using namespace pcl::acmap;
 
 namespace {
 
-/** \brief Does what a camera may refuse.
- * \return whether it did not */
+/** \brief Calls a function that the camera may reject.
+ * \return true if it was not rejected */
 template <typename Work>
 bool
 accepts(const Work& work)
@@ -23,7 +23,8 @@ accepts(const Work& work)
   catch (const pcl::CameraException& refusal) {
     test::require(refusal.fault() != pcl::CameraFault::None && *refusal.what());
   }
-  catch (const pcl::BadArgumentException&) { // beyond what the camera says it can
+  catch (const pcl::BadArgumentException&) { // outside the range that the camera
+                                             // reports
   }
   return false;
 }
@@ -85,7 +86,7 @@ film(pcl::IidcCamera& camera, const pcl::IidcMode& mode)
 
 } // namespace
 
-/** Whatever registers and stream say, the camera is refused with a reason, or works. */
+/** For any registers and stream, the camera is rejected with a reason, or works. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -103,7 +104,8 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const std::vector<pcl::IidcMode> modes = camera.modes();
   for (const pcl::IidcMode& mode : modes)
     requireSense(mode);
-  if (!modes.empty()) // the first is of a fixed format, the last scalable, if there are
+  if (!modes.empty()) // the first one has a fixed format, the last one is scalable, if
+                      // they exist
     for (const pcl::IidcMode& mode : {modes.back(), modes.front()})
       film(camera, mode);
   return 0;

@@ -5,7 +5,7 @@ using namespace pcl::acmap;
 
 namespace {
 
-/** \brief Decodes, or finds the bytes damaged. */
+/** \brief Decodes an image; returns nothing if the bytes are invalid. */
 template <typename Image>
 std::optional<Image>
 decoded(Image (*decode)(const ImageBytes&),
@@ -28,7 +28,8 @@ decoded(Image (*decode)(const ImageBytes&),
 
 } // namespace
 
-/** Bytes are refused, or give an image whose PNG is the same image. */
+/** Bytes are rejected, or give an image that is unchanged by writing and reading a
+ * PNG. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -42,7 +43,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     image = decoded(&decodeJpeg, bytes, 3);
   else if (isPnm(bytes))
     image = decoded(&decodePnm, bytes, 3);
-  constexpr std::size_t few = 3000; // packing takes longer than reading
+  constexpr std::size_t few = 3000; // compression takes longer than reading
   if (!image || image->values.size() > few)
     return 0;
   const pcl::RgbImage again = decodePng(pcl::encodePng(*image));

@@ -24,14 +24,14 @@ requireSame(pcl::CompactMap& a, pcl::CompactMap& b)
     test::require(change.topLeftCorner<3, 3>().cwiseAbs().maxCoeff() < 1e-12 &&
                   (change.col(3).array() == 0).all());
   }
-  // A quaternion may differ in its last digit; all else does not.
+  // The last digit of a quaternion may change; everything else is equal.
   a.trajectory = b.trajectory = {};
   test::require(textOf(a) == textOf(b));
 }
 
 } // namespace
 
-/** Bytes are refused, or give a map that is written and read back the same. */
+/** Bytes are rejected, or give a map that is unchanged by writing and reading. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

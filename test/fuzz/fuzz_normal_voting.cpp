@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_points = 48;
 
-/** A mesh and how it is to be voted on. */
+/** A mesh with the settings of its voting. */
 struct VotingTask {
   PointStyle style;
   FuzzedMesh mesh;
@@ -73,7 +73,8 @@ requireSound(const VotedNormal& voted)
   require(voted.saliency >= 0 && voted.saliency <= 1 + 1e-5F);
 }
 
-/** Curvatures are told of surfaces alone, and there where directions are enough. */
+/** Curvatures are only known on surfaces with votes from sufficiently many
+ * directions. */
 void
 requireSound(const VotedCurvature& curvature, const VotedNormal& voted)
 {
@@ -124,8 +125,8 @@ areSameBytes(const Value& a, const Value& b)
   return std::memcmp(&a, &b, sizeof(Value)) == 0;
 }
 
-/** Triangles without area, and those of points that are not finite, change nothing, and
- * neither does another number of threads. */
+/** Triangles without area or with invalid points change nothing, and neither does
+ * another number of threads. */
 void
 requireSameOfUsable(const VotingTask& task, const VotedNormals& found)
 {
@@ -170,7 +171,7 @@ voteFuzzed(const VotingTask& task)
 } // namespace
 } // namespace pcl::acmap::test
 
-/** Any mesh gets normals that keep what NormalVectorVoting promises. */
+/** Any mesh gets normals with the guarantees of NormalVectorVoting. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

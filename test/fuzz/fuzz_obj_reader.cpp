@@ -5,7 +5,7 @@
 
 using namespace pcl::acmap;
 
-/** Corners of faces are vertices, and those that the cloud has. */
+/** Corners of faces are valid indices of vertices in the cloud. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -5,7 +5,7 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give an image that is written and read back the same. */
+/** Bytes are rejected, or give an image that is unchanged by writing and reading. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

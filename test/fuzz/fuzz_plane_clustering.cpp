@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_points = 64;
 
-/** Points with normals, a source, and how their planes are to be found. */
+/** Points with normals, a source cloud, and the settings of the clustering. */
 struct ClusteringTask {
   PointStyle style;
   FuzzedMesh mesh;
@@ -32,7 +32,7 @@ struct ClusteringTask {
     hypotheses.points = viewOf(mesh.points);
     if (choice & 1)
       hypotheses.triangles = mesh.triangles;
-    // A few directions at first, so that neighbours agree.
+    // Few directions, so that neighbouring normals agree.
     const bool has_one = choice & 2;
     const Eigen::Vector3f one = fuzzedNormal(bytes);
     while (hypotheses.normals.size() < size)
@@ -66,8 +66,8 @@ cluster(const ClusteringTask& task, unsigned threads, PlaneClusteringReport& rep
   return clusterPlanes(task.hypotheses, task.source, settings, Progress(), report);
 }
 
-/** Of the points, whose middle is the origin of the sums: of what is far off it less is
- * known. */
+/** Maximum coordinate of the points. The sums are relative to their centre, so that
+ * points far away are less accurate. */
 double
 largestCoordinate(const ClusteringTask& task)
 {
@@ -78,7 +78,7 @@ largestCoordinate(const ClusteringTask& task)
   return largest;
 }
 
-/** Unit normal, right-handed axes, the middle on the plane. */
+/** Unit normal, right-handed axes, centre on the plane. */
 void
 requireFrame(const ClusteringTask& task, const PlanePatch& patch)
 {
@@ -92,8 +92,8 @@ requireFrame(const ClusteringTask& task, const PlanePatch& patch)
   require(std::abs(normal.dot(patch.center) + patch.coefficients[3]) <= 1e-9 * far);
 }
 
-/** NaN, or what a covariance may be: in units of its own deviations, or of the least whose
- * squares doubles hold. */
+/** NaN, or a valid covariance, normalized by its own standard deviations, or by the
+ * smallest number whose square is representable. */
 void
 requireCovariance(const Eigen::Matrix3d& covariance)
 {
@@ -123,7 +123,8 @@ areaOf(const PlanePatch& patch, const std::vector<Eigen::Vector3f>& loop)
   return twice / 2;
 }
 
-/** Rims counter-clockwise, holes clockwise, and the area theirs, as far as floats tell. */
+/** Outlines are counter-clockwise, holes clockwise, and the area is that of the
+ * polygons, within float accuracy. */
 void
 requirePolygons(const ClusteringTask& task, const PlanePatch& patch)
 {
@@ -175,9 +176,10 @@ requireLabels(const ClusteringTask& task,
   }
 }
 
-/** As the paper, a supporter is as near as W_t to its plane and what is gathered later as
- * near as the noise, before the plane is fitted once more. How far that moves it has no
- * sharp bound; another plane's points may be a hundred spacings off. */
+/** Before the last fit, the supporters of a plane are within W_t, as in the paper, and
+ * points added later are within the noise. There is no sharp bound for the change of
+ * the plane by the last fit, but points of another plane can be a hundred spacings
+ * away. */
 void
 requireOnPlanes(const ClusteringTask& task,
                 const PlaneClusters& found,
@@ -213,7 +215,7 @@ requireTrueReport(const ClusteringTask& task,
                          [](const auto& a, const auto& b) { return a.area > b.area; }));
 }
 
-/** A second run gives the same bytes, whatever the number of threads. */
+/** A second run gives the same bytes, for any number of threads. */
 void
 requireSame(const PlaneClusters& a, const PlaneClusters& b)
 {
@@ -256,7 +258,7 @@ clusterFuzzed(const ClusteringTask& task)
 } // namespace
 } // namespace pcl::acmap::test
 
-/** Any points give planes that keep what PlaneHypothesisClustering promises. */
+/** Any points give planes with the guarantees of PlaneHypothesisClustering. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -28,7 +28,7 @@ requireEqual(const pcl::CameraCalibration& a, const pcl::CameraCalibration& b)
                 a.T_reference_camera.matrix() == b.T_reference_camera.matrix());
 }
 
-/** A ray that can be found is a unit one, and is seen where it was looked for. */
+/** A ray that can be computed has unit length and projects to its pixel. */
 void
 look(const pcl::CameraCalibration& camera)
 {
@@ -73,7 +73,7 @@ checkCameras(const pcl::RigCalibration& cameras)
 
 } // namespace
 
-/** Bytes are refused, or give a rig and cameras that can be written and read back. */
+/** Bytes are rejected, or give a rig and cameras that can be written and read again. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

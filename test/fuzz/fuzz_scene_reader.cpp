@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-/** Bytes are refused, or give a scene that can be looked at. */
+/** Bytes are rejected, or give a scene that can be rendered. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -3,8 +3,8 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give the summary of a session that is written and read back the
- * same, and that names no file outside of it. */
+/** Bytes are rejected, or give the summary of a session that is unchanged by writing
+ * and reading, and names no file outside the session. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -14,7 +14,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   if (!read)
     return 0;
   test::require(read->rig.find('/') == std::string::npos);
-  read->rig = SessionSummary().rig; // no other is written
+  read->rig = SessionSummary().rig; // other names are not written
   const SessionSummary again =
       readSessionSummary(parseYaml("again", sessionText(*read)));
   test::require(again.rig == read->rig && again.frames == read->frames &&

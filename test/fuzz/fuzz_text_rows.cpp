@@ -6,7 +6,8 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give rows of words, finite numbers up to the first that is none. */
+/** Bytes are rejected, or give rows of words, and of finite numbers up to the first
+ * word that is not one. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -3,7 +3,8 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give a trajectory that is written and read back the same. */
+/** Bytes are rejected, or give a trajectory that is unchanged by writing and
+ * reading. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -5,7 +5,7 @@
 
 using namespace pcl::acmap;
 
-/** Bytes are refused, or give planes with unit normals and somewhere to lie. */
+/** Bytes are rejected, or give planes with unit normals and an extent. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

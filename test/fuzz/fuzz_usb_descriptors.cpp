@@ -11,10 +11,10 @@ using namespace pcl::acmap;
 
 namespace {
 
-constexpr int most_parts = 4; // of each kind, of what is over it
+constexpr int most_parts = 4; // maximum number of children per node
 
-/** \brief A configuration as libusb gives it: of what a descriptor claims and does not
- * have, there is the number alone. */
+/** \brief A configuration as returned by libusb: the number of endpoints can be larger
+ * than the array, which is then missing. */
 class Configuration {
 public:
   explicit Configuration(test::FuzzedBytes numbers)
@@ -76,8 +76,7 @@ private:
 
 } // namespace
 
-/** Descriptors are refused, or name an endpoint that sends packets of a size that can be.
- */
+/** Descriptors are rejected, or name an endpoint with a valid packet size. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -8,8 +8,8 @@ using namespace pcl::acmap;
 
 namespace {
 
-/** What a node says of itself holds, whatever it is asked for. Refusals take time: only so
- * many nodes are asked. */
+/** The properties of a node are consistent with its accessors. Exceptions take time, so
+ * the number of visited nodes is limited. */
 void
 walk(const YamlNode& node, int& left)
 {
@@ -40,7 +40,7 @@ walk(const YamlNode& node, int& left)
 
 } // namespace
 
-/** Bytes are refused, or give a tree whose nodes can be reached. */
+/** Bytes are rejected, or give a tree whose nodes can be visited. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

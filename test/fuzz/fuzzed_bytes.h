@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What a fuzzer's bytes say, one after the other; zeros when they are at an end. */
+/** \brief Reads a fuzzer's bytes one after another; returns zeros after their end. */
 class FuzzedBytes {
 public:
   FuzzedBytes(const std::uint8_t* data, std::size_t size)
@@ -38,7 +38,7 @@ public:
     return static_cast<std::int8_t>(byte());
   }
 
-  /** \brief A number as it lies in memory. */
+  /** \brief A number with these bytes in memory. */
   template <typename Number>
   Number
   number()
@@ -56,7 +56,7 @@ private:
   std::size_t size_;
 };
 
-/** \brief Stops the fuzzer where something that is promised does not hold. */
+/** \brief Ends the program if a guarantee is violated. */
 inline void
 require(bool holds, int line = __builtin_LINE())
 {

@@ -5,8 +5,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Two triangles to each square of a sheet of points; some squares are open, some diagonals
- * turned. */
+/** Adds two triangles for each square of a sheet of points; some squares are holes,
+ * some have the other diagonal. */
 void
 addSheet(FuzzedBytes& bytes, std::int32_t columns, FuzzedMesh& mesh)
 {
@@ -77,7 +77,7 @@ fuzzedSensors(FuzzedBytes& bytes,
   while (origins.size() < choice)
     origins.push_back(finite.point(bytes));
   while (views.size() < points)
-    views.push_back(bytes.byte() % 5 - 1); // some name no observation
+    views.push_back(bytes.byte() % 5 - 1); // some are invalid numbers
   return {views.data(), sizeof(std::int32_t), std::move(origins)};
 }
 

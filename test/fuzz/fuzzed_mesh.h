@@ -7,8 +7,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Points and triangles between them: as sheets, so that surfaces are common, or any
- * three corners. */
+/** \brief Points and triangles: sheets, so that surfaces are frequent, or arbitrary
+ * triples of points. */
 struct FuzzedMesh {
   std::vector<Eigen::Vector3f> points;
   std::vector<TriangleMesh::Triangle> triangles;
@@ -16,8 +16,8 @@ struct FuzzedMesh {
   FuzzedMesh(FuzzedBytes& bytes, const PointStyle& style, std::size_t most_points);
 };
 
-/** \brief Where the sensors stood: unknown, one for all, or one for each point's number.
- * \param[out] views the numbers, which the view reads */
+/** \brief Sensor positions: unknown, one for all, or one per view number.
+ * \param[out] views view numbers of the points, to which the result refers */
 SensorView
 fuzzedSensors(FuzzedBytes& bytes,
               const PointStyle& style,

@@ -11,19 +11,19 @@
 
 namespace pcl::acmap::test {
 
-/** \brief How points are made of bytes: on a lattice, so that doubled, collinear, coplanar
- * and cocircular ones are common. */
+/** \brief How bytes are converted to points: on a lattice, so that duplicate,
+ * collinear, coplanar and cocircular points are frequent. */
 struct PointStyle {
-  float scale = 1;          ///< metres a step
-  float far = 0;            ///< metres, added to every coordinate
-  std::uint8_t steps = 255; ///< a coordinate's byte is cut to these bits
-  bool is_fine = false;     ///< two bytes a coordinate
+  float scale = 1;          ///< metres per step
+  float far = 0;            ///< metres, added to each coordinate
+  std::uint8_t steps = 255; ///< bit mask for the byte of a coordinate
+  bool is_fine = false;     ///< two bytes per coordinate
   bool is_flat = false;     ///< z is 0
   bool has_odd = false;     ///< some bytes mean NaN, infinite, huge, denormal
 
   explicit PointStyle(FuzzedBytes& bytes);
 
-  /** \brief Neither so large nor so small that squares leave the floats. */
+  /** \brief Are coordinates neither too large nor too small for squares in float? */
   bool
   isModerate() const;
 
@@ -34,18 +34,18 @@ struct PointStyle {
   point(FuzzedBytes& bytes) const;
 };
 
-/** \brief Points of one style, until the bytes or \a most are at an end. */
+/** \brief Points of one style, until the end of the bytes or \a most points. */
 std::vector<Eigen::Vector3f>
 fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t most);
 
-/** \brief Unit, or NaN where the bytes say nothing. */
+/** \brief Unit normal, or NaN for zero bytes. */
 Eigen::Vector3f
 fuzzedNormal(FuzzedBytes& bytes);
 
 PointView
 viewOf(const std::vector<Eigen::Vector3f>& points);
 
-/** \brief Those that are finite and at a place of their own, each once. */
+/** \brief Indices of the points that are finite and no duplicates of earlier ones. */
 std::vector<std::int32_t>
 usablePoints(const std::vector<Eigen::Vector3f>& points);
 

@@ -11,8 +11,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Lets a reader loose on bytes: it must refuse them, or give a cloud whose fields
- * and points all lie inside its data. */
+/** \brief Runs a reader on bytes: it must reject them, or give a cloud whose fields and
+ * points are all inside its data. */
 template <typename Reader>
 int
 readFuzzed(const std::uint8_t* data, std::size_t size, const Reader& reader)

@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for RUNS executions, in rounds, one fuzzer after the other.
-#   long_run.sh run BUILD STATE     goes on where the last call stopped; BUILD: of preset fuzz,
+#   long_run.sh run BUILD STATE     continues where the last call stopped; BUILD: of preset fuzz,
 #                                   or fuzz_plain, which is faster and has no sanitizers
-#   long_run.sh table STATE         what the logs say, as a table
-#   long_run.sh page STATE PAGE.md  puts the table into the page, in place of its own
+#   long_run.sh table STATE         prints the results in the logs as a table
+#   long_run.sh page STATE PAGE.md  replaces the table in the page
 # Environment: RUNS (10000000), ROUND (seconds, 300), ONLY (names of fuzzers).
-# Two calls for different ONLY may run at once. What counts stands in the logs of STATE
-# alone, so nothing is lost with the machine but what a round did since its last line.
+# Two calls for different ONLY may run at once. All results are in the logs of STATE, so if
+# the machine stops, only the work of a round since its last line is lost.
 set -euo pipefail
 
 runs=${RUNS:-10000000}
 round=${ROUND:-300}
 
-# Executions by a fuzzer's log; with the second argument, its row of the table. What was
-# reached is what rounds with sanitizers say: builds differ in their edges.
+# Executions according to a fuzzer's log; with a second argument, its row of the table.
+# The coverage is that of rounds with sanitizers, because builds have different numbers
+# of edges.
 summarize() {
   awk -v row="${2:-}" '
     function close_round() {
@@ -47,8 +48,8 @@ summarize() {
     }' "$1"
 }
 
-# Programs, as far as they are built, their options and their seeds, so that a build beside
-# the run does no harm; what runs already keeps the files it has open.
+# Copies the programs that exist, their options and their seeds, so that a build during
+# the run has no effect on it.
 takeBuild() {
   local bin name options option
   bin="$2/bin/$(basename "$1")"
@@ -69,8 +70,8 @@ takeBuild() {
   exec 9>&-
 }
 
-# One round of a fuzzer; fails where it found something. It may be short of processor time,
-# so that ten seconds say nothing.
+# Runs one round of a fuzzer; fails if it found something. The timeout of an input is
+# more than ten seconds, because the machine may be busy.
 runRound() {
   local state=$1 kind=$2 name=$3 remaining=$4 flags=() log code=0
   shift 4

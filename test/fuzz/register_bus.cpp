@@ -14,12 +14,14 @@ namespace {
 
 using Registers = std::map<std::uint64_t, std::uint32_t>;
 
-constexpr std::uint64_t commands = 0xFFFFF0F00000; // as the emulated camera's ROM says
-constexpr std::uint64_t own_registers = 0x1000;    // of the maker, behind the commands
+constexpr std::uint64_t commands = 0xFFFFF0F00000; // from the ROM of the emulated
+                                                   // camera
+constexpr std::uint64_t own_registers = 0x1000;    // of the manufacturer, relative to
+                                                   // the commands
 constexpr std::uint64_t scalable_registers = 0x2000;
 constexpr std::uint64_t physical_registers = 0x3000;
 
-/** \brief A place behind the commands, as registers hold it. */
+/** \brief An offset relative to the commands in the format of registers. */
 std::uint32_t
 quadletsTo(std::uint64_t offset)
 {
@@ -77,7 +79,7 @@ addFeatures(Registers& registers)
   registers[commands + iidc::trigger_mode] = iidc::on;
 }
 
-/** \brief A camera of which nothing is wrong. */
+/** \brief The registers of a valid camera. */
 Registers
 soundRegisters()
 {
@@ -107,7 +109,7 @@ soundRegisters()
   return registers;
 }
 
-/** \brief Two bytes reach the ROM and what is near it, or the commands. */
+/** \brief Maps two bytes to an address in or near the ROM, or in the commands. */
 std::uint64_t
 addressOf(std::uint16_t number)
 {
@@ -161,7 +163,7 @@ RegisterBus::readQuadlet(std::uint64_t address)
 void
 RegisterBus::writeQuadlet(std::uint64_t address, std::uint32_t value)
 {
-  // At once: who waits for a camera sleeps meanwhile.
+  // Settles at once, because waiting for a camera takes time.
   const bool is_to_settle = value == iidc::scalable::apply;
   access(address) = is_to_settle ? iidc::on : value;
 }
@@ -169,7 +171,7 @@ RegisterBus::writeQuadlet(std::uint64_t address, std::uint32_t value)
 void
 RegisterBus::startStream(std::size_t frame_bytes, std::size_t)
 {
-  constexpr std::size_t most_bytes = 65536; // of more, a frame takes too long
+  constexpr std::size_t most_bytes = 65536; // frames with more take too long
   require(frame_bytes > 0);
   if (frame_bytes > most_bytes)
     throw CameraException(CameraFault::Failed, place() + ": has no memory");
@@ -185,7 +187,7 @@ RegisterBus::nextFrame(IidcFrame& frame, std::chrono::milliseconds timeout)
   const auto what = camera_.stream.byte();
   if (what == 0)
     return IidcWait::TimedOut;
-  // The higher the number, the more of it is missing.
+  // Larger numbers mean that more of the frame is missing.
   const std::size_t missing = what < 0x80 ? 0 : frame_bytes_ * (what - 0x7F) / 0x80;
   stamp_ += std::uint64_t{1000} * (what & 0x7F);
   frame.bytes.assign(frame_bytes_ - missing, what);

@@ -12,19 +12,20 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What an input makes of a camera: registers that say something else than those of
- * a sound camera, an access that fails, and what comes over the stream. */
+/** \brief A camera defined by an input: registers that differ from a valid camera, an
+ * access that fails, and the data of the stream. */
 struct HostileCamera {
   explicit HostileCamera(FuzzedBytes numbers);
 
   std::map<std::uint64_t, std::uint32_t> registers; ///< by address
-  std::size_t failing_access = 0;                   ///< from 0; no later one comes back
-  CameraFault failure = CameraFault::Silent;        ///< as this
-  bool refuses_unknown = false; ///< what is no register; else it is 0 at first
+  std::size_t failing_access = 0;                   ///< index, from 0; all later ones
+                                                    ///< fail too
+  CameraFault failure = CameraFault::Silent;        ///< fault of this access
+  bool refuses_unknown = false; ///< unknown registers; else they are 0 at first
   FuzzedBytes stream;
 };
 
-/** \brief A bus to such a camera; nothing on it takes time. */
+/** \brief A bus to such a camera, without any delays. */
 class RegisterBus : public IidcBus {
 public:
   explicit RegisterBus(HostileCamera& camera)

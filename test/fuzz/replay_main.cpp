@@ -9,7 +9,8 @@
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-/** \brief Runs a fuzz target once over nothing, and over each file of the folders. */
+/** \brief Runs a fuzz target once with an empty input, and with each file of the
+ * folders. */
 int
 main(int count, char** folders)
 {

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief \ref acceptedBy of a reader of bytes, which is one inside of core. */
+/** \brief \ref acceptedBy for an internal reader of core that reads bytes. */
 template <typename Reader>
 auto
 acceptedBy(const Reader& reader, const void* data, std::size_t size)

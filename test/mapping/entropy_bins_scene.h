@@ -9,13 +9,13 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The loops for one kind of processor. */
+/** \brief The kernels for one instruction set. */
 struct Variant {
   std::string name;
   const EntropyBins* loops;
 };
 
-/** \brief What this processor can run. */
+/** \brief The variants that this processor supports. */
 inline std::vector<Variant>
 variants()
 {
@@ -27,7 +27,7 @@ variants()
   return all;
 }
 
-/** \brief A grid of 40 x 40 bins in nine layers with cells in the middle of it. */
+/** \brief A grid of 40 x 40 bins with nine layers and cells in its centre. */
 struct Scene {
   static constexpr std::int64_t row = 40, rows = 40, layers = 9;
 
@@ -44,7 +44,7 @@ struct Scene {
       weight.push_back(static_cast<float>(random.uniform(0, 100)));
       direction.push_back(static_cast<float>(random.uniform(-4, 4)));
     }
-    x[0] = z[0] = 0.5; // between bins
+    x[0] = z[0] = 0.5; // on the border between bins
   }
 
   CellArrays

@@ -22,7 +22,7 @@ splineAt(double t)
   return t > 0.5 ? 0.5 * (1.5 - t) * (1.5 - t) : 0.75 - t * t;
 }
 
-/** Share of bin (i, j) of layer k in a cell, by the definition. */
+/** Weight of bin (i, j) of layer k for a cell, by the definition. */
 double
 shareOf(const Scene& scene, std::size_t cell, int i, int j, int k, bool directed)
 {
@@ -52,7 +52,7 @@ TEST(EntropyBins, areFilledBySplines)
               wanted += static_cast<double>(scene.weight[cell]) *
                         shareOf(scene, cell, i, j, k, directed);
             const std::size_t at = static_cast<std::size_t>((k * 40 + i) * 40 + j);
-            ASSERT_NEAR(scene.bins[at], wanted, 1e-4); // of weights up to 100
+            ASSERT_NEAR(scene.bins[at], wanted, 1e-4); // for weights up to 100
             bool is_marked = false;
             for (std::size_t up = 0; up < 3 && up * 10 <= at / 4; ++up)
               is_marked |= scene.marks[at / 4 - up * 10] != 0;
@@ -63,7 +63,7 @@ TEST(EntropyBins, areFilledBySplines)
     }
 }
 
-/** Energy of a field: sum of what cells are given times the field. */
+/** Energy of a field: sum over the bins of weight times field value. */
 double
 energyOf(const Scene& scene, const Variant& variant, CellMotion moved, bool directed)
 {
@@ -98,7 +98,7 @@ TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
                 energyOf(scene, variant, before, directed)) /
                (2 * step);
       };
-      const double rounding = 1e-2; // of forces of about 100
+      const double rounding = 1e-2; // for forces of about 100
       EXPECT_NEAR(forces.x,
                   differenceBy([](CellMotion& m, double by) { m.x0 += by; }),
                   rounding);
@@ -119,7 +119,7 @@ TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
     }
 }
 
-/** 0, then powers of two, then others; from \a least to 1 / least. */
+/** 0, powers of two, and other numbers; from \a least to 1 / least. */
 template <typename Number>
 std::vector<Number>
 numbersFrom(double least)
@@ -134,7 +134,7 @@ numbersFrom(double least)
   return {values.begin(), values.end()};
 }
 
-/** \param[in] take (values, size, logarithms) returns the sum */
+/** \param[in] take function (values, size, logarithms) that returns the sum */
 template <typename Number, typename Take>
 void
 expectLogarithms(const std::vector<Number>& values, double rounding, const Take& take)

@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** What all variants make of the same input. */
+/** Results of a variant, which must be the same for all. */
 struct Bytes {
   std::vector<double> values;
 
@@ -74,7 +74,7 @@ TEST(EntropyBins, allVariantsGiveTheSameBytes)
   }
 }
 
-/** Bins as none should be: what is no normal number, and no number, among others. */
+/** Invalid bins, which contain denormals, NaN and others. */
 std::vector<float>
 edgeBins(std::size_t size)
 {
@@ -95,7 +95,7 @@ edgeBins(std::size_t size)
   return bins;
 }
 
-/** Which of several NaNs comes of a sum of them no standard says. */
+/** Appends numbers; replaces NaN, as the standard does not define the NaN of a sum. */
 template <typename Number>
 void
 keepBits(const std::vector<Number>& numbers, std::vector<double>& all)

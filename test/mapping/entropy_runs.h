@@ -22,7 +22,7 @@ entropyOf(const PosedClouds& map, const NaiveSettings& settings)
   return entropy;
 }
 
-/** \brief A cloud of points at given (x, z). */
+/** \brief A cloud of points at given positions (x, z). */
 inline PointCloud<PointNormal>::Ptr
 cloudAt(const std::vector<Eigen::Vector2d>& places)
 {
@@ -36,7 +36,7 @@ cloudAt(const std::vector<Eigen::Vector2d>& places)
   return cloud;
 }
 
-/** \brief A pose with x (axis 0), z (1) or theta (2) changed. */
+/** \brief A pose with a change of x (axis 0), z (1) or theta (2). */
 inline PlanarPose
 shifted(PlanarPose pose, int axis, double by)
 {
@@ -44,7 +44,7 @@ shifted(PlanarPose pose, int axis, double by)
   return pose;
 }
 
-/** \brief Bytes, not values. */
+/** \brief Compares bytes, not values. */
 inline bool
 areSame(const MapEntropyTerms& a, const MapEntropyTerms& b)
 {

@@ -31,8 +31,8 @@ cellsOf(const PosedClouds& map, const MapEntropySettings& settings)
   return cells;
 }
 
-/** Near and far, small maps and wide ones: what one leaves behind must not be found by the
- * next. */
+/** Alternates near and far poses, small and large maps: data of one evaluation must not
+ * affect the next one. */
 std::vector<std::vector<PlanarPose>>
 posesInTurn(const std::vector<PlanarPose>& truth)
 {
@@ -148,7 +148,7 @@ TEST(EntropyCells, haveTheDirectionsOfTheirPoints)
   for (int i = 0; i < 360; ++i) {
     const double angle = (i - 179.5) * M_PI / 180;
     PointNormal point;
-    // In front of the sensor on a circle, normals back to it.
+    // On a circle in front of the sensor, with normals pointing back to it.
     point.getVector3fMap() =
         Eigen::Vector3d(-5 * std::cos(angle), 0, -5 * std::sin(angle)).cast<float>();
     point.getNormalVector3fMap() =

@@ -46,14 +46,14 @@ TEST(ExactEntropy, isTheNaiveOne)
       SCOPED_TRACE(testing::Message()
                    << "directions " << directions << " sigma " << sigma);
       if (sigma == 0)
-        settings.sigma = 1e-9; // of the naive loop, which divides by it
+        settings.sigma = 1e-9; // for the naive loop, which divides by it
       const MapEntropyTerms wanted = naiveEntropy(map, settings);
       settings.sigma = sigma;
       expectSame(entropyOf(map, settings).computeExact(), wanted, 1e-6);
     }
 }
 
-/** Keeps of each cloud at most one point in each cell of a bin. */
+/** Keeps at most one point per cloud in each cell of a bin. */
 PosedClouds
 oneACell(PosedClouds map, double bin)
 {
@@ -99,7 +99,7 @@ TEST(FastEntropy, isNearTheNaiveSplineWithCellsOfManyPoints)
   }
 }
 
-/** The bound that the class states. */
+/** The error bound documented by the class. */
 double
 boundOf(const NaiveSettings& settings)
 {

@@ -22,7 +22,7 @@ splineAt(double t)
   return t > 0.5 ? 0.5 * (1.5 - t) * (1.5 - t) : 0.75 - t * t;
 }
 
-/** Share of bin i, of edge 1, in a point at u. */
+/** Weight of a point at u in bin i of width 1. */
 double
 shareOf(double u, long i, bool splines)
 {
@@ -128,7 +128,8 @@ toPoint(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
   return point;
 }
 
-/** A point in the room's frame; normals into the room, the box's out of it. */
+/** A point in the room's frame; normals point into the room, those of the box out of
+ * it. */
 PointNormal
 roomPoint(Random& random)
 {

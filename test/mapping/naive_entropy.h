@@ -18,28 +18,29 @@ struct PosedClouds {
   std::vector<PlanarPose> poses;
 };
 
-/** \brief How the naive entropy goes. */
+/** \brief Parameters of the naive entropy. */
 struct NaiveSettings {
   double bin = 0.1;
   double sigma = 0.1;
   double mu = 0.5;
   bool directions = false;
-  bool splines = false; ///< each point by a B-spline instead of into its bin
+  bool splines = false; ///< distribute each point by a B-spline instead of using one
+                        ///< bin
 };
 
-/** \brief Eq. 3 by maps and plain loops over every point; no code is shared with the
+/** \brief Eq. 3 with maps and plain loops over all points; shares no code with the
  * library. */
 MapEntropyTerms
 naiveEntropy(const PosedClouds& map, const NaiveSettings& settings);
 
-/** \brief Views of one room of 6 x 4 m with a box in it, from poses along a curve;
- * points with normals towards the sensor, 5 mm of noise, some of them on the floor.
+/** \brief Views of a room of 6 x 4 m with a box, from poses along a curve; points with
+ * normals towards the sensor, 5 mm noise, some of them on the floor.
  * \param[in] points of each view */
 PosedClouds
 makeRoomViews(std::size_t views, std::size_t points, std::uint64_t seed);
 
-/** \brief One wall along x, \a thickness apart its two sides, each seen by an
- * observation of its own. */
+/** \brief One wall along x of a given \a thickness; each side is seen by a separate
+ * observation. */
 PosedClouds
 makeThinWall(double thickness);
 

@@ -45,7 +45,7 @@ TEST(MapEntropyProperties, orderOfObservationsChangesNothing)
   EXPECT_NEAR(entropyOf(map, {}).computeExact().total, exact.total, 1e-10);
 }
 
-/** Coordinates that stay exact when whole bins of 1/8 are added. */
+/** Coordinates that remain exact when multiples of the bin size 1/8 are added. */
 PosedClouds
 makeExactMap()
 {
@@ -82,7 +82,7 @@ TEST(MapEntropyProperties, quarterTurnsSwapTheAxes)
   for (const bool directions : {false, true}) {
     PosedClouds map = makeRoomViews(3, 2000, 24);
     const MapEntropyTerms terms = entropyOf(map, settingsFor(directions)).compute();
-    for (auto& pose : map.poses) // about the origin: X, Z become Z, -X
+    for (auto& pose : map.poses) // rotation about the origin: X, Z become Z, -X
       pose = {pose.z, -pose.x, pose.theta + M_PI / 2};
     const MapEntropyTerms turned = entropyOf(map, settingsFor(directions)).compute();
     EXPECT_NEAR(turned.joint, terms.joint, 1e-6);

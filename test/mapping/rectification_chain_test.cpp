@@ -39,7 +39,7 @@ expectSame(const PlanarPose& found, const PlanarPose& wanted, double slack)
   EXPECT_NEAR(std::remainder(found.theta - wanted.theta, 2 * M_PI), 0, slack);
 }
 
-/** A function of poses in which none is like another. */
+/** A function that depends differently on each pose. */
 double
 valueOf(const std::vector<PlanarPose>& poses)
 {

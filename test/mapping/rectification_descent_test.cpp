@@ -19,7 +19,7 @@ rosenbrock(const Eigen::VectorXd& u, Eigen::VectorXd& gradient)
   return a * a + 100 * b * b;
 }
 
-/** Its axes differ a ten thousandfold. */
+/** A quadratic function whose axes differ by a factor of ten thousand. */
 double
 longBowl(const Eigen::VectorXd& u, Eigen::VectorXd& gradient)
 {

@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Within a level of a search the energy only falls. */
+/** Within a level of a search the energy never increases. */
 void
 expectFallingEnergy(const std::vector<RectificationStep>& steps)
 {
@@ -28,7 +28,7 @@ expectFallingEnergy(const std::vector<RectificationStep>& steps)
   }
 }
 
-/** Rms errors, metres. */
+/** RMS errors, metres. */
 struct Errors {
   double before, after;
 };
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(EntropyRectification,
                          testing::Values(makeRoomWorld, makeCornerWorld, makeLoopWorld),
                          [](const auto& at) { return at.param(1).name; });
 
-/** Two plain walls and nothing else: no point tells how far the robot went. */
+/** Two plain walls only: the position along them is not observable. */
 class BareCorridor : public testing::TestWithParam<int> {
 protected:
   static double
@@ -159,7 +159,8 @@ TEST(PaperMode, theLastEnergyIsTheEntropyOfTheMap)
   const auto poses = planarPosesOf(rectification);
   for (std::size_t i = 0; i < poses.size(); ++i)
     entropy.addPointCloud(world.truth.clouds[i], poses[i]);
-  // The search also turns the whole map against the bins; its result is turned back.
+  // The search also rotates the whole map relative to the bins; its result is rotated
+  // back.
   EXPECT_NEAR(
       rectification.getReport().steps.back().energy, entropy.compute().total, 2e-3);
 }

@@ -21,7 +21,7 @@ times(double factor)
   return {factor * usual.length_per_metre, factor * usual.turn, factor * usual.bias};
 }
 
-/** Whatever it ends with, the poses must not be worse than they came. */
+/** For any outcome, the poses must not be worse than the given ones. */
 void
 expectNotWorse(Rectification& rectification,
                const World& world,
@@ -51,8 +51,8 @@ TEST_P(GuardedWorld, isNotWorseAfterDriftFourAndEightTimesTheUsual)
   }
 }
 
-/** A thousandfold weight, hardly any prior and bins wider than doors: the entropy may do
- * what it likes, which is to collapse the map. */
+/** The entropy weight is a thousand times larger, with hardly any prior and bins wider
+ * than doors: the minimum of the entropy is then a collapsed map. */
 TEST_P(GuardedWorld, isNotWorseWhereTheEntropyIsLetLoose)
 {
   for (const double bin : {0.5, 2.0}) {

@@ -7,7 +7,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Clouds as the kernels take them, their sensors on the floor. */
+/** \brief Clouds in the format of the kernels, with sensors on the floor. */
 inline std::vector<LevelledPoints>
 levelledClouds(const PosedClouds& map)
 {

@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A room that comes drifted and is rectified in a fraction of a second. */
+/** A room with drifting poses that is rectified in a fraction of a second. */
 struct DriftedRoom {
   explicit DriftedRoom(std::uint64_t seed)
   : world(makeRoomWorld(seed))
@@ -26,7 +26,7 @@ struct DriftedRoom {
   std::vector<PlanarPose> odometry;
 };
 
-/** How a camera is held: height, tilt and roll, others at each observation. */
+/** Height, tilt and roll of a hand-held camera, different for each observation. */
 Eigen::Isometry3d
 heldAt(std::size_t i)
 {
@@ -38,7 +38,7 @@ heldAt(std::size_t i)
   return held;
 }
 
-/** The room seen by a camera that is held, at odd poses in space. */
+/** The room seen by a hand-held camera, with arbitrary 3D poses. */
 Rectification
 heldInSpace(const DriftedRoom& room)
 {
@@ -68,7 +68,7 @@ TEST(EntropyRectification, heightsAndTiltsStay)
     const Eigen::Isometry3d& pose = rectification.getPose(i);
     EXPECT_TRUE(isRigid(pose));
     EXPECT_NEAR(pose.translation().y(), given[i].translation().y(), 1e-12);
-    // A turn about y leaves the vertical of the camera where it was.
+    // A rotation about y does not change the vertical direction in the camera frame.
     EXPECT_LT((pose.linear().row(1) - given[i].linear().row(1)).norm(), 1e-12);
   }
   EXPECT_LT(rmsError(planarPosesOf(rectification), room.world.truth.poses),
@@ -160,8 +160,8 @@ TEST(EntropyRectification, neitherRunsNorObjectsDifferInAByte)
   }
 }
 
-/** Bins and the cells of the rays begin at multiples of 0.1 to 0.4 m, so that 16 m are
- * whole ones of each. */
+/** Bins and the cells of the rays start at multiples of 0.1 to 0.4 m, of which 16 m are
+ * a multiple. */
 TEST(EntropyRectification, whereTheMapLiesDoesNotMatter)
 {
   constexpr double rounding = 1e-5; // metres, radians: bins are floats

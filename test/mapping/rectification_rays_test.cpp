@@ -17,7 +17,7 @@ evidenceOf(const std::vector<LevelledPoints>& observations,
   return evidence;
 }
 
-/** A wall ahead, faced squarely, from x = -1 to 1, of one height. */
+/** A frontal wall from x = -1 to 1, with points of one height. */
 LevelledPoints
 wallAhead(double z, double y = 0, bool normals = true)
 {
@@ -113,7 +113,7 @@ TEST(RayEvidence, raysPassUnderAndOverWhatIsInAnotherHeight)
 
 TEST(RayEvidence, wallsAlongARayAreNoEvidence)
 {
-  LevelledPoints beside; // seen edge-on by rays that run along it
+  LevelledPoints beside; // seen edge-on by rays along it
   for (double z = 1; z < 4; z += 0.05) {
     beside.points.push_back(Eigen::Vector3d(0.05, 0, z).cast<float>());
     beside.normals.emplace_back(-1, 0, 0);
@@ -126,7 +126,7 @@ TEST(RayEvidence, wallsAlongARayAreNoEvidence)
 
 TEST(RayEvidence, theOtherSideOfAWallDoesNotConfirm)
 {
-  // Two rooms back to back: the walls lie in the same cells, their normals are opposite.
+  // Two rooms back to back: the walls are in the same cells, with opposite normals.
   const MapEvidence evidence =
       evidenceOf({wallAhead(2.05), wallAhead(2.05)}, {{0, 0, 0}, {0, 4.1, M_PI}});
   EXPECT_EQ(evidence.near_contradictions, 0);

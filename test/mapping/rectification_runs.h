@@ -30,7 +30,7 @@ planarPosesOf(const Rectification& rectification)
   return poses;
 }
 
-/** \brief Bytes, not values. */
+/** \brief Compares bytes, not values. */
 inline bool
 haveSamePoses(const Rectification& a, const Rectification& b)
 {
@@ -42,7 +42,7 @@ haveSamePoses(const Rectification& a, const Rectification& b)
   return true;
 }
 
-/** \brief Are the poses those that were given, to the last byte? */
+/** \brief Are the poses equal to the given ones, byte by byte? */
 inline bool
 isUntouched(const Rectification& rectification, const std::vector<PlanarPose>& given)
 {
@@ -61,7 +61,7 @@ largestOf(const std::vector<double>& values)
   return largest;
 }
 
-/** \brief Whatever a run ended with, its report must say so. */
+/** \brief Checks that the report is complete for any outcome of a run. */
 inline void
 expectWholeReport(const Rectification& rectification)
 {

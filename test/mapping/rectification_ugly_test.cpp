@@ -27,7 +27,7 @@ driftedRoom(std::uint64_t seed)
   return map;
 }
 
-/** Nothing to go by: no pose moves, and the report names the reason. */
+/** Undetermined: no pose changes, and the report names the reason. */
 void
 expectUndetermined(const PosedClouds& map, const std::string& reason)
 {
@@ -226,7 +226,7 @@ TEST(RectificationUgly, pointsFarOutOfTheBuildingAreNoReasonToHang)
       rectification.setMode(mode);
       rectification.compute();
       expectWholeReport(rectification);
-      if (far >= 1e7F) { // more than a grid can hold: there is no entropy
+      if (far >= 1e7F) { // too large for a grid: there is no entropy
         EXPECT_EQ(rectification.getReport().outcome, RectificationOutcome::Undetermined)
             << rectification.getReport().reason;
         EXPECT_TRUE(isUntouched(rectification, map.poses));

@@ -20,7 +20,7 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/** Distance along a ray to the nearest wall, and which. */
+/** Distance along a ray to the nearest wall, and this wall. */
 struct Hit {
   double range = std::numeric_limits<double>::infinity();
   const PlanWall* wall = nullptr;

@@ -14,28 +14,28 @@ struct PlanWall {
 
 using FloorPlan = std::vector<PlanWall>;
 
-/** \brief How a laser on the floor looks about. */
+/** \brief Parameters of a laser on the floor. */
 struct LaserSettings {
-  int beams = 240;      ///< all round
+  int beams = 240;      ///< over 360 degrees
   double reach = 12;    ///< metres
   double noise = 0.005; ///< metres, along a beam
 };
 
-/** \brief How far odometry is off: one standard deviation, and what every step has. */
+/** \brief Odometry noise: standard deviations, and a bias of every step. */
 struct Drift {
-  double length_per_metre = 0.03; ///< metres, along and across
-  double turn = 0.006;            ///< radians a step
-  double bias = 0.002;            ///< radians a step
+  double length_per_metre = 0.03; ///< metres, in both directions
+  double turn = 0.006;            ///< radians per step
+  double bias = 0.002;            ///< radians per step
 };
 
-/** \brief That of the rooms that come drifted. */
+/** \brief The noise for the rooms with drifting poses. */
 constexpr Drift drift{0.06, 0.012, 0.004};
 
-/** \brief Walls round a rectangle. */
+/** \brief Adds walls around a rectangle. */
 void
 addRectangle(FloorPlan& plan, double x0, double z0, double x1, double z1);
 
-/** \brief Walls through corners, in turn. */
+/** \brief Adds walls between consecutive corners. */
 void
 addWalls(FloorPlan& plan, const std::vector<Eigen::Vector2d>& corners);
 
@@ -47,50 +47,52 @@ makeRoomPlan();
 FloorPlan
 makeCornerPlan();
 
-/** \brief A corridor round a block: 14 x 10 m outside, 2 m wide, with niches. */
+/** \brief A corridor around a block: 14 x 10 m outside, 2 m wide, with niches. */
 FloorPlan
 makeLoopPlan();
 
-/** \brief Two plain walls along z, 2 m apart, without ends in sight. */
+/** \brief Two plain walls along z, 2 m apart, whose ends are out of sight. */
 FloorPlan
 makeBareCorridorPlan();
 
-/** \brief Rooms of 4 x 4 m, each like the others, side by side along a corridor. */
+/** \brief Equal rooms of 4 x 4 m side by side along a corridor. */
 FloorPlan
 makeAlikeRoomsPlan(int rooms);
 
-/** \brief Two corridors of 2 m side by side, a thin wall between, joined at their ends. */
+/** \brief Two corridors of 2 m side by side with a thin wall in between, connected at
+ * their ends. */
 FloorPlan
 makeParallelCorridorsPlan();
 
-/** \brief A corridor with a niche every 2 m, each like the others. */
+/** \brief A corridor with equal niches every 2 m. */
 FloorPlan
 makeCombPlan();
 
-/** \brief A path through corners with steps of one length, looking where it goes. */
+/** \brief A path through corners with steps of equal length, facing in the direction of
+ * motion. */
 std::vector<PlanarPose>
 pathThrough(const std::vector<Eigen::Vector2d>& corners, double step);
 
-/** \brief An ellipse about a middle, once round. */
+/** \brief One turn along an ellipse. */
 std::vector<PlanarPose>
 pathRound(const Eigen::Vector2d& middle, const Eigen::Vector2d& radii, int poses);
 
-/** \brief What a laser sees from each pose; normals are the walls', towards it. */
+/** \brief Simulated laser scans from each pose, with the normals of the walls. */
 PosedClouds
 scanAlong(const FloorPlan& plan,
           const std::vector<PlanarPose>& path,
           const LaserSettings& laser,
           std::uint64_t seed);
 
-/** \brief The path as odometry has it; the first pose is right. */
+/** \brief The path with odometry noise; the first pose is correct. */
 std::vector<PlanarPose>
 drifted(const std::vector<PlanarPose>& path, const Drift& drift, std::uint64_t seed);
 
-/** \brief Root mean square distance of places, metres; the first poses are equal. */
+/** \brief RMS distance of the positions, metres; the first poses are equal. */
 double
 rmsError(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& truth);
 
-/** \brief A building and what was seen of it. */
+/** \brief A building and its observations. */
 struct World {
   const char* name;
   PosedClouds truth;

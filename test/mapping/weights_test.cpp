@@ -12,7 +12,7 @@ namespace {
 
 using Weights = std::vector<std::vector<float>>;
 
-/** Whole numbers from 0 to 3. */
+/** Integers from 0 to 3. */
 Weights
 smallWeights(const PosedClouds& map)
 {
@@ -37,7 +37,7 @@ weighted(const PosedClouds& map, const Weights& weights, bool directions)
   return entropy;
 }
 
-/** Each point as often as it weighs. */
+/** Repeats each point as often as its weight says. */
 PosedClouds
 repeated(PosedClouds map, const Weights& weights)
 {

@@ -105,7 +105,7 @@ class Outputs(unittest.TestCase):
         points = room_view()
         mesh = acmap.triangulate(points)
         whole = acmap.vote_normals(points, mesh)
-        mesh.triangles[:] = 0  # seen by the next stage: no copy in between
+        mesh.triangles[:] = 0  # visible to the next stage, as there is no copy
         self.assertEqual(acmap.vote_normals(points, mesh).report.unknown, points.size // 3)
         self.assertEqual(whole.report.unknown, 0)
         mesh.triangles[0, 0] = points.size

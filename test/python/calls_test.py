@@ -15,7 +15,7 @@ mesh = acmap.triangulate(points)
 poses = numpy.eye(4)[None]
 two_poses = numpy.repeat(poses, 2, axis=0)
 
-# Each function with one cloud of its own.
+# Calls each function with one cloud.
 functions = {
     "consolidate": lambda cloud, **settings: acmap.consolidate(cloud, **settings),
     "triangulate": lambda cloud, **settings: acmap.triangulate(cloud, **settings),

@@ -8,7 +8,7 @@ import numpy
 import acmap
 from rooms import noisy_wall, room_view
 
-# Walls of the room: axis, place in metres.
+# Walls of the room: axis, position in metres.
 walls = ((2, 3.5), (0, -2.0), (0, 2.0), (1, -1.2), (1, 1.3))
 
 
@@ -79,7 +79,8 @@ class Room(unittest.TestCase):
             mine = points[self.planes.source_labels == number]
             self.assertGreater(len(mine), 100)
             self.assertLess(numpy.median(abs(mine @ normal + offset)), 0.015)
-            self.assertGreater(patch.rmse, 0.002)  # named as in JSON; the noise is 0.01
+            self.assertGreater(patch.rmse, 0.002)  # same name as in JSON; the noise is
+                                                   # 0.01
             self.assertLess(patch.rmse, 0.02)
             self.assertFalse(hasattr(patch, "rms"))
             self.assertTrue((numpy.linalg.eigvalsh(patch.covariance) > 0).all())
@@ -137,7 +138,7 @@ class Settings(unittest.TestCase):
     def test_paper_thresholds_find_the_wall(self):
         wall = noisy_wall(2000)
         normals = numpy.zeros_like(wall)
-        normals[:, 2] = -5  # any length
+        normals[:, 2] = -5  # of any length
         planes = acmap.find_planes(wall, normals)
         self.assertEqual(len(planes.patches), 1)
         self.assertEqual(planes.patches[0].support, 2000)

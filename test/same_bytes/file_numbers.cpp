@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** The numbers of one file. */
+/** Collects the numbers of one file. */
 class Reader {
 public:
   Reader(FileNumbers& numbers, const std::string& path, const std::string& name)
@@ -112,7 +112,7 @@ private:
     return static_cast<double>(value);
   }
 
-  /** A packed colour counts as its three bytes. */
+  /** A packed colour is split into its three bytes. */
   void
   addField(const PCLPointField& field, const std::uint8_t* bytes)
   {

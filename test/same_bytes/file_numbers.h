@@ -6,16 +6,16 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Numbers of files by file and field, in the order in which they stand there.
+/** \brief Numbers by file and field, in their order in the file.
  *
- * Digits of a file's name and places in a JSON array count as `#`, so that all textures of
- * a map are one file, and all its planes one plane. */
+ * Digits of file names and JSON array indices are replaced by `#`, so that all
+ * textures of a map are combined, and so are all its planes. */
 using FileNumbers = std::map<std::string, std::vector<double>>;
 
-/** \brief Reads all files of a folder and those below it: fields of points, corners of
- * faces, values of images, numbers of JSON and text. Reports, what is drawn of them, and
- * map.glb, which holds the numbers of map.obj, are left out.
- * \throws std::runtime_error naming a file of a kind that is not known */
+/** \brief Reads all files of a folder and its subfolders: fields of points, corners of
+ * faces, values of images, numbers in JSON and text. Ignores reports, their pictures,
+ * and map.glb, which has the same numbers as map.obj.
+ * \throws std::runtime_error with the name of a file of unknown type */
 FileNumbers
 numbersIn(const std::string& folder);
 

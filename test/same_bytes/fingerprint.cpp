@@ -7,7 +7,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Within half of 1, different from place to place, the same everywhere. */
+/** Pseudo-random weight within half of 1, different for each index, but
+ * reproducible. */
 double
 weightOf(std::size_t place)
 {
@@ -62,7 +63,7 @@ NumberSummary::json() const
                   "%.*f",
                   std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 12),
                   value);
-    return std::strtod(text, nullptr) + 0.0; // no -0
+    return std::strtod(text, nullptr) + 0.0; // avoids -0
   };
   return {count, missing, rounded(mean), rounded(spread), rounded(order)};
 }

@@ -6,15 +6,16 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What is kept of many numbers. The last bits of some may differ without a
- * difference here that is above \ref unit; another decision makes one. */
+/** \brief Summary of many numbers. Differences in the last bits of some numbers
+ * change it by less than \ref unit; a different decision of an algorithm changes
+ * it by more. */
 struct NumberSummary {
-  std::size_t count = 0;   ///< all of them
-  std::size_t missing = 0; ///< not finite
-  double mean = 0;         ///< of the finite ones, as below
+  std::size_t count = 0;   ///< of all numbers
+  std::size_t missing = 0; ///< numbers that are not finite
+  double mean = 0;         ///< of the finite ones, as are the following
   double spread = 0;       ///< standard deviation
   double order =
-      0; ///< mean product with random weights: changes where two change places
+      0; ///< mean product with random weights: changes if two numbers are swapped
 
   explicit NumberSummary(const std::vector<double>& numbers);
 
@@ -23,7 +24,7 @@ struct NumberSummary {
   nlohmann::json
   json() const;
 
-  /** \brief How far mean, spread and order may be off the stored ones. */
+  /** \brief Tolerance of mean, spread and order. */
   double
   unit() const;
 
@@ -35,7 +36,7 @@ struct NumberSummary {
 nlohmann::json
 fingerprintOf(const FileNumbers& numbers);
 
-/** \brief What differs between two fingerprints, a line each. */
+/** \brief Differences between two fingerprints, one line each. */
 std::vector<std::string>
 differencesOf(const nlohmann::json& found, const nlohmann::json& stored);
 

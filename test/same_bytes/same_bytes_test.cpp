@@ -20,7 +20,7 @@ namespace {
 using testing::IsEmpty;
 using testing::UnorderedElementsAreArray;
 
-/** Rounds of runs: 1, or what ACMAP_SAME_BYTES_ROUNDS says. */
+/** Rounds of runs: 1, or the value of ACMAP_SAME_BYTES_ROUNDS. */
 int
 roundsAsked()
 {
@@ -56,7 +56,7 @@ storedFingerprints()
   return file ? nlohmann::json::parse(file) : nlohmann::json::object();
 }
 
-/** A summary a line, so that a change shows as lines that changed. */
+/** Writes one summary per line, so that changes are visible as changed lines. */
 void
 store(const nlohmann::json& fingerprints)
 {
@@ -75,7 +75,7 @@ store(const nlohmann::json& fingerprints)
   file << "\n}\n";
 }
 
-/** Made once for all tests. */
+/** Created once for all tests. */
 StageRuns&
 runs()
 {
@@ -111,7 +111,8 @@ TEST_P(SameBytes, WhateverThreadsAndInstructions)
 
 class StoredNumbers : public testing::TestWithParam<Stage> {};
 
-/** ACMAP_REFRESH_FINGERPRINTS stores what is found in place of comparing. */
+/** If ACMAP_REFRESH_FINGERPRINTS is set, stores the fingerprints instead of
+ * comparing. */
 TEST_P(StoredNumbers, AreThoseOfTheFiles)
 {
   const Stage& stage = GetParam();

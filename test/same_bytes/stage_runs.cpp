@@ -27,7 +27,7 @@ writeBoards(const std::string& folder)
     }
 }
 
-/** A row of the summary that a report page shows: a name and what is told of it. */
+/** Is it a row of a report page's summary (name and text) that shows times? */
 bool
 isRowOfSeconds(const nlohmann::json& value)
 {

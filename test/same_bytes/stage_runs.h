@@ -8,32 +8,33 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Contents of files by their path in a stage's folder. */
+/** \brief Contents of files by their path relative to a stage's folder. */
 using Files = std::map<std::string, std::string>;
 
-/** \brief How a stage is run again. */
+/** \brief Parameters of a repeated run. */
 struct Variant {
   unsigned threads = 2;
-  bool is_plain = false; ///< without the kernels for AVX2
+  bool is_plain = false; ///< without the AVX2 kernels
 };
 
-/** \brief Runs stages, each in the folder of its name: always the same one, so that no
- * path in a report changes. */
+/** \brief Runs stages, each in a folder with its name: always the same one, so that
+ * paths in reports do not change. */
 class StageRuns {
 public:
-  /** \brief Makes what the first stages read. */
+  /** \brief Creates the inputs of the first stages. */
   StageRuns();
 
-  /** \brief Runs a stage, and has run those before it; a failure is one of the test.
-   * \return all that it wrote, as \ref comparable leaves it */
+  /** \brief Runs a stage after the stages on which it depends; failures are reported as
+   * test failures.
+   * \return all files that it wrote, reduced by \ref comparable */
   Files
   run(const Stage& stage, const Variant& variant);
 
-  /** \brief What a stage wrote when it ran first, on two threads. */
+  /** \brief Output of the first run of a stage, with two threads. */
   const Files&
   firstOf(const Stage& stage);
 
-  /** \brief Where a stage writes. */
+  /** \brief Output folder of a stage. */
   std::string
   folderOf(const Stage& stage) const
   {
@@ -48,10 +49,11 @@ private:
   std::map<std::string, Files> first_;
 };
 
-/** \brief A file without what belongs to one run alone.
+/** \brief Removes everything from a file that differs between runs.
  *
- * Of a report the times, the memory and the command line, which names the threads; all of
- * stage.json, where the times of files are, and of report.html, which shows the times. */
+ * From a report, times, memory and the command line with the number of threads; the
+ * whole of stage.json, which contains file times, and of report.html, which shows the
+ * times. */
 std::string
 comparable(const std::string& name, const std::string& content);
 

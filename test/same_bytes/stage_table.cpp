@@ -20,7 +20,8 @@ calibrationArguments()
   return all;
 }
 
-/** What the cameras saw, taken for shots of one place: senseless, and all is computed. */
+/** Uses all images as shots of one place: the result is meaningless, but everything is
+ * computed. */
 Arguments
 rectifyingArguments()
 {

@@ -5,26 +5,26 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A run of a tool on what earlier stages of the table made. */
+/** \brief A run of a tool on outputs of earlier stages of the table. */
 struct Stage {
   std::string name;
   std::string program;
-  /** \brief Of `<` and a path: what an earlier stage made, by its name; of `>` and a
-   * name: what this one makes; the rest as it stands. */
+  /** \brief `<` and a path is the output of an earlier stage, starting with its name;
+   * `>` and a name is an output of this stage; all others are passed unchanged. */
   std::vector<std::string> arguments;
-  bool has_threads = true;    ///< it takes --threads
-  bool needs_display = false; ///< its pictures differ with the renderer: no fingerprint
+  bool has_threads = true;    ///< supports --threads
+  bool needs_display = false; ///< its pictures depend on the renderer: no fingerprint
 };
 
-/** \brief All tools that compute, in an order in which each finds its inputs. */
+/** \brief All tools that compute something, in an order in which their inputs exist. */
 const std::vector<Stage>&
 stageTable();
 
-/** \brief Names of what is there before the first stage. */
+/** \brief Names of the inputs that exist before the first stage. */
 constexpr const char *scene_file = "small_corridor.yaml", *boards_folder = "boards",
                      *recording_folder = "recording";
 
-/** \brief Board images of three cameras that \ref boards_folder holds. */
+/** \brief Number of board images of three cameras in \ref boards_folder. */
 constexpr std::size_t board_shots = 6;
 
 } // namespace pcl::acmap::test

@@ -78,7 +78,7 @@ TEST(ClusteringClass, polygonsAreFans)
     polygons.emplace_back();
     polygons.back().vertices.assign(triangle.begin(), triangle.end());
   }
-  polygons.emplace_back(); // no face
+  polygons.emplace_back(); // not a face
   const Clustered found = clusterOn(
       mesh, [&](Clustering& clustering) { clustering.setTriangles(polygons); });
   EXPECT_TRUE(areSame(found, clusterOn(mesh)));
@@ -102,14 +102,14 @@ TEST(ClusteringClass, indicesChooseHypotheses)
     EXPECT_EQ(found.labels[i], i < mesh.cloud.size() / 2 ? -1 : 0) << i;
 }
 
-/** The others lie on the same wall, but nobody asked for them. */
+/** The other points are on the same wall, but are not selected. */
 TEST(ClusteringClass, indicesPartAWall)
 {
   const VotingMesh mesh = withNoise(makeWall(3, 2), {0, 0, 1}, 0.002);
   const auto chosen = std::make_shared<Indices>();
   for (std::size_t i = mesh.cloud.size(); i-- > 0;)
     if (mesh.cloud[i].x < 0)
-      chosen->insert(chosen->end(), 2, static_cast<index_t>(i)); // in any order, twice
+      chosen->insert(chosen->end(), 2, static_cast<index_t>(i)); // duplicated
   for (const bool has_mesh : {true, false})
     for (const bool noise_driven : {true, false}) {
       const Clustered found = clusterOn(mesh, [&](Clustering& clustering) {
@@ -189,7 +189,7 @@ TEST(ClusteringClass, sourceMayBeForgotten)
   {
     const Cloud::ConstPtr source = makeWall(1, 1).cloud.makeShared();
     clustering.setSourceCloud(source);
-  } // it is kept
+  } // the object keeps a reference
   EXPECT_EQ(runClustering(clustering).source_labels.size(), 441U);
   const Cloud::Ptr variable = makeWall(1, 1).cloud.makeShared();
   clustering.setSourceCloud(variable);

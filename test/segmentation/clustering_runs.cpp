@@ -10,7 +10,7 @@ namespace {
 bool
 areSameBytes(const void* a, const void* b, std::size_t size)
 {
-  return std::memcmp(a, b, size) == 0; // covariances may be NaN
+  return std::memcmp(a, b, size) == 0; // compares bytes, as covariances may be NaN
 }
 
 bool

@@ -10,7 +10,7 @@ namespace pcl::acmap::test {
 using Clustering = PlaneHypothesisClustering<PointXYZ>;
 using SetClustering = std::function<void(Clustering&)>;
 
-/** \brief All that a run gives. */
+/** \brief Complete result of a run. */
 struct Clustered {
   std::vector<PlanePatch> patches;
   std::vector<std::int32_t> labels;
@@ -18,7 +18,7 @@ struct Clustered {
   PlaneClusteringReport report;
 };
 
-/** \brief Points of the cloud that have no plane. */
+/** \brief Number of points of the cloud without a plane. */
 inline std::size_t
 leftOut(const Clustered& found)
 {
@@ -38,32 +38,34 @@ runClustering(PlaneHypothesisClustering<PointT>& clustering)
   return result;
 }
 
-/** \brief Gives an object the mesh, and the normals and classes that are voted on it. */
+/** \brief Sets the mesh of an object, and the normals and classes that are voted on
+ * it. */
 void
 setMesh(Clustering& clustering, const VotingMesh& mesh);
 
-/** \brief Clusters a mesh by its noise.
- * \param[in] set what is not to stay at its default */
+/** \brief Clusters a mesh in noise-driven mode.
+ * \param[in] set changes default settings */
 Clustered
 clusterOn(
     const VotingMesh& mesh, const SetClustering& set = [](Clustering&) {});
 
-/** \brief Clusters points with normals as the paper does. */
+/** \brief Clusters points with normals with the paper's thresholds. */
 Clustered
 clusterAsPaper(
     const PointCloud<PointNormal>& cloud,
     const std::function<void(PlaneHypothesisClustering<PointNormal>&)>& set =
         [](auto&) {});
 
-/** \brief Equal in every byte. */
+/** \brief Are both results equal in every byte? */
 bool
 areSame(const Clustered& a, const Clustered& b);
 
-/** \brief Of a plane's normal from a direction, whatever its sign; radians. */
+/** \brief Angle between a plane's normal and a direction, ignoring the sign;
+ * radians. */
 double
 angleFrom(const PlanePatch& patch, const Eigen::Vector3d& direction);
 
-/** \brief Of a point from the plane along its normal, metres. */
+/** \brief Signed distance of a point from the plane, metres. */
 inline double
 distanceFrom(const PlanePatch& patch, const Eigen::Vector3d& point)
 {

@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A wall with a window, somewhere in space, and a point cloud of it. */
+/** A wall with a window in general position, and its point cloud. */
 VotingMesh
 makeTiltedWall()
 {

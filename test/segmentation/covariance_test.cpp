@@ -14,7 +14,7 @@ namespace {
 
 constexpr int seeds = 50;
 
-/** Two thirds of the pixels: a hundred views are to take some seconds. */
+/** Uses two thirds of the pixels, so that a hundred views only take some seconds. */
 SimulatedScene
 makeQuickScene(double noise)
 {
@@ -23,8 +23,8 @@ makeQuickScene(double noise)
   return scene;
 }
 
-/** Of a patch from the truth in the patch's own terms: slopes along its axes, offset at
- * its centre. */
+/** Error of a patch in its own parameters: slopes along its axes, offset at its
+ * centre. */
 Eigen::Vector3d
 errorOf(const PlanePatch& patch, const Eigen::Vector4d& truth)
 {
@@ -36,7 +36,7 @@ errorOf(const PlanePatch& patch, const Eigen::Vector4d& truth)
          -along;
 }
 
-/** The squared error in units of what the covariance expects: 1 on average. */
+/** The squared error normalized by the covariance: 1 on average. */
 double
 normalizedError(const PlanePatch& patch, const Eigen::Vector4d& truth)
 {
@@ -44,7 +44,7 @@ normalizedError(const PlanePatch& patch, const Eigen::Vector4d& truth)
   return error.dot(patch.covariance.inverse() * error) / 3;
 }
 
-/** Normalized errors of each plane, over all seeds. */
+/** Normalized errors of each plane over all seeds. */
 class ErrorStatistics {
 public:
   void
@@ -82,7 +82,8 @@ private:
   std::map<std::string, std::pair<double, int>> errors_;
 };
 
-/** Adds noise along the rays: each point its own, and one for all points of a cube. */
+/** Adds noise along the rays: independent noise, and noise shared by all points of a
+ * cube. */
 void
 addSharedNoise(
     SeenRoom& room, double own, double shared, double edge, std::uint64_t seed)
@@ -110,7 +111,7 @@ TEST(PlaneCovariance, isHonestForIndependentNoise)
   errors.expectHonest(3);
 }
 
-/** Stereo's noise is that of a patch of pixels. */
+/** Stereo noise is shared by a patch of pixels. */
 TEST(PlaneCovariance, isHonestForNoiseThatNeighboursShare)
 {
   ErrorStatistics errors;
@@ -124,8 +125,9 @@ TEST(PlaneCovariance, isHonestForNoiseThatNeighboursShare)
   errors.expectHonest(3);
 }
 
-/** Twice as far off along the rays is four times the covariance. In the median, as a plane
- * whose clean points are half of them may be fitted to these alone or to all. */
+/** Twice the noise along the rays gives four times the covariance. The median is
+ * tested, because a plane of which half of the points are clean may be fitted to these
+ * only or to all points. */
 TEST(PlaneCovariance, growsWithTheNoise)
 {
   constexpr std::uint64_t rooms = 5;

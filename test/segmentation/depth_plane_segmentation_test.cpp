@@ -73,7 +73,7 @@ TEST(DepthPlaneSegmentation, findsTheRoom)
   EXPECT_GT(report.points_on_planes, 0.95 * static_cast<double>(report.points));
 }
 
-/** Twice the area that a loop encloses, seen from the side the normal points to. */
+/** Twice the signed area of a loop, seen from the side of the normal. */
 double
 areaOf(const std::vector<Eigen::Vector3f>& loop, const PlanePatch& plane)
 {
@@ -106,7 +106,8 @@ TEST(DepthPlaneSegmentation, outlinesWhatIsSeen)
     }
     EXPECT_NEAR(area, plane.area, 1e-3 * plane.area);
   }
-  // the side wall: from the image's upper rim to the floor, up to the back wall
+  // the side wall extends from the upper image border to the floor, and to the back
+  // wall
   const auto side = std::find_if(planes.begin(), planes.end(), [](const PlanePatch& p) {
     return normalOf(p).x() < -0.9;
   });
@@ -138,7 +139,8 @@ TEST(DepthPlaneSegmentation, labelsArePlanesOfItsPoints)
 
 TEST(DepthPlaneSegmentation, covarianceHolds)
 {
-  // the back wall over many noises: normalised squared errors are about 1 in each of three
+  // mean over many noise samples for the back wall: the normalised squared error is
+  // about 1 per parameter
   double sum = 0;
   constexpr int seeds = 40;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -228,7 +230,7 @@ TEST(DepthPlaneSegmentation, refusesAndExplains)
   EXPECT_THROW(segmentation.segment(planes), InitFailedException);
   Cloud::Ptr row = asRow(*roomCloud());
   for (PointXYZ& point : *row)
-    point.x += 0.3F; // no picture of a camera in the origin
+    point.x += 0.3F; // not the image of a camera at the origin
   segmentation.setInputCloud(row);
   EXPECT_THROW(segmentation.segment(planes), UnorganizedPointCloudException);
   EXPECT_EQ(planes.size(), 3u) << "untouched";

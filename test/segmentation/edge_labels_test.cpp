@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Where the ray of a point met its true plane: there the point would be without noise. */
+/** Position of a point without noise: intersection of its ray with the true plane. */
 Eigen::Vector3d
 placeWithoutNoise(const SeenRoom& room, std::size_t i)
 {
@@ -19,14 +19,15 @@ placeWithoutNoise(const SeenRoom& room, std::size_t i)
          (plane.head<3>().dot(sensor) + plane[3]) / plane.head<3>().dot(ray) * ray;
 }
 
-/** How points near the edge between two planes are labelled. */
+/** Labels of the points near the edge between two planes. */
 struct EdgeLabels {
   std::size_t points = 0;
-  std::size_t right = 0;   ///< by the class
-  std::size_t nearest = 0; ///< right ones, were each point given to the nearer plane
+  std::size_t right = 0;   ///< correct labels of the class
+  std::size_t nearest = 0; ///< correct labels if each point were assigned to the nearer
+                           ///< plane
 };
 
-/** \param[in] reach metres to the edge */
+/** \param[in] reach maximum distance from the edge, metres */
 EdgeLabels
 labelsAtEdge(const SeenRoom& room,
              const RoomPlanes& found,

@@ -15,7 +15,8 @@ namespace {
 
 using Triangles = std::vector<TriangleMesh::Triangle>;
 
-/** Vertices of a grid of squares, each parted in two triangles where a function says so. */
+/** A grid of squares, of which those selected by a function are split into two
+ * triangles. */
 struct FlatMesh {
   std::vector<Eigen::Vector2d> places;
   Triangles triangles;
@@ -66,7 +67,7 @@ TEST(FaceLoops, holeRunsClockwise)
   EXPECT_DOUBLE_EQ(areas[1], 25);
 }
 
-/** Two squares that touch in a corner are two; two holes that do are two as well. */
+/** Two squares that touch at a corner have separate loops, and so do two such holes. */
 TEST(FaceLoops, rimsStayWithTheirSideWhereTheyTouch)
 {
   const auto isBlack = [](int x, int y, int) { return (x + y) % 2 == 0; };
@@ -89,7 +90,7 @@ TEST(FaceLoops, rimsStayWithTheirSideWhereTheyTouch)
       << "the holes hang together, as the surface between does not";
 }
 
-/** The vertex in which they touch is the first of both rims. */
+/** The common vertex of two squares is the first vertex of both loops. */
 TEST(FaceLoops, rimsThatBeginWhereTheyTouchAreTwo)
 {
   const std::vector<Eigen::Vector2d> places{
@@ -111,7 +112,7 @@ TEST(FaceLoops, nothingHasNone)
   EXPECT_TRUE(outlines::faceLoops({}, {}).empty());
 }
 
-/** Every edge of one triangle is in one loop, with the surface on its left. */
+/** Every edge with one triangle is in one loop, with the surface on its left. */
 TEST(FaceLoops, goRoundAnySurface)
 {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -136,7 +137,8 @@ TEST(FaceLoops, goRoundAnySurface)
   }
 }
 
-/** Of three triangles at one edge, as a bad mesh has them, the third has no rim there. */
+/** If an invalid mesh has three triangles at an edge, the third one has no boundary
+ * there. */
 TEST(FaceLoops, doubledTrianglesEndWell)
 {
   FlatMesh mesh(3, [](int, int, int) { return true; });

@@ -11,7 +11,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Wall, door, and a board far away. */
+/** Wall, door, and a distant board. */
 VotingMesh
 makeSample()
 {
@@ -19,7 +19,7 @@ makeSample()
       together(makeDoor(0.2), placedAt(makeWall(1, 1), 5, 0, 1)), {0, 0, 1}, 0.001);
 }
 
-/** Coefficients, areas and supports agree, in the order of the patches. */
+/** Requires similar coefficients, areas and supports, in the order of the patches. */
 void
 expectAgreement(const std::vector<PlanePatch>& found,
                 const std::vector<PlanePatch>& wanted,

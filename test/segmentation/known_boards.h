@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Boards of points and their planes, as the growth would hand them on. */
+/** \brief Boards of points with their planes, as passed on by the region growing. */
 class KnownBoards {
 public:
   explicit KnownBoards(double spacing)
@@ -16,7 +16,7 @@ public:
     known_.spacing = spacing;
   }
 
-  /** \brief A board of its own plane: corner + i u + j v, metres; n = u x v. */
+  /** \brief Adds a board with its own plane: corner + i u + j v, metres; n = u x v. */
   void
   add(const Eigen::Vector3d& corner,
       const Eigen::Vector3d& u,
@@ -40,7 +40,7 @@ public:
     known_.planes.push_back(plane);
   }
 
-  /** \brief Its points are those of this object. */
+  /** \brief The planes; their points are stored in this object. */
   KnownPlanes
   known() const
   {

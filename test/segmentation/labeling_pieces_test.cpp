@@ -14,7 +14,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Inner and outer edges by the thousand: a table of all pairs would not fit in memory. */
+/** Thousands of convex and concave edges: a table of all pairs would not fit into
+ * memory. */
 TEST(Junctions, knowTheirSidesOfManyPlanes)
 {
   constexpr double spacing = 0.1;
@@ -22,7 +23,7 @@ TEST(Junctions, knowTheirSidesOfManyPlanes)
   KnownBoards boards(spacing);
   for (int edge = 0; edge < edges; ++edge) {
     const Eigen::Vector3d corner((edge % 200) * 2.0, edge / 200 * 2.0, 0);
-    const double first = edge % 2 == 0 ? spacing : -3 * spacing; // before it or behind
+    const double first = edge % 2 == 0 ? spacing : -3 * spacing; // in front or behind
     boards.add(corner + first * x, spacing * x, 3, spacing * y, 3);
     boards.add(corner + first * z, spacing * y, 3, spacing * z, 3);
   }
@@ -38,7 +39,7 @@ TEST(Junctions, knowTheirSidesOfManyPlanes)
   }
 }
 
-/** The last one of nine: the other eight come before it along the keys. */
+/** The voxel's own plane is the last of nine; the other eight have smaller keys. */
 TEST(CandidateGrid, holdsTheVoxelsOwnPlaneWhereManyAreNear)
 {
   KnownBoards boards(1);
@@ -104,7 +105,8 @@ TEST(LabelPoints, frameIsThatOfTheSupportWithoutASourceToo)
   expectCentered(known.planes[0].patch, {1, 0.5, 2});
 }
 
-/** Sums about one frame, moved to another one, are those about the other one. */
+/** Sums in one frame that are transformed to another frame equal those computed
+ * there. */
 TEST(FitSums, followTheirFrame)
 {
   KnownBoards boards(0.1);
@@ -167,7 +169,8 @@ TEST(FitSums, turnAPlaneHoweverFar)
   }
 }
 
-/** Points on a line, some of them very far: what rounds is no negative variance. */
+/** Points on a line, some of them far away: rounding must not give negative
+ * variances. */
 TEST(FitSums, haveACovarianceWithoutNegativeVariances)
 {
   KnownBoards board(0.1);

@@ -51,7 +51,8 @@ TEST(LoopCrossings, OverlappingHolesAndRimsAreOne)
 
 TEST(LoopCrossings, BothPartsOfANeckStay)
 {
-  // A corner lies on the other side, but for rounding, from either direction.
+  // A corner that touches the opposite edge, except for rounding errors in both
+  // directions.
   for (const double off : {-1e-6, 0.0, 1e-6}) {
     const auto loops =
         disentangled({{{0, 0}, {4, 0}, {8, 0}, {8, 4}, {4, off}, {0, 4}}}, distance);
@@ -72,8 +73,8 @@ TEST(LoopCrossings, SpikesAndLoopsWithoutAreaGo)
   EXPECT_TRUE(disentangled({Loop(5, {1, 1})}, distance).empty());
 }
 
-/** Each corner of such a triangle is near the opposite side, which was cut there, and the
- * pieces again. */
+/** Each corner of such a triangle is near the opposite edge; this edge was split there,
+ * and then its parts again. */
 TEST(LoopCrossings, SmallTrianglesComeToAnEnd)
 {
   for (const double side : {0.9, 1.0, 1.05, 1.15, 1.3, 2.0, 2.5}) {
@@ -84,7 +85,8 @@ TEST(LoopCrossings, SmallTrianglesComeToAnEnd)
   }
 }
 
-/** Cuts that rounding puts beside their edges made new crossings, by the hundred thousand. */
+/** Because of rounding, split points beside their edges caused hundreds of thousands of
+ * new crossings. */
 TEST(LoopCrossings, LoopsFarAwayAreCutAsFarAsNumbersTell)
 {
   constexpr double far = -82083207153158, ulp = 1.0 / 64, across = 1494.75,

@@ -20,7 +20,7 @@ makeSquare(double side)
   return {{0, 0}, {side, 0}, {side, side}, {0, side}};
 }
 
-/** Random corners of a closed line that crosses itself. */
+/** Random vertices of a self-intersecting loop. */
 Loop
 makeTangle(std::size_t size, std::uint64_t seed)
 {
@@ -33,7 +33,7 @@ makeTangle(std::size_t size, std::uint64_t seed)
   return loop;
 }
 
-/** A star about the origin: simple. */
+/** A simple star around the origin. */
 Loop
 makeStar(std::size_t size, std::uint64_t seed)
 {

@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** All that supports the plane of a seed, found one by one. */
+/** Finds all supporters of the plane of a seed, one by one. */
 NaivePlane
 growFrom(const NaiveHypotheses& all,
          std::size_t seed,
@@ -27,7 +27,8 @@ growFrom(const NaiveHypotheses& all,
         continue;
       is_member[j] = has_grown = true;
       plane.members.push_back(static_cast<std::int32_t>(j));
-      constexpr std::size_t enough = 12; // before, the seed's own normal is better
+      constexpr std::size_t enough = 12; // for fewer points, the seed's own normal is
+                                         // more accurate
       if (plane.members.size() >= enough)
         plane = planeThrough(all, plane.members, plane.normal);
     }

@@ -20,35 +20,35 @@ struct NaiveThresholds {
   std::size_t support = 50;     ///< W_h
 };
 
-/** \brief A plane with its supporters, ascending. */
+/** \brief A plane with its supporters in ascending order. */
 struct NaivePlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double offset = 0;
   std::vector<std::int32_t> members;
 };
 
-/** \brief Do a point's normal and place agree with a plane? */
+/** \brief Are a point's normal and position consistent with a plane? */
 bool
 supports(const NaiveHypotheses& all,
          std::size_t point,
          const NaivePlane& plane,
          const NaiveThresholds& limits);
 
-/** \brief Is a point nearer than W_d to some supporter other than itself? */
+/** \brief Is the distance from a point to any other supporter less than W_d? */
 bool
 isNearSome(const NaiveHypotheses& all,
            std::size_t point,
            const NaivePlane& plane,
            const NaiveThresholds& limits);
 
-/** \brief The plane of least squares through members, to the side of a normal. */
+/** \brief Least-squares plane of members, oriented like a normal. */
 NaivePlane
 planeThrough(const NaiveHypotheses& all,
              const std::vector<std::int32_t>& members,
              const Eigen::Vector3d& front);
 
-/** \brief The paper's clustering (II-C.2) read literally, O(n^2): each supporter that is
- * found recomputes the plane from all; seeds are tried in their order. */
+/** \brief Literal implementation of the paper's clustering (II-C.2), O(n^2): each new
+ * supporter updates the plane from all supporters; seeds are tried in their order. */
 std::vector<NaivePlane>
 growNaively(const NaiveHypotheses& all, const NaiveThresholds& limits);
 

@@ -14,14 +14,15 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Makes hypotheses about planes, and others about nothing. */
+/** Creates hypotheses on planes, and random ones. */
 class HypothesisMaker {
 public:
   explicit HypothesisMaker(std::uint64_t seed)
   : random_(seed)
   {}
 
-  /** Points at random on a square, with noise in metres and of the normals in radians. */
+  /** Adds random points on a parallelogram, with noise of positions in metres and of
+   * normals in radians. */
   void
   addBoard(const Eigen::Vector3d& corner,
            const Eigen::Vector3d& u,
@@ -67,7 +68,7 @@ private:
   Random random_;
 };
 
-/** What the kernel grows: for each plane its members, ascending. */
+/** Result of the kernel: the members of each plane in ascending order. */
 std::vector<NaivePlane>
 growByKernel(const NaiveHypotheses& all,
              const NaiveThresholds& limits,
@@ -104,7 +105,7 @@ growByKernel(const NaiveHypotheses& all,
   return planes;
 }
 
-/** Three walls of a room, a shelf, and a tenth of clutter. */
+/** Three walls of a room, a shelf, and 10 % clutter. */
 NaiveHypotheses
 makeRoomHypotheses(std::uint64_t seed)
 {
@@ -117,7 +118,7 @@ makeRoomHypotheses(std::uint64_t seed)
   return maker.all;
 }
 
-/** All points of two boards, far from each other, are within W_d of their board's. */
+/** Two distant boards; all points of a board are within W_d of each other. */
 TEST(PaperGrowth, tellsHowFarItIsAndCanBeStopped)
 {
   HypothesisMaker maker(5);
@@ -156,8 +157,8 @@ TEST(PaperGrowth, isTheNaiveOneWherePlanesAreClear)
   }
 }
 
-/** What must hold of every plane, however its supporters were found; of nearly all of
- * them, as settling ends after some rounds. */
+/** Checks properties of all planes, independent of the order of growing; a few
+ * supporters may violate them, because the iterations are limited. */
 void
 expectSettled(const NaiveHypotheses& all,
               const NaiveThresholds& limits,

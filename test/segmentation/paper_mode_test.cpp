@@ -21,7 +21,7 @@ hypothesis(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
   return point;
 }
 
-/** Points on z = 0 from a corner on, 10 cm apart. */
+/** Adds points on z = 0, 10 cm apart, starting at a corner. */
 void
 addGrid(Hypotheses& cloud,
         int columns,
@@ -76,7 +76,8 @@ TEST(PaperMode, moreThanFiftySupporters)
       0U);
 }
 
-/** Near one of its supporters, not near the seed: a corridor's wall is one plane. */
+/** Points must be near any supporter, not near the seed: the wall of a corridor is one
+ * plane. */
 TEST(PaperMode, distanceIsToSomeSupporter)
 {
   Hypotheses cloud;
@@ -115,7 +116,8 @@ TEST(PaperMode, distanceToThePlaneIsLessThanAQuarterMetre)
   }
 }
 
-/** Neither rims nor stragglers take in what only W_t would let in. */
+/** Points within W_t with other normals are not added, neither at the border nor far
+ * from it. */
 TEST(PaperMode, nearnessAloneIsNoSupport)
 {
   Hypotheses cloud;
@@ -131,8 +133,8 @@ TEST(PaperMode, nearnessAloneIsNoSupport)
     EXPECT_EQ(found.labels[i], i < 900 ? 0 : -1) << i;
 }
 
-/** Steps of 20 cm, each within W_t of the plane of all before: it tips after them, as the
- * slope of a stair has it. */
+/** Steps of 20 cm, each within W_t of the plane of all previous ones: the plane tilts
+ * towards the slope of the stairs. */
 TEST(PaperMode, planeFollowsItsSupporters)
 {
   Hypotheses cloud;
@@ -148,7 +150,7 @@ TEST(PaperMode, planeFollowsItsSupporters)
 
 TEST(PaperMode, thresholdsCanBeSet)
 {
-  Hypotheses cloud; // two boards, one 10 cm behind the other
+  Hypotheses cloud; // two boards, 10 cm apart in depth
   addGrid(cloud, 20, 20, 0);
   for (int k = 0; k < 400; ++k)
     cloud.push_back(hypothesis({2 + 0.1 * (k % 20), 0.1 * (k / 20), -0.1}, {0, 0, 1}));

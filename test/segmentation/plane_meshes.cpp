@@ -95,7 +95,8 @@ VotingMesh
 makeDoor(double depth)
 {
   constexpr double wall = 1.5, door = 0.9;
-  const double length = 2 * (wall + depth) + door; // of the line that is drawn along y
+  const double length = 2 * (wall + depth) + door; // of the profile that is extruded
+                                                   // along y
   const auto place = [=](double u, double v) {
     const double along = u + length / 2;
     const double in = std::clamp(along - wall, 0.0, depth);

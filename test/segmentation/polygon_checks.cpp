@@ -15,14 +15,14 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Do the segments ab and cd pass through each other? Touching is no crossing. */
+/** Do the segments ab and cd cross? Touching does not count. */
 bool
 doCross(const Eigen::Vector2d& a,
         const Eigen::Vector2d& b,
         const Eigen::Vector2d& c,
         const Eigen::Vector2d& d)
 {
-  constexpr double touch = 1e-9; // square metres: corners are rounded to floats
+  constexpr double touch = 1e-9; // square metres: vertices are rounded to float
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
   return std::min(c_side, d_side) < -touch && std::max(c_side, d_side) > touch &&

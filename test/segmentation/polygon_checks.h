@@ -10,34 +10,34 @@ namespace pcl::acmap::test {
 
 using FlatLoop = std::vector<Eigen::Vector2d>;
 
-/** \brief A loop of a patch in the plane's own coordinates, seen from the side its normal
- * points to. */
+/** \brief A loop of a patch in 2D coordinates of its plane, seen from the side of its
+ * normal. */
 FlatLoop
 flattened(const PlanePatch& patch, const std::vector<Eigen::Vector3f>& loop);
 
-/** \brief Square metres, positive where it runs counter-clockwise; by triangles about the
- * first point. */
+/** \brief Signed area in square metres, positive for counter-clockwise loops; sums
+ * triangles about the first point. */
 double
 areaOf(const FlatLoop& loop);
 
-/** \brief Does a point lie inside? By the angle under which the loop is seen. */
+/** \brief Is a point inside? Uses the winding number. */
 bool
 isInside(const FlatLoop& loop, const Eigen::Vector2d& place);
 
-/** \brief Pairs of edges that meet though they are no neighbours: 0 in a simple loop. */
+/** \brief Number of pairs of non-adjacent edges that intersect: 0 for a simple loop. */
 std::size_t
 countCrossings(const FlatLoop& loop);
 
-/** \brief The same between two loops. */
+/** \brief Number of intersections between two loops. */
 std::size_t
 countCrossings(const FlatLoop& a, const FlatLoop& b);
 
-/** \brief Metres from a place to the nearest point of a loop's line. */
+/** \brief Distance from a point to the nearest point of a loop's line, metres. */
 double
 distanceToLine(const FlatLoop& loop, const Eigen::Vector2d& place);
 
-/** \brief Expects of all polygons what PlanePolygon promises: on the plane, simple, rims
- * counter-clockwise, holes clockwise and inside of their rims, and the area theirs. */
+/** \brief Checks the guarantees of PlanePolygon: on the plane, simple, outlines
+ * counter-clockwise, holes clockwise and inside their outlines, correct area. */
 void
 expectSound(const PlanePatch& patch);
 

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A wall of 4 m by 2.5 m with a window of 1.2 m by 1 m in its middle. */
+/** A wall of 4 m by 2.5 m with a window of 1.2 m by 1 m in its centre. */
 VotingMesh
 makeWallWithWindow()
 {
@@ -94,7 +94,8 @@ TEST(PlanePolygons, islandInAWindowIsAPolygonOfItsOwn)
   expectSound(patch);
 }
 
-/** Corners of the rims that end half a spacing before the edges of a room's corner. */
+/** The vertices of the meshes end half a spacing before the edges of a room's
+ * corner. */
 TEST(PlanePolygons, areDrawnToTheEdges)
 {
   for (const double noise : {0.0, 0.0005}) {
@@ -138,7 +139,7 @@ TEST(PlanePolygons, meetInTheCornersOfACube)
   }
 }
 
-/** A wall with a window through which nothing is seen. */
+/** A wall with a window, behind which there are no measurements. */
 SimulatedScene
 makeRoomWithWindow(double noise)
 {

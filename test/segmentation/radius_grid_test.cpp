@@ -55,7 +55,7 @@ TEST(RadiusGrid, findsAllThatAreNearer)
   compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}), 0.25);
 }
 
-/** Places on the borders of the cubes, on both sides of 0. */
+/** Points on the borders of the cubes, on both sides of 0. */
 TEST(RadiusGrid, bordersAreNoBorders)
 {
   Points points;

@@ -19,7 +19,7 @@ normalOf(const PlanePatch& patch)
   return patch.coefficients.head<3>();
 }
 
-/** A floor, and a wall that leans by so many radians from upright. */
+/** A floor, and a wall that leans by this angle in radians. */
 VotingMesh
 makeLeaningWall(double lean)
 {
@@ -69,7 +69,7 @@ TEST(RegularClustering, boardsAreParallelAndStayWhereTheyAre)
   }
 }
 
-/** What leans by more than its tilt is unsure was built so. */
+/** If a wall leans by more than its uncertainty, it is not corrected. */
 TEST(RegularClustering, leaningWallsStayLeaning)
 {
   for (const double lean : {2 * degree, 5 * degree, 20 * degree}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/** \param[in] deviation of its tilt, radians */
+/** \param[in] deviation standard deviation of its tilt, radians */
 KnownPlane
 makePlane(const Eigen::Vector3d& normal, double area, double deviation)
 {
@@ -33,7 +33,8 @@ normalOf(const KnownPlane& plane)
   return plane.patch.coefficients.head<3>();
 }
 
-/** A direction that leaves an axis by so many radians towards another one. */
+/** A direction that deviates from an axis by an angle in radians towards another
+ * axis. */
 Eigen::Vector3d
 leaning(const Eigen::Vector3d& axis, const Eigen::Vector3d& towards, double angle)
 {
@@ -84,12 +85,13 @@ TEST(RegularPlanes, turnByADegreeAtMost)
   EXPECT_EQ(planes::makeRegular(none).turned, 0U);
 }
 
-/** Upright to two planes that are 60 degrees apart it would turn by twice as much. */
+/** To be perpendicular to two planes that are 60 degrees apart, it would have to turn
+ * twice as far. */
 TEST(RegularPlanes, turnByTheirOwnUncertaintyAtMost)
 {
   const double deviation = 0.1 * degree, part = 2.9 * deviation;
   const Eigen::Vector3d aside = leaning(z, x, 60 * degree);
-  // off z by one part, off the other one by the opposite
+  // deviates from the perpendicular to z by part, to the other one by -part
   const Eigen::Vector3d skew = y + part * z - 1.5 * part / std::sin(60 * degree) * x;
   std::vector<KnownPlane> planes{makePlane(z, 10, deviation),
                                  makePlane(aside, 8, deviation),

@@ -11,7 +11,7 @@ namespace {
 
 using MapPoint = PointXYZRGBNormalView;
 
-/** For each patch the plane that most of its points are of. */
+/** For each patch the true plane of most of its points. */
 std::vector<std::int32_t>
 truthOfPatches(const Clustered& found, const SeenRoom& room)
 {
@@ -28,7 +28,7 @@ truthOfPatches(const Clustered& found, const SeenRoom& room)
   return truth;
 }
 
-/** The class is not compiled for points with a view. */
+/** Uses the kernel, as the class is not instantiated for points with a view. */
 TriangleMesh
 meshOf(const PointCloud<MapPoint>& cloud, double longest_edge)
 {

@@ -5,20 +5,20 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What came out of the whole way: consolidation, mesh, votes, planes. */
+/** \brief Result of all steps: consolidation, mesh, votes, planes. */
 struct RoomPlanes : Clustered {
-  std::vector<std::int32_t> truth; ///< of each patch, where most of its points are of
+  std::vector<std::int32_t> truth; ///< true plane of most points of each patch
   double voxel = 0;                ///< metres
 };
 
-/** \param[in] set what is not to stay at its default */
+/** \param[in] set changes default settings */
 RoomPlanes
 findPlanes(
     const SeenRoom& room,
     const std::function<void(PlaneHypothesisClustering<PointXYZRGBNormalView>&)>& set =
         [](auto&) {});
 
-/** \brief The patch of a true plane; nullptr where none was found. */
+/** \brief The patch of a true plane; nullptr if it was not found. */
 const PlanePatch*
 patchOf(const RoomPlanes& found, std::int32_t plane);
 

@@ -93,8 +93,6 @@ TEST(PlaneShapes, noisyWallIsNotCurved)
   }
 }
 
-/** The paper's W_t of 0.25 m takes the door for wall; the noise tells them apart. */
-/** Small boards do not know their tilt well enough: the wall's normal helps. */
 TEST(PlaneShapes, leastAreaDecides)
 {
   const VotingMesh mesh =
@@ -119,7 +117,7 @@ TEST(PlaneShapes, largestComesFirst)
     EXPECT_LE(found.patches[p].area, found.patches[p - 1].area);
 }
 
-/** Though it has less than a hundredth of the points. */
+/** It has less than a hundredth of the points. */
 TEST(PlaneShapes, smallCurvedSurfaceIsTheReason)
 {
   VotingMesh ball = makeSphereMesh(4, 1);

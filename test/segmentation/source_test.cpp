@@ -27,7 +27,8 @@ TEST(SourceLabels, planesAreThoseOfTheTruth)
   }
 }
 
-/** The reveal of a door is two cells wide: the cells guess it, the points know it. */
+/** The reveal of a door is two cells wide: cells cannot determine it, but the points
+ * can. */
 TEST(SourceLabels, revealsAreFound)
 {
   const SeenRoom room = seeSharply(makeRoomWithDoor(0.01, 0.1));
@@ -45,7 +46,7 @@ TEST(SourceLabels, revealsAreFound)
   EXPECT_GE(without_source.patches.size(), 5U);
 }
 
-/** A board that stands in the hypotheses but not in the source. */
+/** A board that exists in the hypotheses, but not in the source. */
 TEST(SourceLabels, planeWithoutPointsIsRefuted)
 {
   const VotingMesh wall = makeWall(2, 2);
@@ -80,8 +81,8 @@ TEST(SourceLabels, sourceWithNothingNearRefutesAll)
             -1);
 }
 
-/** Such as one sweep of a line laser has: along it the points know the tilt, across it the
- * hypotheses do. */
+/** For example a sweep of a line laser: the points determine the tilt along the line,
+ * the hypotheses the tilt across it. */
 TEST(SourceLabels, lineOfPointsDoesNotTiltItsWall)
 {
   Random random(5);
@@ -102,7 +103,7 @@ TEST(SourceLabels, lineOfPointsDoesNotTiltItsWall)
       << "what was guessed is no knowledge";
 }
 
-/** The reason for an empty result counts what was dropped on the way. */
+/** The remark on an empty result must count regions that were dropped earlier. */
 TEST(SourceLabels, smallRegionsAreCounted)
 {
   const VotingMesh board = makeWall(0.5, 0.5);
@@ -120,7 +121,7 @@ TEST(SourceLabels, smallRegionsAreCounted)
   }
 }
 
-/** What noise beside a narrow recess makes up is no plane. */
+/** Noise next to a narrow recess must not create planes. */
 TEST(SourceLabels, everyPatchHasAnArea)
 {
   for (const double noise : {0.01, 0.02})
@@ -132,7 +133,7 @@ TEST(SourceLabels, everyPatchHasAnArea)
       }
 }
 
-/** Nor have the strips, whose area was that of the cells they grew over. */
+/** This includes strips, whose area was that of the cells over which they grew. */
 TEST(SourceLabels, noPatchHasAnAreaWithoutAMesh)
 {
   const RoomPlanes found =

@@ -11,8 +11,8 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** Normals up, every point a corner of some triangle, in both modes, with and without a
- * mesh and a source. */
+/** Runs with normals pointing up and all points used by triangles, in both modes, with
+ * and without mesh and source. */
 void
 clusterInAllWays(const Cloud& cloud, const std::function<void(const Clustered&)>& check)
 {
@@ -54,7 +54,7 @@ expectNothing(const Cloud& cloud)
   });
 }
 
-/** No claim but that it ends, with finite planes. */
+/** Only requires that it ends, with finite planes. */
 void
 expectSane(const Cloud& cloud)
 {
@@ -164,7 +164,7 @@ TEST(ClusteringUgly, invalidNormalsAreNoHypotheses)
   EXPECT_NE(none.report.remarks.back().find("normal"), std::string::npos);
 }
 
-/** Each of them would end up anywhere, and those beside it with it. */
+/** Such points would join arbitrary planes, and so would their neighbours. */
 TEST(ClusteringUgly, unknownCurvaturesComeLast)
 {
   const VotingMesh wall = makeCurvedWall(1.5, 0.003);
@@ -184,7 +184,7 @@ TEST(ClusteringUgly, unknownCurvaturesComeLast)
   EXPECT_TRUE(areSame(found, clusterWith(infinity)));
 }
 
-/** No plane can be fitted to them: theirs stays where its seed put it. */
+/** No plane can be fitted to such points; they keep the plane of their seed. */
 TEST(ClusteringUgly, pointsOnALineHaveTheirMiddleOnTheirPlane)
 {
   for (const std::int32_t points : {2, 3, 20}) {
@@ -214,7 +214,7 @@ TEST(ClusteringUgly, wrongTrianglesEndWell)
   for (std::int32_t v = 0; v + 300 < 1271; v += 7) {
     wall.faces.triangles.push_back({v, v, v});
     wall.faces.triangles.push_back({v, v, v + 1});
-    wall.faces.triangles.push_back({v, v + 200, v + 300}); // across the others
+    wall.faces.triangles.push_back({v, v + 200, v + 300}); // crossing the others
   }
   const Clustered found = clusterOn(wall);
   ASSERT_EQ(found.patches.size(), 1U);

@@ -16,25 +16,25 @@ struct SeenPoint {
   std::int32_t observation;
 };
 
-/** \brief Metres. */
+/** \brief Height of a step as a function of x, metres. */
 double
 stepAt(double x)
 {
   return x < 2 ? 0 : 0.025;
 }
 
-/** \brief A floor of 4 x 2 m that ten observations pass over, each of them with a window
- * 1.6 m wide. */
+/** \brief A floor of 4 x 2 m, observed by ten overlapping observations, each 1.6 m
+ * wide. */
 struct SeenFloor {
   static constexpr int observations = 10;
   static constexpr double length = 4, width = 2, spacing = 0.05;
 
   std::vector<SeenPoint> points;
   std::vector<Eigen::Vector3f> origins;
-  std::vector<Eigen::Vector3f> vertices; ///< with a step, as a merged map has it
+  std::vector<Eigen::Vector3f> vertices; ///< with a step, as in a merged map
   PlaneHypotheses hypotheses;
 
-  /** \param[in] height metres, as an observation measures it */
+  /** \param[in] height as measured by an observation, metres */
   explicit SeenFloor(const Height& height, bool is_known = true)
   {
     Random random(3);
@@ -99,7 +99,7 @@ private:
 
 TEST(ViewSteps, floorThatPosesToreApartIsOnePlane)
 {
-  // from the sixth observation on all is measured 25 mm higher
+  // observations from the sixth one on are 25 mm too high
   const PlaneClusters found =
       SeenFloor([](double, int k) { return k < 5 ? 0 : 0.025; }).cluster();
   ASSERT_EQ(found.patches.size(), 1U);

@@ -8,9 +8,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr double noise = 0.0003; // metres, far below what the walls are warped by
+constexpr double noise = 0.0003; // metres, much less than the warp of the walls
 
-/** 4 m by 2.5 m, or longer, at the given heights above the plane z = 0, with noise. */
+/** A sheet of this length and 2.5 m height, with given distances from z = 0 and
+ * noise. */
 VotingMesh
 makeSheet(double length, const std::function<double(double, double)>& height)
 {

@@ -74,7 +74,7 @@ TEST(DepthCamera, WithoutNoiseAWallIsHalfAStepOff)
     SimulatedScene scene = wallSeenByKinect(depth);
     scene.rig.disparity_sigma = 0.0;
     const SeenView seen(scene);
-    // millimetres are written, and 1e-5 px is left of the growth with the incidence
+    // rounding to mm, and 1e-5 px of the growth with the angle of incidence
     const double rounding = 0.0006 / (depth * depth);
     for (int row = 0; row < scene.rig.height; ++row)
       for (int column = 0; column < scene.rig.width - 8; ++column)
@@ -137,7 +137,7 @@ TEST(DepthCamera, NeighboursShareTheirNoise)
 
 TEST(DepthCamera, NothingIsMeasuredInTheShadowOfTheForeground)
 {
-  for (const double side : {1.0, -1.0}) { // the projector is on the right, the left
+  for (const double side : {1.0, -1.0}) { // projector on the right, on the left
     SimulatedScene scene = boardBeforeAWall();
     scene.rig.baseline_horizontal *= side;
     const SeenView seen(scene);
@@ -146,7 +146,8 @@ TEST(DepthCamera, NothingIsMeasuredInTheShadowOfTheForeground)
     ASSERT_EQ(seen.image.surface[seen.indexOf(100, first_column - 1)], 0);
     ASSERT_EQ(seen.image.surface[seen.indexOf(100, last_column)], 1);
     ASSERT_EQ(seen.image.surface[seen.indexOf(100, last_column + 1)], 0);
-    // 575 px * 7.5 cm * (1 / 1.5 m - 1 / 3 m) = 14.4 px, but for what a window bridges
+    // 575 px * 7.5 cm * (1 / 1.5 m - 1 / 3 m) = 14.4 px, minus what the matching window
+    // bridges
     const auto missing = [&](int first, int last) {
       int count = 0;
       for (int row = 20; row < 220; ++row)
@@ -173,7 +174,7 @@ TEST(DepthCamera, ForegroundIsFattened)
       const ObservationPixel& pixel = seen.at(row, column);
       if (!std::isfinite(pixel.z))
         continue;
-      // the label is that of what was measured, not of what the pixel looks at
+      // the label belongs to the measured surface, not to the one seen by the pixel
       EXPECT_EQ(pixel.label, pixel.z < 2.0f ? 2u : 1u);
       if (seen.image.surface[seen.indexOf(row, column)] == 0 && pixel.z < 2.0f) {
         ++fat;
@@ -187,7 +188,7 @@ TEST(DepthCamera, ForegroundIsFattened)
 TEST(DepthCamera, NarrowThingsAreLost)
 {
   SimulatedScene scene = wallSeenByKinect(3.0, 320);
-  scene.rig.baseline_horizontal = 0.001; // no shadow to speak of
+  scene.rig.baseline_horizontal = 0.001; // hardly any shadow
   scene.rig.disparity_sigma = 0.0;
   scene.depth_camera->disparity_step = 0.001;
   scene.geometry.addRectangle( // 3 px wide
@@ -238,7 +239,7 @@ TEST(DepthCamera, TheRightRimIsBlindButHasColour)
 
 TEST(DepthCamera, MeasuresFromHalfAMetreToEight)
 {
-  const double all = 152.0 / 160.0; // but for the blind columns
+  const double all = 152.0 / 160.0; // all columns except the invalid ones at the border
   EXPECT_EQ(SeenView(wallSeenByKinect(0.45)).observation.points, 0u);
   EXPECT_EQ(SeenView(wallSeenByKinect(0.45)).observation.in_reach, 0u);
   EXPECT_NEAR(SeenView(wallSeenByKinect(0.55)).measuredShare(), all, 1e-9);

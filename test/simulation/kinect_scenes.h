@@ -6,25 +6,25 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Inverse depth of a step of disparity, 1/m. */
+/** \brief Change of inverse depth for one disparity step, 1/m. */
 double
 inverseStep(const SimulatedScene& scene);
 
 SimulatedScene
 standardSeenByKinect(const std::string& name);
 
-/** \brief A part of a Kinect's image, as fine as the whole. */
+/** \brief A crop of a Kinect's image with full resolution. */
 void
 useSmallKinect(SimulatedScene& scene, int width = 160);
 
 SimulatedScene
 wallSeenByKinect(double depth, int width = 160);
 
-/** \brief A wall 3 m away, and before its middle a board of 20 cm at 1.5 m. */
+/** \brief A wall at 3 m, and in front of its centre a board of 20 cm at 1.5 m. */
 SimulatedScene
 boardBeforeAWall();
 
-/** \brief A plane through the optical axis at 1 m that is turned about y. */
+/** \brief A plane that intersects the optical axis at 1 m, rotated about y. */
 SimulatedScene
 slantedWall(double degrees);
 
@@ -54,7 +54,7 @@ struct SeenView {
     return image.distance[indexOf(row, column)] * pixelRay(rig, column, row).z();
   }
 
-  /** \brief Of inverse depths, 1/m; NaN where nothing was measured. */
+  /** \brief Error of inverse depth, 1/m; NaN if nothing was measured. */
   double
   error(int row, int column) const
   {

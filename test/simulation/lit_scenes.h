@@ -10,16 +10,16 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Light without noise or blur, and a small projector at the standard place. */
+/** \brief Light without noise and blur, and a small projector at the standard pose. */
 SimulatedLight
 plainLight();
 
-/** \brief A pattern of one colour, of the projector's size. */
+/** \brief A uniform pattern with the size of the projector. */
 RgbImage
 flatPattern(const SimulatedProjector& projector, std::uint8_t value);
 
-/** \brief Waves along both directions, a few pixels long: smooth, with each channel its
- * own. */
+/** \brief Smooth waves in both directions with periods of a few pixels, different in
+ * each channel. */
 RgbImage
 wavePattern(const SimulatedProjector& projector);
 

@@ -24,7 +24,7 @@ shotOf(const SimulatedScene& scene,
   return simulation.shoot(simulation.cast(0), 0, 1, 1);
 }
 
-/** What a grey level should be on a wall that faces rig and projector. */
+/** Expected grey level on a wall that is parallel to rig and projector. */
 double
 levelOnWall(const SimulatedScene& scene,
             const SimulatedLight& light,
@@ -75,7 +75,7 @@ TEST(LitView, PatternLiesOnAWallWhereItShould)
             light.ambient;
         if (shot > plain + 1)
           ++lit;
-        // At the rim of the light one of the two may be dark.
+        // At the border of the light one of the two may be dark.
         if (level != plain || shot <= plain + 1) {
           EXPECT_NEAR(shot, std::min(level, 255.0), 0.51)
               << camera << ": " << column << ", " << row;
@@ -90,7 +90,7 @@ TEST(LitView, BoxThrowsItsShadowOnTheWall)
   SimulatedScene scene = wallAt(3.0);
   SimulatedLight light = plainLight();
   light.projector.T_reference_projector.translation() = Eigen::Vector3d(0.3, 0, 0);
-  // A face of 20 cm at 1.5 m: its shadow at 3 m is twice as large and to its left.
+  // A square of 20 cm at 1.5 m: its shadow at 3 m is twice as large, and to its left.
   scene.geometry.addRectangle(
       "board", "board", {{-0.1, 0.1, 1.5}, {0.2, 0, 0}, {0, -0.2, 0}}, {});
   const RgbImage white = flatPattern(light.projector, 255);
@@ -102,8 +102,8 @@ TEST(LitView, BoxThrowsItsShadowOnTheWall)
                    static_cast<int>(std::lround(f * x + scene.rig.center_x)),
                    static_cast<int>(std::lround(f * y + scene.rig.center_y))) > 52;
   };
-  // From x = 0.3 through -0.1 and 0.1 at half way: -0.5 and -0.1 on the wall; the board
-  // covers -0.2 to 0.2 of it for the camera.
+  // Rays from x = 0.3 through -0.1 and 0.1 at half the distance hit the wall at -0.5
+  // and -0.1; the board occludes -0.2 to 0.2 of it for the camera.
   EXPECT_TRUE(isLit(-0.53, 0));
   EXPECT_FALSE(isLit(-0.47, 0));
   EXPECT_FALSE(isLit(-0.24, 0.17));
@@ -112,7 +112,7 @@ TEST(LitView, BoxThrowsItsShadowOnTheWall)
   EXPECT_TRUE(isLit(-0.24, -0.24));
   EXPECT_TRUE(isLit(0.24, 0));
   EXPECT_GT(valueAt(image, 80, 60),
-            200); // the board itself, at a fourth of the light's way
+            200); // the board itself is half as far from the light
 }
 
 TEST(LitView, ASheetIsNotLitFromBehind)
@@ -250,7 +250,7 @@ TEST(LightPattern, BlurKeepsLightAndSpreadsALine)
   EXPECT_NEAR(std::sqrt(squares), 1.5, 0.05);
   EXPECT_NEAR(LightPattern(flatPattern(plainLight().projector, 200), 2.0).at(0, 0)[2],
               200.0 / 255.0,
-              1e-4); // its rim is no darker
+              1e-4); // its border is not darker
 }
 
 } // namespace

@@ -20,7 +20,7 @@ struct Ray {
   Eigen::Vector3d along; // unit length
 };
 
-/** Distance to each kind of surface, by other formulas than the library's. */
+/** Distance to each kind of surface, with other formulas than in the library. */
 struct SlowDistance {
   const Ray& ray;
 
@@ -77,8 +77,8 @@ slowDistance(const SceneGeometry& scene, const Ray& ray)
   return nearest;
 }
 
-/** Compares all pixels; rays so near to an edge that rounding decides are let pass where
- * a ray beside them agrees. */
+/** Compares all pixels. If a ray is so close to an edge that rounding matters, it
+ * suffices that a neighbouring ray agrees. */
 void
 expectAsBruteForce(const SceneGeometry& scene,
                    const TrinocularRig& rig,
@@ -186,7 +186,7 @@ TEST(RayCasting, RectanglesThatShareAnEdgeLeaveNoCrack)
       scene.addRectangle(
           "tile", "wall", {{0.1 * i, 0.1 * j, 1}, {0.1, 0, 0}, {0, 0.1, 0}}, {});
   TrinocularRig rig = smallRig(64);
-  rig.focal_length = 40; // rays that go through edges and corners exactly
+  rig.focal_length = 40; // gives rays exactly through edges and corners
   rig.center_x = 32;
   rig.center_y = 24;
   const SurfaceImage image = castView(scene, rig, Eigen::Isometry3d::Identity());

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** The lines of a sound scene; tests replace one. */
+/** The lines of a valid scene; tests replace one of them. */
 std::vector<std::string>
 soundLines()
 {
@@ -71,7 +71,7 @@ TEST(SceneFile, PathTurnsZTowardsX)
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
   EXPECT_TRUE(looks(0).isApprox(x, 1e-12)); // pose
   EXPECT_TRUE(looks(1).isApprox(x, 1e-12)); // along the line
-  EXPECT_TRUE(looks(2).isApprox(z, 1e-12)); // 90 degrees to its left
+  EXPECT_TRUE(looks(2).isApprox(z, 1e-12)); // 90 degrees to the left of the line
   EXPECT_TRUE(looks(5).isApprox(z, 1e-12)); // turn
   EXPECT_TRUE(looks(6).isApprox(x, 1e-12));
   EXPECT_TRUE(looks(7).isApprox(-z, 1e-12));
@@ -121,10 +121,11 @@ TEST(SceneFile, AnotherBuildingIsRefused)
   }
 }
 
-/** A line of the sound scene, what replaces it, and what the message says. */
+/** A line number of the valid scene, its replacement, and a part of the error
+ * message. */
 struct BadScene {
   const char* name;
-  std::size_t line; // from 1; 0 for a file without it
+  std::size_t line; // starting at 1; 0 for a missing file
   std::string text;
   const char* fault;
 };

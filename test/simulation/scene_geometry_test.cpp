@@ -33,7 +33,7 @@ TEST(SceneGeometry, InconsistentPlanesAreRefusedAndLeaveNothing)
     EXPECT_THROW(scene.addRectangle("b", "wall", rectangle, {}), BadArgumentException);
   };
   refused({{0, 0, 2.00001}, {1, 0, 0}, {0, 1, 0}});
-  refused({{0, 0, 2}, {0, 1, 0}, {1, 0, 0}}); // looks to the other side
+  refused({{0, 0, 2}, {0, 1, 0}, {1, 0, 0}}); // faces the opposite direction
   refused({{0, 0, 2}, {1, 0, 0}, {0, 0, 1}});
   EXPECT_EQ(scene.surfaces().size(), 1u);
   EXPECT_EQ(scene.planes()[0].rectangles.size(), 1u);
@@ -93,7 +93,7 @@ protected:
   void
   add()
   {
-    // Looks to -z, as seen from the room before it.
+    // Faces -z, as seen from the room in front of it.
     scene_.addWall("wall", "wall", {{-4, 0, 0}, {4, 0, 0}, {0, -3, 0}}, {}, openings_);
   }
 

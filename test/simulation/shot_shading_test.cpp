@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A view of one colour, unlit. */
+/** An unlit view of uniform colour. */
 LitView
 flatView(int width, int height, float color)
 {

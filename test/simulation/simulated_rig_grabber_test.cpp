@@ -103,7 +103,7 @@ TEST(SimulatedRigGrabber, NothingIsCalledAfterStop)
   std::atomic<int> calls{0};
   grabber.registerCallback(callback([&](const auto&) { ++calls; }));
   grabber.start();
-  grabber.start(); // does nothing
+  grabber.start(); // has no effect
   while (calls == 0 && grabber.isRunning())
     std::this_thread::yield();
   grabber.stop();
@@ -113,7 +113,7 @@ TEST(SimulatedRigGrabber, NothingIsCalledAfterStop)
   grabber.stop();
   grabber.wait();
   EXPECT_EQ(calls, until_stop);
-  grabber.start(); // goes on
+  grabber.start(); // continues
   grabber.wait();
   EXPECT_EQ(calls, 9);
   grabber.start(); // at the end
@@ -132,7 +132,7 @@ TEST(SimulatedRigGrabber, StopsFromWithinACallback)
   int calls = 0;
   grabber.registerCallback(callback([&](const auto&) {
     grabber.wait();    // returns at once
-    grabber.trigger(); // does nothing
+    grabber.trigger(); // has no effect
     if (++calls == 4)
       grabber.stop();
   }));
@@ -231,7 +231,7 @@ TEST(SimulatedRigGrabber, BuiltCamerasWithoutFaultsSeeAsTheRectified)
     std::size_t differ = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
       differ += std::abs(x[i] - y[i]) > 1 ? 1 : 0;
-    EXPECT_LE(differ, x.size() / 1000); // at edges rounding may decide
+    EXPECT_LE(differ, x.size() / 1000); // at edges the result can depend on rounding
   }
 }
 
@@ -251,7 +251,7 @@ TEST(SimulatedRigGrabber, DistortedAndTurnedCamerasBendAnEdge)
   light.projector.power = 0.0;
   const SimulatedRigGrabber grabber(scene, {}, calibration, light);
   const CameraImage image = grabber.observe(0)[0]->image(RigCamera::Horizontal);
-  // The border x = 0.9 at z = 2 runs between bright and dark pixels of each row.
+  // In each row, the edge x = 0.9 at z = 2 separates bright and dark pixels.
   double least = 1e9, most = 0;
   for (double y = -0.8; y <= 0.8; y += 0.02) {
     const Eigen::Vector2d at = projectPoint(
@@ -266,7 +266,7 @@ TEST(SimulatedRigGrabber, DistortedAndTurnedCamerasBendAnEdge)
     least = std::min(least, at.x());
     most = std::max(most, at.x());
   }
-  EXPECT_GT(most - least, 3.0); // a straight edge that is not straight in the image
+  EXPECT_GT(most - least, 3.0); // distortion bends the straight edge
 }
 
 TEST(SimulatedRigGrabber, NonsenseIsRefused)

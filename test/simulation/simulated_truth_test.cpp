@@ -13,10 +13,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Surface and place that a view sees at a pixel. */
+/** Surface and position seen at a pixel. */
 struct Seen {
   std::int32_t surface;
-  Eigen::Vector3d point; // of the scene
+  Eigen::Vector3d point; // in the scene frame
 };
 
 Seen
@@ -54,7 +54,8 @@ TEST(SimulatedTruth, DisparitiesAreThoseOfBothCasts)
       const double z = image.distance[i] * pixelRay(rig, column, row).z();
       EXPECT_FLOAT_EQ(truth.horizontal.at(column, row), rig.focal_length * 0.1 / z);
       EXPECT_FLOAT_EQ(truth.vertical.at(column, row), rig.focal_length * 0.1 / z);
-      // A rig whose pixels fall on the place itself sees it there, or something nearer.
+      // A rig with a pixel exactly at this position sees the surface there, or an
+      // occluding one.
       for (const auto& [pose, disparity, shift, flag] :
            {std::tuple{left,
                        truth.horizontal.at(column, row),
@@ -93,7 +94,7 @@ TEST(SimulatedTruth, DisparitiesAreThoseOfBothCasts)
     }
   EXPECT_GT(seen, 2000);
   EXPECT_GT(hidden, 50);
-  EXPECT_GE(agree, seen - seen / 1000); // pixels on an edge may go either way
+  EXPECT_GE(agree, seen - seen / 1000); // pixels on an edge can differ
 }
 
 TEST(SimulatedTruth, TellsWhereLightFalls)

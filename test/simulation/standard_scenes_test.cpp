@@ -48,7 +48,8 @@ TEST_P(StandardScene, IsClosedAndSeenFromTheSideOfItsNormals)
   }
 }
 
-/** Large planes that no view of a scene shows: behind the start, beyond the way. */
+/** Large planes that are not visible in any view of a scene: behind the start or beyond
+ * the end of the path. */
 std::set<std::string>
 unseenPlanes(const std::string& scene)
 {
@@ -120,7 +121,7 @@ TEST(Corridor, IsAsLongAndAsDenseAsItShouldBe)
   EXPECT_EQ(scene.views[0].translation(), Eigen::Vector3d::Zero());
   EXPECT_TRUE(
       scene.views[105].translation().isApprox(Eigen::Vector3d(0, 0, 62.4), 1e-12));
-  // Positive yaw looks towards +x; the next view looks to the other side.
+  // Positive yaw looks towards +x; the next view looks to the opposite side.
   EXPECT_NEAR(scene.views[0].linear()(0, 2), 0.5, 1e-12);
   EXPECT_NEAR(scene.views[1].linear()(0, 2), -0.5, 1e-12);
 }
@@ -176,7 +177,7 @@ TEST(LCorridor, EndsInTheOtherArm)
   EXPECT_NEAR(planeOf(scene, "floor").area(), 15 * 2.4 + 12.6 * 2.4 + 4 * 0.09, 1e-9);
 }
 
-/** Who drives goes on from where it looks, and sees again what it saw before. */
+/** In a drive, consecutive views overlap and the motion is in the viewing direction. */
 TEST(Drives, StepsAreShort)
 {
   for (const char* name : {"corridor_drive", "l_corridor_drive"}) {
@@ -204,7 +205,8 @@ TEST(Drives, HaveTheBuildingsOfTheOthers)
   }
 }
 
-/** Places that are passed twice, looking both ways; steps that motion is seen over. */
+/** Positions that are passed twice in opposite directions, with steps small enough to
+ * estimate motion. */
 TEST(Survey, GoesUpComesBackAndTurnsHome)
 {
   const SimulatedScene scene = standardScene("corridor_survey");

@@ -11,7 +11,7 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ACMAP_SANITIZED
-// GCC comes without the header of it.
+// GCC does not provide the header with this declaration.
 extern "C" std::size_t
 __sanitizer_get_current_allocated_bytes();
 #endif

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief How many rounds: ACMAP_SOAK_ROUNDS of the environment, else 20. */
+/** \brief Number of rounds: ACMAP_SOAK_ROUNDS of the environment, or 20. */
 inline unsigned
 soakRounds()
 {
@@ -18,19 +18,18 @@ soakRounds()
   return wanted ? static_cast<unsigned>(std::stoul(wanted)) : 20;
 }
 
-/** \brief Runs a class over and over in this process, with objects that last and others
- * that do not, and holds what the process has at the end against what it had after the
- * first rounds. A round is a run, one that is cancelled, one without input, and a call that
- * is refused. \a Traits as in \ref ClassContract, but `setInput (Class&, unsigned round)`.
- */
+/** \brief Runs a class many times in this process, with a permanent object and
+ * temporary ones, and compares the resources at the end with those after the first
+ * rounds. A round is a run, a cancelled run, a run without input, and a rejected call.
+ * \a Traits as in \ref ClassContract, but with `setInput (Class&, unsigned round)`. */
 template <typename Traits>
 class Soak {
 public:
-  /** \param[in] what goes before the figures that are printed */
+  /** \param[in] what prefix of the printed figures */
   void
   check(const std::string& what)
   {
-    // As many rounds as there are kinds of clouds: each made its caches and threads.
+    // One round for each kind of clouds, to fill caches and start threads.
     for (unsigned round = 0; round < 24; ++round)
       turn(round);
     const ProcessUse before = useAfterTheSameRounds();
@@ -44,7 +43,7 @@ public:
     EXPECT_LE(growth.allocated, 16 << 10);
     EXPECT_LE(growth.resident, 4 << 20);
     EXPECT_LE(growth.files, 0);
-    // Workers start when they are first needed.
+    // Workers are started when they are first needed.
     EXPECT_LE(growth.threads, std::thread::hardware_concurrency());
   }
 
@@ -52,7 +51,8 @@ private:
   using Class = typename Traits::Class;
   using Output = typename Traits::Output;
 
-  /** What lasts is left with the same input, and what threads keep for later too. */
+  /** Runs the same rounds again, so that permanent objects and thread caches have the
+   * same content. */
   ProcessUse
   useAfterTheSameRounds()
   {

@@ -4,8 +4,9 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Another cloud each round, of 2000 points at most: sheets, rooms and no surface at
- * all; every third round an ugly one, from no point to coordinates of 1e9 m. */
+/** \brief A different cloud in each round, with at most 2000 points: sheets, rooms and
+ * unstructured points; every third one is degenerate, from an empty one to coordinates
+ * of 1e9 m. */
 Cloud
 makeSoakCloud(unsigned round);
 

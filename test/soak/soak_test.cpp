@@ -14,7 +14,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-// Their tests are instantiated elsewhere.
+// their tests are instantiated elsewhere
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
 
 template <typename Traits>
@@ -26,7 +26,7 @@ struct OnClouds : Traits {
   }
 };
 
-/** As PCL's mesh too, and refused for its memory. */
+/** Also tests the output as a PCL mesh, and the memory limit. */
 struct Meshes : OnClouds<DeWallTraits> {
   static void
   run(Class& object, Output& output)
@@ -44,7 +44,8 @@ struct Meshes : OnClouds<DeWallTraits> {
   }
 };
 
-/** Rooms that a drifting robot has scanned, every eighth time with an ugly observation. */
+/** Rooms scanned by a robot with drift; every eighth one contains an invalid
+ * observation. */
 struct Rectifications : EntropyRectificationTraits {
   static void
   setInput(Class& object, unsigned round)
@@ -62,7 +63,7 @@ struct Rectifications : EntropyRectificationTraits {
   }
 };
 
-/** What every class runs its kernel in. */
+/** Tests the task arenas in which all kernels run. */
 TEST(Soak, arenas)
 {
   const auto use_after = [](unsigned calls) {

@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 using ActiveStereo = ActiveStereoSession;
 
-/** NaN too. */
+/** Compares also NaN. */
 bool
 isSame(float a, float b)
 {
@@ -125,7 +125,7 @@ TEST_F(ActiveStereo, ReportIsOfTheStream)
     EXPECT_THAT(report.remarks, IsEmpty());
     EXPECT_FALSE(report.seconds.empty());
   }
-  grabber->start(); // at the end
+  grabber->start(); // at the end of the stream
   grabber->wait();
   EXPECT_EQ(grabber->getReport().frames, 0u);
   EXPECT_THAT(wholeOnes(), ElementsAre(0, 1, 2, 0, 1, 2));

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/** \brief Starts and stops, callbacks that do, and errors. */
+/** \brief Start and stop, also in callbacks, and errors. */
 class ActiveStereoLifecycle : public ActiveStereoSession {
 protected:
   static void
@@ -62,7 +62,7 @@ TEST_F(ActiveStereoLifecycle, NoCallbackAfterStopInFiftyCycles)
     const std::size_t before = given().size();
     may_call = true;
     grabber->start();
-    grabber->start(); // does nothing
+    grabber->start(); // has no effect
     if (cycle % 5 == 0)
       waitForObservations(before + 1);
     else
@@ -79,7 +79,7 @@ TEST_F(ActiveStereoLifecycle, NoCallbackAfterStopInFiftyCycles)
 
 TEST_F(ActiveStereoLifecycle, StopDropsTheObservationItCutsOff)
 {
-  const auto frames = open(0.001F); // the second frame is far away
+  const auto frames = open(0.001F); // the second frame would come much later
   std::atomic<bool> has_come{false};
   const auto grabber = grab(frames);
   onFrame(*frames, [&](const TrinocularFrame&) { has_come = true; });
@@ -97,7 +97,8 @@ TEST_F(ActiveStereoLifecycle, WhatWasCutOffStaysOutUnlessItComesAnew)
   const auto frames = simulate();
   ActiveStereoGrabber* self = nullptr;
   bool stops = true;
-  // This callback comes before that of the grabber: for it, stop comes from outside.
+  // This callback is called before that of the grabber, for which it is an external
+  // stop.
   onFrame(*frames, [&](const TrinocularFrame&) {
     if (std::exchange(stops, false))
       self->stop();
@@ -133,9 +134,9 @@ TEST_F(ActiveStereoLifecycle, ACallbackThatStopsLosesNothing)
     run(*grabber);
     EXPECT_FALSE(grabber->isRunning());
     EXPECT_EQ(given().size(), count);
-    grabber->stop(); // stands already
+    grabber->stop(); // is already stopped
     EXPECT_THAT(grabber->getReport().remarks, IsEmpty());
-    grabber->fusion().clear(); // forgets the shot that has come already
+    grabber->fusion().clear(); // removes the shot that has already arrived
   }
   EXPECT_THAT(wholeOnes(), ElementsAre(0, 1, 2));
 }
@@ -152,7 +153,7 @@ TEST_F(ActiveStereoLifecycle, CallbacksOfTheFramesMayStopToo)
   });
   run(*grabber);
   EXPECT_THAT(wholeOnes(), ElementsAre(0));
-  run(*grabber); // goes on within observation 1
+  run(*grabber); // continues within observation 1
   EXPECT_THAT(wholeOnes(), ElementsAre(0, 1, 2));
 }
 
@@ -161,7 +162,7 @@ TEST_F(ActiveStereoLifecycle, CallbacksMayStopAndStart)
   ActiveStereoGrabber* self = nullptr;
   const auto frames = simulate();
   const auto grabber = grab(frames, [&] {
-    self->start(); // does nothing
+    self->start(); // has no effect
     self->stop();
     if (given().size() == observations)
       frames->rewind();
@@ -195,7 +196,7 @@ TEST_F(ActiveStereoLifecycle, StopWinsOverCallbacksThatStart)
 {
   ActiveStereoGrabber* self = nullptr;
   const auto grabber = grab(open(fast, true), [&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // stop is called
+    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // for stop ()
     self->stop();
     self->start();
   });
@@ -241,7 +242,7 @@ TEST_F(ActiveStereoLifecycle, MayGoAwayWhileItOrItsFramesRun)
     waitForObservations(given().size() + 1);
   }
   EXPECT_FALSE(frames->isRunning());
-  frames->start(); // for others
+  frames->start(); // for other users
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(grab(frames)->getReport().frames, 0u);
   EXPECT_TRUE(frames->isRunning());
@@ -255,11 +256,11 @@ TEST_F(ActiveStereoLifecycle, KeepsWhatACallbackThrows)
     if (++calls <= 2)
       throw std::runtime_error("callback fault " + std::to_string(calls));
   });
-  run(*grabber); // with the first frame of observation 1, which is lost
+  run(*grabber); // also receives the first frame of observation 1, which is lost
   EXPECT_EQ(errorOf(*grabber), "callback fault 1");
   EXPECT_THAT(grabber->getReport().remarks,
               ElementsAre(HasSubstr("observation 1 was cut off by an error")));
-  run(*grabber); // with the end, in the other thread
+  run(*grabber); // the error occurs at the end, in the other thread
   EXPECT_EQ(errorOf(*grabber), "callback fault 2");
   EXPECT_THAT(wholeOnes(), ElementsAre(0, 2));
   run(*grabber);
@@ -270,7 +271,7 @@ TEST_F(ActiveStereoLifecycle, KeepsWhatACallbackThrows)
 TEST_F(ActiveStereoLifecycle, AnErrorOfTheFramesEndsTheStream)
 {
   const auto frames = open();
-  damageFrame(4); // of observation 1
+  damageFrame(4); // in observation 1
   const auto grabber = grab(frames);
   run(*grabber);
   EXPECT_THAT(errorOf(*grabber), HasSubstr("frame_000004.acf"));

@@ -18,7 +18,7 @@
 namespace pcl::acmap::test {
 
 /** \brief Three observations of a small office, each of one shot without and two with a
- * pattern, and what an \ref ActiveStereoGrabber gave of them. */
+ * pattern, and the output of an \ref ActiveStereoGrabber for them. */
 class ActiveStereoSession : public testing::Test {
 protected:
   static constexpr std::size_t observations = 3;
@@ -42,7 +42,7 @@ protected:
     return frames;
   }
 
-  /** The same as files. */
+  /** The same frames from files. */
   shared_ptr<TrinocularFileGrabber>
   open(float rate = fast, bool repeat = false) const
   {
@@ -61,7 +61,7 @@ protected:
     std::ofstream(path, std::ios::binary) << bytes;
   }
 
-  /** \param[in] more is done with each observation, after it was noted */
+  /** \param[in] more is called for each observation after it was recorded */
   std::unique_ptr<ActiveStereoGrabber>
   grab(
       shared_ptr<TrinocularGrabber> frames, const std::function<void()>& more = [] {})
@@ -81,7 +81,8 @@ protected:
     return grabber;
   }
 
-  /** What a small image allows; the threads of interest are those of grabbers. */
+  /** Settings for small images; uses one thread, as the threads of grabbers are
+   * tested. */
   static void
   setUp(DisparityFusion& fusion)
   {
@@ -98,7 +99,8 @@ protected:
     return given_;
   }
 
-  /** Numbers of what was given; each must be made of all its shots. */
+  /** Numbers of the observations received; checks that each one consists of all its
+   * shots. */
   std::vector<std::int32_t>
   wholeOnes() const
   {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 
-/** A small rig, a disparity and a colour that differ at every pixel. */
+/** A small rig, with a different disparity and colour at every pixel. */
 class BackProjection : public testing::Test {
 protected:
   BackProjection()
@@ -80,7 +80,7 @@ TEST_F(BackProjection, EveryPixelIsWhereTheFormulasSay)
       const Eigen::Vector3d ray(
           (column - 30.25) / rig_.focal_length, (row - 20.75) / rig_.focal_length, 1.0);
       EXPECT_LT((point.getVector3fMap().cast<double>() - z * ray).norm(), 1e-6 * z);
-      // How far the point moves when the disparity changes by a sigma.
+      // displacement of the point for a disparity change of one sigma
       const auto i = static_cast<std::size_t>(64 * row + column);
       constexpr double step = 1e-4;
       const double moved =
@@ -216,7 +216,7 @@ TEST_F(BackProjection, ARigWithoutNeighboursIsRefusedAndTheOldOneStays)
   EXPECT_THROW(DisparityBackProjection().getInputRig(), InitFailedException);
 }
 
-/** Points of the exact disparities of a view. */
+/** Points from the exact disparities of a view. */
 PointCloud<PointXYZRGBSigma>
 trueCloud(const SimulatedScene& scene, const SimulatedTruth& truth)
 {
@@ -275,7 +275,7 @@ TEST(BackProjectionOfTruth, AWallAtThreeMetresIsOne)
     EXPECT_NEAR(point.z, 3.0, 1e-5);
     EXPECT_NEAR(point.sigma, deviation * point.getVector3fMap().norm() / 3.0, 1e-6);
   }
-  // The view is as wide and high as its focal length says.
+  // width and height of the view are determined by its focal length
   const double width = 3.0 * (rig.width - 1) / rig.focal_length;
   const double height = 3.0 * (rig.height - 1) / rig.focal_length;
   EXPECT_NEAR(cloud.back().x - cloud.front().x, width, 1e-5);

@@ -15,9 +15,9 @@ namespace {
 
 using Method = DisparityFusion::Method;
 
-constexpr std::size_t view = 3; // of the corridor: along a wall
+constexpr std::size_t view = 3; // in the corridor, along a wall
 
-/** Lines as wide, for a rig of a quarter of the pixels, as the standard ones. */
+/** Lines with the standard width for a rig with a quarter of the pixels. */
 std::vector<RgbImage>
 drawPatterns(std::uint32_t count, int lines = 50)
 {
@@ -65,12 +65,12 @@ fusionFor(const Session& session, Method method)
   return fusion;
 }
 
-/** Of the pixels that the projector lights and a neighbour sees. */
+/** Errors at pixels that are lit and seen by a neighbour. */
 struct Errors {
-  double kept = 0;         // share of them
-  double bad = 0;          // share of the kept ones that are off by more than 1 px
-  double rms = 0;          // px, of the others
-  double rms_in_sigma = 0; // likewise, each in its sigma
+  double kept = 0;         // fraction with a disparity
+  double bad = 0;          // fraction of these with an error of more than 1 px
+  double rms = 0;          // px, of the other ones
+  double rms_in_sigma = 0; // of the other ones, in units of sigma
 };
 
 Errors
@@ -141,7 +141,8 @@ TEST(DisparityFusionSimulated, ConsistentShotsAreHardlyFewerThanTheMedians)
   EXPECT_LT(statistical.rms, median.rms);
 }
 
-/** After how many shots with a pattern no other one is wanted; all when it never is. */
+/** Number of patterns after which no further shot is requested; all if that never
+ * happens. */
 std::size_t
 patternsWanted(const Session& session)
 {
@@ -172,7 +173,7 @@ TEST(DisparityFusionSimulated, CoverageIsTheLitShare)
     fusion.addShot(shot);
   const std::vector<double> coverage = fusion.getReport().coverage;
   ASSERT_EQ(coverage.size(), 10u);
-  EXPECT_GT(coverage.front(), 0.3); // lines are on about half of what is lit
+  EXPECT_GT(coverage.front(), 0.3); // lines cover about half of the lit area
   EXPECT_LT(coverage.front(), coverage.back() - 0.1);
   double lit = 0;
   for (const std::uint8_t flags : corridor().truth.visible)

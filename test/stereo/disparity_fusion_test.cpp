@@ -39,7 +39,7 @@ flatImage(std::uint8_t value, int channels = 1)
       std::vector<std::uint8_t>(static_cast<std::size_t>(48 * 36 * channels), value)};
 }
 
-/** The same in all cameras: a wall too far for any disparity. */
+/** The same image for all cameras: a wall at infinity. */
 TrinocularFrame::Ptr
 shotOf(const CameraImage& image, int pattern)
 {
@@ -71,7 +71,7 @@ fusionBy(Method method)
   return fusion;
 }
 
-/** Some shots were taken; none is lost. */
+/** A fusion with some shots; all of them are used. */
 DisparityFusion
 fusionOf(Method method, int shots)
 {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <iostream>
 
-// Writes the board images of a simulated rig into a folder and draws the picture of the
-// tutorial from them.
+// Writes the board images of a simulated rig into a folder, and draws the picture of
+// the tutorial from them.
 
 namespace {
 
@@ -23,7 +23,7 @@ using Color = std::array<std::uint8_t, 3>;
 constexpr Color red = {230, 40, 40};
 constexpr Color green = {20, 160, 60};
 
-/** \brief A picture of three columns and two rows of images at half their size. */
+/** \brief A picture with three columns and two rows of images at half their size. */
 class Sheet {
 public:
   Sheet(int width, int height)
@@ -45,14 +45,14 @@ public:
           return image
               .values[static_cast<std::size_t>((2 * y + dy) * width_ + 2 * x + dx)];
         };
-        // Few levels keep the file small.
+        // few grey levels give a small file
         const int grey = (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) / 4 / 12 * 12;
         const auto level = static_cast<std::uint8_t>(grey);
         paint(column, row, x, y, {level, level, level});
       }
   }
 
-  /** \param[in] pixel of the image in the cell, at its full size */
+  /** \param[in] pixel position in the image of the cell, at full size */
   void
   dot(int column, int row, const Eigen::Vector2d& pixel, const Color& color)
   {
@@ -94,7 +94,8 @@ private:
   RgbImage picture_;
 };
 
-/** \brief The lines that two views of the rectified triple share, at some corners. */
+/** \brief Draws common epipolar lines of two views of the rectified images at some
+ * corners. */
 void
 drawLines(const TrinocularRectification& rectification,
           const RigCalibrator& calibrator,
@@ -112,7 +113,7 @@ drawLines(const TrinocularRectification& rectification,
   }
 }
 
-/** \brief The shot with the widest board. */
+/** \brief The shot with the largest board. */
 std::size_t
 nearestShot(const RigCalibrator& calibrator)
 {

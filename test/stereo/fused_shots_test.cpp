@@ -10,7 +10,7 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/** One row of pixels; NaN: not matched, for the reason given. */
+/** One row of pixels; NaN: not matched, for the given reason. */
 MatchedDisparity
 rowOf(const std::vector<float>& disparities,
       DisparityOutcome why = DisparityOutcome::Untextured)

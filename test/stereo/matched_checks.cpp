@@ -38,7 +38,7 @@ expectSound(const MatchedDisparity& matched,
 {
   const TrinocularRig& rig = matching.getInputRig();
   const bool has_both = rig.baseline_horizontal != 0 && rig.baseline_vertical != 0;
-  const double pixel = // of the pair with the shorter baseline
+  const double pixel = // for the pair with the shorter baseline
       has_both
           ? std::max(1.0, std::abs(rig.baseline_horizontal / rig.baseline_vertical))
           : 1.0;

@@ -7,46 +7,47 @@
 
 namespace pcl::acmap::test {
 
-/** \brief How disparities differ from the truth, over the pixels that have one. */
+/** \brief Errors of disparities at the pixels with a true disparity. */
 struct MatchErrors {
-  std::size_t pixels = 0;  ///< with a truth
-  double missing = 0;      ///< share of them without a disparity
-  double bad = 0;          ///< share of them off by more than 1 px
+  std::size_t pixels = 0;  ///< with a true disparity
+  double missing = 0;      ///< fraction of these without a disparity
+  double bad = 0;          ///< fraction of these with an error of more than 1 px
   double median = 0;       ///< px, of the absolute errors
-  double beyond = 0;       ///< share of those matched that are off by more than 5 sigma
-  double rms_in_sigma = 0; ///< root mean square of the other errors, each in its sigma
+  double beyond = 0;       ///< fraction of the matched ones with an error of more than
+                           ///< 5 sigma
+  double rms_in_sigma = 0; ///< RMS of the other errors, in units of sigma
 };
 
-/** \param[in] truth px, NaN where none is asked for */
+/** \param[in] truth px, NaN for pixels that are ignored */
 MatchErrors
 errorsOf(const MatchedDisparity& matched, const DisparityImage& truth);
 
-/** \brief Share of the pixels. */
+/** \brief Fraction of the pixels that are matched. */
 double
 shareMatched(const MatchedDisparity& matched);
 
-/** \brief Whether two say the same, byte for byte. */
+/** \brief Are both results equal byte by byte? */
 bool
 isSame(const MatchedDisparity& a, const MatchedDisparity& b);
 
-/** \brief How alike two are that need not be the same. */
+/** \brief Similarity of two results. */
 struct Likeness {
-  double same_outcome = 0; ///< share of the pixels
-  double matched = 0;      ///< share of the pixels, in both
-  double farthest = 0;     ///< px, of the disparities that both have, but for 1 %
+  double same_outcome = 0; ///< fraction of the pixels
+  double matched = 0;      ///< fraction of the pixels, in both results
+  double farthest = 0;     ///< px, 99 % quantile of the differences of disparities
 };
 
 Likeness
 likenessOf(const MatchedDisparity& a, const MatchedDisparity& b);
 
-/** \brief Matches, and expects of the result what always holds: sizes, that each pixel has
- * a disparity, a standard deviation and support or none of them, within what was searched,
- * and that the report counts them. */
+/** \brief Matches, and checks invariants of the result: sizes; each pixel has a
+ * disparity, a standard deviation and support or none of them; disparities are within
+ * the search range; the report has the correct counts. */
 MatchedDisparity
 matchSoundly(TrinocularMatching& matching,
              const std::vector<TrinocularFrame::Ptr>& shots);
 
-/** \brief The same with a new object. */
+/** \brief As above with a new object. */
 MatchedDisparity
 matchSoundly(const TrinocularRig& rig, const std::vector<TrinocularFrame::Ptr>& shots);
 

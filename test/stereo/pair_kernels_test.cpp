@@ -16,7 +16,8 @@ namespace {
 
 #ifdef ACMAP_SIMD_AVX2
 
-/** Numbers that a loop could treat otherwise in another variant are among them. */
+/** Random inputs, including values that variants of a kernel could treat
+ * differently. */
 class Draw {
 public:
   explicit Draw(bool has_edges)
@@ -67,7 +68,7 @@ private:
   bool has_edges_;
 };
 
-/** Which of several NaNs comes of a sum of them no standard says. */
+/** Compares with any NaN, as the standard does not define which NaN a sum returns. */
 bool
 areSame(const std::vector<float>& a, const std::vector<float>& b)
 {
@@ -78,7 +79,8 @@ areSame(const std::vector<float>& a, const std::vector<float>& b)
   return a.size() == b.size();
 }
 
-/** Widths that fill no vector, strides of one block and of several. */
+/** Widths that are not multiples of the vector size, strides of one and several
+ * blocks. */
 class PairKernelVariants : public testing::Test {
 protected:
   void
@@ -88,7 +90,8 @@ protected:
       GTEST_SKIP() << "this processor has no AVX2";
   }
 
-  /** \param[in] check (width, stride, shots) as sizes, and what to draw from */
+  /** \param[in] check function of (width, stride, shots), and the source of random
+   * inputs */
   template <typename Check>
   static void
   forSizes(const Check& check)
@@ -102,7 +105,7 @@ protected:
           }
   }
 
-  /** The costs that a variant writes. */
+  /** Compares the costs that the variants write. */
   template <typename Run>
   static void
   expectSameCosts(std::size_t width, std::size_t stride, const Run& run)
@@ -200,7 +203,7 @@ TEST_F(PairKernelVariants, CorrelateWindows)
   });
 }
 
-/** The paths of one row, with what a variant left of the row before. */
+/** The paths of one row, and the results of a variant for the previous row. */
 struct Paths {
   std::vector<std::int16_t> costs[3], least[3];
 
@@ -269,7 +272,7 @@ TEST_F(PairKernelVariants, Follow)
 TEST_F(PairKernelVariants, FindWinners)
 {
   forSizes([](Draw& draw, std::size_t width, std::size_t stride, std::size_t shots) {
-    // Few values, so that many tie.
+    // few values, so that there are many ties
     auto sums = draw.integers<std::int16_t>(width * stride, -5, 5);
     const int disparities = static_cast<int>(stride - shots);
     const auto run = [&](const PairKernels& kernels) {

@@ -40,7 +40,7 @@ grey(double value)
   return static_cast<std::uint8_t>(std::lround(std::min(255.0, std::max(0.0, value))));
 }
 
-/** \brief One pass of a Gaussian along rows or columns. */
+/** \brief One pass of a Gaussian filter along rows or columns. */
 std::vector<double>
 blurred(const std::vector<double>& values, int length, int stride, double sigma)
 {
@@ -105,7 +105,7 @@ RigRenderer::imageOf(RigCamera camera,
                      const Eigen::Isometry3d& T_camera_plane,
                      Brightness brightness) const
 {
-  constexpr int side = 4; // rays a pixel, each way
+  constexpr int side = 4; // rays per pixel in each direction
   const auto width = static_cast<std::size_t>(rig_.width);
   const auto& rays = rays_[static_cast<std::size_t>(camera)];
   const Eigen::Isometry3d T_plane_camera = T_camera_plane.inverse();
@@ -172,9 +172,9 @@ boardPoses(std::size_t count)
   std::vector<Eigen::Isometry3d> poses;
   for (std::size_t i = 0; i < count; ++i) {
     const double depth = within(0.5, 0.85);
-    // What all three see narrows with the depth of the baselines.
+    // The common field of view is reduced by the baselines.
     const double reach = depth - 0.42;
-    // One draw after another: compilers differ in the order of arguments.
+    // in separate statements: the evaluation order of arguments is unspecified
     const double y = within(-0.38, 0.38) * reach, x = within(-0.5, 0.5) * reach;
     const Eigen::Vector3d middle(x - 0.05, y - 0.05, depth);
     const double c = within(-25, 25), b = within(-35, 35), a = within(-35, 35);

@@ -7,21 +7,23 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A rig as a workshop builds it: strong distortion, cameras turned by one or two
- * degrees, baselines that are perpendicular, but not along the axes of the reference. */
+/** \brief A realistic rig: strong distortion, cameras rotated by one or two degrees,
+ * baselines that are perpendicular, but not parallel to the axes of the reference. */
 RigCalibration
 builtRig();
 
-/** \brief Grey, 0 to 255, of a point of a plane, metres in the frame of the plane. */
+/** \brief Grey level, 0 to 255, of a point on a plane, metres in the frame of the
+ * plane. */
 using Brightness = double (*)(const Eigen::Vector3d& point);
 
-/** \brief Draws what a camera of a rig sees of planes, sixteen rays a pixel. */
+/** \brief Renders planes as seen by the cameras of a rig, with sixteen rays per
+ * pixel. */
 class RigRenderer {
 public:
   explicit RigRenderer(const RigCalibration& rig);
 
-  /** \brief The images of a plane z = 0 of a frame; grey, without noise.
-   * \param[in] T_reference_plane where the plane stands */
+  /** \brief Renders the plane z = 0 of a frame; grey, without noise.
+   * \param[in] T_reference_plane pose of the plane */
   TrinocularFrame
   frameOf(const Eigen::Isometry3d& T_reference_plane, Brightness brightness) const;
 
@@ -32,30 +34,31 @@ private:
           Brightness brightness) const;
 
   RigCalibration rig_;
-  // Where the corners of the pixels look, on the plane z = 1, by camera.
+  // Rays of the pixels' corners at z = 1, by camera.
   std::array<std::vector<Eigen::Vector2d>, 3> rays_;
 };
 
-/** \brief A board of 9 x 6 corners and 30 mm squares with a white margin on a grey wall.
- * \param[in] point from the first corner; x along a row, y down */
+/** \brief A board of 9 x 6 corners and 30 mm squares with a white margin on a grey
+ * wall.
+ * \param[in] point relative to the first corner; x along a row, y down */
 double
 boardBrightness(const Eigen::Vector3d& point);
 
-/** \brief Places of boards before a rig, as a hand holds them: all over the image, near
- * and far, tilted and turned. */
+/** \brief Realistic poses of a hand-held board in front of a rig: all over the image,
+ * near and far, tilted and rotated. */
 std::vector<Eigen::Isometry3d>
 boardPoses(std::size_t count);
 
-/** \brief Gaussian blur, px, and noise, grey levels, with a seed. */
+/** \brief Adds Gaussian blur, px, and noise, grey levels. */
 void
 spoil(CameraImage& image, double blur, double noise, unsigned seed);
 
-/** \brief Shots of the board in all these places, as a real camera gives them: blur 0.7
- * px, noise 2 grey levels. */
+/** \brief Shots of the board at these poses with realistic blur of 0.7 px and noise of
+ * 2 grey levels. */
 std::vector<TrinocularFrame>
 boardShots(const RigCalibration& rig, std::size_t count);
 
-/** \brief "reference_03.png" and so on. */
+/** \brief Such as "reference_03.png". */
 std::array<std::string, 3>
 shotNames(std::size_t shot);
 

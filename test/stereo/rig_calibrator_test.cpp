@@ -131,7 +131,7 @@ TEST(RigCalibrator, CamerasAreThoseThatWereBuilt)
   EXPECT_NEAR(calibrated().rig.baseline_vertical, -0.1, 2e-4);
 }
 
-/** \brief Points that no board was at, all over the room and the image. */
+/** \brief Tests points where no board was, all over the room and the image. */
 TEST(RigCalibrator, RowsAndColumnsHoldAwayFromTheBoards)
 {
   const RigCalibration built = builtRig();
@@ -184,8 +184,8 @@ paint(CameraImage& image, int least_column, std::uint8_t value)
       image.values[i] = value;
 }
 
-/** \brief Shifts the rows of an image to and fro by up to three pixels, as a bent board
- * does. */
+/** \brief Shifts the rows of an image by up to three pixels, which simulates a bent
+ * board. */
 void
 wobble(CameraImage& image)
 {
@@ -199,8 +199,8 @@ wobble(CameraImage& image)
 TEST(RigCalibrator, BadBoardsAreLeftOutByName)
 {
   std::vector<TrinocularFrame> bad(shots().begin(), shots().begin() + 14);
-  paint(bad[1].image(RigCamera::Vertical), 0, 120);     // no board
-  paint(bad[2].image(RigCamera::Horizontal), 300, 120); // half hidden
+  paint(bad[1].image(RigCamera::Vertical), 0, 120);     // board removed
+  paint(bad[2].image(RigCamera::Horizontal), 300, 120); // half occluded
   bad[3].image(RigCamera::Vertical) = bad[9].image(RigCamera::Vertical);
   paint(bad[4].image(RigCamera::Reference), 0, 120);
   bad[5].image(RigCamera::Horizontal).width = 320;

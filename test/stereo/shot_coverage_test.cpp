@@ -13,7 +13,7 @@ namespace {
 constexpr int width = 37;
 constexpr int height = 23;
 
-/** Normal noise on grey; one value in all channels. */
+/** Gaussian noise on grey; equal values in all channels. */
 CameraImage
 noisy(std::uint64_t seed, double grey, double deviation, int channels = 1)
 {
@@ -28,7 +28,7 @@ noisy(std::uint64_t seed, double grey, double deviation, int channels = 1)
   return image;
 }
 
-/** Smoothed by the same weights, in double. */
+/** Smoothed with the same weights, in double precision. */
 double
 plainLevel(const CameraImage& image, int column, int row)
 {
@@ -87,7 +87,7 @@ TEST(ShotCoverage, OfOneShotIsWhatDiffersFromTheDark)
   EXPECT_EQ(coverage.share(2), 0);
   coverage.add(lit);
   EXPECT_NEAR(coverage.share(6), plainShare({dark, lit}, 6), 1e-9);
-  coverage.add(lit); // the same again tells nothing apart, whatever the dark was
+  coverage.add(lit); // equal lit shots have no variance, independent of the dark shot
   EXPECT_EQ(coverage.share(2), 0);
 }
 

@@ -30,8 +30,8 @@ shotsAt(const std::vector<float>& disparities, float sigma = 0.1f)
   return shots;
 }
 
-/** Normal errors of sigmas that differ by a factor of 8, scaled: what the shots tell of
- * themselves may be wrong. */
+/** Gaussian errors whose sigmas differ by a factor of up to 8. With a scale other than
+ * 1 the sigmas of the shots are wrong. */
 Shots
 normalShots(Random& random, std::size_t count, double scale)
 {
@@ -70,7 +70,8 @@ TEST(ShotStatistics, OrderOfShotsChangesNoByte)
   for (const Statistic statistic : {medianOfShots, consistentMeanOfShots})
     for (std::size_t count = 1; count < 12; ++count) {
       Shots shots = normalShots(random, count, 2.0);
-      shots.front().disparity = shots.back().disparity; // equal ones, of two sigmas
+      shots.front().disparity = shots.back().disparity; // equal disparities with
+                                                        // different sigmas
       const FusedDisparity wanted = fused(statistic, shots);
       std::reverse(shots.begin(), shots.end());
       expectSame(fused(statistic, shots), wanted);
@@ -79,7 +80,7 @@ TEST(ShotStatistics, OrderOfShotsChangesNoByte)
     }
 }
 
-/** The rule in words, with sorted copies, in double. */
+/** Straightforward implementation with sorted copies, in double precision. */
 double
 plainMeanOfInliers(const Shots& shots, std::size_t& support)
 {
@@ -140,7 +141,7 @@ TEST(ShotStatistics, ShotsThatTellDifferentDisparitiesAreInconsistent)
   EXPECT_FALSE(isConsistent({3, 10, 17, 25, 33, 41, 50, 58, 60})); // noise
   EXPECT_FALSE(isConsistent({10, 10, 10, 10, 20, 20, 20, 20}));    // two surfaces
   EXPECT_FALSE(
-      isConsistent({10, 10.95f, 9.05f, 10.95f, 9.05f, 11.3f, 8.7f})); // too far
+      isConsistent({10, 10.95f, 9.05f, 10.95f, 9.05f, 11.3f, 8.7f})); // outliers
   EXPECT_TRUE(isConsistent({10, 10, 10, 10, 10, 20, 20, 20}));
   EXPECT_TRUE(isConsistent({10, 10.3f, 9.8f, 10.2f, 9.7f, 10.1f, 9.9f}));
   EXPECT_TRUE(isConsistent({10}));
@@ -152,10 +153,10 @@ TEST(ShotStatistics, HonestShotsAreSeldomInconsistent)
   int rejected = 0;
   for (int round = 0; round < 5000; ++round)
     rejected += !fused(consistentMeanOfShots, normalShots(random, 10, 1)).is_consistent;
-  EXPECT_LT(rejected, 50); // the test's one in a hundred
+  EXPECT_LT(rejected, 50); // the significance level of 1 %
 }
 
-/** Root mean square of errors in sigmas. */
+/** RMS of the errors in units of sigma. */
 double
 errorInSigmas(Statistic statistic, std::size_t count, double scale)
 {
@@ -177,7 +178,8 @@ TEST(ShotStatistics, SigmaIsThatOfTheErrorsAlsoWhenTheShotsAreWrongAboutThem)
       SCOPED_TRACE(std::to_string(count) + " shots, scale " + std::to_string(scale));
       for (const Statistic statistic : {medianOfShots, consistentMeanOfShots}) {
         const double error = errorInSigmas(statistic, count, scale);
-        EXPECT_GT(error, 0.5); // of many shots there are common errors, but not here
+        EXPECT_GT(error, 0.5); // sigma of many shots includes common errors, which are
+                               // absent here
         EXPECT_LT(error, 1.5);
       }
     }

@@ -13,7 +13,7 @@ namespace pcl::acmap::test {
 
 namespace {
 
-/** Uniform in [-1, 1) by place and shot. */
+/** Uniform random value in [-1, 1) for a knot and a shot. */
 double
 knot(int shot, std::int64_t i, std::int64_t j)
 {
@@ -21,7 +21,7 @@ knot(int shot, std::int64_t i, std::int64_t j)
   return Random(mix).uniform(-1, 1);
 }
 
-/** Weights of the four knots round a place, of a cubic spline. */
+/** Weights of the four knots around a position, for a cubic spline. */
 std::array<double, 4>
 splineWeights(double t)
 {
@@ -38,7 +38,7 @@ signOf(double baseline)
   return baseline < 0 ? -1 : 1;
 }
 
-/** How far a place of the reference moves in a camera for a disparity of 1, px. */
+/** Displacement in a camera, relative to the reference, for a disparity of 1 px. */
 std::array<double, 2>
 motionIn(RigCamera camera, const TrinocularRig& rig)
 {
@@ -55,7 +55,7 @@ covers(const SyntheticSheet& sheet, double x, double y)
   return !sheet.covers || sheet.covers(x, y);
 }
 
-/** What a camera sees at a pixel: a sheet, and the place on it. */
+/** The sheet and the position on it that a camera sees at a pixel. */
 struct Seen {
   std::size_t sheet;
   double x;
@@ -69,7 +69,7 @@ seenAt(const SyntheticScene& scene, RigCamera camera, double column, double row)
   for (std::size_t i = 0;; ++i) {
     const SyntheticSheet& sheet = scene.sheets[i];
     double x = column, y = row;
-    for (int step = 0; step < 40; ++step) { // a fixed point
+    for (int step = 0; step < 40; ++step) { // fixed-point iteration
       const double disparity = sheet.disparity(x, y);
       x = column - u * disparity;
       y = row - v * disparity;

@@ -12,7 +12,8 @@ namespace {
 
 using Shots = std::vector<TrinocularFrame::Ptr>;
 
-/** A wall, a rectangle before it and a dark strip: every way through the matcher. */
+/** A wall, a rectangle in front of it and a dark strip, to reach all branches of the
+ * matcher. */
 Shots
 mixedShots(const TrinocularRig& rig, int shots)
 {
@@ -98,7 +99,7 @@ TEST(TrinocularMatchingBytes, CopiesHaveTheSettingsOfTheOriginal)
   EXPECT_FALSE(isSame(matchSoundly(copy, frames), wanted));
 }
 
-/** Checksum (Fowler, Noll, Vo) of all that is matched. */
+/** FNV checksum of the complete result. */
 template <typename Value>
 void
 addTo(std::uint64_t& sum, const std::vector<Value>& values)
@@ -125,7 +126,8 @@ checksums()
   return text;
 }
 
-/** Only the next test runs it, in a process of its own: a variant is chosen once. */
+/** Only run by the next test, in a separate process, because the variant is selected
+ * once per process. */
 TEST(TrinocularMatchingBytes, DISABLED_PrintsChecksums)
 {
   std::cout << checksums() << std::endl;

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 using Shots = std::vector<TrinocularFrame::Ptr>;
 
-/** A rig of another size than the synthetic one. */
+/** A rig with a different size than the synthetic one. */
 TrinocularRig
 tinyRig(int width, int height, double horizontal = -0.1, double vertical = -0.1)
 {
@@ -174,7 +174,7 @@ TEST(TrinocularMatchingInput, UpTo256ShotsAreMatched)
                BadArgumentException);
 }
 
-/** What no run can give. */
+/** A result that no run can produce. */
 MatchedDisparity
 sentinel()
 {
@@ -185,7 +185,8 @@ sentinel()
   return matched;
 }
 
-/** Refuses what a change makes of good shots, with a word of it, and touches nothing. */
+/** Modified shots must be rejected with a certain word in the message, without changing
+ * the output. */
 void
 expectRefused(const TrinocularRig& rig,
               const std::string& word,
@@ -220,7 +221,7 @@ TEST(TrinocularMatchingInput, FramesThatDoNotFitAreRefused)
     change(nameOf(camera), camera, [](CameraImage& image) { image = {}; });
     change(nameOf(camera), camera, [](CameraImage& image) { image.values.pop_back(); });
     change(nameOf(camera), camera, [](CameraImage& image) {
-      image.width = 16; // the same values in another shape
+      image.width = 16; // the same values with a different shape
       image.height = 20;
     });
     change("20 x 16", camera, [](CameraImage& image) {

@@ -19,7 +19,7 @@ matchingOf(const TrinocularRig& rig)
   return matching;
 }
 
-/** Share of an outcome among the pixels in [left, right) x [top, bottom). */
+/** Fraction of an outcome among the pixels in [left, right) x [top, bottom). */
 struct Area {
   int left, right, top, bottom;
 
@@ -43,7 +43,7 @@ struct Area {
 
 constexpr Area inner{30, 80, 20, 60};
 
-/** A rectangle at 15 px before a wall at 5 px. */
+/** A rectangle at 15 px in front of a wall at 5 px. */
 SyntheticScene
 sceneWithSheet(const TrinocularRig& rig)
 {
@@ -56,7 +56,7 @@ sceneWithSheet(const TrinocularRig& rig)
   return scene;
 }
 
-// Right of the rectangle the wall is hidden from the left camera.
+// right of the rectangle the wall is occluded in the left camera
 constexpr Area hidden{72, 79, 24, 60};
 
 TEST(TrinocularMatchingMasks, LeftRightCheckRefusesWhatANeighbourDoesNotSee)
@@ -92,7 +92,7 @@ TEST(TrinocularMatchingMasks, TheOtherPairSeesWhatIsHiddenFromOne)
   EXPECT_LT(errors.bad, 0.02);
 }
 
-/** A picture that is the same again every 8 px of a row. */
+/** A texture that is periodic with 8 px in each row. */
 SyntheticScene
 periodicScene(const TrinocularRig& rig)
 {
@@ -134,8 +134,8 @@ TEST(TrinocularMatchingMasks, TheOtherPairServesWhereOneRepeatsItself)
   EXPECT_LT(errors.bad, 0.01);
 }
 
-/** A wall that the projector does not reach on its right: the same grey in all shots, with
- * a noise of up to one grey level. */
+/** A wall whose right part is not lit by the projector: the same grey in all shots,
+ * with noise of up to one grey level. */
 SyntheticScene
 halfLitScene(const TrinocularRig& rig)
 {
@@ -149,7 +149,7 @@ halfLitScene(const TrinocularRig& rig)
 
 TEST(TrinocularMatchingMasks, WhatIsNotLitIsUntextured)
 {
-  // Where all disparities searched lie in the neighbours' images.
+  // pixels for which all searched disparities are inside the neighbours' images
   constexpr Area dark{76, 88, 10, 58}, lit{15, 65, 10, 75};
   const TrinocularRig rig = syntheticRig(-0.1, -0.1);
   for (const int shots : {1, 2, 3, 5, 10}) {
@@ -160,7 +160,7 @@ TEST(TrinocularMatchingMasks, WhatIsNotLitIsUntextured)
     EXPECT_GT(lit.shareOf(matched, Outcome::Matched), 0.97);
   }
   TrinocularMatching matching = matchingOf(rig);
-  matching.setPeakFilter(100); // no grey level stands out that far
+  matching.setPeakFilter(100); // higher than any pixel can stand out
   const MatchedDisparity none = matchSoundly(matching, shotsOf(halfLitScene(rig), 5));
   EXPECT_EQ(countOutcomes(none)[static_cast<std::size_t>(Outcome::Matched)], 0u);
 }
@@ -194,7 +194,8 @@ TEST(TrinocularMatchingMasks, PlacesOutsideOfBothNeighboursAreOutOfView)
     }
 }
 
-/** Frames whose vertical camera sees the wall elsewhere than the horizontal one. */
+/** Frames with a different disparity in the vertical camera than in the horizontal
+ * one. */
 std::vector<TrinocularFrame::Ptr>
 contradictoryShots(double horizontal, double vertical)
 {
@@ -206,7 +207,7 @@ contradictoryShots(double horizontal, double vertical)
   return shots;
 }
 
-/** Shares of the inner pixels that are matched within 0.2 px of a disparity. */
+/** Fraction of the inner pixels that are matched within 0.2 px of a disparity. */
 double
 shareAt(const MatchedDisparity& matched, double disparity)
 {

@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Settings, rigs and images from a seed, none of them likely. */
+/** Random settings, rigs and images, most of them unusual. */
 class RandomRun {
 public:
   explicit RandomRun(std::uint64_t seed)
@@ -69,7 +69,8 @@ private:
     return all[static_cast<std::size_t>(whole(0, 5))];
   }
 
-  /** Noise, black and white, flashes, next to nothing; grey or in colour. */
+  /** Noise, black and white pixels, black and white shots in turn, or nearly uniform;
+   * grey or in colour. */
   void
   fill(CameraImage& image, int kind, std::size_t shot)
   {

@@ -15,8 +15,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A projector with as many pixels in one of the small rig's as the standard one has in one
- * of the standard rig's. */
+/** A projector with the standard ratio between its resolution and that of the small
+ * rig. */
 SimulatedLight
 smallLight()
 {
@@ -44,7 +44,7 @@ patternsFor(const SimulatedProjector& projector, int count)
   return patterns;
 }
 
-/** A blank wall 1.8 m away, slanted, and a blank box before it; 200 x 150 pixels. */
+/** An oblique blank wall at 1.8 m with a blank box in front of it; 200 x 150 pixels. */
 SimulatedScene
 wallWithBox()
 {
@@ -58,7 +58,7 @@ wallWithBox()
   return scene;
 }
 
-/** What the rig sees of the scene under patterns, without the dark shot. */
+/** Shots of the scene under patterns, without the dark shot. */
 std::vector<TrinocularFrame::Ptr>
 litShots(const SimulatedScene& scene, const std::vector<RgbImage>& patterns)
 {
@@ -68,7 +68,7 @@ litShots(const SimulatedScene& scene, const std::vector<RgbImage>& patterns)
   return frames;
 }
 
-/** Whether a pixel of the reference is lit and seen by a neighbour of the rig. */
+/** Is a pixel of the reference lit and seen by a neighbour of the rig? */
 bool
 canBeMatched(const TrinocularRig& rig, std::uint8_t flags)
 {
@@ -77,7 +77,7 @@ canBeMatched(const TrinocularRig& rig, std::uint8_t flags)
           (rig.baseline_vertical != 0 && (flags & SimulatedTruth::in_vertical)));
 }
 
-/** True disparities of the pixels that can be matched, or of those that cannot. */
+/** True disparities of the pixels that can be matched, or of the other ones. */
 DisparityImage
 truthWhere(const SimulatedScene& scene, bool matchable)
 {
@@ -97,7 +97,7 @@ errorsUnder(const SimulatedScene& scene, const std::vector<RgbImage>& patterns)
                   truthWhere(scene, true));
 }
 
-/** A scene without one of the neighbours. */
+/** The scene with only one of the neighbours. */
 SimulatedScene
 withPair(SimulatedScene scene, RigCamera neighbour)
 {
@@ -108,7 +108,7 @@ withPair(SimulatedScene scene, RigCamera neighbour)
 
 struct Wanted {
   int shots;
-  double missing_or_bad; // share
+  double missing_or_bad; // fraction
   double median;         // px
 };
 
@@ -155,7 +155,7 @@ TEST(TrinocularMatchingSimulated, WhatIsHiddenOrUnlitIsRarelyMatchedWrongly)
   EXPECT_LT(errors.bad, 0.05);
 }
 
-/** Patterns of lines that run along the rows, all but for two degrees. */
+/** Patterns of lines that are within two degrees of the rows. */
 std::vector<RgbImage>
 rowPatternsFor(const SimulatedProjector& projector, int count)
 {

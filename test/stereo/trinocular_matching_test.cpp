@@ -43,7 +43,7 @@ TEST(TrinocularMatching, FindsKnownShiftsForEveryPlaceOfTheNeighbours)
     }
 }
 
-/** A wall that is not parallel to the image: no disparity stands twice side by side. */
+/** A wall that is not parallel to the image: neighbouring disparities are different. */
 SyntheticScene
 slantedScene(const TrinocularRig& rig)
 {
@@ -97,7 +97,7 @@ TEST(TrinocularMatching, WallsOutOfRangeAreNotFoundUnderManyPatterns)
             0.98);
 }
 
-/** Each value of a camera's images by a rule. */
+/** Applies a function to all values of a camera's images. */
 void
 changeLevels(const std::vector<TrinocularFrame::Ptr>& shots,
              RigCamera camera,
@@ -129,7 +129,7 @@ TEST(TrinocularMatching, GainAndOffsetOfACameraDoNotMatter)
     }
 }
 
-/** The frame with rows and columns exchanged, and so its cameras. */
+/** The frame with rows and columns, and therefore its cameras, exchanged. */
 TrinocularFrame::Ptr
 transposed(const TrinocularFrame& shot)
 {

@@ -21,8 +21,8 @@ rectificationOf(const RigCalibration& rig)
   return rectification;
 }
 
-/** \brief Where a camera of the built rig sees a point of the reference's frame, after
- * rectification. */
+/** \brief Rectified position of a point of the reference's frame in a camera of the
+ * real rig. */
 Eigen::Vector2d
 rectifiedPlace(const TrinocularRectification& rectification,
                const RigCalibration& rig,
@@ -49,8 +49,8 @@ TEST(TrinocularRectification, PointsShareRowsAndColumns)
         const Eigen::Vector2d right = place(RigCamera::Horizontal) - reference;
         const Eigen::Vector2d down = place(RigCamera::Vertical) - reference;
         ASSERT_NEAR(right.y(), 0.0, 1e-6);
-        ASSERT_NEAR(down.x(), 0.0, 1e-3); // the rig's own skew
-        // One depth explains both disparities.
+        ASSERT_NEAR(down.x(), 0.0, 1e-3); // the residual skew of the rig
+        // both disparities belong to the same depth
         ASSERT_GT(right.x(), 0.0);
         ASSERT_NEAR(rig.baseline_horizontal / right.x(),
                     rig.baseline_vertical / down.y(),
@@ -73,8 +73,8 @@ waves(const Eigen::Vector3d& point)
          20 * std::sin(2.1 * x) * std::sin(1.7 * y);
 }
 
-/** \brief A texture at a known depth must look in the rectified images as a rectified rig
- * without distortion would draw it. */
+/** \brief Rectified images of a texture at a known depth must be equal to those
+ * rendered for the rectified rig without distortion. */
 TEST(TrinocularRectification, ImagesAreThoseOfTheRectifiedRig)
 {
   const RigCalibration built = builtRig();
@@ -138,7 +138,7 @@ TEST(TrinocularRectification, NoBorderIsEmpty)
   rectification.rectify(frame, frame);
   for (const CameraImage& image : frame.images)
     EXPECT_EQ(image.values, std::vector<std::uint8_t>(640 * 480, 200));
-  // Not wider than needed either: an edge of a raw image lies on an edge.
+  // not larger than needed: one edge of a raw image is on an edge of the rectified one
   double nearest = 1e9;
   for (const RigCamera camera :
        {RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical})

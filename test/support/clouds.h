@@ -16,11 +16,11 @@ using Cloud = PointCloud<PointXYZ>;
 PointXYZ
 toPoint(const Eigen::Vector3d& p);
 
-/** \brief Points on a surface that unrolls: each has its place (u, v) on the truth. */
+/** \brief Points on a parametrized surface; each has its true parameters (u, v). */
 struct SheetCloud {
   Cloud cloud;
   std::vector<Eigen::Vector2d> parameters;
-  Eigen::Vector2d least = Eigen::Vector2d::Zero(); ///< rim of the truth
+  Eigen::Vector2d least = Eigen::Vector2d::Zero(); ///< minimum (u, v) of the surface
   Eigen::Vector2d most = Eigen::Vector2d::Zero();
   double spacing = 1;
 };
@@ -30,25 +30,26 @@ struct SheetSampling {
   int columns = 45;
   int rows = 45;
   double spacing = 1;
-  double jitter = 0.25; ///< of the spacing, each way, within the surface
+  double jitter = 0.25; ///< of the spacing, in each direction within the surface
   double noise = 0;     ///< of the spacing, one standard deviation along the normal
   std::uint64_t seed = 1;
 };
 
-/** \brief z = 0 about the origin. */
+/** \brief The plane z = 0, centred at the origin. */
 SheetCloud
 makeJitteredPlane(const SheetSampling& sampling);
 
-/** \brief A plane folded along x = 0 by \a fold radians: its right half rises (falls when
- * negative). */
+/** \brief A plane folded along x = 0 by \a fold radians: its right half goes up (down
+ * if negative). */
 SheetCloud
 makeFoldedPlane(const SheetSampling& sampling, double fold);
 
-/** \brief A plane whose spacing grows from one end to the other by \a growth. */
+/** \brief A plane whose spacing increases from one end to the other by the factor \a
+ * growth. */
 SheetCloud
 makeGradedPlane(const SheetSampling& sampling, double growth);
 
-/** \brief A sheet laid on a sphere of \a radius metres, about its pole (0, 0, radius). */
+/** \brief A sheet on a sphere of \a radius metres, around its pole (0, 0, radius). */
 SheetCloud
 makeSphereCap(const SheetSampling& sampling, double radius);
 
@@ -58,32 +59,34 @@ enum class ExactPlane {
   Inclined ///< z = x
 };
 
-/** \brief Square grid, cocircular everywhere; spacing a power of two keeps it exact. */
+/** \brief Square grid with cocircular points everywhere; exact if the spacing is a
+ * power of two. */
 Cloud
 makeGrid(int columns, int rows, double spacing, ExactPlane plane);
 
-/** \brief Rows shifted by half a spacing: six neighbours each, nearly cocircular. */
+/** \brief Rows shifted by half a spacing: six neighbours per point, nearly
+ * cocircular. */
 Cloud
 makeHexagonalGrid(int columns, int rows, double spacing);
 
-/** \brief Uniformly random in a square of side 1. */
+/** \brief Uniformly distributed points in a square of side 1. */
 Cloud
 makeRandomPlane(std::size_t size, ExactPlane plane, std::uint64_t seed);
 
-/** \brief The points of whole coordinates exactly on a circle: 12 for radius 5, 20 for 25,
- * 36 for 65; with or without the centre. */
+/** \brief The points with integer coordinates that are exactly on a circle: 12 for
+ * radius 5, 20 for 25, 36 for 65; with or without the centre. */
 Cloud
 makeExactCircle(int radius, bool with_center);
 
-/** \brief Uniformly random in a cube of side 1: no surface at all. */
+/** \brief Uniformly distributed points in a cube of side 1: no surface at all. */
 Cloud
 makeRandomBox(std::size_t size, std::uint64_t seed);
 
-/** \brief Every point of whole coordinates in a cube: ties and right angles only. */
+/** \brief All points with integer coordinates in a cube: only ties and right angles. */
 Cloud
 makeLattice(int side);
 
-/** \brief Jittered band of the given radius with half a turn in it. */
+/** \brief Jittered Moebius band of the given radius. */
 Cloud
 makeMoebiusBand(
     int around, int across, double radius, double width, std::uint64_t seed);
@@ -96,22 +99,23 @@ makeParallelSheets(const SheetSampling& sampling, double distance);
 Cloud
 makeCorner(const SheetSampling& sampling);
 
-/** \brief Floor and four walls, 4 m by 3 m by 2.5 m, seen from its middle. */
+/** \brief Floor and four walls, 4 m by 3 m by 2.5 m, observed from its centre. */
 Cloud
 makeRoom(double spacing, double noise, std::uint64_t seed);
 
 Cloud
 makeCoincident(std::size_t size);
 
-/** \brief Points in line, equally spaced, in a direction that is no axis. */
+/** \brief Collinear, equally spaced points in a direction that is no coordinate
+ * axis. */
 Cloud
 makeCollinear(std::size_t size);
 
-/** \brief Every point twice: the whole cloud again behind itself. */
+/** \brief Every point twice: a second copy of the cloud is appended. */
 Cloud
 doubled(const Cloud& cloud);
 
-/** \brief Puts a point that is not finite before every \a period points. */
+/** \brief Inserts a point that is not finite before every \a period points. */
 Cloud
 lacedWithNan(const Cloud& cloud, std::size_t period);
 
@@ -130,8 +134,9 @@ scaled(const Cloud& cloud, float factor);
 Eigen::Isometry3d
 makeRandomMotion(std::uint64_t seed, double distance);
 
-/** \brief One view of a stereo camera into a corridor 2.4 m wide and 2.7 m high: the
- * given number of its 640 x 480 rays, noise clamp (0.0025 z^2, 1, 3) cm along the ray. */
+/** \brief View of a stereo camera into a corridor 2.4 m wide and 2.7 m high: the given
+ * number of its 640 x 480 rays, with noise of clamp (0.0025 z^2, 1, 3) cm along the
+ * ray. */
 Cloud
 makeCorridorView(std::size_t size, std::uint64_t seed);
 

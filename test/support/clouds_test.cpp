@@ -6,7 +6,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Two triangles for each square of a sheet's grid of samples. */
+/** Two triangles for each square of the sample grid of a sheet. */
 Triangles
 gridTriangles(int columns, int rows)
 {

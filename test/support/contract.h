@@ -14,17 +14,17 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A call that a public class must refuse, and words that its message must hold:
- * the value, the legal range, the unit. */
+/** \brief A call that a public class must reject, and substrings of the message: the
+ * value, the valid range, the unit. */
 template <typename Class>
 struct RefusedCall {
   std::function<void(Class&)> call;
   std::vector<std::string> words;
 };
 
-/** \brief Setters with nonsense throw, say why, and change nothing. \a Traits as in \ref
- * ClassContract.
- * \param[in] make gives an object as constructed */
+/** \brief Setters with invalid values throw, explain why, and change nothing. \a Traits
+ * as in \ref ClassContract.
+ * \param[in] make creates an object in its initial state */
 template <typename Traits, typename Make>
 void
 expectNonsenseRefused(const Make& make)
@@ -45,7 +45,7 @@ expectNonsenseRefused(const Make& make)
   }
 }
 
-/** \brief The clouds that every class must take, however little comes out. */
+/** \brief Clouds that every class must accept, even if the result is empty. */
 inline std::vector<std::pair<std::string, Cloud>>
 degenerateClouds()
 {
@@ -62,17 +62,16 @@ degenerateClouds()
           {"two points far out", withOutlier(makeRandomBox(1, 1), 1e9F)}};
 }
 
-/** \brief The class contract of the library, one test a point; a class joins through a
- * traits type:
+/** \brief The common contract of the library's classes, with one test per requirement.
+ * A class takes part with a traits type:
  *
  * - `Class`, `Output` (equality comparable);
  * - `setInput (Class&, const Cloud&)`, `run (Class&, Output&)`;
- * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can give;
- * - `refusedCalls ()`: setters with nonsense;
- * - `parameters (const Class&)`: all parameters in words;
- * - `invalidPoints (const Class&)`: how many the report tells;
- * - `header ()`: the text of the public header.
- */
+ * - `isEmpty (const Output&)`, `sentinel ()`: an output that no run can produce;
+ * - `refusedCalls ()`: setters with invalid values;
+ * - `parameters (const Class&)`: all parameters as text;
+ * - `invalidPoints (const Class&)`: the number of invalid points in the report;
+ * - `header ()`: the text of the public header. */
 template <typename Traits>
 class ClassContract : public testing::Test {
 protected:

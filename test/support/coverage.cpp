@@ -49,8 +49,8 @@ public:
   }
 
 private:
-  /** Off the middle of its cell by an odd share, so that no edge of a regular mesh runs
-   * through samples. */
+  /** Sample position off the centre of its cell, so that no edge of a regular mesh
+   * passes through samples. */
   Eigen::Vector2d
   sample(int column, int row) const
   {

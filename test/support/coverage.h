@@ -5,14 +5,15 @@
 
 namespace pcl::acmap::test {
 
-/** \brief How a mesh lies on its truth, in percent of the interior's area. */
+/** \brief How well a mesh covers its true surface, in percent of the interior's
+ * area. */
 struct Coverage {
   double uncovered = 0;
-  double overlapped = 0; ///< lies under more than one triangle
+  double overlapped = 0; ///< covered by more than one triangle
 };
 
-/** \brief Rasters the triangles, unrolled to the sheet's parameters, and counts.
- * \param[in] margin left out along the rim, in spacings
+/** \brief Rasterizes the triangles in the parameters of the sheet.
+ * \param[in] margin ignored along the border, in spacings
  * \param[in] resolution samples per spacing */
 Coverage
 measureCoverage(const SheetCloud& sheet,

@@ -21,7 +21,8 @@ rayOf(std::size_t pixel)
           1};
 }
 
-/** White noise, and the same smoothed over 7 x 7 pixels with its deviation kept. */
+/** White noise plus noise that is smoothed over 7 x 7 pixels, with its deviation
+ * preserved. */
 std::vector<double>
 noiseOf(const DepthRoom::Camera& camera)
 {
@@ -104,7 +105,7 @@ depthOfCylinder(const DepthRoom::Camera& camera, double radius, double distance)
 {
   std::vector<double> depths(DepthRoom::width * DepthRoom::height, infinity);
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    // |z (x, 1) - (0, distance)| = radius in the plane of x and z
+    // solves |z (x, 1) - (0, distance)| = radius in the x-z plane
     const double x = rayOf(i).x();
     const double a = x * x + 1;
     const double root =

@@ -7,14 +7,14 @@
 
 namespace pcl::acmap::test {
 
-/** \brief An edge by its ends, the smaller index first. */
+/** \brief An edge as its two vertices, the smaller index first. */
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/** \brief One face at an edge. */
+/** \brief A face that contains an edge. */
 struct EdgeUse {
   std::size_t face;
   std::int32_t apex;
-  bool forward; ///< the face runs from the smaller index to the larger
+  bool forward; ///< the face traverses the edge from the smaller index to the larger
 };
 
 using EdgeMap = std::map<Edge, std::vector<EdgeUse>>;
@@ -25,7 +25,7 @@ makeEdge(std::int32_t a, std::int32_t b)
   return {std::min(a, b), std::max(a, b)};
 }
 
-/** \brief All edges with the faces at them; corners must be distinct. */
+/** \brief All edges with their faces; the vertices of a face must be distinct. */
 inline EdgeMap
 edgesOf(const Triangles& faces)
 {
@@ -78,8 +78,8 @@ facesAroundVertices(const Triangles& faces, std::size_t size)
   return around;
 }
 
-/** \brief Number of fans at a vertex: sets of its faces connected through edges that end
- * in the vertex. */
+/** \brief Number of fans at a vertex: sets of its faces that are connected through
+ * edges at the vertex. */
 inline std::size_t
 countFans(const Triangles& faces,
           const std::vector<std::size_t>& around,

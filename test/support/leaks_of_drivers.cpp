@@ -1,6 +1,6 @@
-// For programs under AddressSanitizer. Mesa's software renderer makes code as it runs, by
-// LLVM, and what that code leaks has no name that a suppression could tell. A process
-// that has drawn is not asked for leaks; all others are.
+// For programs under AddressSanitizer. Mesa's software renderer compiles code at run
+// time with LLVM, and leaks in this code have no symbol that a suppression could name.
+// So the leak check is disabled for processes that have drawn something.
 #include <link.h>
 
 #include <cstddef>
@@ -16,14 +16,15 @@ isCompiler(dl_phdr_info* library, std::size_t /*size*/, void* /*nothing*/)
 
 } // namespace
 
-/** \brief Unloads nothing, or nobody could tell at exit who has drawn. */
+/** \brief Never unloads a library, so that __lsan_is_turned_off still finds LLVM at
+ * exit. */
 extern "C" int
 dlclose(void* /*library*/)
 {
   return 0;
 }
 
-/** \brief LeakSanitizer asks before it looks. */
+/** \brief Called by LeakSanitizer before its check. */
 extern "C" int
 __lsan_is_turned_off()
 {

@@ -26,7 +26,7 @@ hasRepeatedCorner(const Triangle& face)
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
-/** The faces whose topology can be examined. */
+/** The faces whose topology can be checked. */
 Triangles
 usableFaces(const Points& points, const Triangles& faces)
 {
@@ -52,7 +52,7 @@ countDuplicates(const Triangles& faces)
   return duplicates;
 }
 
-/** Counts at the edges; marks the vertices at crowded ones. */
+/** Counts faults at the edges; marks the vertices of crowded edges. */
 void
 checkEdges(const Triangles& faces,
            const MeshDemands& demands,

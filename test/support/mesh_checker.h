@@ -15,22 +15,23 @@ namespace pcl::acmap::test {
 using Triangle = TriangleMesh::Triangle;
 using Triangles = std::vector<Triangle>;
 
-/** \brief Size constraint: tells whether an edge between two points is allowed. */
+/** \brief Size constraint: is an edge between two points allowed? */
 using EdgeAllowed = std::function<bool(std::int32_t, std::int32_t)>;
 
 /** \brief The size constraint "no edge longer than \a length". */
 EdgeAllowed
 noLongerThan(const Points& points, double length);
 
-/** \brief Everything that can be wrong with a mesh; a sound one has only zeros. */
+/** \brief Everything that can be wrong with a mesh; all numbers are zero for a valid
+ * mesh. */
 struct MeshFaults {
-  std::size_t invalid_faces = 0;      ///< a corner out of range or not finite
-  std::size_t degenerate_faces = 0;   ///< a repeated corner or no area
-  std::size_t duplicate_faces = 0;    ///< same three corners as an earlier face
+  std::size_t invalid_faces = 0;      ///< a vertex out of range or not finite
+  std::size_t degenerate_faces = 0;   ///< a repeated vertex or no area
+  std::size_t duplicate_faces = 0;    ///< same three vertices as an earlier face
   std::size_t crowded_edges = 0;      ///< more than two faces
-  std::size_t torn_vertices = 0;      ///< not one fan: several, or a crowded edge
-  std::size_t inconsistent_edges = 0; ///< two faces that run along it in one direction
-  std::size_t forbidden_edges = 0;    ///< beyond the size constraint
+  std::size_t torn_vertices = 0;      ///< several fans, or a crowded edge
+  std::size_t inconsistent_edges = 0; ///< traversed by two faces in the same direction
+  std::size_t forbidden_edges = 0;    ///< violate the size constraint
   std::size_t occupied_spheres = 0;   ///< a point inside the smallest circumsphere
 
   std::size_t
@@ -40,7 +41,8 @@ struct MeshFaults {
 std::ostream&
 operator<<(std::ostream& stream, const MeshFaults& faults);
 
-/** \brief What a mesh consists of. Faces with invalid or repeated corners do not count. */
+/** \brief Elements of a mesh. Faces with invalid or repeated vertices are not
+ * counted. */
 struct MeshCounts {
   std::size_t faces = 0;
   std::size_t used_points = 0;
@@ -50,15 +52,16 @@ struct MeshCounts {
   std::size_t boundary_loops = 0; ///< connected sets of boundary edges
 };
 
-/** \brief Which of the checks below are asked for. */
+/** \brief Selects checks and their thresholds. */
 struct MeshDemands {
   EdgeAllowed edge_allowed;        ///< empty: any length
   bool empty_spheres = false;      ///< \ref MeshFaults::occupied_spheres is counted
   double sphere_tolerance = 1e-6;  ///< of the radius
-  double least_area_ratio = 1e-10; ///< twice the area over the squared longest edge
+  double least_area_ratio = 1e-10; ///< twice the area divided by the square of the
+                                   ///< longest edge
 };
 
-/** \brief Finds every fault by brute force; owes nothing to the kernels. */
+/** \brief Finds every fault by brute force, independently of the tested kernels. */
 MeshFaults
 checkMesh(const Points& points,
           const Triangles& faces,
@@ -67,7 +70,8 @@ checkMesh(const Points& points,
 MeshCounts
 countMesh(const Points& points, const Triangles& faces);
 
-/** \brief Smallest sphere through three points; infinite radius when they are in line. */
+/** \brief Smallest sphere through three points; infinite radius if they are
+ * collinear. */
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = std::numeric_limits<double>::infinity();
@@ -78,7 +82,8 @@ smallestCircumsphere(const Eigen::Vector3d& a,
                      const Eigen::Vector3d& b,
                      const Eigen::Vector3d& c);
 
-/** \brief Twice the area over the squared longest edge; 0 when corners coincide. */
+/** \brief Twice the area divided by the square of the longest edge; 0 if corners
+ * coincide. */
 double
 areaRatio(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
@@ -93,7 +98,7 @@ toPoints(const PointCloud<PointT>& cloud)
   return points;
 }
 
-/** \brief Triangles of PCL polygons; a polygon of more corners becomes a fan. */
+/** \brief Triangles of PCL polygons; polygons with more corners are split into fans. */
 Triangles
 toTriangles(const std::vector<Vertices>& polygons);
 

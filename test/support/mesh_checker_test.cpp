@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Four corners of a square, the middle of the square and a point above the middle. */
+/** Four corners of a square, its centre, and a point above the centre. */
 const Points square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}, {1, 1, 1}};
 
 const Triangles fan{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Answers whether a mesh could take one more triangle. */
+/** Tests if a triangle can be added to a mesh. */
 class Extension {
 public:
   Extension(const Points& points, const Triangles& mesh, const CompletenessRule& rule)
@@ -44,7 +44,7 @@ public:
     return !around_[point].empty();
   }
 
-  /** Size and shape alone, far enough from every threshold to be certain. */
+  /** Checks size and shape only. */
   bool
   isWellFormed(const Triangle& t) const
   {
@@ -58,7 +58,7 @@ public:
            rule_.least_area_ratio;
   }
 
-  /** True when not even a point on the surface of the sphere disturbs it. */
+  /** Returns true if no point is inside the sphere by more than the slack. */
   bool
   hasEmptySphere(const Triangle& t) const
   {
@@ -74,7 +74,8 @@ public:
     return true;
   }
 
-  /** True when the mesh with this triangle keeps every guarantee of topology. */
+  /** Returns true if the mesh with this triangle satisfies all topological
+   * guarantees. */
   bool
   canTake(const Triangle& t)
   {
@@ -84,7 +85,8 @@ public:
   }
 
 private:
-  /** Room at each edge, no sharp fold, one orientation for each component touched. */
+  /** No edge gets three faces or a sharp fold, and all touched components can be
+   * oriented consistently. */
   bool
   edgesCanTake(const Triangle& t)
   {
@@ -151,7 +153,8 @@ forAllTriples(std::size_t size,
             visit(Triangle{a, b, c});
 }
 
-/** Cotangent of the angle a-p-b: the smaller, the nearer in Delaunay's sense. */
+/** Cotangent of the angle a-p-b: the smaller it is, the closer is p in Delaunay's
+ * sense. */
 double
 signedDistance(const Eigen::Vector3d& a,
                const Eigen::Vector3d& b,
@@ -162,8 +165,8 @@ signedDistance(const Eigen::Vector3d& a,
   return u.dot(v) / u.cross(v).norm();
 }
 
-/** The apexes that may be the Delaunay-nearest beyond an open edge: one, or some that tie;
- * none when a candidate of doubtful legality may come first. */
+/** The apexes that may be the Delaunay-nearest one beyond an open edge: one, or several
+ * that tie; none if a candidate that may or may not be valid could be nearer. */
 Triangles
 nearestApexes(const Points& points,
               const Extension& extension,

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/** Five columns and four rows of points, one by one, slightly out of square, and all of
- * its triangles. */
+/** A grid of five columns and four rows of points, slightly distorted, and all its
+ * triangles. */
 struct Patch {
   Points points;
   Triangles mesh;
@@ -92,8 +92,9 @@ TEST(MeshCompleteness, secondFanExcusesAGap)
   EXPECT_EQ(missingUnderPaperRule(bow, {}, rule).size(), 2U);
 }
 
-/** A strip of triangles around a ring, closed but for its last triangle, and that one.
- * With half a turn in it, no orientation of the last triangle suits both its neighbours. */
+/** A closed strip of triangles without its last triangle, and this triangle. In a
+ * Moebius strip no orientation of the last triangle is consistent with both
+ * neighbours. */
 struct Ring {
   static constexpr int around = 9;
   Points points;

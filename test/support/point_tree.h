@@ -11,17 +11,17 @@ namespace pcl::acmap::test {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/** \brief k-d tree in double precision, owing nothing to the kernels it helps to check.
- * Points that are not finite are left out. */
+/** \brief k-d tree in double precision, independent of the kernels that are checked
+ * with it. Points that are not finite are ignored. */
 class PointTree {
 public:
   explicit PointTree(Points points);
 
-  /** \brief Index of a point nearer to \a center than \a radius, -1 when there is none. */
+  /** \brief Index of a point closer to \a center than \a radius, or -1. */
   std::int32_t
   findWithin(const Eigen::Vector3d& center, double radius) const;
 
-  /** \brief The \a count nearest points, as (squared distance, index), nearest first. */
+  /** \brief The \a count nearest points as (squared distance, index), nearest first. */
   std::vector<std::pair<double, std::int32_t>>
   nearest(const Eigen::Vector3d& query, std::size_t count) const;
 
@@ -59,10 +59,11 @@ private:
 
   Points points_;
   std::vector<std::int32_t> order_;
-  std::vector<std::uint8_t> axis_; ///< of the node whose median stands at this place
+  std::vector<std::uint8_t> axis_; ///< of the node whose median is at this index
 };
 
-/** \brief Median distance to the nearest other place, of points that are finite. */
+/** \brief Median distance of finite points to their nearest point at a different
+ * position. */
 double
 medianSpacing(const Points& points);
 

@@ -56,14 +56,14 @@ becomeTool(const std::string& program,
   if (settings.reader_is_gone)
     talkToNobody();
   for (const int signal : {SIGINT, SIGPIPE, SIGTERM})
-    std::signal(signal, SIG_DFL); // whatever whoever runs the test ignores
+    std::signal(signal, SIG_DFL); // ignored signals would be inherited
   for (const auto& [name, value] : settings.environment)
     value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
   limit(RLIMIT_FSIZE, settings.file_size_limit);
   limit(RLIMIT_AS, settings.memory_limit);
   if (!settings.folder.empty() && chdir(settings.folder.c_str()) != 0)
     _exit(127);
-  alarm(settings.time_limit); // outlives the exec
+  alarm(settings.time_limit); // stays active after exec
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
@@ -72,7 +72,7 @@ becomeTool(const std::string& program,
   _exit(127);
 }
 
-/** \brief Whether the process has put a handler of its own in place. */
+/** \brief Does the process have a handler for SIGINT? */
 bool
 heedsInterruptions(pid_t process)
 {
@@ -92,7 +92,7 @@ hasEnded(pid_t process)
   return waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
 }
 
-/** \brief Waits for something, but no longer than half a minute. */
+/** \brief Waits for a condition, but at most 30 s. */
 void
 waitFor(const std::function<bool()>& condition)
 {

@@ -12,41 +12,41 @@ namespace pcl::acmap::test {
 
 /** \brief How a program is run. */
 struct RunSettings {
-  /** \brief Changes of the environment; without a value the variable is taken away. */
+  /** \brief Changes of the environment; variables without a value are removed. */
   std::vector<std::pair<std::string, std::optional<std::string>>> environment;
 
-  /** \brief Longest file the program may write, in bytes; a stand-in for a full disk. */
+  /** \brief Maximum size of written files, in bytes; simulates a full disk. */
   std::optional<std::size_t> file_size_limit;
 
   /** \brief Address space of the program, in bytes. */
   std::optional<std::size_t> memory_limit;
 
-  /** \brief Where the program runs; empty: where the test does. */
+  /** \brief Working directory; empty: that of the test. */
   std::string folder;
 
-  /** \brief Seconds after which the program is ended by SIGALRM; 0 for never. */
+  /** \brief Seconds after which SIGALRM ends the program; 0 for never. */
   unsigned time_limit = 0;
 
-  /** \brief Seconds after which the program gets an interruption (SIGINT), counted from
-   * when it began to heed it. */
+  /** \brief Seconds after which the program is interrupted, counted from when it has
+   * installed its handler for SIGINT. */
   std::optional<double> interrupt_after;
 
-  /** \brief The interruption comes as soon as this holds, or after half a minute. */
+  /** \brief The interruption is sent when this returns true, or after 30 s. */
   std::function<bool()> interrupt_when;
 
-  /** \brief The signal that comes as interruption. */
+  /** \brief The signal that is sent as interruption. */
   int interruption = SIGINT;
 
-  /** \brief A file that takes stdout, as /dev/full. */
+  /** \brief A file to which stdout is redirected, such as /dev/full. */
   std::string out_file;
 
-  /** \brief Whether stdout and stderr are a pipe that nobody reads any more. */
+  /** \brief Are stdout and stderr a pipe that is no longer read? */
   bool reader_is_gone = false;
 };
 
-/** \brief What came of it. */
+/** \brief Result of a run. */
 struct ToolRun {
-  int exit_code = -1; ///< -1 when a signal ended the program
+  int exit_code = -1; ///< -1 if a signal ended the program
   int signal = 0;     ///< that signal, else 0
   std::string out;
   std::string err;
@@ -55,7 +55,7 @@ struct ToolRun {
   errorLines() const;
 };
 
-/** \brief Runs a program to its end, without a shell. */
+/** \brief Runs a program without a shell and waits for its end. */
 ToolRun
 runTool(const std::string& program,
         const std::vector<std::string>& arguments,

@@ -5,16 +5,16 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A map of two planes with odd numbers: the first has two polygons, one with a
- * hole, and a chart on each; the second has none. Two poses. */
+/** \brief A map of two planes with arbitrary numbers: the first has two polygons, one
+ * with a hole, and a chart on each; the second has no polygons. Two poses. */
 CompactMap
 makeSampleMap();
 
-/** \brief Expects the same numbers, to the bit. */
+/** \brief Expects bitwise equal numbers. */
 void
 expectSamePlanes(const CompactMap& map, const CompactMap& wanted);
 
-/** \param[in] with_images whether colours and kinds too are the same */
+/** \param[in] with_images also compare colours and kinds */
 void
 expectSameCharts(const CompactMap& map, const CompactMap& wanted, bool with_images);
 

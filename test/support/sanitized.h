@@ -11,8 +11,8 @@ namespace pcl::acmap::test {
 #define ACMAP_IS_SANITIZED
 #endif
 
-/** \brief Whether AddressSanitizer or ThreadSanitizer is at work: they take several times
- * the memory, and end a process where memory is refused. */
+/** \brief Is the program built with AddressSanitizer or ThreadSanitizer? They need
+ * several times the memory, and end the process if memory is exhausted. */
 #ifdef ACMAP_IS_SANITIZED
 inline constexpr bool is_sanitized = true;
 #else

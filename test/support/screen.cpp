@@ -68,7 +68,7 @@ divideScreen(const std::vector<MonitorPlace>& monitors)
     monitor->y = place.y;
     monitor->width = place.width;
     monitor->height = place.height;
-    monitor->mwidth = place.width / 4; // millimetres, of no interest
+    monitor->mwidth = place.width / 4; // millimetres, not used
     monitor->mheight = place.height / 4;
     XRRSetMonitor(display, DefaultRootWindow(display), monitor);
     XRRFreeMonitors(monitor);

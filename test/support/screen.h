@@ -6,11 +6,12 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What the display of the environment shows, all of it. */
+/** \brief Takes a screenshot of the display of the environment. */
 RgbImage
 shootScreen();
 
-/** \brief Divides its screen among monitors: the first has the server's output. */
+/** \brief Divides the screen into monitors; the first one gets the output of the
+ * server. */
 void
 divideScreen(const std::vector<MonitorPlace>& monitors);
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <thread>
 
-/** Adds to one number from all threads: ThreadSanitizer has to say so. */
+/** Adds to one number from all threads, which ThreadSanitizer must report. */
 int
 main()
 {
@@ -13,7 +13,7 @@ main()
       64 * pcl::acmap::parallel_chunk, [&](std::size_t begin, std::size_t end) {
         sum += end - begin;
         std::this_thread::sleep_for(
-            std::chrono::milliseconds(1)); // one is not done alone
+            std::chrono::milliseconds(1)); // long enough for other threads to take part
       });
   std::printf("%zu\n", sum);
 }

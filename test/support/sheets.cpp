@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Samples a sheet; \a place turns (u, v, height) into a point of space. */
+/** Samples a sheet; \a place maps (u, v, height) to a 3D point. */
 template <typename Place>
 SheetCloud
 sampleSheet(const SheetSampling& sampling, const Place& place)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t page = 4096;
 
-/** \brief Makes this process the superuser of a world of its own. */
+/** \brief Makes this process the superuser of new user and mount namespaces. */
 bool
 becomeSuperuser()
 {

@@ -5,17 +5,17 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A disk of its own for a folder, seen by this process and those that it starts: it
- * can be full, or read-only for the superuser too. */
+/** \brief A small file system mounted on a folder, visible in this process and its
+ * children: it can be full, or read-only even for the superuser. */
 class SmallDisk {
 public:
-  /** \brief Whether this process may mount one; the first call takes what it needs for it,
-   * before there are any threads. */
+  /** \brief May this process mount file systems? The first call acquires the
+   * permission, and must happen before there are any threads. */
   static bool
   isAllowed();
 
-  /** \param[in] folder must be there, and is empty from now on
-   * \param[in] bytes it has room for */
+  /** \param[in] folder must exist; its contents are hidden by an empty file system
+   * \param[in] bytes size of the file system */
   SmallDisk(const std::string& folder, std::size_t bytes);
   ~SmallDisk();
 
@@ -23,7 +23,7 @@ public:
   SmallDisk&
   operator=(const SmallDisk&) = delete;
 
-  /** \brief Leaves room for no more than some pages of 4096 bytes. */
+  /** \brief Fills the file system except for some pages of 4096 bytes. */
   void
   fill(std::size_t pages_left) const;
 

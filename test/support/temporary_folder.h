@@ -11,7 +11,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A new folder that goes away with its contents. */
+/** \brief A new folder that is removed with its contents by the destructor. */
 class TemporaryFolder {
 public:
   TemporaryFolder()
@@ -38,7 +38,7 @@ public:
     return (path_ / name).string();
   }
 
-  /** \brief Writes a file and gives its path. */
+  /** \brief Writes a file and returns its path. */
   std::string
   write(const std::string& name, const std::string& bytes) const
   {
@@ -46,7 +46,7 @@ public:
     return path(name);
   }
 
-  /** \brief Number of files and folders in it. */
+  /** \brief Number of files and folders in the folder. */
   std::ptrdiff_t
   count() const
   {

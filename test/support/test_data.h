@@ -6,7 +6,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Place of a file of the test data; it need not be there. The folder is named by
+/** \brief Path of a file of the test data, which may be missing. The folder is given by
  * the environment variable ACMAP_TEST_DATA. */
 inline std::filesystem::path
 testDataPath(const std::string& relative)
@@ -15,7 +15,7 @@ testDataPath(const std::string& relative)
   return folder ? std::filesystem::path(folder) / relative : std::filesystem::path();
 }
 
-/** \brief Tells whether a file of the test data is there. */
+/** \brief Does a file of the test data exist? */
 inline bool
 hasTestData(const std::string& relative)
 {

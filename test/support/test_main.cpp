@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-/** \brief 0 if no test failed, 1 if one did or there was none to run, 77 if all were
- * skipped, which ctest then tells. */
+/** \brief Returns 0 if no test failed, 1 if a test failed or there was no test, 77 if
+ * all tests were skipped, which ctest reports. */
 int
 main(int argc, char** argv)
 {

@@ -7,27 +7,27 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A PNG as libpng writes it, of kinds that the library itself does not write. */
+/** \brief A PNG written by libpng, of formats that the library itself does not
+ * write. */
 struct TestPng {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  int bits = 8;       ///< a channel
+  int bits = 8;       ///< per channel
   int color_type = 0; ///< libpng's PNG_COLOR_TYPE_*; 0 is grey
   bool is_interlaced = false;
   std::optional<double> gamma;
 
-  /** \brief Rows as they stand in the file, numbers of 16 bits with their high byte
-   * first. */
+  /** \brief Rows as stored in the file, 16 bit numbers in big-endian order. */
   std::vector<std::uint8_t> rows;
 
-  bool has_transparent_value = false; ///< the value 0
+  bool has_transparent_value = false; ///< the value 0 is transparent
 };
 
-/** \brief The bytes of the file. A palette, where one is needed, is of shades of red. */
+/** \brief Encodes the file. If a palette is needed, it contains shades of red. */
 std::string
 pngBytes(const TestPng& png);
 
-/** \brief A grey PNG of 16 bits. \param[in] values row by row */
+/** \brief A grey PNG of 16 bits. \param[in] values in row-major order */
 std::string
 depthPngBytes(std::uint32_t width,
               std::uint32_t height,

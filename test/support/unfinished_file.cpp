@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 bool
 isHiddenIn(const fs::path& place, const fs::path& file)
 {
-  std::error_code error; // files come and go
+  std::error_code error; // files can appear and disappear meanwhile
   for (fs::directory_iterator entry(place, error), end; !error && entry != end;
        entry.increment(error))
     if (isHiddenFolderName(entry->path().filename().string()) &&

@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Whether a run has written a file of this name that is to be in a folder once the
- * run is done: it lies in a hidden folder there or beside it. */
+/** \brief Has a run started to write a file of this name, which it will move into a
+ * folder at its end? Such a file is in a hidden folder in \a folder or beside it. */
 bool
 isUnfinished(const std::string& folder, const std::string& name);
 

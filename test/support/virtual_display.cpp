@@ -14,7 +14,7 @@ namespace {
 [[noreturn]] void
 becomeServer(int number_to, const std::string& screen)
 {
-  // a test that crashes must not leave a server behind, which would hold ctest's pipe open
+  // a crashing test must not leave a server behind, which would keep ctest's pipe open
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
@@ -34,7 +34,7 @@ becomeServer(int number_to, const std::string& screen)
   _exit(127);
 }
 
-/** \brief The line that the server writes when it is ready; empty when it cannot. */
+/** \brief The line that the server writes when it is ready; empty if it fails. */
 std::string
 lineFrom(int descriptor)
 {

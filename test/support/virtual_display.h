@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief An X server for the tests that draw: the one of the environment, else a virtual
- * one that lives as long as the object. Sets DISPLAY. */
+/** \brief An X server for tests that draw: the one of the environment, else a virtual
+ * one with the lifetime of this object. Sets DISPLAY. */
 class VirtualDisplay {
 public:
   VirtualDisplay();
@@ -22,14 +22,14 @@ public:
   VirtualDisplay&
   operator=(const VirtualDisplay&) = delete;
 
-  /** \brief False where no X server could be had, and drawing cannot be tested. */
+  /** \brief Returns false if there is no X server, so that drawing cannot be tested. */
   bool
   exists() const
   {
     return exists_;
   }
 
-  /** \brief Ends the virtual one, whoever is connected to it. */
+  /** \brief Ends the virtual server even if clients are connected. */
   void
   stop();
 

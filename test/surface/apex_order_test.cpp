@@ -11,8 +11,9 @@ using dewall::Apex;
 using dewall::isNearerApex;
 using dewall::makeApex;
 
-/** A side of a lattice and all that may be its apex: many are on one circle, and many more
- * on circles of the same size round the side. Numbers are as scattered as a tree's. */
+/** An edge of a lattice with all its possible apexes: many are on one circle, and many
+ * more on circles of the same size around the edge. Indices are scattered as in a
+ * tree. */
 struct LatticeSide {
   std::int32_t a, b;
   Eigen::Vector3d u;
@@ -52,7 +53,8 @@ latticeSides()
   return sides;
 }
 
-/** What std::sort needs: else it reads and writes beyond what it sorts. */
+/** std::sort requires a strict weak order; otherwise it accesses memory out of
+ * bounds. */
 TEST(ApexOrder, isOneOfAllCandidates)
 {
   for (const LatticeSide& side : latticeSides())
@@ -72,7 +74,7 @@ TEST(ApexOrder, isOneOfAllCandidates)
     }
 }
 
-/** Whichever of its ends the side begins with. */
+/** The order must not depend on the direction of the edge. */
 TEST(ApexOrder, isThatOfTheTurnedSide)
 {
   for (const LatticeSide& side : latticeSides()) {
@@ -87,7 +89,7 @@ TEST(ApexOrder, isThatOfTheTurnedSide)
   }
 }
 
-/** Four points of a circle: the diagonal starts at their lowest number. */
+/** Four points on a circle: the diagonal starts at the lowest index. */
 TEST(ApexOrder, lowestOfACircleIsJoined)
 {
   const Eigen::Vector3d u(3, 0, 0), left(0, 4, 0), right(3, 4, 0);

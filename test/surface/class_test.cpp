@@ -20,7 +20,7 @@ normalOf(const Points& points, const Triangle& t)
   return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
 }
 
-/** Share of faces that look towards a place. */
+/** Fraction of faces whose front is towards a point. */
 double
 shareFacing(const DeWallResult& result, const Eigen::Vector3d& place)
 {

@@ -4,7 +4,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Small clouds of every kind, a few seeds each. */
+/** Small clouds of every kind, with several seeds each. */
 std::vector<DeWallCase>
 makeSmallCases()
 {

@@ -12,22 +12,23 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Legal triangles that fold no sharper than this, radians, must all be there. The
- * kernel grows over a side up to it, and closes sharper folds at its other sides. */
+/** \brief Valid triangles with a fold of at most this angle, radians, must all exist.
+ * The kernel grows over an edge up to this fold, and closes sharper folds from other
+ * edges. */
 inline constexpr double turn_limit = 90.0 / 180.0 * 3.14159265358979323846;
 
-/** \brief A cloud with the size constraint to mesh it under (0: automatic). */
+/** \brief A cloud with the size constraint of its mesh (0: automatic). */
 struct DeWallCase {
   std::string name;
   Cloud cloud;
   double length = 0;
 };
 
-/** \brief Every synthetic cloud, small enough to check each mesh by brute force. */
+/** \brief All synthetic clouds, small enough to check each mesh by brute force. */
 const std::vector<DeWallCase>&
 syntheticCases();
 
-/** \brief How a run is made; what is not set stays at its default. */
+/** \brief Settings of a run. */
 struct DeWallRun {
   DeWallRule rule = DeWallRule::Paper;
   double length = 0;
@@ -44,21 +45,21 @@ struct DeWallResult {
 DeWallResult
 triangulate(const Cloud& cloud, const DeWallRun& run);
 
-/** \brief As above with a leaf size of the kernel's divide step, so that small clouds get
- * walls, too. */
+/** \brief As above with a leaf size of the kernel's divide step, so that small clouds
+ * get walls too. */
 DeWallResult
 triangulateInLeaves(const Cloud& cloud, const DeWallRun& run, std::int32_t leaf_size);
 
-/** \brief Counts the faults against what the rule guarantees. */
+/** \brief Checks the guarantees of the rule; fails with the numbers of faults. */
 testing::AssertionResult
 keepsGuarantees(const DeWallResult& result, const DeWallRun& run);
 
-/** \brief Triangles as sorted sets of corners, sorted: what is left when order and
- * rotation do not matter. */
+/** \brief Triangles as sorted sets of vertices, in sorted order: independent of order
+ * and rotation. */
 Triangles
 asSets(Triangles triangles);
 
-/** \brief As above, after renaming corner i to names[i]. */
+/** \brief As above, after replacing vertex i by names[i]. */
 Triangles
 asSets(const Triangles& triangles, const std::vector<std::int32_t>& names);
 

@@ -35,7 +35,7 @@ TEST_P(DeWallEquivariance, rigidMotionKeepsNumberAndGuarantees)
   }
 }
 
-/** Clouds whose coordinates lose nothing that matters when they are moved or scaled. */
+/** Clouds whose coordinates can be moved or scaled without relevant rounding errors. */
 std::vector<std::size_t>
 movableCases()
 {

@@ -39,7 +39,7 @@ meshOf(const PointCloud<PointT>& cloud, const DeWallRun& run)
   return mesh.triangles;
 }
 
-/** Share of the triangles that show their front to the side of their normals. */
+/** Fraction of the triangles whose front is on the side of their normals. */
 double
 shareAsNormals(const NormalCloud& cloud, const Triangles& mesh)
 {
@@ -58,7 +58,7 @@ shareAsNormals(const NormalCloud& cloud, const Triangles& mesh)
   return static_cast<double>(as_normals) / static_cast<double>(mesh.size());
 }
 
-/** A sheet folded by 60 degrees, its noise a fifth of the spacing. */
+/** A sheet folded by 60 degrees, with noise of a fifth of the spacing. */
 struct FoldedSheet {
   SheetCloud sheet = makeFoldedPlane({50, 50, 0.02, 0.25, 0.2, 7}, M_PI / 3);
   std::vector<Eigen::Vector3d> normals;
@@ -81,7 +81,7 @@ TEST_P(FacingByNormals, orientsAFoldedSheet)
     std::vector<Eigen::Vector3d> normals = folded.normals;
     for (Eigen::Vector3d& normal : normals)
       normal *= side;
-    // the sensor stands on the other side: the normals decide
+    // the sensor is on the opposite side, but the normals take precedence
     folded.sheet.cloud.sensor_origin_ =
         Eigen::Vector4f(0, 0, static_cast<float>(-5 * side), 1);
     const NormalCloud cloud = withNormals(folded.sheet.cloud, normals);
@@ -119,8 +119,8 @@ TEST_P(FacingByNormals, toleratesThatAFewAreMissing)
   EXPECT_GT(shareAsNormals(cloud, meshOf(cloud, run)), 0.99);
 }
 
-/** Two faces, 12 cm apart, with 10 cm between points, and the rims open; each point with
- * the normal of its face. */
+/** Two faces, 12 cm apart, with a spacing of 10 cm and open borders; each point has the
+ * normal of its face. */
 NormalCloud
 makeBoard(double jitter, double noise)
 {
@@ -140,10 +140,10 @@ makeBoard(double jitter, double noise)
   return board;
 }
 
-/** How the triangles of a board lie. */
+/** Classification of the triangles of a board. */
 struct BoardFaces {
-  std::size_t wrong = 0; ///< on one face, but they show their back
-  std::size_t deep = 0;  ///< from face to face, away from the rim
+  std::size_t wrong = 0; ///< on one face, but with the wrong orientation
+  std::size_t deep = 0;  ///< connect both faces, away from the border
 };
 
 BoardFaces
@@ -181,7 +181,7 @@ TEST_P(FacingByNormals, keepsTheFacesOfABoardApart)
       const BoardFaces faces = facesOf(board, mesh);
       EXPECT_EQ(faces.wrong, 0U) << what;
       EXPECT_LE(faces.deep, jitter > 0 ? 12U : 0U) << what;
-      // what closes the rim stands across both normals
+      // triangles that close the border are perpendicular to both normals
       EXPECT_GT(shareAsNormals(board, mesh), jitter > 0 ? 0.975 : 0.9999) << what;
     }
   }

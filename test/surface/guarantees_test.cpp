@@ -3,7 +3,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Every synthetic cloud under both guarded rules. */
+/** All synthetic clouds with both guarded rules. */
 class DeWallGuarantees
 : public testing::TestWithParam<std::tuple<std::size_t, DeWallRule>> {
 protected:

@@ -26,7 +26,7 @@ expectGuarantees(const Cloud& cloud, DeWallRule rule)
       << nameOf(rule);
 }
 
-/** The noise of a raw view is larger than its spacing, and no sensor is told. */
+/** The noise of a raw view exceeds its spacing, and the sensor is unknown. */
 TEST(DeWallOnLargeCloud, rawView)
 {
   const SimulatedObservation seen = observe(standardScene("corridor"), 40, 1);
@@ -38,7 +38,7 @@ TEST(DeWallOnLargeCloud, rawView)
   expectGuarantees(cloud, DeWallRule::Dense);
 }
 
-/** Density falls as one over the square of the distance from the scanner. */
+/** The density decreases with the square of the distance from the scanner. */
 TEST(DeWallOnLargeCloud, roomScan)
 {
   const std::string path = "D_large/grenoble_room_5.2M.ply.xz";

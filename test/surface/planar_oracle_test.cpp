@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** The 2D Delaunay triangulation of points on z = 0 or z = x, as sorted sets. */
+/** The 2D Delaunay triangulation of points on z = 0 or z = x as sorted sets. */
 Triangles
 delaunay(const Points& points, ExactPlane plane)
 {
@@ -55,7 +55,7 @@ difference(const Triangles& a, const Triangles& b)
   return result;
 }
 
-/** Would the triangle give one of its corners a second fan? */
+/** Would the triangle create a second fan at one of its vertices? */
 bool
 addsFan(const Points& points, Triangles mesh, const Triangle& triangle)
 {
@@ -81,8 +81,9 @@ protected:
   const Cloud cloud_ = makeRandomPlane(800, plane_, std::get<1>(GetParam()));
 };
 
-/** With a size constraint the mesh lacks only those Delaunay triangles within it that hang
- * on the rest by a corner: one fan a vertex forbids them. */
+/** With a size constraint, the only missing Delaunay triangles within the limit are
+ * those that touch the rest in a vertex only: they would violate the rule of one fan
+ * per vertex. */
 TEST_P(DeWallOnPlane, equalsDelaunayInsideTheSizeConstraint)
 {
   for (const double length : {0.2, 0.08, 0.05}) {
@@ -116,8 +117,8 @@ INSTANTIATE_TEST_SUITE_P(Random,
                                                           ExactPlane::Inclined),
                                           testing::Values(1U, 2U, 3U)));
 
-/** Where four points lie on one circle either diagonal is Delaunay: area and empty
- * circles are compared instead. */
+/** If four points are cocircular, either diagonal is Delaunay: area and empty circles
+ * are compared instead. */
 TEST(DeWallOnGrid, isADelaunayTriangulation)
 {
   for (const ExactPlane plane : {ExactPlane::Level, ExactPlane::Inclined})
@@ -139,8 +140,8 @@ TEST(DeWallOnGrid, isADelaunayTriangulation)
         }
 }
 
-/** Compares with the oracle where four or more points lie on one circle: any diagonals
- * are right, so number, area and empty circles must agree. */
+/** Compares with the oracle if four or more points are cocircular: any diagonals are
+ * valid, so number, area and empty circles must agree. */
 void
 expectADelaunayTriangulation(const Cloud& cloud, ExactPlane plane)
 {

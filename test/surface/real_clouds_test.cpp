@@ -12,8 +12,8 @@ namespace {
 struct RealCloud {
   std::string name;
   std::string path;
-  double least_used;    ///< share of the valid, distinct points that carry triangles
-  double most_boundary; ///< share of the edges that have one triangle
+  double least_used;    ///< fraction of the valid, distinct points that have triangles
+  double most_boundary; ///< fraction of the edges with one triangle
 };
 
 void

@@ -11,7 +11,7 @@ namespace {
 
 using Distances = std::vector<float>;
 
-/** PCL's tree, but for what it says of the distances. */
+/** PCL's tree with modified distances. */
 class Teller : public search::KdTree<PointXYZ> {
 public:
   explicit Teller(std::function<void(Distances&)> change)
@@ -61,7 +61,8 @@ TEST(DeWallSearchMethod, treeOfPclSaysWhatTheCellsSay)
       doubled(lacedWithNan(makeGradedPlane({40, 60, 0.01, 0.2, 0.05, 3}, 10).cloud, 3));
   const DeWallResult own = triangulateWith({}, cloud);
   const DeWallResult asked = triangulateWith(telling([](Distances&) {}), cloud);
-  // Of 9 points found only half are elsewhere where each place is there two times.
+  // As each position exists twice, only half of the 9 neighbours are at other
+  // positions.
   EXPECT_LT(asked.report.largest_maximum_edge, own.report.largest_maximum_edge);
 
   const auto once = std::make_shared<Indices>();

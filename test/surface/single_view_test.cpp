@@ -6,8 +6,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** The image of two walls that meet in a corner, noise along the rays about as large as
- * the spacing; every tenth pixel saw nothing. */
+/** The image of two walls that meet at a corner, with noise along the rays about as
+ * large as the spacing; every tenth pixel is missing. */
 Cloud
 makeCornerView(std::uint64_t seed)
 {
@@ -36,7 +36,7 @@ isSingleView(const Cloud& cloud, const Eigen::Vector3d& origin)
       PointView(cloud.data(), sizeof(PointXYZ), cloud.size()), cloud.width, origin);
 }
 
-/** Share of the area that looks away from the origin. */
+/** Fraction of the area that faces away from the origin. */
 double
 areaFacingAway(const DeWallResult& result)
 {

@@ -22,7 +22,7 @@ struct Variant {
   const TreeSearch* search;
 };
 
-/** What this processor can run. */
+/** The variants that this processor supports. */
 std::vector<Variant>
 variants()
 {
@@ -44,7 +44,7 @@ treeOf(const Cloud& cloud)
   return std::make_unique<PointTree>(std::move(points));
 }
 
-/** Clouds with and without noise, far away, and with many exact ties. */
+/** Clouds with and without noise, with large coordinates, and with many exact ties. */
 std::vector<Cloud>
 clouds()
 {
@@ -69,7 +69,7 @@ contains(const SearchHits& hits, std::int32_t index)
          hits.index + hits.count;
 }
 
-/** The apex over a side by looking at every point in double. */
+/** The apex of an edge, by checking every point in double precision. */
 std::int32_t
 apexByBruteForce(const PointTree& tree,
                  const SizeConstraint& size,
@@ -178,7 +178,7 @@ TEST(TreeSearch, variantsFindTheSameApexes)
   }
 }
 
-/** As a text, so that a difference shows. */
+/** As text, so that differences are visible. */
 std::string
 told(bool is_occupied, const SearchHits& hits)
 {
@@ -203,7 +203,7 @@ searched(const TreeSearch& search,
 
 TEST(TreeSearch, variantsFindTheSameInCloudsOfAnySizeAndScale)
 {
-  // Leaves that fill no vector; squares that are no normal numbers, or nearly too large.
+  // Leaves that do not fill a vector; squares that are denormal or nearly too large.
   for (const float scale : {1.0F, 1e-22F, 1e-38F, 1e18F, 1e25F})
     for (std::size_t points = 3; points <= 40; ++points) {
       Cloud cloud = makeRandomBox(points, points);

@@ -9,7 +9,7 @@ namespace {
 constexpr DeWallRule all_rules[] = {
     DeWallRule::Paper, DeWallRule::Dense, DeWallRule::Strict};
 
-/** Nothing can be made of the cloud: an empty mesh, and the reason said. */
+/** Expects an empty mesh and a remark that says why. */
 void
 expectEmptyWithReason(const Cloud& cloud)
 {
@@ -63,8 +63,8 @@ TEST(DeWallUgly, allInvalid)
   EXPECT_EQ(triangulate(cloud, {}).report.invalid_points, 1000U);
 }
 
-/** Fewer points than a spacing asks for, and distances beyond the floats: the search for
- * neighbours has no end. */
+/** Fewer points than needed to estimate the spacing, and distances beyond the range of
+ * float: the neighbour search returns infinity. */
 TEST(DeWallUgly, fewPointsHaveNoNeighboursButEachOther)
 {
   for (const float far : {0.0F, 4096.0F}) {
@@ -96,8 +96,8 @@ TEST(DeWallUgly, unitsBeyondAllReasonKeepTheGuarantees)
   }
 }
 
-/** The third corner's distance from the longest side is below what a first subtraction
- * leaves: the triangle must not find it again beyond that side. */
+/** The distance of the third vertex from the longest edge is below the rounding error
+ * of a subtraction: it must not be found again beyond that edge. */
 TEST(DeWallUgly, needlesAreBuiltOnce)
 {
   for (const float far : {1e6F, 1e9F}) {
@@ -119,8 +119,9 @@ TEST(DeWallUgly, spheresMayLeaveTheFloats)
   Cloud cloud;
   cloud.push_back({1.00005996F * near, 1.00007976F * near, 0});
   cloud.push_back({most, 1.00007204F * near, 0});
-  cloud.push_back({0, 1.00007016F * near, 0}); // with the others a radius of 2e43 m
-  cloud.push_back({-most, -most, 0});          // inside, by 3e38 m
+  cloud.push_back({0, 1.00007016F * near, 0}); // its sphere with the two others has a
+                                               // radius of 2e43 m
+  cloud.push_back({-most, -most, 0});          // inside that sphere, by 3e38 m
   const DeWallResult result = triangulate(cloud, {DeWallRule::Paper});
   MeshDemands demands;
   demands.empty_spheres = true;
@@ -156,7 +157,7 @@ TEST(DeWallUgly, outlierDoesNotHarmTheRest)
 
 TEST(DeWallUgly, squaresOfDistancesMayOverflow)
 {
-  // Sizes with which the tree's last group of cells is full, and not.
+  // Sizes for which the tree's last group of cells is full, and others.
   for (const std::size_t size : {20, 90, 120, 300, 900}) {
     const Cloud cloud = withOutlier(makeRandomBox(size, 17), 3e38F);
     for (const double length : {0.0, 0.5})

@@ -32,7 +32,7 @@ protected:
     return std::distance(std::filesystem::directory_iterator(path()), {});
   }
 
-  /** Replaces words in map.json and tells what the reader says. */
+  /** Replaces a text in map.json and returns the reader's message. */
   std::string
   faultAfter(const std::string& words, const std::string& others)
   {
@@ -64,7 +64,7 @@ protected:
       saveCompactMap(folder, map_);
     }
     catch (const OutputFileException& error) {
-      expectSameCharts(map_, before, true); // not even the names
+      expectSameCharts(map_, before, true); // even the names are unchanged
       return error.what();
     }
     return "no fault";
@@ -184,7 +184,7 @@ TEST_F(CompactMapFolder, UnsoundPlanesAreNamed)
 {
   const auto expectRefused = [&](const std::string& word, const auto& spoil) {
     CompactMap map = makeTexturedMap();
-    spoil(map.planes[2]); // it has no chart
+    spoil(map.planes[2]); // a plane without a chart
     try {
       saveCompactMap(path(), map);
       ADD_FAILURE() << word;

@@ -33,7 +33,7 @@ vectorOf(const aiVector3D& v)
   return {v.x, v.y, v.z};
 }
 
-/** From the frame of OBJ and glTF, y up, into the map's, y down. */
+/** From the frame of OBJ and glTF (y up) to that of the map (y down). */
 Eigen::Vector3d
 turnedBack(const Eigen::Vector3d& v)
 {
@@ -48,14 +48,14 @@ protected:
     names_ = saveCompactMap(path(), map_, outputs);
   }
 
-  /** With a space, as folders of users have. */
+  /** The folder name contains a space, as users' folders do. */
   std::string
   path(const std::string& name = "") const
   {
     return folder_.path("my map" + (name.empty() ? "" : "/" + name));
   }
 
-  /** The image of a mesh's material, as assimp finds it; empty without one. */
+  /** The image of a mesh's material according to assimp; empty if there is none. */
   RgbImage
   imageOf(const aiScene& scene, const aiMesh& mesh) const
   {
@@ -72,7 +72,8 @@ protected:
     return loadRgbImage(folder_.write("inside", bytes));
   }
 
-  /** The chart whose colours those of an image are, but for so much on average. */
+  /** The chart whose colours equal those of an image, with a tolerance of the mean
+   * difference. */
   std::size_t
   chartOf(const RgbImage& image, double tolerance) const
   {
@@ -90,7 +91,7 @@ protected:
     return no_chart;
   }
 
-  /** Back in the map's frame. */
+  /** Triangles in the frame of the map. */
   std::vector<ReadTriangle>
   readByAssimp(const std::string& name, double tolerance) const
   {
@@ -110,7 +111,7 @@ protected:
         for (int corner = 0; corner < 3; ++corner) {
           const unsigned vertex = mesh.mFaces[i].mIndices[corner];
           triangle.corners[corner] = turnedBack(vectorOf(mesh.mVertices[vertex]));
-          if (mesh.HasTextureCoords(0)) // assimp's begin bottom left
+          if (mesh.HasTextureCoords(0)) // assimp's origin is bottom left
             triangle.places[corner] = {mesh.mTextureCoords[0][vertex].x,
                                        1 - mesh.mTextureCoords[0][vertex].y};
         }
@@ -172,14 +173,14 @@ TEST_F(MapFormats, ObjSharesCorners)
       ++found;
     return found;
   };
-  EXPECT_LE(count("\nv "), 8u + 6 + 9 + 3); // tiles cut three edges at most
+  EXPECT_LE(count("\nv "), 8u + 6 + 9 + 3); // tiles add at most three vertices
   EXPECT_EQ(count("\nv "), count("\nvt "));
   EXPECT_EQ(count("usemtl untextured"), 1u);
   EXPECT_EQ(text.find(folder_.path("")), std::string::npos);
   EXPECT_THAT(contentOf(path("map.mtl")), HasSubstr("map_Kd texture_0001.png\n"));
 }
 
-/** Programs add ambient and diffuse light: what faces it must not be too bright. */
+/** Viewers add ambient and diffuse light: frontal surfaces must not be too bright. */
 TEST_F(MapFormats, MaterialsOfObjAddUpToTheColours)
 {
   save();
@@ -192,7 +193,7 @@ TEST_F(MapFormats, MaterialsOfObjAddUpToTheColours)
     if (word != "Kd")
       continue;
     lines >> diffuse;
-    const bool is_grey = ++materials == 4; // after the three charts
+    const bool is_grey = ++materials == 4; // follows the three charts
     EXPECT_NEAR(ambient + diffuse, is_grey ? 0.5 : 1, 1e-9);
     EXPECT_GT(diffuse, 0.3);
   }
@@ -232,8 +233,8 @@ TEST_F(MapFormats, GlbIsReadByTinygltf)
   }
 }
 
-/** Colours are as they were seen under even light, and there without any. VTK 9.1 shows
- * textures of materials white that are KHR_materials_unlit. */
+/** Uniform light shows the observed colours, and they are visible without light. VTK
+ * 9.1 shows the textures of KHR_materials_unlit white. */
 TEST_F(MapFormats, GlbShowsItsTexturesWithoutExtensions)
 {
   save();
@@ -254,7 +255,7 @@ TEST_F(MapFormats, GlbShowsItsTexturesWithoutExtensions)
       EXPECT_GE(surface.baseColorFactor[i], has_texture ? 0.25 : 0.05);
       EXPECT_GE(material.emissiveFactor[i], has_texture ? 0.5 : 0.1);
       EXPECT_NEAR(surface.baseColorFactor[i] + material.emissiveFactor[i],
-                  has_texture ? 1 : 0.2159, // of 128 in sRGB
+                  has_texture ? 1 : 0.2159, // linear value of 128 in sRGB
                   1e-9);
     }
   }
@@ -263,8 +264,8 @@ TEST_F(MapFormats, GlbShowsItsTexturesWithoutExtensions)
 
 TEST_F(MapFormats, UpIsUpInObjAndGlb)
 {
-  // a room of a scanner, z up: its floor is larger than its walls are
-  const Eigen::Quaterniond turn = // from the camera's frame
+  // a scanned room with z up: its floor is larger than its walls
+  const Eigen::Quaterniond turn = // from the frame of the camera
       Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(),
                                          Eigen::Vector3d::UnitZ());
   const double areas[] = {5.5, 6, 6};
@@ -341,7 +342,7 @@ TEST_F(MapFormats, PlyHasAVertexForEachKnownTexel)
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3f turn = (corner(b) - corner(a)).cross(corner(c) - corner(a));
     area += 0.5 * turn.norm();
-    // Towards the room: the wall's to -z, the floor's to -y.
+    // Towards the room: -z for the wall, -y for the floor.
     EXPECT_LT(turn.y() + turn.z(), 0);
   }
   EXPECT_GT(area, 0.8 * (areas[0] + areas[1] + areas[2]));

@@ -8,7 +8,7 @@ namespace pcl::acmap::test {
 
 using Texturing = PlaneTexturing<PointXYZRGB>;
 
-/** \brief A texturing with planes and views, to be set and run. */
+/** \brief A PlaneTexturing with planes and views. */
 Texturing
 texturingOf(const std::vector<PlanePatch>& planes, const std::vector<View>& views);
 
@@ -24,7 +24,7 @@ kindOf(const TextureChart& chart, int column, int row);
 std::size_t
 countOf(const CompactMap& map, TexelKind kind);
 
-/** \brief Calls with each texel of a kind and its place. */
+/** \brief Calls a function with each texel of a kind and its position. */
 void
 forTexels(const CompactMap& map,
           TexelKind kind,
@@ -32,12 +32,12 @@ forTexels(const CompactMap& map,
                                    const std::uint8_t* color,
                                    const Eigen::Vector3d& place)>& call);
 
-/** \brief Expects the squares' colours on wall (plane 0) and floor (1) where a texel is 3 cm
- * inside of its square. \return how many were compared */
+/** \brief Checks the colours of the squares on wall (plane 0) and floor (1) for texels
+ * that are at least 3 cm inside their square. \return number of compared texels */
 std::size_t
 expectSquares(const CompactMap& map, double most_off);
 
-/** \brief Expects the same bytes of both. */
+/** \brief Expects both maps to be byte-identical. */
 void
 expectSame(const CompactMap& a, const CompactMap& b);
 

@@ -16,7 +16,7 @@ isEven(double a, double b)
   return std::fmod(std::floor(a / square) + std::floor(b / square) + 1000, 2) == 0;
 }
 
-/** Rays' parameter at a screen. */
+/** Intersection of a ray with a screen, as a multiple of its direction. */
 std::optional<double>
 meet(const Screen& screen, const Eigen::Vector3d& eye, const Eigen::Vector3d& ray)
 {

@@ -14,13 +14,13 @@ namespace pcl::acmap::test {
 
 using Rgb = std::array<double, 3>;
 
-/** \brief A coloured parallelogram that cameras see. */
+/** \brief A coloured parallelogram. */
 struct Screen {
   Eigen::Vector3d corner, u, v;
   std::function<Rgb(const Eigen::Vector3d&)> color;
 };
 
-/** \brief Edge of the squares of the wall and of the floor, metres. */
+/** \brief Edge length of the squares on wall and floor, metres. */
 constexpr double square = 0.1;
 
 Rgb
@@ -29,8 +29,9 @@ wallColor(const Eigen::Vector3d& place);
 Rgb
 floorColor(const Eigen::Vector3d& place);
 
-/** \brief z = 3, 3 m wide and 2.4 m high, seen from the origin; the floor before it, 1.2 m
- * below and 2 m deep; all else is far away and magenta, a colour of neither. y is down. */
+/** \brief The wall z = 3, 3 m wide and 2.4 m high, seen from the origin; the floor in
+ * front of it, 1.2 m below and 2 m deep; the background is far away and magenta, a
+ * colour that neither has. y is down. */
 std::vector<Screen>
 wallAndFloor();
 
@@ -42,26 +43,26 @@ planesOfWallAndFloor();
 PlanePatch
 makePlane(const Eigen::Vector3d& normal, const std::vector<Eigen::Vector3f>& corners);
 
-/** \brief What a camera saw. */
+/** \brief View of a simulated camera. */
 struct View {
   PointCloud<PointXYZRGB>::Ptr cloud; ///< 240 x 180, camera frame
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
 };
 
-/** \brief A camera's place and where it looks. */
+/** \brief Pose and exposure of a camera. */
 struct Shot {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
   double yaw = 0;        ///< radians, to the right
   double pitch = 0;      ///< radians, up
-  double brightness = 1; ///< factor of all colours
+  double brightness = 1; ///< factor for all colours
 };
 
-/** \brief Exact depths and colours of the nearest screens at each pixel; NaN and black where
- * there is none. */
+/** \brief Exact depths and colours of the nearest screen at each pixel; NaN and black
+ * if there is none. */
 View
 lookAt(const std::vector<Screen>& screens, const Shot& shot = {});
 
-/** \brief The points of a view in the map's frame, without their order. */
+/** \brief The points of a view in the frame of the map, as an unorganized cloud. */
 View
 scattered(const View& view);
 

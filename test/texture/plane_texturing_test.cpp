@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Three views of the wall, one of them down to the floor too. */
+/** Three views of the wall; one of them also looks down at the floor. */
 std::vector<View>
 views()
 {
@@ -75,7 +75,7 @@ TEST(PlaneTexturing, WhoSawWhichPlaneIsTold)
   const CompactMap map = painted(texturingOf(planes, views()));
   ASSERT_EQ(map.observations.size(), 3u);
   EXPECT_EQ(map.observations[0], (std::vector<std::int32_t>{0, 1, 2}));
-  // the others are too close to the wall to see the floor
+  // the other views are too close to the wall to see the floor
   EXPECT_EQ(map.observations[1], (std::vector<std::int32_t>{2}));
   EXPECT_TRUE(map.observations[2].empty());
   for (const TexelKind kind : map.charts[2].kinds)
@@ -84,7 +84,7 @@ TEST(PlaneTexturing, WhoSawWhichPlaneIsTold)
   EXPECT_TRUE(map.trajectory.poses[1].isApprox(views()[1].T_map_camera, 1e-12));
 }
 
-/** The wall behind a magenta screen that stands 1 m before it. */
+/** The wall behind a magenta screen that is 1 m in front of it. */
 std::vector<Screen>
 screensWithBox()
 {
@@ -113,7 +113,7 @@ TEST(PlaneTexturing, WhatStandsBeforeAWallIsNotPaintedOnIt)
   EXPECT_GT(hidden, 1800u);
 }
 
-/** A piece of the wall about its middle. */
+/** A part of the wall around its centre. */
 PlanePatch
 middleOfWall()
 {
@@ -142,10 +142,11 @@ TEST(PlaneTexturing, AnotherViewSeesBehind)
 
 TEST(PlaneTexturing, CoarseTexelsTakeNothingFromBeyondDepthEdges)
 {
-  for (const double aside : {0.0, 0.02, 0.04, 0.06}) { // edges wander over the texels
+  for (const double aside : {0.0, 0.02, 0.04, 0.06}) { // different positions of the
+                                                       // edges relative to the texels
     Texturing texturing = texturingOf({planesOfWallAndFloor()[0]},
                                       {lookAt(screensWithBox(), {{aside, 0, 1.2}})});
-    texturing.setTexelSize(0.1); // some 12 pixels
+    texturing.setTexelSize(0.1); // about 12 pixels
     const CompactMap map = painted(texturing);
     EXPECT_GT(countOf(map, TexelKind::Seen), 100u);
     forTexels(map, TexelKind::Seen, [](const auto&, const auto* color, const auto& at) {
@@ -169,7 +170,7 @@ meanRed(const CompactMap& map, double from, double to)
   return sum / count;
 }
 
-/** A plain wall in two views that overlap in the middle, the right one darker. */
+/** A plain wall in two views that overlap in the middle; the right one is darker. */
 Texturing
 twoExposures()
 {
@@ -218,13 +219,13 @@ TEST(PlaneTexturing, HolesAreFilledSoFarAndNoFurther)
     CompactMap map;
     texturing.texture(map);
     const TexturingReport& report = texturing.getReport();
-    EXPECT_GE(countOf(map, TexelKind::Filled), report.filled); // rims of polygons too
+    EXPECT_GE(countOf(map, TexelKind::Filled), report.filled); // and rims
     return std::pair(report.filled, report.texels - report.seen - report.filled);
   };
   const auto none = count(0), two = count(2), five = count(5), all = count(1000);
   EXPECT_EQ(none.first, 0u);
   EXPECT_GT(two.first, 0u);
-  // three rings of a hole with sides of some 44 texels
+  // three rings of a hole with sides of about 44 texels
   EXPECT_NEAR(static_cast<double>(five.first - two.first), 3 * 4 * 44, 80);
   EXPECT_EQ(none.second, two.first + two.second);
   EXPECT_EQ(none.second, five.first + five.second);

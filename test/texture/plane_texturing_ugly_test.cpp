@@ -15,7 +15,7 @@ using testing::HasSubstr;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** The report of a run, its map let go. */
+/** The report of a run; discards the map. */
 TexturingReport
 reportOf(Texturing texturing)
 {
@@ -147,7 +147,7 @@ TEST(PlaneTexturingUgly, TheAxesAndTheMiddleOfAPlaneNeedNotBeSet)
 {
   auto planes = planesOfWallAndFloor();
   for (PlanePatch& plane : planes) {
-    plane.axis_u = plane.coefficients.head<3>(); // no axis in the plane
+    plane.axis_u = plane.coefficients.head<3>(); // not an axis in the plane
     plane.axis_v.setZero();
     plane.center.setZero();
   }

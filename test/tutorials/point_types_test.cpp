@@ -7,8 +7,8 @@
 #include <regex>
 #include <set>
 
-// The tutorial lists the point types that each class is compiled for; this compares the
-// list with the instantiations in the modules.
+// The tutorial lists the point types for which each class is instantiated; this test
+// compares the list with the instantiations in the modules.
 
 namespace pcl::acmap::test {
 namespace {
@@ -40,8 +40,8 @@ listedTypes()
   return types;
 }
 
-/** Replaces the names of lists of types by the lists. Where a list has two definitions, the
- * second one belongs to builds without sanitizers. */
+/** Replaces the names of type lists by the lists. If a list has two definitions, the
+ * second one is for builds without sanitizers. */
 std::string
 withLists(std::string text)
 {

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <iostream>
 
-// Follows a tutorial as its reader would, in a new folder, and compares its pictures with
-// those that were committed.
+// Executes a tutorial like a reader, in a new folder, and compares its pictures with
+// the committed ones.
 
 namespace {
 
 using namespace pcl::acmap::test;
 
-/** \brief What the reader has before the first line: made by a script of the test. */
+/** \brief Creates the inputs of the reader with a script of the test. */
 TutorialStep
 preparation(const std::string& script)
 {

@@ -91,7 +91,7 @@ private:
 
   std::istringstream text_;
   int number_ = 0;
-  std::string file_; // that the line before the block names
+  std::string file_; // named in the line before the block
   TutorialPage page_;
 };
 

@@ -5,33 +5,33 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What a reader of a tutorial does or sees next. */
+/** \brief A step of a tutorial. */
 struct TutorialStep {
   enum class Kind {
-    Script, ///< a block `sh`, to be run
-    File,   ///< a block under a line like "`name.cpp`:", to be written
-    Output  ///< a block `text`, lines that the script before tells
+    Script, ///< a block `sh` to execute
+    File,   ///< a block after a line such as "`name.cpp`:", to be written to this file
+    Output  ///< a block `text` with expected output of the previous script
   };
 
   Kind kind = Kind::Script;
   std::string name; ///< of the file
   std::string text;
-  int line = 0; ///< of the page, where the block begins
+  int line = 0; ///< of the page, at the start of the block
 };
 
-/** \brief A tutorial as its reader follows it. */
+/** \brief The steps and pictures of a tutorial. */
 struct TutorialPage {
   std::vector<TutorialStep> steps;
 
-  /** \brief Names of the pictures of the folder pictures/tutorials that it shows: what
-   * its steps must have made under these names. */
+  /** \brief Names of the pictures that it shows from pictures/tutorials: its steps must
+   * create files with these names. */
   std::vector<std::string> pictures;
 };
 
-/** \brief Reads a page. Blocks `console` are for the reader alone; those of a list item
- * may be indented.
- * \throws std::runtime_error for a block of which it is not clear what to do with it, and
- * for a page without a script or a picture */
+/** \brief Reads a page. Blocks `console` are not executed; blocks in list items may be
+ * indented.
+ * \throws std::runtime_error for a block of unknown purpose, and for a page without a
+ * script or a picture */
 TutorialPage
 parseTutorial(const std::string& markdown);
 

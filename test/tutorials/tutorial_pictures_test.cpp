@@ -24,7 +24,7 @@ committedPictures()
   return pictures;
 }
 
-/** \brief What is left where nothing was drawn: the most frequent colour alone. */
+/** \brief The picture as if nothing had been drawn: its most frequent colour. */
 RgbImage
 emptied(RgbImage picture)
 {
@@ -52,7 +52,7 @@ mirrored(const RgbImage& picture)
   return result;
 }
 
-/** A wrong picture must not pass for any of those that tutorials show. */
+/** A wrong picture must not be accepted in place of one that tutorials show. */
 TEST(TutorialPictures, NoneIsLikeAnEmptyOrAnotherOne)
 {
   const auto pictures = committedPictures();

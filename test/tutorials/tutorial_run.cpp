@@ -15,7 +15,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief What a script tells in the folder, on both of its streams. */
+/** \brief Runs a script in the folder; returns its standard and error output. */
 std::string
 runScript(const TutorialStep& step, const std::string& folder)
 {
@@ -36,7 +36,7 @@ writeFile(const TutorialStep& step, const std::string& folder)
     throw std::runtime_error("cannot write " + step.name);
 }
 
-/** \brief A line's words, and its numbers apart from them. */
+/** \brief Splits a line into words and numbers. */
 std::vector<std::string>
 partsOf(const std::string& line)
 {

@@ -8,35 +8,34 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Follows a tutorial in a folder: writes its files, runs its scripts by `sh -eu`
- * one after another, and looks at what they tell.
- * \throws std::runtime_error naming the first script that fails, with what it told, or
- * the first line of output that does not come */
+/** \brief Executes a tutorial in a folder: writes its files, runs its scripts with `sh
+ * -eu` one after another, and checks their output.
+ * \throws std::runtime_error with the first script that fails and its output, or the
+ * first missing line of output */
 void
 followTutorial(const TutorialPage& page, const std::string& folder);
 
-/** \brief Looks whether each picture of the page was made in the folder as the committed
- * one is.
- * \throws std::runtime_error naming the first that was not
- * \throws InputFileException where one of the two is missing or damaged */
+/** \brief Compares the pictures created in the folder with the committed ones.
+ * \throws std::runtime_error with the first picture that differs
+ * \throws InputFileException when one of the two is missing or damaged */
 void
 comparePictures(const TutorialPage& page,
                 const std::string& folder,
                 const std::string& committed);
 
-/** \brief Whether a text has all of these lines in this order, with others between. Space
- * counts once, and numbers may differ by a tenth.
- * \return the first line that it has not, empty when it has them all */
+/** \brief Checks that a text contains these lines in this order, possibly with other
+ * lines in between. White space is collapsed, and numbers may differ by 10 %.
+ * \return the first missing line, empty if there is none */
 std::string
 missingLine(const std::string& text, const std::string& wanted);
 
-/** \brief Mean absolute difference of two pictures, grey levels of 0 to 255; another
- * machine's renderer makes a few tenths.
- * \throws std::runtime_error for another size */
+/** \brief Mean absolute difference of two pictures in grey levels of 0 to 255.
+ * Renderers of different machines differ by a few tenths.
+ * \throws std::runtime_error when their sizes differ */
 double
 pictureDifference(const RgbImage& a, const RgbImage& b);
 
-/** \brief The same picture differs by less. */
+/** \brief Maximum difference of equal pictures. */
 constexpr double picture_tolerance = 1.5;
 
 } // namespace pcl::acmap::test

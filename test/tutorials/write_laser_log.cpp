@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-// Writes the laser log of the tutorial, share/logs/corridor_loop.log: a robot goes once
-// round a block of rooms, and its odometry drifts.
+// Writes the laser log of the tutorial, share/logs/corridor_loop.log: a robot drives
+// once around a block of rooms, with odometry drift.
 
 namespace {
 
@@ -19,11 +19,11 @@ using Eigen::Vector2d;
 constexpr double pi = 3.14159265358979323846;
 constexpr double length = 24, depth = 14, corridor = 2; // metres
 constexpr double range_noise = 0.01;                    // metres
-constexpr double turn_drift = 0.005, way_drift = 1.02;  // radians a step; factor
+constexpr double turn_drift = 0.005, way_drift = 1.02;  // radians per step; factor
 constexpr int beams = 181;
 constexpr double step = 0.5; // metres between two scans
 
-/** \brief In the frame of the log: x ahead, y to the left. */
+/** \brief In the frame of the log: x forward, y to the left. */
 struct Pose {
   Vector2d at;
   double theta = 0;
@@ -38,8 +38,8 @@ addPolygon(const std::vector<Vector2d>& corners, std::vector<Wall>& walls)
     walls.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
 }
 
-/** \brief The corridor round the block; its outer walls have doors 25 cm behind them, each
- * wall at places of its own. */
+/** \brief The corridor around the block; its outer walls have doors that are recessed
+ * by 25 cm, at different positions in each wall. */
 std::vector<Wall>
 makeBuilding()
 {
@@ -86,7 +86,7 @@ rangeTo(const std::vector<Wall>& walls, const Vector2d& from, double angle)
   return nearest;
 }
 
-/** \brief Once round, along the middle of the corridor, with turns at its corners. */
+/** \brief One round along the centre of the corridor, with turns at its corners. */
 std::vector<Pose>
 makeWay()
 {
@@ -104,13 +104,13 @@ makeWay()
     for (int i = 0; i < steps; ++i)
       way.push_back({turns[side] + leg * i / steps, theta});
     for (int i = 0; i < 4;
-         ++i) // of five parts of the turn: the last one goes straight on
+         ++i) // four of the five parts of the turn; the next leg does the last one
       way.push_back({turns[side + 1], theta + (i + 1) * pi / 10});
   }
   return way;
 }
 
-/** \brief What the wheels tell of it. */
+/** \brief The poses according to the wheels. */
 std::vector<Pose>
 withDrift(const std::vector<Pose>& way)
 {

@@ -12,15 +12,15 @@
 #include <fstream>
 #include <iostream>
 
-// Writes observation PCDs as a camera would have recorded them: a folder of colour and
-// depth images in TUM's layout, with the rig.yaml of the observations.
+// Converts observation PCDs to a camera recording: a folder of colour and depth images
+// in TUM's layout, with the rig.yaml of the observations.
 
 namespace {
 
 namespace fs = std::filesystem;
 using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
-constexpr double depth_scale = 5000; // numbers in a metre, as TUM's
+constexpr double depth_scale = 5000; // units per metre, as for TUM
 
 void
 writeColors(const std::string& path, const Cloud& cloud)

@@ -46,7 +46,7 @@ protected:
     EXPECT_EQ(folder_.count(), 0);
   }
 
-  /** \brief A window nobody sees. */
+  /** \brief Opens an off-screen window. */
   void
   open()
   {
@@ -306,7 +306,7 @@ TEST_F(Acts, APlanNeedsNoPlanesButAWay)
   EXPECT_GT(shoot().covered(), 0.0005);
   auto points = typed(scene_.points);
   for (ViewedPoint& point : points)
-    point.y -= 2; // y is down: now they are a ceiling
+    point.y -= 2; // y is down, so that they now look like a ceiling
   points.front().y += 2;
   const auto count_of = [&] {
     toPCLPointCloud2(points, scene_.points);

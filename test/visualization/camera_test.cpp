@@ -23,7 +23,8 @@ pointsOf(const test::Cloud& cloud)
   return points;
 }
 
-/** \brief A box of points that does not hold the origin, in front of a camera there. */
+/** \brief A box of points in front of a camera at the origin, which is outside the
+ * box. */
 Points
 makeBox(const Eigen::Vector3f& middle, const Eigen::Vector3f& size)
 {
@@ -33,7 +34,7 @@ makeBox(const Eigen::Vector3f& middle, const Eigen::Vector3f& size)
   return points;
 }
 
-/** \brief Largest share of the half picture that the points take, 1 at the border. */
+/** \brief Maximum extent of the projected points, 1 at the border of the picture. */
 double
 filled(const Camera& camera, const Points& points, double aspect)
 {

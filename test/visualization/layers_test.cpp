@@ -21,7 +21,7 @@ namespace {
 
 using Layers = std::set<SceneLayer>;
 
-/** \brief A wavy mesh that stands in the room, its points as a cloud, and the room. */
+/** \brief The room, with a wavy mesh in it and its vertices as a cloud. */
 LayeredScene
 makeScene()
 {
@@ -152,7 +152,7 @@ TEST_F(LayersOfScene, OfWhichThereIsNothingAreRefused)
   EXPECT_EQ(folder_.count(), 0);
 }
 
-/** \brief A window nobody sees. */
+/** \brief Layers in an off-screen window. */
 class LayersInAWindow : public LayersOfScene {
 protected:
   void

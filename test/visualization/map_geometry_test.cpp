@@ -33,7 +33,7 @@ frameOfMap(const CompactMap& map)
   return frameOf(map, samplesOf(facesOf(map)), {});
 }
 
-/** \brief The room turned, without charts. */
+/** \brief The rotated room without charts. */
 CompactMap
 turnedRoom(const Eigen::AngleAxisd& turn)
 {

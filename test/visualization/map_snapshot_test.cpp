@@ -92,7 +92,7 @@ TEST_F(MapSnapshot, OutsideOneSeesIntoTheRoomThroughItsWallsAndCeiling)
   EXPECT_GT(picture.covered(), 0.25);
 }
 
-/** \brief Of the wall at +z, looked at from the middle, what lies where. */
+/** \brief Checks positions in a picture of the wall at +z, seen from the centre. */
 TEST_F(MapSnapshot, TexturesStandUprightAndAreNotMirrored)
 {
   view_.place = Place::Inside;
@@ -102,7 +102,7 @@ TEST_F(MapSnapshot, TexturesStandUprightAndAreNotMirrored)
   const auto [x, y] = picture.middle(isWhite);
   EXPECT_LT(x, 0.5);
   EXPECT_LT(y, 0.5);
-  // full and shaded red as they are in the chart: no light changes colours
+  // the same red as in the chart: no lighting changes colours
   const auto is_exact = [](const Pixel& p) {
     return std::abs(p[0] - 230) < 2 && std::abs(p[1] - 40) < 2 && p[2] == p[1];
   };
@@ -177,7 +177,7 @@ TEST_F(MapSnapshot, PlanShowsFloorWallsWayAndScale)
   EXPECT_LT(picture.middle(is_light)[0], picture.middle(is_dark)[0])
       << "x to the right";
   EXPECT_EQ(picture.share(isRed), 0);
-  // 6 x 4 m in 4.6 m of height at 300 pixels
+  // 6 x 4 m in a picture of 4.6 m height and 300 pixels
   const auto is_floor = [](const Pixel& p) {
     return p[0] == p[1] && p[1] == p[2] && p[0] < 225 && p[0] > 60;
   };
@@ -275,8 +275,8 @@ TEST_F(MapSnapshot, TwoPicturesAreEqual)
   EXPECT_EQ(contentOf(path_), first);
 }
 
-/** As seen along the floor, walls are lines: a plan of a map whose first camera was tilted
- * shows none of their faces. */
+/** In a plan, walls are lines: even if the first camera of a map was tilted, the plan
+ * must not show their faces. */
 TEST_F(MapSnapshot, ThePlanOfATiltedMapIsThatOfALevelOne)
 {
   view_.place = Place::Plan;

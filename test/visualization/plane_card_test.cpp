@@ -35,7 +35,7 @@ TEST(PlaneCard, SaysWhatIsNotKnown)
 {
   PlanePatch plane;
   plane.covariance.setConstant(NAN);
-  plane.covariance(1, 1) = -1; // no variance
+  plane.covariance(1, 1) = -1; // not a valid variance
   plane.area = NAN;
   plane.rms = INFINITY;
   const std::string card = planeCard(plane, 0);

@@ -10,7 +10,7 @@ using Color = std::array<int, 3>;
 
 constexpr double texel = 0.05; // metres
 
-/** \brief A rectangle as one sees it from its front: corner at the upper left, width to the
+/** \brief A rectangle seen from its front: corner at the upper left, width to the
  * right, height down. */
 struct Sheet {
   Vector3d corner, right, down;

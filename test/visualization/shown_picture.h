@@ -7,25 +7,26 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A picture, read back; rows from the bottom. */
+/** \brief A rendered picture; rows from the bottom. */
 struct ShownPicture {
   using Pixel = std::array<int, 3>;
 
   explicit ShownPicture(const std::string& path);
 
-  /** \brief Share of the pixels that differ from the background at the left border. */
+  /** \brief Fraction of the pixels that differ from the background at the left
+   * border. */
   double
   covered() const;
 
   std::size_t
   differentColors() const;
 
-  /** \brief Share of the pixels for which a question is answered with yes. */
+  /** \brief Fraction of the pixels for which a predicate is true. */
   double
   share(const std::function<bool(const Pixel&)>& is_meant) const;
 
-  /** \brief Middle of such pixels, 0 to 1 from the left and from the top.
-   * \return nothing sensible where there is none */
+  /** \brief Centroid of such pixels, 0 to 1 from the left and from the top.
+   * \return meaningless if there are none */
   std::array<double, 2>
   middle(const std::function<bool(const Pixel&)>& is_meant) const;
 

@@ -92,7 +92,7 @@ TEST_F(Snapshot, BackFacesHaveATint)
 
 TEST_F(Snapshot, EdgesAreLinesOnAFlatSurface)
 {
-  mesh_.triangles.resize(2); // few enough to be flat
+  mesh_.triangles.resize(2); // two triangles are coplanar
   SceneView view;
   view.from = Eigen::Vector3f(0, 0, 3.5F);
   saveSnapshot(path_, cloud_, mesh_, view);

@@ -8,8 +8,9 @@ namespace pcl::acmap::test {
 
 using ViewedPoint = PointXYZRGBNormalView;
 
-/** \brief Points at the poses of a room's way, two of each, and poses that were 1 m
- * higher before; a mesh of four triangles: of walls of depth 0 and 1, of depth 2, and of none; the room. */
+/** \brief The room; two points at each pose of a trajectory, whose poses were 1 m
+ * higher before rectification; a mesh of four triangles, of walls of depth 0, 1 and 2
+ * and of no wall. */
 LayeredScene
 makeViewedRoom();
 

@@ -6,10 +6,10 @@
 
 namespace pcl::acmap {
 
-/** How much planes cover what is behind them, where they are one layer of several. */
+/** Opacity of planes that are shown together with other layers. */
 constexpr double layer_opacity = 0.35;
 
-/** \brief Actors as one thing that is turned off and on. */
+/** \brief Combines actors to one prop that is shown and hidden as a whole. */
 vtkSmartPointer<vtkAssembly>
 assemblyOf(const Actors& actors);
 

@@ -17,13 +17,14 @@ using Eigen::Vector3d;
 constexpr double view_angle = 36.0; // degrees
 constexpr int most_pixels = 16384;
 
-/** How far the eye turns away from the sensor's own view, and from a level one. */
+/** Rotation of the view from the direction of the sensor, or from a horizontal
+ * direction. */
 constexpr double sensor_yaw = 18.0 * degree;
 constexpr double sensor_pitch = 10.0 * degree;
 constexpr double object_yaw = 35.0 * degree;
 constexpr double object_pitch = 30.0 * degree;
 
-/** \brief Whether nearly all points lie in the field of view of a camera. */
+/** \brief Are nearly all points in the field of view of a camera? */
 bool
 isSeenFrom(const Eigen::Vector3f& origin,
            const Eigen::Quaternionf& orientation,
@@ -39,11 +40,12 @@ isSeenFrom(const Eigen::Vector3f& origin,
   return static_cast<double>(seen) >= 0.95 * static_cast<double>(points.size());
 }
 
-/** \brief Orientation of the sensor that saw the points, if one did. */
+/** \brief Orientation of the sensor that observed the points, if there is one. */
 std::optional<Eigen::Quaternionf>
 seeingSensor(const SceneView& view, const std::vector<Eigen::Vector3f>& points)
 {
-  // grabbers write points in the camera frame beside an orientation that is none
+  // grabbers may write points in the camera frame together with a meaningless
+  // orientation
   for (const auto& orientation :
        {view.sensor_orientation, Eigen::Quaternionf(Eigen::Quaternionf::Identity())})
     if (isSeenFrom(view.sensor_origin, orientation, points))
@@ -63,7 +65,7 @@ upOf(const SceneView& view,
   return box.half.y() < box.half.z() ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitZ();
 }
 
-/** \brief Direction in which the eye looks when nobody says so. */
+/** \brief Default viewing direction. */
 Vector3d
 obliqueDirection(const SceneView& view,
                  bool seen_by_sensor,
@@ -82,7 +84,7 @@ obliqueDirection(const SceneView& view,
                 object_pitch);
 }
 
-/** \brief An up that is upright to the view. */
+/** \brief Up direction orthogonal to the viewing direction. */
 Vector3d
 uprightUp(const Vector3d& up, const Vector3d& direction)
 {

@@ -11,42 +11,43 @@ namespace pcl::acmap {
 
 constexpr double degree = M_PI / 180; // radians
 
-/** \brief A camera, perspective unless it has a height in metres. */
+/** \brief A camera; orthographic if parallel_height is set, else perspective. */
 struct Camera {
   Eigen::Vector3d position;
   Eigen::Vector3d focus;
   Eigen::Vector3d up;
   double view_angle;          ///< degrees, vertical
-  double near;                ///< metres along the view; what is nearer is not drawn
-  double far;                 ///< metres along the view; what is farther is not drawn
-  double parallel_height = 0; ///< metres of the picture's height without perspective
+  double near;                ///< near clipping distance along the view, metres
+  double far;                 ///< far clipping distance along the view, metres
+  double parallel_height = 0; ///< height of an orthographic picture, metres
 };
 
-/** \brief Where to look at points from.
- * \param[in] points what is to be seen, in metres
- * \param[in] facing where the surface looks to on the whole; zero where it has no side
- * \throws BadArgumentException when the view has a size or a direction that cannot be */
+/** \brief Chooses a camera for points.
+ * \param[in] points to be seen, in metres
+ * \param[in] facing mean normal of the surface; zero if there is none
+ * \throws BadArgumentException when the view has an invalid size or direction */
 Camera
 placeCamera(const std::vector<Eigen::Vector3f>& points,
             const Eigen::Vector3d& facing,
             const SceneView& view);
 
-/** \brief The same where one knows which way is up and whither to look; the eye goes so
- * far back that the points fit, unless the view has a place for it. */
+/** \brief As above for a given viewing direction and up direction; the camera is moved
+ * back until the points fit, unless the view sets its position. */
 Camera
 lookAlong(const std::vector<Eigen::Vector3f>& points,
           const Eigen::Vector3d& direction,
           const Eigen::Vector3d& up,
           const SceneView& view);
 
-/** \brief A direction turned about the vertical and then downwards. Radians. */
+/** \brief Rotates a direction by yaw about the vertical, then downwards by pitch.
+ * Radians. */
 Eigen::Vector3d
 turned(const Eigen::Vector3d& direction,
        const Eigen::Vector3d& up,
        double yaw,
        double pitch);
 
-/** \throws BadArgumentException when the view has a size or a direction that cannot be */
+/** \throws BadArgumentException when the view has an invalid size or direction */
 void
 requireSound(const SceneView& view);
 

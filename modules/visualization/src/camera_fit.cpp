@@ -10,16 +10,17 @@ using Eigen::Vector3d;
 
 constexpr double margin = 1.04;
 
-/** Points beyond this many half boxes are strays that need not be seen. */
+/** Points farther away than this many half box sizes are outliers that need not be
+ * visible. */
 constexpr double stray_factor = 3.0;
 
-/** Of the points that are no strays, so many may be cut off at each border. */
+/** Fraction of the other points that may be cut off at each border. */
 constexpr double cut_share = 0.0025;
 
-/** Rounds of centring and fitting; each changes the perspective a little. */
+/** Iterations of centring and fitting; each changes the perspective a little. */
 constexpr int rounds = 4;
 
-/** \brief The value that a share of the values lies below; reorders them. */
+/** \brief Quantile of values; reorders them. */
 template <typename Number>
 Number
 quantile(std::vector<Number>& values, double share)
@@ -31,7 +32,8 @@ quantile(std::vector<Number>& values, double share)
   return *place;
 }
 
-/** \brief Where points stand as the eye sees them: right, up, and towards the eye. */
+/** \brief Points without outliers in the axes of the camera (right, up, towards the
+ * eye), relative to the focus. */
 std::vector<Vector3d>
 seenPoints(const Camera& camera,
            const Vector3d& direction,
@@ -48,7 +50,7 @@ seenPoints(const Camera& camera,
   return seen;
 }
 
-/** \brief Least distance of the eye from the focus at which the points fit. */
+/** \brief Minimum distance of the eye from the focus at which the points fit. */
 double
 fittingDistance(const std::vector<Vector3d>& seen,
                 const Vector3d& offset,
@@ -62,7 +64,7 @@ fittingDistance(const std::vector<Vector3d>& seen,
   return quantile(distances, 1 - 2 * cut_share) * margin;
 }
 
-/** \brief Middle of the picture of the points, as an offset of the focus. */
+/** \brief Centre of the projected points, as an offset of the focus. */
 double
 middleOffset(const std::vector<Vector3d>& seen,
              int axis,
@@ -100,7 +102,7 @@ RobustBox::RobustBox(const std::vector<Eigen::Vector3f>& points)
 bool
 RobustBox::contains(const Vector3d& point, double factor) const
 {
-  // a flat scene has a box without depth
+  // the box of a flat scene has no depth
   const double slack = 0.1 * half.maxCoeff() + 1e-9;
   return ((point - middle).cwiseAbs().array() <= half.array() * factor + slack).all();
 }

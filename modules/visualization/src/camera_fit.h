@@ -6,11 +6,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Box of the 2 % to 98 % quantiles of points. */
+/** \brief Box of the 2 % to 98 % quantiles of points along each axis. */
 struct RobustBox {
   explicit RobustBox(const std::vector<Eigen::Vector3f>& points);
 
-  /** \brief Whether a point lies in the box blown up by a factor. */
+  /** \brief Is a point inside the box enlarged by a factor? */
   bool
   contains(const Eigen::Vector3d& point, double factor) const;
 
@@ -18,11 +18,11 @@ struct RobustBox {
   Eigen::Vector3d half;
 };
 
-/** \brief Moves a camera along its view until the points fit the picture.
- * \param[in,out] camera focus, up (upright to the view) and view angle are set
+/** \brief Moves a camera along its viewing direction until the points fit the picture.
+ * \param[in,out] camera focus, up (orthogonal to the direction) and view angle are set
  * \param[in] direction of the view
- * \param[in] aspect width of the picture over its height
- * \param[in] center whether the focus may move to the middle of what is seen */
+ * \param[in] aspect width of the picture divided by its height
+ * \param[in] center may the focus be moved to the centre of the visible points? */
 void
 fitCamera(Camera& camera,
           const Eigen::Vector3d& direction,
@@ -31,7 +31,8 @@ fitCamera(Camera& camera,
           double aspect,
           bool center);
 
-/** \brief Sets the range of depths so that it holds the points but no far strays. */
+/** \brief Sets the clipping range so that it contains the points, except far
+ * outliers. */
 void
 setDepths(Camera& camera,
           const std::vector<Eigen::Vector3f>& points,

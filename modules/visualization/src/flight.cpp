@@ -12,12 +12,13 @@ using Eigen::Vector3d;
 
 constexpr double wide_angle = 70;    // degrees, as of a view from inside
 constexpr double speed = 1.5;        // m/s
-constexpr double turn = 45 * degree; // a second
+constexpr double turn = 45 * degree; // per second
 constexpr double behind = 1.2;       // metres
 constexpr double above = 0.4;        // metres
-constexpr double ahead = 2;          // metres; there the eye looks
-constexpr double steady_seconds = 1; // before and after, over which the eye is averaged
-constexpr int steady_samples = 8;    // to each side
+constexpr double ahead = 2;          // distance of the point at which the eye looks,
+                                     // metres
+constexpr double steady_seconds = 1; // half length of the smoothing window
+constexpr int steady_samples = 8;    // on each side
 
 double
 secondsBetween(const Isometry3d& a, const Isometry3d& b)
@@ -86,7 +87,7 @@ Flight::eyeAt(double time) const
     sum += weight;
   }
   place /= sum;
-  // means of directions vanish where the sensor turns over at once
+  // averaged directions can vanish where the sensor rotates abruptly
   const Isometry3d pose = poseAt(time);
   if (forward.norm() < 0.1 * sum || up.norm() < 0.1 * sum ||
       forward.cross(up).norm() < 0.01 * sum * sum) {

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The way along a trajectory, at the speed of who walks and looks about. */
+/** \brief A camera flight along a trajectory, limited in speed and rotation. */
 class Flight {
 public:
   /** \brief Poses that are not finite are left out. */
@@ -20,23 +20,23 @@ public:
     return poses_.empty();
   }
 
-  /** \brief How long the whole way takes. */
+  /** \brief Duration of the flight. */
   double
   seconds() const
   {
     return isEmpty() ? 0 : times_.back();
   }
 
-  /** \brief The row of the trajectory reached last. */
+  /** \brief Index in the trajectory of the last pose that was passed. */
   std::size_t
   rowAt(double time) const;
 
-  /** \brief T_map_camera between the poses. */
+  /** \brief T_map_camera, interpolated between the poses. */
   Eigen::Isometry3d
   poseAt(double time) const;
 
-  /** \brief A steady eye behind and above the pose, which looks where it goes. Its depths
-   * are not set. */
+  /** \brief Smoothed camera behind and above the pose, which looks ahead. Its clipping
+   * range is not set. */
   Camera
   eyeAt(double time) const;
 
@@ -45,11 +45,11 @@ private:
   legAt(double time) const;
 
   std::vector<Eigen::Isometry3d> poses_;
-  std::vector<std::size_t> rows_; ///< of the poses in the trajectory
-  std::vector<double> times_;     ///< at the poses, seconds
+  std::vector<std::size_t> rows_; ///< indices of the poses in the trajectory
+  std::vector<double> times_;     ///< times of the poses, seconds
 };
 
-/** \brief What one sees from a pose, wide; the depths are not set. */
+/** \brief Camera at a pose, with a wide angle; its clipping range is not set. */
 Camera
 cameraAt(const Eigen::Isometry3d& T_map_camera);
 

@@ -20,7 +20,7 @@ sceneOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh, const SceneView& 
   return scene;
 }
 
-/** \brief Of many points some, which tell as well where they lie. */
+/** \brief Subsamples many points; enough to place a camera. */
 std::vector<Eigen::Vector3f>
 someOf(const std::vector<Eigen::Vector3f>& points)
 {
@@ -39,7 +39,7 @@ directionsOf(const LayerMaking& making, const Scene& points)
                         : frameOf(making.scene.map, someOf(points.points), making.view);
 }
 
-/** \brief Leaves out what hides the plan from an eye far above. */
+/** \brief Removes points above the cameras, which would hide the rest of a plan. */
 void
 cutForPlan(const LayerMaking& making, const Trajectory& trajectory, Scene& points)
 {
@@ -78,7 +78,7 @@ pointLayer(const LayerMaking& making,
 Actors
 wayOf(const LayerMaking& making, const Trajectory& trajectory)
 {
-  constexpr double axis_share = 0.03; // of the way to the scene
+  constexpr double axis_share = 0.03; // of the distance to the focus
   constexpr double least_axis = 0.1;  // metres
   const Camera& camera = making.camera;
   return actorsOfTrajectory(

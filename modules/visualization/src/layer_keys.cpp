@@ -107,7 +107,7 @@ LayerKeys::attempt(const std::function<void()>& deed)
   try {
     deed();
   }
-  // an exception must not pass through the window's loop
+  // exceptions must not propagate through the event loop of the window
   catch (const PCLException& e) {
     say(std::string(e.what()) + "\n");
   }
@@ -199,7 +199,7 @@ LayerKeys::showCard()
   const auto plane = stage_->planeAt(place[0], place[1]);
   if (plane) {
     const std::string card = planeCard(scene_->map.planes[*plane], *plane);
-    caption(card.substr(0, card.size() - 1)); // no empty last line
+    caption(card.substr(0, card.size() - 1)); // without the last line break
     say(card);
   }
   else {

@@ -13,11 +13,12 @@
 
 namespace pcl::acmap {
 
-/** \brief What the keys of a window with layers do. */
+/** \brief Help text for the keys of a window with layers. */
 extern const char* const layer_help;
 
-/** \brief Lets keys turn layers off and on, show the card of a plane, what was before
- * rectification, the steps of the walls, and fly along the trajectory. */
+/** \brief Interactor style with keys that toggle layers, show the card of a plane,
+ * the state before rectification and the steps of the walls, and fly along the
+ * trajectory. */
 class LayerKeys : public vtkInteractorStyleTrackballCamera {
 public:
   static LayerKeys*
@@ -25,7 +26,7 @@ public:
 
   vtkTypeMacro(LayerKeys, vtkInteractorStyleTrackballCamera);
 
-  /** \param[in] stage, scene live as long
+  /** \param[in] stage, scene must outlive this object
    * \param[in] tell may be empty */
   void
   attach(LayerStage& stage,
@@ -42,7 +43,7 @@ public:
   OnLeftButtonDown() override;
 
 private:
-  /** \brief Does what may not be possible, and says so where it is not. */
+  /** \brief Calls a function and reports its exception, if any. */
   void
   attempt(const std::function<void()>& deed);
 
@@ -70,7 +71,7 @@ private:
   void
   showCard();
 
-  /** \brief Shows text in the corner; none hides it. */
+  /** \brief Shows text in the corner; an empty text hides it. */
   void
   caption(const std::string& text);
 

@@ -27,8 +27,8 @@ hasColors(const TextureChart& chart)
   return !chart.colors.values.empty();
 }
 
-/** \brief A view whose eye is not that of a pose.
- * \throws BadArgumentException when it has two places for the eye */
+/** \brief Prepares a view with at_pose; other views are unchanged.
+ * \throws BadArgumentException when it sets two camera positions */
 LayeredView
 withoutPose(LayeredView view)
 {
@@ -36,7 +36,7 @@ withoutPose(LayeredView view)
     return view;
   if (view.from || view.look || view.place != MapView::Place::Outside)
     throw BadArgumentException("a view from a pose has no other place of the eye");
-  view.place = MapView::Place::Inside; // backs are seen there
+  view.place = MapView::Place::Inside; // back faces are visible there
   return view;
 }
 
@@ -80,7 +80,7 @@ LayerStage::LayerStage(const LayeredScene& scene, const LayeredView& view)
 , view_(withoutPose(view))
 {
   std::set<SceneLayer> all = layersOf(scene);
-  all.erase(SceneLayer::Trajectory); // by itself it tells nothing of a place
+  all.erase(SceneLayer::Trajectory); // alone it does not show a scene
   if (all.empty())
     throw InitFailedException("nothing to show: the scene has no points and no planes");
   if (view.before && view.wall_step)
@@ -244,7 +244,8 @@ void
 LayerStage::look(const Camera& camera)
 {
   if (view_.place == MapView::Place::Plan) {
-    // what hides a plan from above is missed by who walks through
+    // points that were cut for the plan are needed when the camera moves through the
+    // scene
     view_.place = MapView::Place::Outside;
     for (auto& [place, assembly] : layers_)
       if (place.second == SceneLayer::Points && assembly) {

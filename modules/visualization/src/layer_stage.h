@@ -15,17 +15,18 @@
 
 namespace pcl::acmap {
 
-/** \brief What is on the stage; each act has shown layers of its own. */
+/** \brief The state that is shown; each act has its own set of visible layers. */
 enum class Act {
-  Map,    ///< the scene as it is
-  Before, ///< as it was before rectification
-  Walls   ///< a step of the making of the mesh
+  Map,    ///< the scene after rectification
+  Before, ///< before rectification
+  Walls   ///< a step of the construction of the mesh
 };
 
-/** \brief Layers under lights and before a camera; each is made when it is first shown. */
+/** \brief Layers with lights and a camera; each layer is created when it is first
+ * shown. */
 class LayerStage {
 public:
-  /** \param[in] scene lives as long
+  /** \param[in] scene must outlive this object
    * \throws as \ref saveSnapshot of layers */
   LayerStage(const LayeredScene& scene, const LayeredView& view);
 
@@ -41,11 +42,11 @@ public:
     return act_;
   }
 
-  /** \throws BadArgumentException when the scene has nothing for the act */
+  /** \throws BadArgumentException when the scene has no data for the act */
   void
   play(Act act);
 
-  /** \brief Plays a step of the walls.
+  /** \brief Shows a step of the walls.
    * \throws BadArgumentException when there is no such step */
   void
   playStep(std::size_t step);
@@ -56,27 +57,28 @@ public:
     return step_;
   }
 
-  /** \brief Whether it is shown in the act that is played. */
+  /** \brief Is the layer visible in the current act? */
   bool
   isShown(SceneLayer layer) const;
 
-  /** \throws BadArgumentException when the scene has nothing for the layer in this act */
+  /** \throws BadArgumentException when the scene has no data for the layer in this
+   * act */
   void
   show(SceneLayer layer, bool on);
 
-  /** \brief The poses of the act that is played. */
+  /** \brief The poses of the current act. */
   const Trajectory&
   trajectory() const;
 
-  /** \brief Moves the eye; how far it sees follows from what is shown. */
+  /** \brief Sets the camera; the clipping range is computed from the visible layers. */
   void
   look(const Camera& camera);
 
-  /** \brief The plane seen at a pixel, counted from the lower left. */
+  /** \brief The plane at a pixel; pixels are counted from the lower left. */
   std::optional<std::size_t>
   planeAt(double column, double row) const;
 
-  /** \brief What only pictures have, as their eye does not move. */
+  /** \brief Adds annotations of a plan, which only still pictures have. */
   void
   addPictureMarks();
 
@@ -86,7 +88,8 @@ private:
   std::set<SceneLayer>
   layersOfAct(Act act) const;
 
-  /** \brief Under which act a layer is kept: acts share what looks the same in them. */
+  /** \brief Key under which a layer is cached: acts share layers that look the same in
+   * them. */
   static Place
   placeOf(Act act, SceneLayer layer);
 
@@ -104,7 +107,7 @@ private:
 
   const LayeredScene& scene_;
   LayeredView view_;
-  std::optional<MapDrawing> drawing_; ///< where there are planes
+  std::optional<MapDrawing> drawing_; ///< empty if there are no planes
   Camera camera_;
   vtkSmartPointer<vtkRenderer> renderer_;
   Act act_ = Act::Map;

@@ -66,7 +66,7 @@ actorsOfPlanes(const std::vector<MapFaces>& faces, bool hide_backs, double opaci
     actor->GetProperty()->SetDiffuse(0.75);
     actor->GetProperty()->SetOpacity(opacity);
     actor->GetProperty()->SetBackfaceCulling(hide_backs);
-    // a translucent plane lies upon its picture
+    // a translucent plane coincides with its textured face
     actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
     actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -2);
     actors.push_back(actor);

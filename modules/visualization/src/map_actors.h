@@ -7,12 +7,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Faces with the colours of their charts, without light; the others grey under it.
- */
+/** \brief Faces with the colours of their charts, without lighting; the others are
+ * grey, with lighting. */
 Actors
 actorsOfTextures(const std::vector<MapFaces>& faces, bool hide_backs);
 
-/** \brief Faces in a colour of their plane.
+/** \brief Faces in the colours of their planes.
  * \param[in] opacity 0 to 1 */
 Actors
 actorsOfPlanes(const std::vector<MapFaces>& faces, bool hide_backs, double opacity);
@@ -29,7 +29,7 @@ actorOfLines(const std::vector<MapLine>& lines, const Color& color, double pixel
 MapLine
 lineOf(const Trajectory& trajectory);
 
-/** \brief A line through the poses and, at 50 of them at most, the axes x (red), y (green)
+/** \brief A line through the poses, and at up to 50 of them the axes x (red), y (green)
  * and z (blue) of the camera.
  * \param[in] length of the axes, metres */
 Actors

@@ -18,10 +18,10 @@ constexpr double outside_yaw = 25 * degree;
 constexpr double outside_pitch = 45 * degree;
 constexpr double outside_margin = 0.08;
 constexpr double inside_angle = 70;         // degrees
-constexpr double inside_pitch = 6 * degree; // floors are nearer than ceilings are tall
-constexpr double plan_margin = 1.15;        // the bar of the scale wants its place
+constexpr double inside_pitch = 6 * degree; // slightly downwards
+constexpr double plan_margin = 1.15;        // leaves room for the scale bar
 
-/** \brief Ends of what is not far off, along a direction. */
+/** \brief Extent of the samples along a direction, without outliers. */
 std::pair<double, double>
 endsAlong(const Points& samples, const RobustBox& box, const Vector3d& direction)
 {
@@ -84,7 +84,7 @@ outsideCamera(const Points& samples, const MapFrame& frame, const MapView& view)
   Camera camera = lookAlong(
       samples, turned(across, frame.up, outside_yaw, outside_pitch), frame.up, view);
   if (!view.from) {
-    // what the fit may cut off is noise of points, but here it is corners of rooms
+    // the fit may cut off a few points as noise, but here these are corners of rooms
     camera.position += outside_margin * (camera.position - camera.focus);
     setDepths(camera, samples, RobustBox(samples));
   }

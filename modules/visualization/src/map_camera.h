@@ -7,20 +7,21 @@
 
 namespace pcl::acmap {
 
-/** \brief Directions of a building. */
+/** \brief Main directions of a building. */
 struct MapFrame {
   Eigen::Vector3d up;
-  Eigen::Vector3d along; ///< level, along walls, the way the map is longer
+  Eigen::Vector3d along; ///< horizontal, along the walls, in the direction of the
+                         ///< larger extent
 };
 
-/** \param[in] samples points spread over the faces of the map */
+/** \param[in] samples points distributed over the faces of the map */
 MapFrame
 frameOf(const CompactMap& map,
         const std::vector<Eigen::Vector3f>& samples,
         const SceneView& view);
 
-/** \brief Where to look at a map from.
- * \throws BadArgumentException when the view has a size or a direction that cannot be */
+/** \brief Chooses the camera for a map.
+ * \throws BadArgumentException when the view has an invalid size or direction */
 Camera
 placeMapCamera(const CompactMap& map,
                const std::vector<MapFaces>& faces,

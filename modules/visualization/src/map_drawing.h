@@ -9,11 +9,11 @@
 
 namespace pcl::acmap {
 
-/** \brief A map and how it is looked at; makes what is drawn of it. */
+/** \brief A map and its view; creates the actors. */
 class MapDrawing {
 public:
-  /** \param[in] map lives as long
-   * \throws BadArgumentException for a view that cannot be
+  /** \param[in] map must outlive this object
+   * \throws BadArgumentException for an invalid view
    * \throws InitFailedException when the map has no face */
   MapDrawing(const CompactMap& map, const MapView& view);
 
@@ -29,7 +29,7 @@ public:
     return frame_;
   }
 
-  /** \brief Without pictures, and without what a plan leaves out. */
+  /** \brief The visible faces without charts; a plan leaves some out. */
   std::vector<MapFaces>
   drawnFaces() const;
 
@@ -50,7 +50,8 @@ public:
   Actors
   outlines() const;
 
-  /** \brief What only a plan has: walls, trajectory, scale; nothing elsewhere. */
+  /** \brief Adds walls, trajectory and scale bar to a plan; does nothing for other
+   * views. */
   void
   addPlanTo(vtkRenderer* renderer) const;
 

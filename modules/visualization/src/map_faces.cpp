@@ -15,7 +15,7 @@ namespace pcl::acmap {
 namespace {
 
 using Eigen::Vector3d;
-using Polygon = std::pair<std::size_t, std::size_t>; // of a plane
+using Polygon = std::pair<std::size_t, std::size_t>; // numbers of plane and polygon
 
 void
 requireSound(const CompactMap& map, const TextureChart& chart)
@@ -39,7 +39,7 @@ requireSound(const CompactMap& map, const TextureChart& chart)
     refuse("has not as many colours or kinds as texels");
 }
 
-/** \brief The charts with colours of each polygon. */
+/** \brief The charts of each polygon that have colours. */
 std::map<Polygon, std::vector<const TextureChart*>>
 chartsByPolygon(const CompactMap& map)
 {
@@ -95,7 +95,7 @@ areaOf(const MapFaces& faces)
   return area;
 }
 
-/** \brief A lattice of points inside a triangle. */
+/** \brief Adds a lattice of points inside a triangle. */
 void
 addLattice(const Eigen::Vector3f& a,
            const Eigen::Vector3f& b,

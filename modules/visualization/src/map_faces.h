@@ -9,28 +9,28 @@
 
 namespace pcl::acmap {
 
-/** \brief What is drawn of one plane with one picture: convex faces, counter-clockwise seen
- * from the side that the plane's normal points to. */
+/** \brief The faces of one plane with one chart: convex, counter-clockwise seen from
+ * the side to which the normal of the plane points. */
 struct MapFaces {
   std::size_t plane = 0;
-  std::size_t polygon = 0;             ///< of the plane
-  const TextureChart* chart = nullptr; ///< none: without a picture
+  std::size_t polygon = 0;             ///< number in the plane
+  const TextureChart* chart = nullptr; ///< null: without a texture
   std::vector<Eigen::Vector3f> points; ///< metres
-  std::vector<Eigen::Vector2f> places; ///< of the points on the picture, 0 to 1
+  std::vector<Eigen::Vector2f> places; ///< texture coordinates of the points, 0 to 1
   std::vector<std::vector<std::int32_t>> faces;
 };
 
-/** \brief Faces of all polygons, without pictures. */
+/** \brief Faces of all polygons, without textures. */
 std::vector<MapFaces>
 facesOf(const CompactMap& map);
 
-/** \brief The same, where polygons with charts are cut along the charts' borders; what no
- * chart covers is left out of these.
+/** \brief As above, but polygons with charts are cut along the borders of the charts;
+ * parts of them that no chart covers are left out.
  * \throws BadArgumentException for charts that do not fit the map */
 std::vector<MapFaces>
 cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces);
 
-/** \brief Points spread evenly over faces, and their corners.
+/** \brief Points distributed evenly over the faces, and the corners of the faces.
  * \throws InitFailedException when there is no face */
 std::vector<Eigen::Vector3f>
 samplesOf(const std::vector<MapFaces>& faces);

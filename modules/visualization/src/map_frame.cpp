@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** \brief Direction of the walls, which are square to each other on the whole; any where
- * there are none. */
+/** \brief Dominant horizontal direction of the walls, assuming mostly right angles; an
+ * arbitrary one if there are no walls. */
 Vector3d
 wallDirection(const CompactMap& map, const Vector3d& up)
 {
   const Vector3d e = up.unitOrthogonal(), f = up.cross(e);
-  // four times an angle is the same for directions a quarter turn apart
+  // four times an angle is equal for directions that differ by 90 degrees
   std::complex<double> sum;
   for (const PlanePatch& plane : map.planes) {
     const Vector3d normal = plane.coefficients.head<3>();
@@ -43,7 +43,7 @@ extentAlong(const std::vector<Eigen::Vector3f>& samples, const Vector3d& directi
   return most - least;
 }
 
-/** \brief The one of two opposite directions whose largest number is positive. */
+/** \brief Flips a direction so that its largest component is positive. */
 Vector3d
 forwards(const Vector3d& direction)
 {

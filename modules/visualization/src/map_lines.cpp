@@ -67,7 +67,7 @@ sectionOf(const CompactMap& map, std::size_t plane, const Vector3d& up, double l
         if ((da > 0) != (db > 0))
           crossings.push_back(a + da / (da - db) * (b - a));
       }
-    // a line enters and leaves what its rims enclose in turn
+    // along the line, crossings alternate between entering and leaving the polygons
     std::sort(crossings.begin(), crossings.end(), [&](const auto& a, const auto& b) {
       return a.dot(along) < b.dot(along);
     });

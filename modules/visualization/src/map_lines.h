@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A line through points, metres. */
+/** \brief A polyline, metres. */
 struct MapLine {
   std::size_t plane = 0;
   std::vector<Eigen::Vector3f> points;
@@ -17,14 +17,14 @@ struct MapLine {
 void
 append(std::vector<MapLine>& lines, std::vector<MapLine> more);
 
-/** \brief Rims and holes of a plane's polygons as closed lines, without points that are not
- * finite. */
+/** \brief Outlines and holes of a plane's polygons as closed polylines, without points
+ * that are not finite. */
 std::vector<MapLine>
 outlinesOf(const CompactMap& map, std::size_t plane);
 
-/** \brief Where a plane's polygons meet a level plane, as pieces of two points.
- * \param[in] up of length 1
- * \param[in] level along up, metres */
+/** \brief Intersection of a plane's polygons with a horizontal plane, as segments.
+ * \param[in] up unit vector
+ * \param[in] level height along up, metres */
 std::vector<MapLine>
 sectionOf(const CompactMap& map,
           std::size_t plane,

@@ -10,7 +10,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A window of the view's size with a scene in it, not yet drawn. */
+/** \brief A window of the view's size with a scene, not yet rendered. */
 vtkSmartPointer<vtkRenderWindow>
 makeWindow(vtkRenderer* renderer, const SceneView& view);
 

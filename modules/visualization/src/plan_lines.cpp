@@ -14,7 +14,7 @@ constexpr double low_wall_pixels = 1;
 constexpr Color wall_color = {0.12, 0.12, 0.14};
 constexpr Color low_wall_color = {0.62, 0.62, 0.64};
 
-/** Of a normal, along up. */
+/** Component of a normal along up, above which a plane is no wall. */
 constexpr double steep = 0.3;
 
 double
@@ -23,7 +23,7 @@ slopeOf(const PlanePatch& plane, const Vector3d& up)
   return plane.coefficients.head<3>().dot(up);
 }
 
-/** \brief Puts lines to a level; seen from above they stay where they are. */
+/** \brief Moves lines vertically to a level; their plan does not change. */
 void
 lift(std::vector<MapLine>& lines, const Vector3d& up, double level)
 {
@@ -64,7 +64,7 @@ actorsOfPlan(const CompactMap& map,
     high = std::max(high, sample.cast<double>().dot(up));
   }
   std::vector<MapLine> cut, other, way = {lineOf(map.trajectory)};
-  // walls are cut at the height of the cameras
+  // walls are cut at the height of the cameras, or at half height without cameras
   const double level = eyeLevel(map.trajectory, up).value_or((low + high) / 2);
   for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
     if (std::abs(slopeOf(map.planes[plane], up)) <= steep) {

@@ -6,17 +6,19 @@
 
 namespace pcl::acmap {
 
-/** \brief What a plan leaves out, so that one sees the floor. */
+/** \brief Does a plane face down? A plan leaves these out, so that the floor is
+ * visible. */
 bool
 looksDown(const PlanePatch& plane, const Eigen::Vector3d& up);
 
-/** \brief Median height of the finite poses along up, metres; nothing without one. */
+/** \brief Median height of the finite poses along up, metres; nothing if there are
+ * none. */
 std::optional<double>
 eyeLevel(const Trajectory& trajectory, const Eigen::Vector3d& up);
 
-/** \brief Walls as a plan shows them, dark where they are cut and pale where they are lower
- * or higher, as above a door; and the trajectory. Above all else, for an eye far above.
- * \param[in] samples points spread over the map */
+/** \brief Walls and trajectory of a plan. Walls are dark where they are cut and pale
+ * where they are lower or higher, such as above a door. All lines are above the map.
+ * \param[in] samples points distributed over the map */
 Actors
 actorsOfPlan(const CompactMap& map,
              const Eigen::Vector3d& up,

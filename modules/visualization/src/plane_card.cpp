@@ -20,7 +20,7 @@ format(const char* form, Values... values)
   return text.data();
 }
 
-/** \brief A number with its unit, or that it is not known. */
+/** \brief A number with its unit, or a remark that it is unknown. */
 std::string
 known(const char* form, double value)
 {

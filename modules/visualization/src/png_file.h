@@ -6,7 +6,7 @@ class vtkImageData;
 
 namespace pcl::acmap {
 
-/** \brief Writes a picture as PNG, whole or not at all.
+/** \brief Writes an image as PNG, completely or not at all.
  * \throws OutputFileException */
 void
 writePng(const std::string& path, vtkImageData* picture);

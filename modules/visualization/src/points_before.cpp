@@ -18,7 +18,7 @@ viewField(const PCLPointCloud2& cloud)
   return field && field->datatype == PCLPointField::INT32 ? field : nullptr;
 }
 
-/** \brief For each observation the motion that undoes its rectification; NaN where a pose
+/** \brief For each observation, the motion that undoes its rectification; NaN if a pose
  * is not finite. */
 std::vector<Eigen::Isometry3f>
 motionsOf(const Trajectory& after, const Trajectory& before)

@@ -6,7 +6,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The pyramid that a camera looks through, as lines; its tip is the camera. */
+/** \brief The viewing frustum of a camera as lines; its apex is the camera. */
 vtkSmartPointer<vtkActor>
 actorOfMarker();
 

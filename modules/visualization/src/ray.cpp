@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** \brief Where a ray meets a triangle, in lengths of its direction (Moeller and Trumbore,
- * 1997); nothing where it does not. */
+/** \brief Intersection of a ray with a triangle, as a multiple of the direction
+ * (Moeller and Trumbore, 1997); nothing if there is none. */
 std::optional<double>
 distanceTo(const Vector3d& eye,
            const Vector3d& direction,
@@ -18,7 +18,7 @@ distanceTo(const Vector3d& eye,
            bool fronts_only)
 {
   const Vector3d p = direction.cross(c - a);
-  const double volume = p.dot(b - a); // positive where the front looks at the eye
+  const double volume = p.dot(b - a); // positive if the front faces the eye
   if (volume == 0 || (fronts_only && volume < 0))
     return {};
   const Vector3d way = eye - a;

@@ -7,13 +7,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Where a ray first meets a plane. */
+/** \brief First intersection of a ray with a plane. */
 struct RayHit {
   std::size_t plane;
-  double distance; ///< in lengths of the direction
+  double distance; ///< as a multiple of the direction
 };
 
-/** \param[in] fronts_only lets the ray pass through faces that look away from the eye */
+/** \param[in] fronts_only ignores faces that face away from the eye */
 std::optional<RayHit>
 firstHit(const std::vector<MapFaces>& faces,
          const Eigen::Vector3d& eye,

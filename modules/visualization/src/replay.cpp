@@ -52,7 +52,7 @@ Replay::advance(double seconds)
   time_ = std::min(time_ + seconds, flight_->seconds());
   place(marker_, flight_->poseAt(time_));
   stage_.look(flight_->eyeAt(time_));
-  // the first picture of a way without length is its last
+  // for a trajectory without length the first frame is the last one
   running_ = time_ < flight_->seconds();
 }
 

@@ -8,15 +8,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Flies the eye of a stage along the trajectory of its act. */
+/** \brief Moves the camera of a stage along the trajectory of its current act. */
 class Replay {
 public:
-  /** \param[in] stage lives as long */
+  /** \param[in] stage must outlive this object */
   explicit Replay(LayerStage& stage)
   : stage_(stage)
   {}
 
-  /** \brief Goes on where it stopped; behind the end from the start.
+  /** \brief Continues where the flight was stopped, or restarts it after its end.
    * \throws BadArgumentException when no pose is finite */
   void
   start();
@@ -24,7 +24,7 @@ public:
   void
   stop();
 
-  /** \brief Forgets the way, as another act has another. */
+  /** \brief Discards the flight, because another act has another trajectory. */
   void
   leave();
 
@@ -34,11 +34,12 @@ public:
     return running_;
   }
 
-  /** \brief Moves the eye on, and stops at the end. */
+  /** \brief Moves the camera, and stops at the end. */
   void
   advance(double seconds);
 
-  /** \brief Where the marker is, a line without its end; empty before the first start. */
+  /** \brief Current pose as one line without line break; empty before the first
+   * start. */
   std::string
   describe() const;
 

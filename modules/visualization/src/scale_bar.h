@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The largest of 1, 2, 5 times a power of ten that is not above a length. */
+/** \brief The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
 double
 roundLength(double most);
 
@@ -16,8 +16,8 @@ roundLength(double most);
 std::string
 lengthText(double metres);
 
-/** \brief Puts a bar of a round length at the lower left, with its text.
- * \param[in] camera one without perspective */
+/** \brief Adds a scale bar of a round length with its text at the lower left.
+ * \param[in] camera an orthographic one */
 void
 addScaleBar(const Camera& camera, const SceneView& view, vtkRenderer* renderer);
 

@@ -14,7 +14,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** \brief Reads places and colours out of the bytes of a cloud. */
+/** \brief Reads positions and colours from the bytes of a cloud. */
 class CloudBytes {
 public:
   explicit CloudBytes(const PCLPointCloud2& cloud)
@@ -100,7 +100,7 @@ requireInside(const TriangleMesh& mesh, std::size_t size)
         std::to_string(mesh.triangles.size()) + " triangles");
 }
 
-/** \brief Which points are drawn. */
+/** \brief For each point, is it drawn? */
 std::vector<bool>
 drawnPoints(const CloudBytes& cloud, const TriangleMesh& mesh)
 {
@@ -113,7 +113,7 @@ drawnPoints(const CloudBytes& cloud, const TriangleMesh& mesh)
   return drawn;
 }
 
-/** \brief A file may have the field for a colour and leave it black. */
+/** \brief A file may have a colour field that contains only zeros. */
 bool
 allBlack(const Scene& scene)
 {

@@ -13,13 +13,13 @@
 
 namespace pcl::acmap {
 
-/** \brief What is drawn of a cloud and a mesh: finite points alone, of a mesh only those
- * that are corners. */
+/** \brief The drawn part of a cloud and a mesh: finite points only; of a mesh only
+ * those that are vertices of triangles. */
 struct Scene {
   std::vector<Eigen::Vector3f> points;
-  std::vector<std::array<std::uint8_t, 3>> colors; ///< of the points, or empty
-  std::vector<TriangleMesh::Triangle> triangles;   ///< into points
-  std::vector<std::uint8_t> wall_depth;            ///< of the triangles, or empty
+  std::vector<std::array<std::uint8_t, 3>> colors; ///< of the points; may be empty
+  std::vector<TriangleMesh::Triangle> triangles;   ///< indices into points
+  std::vector<std::uint8_t> wall_depth;            ///< of the triangles; may be empty
 
   bool
   isMesh() const
@@ -28,31 +28,32 @@ struct Scene {
   }
 };
 
-/** \return nullptr where there is none of that name */
+/** \return nullptr if there is no field with this name */
 const PCLPointField*
 fieldNamed(const PCLPointCloud2& cloud, const std::string& name);
 
-/** \throws BadArgumentException when the mesh has an index outside the cloud or wall
- * depths of another number than triangles, or the cloud no x y z
+/** \throws BadArgumentException when the mesh has an index outside the cloud, the
+ * number of wall depths differs from that of the triangles, or the cloud has no x y z
  * \throws InitFailedException when nothing can be drawn */
 Scene
 makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh);
 
-/** \brief Mean of the unit normals of the triangles, by area; zero without triangles. */
+/** \brief Area-weighted mean of the normals of the triangles; zero without
+ * triangles. */
 Eigen::Vector3d
 meanNormal(const Scene& scene);
 
-/** \brief Polygons as fans of triangles. */
+/** \brief Splits polygons into triangle fans. */
 TriangleMesh
 trianglesOf(const PolygonMesh& mesh);
 
-/** \brief Edges with one triangle. */
+/** \brief Edges that belong to one triangle only. */
 std::vector<std::array<std::int32_t, 2>>
 boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles);
 
-/** \brief Lines from foot to tip along the mean normals, by area, of the faces at a
- * vertex: of every nth vertex, so that there are 3000 at most. Their length is a share of
- * the scene's box. */
+/** \brief Lines at the vertices along the area-weighted mean normals of their
+ * triangles. Every nth vertex is used, so that there are at most 3000. Their length is
+ * proportional to the size of the scene. */
 std::vector<std::array<Eigen::Vector3f, 2>>
 normalLines(const Scene& scene);
 

@@ -23,7 +23,7 @@ constexpr double point_pixels = 3.0;
 constexpr double boundary_pixels = 2.0;
 constexpr double normal_pixels = 1.5;
 
-/** \brief Colours that tell how far points are, which no light does on points. */
+/** \brief Colours that encode the depth of points, which have no lighting. */
 std::vector<ByteColor>
 depthColors(const Scene& scene, const Camera& camera)
 {

@@ -15,16 +15,17 @@ namespace pcl::acmap {
 
 using Actors = std::vector<vtkSmartPointer<vtkActor>>;
 
-/** \brief Points in their colours, else blue. */
+/** \brief Points in their colours, or blue if they have none. */
 vtkSmartPointer<vtkActor>
 actorOfPoints(const Scene& scene);
 
-/** \brief Points in their colours; else they are the darker the farther they are. */
+/** \brief Points in their colours; without colours they are darker with increasing
+ * depth. */
 vtkSmartPointer<vtkActor>
 actorOfPoints(const Scene& scene, const Camera& camera);
 
-/** \brief Facets show the relief; the two sides are drawn apart, because a colour of the
- * points would cover the tint of the back. */
+/** \brief Flat-shaded front and back faces. The two sides are separate actors, because
+ * vertex colours would override the tint of the back faces. */
 Actors
 actorsOfMesh(const Scene& scene, bool hide_backs);
 
@@ -34,7 +35,7 @@ actorOfBoundary(const Scene& scene);
 vtkSmartPointer<vtkActor>
 actorOfNormals(const Scene& scene);
 
-/** \brief Puts a scene under lights and before a camera. */
+/** \brief Creates a renderer with the scene, lights and the camera. */
 vtkSmartPointer<vtkRenderer>
 makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view);
 

@@ -9,14 +9,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Of a long trajectory so many poses are tried. */
+/** Maximum number of poses of a trajectory that are tried. */
 constexpr std::size_t most_poses = 16;
 
 double
 freeWay(const std::vector<MapFaces>& faces, const Vector3d& eye, const Vector3d& ahead)
 {
   const auto hit = firstHit(faces, eye, ahead, false);
-  // through a gap in the walls there is nothing to see
+  // a ray that leaves through a gap in the walls does not count
   return hit ? hit->distance : 0;
 }
 
@@ -48,7 +48,7 @@ longestSight(const Trajectory& trajectory,
   for (const Vector3d& eye : eyes)
     for (const Vector3d& ahead :
          {frame.along, Vector3d(-frame.along), across, Vector3d(-across)})
-      // a little to each side, so that no slit wins
+      // also looks slightly to each side, so that a narrow gap does not win
       if (const double way =
               freeWay(faces, eye, ahead) +
               freeWay(faces, eye, (ahead + 0.1 * frame.up.cross(ahead)).normalized()) +

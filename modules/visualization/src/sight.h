@@ -4,15 +4,15 @@
 
 namespace pcl::acmap {
 
-/** \brief An eye and a level direction. */
+/** \brief Position of an eye and a horizontal direction. */
 struct Sight {
   Eigen::Vector3d eye;
   Eigen::Vector3d direction;
 };
 
-/** \brief From which of some poses, and whither along the walls of a map, one sees
- * farthest.
- * \param[in] middle the eye where there is no pose */
+/** \brief Selects the pose and the direction along the walls of a map with the longest
+ * view.
+ * \param[in] middle position that is used if there is no pose */
 Sight
 longestSight(const Trajectory& trajectory,
              const std::vector<MapFaces>& faces,

@@ -7,7 +7,8 @@
 namespace pcl::acmap {
 namespace {
 
-/** \brief A key light from above the eye's left shoulder, a weak one from the eye. */
+/** \brief A key light from above on the left of the camera, and a weak light from the
+ * camera. */
 void
 addLights(vtkRenderer* renderer)
 {

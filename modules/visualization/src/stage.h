@@ -7,16 +7,16 @@
 
 namespace pcl::acmap {
 
-/** \brief An empty scene under lights and before a camera.
- * \param[in] light background, as surfaces want it; points would drown in light */
+/** \brief An empty scene with lights and a camera.
+ * \param[in] light bright background, for surfaces; points need a dark one */
 vtkSmartPointer<vtkRenderer>
 makeStage(const Camera& camera, bool light);
 
-/** \brief Light behind surfaces, dark behind points. */
+/** \brief Sets a bright background for surfaces or a dark one for points. */
 void
 setBackground(bool light, vtkRenderer* renderer);
 
-/** \brief Puts the eye of a scene somewhere. */
+/** \brief Sets the camera of a renderer. */
 void
 setCamera(const Camera& camera, vtkRenderer* renderer);
 

@@ -4,7 +4,7 @@
 
 namespace pcl::acmap {
 
-/** Of surfaces without a colour of their own, seen from the front and from behind. */
+/** Front and back colour of surfaces without colours. */
 constexpr std::array<double, 3> front_color = {0.80, 0.80, 0.78};
 constexpr std::array<double, 3> back_color = {0.55, 0.62, 0.78};
 

@@ -42,18 +42,20 @@ requireFile(const std::string& path)
     fail(path, "is empty");
 }
 
-/** \brief A word of the format, and the least bytes that each of what it counts takes. */
+/** \brief A keyword of the format, and the minimum bytes of each item that it
+ * counts. */
 struct Claim {
   const char* word;
   int bytes;
 };
 
-/** \brief Refuses a line that claims more than its file has bytes for, because VTK takes
- * the memory before it looks. */
+/** \brief Rejects a line that announces more items than its file can contain, because
+ * VTK allocates the memory before it reads them. */
 void
 requireClaimFits(const std::string& path, const std::string& line, double file_size)
 {
-  // an ASCII number takes two characters or more, a value of a point one byte
+  // an ASCII number takes at least two characters, a value of point data at least one
+  // byte
   constexpr Claim claims[] = {{"POINTS", 6},
                               {"VERTICES", 2},
                               {"LINES", 2},
@@ -82,7 +84,7 @@ requireClaimsFit(const std::string& path)
     requireClaimFits(path, line, size);
 }
 
-/** \brief Keeps VTK from printing as long as it lives. */
+/** \brief Suppresses the messages of VTK during its lifetime. */
 class QuietVtk {
 public:
   QuietVtk()
@@ -103,7 +105,7 @@ private:
   vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
-/** \brief Lets VTK read, and turns what it would print into an exception. */
+/** \brief Runs the reader and turns its error messages into an exception. */
 void
 update(vtkPolyDataReader* reader, const std::string& path)
 {
@@ -153,7 +155,7 @@ takePoints(vtkPolyData* data, PCLPointCloud2& cloud)
   }
 }
 
-/** \brief Whether the cells stay inside their own corners and these inside the points. */
+/** \brief Are the cells and their point indices valid? */
 bool
 isSound(vtkCellArray* cells, vtkIdType points)
 {
@@ -178,8 +180,8 @@ isSound(vtkCellArray* cells, vtkIdType points)
   return true;
 }
 
-/** \brief Adds polygons as fans, or triangle strips, every other one of which turns the
- * other way. */
+/** \brief Adds polygons as triangle fans, or triangle strips, in which every second
+ * triangle has the opposite orientation. */
 void
 takeTriangles(vtkCellArray* cells, bool strips, TriangleMesh& mesh)
 {

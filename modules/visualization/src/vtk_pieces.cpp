@@ -54,7 +54,7 @@ linesOf(vtkPolyData* data, const Color& color, bool use_point_colors, double pix
   auto lines = actorOf(data, color, use_point_colors);
   lines->GetProperty()->SetLineWidth(static_cast<float>(pixels));
   lines->GetProperty()->LightingOff();
-  // lines lie in the facets they bound; without this they would flicker through them
+  // lines coincide with the facets they bound; without the offset they would flicker
   lines->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
   lines->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -4);
   return lines;

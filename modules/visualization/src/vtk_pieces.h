@@ -24,7 +24,7 @@ pointsOf(const std::vector<Eigen::Vector3f>& places);
 vtkSmartPointer<vtkUnsignedCharArray>
 colorsOf(const std::vector<ByteColor>& values);
 
-/** \brief Cells that are lists of corners, of a fixed or of any number. */
+/** \brief Creates cells from lists of vertices of fixed or variable length. */
 template <typename Corners>
 vtkSmartPointer<vtkCellArray>
 cellsOf(const std::vector<Corners>& cells)
@@ -44,7 +44,7 @@ singlePoints(std::size_t count);
 vtkSmartPointer<vtkActor>
 actorOf(vtkPolyData* data, const Color& color, bool use_point_colors);
 
-/** \brief Lines without light, in front of the facets they lie in. */
+/** \brief Lines without lighting, in front of the facets with which they coincide. */
 vtkSmartPointer<vtkActor>
 linesOf(vtkPolyData* data, const Color& color, bool use_point_colors, double pixels);
 

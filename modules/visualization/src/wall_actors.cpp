@@ -17,8 +17,8 @@ namespace pcl {
 namespace acmap {
 namespace {
 
-/** \brief The depth of the halves that were divided no further, which is that of the
- * most triangles and of no wall. */
+/** \brief The depth of the halves that were not divided further: most triangles have
+ * it, and no wall does. */
 std::optional<std::uint8_t>
 deepestOf(const std::vector<std::uint8_t>& depths)
 {
@@ -36,14 +36,15 @@ std::size_t
 wallSteps(const TriangleMesh& mesh)
 {
   const auto deepest = acmap::deepestOf(mesh.wall_depth);
-  // halves of no wall are not worth stepping through
+  // a mesh without walls needs no steps
   return deepest.value_or(0) == 0 ? 0 : *deepest + std::size_t{1};
 }
 
 namespace acmap {
 namespace {
 
-/** Of neighbouring depths far apart, and none like the grey of the rest. */
+/** Neighbouring depths have clearly different colours; none resembles the grey of the
+ * rest. */
 constexpr std::array<ByteColor, 8> wall_colors = {{{214, 39, 40},
                                                    {31, 119, 180},
                                                    {44, 160, 44},
@@ -55,10 +56,11 @@ constexpr std::array<ByteColor, 8> wall_colors = {{{214, 39, 40},
 constexpr ByteColor rest_color = {200, 200, 204};
 constexpr Color point_color = {0.66, 0.68, 0.70};
 
-/** How much of its colour a wall of an earlier step keeps. */
+/** Saturation of the colours of walls of earlier steps. */
 constexpr double kept = 0.45;
 
-/** \brief Whether walls up to a step made it. \param[in] steps of the whole mesh */
+/** \brief Was a triangle constructed up to a step? \param[in] steps of the whole
+ * mesh */
 bool
 isMadeBy(std::uint8_t depth, std::size_t step, std::size_t steps)
 {
@@ -77,7 +79,7 @@ colorOf(std::uint8_t depth, std::size_t step, std::size_t steps)
   return color;
 }
 
-/** \brief Where the mesh will be. */
+/** \brief The points of the mesh in a faint colour. */
 vtkSmartPointer<vtkActor>
 faintPoints(const Scene& scene)
 {
@@ -90,7 +92,8 @@ faintPoints(const Scene& scene)
   return actor;
 }
 
-/** \brief Triangles, of walls with their edges, because walls are one triangle wide. */
+/** \brief Filled triangles; for walls their edges, because walls are one triangle
+ * wide. */
 vtkSmartPointer<vtkActor>
 actorOfPart(const Scene& scene,
             const std::vector<TriangleMesh::Triangle>& triangles,

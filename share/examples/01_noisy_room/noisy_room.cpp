@@ -1,4 +1,4 @@
-// Makes a simulated room as a depth camera sees it, and a mesh of it.
+// Creates a simulated depth image of a room, and a mesh of it.
 // Usage: noisy_room ROOM.pcd [MESH.ply]
 
 #include <pcl/conversions.h>
@@ -24,23 +24,24 @@ using Eigen::Vector3d;
 
 constexpr int width = 320;             // rays
 constexpr int height = 240;            // rays
-constexpr double focal_length = 165.0; // pixels: a view of 88 x 72 degrees
-constexpr double noise = 0.1;          // of the distance between neighbouring rays
+constexpr double focal_length = 165.0; // pixels: a field of view of 88 x 72 degrees
+constexpr double noise = 0.1;          // fraction of the distance between neighbouring
+                                       // rays
 constexpr std::uint64_t seed = 1;
 
 using Color = std::array<std::uint8_t, 3>;
 
-// A wall, floor or side of a box: a rectangle upright to one axis.
+// A wall, floor or side of a box: a rectangle perpendicular to one axis.
 struct Rectangle {
   int axis;       // 0 = x, 1 = y, 2 = z
   double at;      // metres along that axis
-  Vector3d least; // metres; the entry of the axis does not count
+  Vector3d least; // metres; the component along the axis is ignored
   Vector3d most;
   Color color;
 };
 
-// The room is 4 m wide, 2.5 m high and ends 3.5 m ahead of the camera, which stands 1.3 m
-// above the floor. Metres, y down.
+// The room is 4 m wide and 2.5 m high and ends 3.5 m in front of the camera, which is
+// 1.3 m above the floor. Metres, y down.
 constexpr double left = -2.0, right = 2.0, ceiling = -1.2, ground = 1.3, end = 3.5;
 
 void
@@ -66,11 +67,11 @@ makeRoom()
       {1, ceiling, {left, 0, 0}, {right, 0, end}, {240, 240, 235}},
       {0, left, {0, ceiling, 0}, {0, ground, end}, side},
       {0, right, {0, ceiling, 0}, {0, ground, end}, side},
-      // the wall ahead, around the door
+      // the wall in front, around the door
       {2, end, {left, ceiling, 0}, {door_left, ground, 0}, wall},
       {2, end, {door_right, ceiling, 0}, {right, ground, 0}, wall},
       {2, end, {door_left, ceiling, 0}, {door_right, door_top, 0}, wall},
-      // the recess with the door at its end
+      // the recess with the door at its back
       {2, recess, {door_left, door_top, 0}, {door_right, ground, 0}, wood},
       {0, door_left, {0, door_top, end}, {0, ground, recess}, wall},
       {0, door_right, {0, door_top, end}, {0, ground, recess}, wall},
@@ -80,7 +81,7 @@ makeRoom()
   return scene;
 }
 
-// Metres along the ray (direction with z = 1) to the rectangle, if it meets it.
+// Distance along the ray (direction with z = 1) to the rectangle, if they intersect.
 std::optional<double>
 distanceTo(const Rectangle& rectangle, const Vector3d& ray)
 {
@@ -106,7 +107,7 @@ seenAlong(const Vector3d& ray, const std::vector<Rectangle>& room, double deviat
       color = rectangle.color;
     }
   pcl::PointXYZRGB point;
-  // neighbouring rays at this depth are nearest / focal_length metres apart
+  // at this depth, neighbouring rays are nearest / focal_length metres apart
   const double noisy = nearest * (1.0 + deviation * noise / focal_length);
   point.getVector3fMap() = (ray * noisy).cast<float>();
   point.r = color[0];

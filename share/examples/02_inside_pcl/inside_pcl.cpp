@@ -1,5 +1,5 @@
-// Classes of acmap inside of PCL's own pipeline: a rejector in PCL's ICP, a search method of
-// our own in the mesher, the meshes in PCL's viewer.
+// Classes of acmap inside PCL's own pipeline: a correspondence rejector in PCL's ICP, a
+// custom search method in the mesher, and the meshes in PCL's viewer.
 // Usage: inside_pcl [--show | MESHES.png]
 
 #include <pcl/common/distances.h>
@@ -21,17 +21,18 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// The scanner turns about z, up, and has 16 beams, 2 degrees apart.
+// The scanner rotates about z (up) and has 16 beams, 2 degrees apart.
 constexpr int rings = 16, columns = 1800;
 constexpr double ring_step = M_PI / 90;
 constexpr double noise = 0.001; // metres along the ray
 
-// It drives 36 cm and turns by 6 degrees; meanwhile somebody pushes the cupboard aside.
+// It moves 36 cm and turns by 6 degrees; meanwhile somebody pushes the cupboard aside.
 const Eigen::Isometry3d T_first_second =
     Eigen::Translation3d(0.3, -0.2, 0) * Eigen::AngleAxisd(0.1, Vector3d::UnitZ());
 const AlignedBox3d room(Vector3d(-3, -2.5, -0.8), Vector3d(4, 3, 1.7)); // metres
 
-// Metres from a place inside the room along a ray (unit), to a box in the room or its walls.
+// Distance from a position in the room along a unit ray to the cupboard or the walls,
+// metres.
 double
 distanceAlong(const Vector3d& from, const Vector3d& ray, const AlignedBox3d& cupboard)
 {
@@ -44,7 +45,8 @@ distanceAlong(const Vector3d& from, const Vector3d& ray, const AlignedBox3d& cup
   return enters > 0 && enters < leaves ? enters : crossed(room).second;
 }
 
-// What the scanner sees, in its own frame: a row is a ring. The cupboard moves along x.
+// The points of a scan in the scanner's frame, one row per ring. The cupboard moves
+// along x.
 Cloud::Ptr
 scan(const Eigen::Isometry3d& T_room_scanner, double cupboard_at, std::uint64_t seed)
 {
@@ -66,7 +68,7 @@ scan(const Eigen::Isometry3d& T_room_scanner, double cupboard_at, std::uint64_t 
   return cloud;
 }
 
-// Metres by which PCL's ICP stays off the true motion between two scans.
+// Translation error of PCL's ICP between two scans, metres.
 double
 errorOfIcp(const Cloud::Ptr& first, const Cloud::Ptr& second, bool leaves_worst_out)
 {
@@ -89,8 +91,9 @@ errorOfIcp(const Cloud::Ptr& first, const Cloud::Ptr& second, bool leaves_worst_
   return error;
 }
 
-// A search method of our own. The points of a ring are 1 cm apart and the next ring 10: the
-// nearest eight are all of one ring. Neighbours here are those in the scanner's image.
+// A custom search method. The points of a ring are 1 cm apart, but the rings are 10 cm
+// apart, so the nearest eight points are all on one ring. This class uses neighbours in
+// the scanner's image instead.
 class ScanNeighbours : public pcl::search::Search<pcl::PointXYZ> {
 public:
   int
@@ -154,7 +157,8 @@ meshOf(const Cloud::Ptr& cloud, const pcl::search::Search<pcl::PointXYZ>::Ptr& s
   return meshed;
 }
 
-// Both meshes side by side in PCL's viewer, until q is pressed, or for a picture.
+// Shows both meshes side by side in PCL's viewer until q is pressed, or saves a
+// picture.
 void
 show(const Meshed& usual, const Meshed& own, const std::string& how)
 {

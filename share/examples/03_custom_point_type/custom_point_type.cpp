@@ -1,8 +1,8 @@
-// A point type of our own, with fields that acmap knows nothing of, through consolidation
-// and mesher.
+// Consolidates and meshes a cloud of a custom point type, with fields that are unknown
+// to acmap.
 // Usage: custom_point_type [MESH.ply]
 
-// As for any class of PCL: what is compiled for PCL's types is compiled here for ours.
+// As for any class of PCL: this file instantiates the templates for the custom type.
 #define PCL_NO_PRECOMPILE
 
 #include <pcl/conversions.h>
@@ -17,11 +17,11 @@
 #include <cstdint>
 #include <iostream>
 
-// What a laser scanner tells of a point.
+// A measurement of a laser scanner.
 struct EIGEN_ALIGN16 LaserReturn {
   PCL_ADD_POINT4D; // x y z, metres
   float reflectance = 0;
-  std::uint32_t microseconds = 0; // since the scan began
+  std::uint32_t microseconds = 0; // since the start of the scan
   std::uint16_t ring = 0;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
@@ -41,8 +41,8 @@ namespace {
 
 using Cloud = pcl::PointCloud<LaserReturn>;
 
-// A wall 3 m ahead (z), 4 x 2 m, with a black board on it. Points are 1 cm apart and 1 cm
-// wrong: a mesh of them as they are would be crumpled.
+// A wall of 4 x 2 m, 3 m ahead (z), with a black board on it. The points are 1 cm apart
+// and have a noise of 1 cm: a mesh of the raw points would be crumpled.
 Cloud::Ptr
 scanWall()
 {
@@ -87,7 +87,7 @@ main(int argc, char** argv)
     pcl::TriangleMesh mesh;
     dewall.reconstruct(mesh);
 
-    // x y z are new; our own fields are those of one of the points it was made of
+    // x y z are new; the custom fields are those of one of the source points
     std::size_t true_copies = 0;
     const auto& sources = consolidation.getSourceIndices();
     for (std::size_t i = 0; i < consolidated->size(); ++i)
@@ -105,7 +105,7 @@ main(int argc, char** argv)
               << report.triangles << " triangles; " << report.boundary_edges << " of "
               << report.edges << " edges are boundary\n";
     if (argc == 2) {
-      pcl::PCLPointCloud2 vertices; // with all fields, so the file has them too
+      pcl::PCLPointCloud2 vertices; // with all fields, so that the file has them too
       pcl::toPCLPointCloud2(*consolidated, vertices);
       pcl::saveTriangleMesh(argv[1], vertices, mesh);
     }

@@ -1,5 +1,5 @@
-// Two ways to know where a robot was in a corridor: from what its camera saw, and from bad
-// odometry that is rectified until the map fits together.
+// Two ways to estimate the trajectory of a robot in a corridor: from the images of its
+// camera, and from bad odometry that is rectified until the map is consistent.
 // Usage: straight_corridor [VIEWS]   8 to 51, default 24
 
 #include <pcl/conversions.h>
@@ -24,8 +24,8 @@ namespace {
 using View = pcl::PointCloud<pcl::PointXYZRGBSigma>;
 using Poses = std::vector<Eigen::Isometry3d>; // T_map_camera
 
-// What the camera of a robot sees that drives along a corridor, 40 cm from view to view:
-// organized clouds in the camera's frame, with colour and sigma.
+// Observations of a robot that drives along a corridor, 40 cm from view to view:
+// organized clouds in the frame of the camera, with colour and sigma.
 std::vector<View::Ptr>
 drive(const pcl::SimulatedScene& scene, std::size_t number)
 {
@@ -37,7 +37,7 @@ drive(const pcl::SimulatedScene& scene, std::size_t number)
   return views;
 }
 
-// From view to view; a motion that is not known would end the chain, so it is said.
+// Chains the motions between consecutive views; throws if one of them is unknown.
 Poses
 posesBySight(const std::vector<View::Ptr>& views)
 {
@@ -57,7 +57,7 @@ posesBySight(const std::vector<View::Ptr>& views)
   return poses;
 }
 
-// Wheels of which one is smaller: each motion turns 0.5 degrees too far.
+// Simulates wheels of different size: each motion turns 0.5 degrees too far.
 Poses
 posesByWheels(const Poses& truth)
 {
@@ -77,7 +77,7 @@ Poses
 rectified(const std::vector<View::Ptr>& views, const Poses& poses)
 {
   pcl::EntropyRectification<pcl::PointNormal> rectification;
-  pcl::VoxelConsolidation<pcl::PointNormal> consolidation; // makes normals
+  pcl::VoxelConsolidation<pcl::PointNormal> consolidation; // computes normals
   for (std::size_t i = 0; i < views.size(); ++i) {
     const pcl::PointCloud<pcl::PointNormal>::Ptr cloud(
         new pcl::PointCloud<pcl::PointNormal>);

@@ -6,13 +6,13 @@ import numpy as np
 from matplotlib import pyplot
 from matplotlib.collections import PolyCollection
 
-eye = np.array([0.3, -0.15, -1.9])  # where the pictures of the room are taken from
+eye = np.array([0.3, -0.15, -1.9])  # camera position of the pictures of the room
 surface, crease = np.array([0.72, 0.78, 0.86]), np.array([0.85, 0.25, 0.15])
 
 
 @contextlib.contextmanager
 def two_pictures(path, across=True):
-    """Axes side by side, or above each other; saved at the end."""
+    """Two axes, side by side or one above the other; saves the figure at the end."""
     figure, axes = pyplot.subplots(
         *((1, 2) if across else (2, 1)),
         figsize=(9, 3.3) if across else (9, 6),
@@ -29,7 +29,7 @@ def seen_from_eye(places):
 
 
 def add_shapes(axes, shapes, colors, title, **style):
-    """Polygons in space, the farthest first."""
+    """Draws polygons in space, the farthest first."""
     places = [seen_from_eye(shape) for shape in shapes]
     order = np.argsort([-depth.mean() for _, depth in places])
     axes.add_collection(
@@ -44,12 +44,12 @@ def add_shapes(axes, shapes, colors, title, **style):
 
 
 def draw_mesh(axes, points, triangles, title, is_crease=None):
-    """A shaded mesh; triangles at a crease are red."""
+    """Draws a shaded mesh; triangles at a crease are red."""
     corners = points[triangles]
     sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sides /= np.linalg.norm(sides, axis=1, keepdims=True)
     light = 0.35 + 0.65 * np.abs(sides @ np.array([0.42, -0.76, -0.5]))
-    light = np.round(20 * light) / 20  # few shades make small files
+    light = np.round(20 * light) / 20  # fewer shades give smaller files
     colors = np.tile(surface, (len(triangles), 1))
     if is_crease is not None:
         colors[is_crease[triangles].sum(axis=1) >= 2] = crease
@@ -65,7 +65,7 @@ def draw_planes(axes, patches, title):
 
 
 def draw_map(axes, clouds, poses, title):
-    """Points between floor and ceiling from above, and the way of the camera."""
+    """Plan of the points between floor and ceiling, and the camera trajectory."""
     for cloud, pose in zip(clouds, poses):
         walls = cloud[np.abs(cloud[:, 1]) < 0.9]
         places = walls @ pose[:3, :3].T + pose[:3, 3]

@@ -1,12 +1,12 @@
 """From a noisy view of a room to its planes, and from a bent corridor to a straight one.
 
-Each `# %%` begins a cell, for editors that run a script as a notebook; run as a whole it
-prints what it finds. Usage: room.py [FOLDER], the folder gets the pictures.
+Each `# %%` begins a cell, for editors that run a script as a notebook. The script prints
+its results. Usage: room.py [FOLDER]; the pictures are written into the folder.
 Needs numpy and acmap; pictures need matplotlib. Metres; camera frame: x right, y down,
 z forward.
 """
 
-# %% What is needed
+# %% Imports
 import pathlib
 import sys
 
@@ -26,20 +26,20 @@ if folder:
         print("no pictures: matplotlib is not installed (Debian: python3-matplotlib)")
         folder = None
 
-# %% A room, and a corridor, of rectangles; what a camera in there sees
+# %% A room and a corridor of rectangles, and the view of a camera in the room
 from scenes import corridor, look_along, noisy_view, room
 
 view = noisy_view(room(), np.eye(4), height=216, width=288, seed=1)
 print(f"view: {view.shape}, {view.dtype}")
 
-# %% One point a voxel, on the plane of the points around it
+# %% One point per voxel, on the plane of the points around it
 found = acmap.consolidate(view)
 print(
     f"consolidated: {found.report.points} points to {len(found.points)}, voxels of "
     f"{100 * found.report.voxel_size:.1f} cm, noise {1000 * found.report.sigma:.1f} mm"
 )
 
-# %% A mesh of the raw points, and one of these
+# %% A mesh of the raw points, and a mesh of the consolidated points
 raw = acmap.triangulate(view)
 mesh = acmap.triangulate(
     found.points,
@@ -54,7 +54,7 @@ if folder:
         draw_mesh(left, view.reshape(-1, 3), raw.triangles, "as it was seen")
         draw_mesh(right, found.points, mesh.triangles, "consolidated")
 
-# %% Normals, creases and planes; the view judges the planes
+# %% Normals, creases and planes; the planes are fitted to the points of the view
 normals = acmap.vote_normals(found.points, mesh)
 planes = acmap.find_planes(
     found.points, normals, mesh, source=view, noise_driven=True, regular=True
@@ -75,7 +75,7 @@ if folder:
         )
         draw_planes(right, planes.patches, "planes and their rims")
 
-# %% A walk through a corridor, and the odometry's idea of it, which turns off to the side
+# %% A trajectory through a corridor, and odometry that drifts to the side
 scene = corridor()
 truth = look_along(np.arange(0.3, 12, 0.4))
 actions = np.linalg.inv(truth[:-1]) @ truth[1:]
@@ -91,7 +91,7 @@ poses = np.array(poses)
 views = [noisy_view(scene, pose, 90, 120, seed=i) for i, pose in enumerate(truth)]
 seen = [acmap.consolidate(view, voxel_size=0.1) for view in views]
 
-# %% The poses under which the observations fit together
+# %% The poses at which the observations are consistent
 rectified = acmap.rectify(
     [cloud.points for cloud in seen], poses, normals=[cloud.normals for cloud in seen]
 )

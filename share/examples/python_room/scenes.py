@@ -1,10 +1,10 @@
-"""Rectangles, and what a noisy range camera among them sees. Metres, y down."""
+"""Scenes of rectangles, and simulated views of a noisy range camera. Metres, y down."""
 
 import numpy as np
 
 
 def rectangle(axis, at, least, most):
-    """Upright to an axis (0: x, 1: y, 2: z); its own entry of least and most is ignored."""
+    """Perpendicular to an axis (0: x, 1: y, 2: z); least and most ignore this axis."""
     return axis, at, np.array(least, float), np.array(most, float)
 
 
@@ -17,7 +17,7 @@ def box(least, most):
 
 
 def room():
-    """4 x 2.5 x 3.5 m with a recessed door ahead and a box on the floor."""
+    """4 x 2.5 x 3.5 m, with a recessed door in front and a box on the floor."""
     left, right, ceiling, ground, end = -2.0, 2.0, -1.2, 1.3, 3.5
     top, recess = -0.75, end + 0.25
     return [
@@ -37,7 +37,7 @@ def room():
 
 
 def corridor(length=16.0):
-    """2.4 m wide, with pillars along both walls and an end."""
+    """2.4 m wide and closed at one end, with pillars along both walls."""
     ceiling, ground = -1.2, 1.3
     scene = [
         rectangle(0, -1.2, (0, ceiling, -2), (0, ground, length)),
@@ -53,7 +53,7 @@ def corridor(length=16.0):
 
 
 def look_along(places):
-    """T_map_camera at x = 0 and places in z, turned a little to left and right."""
+    """Poses T_map_camera at x = 0 and z = places, turned slightly to left and right."""
     poses = np.tile(np.eye(4), (len(places), 1, 1))
     poses[:, 2, 3] = places
     turns = np.radians(12) * np.sin(np.arange(len(places)) * np.pi / 2)
@@ -64,8 +64,8 @@ def look_along(places):
 
 
 def noisy_view(scene, pose, height, width, seed, reach=6.0):
-    """What a camera at T_map_camera sees: (height, width, 3) float32 in its frame, with
-    noise along the rays that grows as that of stereo does; NaN beyond its reach."""
+    """Points seen by a camera at pose T_map_camera: (height, width, 3) float32 in its
+    frame, with noise along the rays that grows as for stereo; NaN beyond its reach."""
     columns = (np.arange(width) - (width - 1) / 2) / (0.52 * width)
     rows = (np.arange(height) - (height - 1) / 2) / (0.52 * width)
     rays = np.dstack([*np.meshgrid(columns, rows), np.ones((height, width))])

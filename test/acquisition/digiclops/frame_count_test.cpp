@@ -10,9 +10,9 @@ namespace pcl::acmap::test {
 namespace {
 
 constexpr double period = 0.05;
-constexpr std::uint64_t tick = 50000; // microseconds of it
+constexpr std::uint64_t tick = 50000; // microseconds per frame
 
-/** Frames of a camera that counts them, taken at the time they were made. */
+/** Frame counts with and without a counter in the frames. */
 class FrameCounts : public testing::Test {
 protected:
   FrameCounts()
@@ -35,13 +35,13 @@ protected:
   FrameCount count_;
 };
 
-/** Random streams: whatever is lost, the count says it. */
+/** Random streams: the count finds every lost frame. */
 TEST_F(FrameCounts, CountsAllThatIsLost)
 {
   std::mt19937_64 random(1);
   for (int run = 0; run < 200; ++run) {
     count_.begin(period);
-    // Every other run passes the end of the counter.
+    // In every other run the counter overflows.
     const auto first = static_cast<std::uint32_t>(run % 2 ? 0xFFFFFFF0 : random());
     std::uint64_t frame = 0;
     std::uint64_t lost = 0;
@@ -57,8 +57,8 @@ TEST_F(FrameCounts, CountsAllThatIsLost)
   }
 }
 
-/** A callback that is slow now and then: what waited comes in a bunch with one stamp, what
- * did not fit never. */
+/** A callback that is slow now and then: queued frames arrive together with one stamp,
+ * and frames that did not fit into the queue never arrive. */
 TEST_F(FrameCounts, CountsWhatDidNotFit)
 {
   std::mt19937_64 random(4);
@@ -132,12 +132,12 @@ TEST_F(FrameCounts, ByTimeFramesInABunchWereNotLost)
 {
   int lost = timed(0).value();
   lost += timed(1).value();
-  lost += timed(6).value(); // it waited
+  lost += timed(6).value(); // delayed in the queue
   EXPECT_EQ(lost, 4);
-  for (const double frame : {6.01, 6.02, 6.03, 6.04}) // so did these
+  for (const double frame : {6.01, 6.02, 6.03, 6.04}) // these were delayed too
     lost += timed(frame).value();
   EXPECT_EQ(lost, 0);
-  lost += timed(6.05).value(); // one too many takes nothing away
+  lost += timed(6.05).value(); // further frames do not make the count negative
   EXPECT_EQ(lost, 0);
   lost += timed(9).value();
   EXPECT_EQ(lost, 2);
@@ -147,7 +147,7 @@ TEST_F(FrameCounts, AClockThatJumpsCountsNoBillions)
 {
   EXPECT_EQ(timed(0), 0);
   EXPECT_LE(timed(1e9).value(), 1000000);
-  EXPECT_LE(count_.add(std::nullopt, 5).value(), 1); // far back
+  EXPECT_LE(count_.add(std::nullopt, 5).value(), 1); // far back in time
 }
 
 TEST_F(FrameCounts, ACounterThatJumpsWithTheClockCountsNoBillions)
@@ -155,10 +155,10 @@ TEST_F(FrameCounts, ACounterThatJumpsWithTheClockCountsNoBillions)
   constexpr std::uint64_t years = 10000000000;
   EXPECT_EQ(counted(1, 0), 0);
   EXPECT_EQ(counted(0xFFFFFFFF, years), std::nullopt);
-  EXPECT_EQ(counted(0, years + 1), 0); // goes on from there
+  EXPECT_EQ(counted(0, years + 1), 0); // continues from there
 }
 
-/** Images whose bytes are their places. */
+/** Images whose bytes contain their indices. */
 IidcFrame
 placesOf(const IidcMode& mode)
 {
@@ -178,7 +178,7 @@ TEST(CounterInFrames, IsReadAndCovered)
   for (std::size_t i = 0; i < 4; ++i)
     want.bytes[i] = want.bytes[i + 24];
   EXPECT_EQ(frame.bytes, want.bytes);
-  coverCounter(frame, mode, 2); // of a colour filter
+  coverCounter(frame, mode, 2); // with a colour filter
   for (std::size_t i = 0; i < 4; ++i)
     want.bytes[i] = want.bytes[i + 48];
   EXPECT_EQ(frame.bytes, want.bytes);

@@ -17,7 +17,8 @@ protected:
     open();
   }
 
-  /** The error is told in all three ways, and the stream is over. */
+  /** Expects that the error is reported in all three ways and that the stream has
+   * ended. */
   void
   expectFault(CameraFault fault)
   {
@@ -103,7 +104,7 @@ TEST_F(GrabberFaults, SilenceIsAnErrorInTheEnd)
   const auto begin = Clock::now();
   emulated_.faults().setSilent(true);
   expectFault(CameraFault::Silent);
-  EXPECT_LT(Clock::now() - begin, 10s); // three times 0.3 s
+  EXPECT_LT(Clock::now() - begin, 10s); // three timeouts of 0.3 s
   EXPECT_EQ(grabber_->getReport().restarts, 2U);
   emulated_.faults().heal();
   expectFrames(3);
@@ -126,7 +127,7 @@ TEST_F(GrabberFaults, AStreamThatFellSilentIsBegunAgain)
 
 TEST_F(GrabberFaults, UnpluggingInsideAFrameIsToldWithinASecond)
 {
-  emulated_.faults().failFramesFrom(FrameFault::Unplug, 40); // one may be lost
+  emulated_.faults().failFramesFrom(FrameFault::Unplug, 40); // one frame may be lost
   startFor(3);
   while (cable_.plugged() && grabber_->isRunning())
     std::this_thread::sleep_for(1ms);
@@ -135,7 +136,7 @@ TEST_F(GrabberFaults, UnpluggingInsideAFrameIsToldWithinASecond)
   const auto delay = log_->timeOfLastError() - begin;
   RecordProperty("microseconds", static_cast<int>(delay / 1us));
   EXPECT_LE(delay, 1s);
-  const Numbers sent = sentNumbers(); // of which none is half a frame
+  const Numbers sent = sentNumbers(); // none of them is incomplete
   for (std::size_t i = 0; i < sent.size(); ++i)
     EXPECT_EQ(sent[i], i);
   EXPECT_LE(sent.size(), 40U);
@@ -175,7 +176,8 @@ TEST_F(GrabberFaults, ACameraThatIsBackIsAsItWas)
   EXPECT_TRUE(camera.hasFrameCounter());
 }
 
-/** In the callback of the error the stream is over: it may be begun anew. */
+/** The stream has ended when the error callback is called, so the callback may start a
+ * new one. */
 TEST_F(GrabberFaults, StartInTheErrorCallbackBeginsAnew)
 {
   std::atomic<int> refused{0};
@@ -245,7 +247,7 @@ TEST_F(GrabberFaults, GarbageInAllRegistersIsAnErrorOrNone)
 
 TEST_F(GrabberFaults, RegistersThatDoNotAnswerAreSilence)
 {
-  emulated_.faults().failControl(ControlFault::TimeOut, 3); // as often as it is tried
+  emulated_.faults().failControl(ControlFault::TimeOut, 3); // the number of attempts
   grabber_->start();
   expectFault(CameraFault::Silent);
   expectFrames(2);

@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr auto long_enough = 30s; // for what takes a fraction of it
+constexpr auto long_enough = 30s; // much longer than needed
 
 } // namespace
 

@@ -21,12 +21,12 @@ namespace pcl::acmap::test {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/** \brief All that a grabber tells. */
+/** \brief Records everything that a grabber reports. */
 class GrabberLog {
 public:
   explicit GrabberLog(DigiclopsGrabber& grabber);
 
-  /** \brief Whether so many frames have come, or come in time. */
+  /** \brief Waits until this number of frames has arrived; returns false on timeout. */
   bool
   awaitFrames(std::size_t count);
 
@@ -42,7 +42,7 @@ public:
   Clock::time_point
   timeOfLastError() const;
 
-  // Called after they are noted; set while nothing streams.
+  // Called after a frame or error was recorded; may only be set while nothing streams.
   std::function<void()> on_frame;
   std::function<void()> on_error;
 
@@ -54,38 +54,38 @@ private:
   Clock::time_point error_time_;
 };
 
-/** \brief A rig of the emulated camera's size.
- * \param[in] horizontal, vertical whether there are such cameras */
+/** \brief A rig with the image size of the emulated camera.
+ * \param[in] horizontal, vertical does the rig have these cameras? */
 TrinocularRig
 rigWith(bool horizontal, bool vertical);
 
-/** \brief What a piece of work throws of a camera; None when it throws nothing. */
+/** \brief The camera fault that a function throws; None if it does not throw. */
 CameraFault
 faultOf(const std::function<void()>& work);
 
-/** \brief Ends the program when a piece of work hangs. */
+/** \brief Aborts the program if a function hangs. */
 void
 requireEnd(const std::function<void()>& work);
 
-/** \brief A camera that keeps frames for whoever is late, so that none is lost on a machine
- * that has more to do. */
+/** \brief A camera that buffers many frames, so that none is lost on a busy machine. */
 CameraOptions
 patientCamera();
 
-/** \brief A camera on the USB, and a grabber of its frames, 30 a second. */
+/** \brief A USB camera, and a grabber of its 30 frames per second. */
 class DigiclopsTest : public testing::Test {
 protected:
   explicit DigiclopsTest(const CameraOptions& options = patientCamera());
 
-  /** \brief Opens a grabber of three cameras. */
+  /** \brief Opens a grabber for the rig, by default with three cameras. */
   void
   open(const TrinocularRig& rig = rigWith(true, true));
 
-  /** \brief Starts, and waits for so many frames more. */
+  /** \brief Starts the grabber and waits for this number of further frames. */
   void
   startFor(std::size_t frames);
 
-  /** \brief Frames so far, each compared with what was sent, as numbers of the source. */
+  /** \brief Numbers in the source of all frames so far; compares each frame with what
+   * was sent. */
   std::vector<std::uint64_t>
   sentNumbers(const Sending& sending = {}) const;
 

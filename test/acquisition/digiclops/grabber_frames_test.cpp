@@ -22,7 +22,7 @@ class GrabberFrames : public DigiclopsTest {
 protected:
   using DigiclopsTest::DigiclopsTest;
 
-  /** All of a short stream, sent as told. */
+  /** Compares all frames of a short stream with what was sent. */
   void
   expectFramesSent(const Sending& sending)
   {
@@ -177,14 +177,14 @@ TEST_F(GrabberFrames, NeedAModeOfTheRig)
   EXPECT_THROW(open(rig), BadArgumentException);
 }
 
-/** A camera that keeps no more than a real one, and a callback that is slow once. */
+/** A camera with a realistic buffer, and a callback that is slow once. */
 class GrabberFramesLost : public DigiclopsTest {
 protected:
   GrabberFramesLost()
   : DigiclopsTest(CameraOptions{})
   {}
 
-  /** \return how many of the frames that were sent did not come */
+  /** \return number of frames that were sent but did not arrive */
   std::size_t
   lose(const Sending& sending)
   {
@@ -192,7 +192,7 @@ protected:
     bool is_slow = true;
     log_->on_frame = [&] {
       if (std::exchange(is_slow, false))
-        std::this_thread::sleep_for(1200ms); // 36 frames, of which 11 may wait
+        std::this_thread::sleep_for(1200ms); // 36 frames, of which the buffers hold 11
     };
     startFor(25);
     grabber_->stop();

@@ -18,7 +18,7 @@ protected:
     open();
   }
 
-  /** The text of what ended the stream; empty when it ended well. */
+  /** Message of the error that ended the stream; empty if there was none. */
   std::string
   errorText() const
   {
@@ -39,7 +39,7 @@ TEST_F(GrabberLifecycle, AHundredStreams)
   log_->on_frame = [&] { EXPECT_FALSE(is_stopped); };
   for (int cycle = 0; cycle < 100; ++cycle) {
     is_stopped = false;
-    // Each third one ends before its first frame.
+    // Every third stream ends before its first frame.
     startFor(cycle % 3 == 0 ? 0 : 1);
     EXPECT_TRUE(grabber_->isRunning());
     grabber_->stop();
@@ -82,7 +82,7 @@ TEST_F(GrabberLifecycle, StopAndStartInACallbackGoOn)
   log_->on_frame = [&] {
     grabber_->stop();
     grabber_->start();
-    grabber_->wait(); // of its own stream: returns at once
+    grabber_->wait(); // called from its own stream: returns at once
   };
   startFor(5);
   grabber_->stop();
@@ -140,7 +140,7 @@ TEST_F(GrabberLifecycle, WhatACallbackThrowsEndsTheStream)
   grabber_->wait();
   EXPECT_EQ(errorText(), "enough");
   EXPECT_EQ(log_->frames().size(), 1U);
-  EXPECT_TRUE(log_->errors().empty()); // it is none of the camera's
+  EXPECT_TRUE(log_->errors().empty()); // it is not an error of the camera
   EXPECT_EQ(grabber_->getFault(), CameraFault::None);
   EXPECT_TRUE(grabber_->camera().isOpen());
   log_->on_frame = nullptr;
@@ -156,7 +156,7 @@ TEST_F(GrabberLifecycle, MayEndWhileItStreams)
   const std::size_t frames = log_->frames().size();
   std::this_thread::sleep_for(100ms);
   EXPECT_EQ(log_->frames().size(), frames);
-  open(); // it gave the camera back
+  open(); // succeeds, because the camera was released
   startFor(1);
 }
 
@@ -179,7 +179,7 @@ TEST_F(GrabberLifecycle, RefusesSettingsThatCannotBe)
   EXPECT_THROW(grabber_->setCalibration(calibrationOf(small)), BadArgumentException);
 }
 
-/** A trigger input that waits. */
+/** A camera that waits for an external trigger. */
 class GrabberUnderATrigger : public GrabberLifecycle {
 protected:
   GrabberUnderATrigger()
@@ -192,7 +192,7 @@ protected:
 TEST_F(GrabberUnderATrigger, WaitsWithoutAnError)
 {
   grabber_->start();
-  std::this_thread::sleep_for(600ms); // five times its patience
+  std::this_thread::sleep_for(600ms); // much longer than its timeout
   EXPECT_TRUE(grabber_->isRunning());
   EXPECT_TRUE(log_->frames().empty());
   for (std::size_t i = 1; i <= 3; ++i) {
@@ -223,7 +223,7 @@ TEST_F(GrabberUnderATrigger, LosesNothingToPausesWithoutACounter)
   EXPECT_EQ(grabber_->getReport().lost, 0U);
 }
 
-/** The moment in which the stream begins forgets no stop. */
+/** A stop is not missed while the stream is starting. */
 TEST_F(GrabberUnderATrigger, StopsAtAnyMoment)
 {
   requireEnd([&] {

@@ -16,7 +16,7 @@ constexpr ChannelOrder default_order{
 constexpr ChannelOrder other_order{
     RigCamera::Vertical, RigCamera::Reference, RigCamera::Horizontal};
 
-/** A wall with a box before it, under a pattern, in grey. */
+/** A grey frame of a wall with a box in front of it, under a pattern. */
 TrinocularFrame
 makeFilm()
 {
@@ -27,7 +27,7 @@ makeFilm()
   scene.geometry.addBox("box", {-0.25, -0.25, 1.5}, {0.25, 0.25, 2.0}, look);
   scene.views = {Eigen::Isometry3d::Identity()};
   SimulatedRigGrabber simulation(scene, {RandomLinePattern().generate(3)});
-  simulation.setNumberOfThreads(1); // ThreadSanitizer does not know TBB's
+  simulation.setNumberOfThreads(1); // ThreadSanitizer does not understand TBB's threads
   TrinocularFrame frame = *simulation.observe(0).back();
   for (CameraImage& image : frame.images) {
     CameraImage grey{image.width, image.height, 1, {}};
@@ -45,14 +45,14 @@ film()
   return made;
 }
 
-/** A camera that sees the wall, and sends its planes in an order. */
+/** A camera that observes the wall and sends its channels in a given order. */
 class GrabberOrder : public testing::Test {
 protected:
   void
   expectFilm(const TrinocularFrame& frame) const
   {
     for (const RigCamera camera : default_order) {
-      // The counter hides four bytes of the upper left corner.
+      // The frame counter overwrites four bytes in the upper left corner.
       CameraImage image = frame.image(camera);
       CameraImage want = film_.image(camera);
       std::fill_n(image.values.begin(), 2, 0);

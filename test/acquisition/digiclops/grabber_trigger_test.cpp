@@ -9,7 +9,7 @@ using testing::ElementsAre;
 
 class GrabberTrigger : public DigiclopsTest {
 protected:
-  /** Takes shots one after another: each is exposed after it was asked for. */
+  /** Triggers shots one after another; each must be exposed after its request. */
   void
   expectFreshShots(int shots)
   {

@@ -13,17 +13,18 @@ namespace {
 
 constexpr std::size_t height = 480;
 constexpr std::size_t longest_row = std::size_t{640} * 3;
-constexpr std::size_t starts = 65536; // of a row in the noise
+constexpr std::size_t starts = 65536; // number of offsets into the noise at which a row
+                                      // can start
 constexpr std::size_t specks = 5000;
 
-/** Where the number stands: in the middle, off the margin. */
+/** Position of the frame number: in the centre, not in the margin. */
 std::size_t
 placeOfNumber(std::size_t image_bytes)
 {
   return image_bytes / 2 + 60;
 }
 
-/** Bytes as the sensors gave them. */
+/** Bytes in the order in which the camera sends them. */
 std::vector<std::uint8_t>
 sentBytes(const TrinocularFrame& frame, const Sending& sending)
 {
@@ -40,7 +41,7 @@ sentBytes(const TrinocularFrame& frame, const Sending& sending)
   return bytes;
 }
 
-/** Colours of pixels on the margin are not those of the sensor. */
+/** Sets the margin to zero, because its colours are not those of the sensor. */
 void
 clearMargin(std::vector<std::uint8_t>& bytes, std::size_t row)
 {

@@ -13,22 +13,23 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A source of frames that tell their number, each with other stripes and specks:
- * what came of one can be compared with what was sent, byte by byte. Notes exposures.
- * Stripes, as they have no corners: the check of the channel order is soon done. */
+/** \brief A source of frames that contain their number, each with different stripes and
+ * specks, so that received frames can be compared with the sent ones byte by byte.
+ * Records the exposures. Stripes have no corners, so that the check of the channel
+ * order ends early. */
 class NumberedImages {
 public:
-  /** \param[in] seed of another camera: other stripes */
+  /** \param[in] seed different cameras have different stripes */
   explicit NumberedImages(std::uint64_t seed = 1);
 
   std::vector<std::uint8_t>
   bytesOf(std::uint64_t number, std::size_t image_bytes) const;
 
-  /** \brief As a camera asks for it. */
+  /** \brief Creates the image of an exposure; called by the emulated camera. */
   std::vector<std::uint8_t>
   expose(const Exposure& exposure);
 
-  /** \brief The exposure of a frame that was sent. */
+  /** \brief The exposure of a sent frame. */
   Exposure
   exposureOf(std::uint64_t number) const;
 
@@ -38,16 +39,16 @@ private:
   std::map<std::uint64_t, Exposure> exposures_;
 };
 
-/** \brief How a grabber's frames were sent. */
+/** \brief The format in which frames were sent. */
 struct Sending {
   ChannelOrder order{RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical};
   std::size_t cameras = 3;
-  std::string tiles;      ///< of the colour filter; empty without
-  bool is_counted = true; ///< the camera writes its counter over the first bytes
+  std::string tiles;      ///< of the colour filter; empty if there is none
+  bool is_counted = true; ///< the camera overwrites the first bytes with its counter
 };
 
-/** \brief Which frame of a source this is. Fails the test unless all bytes are those that
- * were sent: but for the counter, and under a colour filter the margin. */
+/** \brief Number of a received frame. Fails the test unless all bytes are equal to
+ * those sent, except for the counter and, with a colour filter, the margin. */
 std::uint64_t
 numberOf(const TrinocularFrame& frame,
          const NumberedImages& images,

@@ -10,43 +10,43 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What goes wrong with a frame. */
+/** \brief Faults of a frame. */
 enum class FrameFault {
   None,
   Short,        ///< its last third is missing
-  WrongCounter, ///< another number is embedded
-  EmptyEnd,     ///< a packet without bytes follows it
+  WrongCounter, ///< a wrong number is embedded
+  EmptyEnd,     ///< an empty packet follows it
   Error,        ///< noise on the cable in the middle of it
   Stall,        ///< the endpoint halts in the middle of it
-  Unplug        ///< the cable goes in the middle of it
+  Unplug        ///< the cable is unplugged in the middle of it
 };
 
-/** \brief What goes wrong with a control transfer. */
+/** \brief Faults of a control transfer. */
 enum class ControlFault { None, Stall, Error, TimeOut };
 
-/** \brief What is wrong with the configuration ROM. */
+/** \brief Faults of the configuration ROM. */
 enum class RomFault {
   None,
   Cut,       ///< ends after three quadlets
-  Zero,      ///< nothing but zeros
+  Zero,      ///< zeros only
   WrongBus,  ///< not "1394"
-  FarUnit,   ///< the unit directory lies outside
-  FarLeaves, ///< so do the texts
-  HugeLeaf,  ///< a text says that it is longer than the ROM
-  Endless    ///< never ends, all directories
+  FarUnit,   ///< the unit directory is outside
+  FarLeaves, ///< the texts are outside
+  HugeLeaf,  ///< a text claims to be longer than the ROM
+  Endless    ///< endless chain of directories
 };
 
-/** \brief Switches for what may go wrong; from any thread. */
+/** \brief Faults that can be switched on; may be called from any thread. */
 class CameraFaults {
 public:
   void
   failFrame(FrameFault fault, std::uint64_t number);
 
-  /** \brief This frame and all that follow. */
+  /** \brief Sets a fault for this and all following frames. */
   void
   failFramesFrom(FrameFault fault, std::uint64_t number);
 
-  /** \brief No frames, though the camera answers. */
+  /** \brief Sends no frames, but still answers. */
   void
   setSilent(bool silent);
 
@@ -54,22 +54,22 @@ public:
   void
   failControl(ControlFault fault, std::size_t count);
 
-  /** \brief Reads of this offset from the command registers give this value. */
+  /** \brief Reads of the command register at this offset return this value. */
   void
   overrideRegister(std::uint32_t offset, std::uint32_t value);
 
-  /** \brief Reads of all command registers give noise. */
+  /** \brief Reads of all command registers return noise. */
   void
   overrideAllRegisters(std::uint64_t seed);
 
   void
   breakRom(RomFault fault);
 
-  /** \brief From here on all goes well. */
+  /** \brief Switches all faults off. */
   void
   heal();
 
-  // What the camera asks.
+  // Called by the camera.
   FrameFault
   ofFrame(std::uint64_t number) const;
   bool

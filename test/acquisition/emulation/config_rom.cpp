@@ -13,7 +13,7 @@ entry(std::uint32_t key, std::uint32_t value)
   return key << 24 | (value & 0xFFFFFF);
 }
 
-/** \brief The check of a block of the ROM: CRC-16 of ITU-T, as IEEE 1212 has it. */
+/** \brief Checksum of a block of the ROM: CRC-16 of ITU-T, as defined by IEEE 1212. */
 std::uint32_t
 checkOf(const Quadlets& block)
 {
@@ -34,7 +34,8 @@ append(Quadlets& rom, const Quadlets& block)
   rom.insert(rom.end(), block.begin(), block.end());
 }
 
-/** \brief Text with at least one zero at its end, the first letter in the high byte. */
+/** \brief A text with at least one terminating zero, the first character in the high
+ * byte. */
 Quadlets
 leafOf(const std::string& text)
 {
@@ -56,7 +57,7 @@ configRomOf(const CameraIdentity& identity)
   Quadlets rom = {0x04040000 | checkOf(bus)};
   rom.insert(rom.end(), bus.begin(), bus.end());
 
-  // An entry that points somewhere counts quadlets from itself.
+  // The offset in an entry is in quadlets, relative to the entry itself.
   append(rom, {entry(0x03, high >> 8), entry(0x0C, 0x0083C0), entry(0xD1, 1)});
   const std::uint32_t unit = identity.point_grey_unit ? 0x00B09D : 0x00A02D;
   append(rom, {entry(0x12, unit), entry(0x13, 0x000102), entry(0xD4, 1)});

@@ -18,7 +18,7 @@ ticks(std::chrono::duration<double> time)
   return std::chrono::duration_cast<Clock::duration>(time);
 }
 
-/** \brief Seconds, cycles of 125 us and their parts, as the bus counts them. */
+/** \brief Seconds, cycles of 125 us and their fractions, in the format of the bus. */
 std::uint32_t
 cycleTime(Clock::time_point time)
 {
@@ -33,7 +33,7 @@ cycleTime(Clock::time_point time)
 
 } // namespace
 
-/** \brief All of them as they are when power comes. */
+/** \brief All registers with their values after power-on. */
 struct EmulatedIidcCamera::Registers {
   explicit Registers(const CameraOptions& options)
   : video(map, options.setting_reads)
@@ -226,7 +226,7 @@ EmulatedIidcCamera::run()
       expose(lock);
 }
 
-/** \brief Whether an exposure ended that nothing disturbed. */
+/** \brief Returns true if an exposure ended without being disturbed. */
 bool
 EmulatedIidcCamera::waitForExposure(std::unique_lock<std::mutex>& lock)
 {
@@ -251,7 +251,7 @@ EmulatedIidcCamera::expose(std::unique_lock<std::mutex>& lock)
   const auto frame_period = period();
   exposure.begin =
       exposure.end - ticks(std::min(registers_->features.shutter(), frame_period));
-  // Late is late: there is no burst to make up for it.
+  // A delayed exposure is not made up for by a burst.
   next_end_ = std::max(next_end_ + ticks(frame_period), exposure.end);
   const std::uint64_t epoch = epoch_;
 

@@ -22,24 +22,24 @@
 
 namespace pcl::acmap::test {
 
-/** \brief An exposure that has just ended. */
+/** \brief A finished exposure. */
 struct Exposure {
   using Time = std::chrono::steady_clock::time_point;
 
-  std::uint64_t number = 0; ///< of the frame since power came; lost ones count
+  std::uint64_t number = 0; ///< number of the frame since power-on, including lost ones
   Time begin;
   Time end;
-  VideoSetting setting; ///< the image wanted
+  VideoSetting setting; ///< requested image
 };
 
-/** \brief Gives the bytes of the image (image_bytes of them) at the end of its exposure;
- * called from a thread of the camera, one call at a time. */
+/** \brief Returns the bytes of the image (image_bytes of them) at the end of its
+ * exposure; called from a thread of the camera, one call at a time. */
 using FrameSource = std::function<std::vector<std::uint8_t>(const Exposure&)>;
 
-/** \brief What the camera sends over its stream for one frame. */
+/** \brief Data of one frame in the camera's stream. */
 struct CameraFrame {
   std::uint64_t number = 0;
-  std::uint64_t stream = 0; ///< that it belongs to, see EmulatedIidcCamera::stream
+  std::uint64_t stream = 0; ///< its stream, see EmulatedIidcCamera::stream
   std::vector<std::uint8_t> bytes;
   FrameFault fault = FrameFault::None;
 };
@@ -47,16 +47,17 @@ struct CameraFrame {
 struct CameraOptions {
   CameraIdentity identity;
   std::string tiles = "YYYY";      ///< of the colour filter
-  bool locked = true;              ///< Point Grey's registers ask for their key
-  bool refuse_unknown = false;     ///< a read of no register fails; else all bits are 1
-  std::size_t buffered_frames = 3; ///< a further one is lost
-  std::uint32_t setting_reads = 2; ///< polls until Format_7 has settled
+  bool locked = true;              ///< Point Grey's registers require a key
+  bool refuse_unknown = false;     ///< reads of unknown registers fail; else all bits
+                                   ///< are 1
+  std::size_t buffered_frames = 3; ///< further frames are lost
+  std::uint32_t setting_reads = 2; ///< reads until a Format_7 setting is valid
 };
 
 /** \brief An IIDC 1.30 camera without its bus: registers, and frames in real time.
  *
- * A frame that nobody takes before the buffer is full is lost, and its number with it.
- * All functions may be called from any thread. */
+ * If the buffer is full, new frames are lost, but still counted. All functions may be
+ * called from any thread. */
 class EmulatedIidcCamera {
 public:
   explicit EmulatedIidcCamera(FrameSource source, const CameraOptions& options = {});
@@ -66,29 +67,29 @@ public:
   EmulatedIidcCamera&
   operator=(const EmulatedIidcCamera&) = delete;
 
-  /** \brief The quadlet at an address of the bus; none: the camera refuses. */
+  /** \brief The quadlet at a bus address; nothing if the camera refuses the read. */
   std::optional<std::uint32_t>
   read(std::uint64_t address);
 
-  /** \brief Whether the camera accepts the write, even if it ignores it. */
+  /** \brief Returns true if the camera accepts the write, even if it ignores it. */
   bool
   write(std::uint64_t address, std::uint32_t value);
 
-  /** \brief The oldest frame that waits. */
+  /** \brief Removes the oldest buffered frame. */
   std::optional<CameraFrame>
   takeFrame();
 
-  /** \brief Another number after each start and stop: what was not sent till then never
-   * will be. */
+  /** \brief A number that changes with each start and stop; frames that have not been
+   * sent by then are discarded. */
   std::uint64_t
   stream();
 
-  /** \brief Called, from a thread of the camera, when a frame waits. The listener must not
-   * set another one. */
+  /** \brief Sets a function that is called from a thread of the camera when a frame is
+   * available. The listener must not set another one. */
   void
   whenFrameWaits(std::function<void()> listener);
 
-  /** \brief Power goes and comes: registers as at first, frames count from 0. */
+  /** \brief Switches power off and on: resets registers and frame number. */
   void
   cyclePower();
 
@@ -127,12 +128,12 @@ private:
   std::mutex listener_mutex_;
   std::function<void()> listener_;
 
-  std::mutex mutex_; ///< of all that follows
+  std::mutex mutex_; ///< protects all following members
   std::condition_variable changed_;
   std::unique_ptr<Registers> registers_;
   std::deque<CameraFrame> waiting_;
   std::uint64_t frames_ = 0;
-  std::uint64_t epoch_ = 0; ///< changes with all that makes an exposure void
+  std::uint64_t epoch_ = 0; ///< changes with every event that invalidates an exposure
   bool streaming_ = false;
   bool shot_wanted_ = false;
   Time next_end_;

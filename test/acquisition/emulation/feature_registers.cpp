@@ -21,7 +21,7 @@ struct FeatureShape {
   std::uint32_t least;
   std::uint32_t most;
   std::uint32_t value;
-  float absolute_least; ///< equal to absolute_most: no absolute value
+  float absolute_least; ///< equal to absolute_most if there is no absolute value
   float absolute_most;
 };
 
@@ -40,7 +40,8 @@ hasAbsolute(const FeatureShape& shape)
   return shape.absolute_least < shape.absolute_most;
 }
 
-/** \brief Offset of a feature in tables that have the low half 0x80 after the high one. */
+/** \brief Offset of a feature in tables that have the low half 0x80 after the high
+ * one. */
 constexpr std::uint32_t
 place(Feature feature)
 {
@@ -91,7 +92,7 @@ addFeature(RegisterMap& registers, const FeatureShape& shape)
 {
   const std::uint32_t at = place(shape.feature);
   const std::uint32_t absolute = hasAbsolute(shape) ? has_absolute : 0;
-  // Can be read, switched, set by itself and by hand.
+  // Readable, can be switched on and off, automatic and manual.
   registers.fix(feature_inquiry + at,
                 present | absolute | 0x0F000000 | shape.least << 12 | shape.most);
   registers.keep(feature_status + at,
@@ -140,10 +141,10 @@ FeatureRegisters::written(std::uint32_t offset)
     if (!hasAbsolute(shape) || (offset != status && offset != value))
       continue;
     const std::uint32_t state = registers_.at(status);
-    // Of the two values the one in command leads.
+    // The active one of the two values determines the other.
     if (state & absolute_control) {
       float absolute = floatOf(registers_.at(value));
-      if (!(absolute >= shape.absolute_least)) // neither is NaN
+      if (!(absolute >= shape.absolute_least)) // also if it is NaN
         absolute = shape.absolute_least;
       absolute = std::min(absolute, shape.absolute_most);
       registers_.set(value, bitsOf(absolute));

@@ -9,15 +9,15 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Which camera the first, second and third byte of each pixel belong to. */
+/** \brief The cameras of the first, second and third byte of each pixel. */
 using ChannelOrder = std::array<RigCamera, 3>;
 
-/** \brief The grey images of a frame as a camera sends them in RGB8: a byte of each. */
+/** \brief The grey images of a frame as a camera sends them in RGB8: one byte each. */
 std::vector<std::uint8_t>
 interleaved(const TrinocularFrame& frame, const ChannelOrder& order);
 
-/** \brief What a sensor under a colour filter sees of an image of three channels.
- * \param[in] tiles the colours of two rows of two pixels, as `GBRG` */
+/** \brief What a sensor with a colour filter measures of an image of three channels.
+ * \param[in] tiles the colours of two rows of two pixels, such as `GBRG` */
 CameraImage
 mosaicOf(const CameraImage& colour, const std::string& tiles);
 

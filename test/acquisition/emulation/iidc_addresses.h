@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/** \brief Where IIDC 1.30 and Point Grey have their registers: written down here once
- * more, so that a slip in the library does not hide behind the same slip in its test. */
+/** \brief Register addresses of IIDC 1.30 and Point Grey. They are defined again here,
+ * so that the tests find errors in the definitions of the library. */
 namespace pcl::acmap::test::iidc {
 
 constexpr std::uint64_t csr_space = 0xFFFFF0000000;
@@ -11,9 +11,9 @@ constexpr std::uint64_t config_rom = csr_space + 0x400;
 constexpr std::uint32_t command_base = 0xF00000; ///< of the command registers, from CSR
 constexpr std::uint64_t commands = csr_space + command_base;
 
-constexpr std::uint32_t present = 0x80000000; ///< in inquiries and absolute values
+constexpr std::uint32_t present = 0x80000000; ///< bit in inquiries and absolute values
 
-// Offsets from the command registers.
+// Offsets relative to the command registers.
 constexpr std::uint32_t initialize = 0x000;
 constexpr std::uint32_t format_inquiry = 0x100;
 constexpr std::uint32_t mode_inquiry = 0x180; ///< + 4 format
@@ -38,11 +38,11 @@ constexpr std::uint32_t data_depth = 0x630;
 constexpr std::uint32_t absolute_csr = 0x700;   ///< + 4 feature
 constexpr std::uint32_t feature_status = 0x800; ///< + 4 feature
 
-// Places that the camera is free to choose, as offsets from the command registers.
+// Addresses that the camera may choose, as offsets relative to the command registers.
 constexpr std::uint32_t format7_base = 0x4000;  ///< + 256 mode
 constexpr std::uint32_t absolute_base = 0x5000; ///< + 16 feature
 
-// Point Grey's, in the advanced space.
+// Point Grey's registers in the advanced space.
 constexpr std::uint32_t advanced_base = 0x1000;
 constexpr std::uint32_t access_high = 0x1000;
 constexpr std::uint32_t access_low = 0x1004;
@@ -52,7 +52,7 @@ constexpr std::uint32_t frame_info = 0x12F8;
 
 constexpr std::uint32_t on = 0x80000000;
 
-/** \brief Features by their place in the tables; 32 and on are those of the low half. */
+/** \brief Features by their index in the tables; those of the low half start at 32. */
 enum Feature : std::uint32_t {
   Brightness = 0,
   AutoExposure = 1,
@@ -64,7 +64,7 @@ enum Feature : std::uint32_t {
   Pan = 33
 };
 
-// Bits of feature status.
+// Bits of the feature status.
 constexpr std::uint32_t absolute_control = 0x40000000;
 constexpr std::uint32_t feature_on = 0x02000000;
 constexpr std::uint32_t feature_auto = 0x01000000;

@@ -7,16 +7,16 @@
 #include <cstring>
 #include <memory>
 
-// libdc1394 keeps the descriptor of the configuration that it asks libusb for at each start
-// of a capture: not ours to free.
+// libdc1394 does not free the configuration descriptor that it requests from libusb at
+// each start of a capture.
 extern "C" __attribute__((visibility("default"))) const char*
 __lsan_default_suppressions()
 {
   return "leak:libusb-1.0.so";
 }
 
-// libdc1394 speaks IIDC over USB too, and knows nothing of acmap: what it gets from the
-// emulated camera, it would get from a real one.
+// libdc1394 also supports IIDC over USB and is independent of acmap: it tests that the
+// emulated camera behaves like a real one.
 namespace pcl::acmap::test {
 namespace {
 
@@ -71,7 +71,7 @@ protected:
     context_.reset();
   }
 
-  /** \brief Takes frames, which must be those of the source and follow each other. */
+  /** \brief Captures frames, which must be equal to the source and consecutive. */
   void
   capture(std::size_t frames, std::uint64_t first)
   {
@@ -138,7 +138,8 @@ TEST_F(IidcDc1394, FramesOfAFixedMode)
 
 TEST_F(IidcDc1394, FramesOfAScalableMode)
 {
-  // 1000 bytes a packet do not divide the image: the last packet has a rest to ignore.
+  // Packets of 1000 bytes do not divide the image: the padding of the last packet is
+  // ignored.
   ASSERT_EQ(dc1394_video_set_mode(camera_.get(), DC1394_VIDEO_MODE_FORMAT7_0),
             DC1394_SUCCESS);
   ASSERT_EQ(dc1394_format7_set_roi(camera_.get(),

@@ -46,7 +46,7 @@ protected:
     EXPECT_TRUE(camera_.write(commands + offset, value));
   }
 
-  /** \brief Where the CSRs are that a register points to, as an offset. */
+  /** \brief Offset of the CSRs to which a register points. */
   std::uint32_t
   follow(std::uint32_t offset)
   {
@@ -84,7 +84,7 @@ TEST_F(IidcRegisters, FormatsModesRates)
   EXPECT_EQ(read(0x100), 0x81000000U);
   EXPECT_EQ(read(0x180), 0x0C000000U);
   EXPECT_EQ(read(0x19C), 0x90000000U);
-  EXPECT_EQ(read(0x210), 0xF8000000U); // RGB8: 1.875 to 30 frames a second
+  EXPECT_EQ(read(0x210), 0xF8000000U); // RGB8: 1.875 to 30 frames per second
   EXPECT_EQ(read(0x604), 4U << 29);
   write(0x604, 5U << 29);
   EXPECT_EQ(read(0x628), 0U);
@@ -176,7 +176,7 @@ TEST_F(IidcRegisters, ValueAndAbsoluteValueFollowEachOther)
   write(0x81C, 0x82000000 | 1000);
   EXPECT_FLOAT_EQ(floatOf(read(csr + 8)), 0.1F);
   write(csr + 8, bitsOf(0.05F));
-  EXPECT_FLOAT_EQ(floatOf(read(csr + 8)), 0.1F); // not in command
+  EXPECT_FLOAT_EQ(floatOf(read(csr + 8)), 0.1F); // not active
   write(0x81C, 0xC2000000);
   write(csr + 8, bitsOf(0.05F));
   EXPECT_NEAR(read(0x81C) & 0xFFF, 500, 2);

@@ -7,7 +7,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief No system gives more memory to the frames of one camera. */
+/** \brief Maximum memory for the frames of one camera. */
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
 } // namespace
@@ -118,7 +118,7 @@ private:
 
   MemoryCable& cable_;
   bool is_streaming_ = false;
-  bool is_cancelled_ = false; ///< under the cable's mutex
+  bool is_cancelled_ = false; ///< protected by the mutex of the cable
 };
 
 MemoryCable::MemoryCable(EmulatedIidcCamera& camera)

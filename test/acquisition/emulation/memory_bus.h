@@ -13,8 +13,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A cable from a camera to buses in memory: what goes over it, and what goes wrong
- * with it. It outlives the buses; one streams at a time. */
+/** \brief A cable from a camera to buses in memory, with switchable faults. It must
+ * outlive the buses; only one of them streams at a time. */
 class MemoryCable {
 public:
   explicit MemoryCable(EmulatedIidcCamera& camera);
@@ -27,15 +27,15 @@ public:
   IidcBusOpener
   opener();
 
-  /** \brief What reads of registers (not of the ROM) give in place of what is there. */
+  /** \brief Replaces the values of register reads (not of the ROM). */
   using Garble = std::function<std::uint32_t(std::uint64_t address)>;
 
-  // All of these are set while nothing goes over the cable.
+  // These may only be changed while there is no communication.
   std::atomic<bool> is_plugged{true};
   Garble garble;
-  std::size_t accesses = 0;                     ///< reads and writes till now
-  std::size_t failing_access = ~std::size_t{0}; ///< which of them fails, from 0
-  CameraFault failure = CameraFault::Silent;    ///< as this
+  std::size_t accesses = 0;                     ///< reads and writes so far
+  std::size_t failing_access = ~std::size_t{0}; ///< index of the access that fails
+  CameraFault failure = CameraFault::Silent;    ///< fault of this access
   std::size_t frame_bytes = 0;                  ///< of the last stream
 
 private:
@@ -43,7 +43,7 @@ private:
 
   EmulatedIidcCamera& camera_;
   std::mutex mutex_;
-  std::condition_variable changed_; ///< a frame waits, or it was cancelled
+  std::condition_variable changed_; ///< a frame is available, or waiting was cancelled
 };
 
 } // namespace pcl::acmap::test

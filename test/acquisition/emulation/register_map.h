@@ -8,14 +8,14 @@ namespace pcl::acmap::test {
 /** \brief Quadlets by offset, each with the bits that a host may change. */
 class RegisterMap {
 public:
-  /** \brief A register that ignores writes. */
+  /** \brief Adds a register that ignores writes. */
   void
   fix(std::uint32_t offset, std::uint32_t value)
   {
     cells_[offset] = {value, 0};
   }
 
-  /** \brief A register of which writes change these bits. */
+  /** \brief Adds a register in which the host may change the writable bits. */
   void
   keep(std::uint32_t offset, std::uint32_t value, std::uint32_t writable = 0xFFFFFFFF)
   {
@@ -34,14 +34,14 @@ public:
     return cells_.at(offset).value;
   }
 
-  /** \brief As the camera itself changes a register. */
+  /** \brief Changes a register as the camera itself does. */
   void
   set(std::uint32_t offset, std::uint32_t value)
   {
     cells_.at(offset).value = value;
   }
 
-  /** \brief As the host writes: whether there is such a register. */
+  /** \brief Writes a register as the host does; returns false if it does not exist. */
   bool
   write(std::uint32_t offset, std::uint32_t value)
   {

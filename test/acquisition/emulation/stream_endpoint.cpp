@@ -9,7 +9,7 @@ namespace pcl::acmap::test {
 bool
 StreamEndpoint::hasFrame()
 {
-  // The rest of a frame does not outlive its stream.
+  // The rest of a frame is discarded when its stream ends.
   if (frame_ && frame_->stream != camera_.stream())
     frame_.reset();
   if (frame_)

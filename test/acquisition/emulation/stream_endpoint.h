@@ -9,22 +9,22 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What the stream has for one transfer. */
+/** \brief Result of one transfer of the stream. */
 struct StreamPart {
   std::vector<std::uint8_t> bytes;
-  int status = 0;         ///< as a transfer of the kernel has it
-  bool cable_cut = false; ///< the last that comes
+  int status = 0;         ///< as in a transfer of the kernel
+  bool cable_cut = false; ///< the cable is unplugged after this part
 };
 
-/** \brief The bulk endpoint: frames one after the other, each in a transfer of its own, or
- * in as many as it takes. */
+/** \brief The bulk endpoint: sends the frames one after another; each one needs one or
+ * more transfers. */
 class StreamEndpoint {
 public:
   explicit StreamEndpoint(EmulatedIidcCamera& camera)
   : camera_(camera)
   {}
 
-  /** \brief None: there is nothing yet. */
+  /** \brief Next part of the stream; nothing if there is no data yet. */
   std::optional<StreamPart>
   next(std::size_t most);
 
@@ -41,9 +41,9 @@ private:
   partOfFrame(std::size_t most);
 
   EmulatedIidcCamera& camera_;
-  std::optional<CameraFrame> frame_; ///< under way
-  std::size_t sent_ = 0;             ///< bytes of it
-  bool empty_packet_ = false;        ///< comes next
+  std::optional<CameraFrame> frame_; ///< being sent
+  std::size_t sent_ = 0;             ///< bytes sent of this frame
+  bool empty_packet_ = false;        ///< is sent next
   bool halted_ = false;
 };
 

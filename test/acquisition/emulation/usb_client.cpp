@@ -48,7 +48,7 @@ UsbClient::close()
 {
   if (!handle_)
     return;
-  // The mock hears of a close a little later than the kernel would.
+  // The mock detects a close slightly later than the kernel would.
   libusb_release_interface(handle_, 0);
   libusb_close(handle_);
   handle_ = nullptr;

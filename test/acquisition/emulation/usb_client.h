@@ -10,10 +10,10 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A plain user of libusb, to look at the emulation with. */
+/** \brief A simple client of libusb, to test the emulation. */
 class UsbClient {
 public:
-  /** \brief Reads or writes give up after this. */
+  /** \brief Timeout of reads and writes. */
   static constexpr unsigned patience_ms = 300;
 
   UsbClient();
@@ -29,11 +29,12 @@ public:
     return context_;
   }
 
-  /** \brief How many devices there are. */
+  /** \brief Number of devices. */
   std::size_t
   count();
 
-  /** \brief Opens a device by its place in the list and claims it: error code of libusb. */
+  /** \brief Opens a device by its index in the list and claims it; returns libusb's
+   * error code. */
   int
   open(std::size_t place = 0);
 
@@ -46,14 +47,15 @@ public:
     return handle_;
   }
 
-  /** \brief Bytes read or an error code; offset from the command registers. */
+  /** \brief Returns the number of bytes read or an error code; offset relative to the
+   * command registers. */
   int
   read(std::uint32_t offset, std::uint32_t& value);
 
   int
   write(std::uint32_t offset, std::uint32_t value);
 
-  /** \brief One transfer of the stream; of this many bytes at most. */
+  /** \brief Receives one transfer of the stream, of at most this many bytes. */
   int
   receive(std::vector<std::uint8_t>& bytes, std::size_t most, unsigned timeout_ms);
 

@@ -10,13 +10,13 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What a control transfer brings.
+/** \brief Answers a control transfer.
  *
- * Reads and writes of registers are vendor requests 0x7F: the low half of the address in
- * wValue, the next one in wIndex, quadlets with the low byte first.
- * \param[in] message the 8 bytes of its setup, then its data
+ * Reads and writes of registers are vendor requests 0x7F: the low half of the address
+ * is in wValue, the next one in wIndex, and quadlets are little-endian.
+ * \param[in] message the 8 bytes of its setup, followed by its data
  * \param[in] size of the message
- * \return the bytes read, or those written; none: the device stalls */
+ * \return the bytes read, or those written; nothing: the device stalls */
 std::optional<std::vector<std::uint8_t>>
 answerControl(EmulatedIidcCamera& camera,
               const UsbIdentity& identity,

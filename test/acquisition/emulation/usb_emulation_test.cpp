@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t frame_bytes = 640 * 480 * 3;
 
-/** \brief The number of the frame, over and over. */
+/** \brief An image that repeats the frame number. */
 std::vector<std::uint8_t>
 numbered(const Exposure& exposure)
 {
@@ -29,7 +29,7 @@ protected:
   startStream(UsbClient& client)
   {
     ASSERT_EQ(client.open(), 0);
-    ASSERT_EQ(client.write(iidc::current_rate, 4U << 29), 4); // 30 frames a second
+    ASSERT_EQ(client.write(iidc::current_rate, 4U << 29), 4); // 30 frames per second
     ASSERT_EQ(client.write(iidc::iso_enable, iidc::on), 4);
   }
 
@@ -127,7 +127,7 @@ TEST_F(UsbEmulation, TheRestOfAFrameDoesNotOutliveItsStream)
   std::vector<std::uint8_t> bytes;
   ASSERT_EQ(client.receive(bytes, 512, 1000), 0);
   ASSERT_EQ(client.receive(bytes, 1024, 1000), 0);
-  EXPECT_TRUE(bytes == std::vector<std::uint8_t>(1024, 0)); // of the same frame
+  EXPECT_TRUE(bytes == std::vector<std::uint8_t>(1024, 0)); // part of the same frame
   ASSERT_EQ(client.write(iidc::iso_enable, 0), 4);
   ASSERT_EQ(client.write(iidc::iso_enable, iidc::on), 4);
   ASSERT_EQ(client.receive(bytes, frame_bytes, 1000), 0);

@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief Even root may not open it for writing. */
+/** \brief A file that even root cannot open for writing. */
 constexpr const char* forbidden = "/proc/sys/kernel/ostype";
 
 std::string
@@ -33,7 +33,7 @@ nodeName(int address)
   return name;
 }
 
-/** \brief The device as umockdev wants it described. */
+/** \brief Description of the device in the format of umockdev. */
 std::string
 descriptionOf(const std::string& system_path, int address, const UsbIdentity& identity)
 {
@@ -89,8 +89,8 @@ onClosed(gpointer node, GObject* client)
   (*holder)->forget(reinterpret_cast<UMockdevIoctlClient*>(client));
 }
 
-// The handler has a signal for the end of a client too, but umockdev does not emit it: the
-// end of the object tells.
+// The handler also has a signal for the end of a client, but umockdev does not emit it;
+// so the destruction of the client object is observed.
 void
 onOpened(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node)
 {
@@ -232,7 +232,8 @@ UsbTestbed::add(const std::string& system_path,
   connect(handler.get(), "client-connected", G_CALLBACK(onOpened), node);
   const std::string name = "/dev/" + nodeName(address);
   GError* error = nullptr;
-  // The event of the new device comes with it: who hears it may open the node at once.
+  // Must come first: adding the device emits an event, and listeners may open the node
+  // at once.
   if (!umockdev_testbed_attach_ioctl(
           testbed_.get(), name.c_str(), handler.get(), &error) ||
       !umockdev_testbed_add_from_string(

@@ -15,7 +15,7 @@ namespace pcl::acmap::test {
 
 class UsbTestbed;
 
-/** \brief A camera on a cable, which is in the socket at first. */
+/** \brief A camera with a USB cable, which is plugged in at first. */
 class EmulatedUsbCamera {
 public:
   EmulatedUsbCamera(UsbTestbed& testbed,
@@ -27,18 +27,19 @@ public:
   EmulatedUsbCamera&
   operator=(const EmulatedUsbCamera&) = delete;
 
-  /** \brief The cable goes in: a new address, as the kernel gives it. */
+  /** \brief Plugs the cable in; the device gets a new address, as from the kernel. */
   void
   plug();
 
-  /** \brief The cable goes: transfers fail, the device vanishes, the camera loses power. */
+  /** \brief Unplugs the cable: transfers fail, the device disappears, the camera loses
+   * power. */
   void
   unplug();
 
   bool
   plugged() const;
 
-  /** \brief Whether users may open the device, as a udev rule would have it. */
+  /** \brief Sets if users may open the device, which a udev rule normally grants. */
   void
   setPermission(bool granted);
 
@@ -57,17 +58,17 @@ private:
   const UsbIdentity identity_;
   const std::string system_path_;
 
-  mutable std::mutex mutex_;        ///< of all that follows
-  std::shared_ptr<UsbfsNode> node_; ///< none: unplugged
+  mutable std::mutex mutex_;        ///< protects all following members
+  std::shared_ptr<UsbfsNode> node_; ///< null: unplugged
   int address_ = 0;
 };
 
-/** \brief A machine with nothing on its USB: what libusb sees, in this process and those it
- * starts, as long as it lives.
+/** \brief Emulates the USB of a machine, without devices at first, for libusb in this
+ * process and its children during the lifetime of this object.
  *
- * The process runs with `libumockdev-preload.so.0` in LD_PRELOAD (acmap_add_usb_test does
- * that). Devices must be closed before it goes, for the preloaded library ends a process
- * that loses its device in another way. */
+ * The process must run with `libumockdev-preload.so.0` in LD_PRELOAD
+ * (acmap_add_usb_test does that). Devices must be closed before it is destroyed,
+ * because otherwise the preloaded library aborts the process. */
 class UsbTestbed {
 public:
   UsbTestbed();
@@ -94,10 +95,10 @@ private:
   void
   remove(const std::string& system_path);
 
-  std::mutex mutex_; ///< of all that follows
+  std::mutex mutex_; ///< protects all following members
   ObjectPtr<UMockdevTestbed> testbed_;
   int ports_ = 0;
-  int addresses_ = 1; ///< the hub has the first one
+  int addresses_ = 1; ///< the hub has address 1
 };
 
 } // namespace pcl::acmap::test

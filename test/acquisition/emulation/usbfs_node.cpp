@@ -19,7 +19,8 @@ namespace {
 
 constexpr unsigned char bulk_in = 0x81;
 
-/** \brief The memory of the client that a pointer, at this place of the data, points to. */
+/** \brief The memory of the client to which the pointer at this offset of the data
+ * points. */
 ObjectPtr<UMockdevIoctlData>
 resolve(UMockdevIoctlData* data, std::size_t offset, std::size_t length)
 {
@@ -138,7 +139,7 @@ UsbfsNode::disconnect()
   showReady();
 }
 
-/** \brief Error number of a request, 0 when it succeeds. */
+/** \brief Error number of a request, 0 on success. */
 int
 UsbfsNode::answerOf(UMockdevIoctlClient* client,
                     UMockdevIoctlData* argument,
@@ -237,7 +238,7 @@ UsbfsNode::submit(UMockdevIoctlClient* client, UMockdevIoctlData* argument)
   if (wish.type != USBDEVFS_URB_TYPE_BULK || wish.endpoint != bulk_in ||
       !identity_.bulk_endpoint)
     return ENOENT;
-  // As usbfs does for who forgot to.
+  // Claims the interface for clients that have not done it, as usbfs does.
   if (const int error = claim(client, 0))
     return error;
   Client& own = clients_[client];
@@ -350,7 +351,7 @@ UsbfsNode::finish(Urb urb)
     breakChain(client);
 }
 
-/** \brief Parts that continue a transfer which ended early are cancelled. */
+/** \brief Cancels the parts that continue a transfer which ended early. */
 void
 UsbfsNode::breakChain(UMockdevIoctlClient* client)
 {
@@ -369,7 +370,7 @@ UsbfsNode::breakChain(UMockdevIoctlClient* client)
   clients_[client].chain_broken = !ended;
 }
 
-/** \brief Empties the pipe when there is something to fetch, fills it when there is not. */
+/** \brief Empties the pipe if a finished transfer is available, else fills it. */
 void
 UsbfsNode::showReady()
 {

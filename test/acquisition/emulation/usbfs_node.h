@@ -30,14 +30,14 @@ struct ObjectDeleter {
 template <typename Type>
 using ObjectPtr = std::unique_ptr<Type, ObjectDeleter>;
 
-/** \brief The device node of a camera, from plug to unplug: what the kernel's usbfs does
- * with the requests of its clients.
+/** \brief The device node of a camera, from plug to unplug: handles requests as usbfs
+ * of the kernel does.
  *
- * The node is a pipe with room for one byte. Full, a client that polls it for writing
- * sleeps; empty, there is a finished transfer to fetch. */
+ * The node is a pipe with a capacity of one byte. While it is full, a client that
+ * polls it for writing sleeps; while it is empty, a finished transfer is available. */
 class UsbfsNode {
 public:
-  /** \param[in] path of the node, made here
+  /** \param[in] path of the node, which is created
    * \param[in] cable_goes called when a frame is to be the last one */
   UsbfsNode(EmulatedIidcCamera& camera,
             const UsbIdentity& identity,
@@ -49,19 +49,19 @@ public:
   UsbfsNode&
   operator=(const UsbfsNode&) = delete;
 
-  /** \brief Answers a request; in umockdev's thread only. */
+  /** \brief Answers a request; may only be called in umockdev's thread. */
   void
   answer(UMockdevIoctlClient* client);
 
   void
   forget(UMockdevIoctlClient* client);
 
-  /** \brief Hands frames of the camera to the transfers that wait for them. */
+  /** \brief Passes frames of the camera to waiting transfers. */
   void
   serve();
 
-  /** \brief The cable goes: all that waits and all that comes fails. After it the camera is
-   * not asked again. */
+  /** \brief Unplugs the cable: pending and new requests fail. The camera is not
+   * accessed afterwards. */
   void
   disconnect();
 
@@ -70,18 +70,18 @@ private:
   struct Urb {
     ObjectPtr<UMockdevIoctlData> data;
     UMockdevIoctlClient* client;
-    unsigned long address; ///< in the client
+    unsigned long address; ///< in the memory of the client
     unsigned char type;
     unsigned char endpoint;
     unsigned flags;
     std::size_t length;
     int status;
-    std::vector<std::uint8_t> bytes; ///< that arrived
+    std::vector<std::uint8_t> bytes; ///< received so far
   };
 
   struct Client {
     std::deque<Urb> finished;
-    bool chain_broken = false; ///< what continues the last transfer comes too late
+    bool chain_broken = false; ///< continuations of the last transfer are too late
   };
 
   int
@@ -112,10 +112,10 @@ private:
   const std::function<void()> cable_goes_;
   int pipe_ = -1;
 
-  std::mutex mutex_; ///< of all that follows
+  std::mutex mutex_; ///< protects all following members
   std::map<UMockdevIoctlClient*, Client> clients_;
-  std::list<Urb> pending_;               ///< in the order in which they came
-  UMockdevIoctlClient* owner_ = nullptr; ///< of the interface
+  std::list<Urb> pending_;               ///< in order of arrival
+  UMockdevIoctlClient* owner_ = nullptr; ///< client that has claimed the interface
   StreamEndpoint stream_;
   bool connected_ = true;
   bool cable_cut_ = false;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/** \brief The requests of usbfs, without libusb in between. */
+/** \brief Requests of usbfs, without libusb. */
 class UsbfsRequests : public testing::Test {
 protected:
   static constexpr std::size_t frame_bytes = 640 * 480 * 3;
@@ -67,7 +67,7 @@ protected:
     return poll(&wait, 1, static_cast<int>(patience.count())) == 1;
   }
 
-  /** \brief Errors are negative. */
+  /** \brief Returns a negative error number on failure. */
   int
   reap()
   {
@@ -140,10 +140,10 @@ TEST_F(UsbfsRequests, WhoGoesLeavesNothingBehind)
   ASSERT_EQ(ioctl(file_, USBDEVFS_SUBMITURB, urb_.get()), 0);
   startStream();
   ASSERT_TRUE(isReady(5s));
-  // With a frame to fetch, and the interface.
+  // Closes while a frame is available and the interface is claimed.
   close(file_);
   openNode();
-  // The mock hears of the end of a client a little later than the kernel would.
+  // The mock detects the end of a client slightly later than the kernel would.
   const auto end = std::chrono::steady_clock::now() + 5s;
   while (isReady(0ms) && std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(1ms);

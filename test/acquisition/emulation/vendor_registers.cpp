@@ -12,12 +12,12 @@ using namespace iidc;
 
 constexpr std::uint32_t frame_info_bits = 0x000003FF;
 
-// The identifier 0x00B09D000004 in two registers; the low half of the second one is how
-// long it opens the lock, which this camera leaves open.
+// The identifier 0x00B09D000004 in two registers. The low half of the second one is a
+// timeout for the lock, which this camera ignores: the lock stays open.
 constexpr std::uint32_t key_high = 0x00B09D00;
 constexpr std::uint32_t key_low = 0x0004;
 
-/** \brief What FRAME_INFO embeds, from bit 31 (the lowest) on. */
+/** \brief What FRAME_INFO embeds, starting with bit 31 (the least significant). */
 enum Embedded {
   TimeStamp,
   GainOf,

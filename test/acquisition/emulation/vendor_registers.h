@@ -8,21 +8,22 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Point Grey's registers: behind a lock, as IIDC has it for advanced features. */
+/** \brief Point Grey's registers, protected by a lock as IIDC defines for advanced
+ * features. */
 class VendorRegisters {
 public:
-  /** \param[in] tiles four letters as `GBRG`; `YYYY`: no colour filter */
+  /** \param[in] tiles four letters such as `GBRG`; `YYYY`: no colour filter */
   VendorRegisters(RegisterMap& registers, const std::string& tiles, bool locked);
 
-  /** \brief Whether a write reaches the register. */
+  /** \brief Can the host write to the register? */
   bool
   lets(std::uint32_t offset) const;
 
   void
   written(std::uint32_t offset);
 
-  /** \brief Overwrites the first bytes of an image as FRAME_INFO says: a big-endian
-   * quadlet for each of its bits, the lowest first; what is not known here is 0.
+  /** \brief Overwrites the first bytes of an image as requested by FRAME_INFO: one
+   * big-endian quadlet for each of its bits, the lowest first; unsupported ones are 0.
    * \param[in] cycle time of the bus \param[in] number of the frame */
   void
   embed(std::vector<std::uint8_t>& image,

@@ -112,7 +112,7 @@ VideoRegisters::addScalableMode(std::uint32_t mode,
   settle(base);
 }
 
-/** \brief Makes the values that follow from size, position and coding. */
+/** \brief Computes the values that depend on size, position and coding. */
 void
 VideoRegisters::settle(std::uint32_t base)
 {
@@ -149,7 +149,7 @@ VideoRegisters::checkPacket(std::uint32_t base)
   const std::uint32_t total = registers_.at(base + bytes_low);
   const std::uint32_t count = (total + chosen - 1) / chosen;
   registers_.set(base + packets, count);
-  // The low half recommends a size: 15 frames of the 8000 packets of a second.
+  // The low half recommends a packet size, for 15 frames per second with 8000 packets.
   const std::uint32_t wish = (total * 15 / 8000 + packet_unit) / packet_unit;
   registers_.set(base + packet_size,
                  chosen << 16 | std::min(wish * packet_unit, packet_most));
@@ -203,7 +203,7 @@ VideoRegisters::fixedSetting(std::uint32_t mode, std::uint32_t rate) const
   setting.mode = mode;
   setting.coding = mode == 4 ? Rgb8 : Mono8;
   setting.image_bytes = std::size_t{width} * height * pixelBytes(setting.coding);
-  setting.transfer_bytes = setting.image_bytes; // whole packets at every rate
+  setting.transfer_bytes = setting.image_bytes; // at every rate whole packets are sent
   setting.period = std::chrono::duration<double>(1 / (1.875 * (1U << rate)));
   return setting;
 }

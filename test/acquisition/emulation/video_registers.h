@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What the camera is set to send. */
+/** \brief Current image setting of the camera. */
 struct VideoSetting {
   std::uint32_t format = 0;
   std::uint32_t mode = 4;
@@ -19,28 +19,30 @@ struct VideoSetting {
   std::uint32_t left = 0;
   std::uint32_t top = 0;
   std::size_t image_bytes = 0;
-  std::size_t transfer_bytes = 0; ///< whole packets: at least image_bytes
+  std::size_t transfer_bytes = 0; ///< size of all packets: at least image_bytes
   std::chrono::duration<double> period{};
 };
 
-/** \brief Formats, modes, rates; Format_7 with its handshake.
+/** \brief Registers of formats, modes and rates; Format_7 with its handshake.
  *
  * Format_0 has modes 4 (RGB8) and 5 (Mono8). Format_7 has mode 0 (RGB8: three cameras,
- * one byte each; or Mono8, Raw8) and mode 3 (Mono16, Raw16: two cameras). All 640x480. */
+ * one byte each; or Mono8, Raw8) and mode 3 (Mono16, Raw16: two cameras). All are
+ * 640x480. */
 class VideoRegisters {
 public:
-  /** \param[in] setting_reads reads of VALUE_SETTING that still find the camera busy */
+  /** \param[in] setting_reads number of reads of VALUE_SETTING until the camera is
+   * ready */
   VideoRegisters(RegisterMap& registers, std::uint32_t setting_reads);
 
-  /** \brief After a write of the host. */
+  /** \brief Called after a write of the host. */
   void
   written(std::uint32_t offset);
 
-  /** \brief After a read of the host. */
+  /** \brief Called after a read of the host. */
   void
   wasRead(std::uint32_t offset);
 
-  /** \brief None while the registers contradict each other. */
+  /** \brief The current setting; nothing while the registers are inconsistent. */
   std::optional<VideoSetting>
   setting() const;
 
@@ -60,7 +62,7 @@ private:
 
   RegisterMap& registers_;
   std::uint32_t setting_reads_;
-  std::uint32_t busy_reads_ = 0; ///< still to come
+  std::uint32_t busy_reads_ = 0; ///< remaining
 };
 
 } // namespace pcl::acmap::test

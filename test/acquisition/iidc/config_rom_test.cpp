@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::Le;
 using Quadlets = std::vector<std::uint32_t>;
 
-// Places in the table below.
+// Indices in the table below.
 constexpr std::size_t root = 5;
 constexpr std::size_t unit_entry = 7;
 constexpr std::size_t unit = 8;
@@ -32,7 +32,7 @@ constexpr std::size_t maker_leaf = 17;
 constexpr std::size_t maker_text = 20;
 constexpr std::size_t model_leaf = 23;
 
-/** The ROM of a camera as IEEE 1212 and IIDC 1.31 lay it out. */
+/** The configuration ROM of a camera as defined by IEEE 1212 and IIDC 1.31. */
 Quadlets
 cameraRom()
 {
@@ -53,7 +53,7 @@ read(const Quadlets& quadlets)
       [&](std::size_t i) { return i < quadlets.size() ? quadlets[i] : 0; });
 }
 
-/** What is wrong with a camera's ROM when one quadlet of it is another. */
+/** The error for a ROM in which one quadlet is replaced. */
 std::string
 faultWith(std::size_t index, std::uint32_t quadlet)
 {
@@ -102,7 +102,7 @@ TEST(ConfigRom, TakesPointGreysOwnSpecification)
 TEST(ConfigRom, FindsTheCameraAmongOtherUnits)
 {
   Quadlets quadlets = cameraRom();
-  quadlets[unit_entry - 1] = 0xD1000018; // a unit behind all else, of a disk
+  quadlets[unit_entry - 1] = 0xD1000018; // another unit, of a disk, at the end
   quadlets.insert(quadlets.end(), {0, 0x00010000, 0x1200609E});
   EXPECT_EQ("Digiclops", read(quadlets).model);
 }
@@ -110,7 +110,7 @@ TEST(ConfigRom, FindsTheCameraAmongOtherUnits)
 TEST(ConfigRom, MakesNamesPrintable)
 {
   Quadlets quadlets = cameraRom();
-  quadlets[maker_text] = 0x201B5B41; // a blank, then what a terminal would obey
+  quadlets[maker_text] = 0x201B5B41; // a space, then a terminal escape sequence
   quadlets[maker_text + 1] = 0xFF0A2020;
   quadlets[maker_text + 2] = 0x20000041;
   EXPECT_EQ("?[A??", read(quadlets).maker);
@@ -121,7 +121,7 @@ TEST(ConfigRom, MakesNamesPrintable)
 
 TEST(ConfigRom, NamesWhatCannotBe)
 {
-  EXPECT_EQ("none", faultWith(2, 0)); // the same table is fine before it is spoilt
+  EXPECT_EQ("none", faultWith(2, 0)); // the original ROM is valid
   EXPECT_THAT(faultWith(0, 0x01040000), HasSubstr("does not begin as one"));
   EXPECT_THAT(faultWith(1, 0x34393331), HasSubstr("does not begin as one"));
   EXPECT_THAT(faultWith(0, 0xFF000000), HasSubstr("root directory begins behind"));
@@ -143,7 +143,7 @@ TEST(ConfigRom, NamesWhatCannotBe)
   EXPECT_THAT(faultWith(model_leaf, 0), HasSubstr("model is too short"));
 }
 
-/** What comes of a ROM whose unit cannot be read. */
+/** The fault that is reported if the unit directory cannot be read. */
 CameraFault
 faultAfter(CameraFault fault)
 {
@@ -168,7 +168,7 @@ TEST(ConfigRom, PassesOnWhatReadingThrows)
   EXPECT_EQ(CameraFault::Malformed, faultAfter(CameraFault::Unsupported)) << "its end";
 }
 
-/** Reads a ROM and notes what of it was read; true when it was taken for a camera's. */
+/** Reads a ROM and checks the result; returns true if it was accepted as a camera. */
 bool
 isTaken(const Quadlets& quadlets)
 {
@@ -201,7 +201,7 @@ TEST(ConfigRom, ReadsGarbageOnceAndNotBeyondItsEnd)
     Quadlets quadlets = cameraRom();
     while (quadlets.size() < config_rom_quadlets)
       quadlets.push_back(static_cast<std::uint32_t>(random.bits()));
-    // a few bits of the camera's own, so that it takes all ways
+    // flips a few bits of the camera's entries, so that different branches are tested
     for (int i = 0; i < 4; ++i)
       quadlets[random.bits() % 29] ^= 1u << random.bits() % 32;
     taken += isTaken(quadlets) ? 1 : 0;

@@ -10,14 +10,14 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Images that are all alike. */
+/** \brief A source of constant grey images. */
 inline std::vector<std::uint8_t>
 greyImage(const Exposure& exposure)
 {
   return std::vector<std::uint8_t>(exposure.setting.image_bytes, 0x55);
 }
 
-/** \brief What a piece of work throws of a camera; None when it throws nothing. */
+/** \brief The camera fault that a function throws; None if it does not throw. */
 template <typename Work>
 CameraFault
 faultOf(const Work& work)
@@ -31,14 +31,14 @@ faultOf(const Work& work)
   return CameraFault::None;
 }
 
-/** \brief A camera, on a cable in memory. */
+/** \brief A camera on a bus in memory. */
 class IidcCameraTest : public testing::Test {
 protected:
   explicit IidcCameraTest(const CameraOptions& options = {})
   : emulated_(greyImage, options)
   {}
 
-  /** \brief What stands in a command register of the camera itself. */
+  /** \brief Value of a command register of the emulated camera. */
   std::uint32_t
   registerAt(std::uint32_t offset)
   {

@@ -100,7 +100,7 @@ TEST_F(IidcCameraTest, ARateOfAScalableModeIsAFeature)
   const IidcFeatureState rate = camera_.feature(IidcFeature::FrameRate);
   ASSERT_TRUE(rate.physical);
   EXPECT_FLOAT_EQ(rate.physical->value, 14.0F);
-  EXPECT_FLOAT_EQ(camera_.setMode(mode, 1000), 30.0F); // the feature's most
+  EXPECT_FLOAT_EQ(camera_.setMode(mode, 1000), 30.0F); // maximum of the feature
 }
 
 TEST_F(IidcCameraTest, WithoutTheFeatureTheLengthOfPacketsIsTheRate)
@@ -110,7 +110,7 @@ TEST_F(IidcCameraTest, WithoutTheFeatureTheLengthOfPacketsIsTheRate)
   const IidcMode mode = modeOf(7, IidcColor::Rgb8);
   for (const float wanted : {1.0F, 7.0F, 14.0F, 30.0F}) {
     const float rate = camera_.setMode(mode, wanted);
-    EXPECT_NEAR(rate, wanted, 0.02F * wanted); // packets are of whole quadlets
+    EXPECT_NEAR(rate, wanted, 0.02F * wanted); // packets consist of whole quadlets
     camera_.startStream(2);
     EXPECT_GE(cable_.frame_bytes, mode.bytes());
     EXPECT_FLOAT_EQ(rate,
@@ -118,7 +118,7 @@ TEST_F(IidcCameraTest, WithoutTheFeatureTheLengthOfPacketsIsTheRate)
                         static_cast<float>(cable_.frame_bytes));
     camera_.stopStream();
   }
-  EXPECT_LT(camera_.setMode(mode, 1000), 36.0F); // 4096 bytes a packet are the most
+  EXPECT_LT(camera_.setMode(mode, 1000), 36.0F); // a packet has at most 4096 bytes
 }
 
 TEST_F(IidcCameraTest, RefusesModesAndRatesThatCannotBe)
@@ -287,7 +287,7 @@ TEST_F(IidcCameraWithTiles, KnowsItsColourFilter)
   camera_.open();
   camera_.setMode(modeOf(7, IidcColor::Rgb8), 14);
   EXPECT_EQ(camera_.colorFilter(), "GBRG");
-  // Not of Point Grey: then the mode says it, of raw images only.
+  // Without Point Grey's register the mode tells the filter, for raw images only.
   emulated_.faults().overrideRegister(iidc::bayer_tiles, 0xFFFFFFFF);
   emulated_.faults().overrideRegister(iidc::format7_base + 0x058, 3U << 24);
   EXPECT_EQ(camera_.colorFilter(), "YYYY");

@@ -15,7 +15,7 @@ protected:
     camera_.open();
   }
 
-  /** What a setter is refused with. */
+  /** Message of the exception that a setter throws. */
   template <typename Work>
   std::string
   refusalOf(const Work& work)
@@ -63,7 +63,7 @@ TEST_F(IidcFeatures, AreSetInPhysicalUnits)
 {
   camera_.setPhysical(IidcFeature::Shutter, 0.0123F);
   EXPECT_FLOAT_EQ(camera_.feature(IidcFeature::Shutter).physical->value, 0.0123F);
-  // And in steps again: the one that was set last is in command.
+  // The same in steps: the value that was set last is active.
   camera_.setValue(IidcFeature::Shutter, 1000);
   EXPECT_FLOAT_EQ(camera_.feature(IidcFeature::Shutter).physical->value, 0.1F);
 }
@@ -79,7 +79,7 @@ TEST_F(IidcFeatures, RefuseWhatIsOutOfRange)
   EXPECT_THAT(refusalOf([&] { camera_.setPhysical(IidcFeature::Gain, NAN); }),
               HasSubstr("dB"));
   EXPECT_EQ(camera_.feature(IidcFeature::Gain).value, 16U);
-  // What was refused is not set at the next opening either.
+  // Rejected values are not set at the next opening either.
   camera_.close();
   camera_.open();
   EXPECT_EQ(camera_.feature(IidcFeature::Gain).value, 16U);

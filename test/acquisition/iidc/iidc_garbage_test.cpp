@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/** Noise that stays: a register always says the same. */
+/** Persistent noise: each register always returns the same value. */
 MemoryCable::Garble
 lastingNoise(std::uint64_t seed)
 {
@@ -36,7 +36,8 @@ expectSense(const std::vector<IidcMode>& modes)
   }
 }
 
-/** Whatever the camera says, these are all that its user may have to catch. */
+/** Calls a function, which may only throw these exceptions, whatever the camera
+ * returns. */
 template <typename Work>
 void
 survive(const Work& work)
@@ -56,7 +57,7 @@ surviveSetting(const Work& work)
   try {
     survive(work);
   }
-  catch (const BadArgumentException&) { // out of the range that the camera told
+  catch (const BadArgumentException&) { // outside the range that the camera reported
   }
 }
 
@@ -144,7 +145,7 @@ TEST_F(IidcGarbage, ThatIsOneNumber)
   }
 }
 
-/** A camera that was set, and comes back with other ideas of what it can do. */
+/** A configured camera that reports different capabilities when it is opened again. */
 TEST_F(IidcGarbage, AfterSettings)
 {
   camera_.open();
@@ -166,7 +167,8 @@ TEST_F(IidcGarbage, AfterSettings)
   EXPECT_EQ(camera_.feature(IidcFeature::Gain).value, 100U);
 }
 
-/** Each access fails once: what was begun is given up, and begun again without trace. */
+/** Lets each access fail once: opening is aborted, and can be repeated without side
+ * effects. */
 TEST_F(IidcGarbage, AnyAccessMayFail)
 {
   camera_.open();
@@ -187,7 +189,7 @@ TEST_F(IidcGarbage, AnyAccessMayFail)
       cable_.accesses = 0;
       const CameraFault told = faultOf([&] { camera_.open(); });
       EXPECT_EQ(camera_.isOpen(), told == CameraFault::None);
-      // A register that is not there may be one that need not be.
+      // A missing register may be optional.
       EXPECT_TRUE(told == fault || fault == CameraFault::Unsupported);
       camera_.close();
     }
@@ -209,7 +211,7 @@ TEST_F(IidcGarbage, InTheRom)
     EXPECT_NE(faultOf([&] { camera_.open(); }), CameraFault::None);
     EXPECT_FALSE(camera_.isOpen());
   }
-  emulated_.faults().breakRom(RomFault::Endless); // nobody reads so far
+  emulated_.faults().breakRom(RomFault::Endless); // nobody reads that far
   camera_.open();
 }
 

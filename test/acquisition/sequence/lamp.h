@@ -11,7 +11,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A projector of patterns that are one grey level each. */
+/** \brief A projector for patterns that consist of one grey level each. */
 class Lamp : public PatternProjector {
 public:
   explicit Lamp(std::shared_ptr<LightClock> light);
@@ -27,7 +27,7 @@ public:
   void
   showNothing() override;
 
-  /** \brief Levels in the order they were shown; 0 is black. */
+  /** \brief Levels in the order in which they were shown; 0 is black. */
   std::vector<int>
   shown() const;
 
@@ -43,7 +43,7 @@ private:
 RgbImage
 flatImage(int level);
 
-/** \brief Patterns 0, 1, ... of levels 40, 80, ... */
+/** \brief Patterns 0, 1, ... with levels 40, 80, ... */
 std::vector<RgbImage>
 levelPatterns(int count);
 

@@ -21,7 +21,7 @@ LightClock::told() const
   return changes_.empty() ? 0.0 : changes_.back().second;
 }
 
-/** With mutex_ held. */
+/** Requires that mutex_ is locked. */
 double
 LightClock::at(Clock::time_point time) const
 {

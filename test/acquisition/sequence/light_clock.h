@@ -10,23 +10,23 @@ namespace pcl::acmap::test {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/** \brief How bright the projector's light was and will be, by the time. */
+/** \brief Brightness of the projector's light as a function of time. */
 class LightClock {
 public:
-  /** \param[in] latency from change to light
-   * \param[in] fade how long the light then takes to its end */
+  /** \param[in] latency from the request to the first change of the light
+   * \param[in] fade duration of the change */
   explicit LightClock(Milliseconds latency = Milliseconds(0),
                       Milliseconds fade = Milliseconds(0));
 
-  /** \brief The projector was told now. */
+  /** \brief Records a request to the projector at the current time. */
   void
   change(double level);
 
-  /** \brief Mean over an exposure. */
+  /** \brief Mean brightness over an exposure. */
   double
   exposed(Clock::time_point begin, Milliseconds exposure) const;
 
-  /** \brief What the projector was told last. */
+  /** \brief The last requested level. */
   double
   told() const;
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double tail = 0.35;
 
-/** Six changes, each seen every tenth of a second from another delay on. */
+/** Six changes of the light, each sampled every tenth of a second after a different
+ * delay. */
 template <typename Level>
 std::vector<LightTurn>
 turnsOf(const Level& level)

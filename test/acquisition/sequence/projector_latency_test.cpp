@@ -6,7 +6,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A room with daylight; the projector lights a part of it. */
+/** A room with daylight, of which the projector lights a part. */
 class ProjectorLatency : public SequenceRig {
 protected:
   void
@@ -39,7 +39,7 @@ TEST_F(ProjectorLatency, IsFoundInDaylight)
   EXPECT_LE(*found, 0.5);
   expectAtRest();
 
-  camera_->noise = 0; // so that what mixes is told from what does not
+  camera_->noise = 0; // to distinguish mixed frames from others
   camera_->room = 0;
   camera_->lit_rows = ShutterCamera::height;
   const auto grabber = open(4);

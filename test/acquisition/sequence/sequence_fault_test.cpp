@@ -29,12 +29,12 @@ faultOf(const TrinocularGrabber& grabber)
 
 class SequenceFault : public SequenceRig {
 protected:
-  /** Runs into a fault within observation 0, at its second shot, and goes on after it. */
+  /** Lets the second shot of observation 0 fail, and continues afterwards. */
   void
   expectFault(PatternSequenceGrabber& grabber, const std::string& message)
   {
     grabber.observe();
-    grabber.observe(); // is dropped with the other
+    grabber.observe(); // is discarded together with the first one
     grabber.wait();
     EXPECT_FALSE(grabber.isRunning());
     EXPECT_THAT(errorOf(grabber), HasSubstr(message));
@@ -113,7 +113,7 @@ TEST_F(SequenceFault, OfTheProjectorForEver)
   EXPECT_THAT(errorOf(*grabber), HasSubstr("is gone 1")) << "the first one is kept";
   EXPECT_EQ(calls, 2) << "dark was tried all the same";
   lamp_->before = [&, number = 0](int) mutable {
-    if (++number == 3) // black at the end
+    if (++number == 3) // black at the end of the observation
       throw IOException("no black");
   };
   grabber->observe();
@@ -140,7 +140,7 @@ TEST_F(SequenceFault, OfTheCamerasStream)
   };
   const auto grabber = open(3);
   grabber->setShotTimeout(600);
-  expectFault(*grabber, "no frame is whole"); // and does not wait till the time is over
+  expectFault(*grabber, "no frame is whole"); // does not wait for the timeout
 }
 
 TEST_F(SequenceFault, OfACameraThatGivesNoShot)
@@ -185,7 +185,8 @@ TEST_F(SequenceFault, AShotThatComesTooLateIsNotTakenForTheNext)
   const auto grabber = open(2);
   grabber->setShotTimeout(0.25);
   const std::function<TrinocularGrabber::FrameCallback> dawdle = [&](const auto&) {
-    std::this_thread::sleep_for(Milliseconds(5)); // the camera's stream ends later
+    std::this_thread::sleep_for(Milliseconds(5)); // delays the end of the camera's
+                                                  // stream
   };
   camera_->registerCallback(dawdle);
   camera_->on_trigger = [&] {
@@ -197,7 +198,7 @@ TEST_F(SequenceFault, AShotThatComesTooLateIsNotTakenForTheNext)
   EXPECT_EQ(faultOf(*grabber), CameraFault::Silent);
   is_sound_ = true;
   grabber->setShotTimeout(5);
-  // one that nobody waits for, under the light of pattern 1
+  // a shot that was not requested, under the light of pattern 1
   lamp_->show(flatImage(levelOf(1)));
   camera_->trigger();
   std::this_thread::sleep_for(Milliseconds(10));
@@ -227,7 +228,7 @@ TEST_F(SequenceFault, CallbacksOfTheCameraMayFailToo)
     throw std::runtime_error("somebody else's fault");
   };
   const boost::signals2::scoped_connection connection = camera_->registerCallback(fail);
-  grabber->observe(); // frames come before that, or not at all
+  grabber->observe(); // earlier frames would have arrived before
   grabber->wait();
   expectAtRest();
   const std::string error = errorOf(*grabber);

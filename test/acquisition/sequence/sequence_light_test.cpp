@@ -3,7 +3,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A projector that is late, and a shutter that is open for long. */
+/** A projector with latency, and a camera with a long exposure. */
 class SequenceLight : public SequenceRig {
 protected:
   static constexpr Milliseconds latency{25};

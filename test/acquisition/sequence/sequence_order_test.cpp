@@ -70,8 +70,8 @@ TEST_F(SequenceOrder, StreamsUntilItIsStopped)
 {
   const auto grabber = open(1);
   grabber->start();
-  grabber->start();   // runs already
-  grabber->observe(); // and so does this
+  grabber->start();   // is already running
+  grabber->observe(); // is already running, too
   grabber->trigger();
   waitForFrames(7);
   EXPECT_TRUE(grabber->isRunning());
@@ -102,7 +102,7 @@ TEST_F(SequenceOrder, TriggersTakeOneShotEach)
     grabber->trigger();
   grabber->wait();
   EXPECT_EQ(shots(), "0.off 0.0 1.off 1.0 2.off");
-  grabber->observe(); // the rest of it
+  grabber->observe(); // the rest of the observation
   grabber->wait();
   EXPECT_EQ(shots(), "0.off 0.0 1.off 1.0 2.off 2.0");
 }
@@ -126,7 +126,7 @@ TEST_F(SequenceOrder, WhatIsStoppedIsCutOff)
   grabber->wait();
   EXPECT_EQ(frames().back()->observation, 2);
   EXPECT_EQ(frames().back()->number, 7U);
-  grabber->stop(); // at rest, within observation 2
+  grabber->stop(); // while idle, within observation 2
   grabber->stop();
   grabber->trigger();
   grabber->wait();
@@ -167,7 +167,7 @@ TEST_F(SequenceOrder, RewindBeginsAgain)
   EXPECT_EQ(frames().back()->number, 0U);
   EXPECT_EQ(shots(), "0.off 0.0 0.1 0.off");
   grabber->observe();
-  grabber->observe(); // is rewound within; a whole one comes all the same
+  grabber->observe(); // interrupted by rewind; a complete one is delivered nevertheless
   grabber->wait();
   EXPECT_EQ(shots(), "0.off 0.0 0.1 0.off 0.0 0.1 1.off 1.0 0.off 0.0 0.1");
   EXPECT_EQ(errorOf(*grabber), "");
@@ -194,7 +194,7 @@ TEST_F(SequenceOrder, EndsEarlyWhenNoMoreIsWanted)
   EXPECT_EQ(grabber->getReport().observations, 3U);
   grabber->setWantMore([](const auto&) { return false; });
   for (int i = 0; i < 3; ++i)
-    grabber->trigger(); // each gives a shot, whatever is spared
+    grabber->trigger(); // each gives a shot, even if others are spared
   grabber->wait();
   EXPECT_EQ(shots().substr(shots().size() - 15), "3.off 3.0 4.off");
   EXPECT_EQ(grabber->getReport().spared, 3U);

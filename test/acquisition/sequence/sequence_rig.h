@@ -12,31 +12,32 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Message of what ended the stream; empty where nothing did. */
+/** \brief Message of the error that ended the stream; empty if there was none. */
 std::string
 errorOf(const TrinocularGrabber& grabber);
 
-/** \brief Whether all of a frame shows one level. */
+/** \brief Do all images of a frame show one level? */
 bool
 showsOnly(const TrinocularFrame& frame, int level);
 
-/** \brief What a shot under a pattern of \ref levelPatterns should show. */
+/** \brief The level that a shot under a pattern of \ref levelPatterns should show. */
 inline int
 levelOf(int pattern)
 {
   return 40 * (pattern + 1);
 }
 
-/** \brief A lamp, a camera that sees it, and a grabber over both, quick ones. */
+/** \brief A lamp, a camera that observes it, and a grabber for both, with short
+ * delays. */
 class SequenceRig : public testing::Test {
 protected:
   using Frames = std::vector<TrinocularFrame::ConstPtr>;
 
-  /** \brief Takes another lamp; both are new then. */
+  /** \brief Replaces lamp and camera. */
   void
   setLight(Milliseconds latency, Milliseconds fade = Milliseconds(0));
 
-  /** \param[in] more after the frame was noted */
+  /** \param[in] more called after a frame was recorded */
   std::unique_ptr<PatternSequenceGrabber>
   open(
       int patterns,
@@ -45,14 +46,14 @@ protected:
   Frames
   frames() const;
 
-  /** \brief Of frames given: `observation.pattern` each, parted by blanks. */
+  /** \brief The recorded frames as `observation.pattern`, separated by spaces. */
   std::string
   shots() const;
 
   void
   waitForFrames(std::size_t count) const;
 
-  /** \brief Camera at rest, projector dark. */
+  /** \brief Expects that the camera is idle and the projector dark. */
   void
   expectAtRest() const;
 

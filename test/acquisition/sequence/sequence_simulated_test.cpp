@@ -6,7 +6,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** What stands on the wall. */
+/** A projector that stores the current pattern. */
 class SimulatedProjection : public PatternProjector {
 public:
   void
@@ -28,11 +28,11 @@ public:
   }
 
 private:
-  RgbImage image_; // changed while no shot is taken
+  RgbImage image_; // does not change during a shot
 };
 
-/** Sees what the simulator says it would under what the projector shows; knows nothing of
- * numbers, and of observations only where it stands. */
+/** Returns the simulated view under the current pattern of the projector. It does not
+ * know frame numbers, and of observations only their poses. */
 class SimulatedCamera : public TrinocularGrabber {
 public:
   SimulatedCamera(const SimulatedRigGrabber& rig,
@@ -130,7 +130,7 @@ private:
   const SimulatedProjection& projection_;
   const std::vector<RgbImage>& patterns_;
   boost::signals2::signal<FrameCallback>* const signal_;
-  StreamThread stream_; // the last one: it uses all others
+  StreamThread stream_; // last member, because it uses all others
 };
 
 TEST(SequenceOverASimulation, GivesTheSimulatorsOwnFrames)

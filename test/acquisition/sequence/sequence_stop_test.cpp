@@ -5,7 +5,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Far less than what is waited for, far more than it takes. */
+/** Much shorter than the delays that a stop interrupts, much longer than a stop. */
 constexpr std::chrono::seconds soon{2};
 constexpr Milliseconds for_ever{60'000};
 
@@ -111,7 +111,7 @@ TEST_F(SequenceStop, CallbacksMayDoAllThatCanBeDone)
       self->observe();
       self->observe();
       break;
-    case 4: // the first of what start gives: begins again with the next
+    case 4: // the first shot of start: restarts with the next one
       self->stop();
       self->start();
       break;
@@ -215,7 +215,7 @@ TEST_F(SequenceStop, AFaultAndARequestMayComeAtOnce)
     grabber->trigger();
     while (frames().size() == before)
       std::this_thread::yield();
-    grabber->trigger(); // dropped with the other, or an error of its own
+    grabber->trigger(); // discarded with the other shot, or fails itself
     grabber->wait();
     throws = false;
     const std::size_t between = frames().size();
@@ -250,7 +250,7 @@ TEST_F(SequenceStop, SeveralThreadsMayCallAll)
   EXPECT_EQ(errorOf(*grabber), "");
   expectAtRest();
   const std::size_t before = frames().size();
-  grabber->trigger(); // of all that was asked for before nothing is left
+  grabber->trigger(); // nothing remains of earlier requests
   grabber->wait();
   EXPECT_EQ(frames().size(), before + 1);
 }
@@ -260,7 +260,7 @@ TEST_F(SequenceStop, NoRequestIsLostAtTheEndOfAStream)
   const auto grabber = open(0);
   camera_->exposure = camera_->delay = camera_->row_time = Milliseconds(0);
   for (std::size_t shots = 1; shots <= 200; ++shots) {
-    grabber->trigger(); // often while the one before comes to its end
+    grabber->trigger(); // often while the previous one is ending
     waitForFrames(shots);
   }
   grabber->wait();
@@ -276,7 +276,7 @@ TEST_F(SequenceStop, MayGoAwayWhileItRuns)
   }
   expectAtRest();
   const std::size_t before = frames().size();
-  camera_->trigger(); // nobody listens any more
+  camera_->trigger(); // nobody is registered any more
   camera_->wait();
   EXPECT_EQ(frames().size(), before);
 }

@@ -77,7 +77,7 @@ ShutterCamera::getError() const
   return stream_.error();
 }
 
-/** \return false when it was stopped */
+/** \return false if it was stopped */
 bool
 ShutterCamera::sleep(Milliseconds time)
 {

@@ -13,8 +13,9 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A camera that sees a light: rows are exposed one after another, each for a time,
- * some time after the trigger. What its frames are told by makes no sense. */
+/** \brief A camera with rolling shutter that observes a light: after a delay from the
+ * trigger, its rows are exposed one after another. Numbers and stamps of its frames
+ * are meaningless. */
 class ShutterCamera : public TrinocularGrabber {
 public:
   static constexpr int width = 16;
@@ -24,14 +25,14 @@ public:
 
   ~ShutterCamera() noexcept override;
 
-  // Set up while it rests.
+  // May only be changed while the camera is idle.
   Milliseconds delay{1};     ///< from trigger to the first row
-  Milliseconds exposure{2};  ///< of a row
+  Milliseconds exposure{2};  ///< of one row
   Milliseconds row_time{.1}; ///< from row to row
   double room = 0;           ///< grey levels of daylight
   double noise = 0;          ///< grey levels, standard deviation
-  int lit_rows = height;     ///< the projector lights no more
-  int copies = 1;            ///< of each frame
+  int lit_rows = height;     ///< rows that the projector lights
+  int copies = 1;            ///< of each frame that are delivered
   bool gives_frames = true;
   std::function<void()> on_trigger = [] {}; ///< in the caller's thread; may throw
   std::function<void()> on_shot = [] {};    ///< before each frame; may throw
@@ -39,7 +40,7 @@ public:
   void
   start() override;
 
-  /** \brief Cuts an exposure short. */
+  /** \brief Also aborts an exposure. */
   void
   stop() override;
 
@@ -95,7 +96,7 @@ private:
   std::mutex mutex_;
   std::condition_variable stopped_;
   int stops_ = 0;
-  StreamThread stream_; // the last one: it uses all others
+  StreamThread stream_; // last member, because it uses all others
 };
 
 } // namespace pcl::acmap::test

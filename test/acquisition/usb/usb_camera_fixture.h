@@ -12,7 +12,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The image of an exposure: no two are alike. */
+/** \brief The image of an exposure; all images are different. */
 inline std::vector<std::uint8_t>
 bytesOf(std::uint64_t number, std::size_t length)
 {
@@ -28,7 +28,7 @@ imageOf(const Exposure& exposure)
   return bytesOf(exposure.number, exposure.setting.image_bytes);
 }
 
-/** \brief What is thrown, None when nothing is. */
+/** \brief The camera fault that a function throws; None if it does not throw. */
 inline CameraFault
 faultOf(const std::function<void()>& action, std::string* message = nullptr)
 {
@@ -52,7 +52,7 @@ timeOf(const std::function<void()>& action)
       std::chrono::steady_clock::now() - begin);
 }
 
-/** \brief A camera on the USB. */
+/** \brief A camera on the emulated USB. */
 class UsbCameraFixture : public testing::Test {
 protected:
   static constexpr std::size_t frame_bytes = 640 * 480;
@@ -64,7 +64,7 @@ protected:
     return "1:" + std::to_string(cable_.address());
   }
 
-  /** \brief Lets the camera send grey images, 30 a second. */
+  /** \brief Starts the camera with grey images, 30 per second. */
   static void
   run(IidcBus& bus)
   {
@@ -86,7 +86,7 @@ protected:
     return bus.readQuadlet(iidc::commands + iidc::power);
   }
 
-  /** \brief Loses no frame to a machine that has more to do. */
+  /** \brief A camera that loses no frames on a busy machine. */
   static CameraOptions
   patientCamera()
   {

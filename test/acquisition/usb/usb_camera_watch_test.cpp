@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 class UsbCameraWatching : public UsbCameraFixture {
 protected:
-  /** \brief What a watch is made with. */
+  /** \brief Callback for a watch that records its news. */
   UsbCameraWatch::Callback
   notes()
   {
@@ -27,7 +27,8 @@ protected:
     };
   }
 
-  /** \brief So many news, or what there is of them after a while. */
+  /** \brief Waits for this number of news; returns those that have arrived after a
+   * while. */
   News
   waitForNews(std::size_t count)
   {
@@ -133,7 +134,7 @@ TEST_F(UsbCameraWatching, EndsAtOnce)
   EXPECT_LT(timeOf([&] { const UsbCameraWatch watch(notes()); }), 900ms);
   auto watch = std::make_unique<UsbCameraWatch>(notes());
   waitForNews(1);
-  std::this_thread::sleep_for(50ms); // it sleeps by now
+  std::this_thread::sleep_for(50ms); // it is waiting by now
   EXPECT_LT(timeOf([&] { watch.reset(); }), 500ms);
 }
 

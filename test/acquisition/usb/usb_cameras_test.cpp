@@ -163,7 +163,7 @@ TEST_F(UsbCameras, WithoutStreamAreMalformed)
   EXPECT_EQ(CameraFault::Malformed, faultOf([] { openUsbBus(); }));
 }
 
-/** Opens a camera whose descriptors are these; it may fail in any way that is told. */
+/** Opens a camera with these descriptors; returns the fault, which may be any. */
 CameraFault
 faultOfDescriptors(UsbTestbed& testbed,
                    EmulatedIidcCamera& camera,
@@ -181,13 +181,13 @@ TEST_F(UsbCameras, MayLieInTheirDescriptors)
   const std::vector<std::uint8_t> honest = descriptorsOf({});
   EXPECT_EQ(CameraFault::None, faultOfDescriptors(testbed_, camera_, honest));
 
-  auto lying = honest; // packets without bytes
+  auto lying = honest; // packet size 0
   lying.at(18 + 9 + 9 + 4) = lying.at(18 + 9 + 9 + 5) = 0;
   EXPECT_EQ(CameraFault::Malformed, faultOfDescriptors(testbed_, camera_, lying));
-  lying = honest; // packets as no bus has them
+  lying = honest; // packet size that no bus supports
   lying.at(18 + 9 + 9 + 5) = 0xFF;
   EXPECT_EQ(CameraFault::Malformed, faultOfDescriptors(testbed_, camera_, lying));
-  lying = honest; // isochronous
+  lying = honest; // isochronous endpoint
   lying.at(18 + 9 + 9 + 3) = 1;
   EXPECT_EQ(CameraFault::Malformed, faultOfDescriptors(testbed_, camera_, lying));
   for (std::size_t length = 18; length < honest.size(); ++length) {
@@ -198,7 +198,8 @@ TEST_F(UsbCameras, MayLieInTheirDescriptors)
   Random random(3);
   for (int run = 0; run < 100; ++run) {
     lying = honest;
-    for (int i = 0; i < 3; ++i) // what libusb and we interpret: behind the device's own
+    for (int i = 0; i < 3; ++i) // bytes after the device descriptor, which libusb and
+                                // acmap interpret
       lying[18 + random.bits() % (honest.size() - 18)] =
           static_cast<std::uint8_t>(random.bits());
     faultOfDescriptors(testbed_, camera_, lying);

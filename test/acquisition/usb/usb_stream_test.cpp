@@ -10,7 +10,8 @@ using namespace std::chrono_literals;
 
 class UsbStream : public UsbCameraFixture {
 protected:
-  /** \brief Takes frames, which must be whole, of the source, and follow each other. */
+  /** \brief Receives frames, which must be complete, equal to the source, and
+   * consecutive. */
   static void
   expectFrames(IidcBus& bus, int count, std::uint64_t first)
   {
@@ -59,7 +60,7 @@ TEST_F(UsbStream, BringsFramesWholeAndInOrder)
 TEST_F(UsbStream, KeepsFramesThatWait)
 {
   startRunning(4);
-  std::this_thread::sleep_for(400ms); // the camera has taken about twelve
+  std::this_thread::sleep_for(400ms); // the camera has exposed about twelve frames
   expectFrames(*bus_, 4, 0);
 }
 
@@ -79,7 +80,7 @@ TEST_F(UsbStream, RefusesFramesThatCannotBe)
   for (const std::size_t bytes :
        {std::size_t{0}, std::size_t{1} << 31, ~std::size_t{0}})
     EXPECT_EQ(CameraFault::Failed, faultOf([&] { bus_->startStream(bytes, 4); }));
-  startRunning(0); // fewer than two would lose frames
+  startRunning(0); // is raised to two, as fewer would lose frames
   expectFrames(*bus_, 3, 0);
 }
 
@@ -96,7 +97,7 @@ TEST_F(UsbStream, TellsOfShortFramesAndGoesOn)
 
 TEST_F(UsbStream, TellsOfFramesLongerThanAskedFor)
 {
-  bus_->startStream(frame_bytes - 100, 4); // less than a packet fewer
+  bus_->startStream(frame_bytes - 100, 4); // by less than a packet too short
   run(*bus_);
   ASSERT_EQ(IidcWait::Frame, bus_->nextFrame(frame_, patience));
   EXPECT_FALSE(frame_.is_whole);
@@ -142,7 +143,7 @@ TEST_F(UsbStream, IsCancelledBeforeItWaits)
   EXPECT_EQ(IidcWait::Cancelled, bus_->nextFrame(frame_, patience));
   bus_->cancel();
   bus_->stopStream();
-  startRunning(); // another stream: nobody has cancelled it
+  startRunning(); // the cancellation does not affect a new stream
   expectFrames(*bus_, 2, 0);
 }
 
@@ -209,12 +210,13 @@ TEST_F(UsbStream, TakesLessWhereMemoryIsShort)
   std::string message;
   const auto longer = [&] {
     bus_->stopStream();
-    halt(*bus_); // a frame that waits would be taken at once, and give its memory back
+    halt(*bus_); // otherwise a waiting frame would finish at once and release its
+                 // memory
     bus_->startStream(2 * frame_bytes, 8);
   };
   EXPECT_EQ(CameraFault::Failed, faultOf(longer, &message));
   EXPECT_NE(std::string::npos, message.find("usbfs_memory_mb")) << message;
-  bus_.reset(); // before its cable
+  bus_.reset(); // before the cable is destroyed
 }
 
 TEST_F(UsbStream, EndsWhenTheCableGoesWithinAFrame)
@@ -248,7 +250,7 @@ TEST_F(UsbStream, EndsWhenTheCableGoesAfterSomeNoise)
   startRunning();
   expectFrames(*bus_, 1, 0);
   EXPECT_EQ(IidcWait::TimedOut, bus_->nextFrame(frame_, 60ms));
-  cable_.unplug(); // while the stream waits to begin again
+  cable_.unplug(); // while the stream waits for its restart
   EXPECT_LT(timeOf([&] { EXPECT_EQ(CameraFault::Unplugged, faultOfWaiting()); }), 1s);
   EXPECT_EQ(CameraFault::Unplugged, faultOfWaiting());
 }
@@ -263,7 +265,7 @@ TEST_F(UsbStream, EndsWhenTheCableGoesInSilence)
   EXPECT_LT(timeOf([&] { EXPECT_EQ(CameraFault::Unplugged, faultOfWaiting()); }),
             1100ms);
   hand.join();
-  EXPECT_LT(timeOf([&] { bus_.reset(); }), patience); // while it streams
+  EXPECT_LT(timeOf([&] { bus_.reset(); }), patience); // while it is streaming
 }
 
 TEST_F(UsbStream, ComesAgainWithTheCable)
@@ -284,7 +286,7 @@ TEST_F(UsbStream, StartsAndStopsAHundredTimes)
 {
   for (int i = 0; i < 100; ++i) {
     startRunning();
-    const int frames = i % 10 == 0 ? 1 : 0; // most are stopped before one has come
+    const int frames = i % 10 == 0 ? 1 : 0; // most are stopped before the first frame
     for (int k = 0; k < frames; ++k)
       ASSERT_EQ(IidcWait::Frame, bus_->nextFrame(frame_, patience)) << i;
     if (i % 2 == 0)
@@ -312,7 +314,7 @@ TEST_F(UsbStream, GoesOnWhileRegistersAreUsed)
 
 TEST_F(UsbStream, TakesAFrameThatEndsWithinAPacket)
 {
-  // 328 x 200 bytes in packets of 1000 of the camera's, in packets of 512 of the USB's
+  // 328 x 200 bytes in camera packets of 1000 bytes and USB packets of 512 bytes
   const std::uint64_t mode = iidc::commands + iidc::format7_base;
   const auto settle = [&] {
     bus_->writeQuadlet(mode + 0x7C, 0x40000000);

@@ -13,7 +13,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Collects triangles; corners that are equal become one. */
+/** \brief Collects triangles and merges equal corners. */
 class SurfaceBuilder {
 public:
   explicit SurfaceBuilder(ChartSurface& surface)
@@ -46,7 +46,7 @@ private:
   std::map<std::array<double, 3>, std::int32_t> indices_;
 };
 
-/** A polygon in triangles, each of three points. */
+/** Triangulates a polygon; returns three points per triangle. */
 std::vector<std::array<Eigen::Vector3d, 3>>
 trianglesOf(const PlanePatch& plane, const PlanePolygon& polygon)
 {

@@ -7,8 +7,8 @@
 
 namespace pcl::acmap {
 
-/** \brief A polygon, or the part of it that a chart covers, as triangles that face where
- * the plane's normal points. */
+/** \brief A polygon, or the part of it that a chart covers, as triangles whose front is
+ * the side to which the normal of the plane points. */
 struct ChartSurface {
   static constexpr std::size_t no_chart = static_cast<std::size_t>(-1);
 
@@ -16,15 +16,15 @@ struct ChartSurface {
   std::size_t chart = no_chart;
   std::vector<Eigen::Vector3d> points;
 
-  /** \brief Where each point lies in the chart: columns and rows from the outer corner of
-   * texel (0, 0); zero without a chart. */
+  /** \brief Position of each point in the chart, in columns and rows from the outer
+   * corner of texel (0, 0); zero if there is no chart. */
   std::vector<Eigen::Vector2d> places;
   std::vector<TriangleMesh::Triangle> triangles;
 };
 
-/** \brief The surfaces of all charts, in their order, then the polygons without a chart.
- * Those without an area are there, without triangles.
- * \param[in] map that saveMapFile took: no point of it is passed over
+/** \brief The surfaces of all charts in their order, followed by the polygons without a
+ * chart. A surface without area is included, but has no triangles.
+ * \param[in] map one that saveMapFile accepts: none of its points is skipped
  * \throws BadArgumentException when a normal is zero or not finite */
 std::vector<ChartSurface>
 surfacesOf(const CompactMap& map);

@@ -52,7 +52,8 @@ isSeen(TexelKind kind)
   return kind == TexelKind::Seen;
 }
 
-/** \brief Gives the charts names of images; takes them back unless they are kept. */
+/** \brief Assigns image names to the charts; restores the old names unless keep() is
+ * called. */
 class ImageNames {
 public:
   ImageNames(std::vector<TextureChart>& charts, bool jpeg)
@@ -89,7 +90,7 @@ private:
   std::vector<std::pair<std::string, std::string>> before_;
 };
 
-/** \brief Writes the files of a map into a folder that is not in place yet. */
+/** \brief Writes the files of a map into a folder that is renamed into place later. */
 class MapFolderWriter {
 public:
   MapFolderWriter(const OutputFolder& folder,

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief Reads the images that a map names. */
+/** \brief Reads the images to which a map refers. */
 class ImageReader {
 public:
   explicit ImageReader(const std::string& folder)
@@ -54,18 +54,19 @@ private:
     }
   }
 
-  /** Images lie right in the folder: a map may come from anyone. */
+  /** Requires that images are directly in the folder, because maps can come from
+   * untrusted sources. */
   std::string
   pathOf(const std::string& name) const
   {
-    constexpr std::size_t longest = 255; // of a file's name
+    constexpr std::size_t longest = 255; // maximum length of a file name
     if (name.empty() || name == "." || name == ".." || name.size() > longest ||
         name.find_first_of(std::string("/\\\0", 3)) != std::string::npos)
       throw InputFileException(map_path_ + ": \"" + name.substr(0, longest) +
                                "\" is no name of an image in the folder");
     const fs::path path = fs::path(folder_) / name;
     std::error_code error;
-    const fs::path target = fs::canonical(path, error); // what is missing is told later
+    const fs::path target = fs::canonical(path, error); // reported later if missing
     if (!error && target.parent_path() != fs::canonical(folder_, error))
       throw InputFileException(path.string() + ": is a link to outside of the folder");
     return path.string();

@@ -13,15 +13,16 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double linear_grey = 0.2159; // of 128 in sRGB
+constexpr double linear_grey = 0.2159; // linear value of 128 in sRGB
 
-/** Shares of a colour that shines by itself and that is lit; their sum is 1, so that under
- * even light all is as it was seen. KHR_materials_unlit would say so, but VTK 9.1 and with
- * it f3d show the textures of its materials white. Readers that know no emission have the
- * lit share. */
+/** Shares of the emitted and of the reflected colour. Their sum is 1, so that uniform
+ * light shows the observed colours. KHR_materials_unlit would express this directly,
+ * but VTK 9.1, and therefore f3d, shows the textures of such materials white. Readers
+ * that do not support emission show the reflected share only. */
 constexpr double emitted = 0.7, lit = 1 - emitted;
 
-/** Whole metres near the middle of all points, so that floats suffice around it. */
+/** Middle of all points, rounded to whole metres; relative to it float precision
+ * suffices. */
 Eigen::Vector3d
 middleOf(const std::vector<ChartSurface>& surfaces)
 {
@@ -33,7 +34,7 @@ middleOf(const std::vector<ChartSurface>& surfaces)
                        : Eigen::Vector3d(box.center().array().round());
 }
 
-/** \brief Fills a glTF model, surface by surface. */
+/** \brief Fills a glTF model with surfaces, one by one. */
 class GlbModel {
 public:
   GlbModel(const CompactMap& map,
@@ -50,7 +51,7 @@ public:
     for (const ChartSurface& surface : surfaces)
       if (!surface.triangles.empty())
         append(surface);
-    if (model_.meshes[0].primitives.empty()) { // what is empty must not stand in a glTF
+    if (model_.meshes[0].primitives.empty()) { // glTF forbids empty arrays
       model_.meshes.clear();
       model_.buffers.clear();
       return;
@@ -70,7 +71,8 @@ public:
     std::ostringstream stream;
     const bool is_written =
         tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true);
-    if (!is_written || !stream) // a stream without memory is bad and throws nothing
+    if (!is_written || !stream) // a stream that runs out of memory becomes bad without
+                                // throwing
       throw OutputFileException(shownPath(path) + ": could not be composed");
     return stream.str();
   }
@@ -127,7 +129,7 @@ private:
                           TINYGLTF_TYPE_VEC2);
   }
 
-  /** Bytes into the buffer, from a multiple of four on. */
+  /** Appends bytes to the buffer, aligned to a multiple of four. */
   int
   appendView(const void* data, std::size_t bytes, int target)
   {
@@ -163,7 +165,7 @@ private:
     return static_cast<int>(model_.accessors.size()) - 1;
   }
 
-  /** \param[in] level of the colour, or what a texture is multiplied by: 0 to 1, linear */
+  /** \param[in] level linear grey value, or factor of the texture, within [0, 1] */
   int
   appendMaterial(const std::string& name, double level)
   {

@@ -8,45 +8,46 @@ namespace pcl::acmap {
 
 constexpr const char* material_file_name = "map.mtl";
 
-/** \brief From the frame of a map to one with y up, as readers of OBJ and glTF have it: a
- * turn by quarters. */
+/** \brief Rotation by multiples of 90 degrees from the frame of a map to one with y up,
+ * as readers of OBJ and glTF expect it. */
 Eigen::Matrix3d
 turnToYUp(const CompactMap& map);
 
-/** \brief Writes Wavefront OBJ, y up: a group and a material a surface; texture
- * coordinates begin bottom left. Charts name their images.
+/** \brief Writes Wavefront OBJ, y up, with one group and one material per surface. The
+ * origin of the texture coordinates is bottom left. The charts contain the names of
+ * their images.
  * \throws OutputFileException */
 void
 writeObj(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces);
 
-/** \brief Writes the materials of \ref writeObj. */
+/** \brief Writes the material file for \ref writeObj. */
 void
 writeMtl(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces);
 
-/** \brief Writes binary glTF 2.0, y up, with the images inside. Needs no extension: of a
- * colour a share shines by itself, the rest is lit.
- * \param[in] quality of the JPEGs, 1 to 100
- * \throws OutputFileException also when it would be longer than 4 GiB or there is no
- * memory for it */
+/** \brief Writes binary glTF 2.0, y up, with embedded images. Needs no extension: one
+ * share of each colour is emitted, the rest is reflected.
+ * \param[in] quality of the JPEG images, 1 to 100
+ * \throws OutputFileException also when the file would be longer than 4 GiB or memory
+ * runs out */
 void
 writeGlb(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces,
          int quality);
 
-/** \brief Writes a PLY with a coloured vertex for each texel that is known, at its
- * middle, and triangles between neighbours.
+/** \brief Writes a PLY with a coloured vertex at the centre of each known texel, and
+ * triangles between neighbours.
  * \throws BadArgumentException when there are more than 2^28 - 1 of them */
 void
 writeVertexPly(const std::string& path,
                const CompactMap& map,
                const std::vector<ChartSurface>& surfaces);
 
-/** \brief The colours of a chart, grey where nothing is known. */
+/** \brief The colours of a chart, with grey for unknown texels. */
 RgbImage
 withGrey(const TextureChart& chart);
 

@@ -17,7 +17,7 @@ textOf(double value)
 {
   std::array<char, 40> text;
   const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value + 0.0) // no -0
+      std::to_chars(text.data(), text.data() + text.size(), value + 0.0) // avoids "-0"
           .ptr;
   return {text.data(), end};
 }
@@ -30,7 +30,7 @@ materialOf(const ChartSurface& surface)
              : "chart_" + std::to_string(surface.chart);
 }
 
-/** Where the numbers of a turned point come from, as "x, -y, -z". */
+/** Expresses the rotated coordinates by the original ones, such as "x, -y, -z". */
 std::string
 axesOf(const Eigen::Matrix3d& turn)
 {
@@ -43,7 +43,8 @@ axesOf(const Eigen::Matrix3d& turn)
   return text;
 }
 
-/** Vertices, texture coordinates and faces of a surface; both count alike. */
+/** Vertices, texture coordinates and faces of a surface; vertices and texture
+ * coordinates have the same numbers. */
 std::string
 textOf(const ChartSurface& surface,
        const CompactMap& map,
@@ -89,7 +90,7 @@ Eigen::Matrix3d
 turnToYUp(const CompactMap& map)
 {
   const Eigen::Vector3d up = upAxis(map), y = Eigen::Vector3d::UnitY();
-  if (up == -y) // about x: z comes towards the viewer
+  if (up == -y) // rotate about x, so that z points towards the viewer
     return Eigen::Vector3d(1, -1, -1).asDiagonal();
   return Eigen::Quaterniond::FromTwoVectors(up, y).toRotationMatrix().array().round();
 }

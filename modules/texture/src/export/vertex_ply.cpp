@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::int32_t none = -1;
 
-/** For each texel whether its middle lies in a surface's triangles. */
+/** For each texel, is its centre inside one of the triangles of a surface? */
 std::vector<bool>
 coverOf(const ChartSurface& surface, const RgbImage& image)
 {
-  constexpr double slack = 1e-9; // no gaps along the edges of triangles
+  constexpr double slack = 1e-9; // avoids gaps along the edges of triangles
   std::vector<bool> cover(image.values.size() / 3);
   for (const TriangleMesh::Triangle& triangle : surface.triangles) {
     const auto corner = [&](std::size_t i) {
@@ -64,7 +64,8 @@ struct VertexGrid {
 
   static constexpr std::size_t step = 16;
 
-  /** All vertices are one row, whose bytes a cloud counts in 32 bits. */
+  /** All vertices form one row, and the size of a row in bytes is a 32 bit number in a
+   * cloud. */
   static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / step;
 
   std::int32_t
@@ -89,7 +90,7 @@ VertexGrid::append(const TextureChart& chart, const ChartSurface& surface)
   const RgbImage& image = chart.colors;
   const std::vector<bool> cover = coverOf(surface, image);
   const auto width = static_cast<std::size_t>(image.width);
-  // Seen along the normal, rows run to one side of columns or to the other.
+  // vertices of the previous and of the current row
   std::vector<std::int32_t> above(width, none);
   std::vector<std::int32_t> row_vertices(width, none);
   for (std::int32_t row = 0; row < image.height; ++row) {
@@ -139,6 +140,7 @@ writeVertexPly(const std::string& path,
     const std::size_t first = grid.mesh.triangles.size();
     grid.append(chart, surface);
     const Eigen::Vector3d normal = map.planes[chart.plane].coefficients.head<3>();
+    // the axes of a chart can have either orientation about the normal
     if (chart.texel_u.cross(chart.texel_v).dot(normal) < 0)
       for (std::size_t i = first; i < grid.mesh.triangles.size(); ++i)
         std::swap(grid.mesh.triangles[i][1], grid.mesh.triangles[i][2]);

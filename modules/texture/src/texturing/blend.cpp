@@ -53,7 +53,7 @@ medianOf(const Samples& samples, const std::vector<double>& gains)
 std::array<std::uint8_t, 3>
 blendedColor(const Samples& samples, const std::vector<double>& gains)
 {
-  constexpr double most_off = 30; // of 255, in any channel
+  constexpr double most_off = 30; // maximum deviation in any channel, of 255
   const std::array<double, 3> median = medianOf(samples, gains);
   std::array<double, 3> sums{};
   double weights = 0;
@@ -76,8 +76,8 @@ blendedColor(const Samples& samples, const std::vector<double>& gains)
   return color;
 }
 
-/** Mean colour of the known ones among a texel's eight neighbours. \return whether there
- * was any */
+/** Mean colour of the known texels among the eight neighbours. \return false if there
+ * are none */
 bool
 meanOfNeighbours(const TextureChart& chart,
                  std::int32_t column,

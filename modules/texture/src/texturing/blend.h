@@ -4,15 +4,16 @@
 
 namespace pcl::acmap::texturing {
 
-/** Colours the canvas's chart: each texel from its samples, brought to one exposure; the mean of
- * those that agree with the weighted median, so that a stranger in one view leaves no
- * trace where others saw the wall. */
+/** Colours the chart of a canvas. The samples of each texel are brought to a common
+ * exposure; the colour is the mean of those that agree with the weighted median. So an
+ * object that is visible in one view only leaves no trace where other views saw the
+ * wall. */
 void
 blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart);
 
-/** Colours texels without a sample after their neighbours, ring by ring from the rims of
- * what was seen; \a distance texels
- * at most, and the rim of the polygon one further. */
+/** Colours texels without a sample from their neighbours, ring by ring from the border
+ * of the observed texels: at most \a distance texels, and the rim of the polygon one
+ * texel further. */
 void
 fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart);
 

@@ -7,7 +7,7 @@ namespace {
 
 using Grids = std::vector<std::optional<ChartGrid>>;
 
-/** Of all polygons, plane by plane. */
+/** Grids of all polygons, plane by plane. */
 Grids
 gridsOf(const std::vector<PlanePatch>& planes, double texel_size)
 {
@@ -32,7 +32,7 @@ texelsOf(const Grids& grids)
 double
 canvasBytes(const std::vector<PlanePatch>& planes, double texel_size)
 {
-  constexpr std::size_t finished = 4; // colour and kind
+  constexpr std::size_t finished = 4; // bytes of colour and kind
   return texelsOf(gridsOf(planes, texel_size)) *
          (sizeof(TexelPlace) + sizeof(Canvas::Samples) + finished);
 }

@@ -8,14 +8,14 @@
 
 namespace pcl::acmap::texturing {
 
-/** What one view says of a texel. */
+/** Sample of a texel in one view. */
 struct Sample {
-  float weight = 0; ///< 0 for none
+  float weight = 0; ///< 0 if there is no sample
   std::int32_t view = -1;
   std::array<std::uint8_t, 3> color{};
 };
 
-/** A chart while it is painted. */
+/** A chart during texturing. */
 struct Canvas {
   static constexpr std::size_t most_samples = 4;
   using Samples = std::array<Sample, most_samples>;
@@ -41,7 +41,7 @@ struct Canvas {
                       static_cast<std::int32_t>(place.y()))] != TexelPlace::Outside;
   }
 
-  /** Keeps the sample where it is among the best of its texel. */
+  /** Keeps the sample if it is among the best ones of its texel. */
   void
   offer(std::size_t texel, Sample sample)
   {
@@ -51,8 +51,9 @@ struct Canvas {
   }
 };
 
-/** The polygons' canvases, in the order of the planes.
- * \param[in,out] left_out is increased by the polygons that can have none
+/** The canvases of the polygons, in the order of the planes.
+ * \param[in,out] left_out is increased by the number of polygons that cannot have a
+ * canvas
  * \throws BadArgumentException when they have more than 2^28 texels */
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
@@ -60,7 +61,7 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            int most,
            std::size_t& left_out);
 
-/** Memory that canvases and their charts will take. */
+/** Memory in bytes of the canvases and their charts. */
 double
 canvasBytes(const std::vector<PlanePatch>& planes, double texel_size);
 

@@ -8,10 +8,11 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** A rectangle round a polygon; the axes are unit vectors in the plane. */
+/** A bounding rectangle of a polygon; the axes are unit vectors in the plane. */
 struct Rectangle {
   Eigen::Vector3d u, v;
-  Eigen::Vector2d least, most; ///< along u and v from the plane's centre, metres
+  Eigen::Vector2d least, most; ///< bounds along u and v, relative to the centre of the
+                               ///< plane, in metres
   double area = 0;
 };
 
@@ -23,7 +24,8 @@ rectangleAlong(const PlanePatch& plane,
   Rectangle box;
   const Eigen::Vector3d normal = plane.coefficients.head<3>();
   box.u = u;
-  box.v = u.cross(normal); // down where u is right and the normal looks at us
+  box.v = u.cross(normal); // points down if u points right and the normal towards the
+                           // viewer
   box.least.setConstant(std::numeric_limits<double>::max());
   box.most = -box.least;
   for (const Eigen::Vector3f& corner : outer) {
@@ -36,7 +38,7 @@ rectangleAlong(const PlanePatch& plane,
   return box;
 }
 
-/** An axis in the plane: its own, unless that is none. */
+/** An axis in the plane: axis_u of the plane, or any axis if that one is invalid. */
 Eigen::Vector3d
 axisIn(const PlanePatch& plane)
 {
@@ -46,15 +48,16 @@ axisIn(const PlanePatch& plane)
   return is_one ? axis.normalized() : normal.unitOrthogonal();
 }
 
-/** The smallest of those along the polygon's edges and the plane's own axis; the first of
- * equal ones. */
+/** The smallest of the rectangles along the edges of the polygon and along axis_u of
+ * the plane; the first one of nearly equal ones. */
 Rectangle
 smallestRectangle(const PlanePatch& plane, const std::vector<Eigen::Vector3f>& outer)
 {
   const Eigen::Vector3d normal = plane.coefficients.head<3>();
   Rectangle best = rectangleAlong(plane, outer, axisIn(plane));
   constexpr double clearly = 0.999;
-  constexpr std::size_t most_tries = 500; // a rim of more edges has a side in every way
+  constexpr std::size_t most_tries = 500; // longer outlines have edges in all
+                                          // directions
   const std::size_t step = outer.size() / most_tries + 1;
   for (std::size_t k = 0; k < outer.size(); k += step) {
     Eigen::Vector3d edge = (outer[(k + 1) % outer.size()] - outer[k]).cast<double>();
@@ -69,8 +72,9 @@ smallestRectangle(const PlanePatch& plane, const std::vector<Eigen::Vector3f>& o
   return best;
 }
 
-/** Quarter turns until v is as near to the map's y, down, as it gets, so that walls stand
- * upright in their images; on floors u follows the map's x. */
+/** Rotates by multiples of 90 degrees until v is as close as possible to the y axis of
+ * the map (down), so that walls are upright in their images; on floors u follows the x
+ * axis of the map. */
 Rectangle
 upright(const PlanePatch& plane,
         const std::vector<Eigen::Vector3f>& outer,

@@ -6,28 +6,29 @@
 
 namespace pcl::acmap::texturing {
 
-/** Texels over a polygon: the smallest rectangle along one of its edges. Seen from the side
- * of the normal, u runs to the right and v down. */
+/** Texel grid of a polygon: its smallest bounding rectangle along one of its edges.
+ * Seen from the side of the normal, u points right and v points down. */
 struct ChartGrid {
   Eigen::Vector3d origin, texel_u, texel_v; ///< as in \ref TextureChart
-  double columns, rows;                     ///< whole, however many
+  double columns, rows;                     ///< integral, possibly too large for an int
 };
 
-/** \return nothing where the polygon has no area, or it or its plane makes no sense */
+/** \return nothing if the polygon has no area, or the polygon or its plane is
+ * invalid */
 std::optional<ChartGrid>
 gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size);
 
-/** Charts of a polygon, without colours: tiles where it has more texels than a texture may
- * have.
- * \param[in] most texels a side */
+/** Charts of a polygon, without colours: several tiles if it has more texels than a
+ * texture may have.
+ * \param[in] most maximum number of texels per side */
 std::vector<TextureChart>
 chartsOf(const ChartGrid& grid,
          std::size_t plane_number,
          std::size_t polygon,
          int most);
 
-/** Place on a chart in texels, of a point's foot on the plane: (0, 0) is the outer corner of
- * the first texel. */
+/** Projection of a point onto the plane, in texels of a chart: (0, 0) is the outer
+ * corner of the first texel. */
 inline Eigen::Vector2d
 placeOn(const TextureChart& chart, const Eigen::Vector3d& point)
 {
@@ -36,7 +37,7 @@ placeOn(const TextureChart& chart, const Eigen::Vector3d& point)
           way.dot(chart.texel_v) / chart.texel_v.squaredNorm()};
 }
 
-/** Middle of a texel, map frame. */
+/** Centre of a texel in the map frame. */
 inline Eigen::Vector3d
 middleOf(const TextureChart& chart, double column, double row)
 {

@@ -9,10 +9,10 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** What two views say of their ratio. */
+/** Brightness ratios of two views. */
 struct Overlap {
   double count = 0;
-  double sum = 0; ///< of log (brightness of the first / of the second)
+  double sum = 0; ///< of log (brightness in the first view / in the second view)
 };
 
 using Overlaps = std::map<std::pair<std::int32_t, std::int32_t>, Overlap>;
@@ -35,7 +35,7 @@ tells(const Sample& sample)
 void
 addPairs(const std::array<Sample, Canvas::most_samples>& samples, Overlaps& overlaps)
 {
-  constexpr double most_ratio = 0.7; // a factor of two: other things differ
+  constexpr double most_ratio = 0.7; // a factor of two; larger ratios have other causes
   for (std::size_t a = 0; a < samples.size(); ++a)
     for (std::size_t b = a + 1; b < samples.size(); ++b) {
       if (!tells(samples[a]) || !tells(samples[b]))
@@ -62,7 +62,8 @@ exposureGains(const std::vector<Canvas>& canvases, std::size_t views)
     for (const auto& samples : canvas.samples)
       addPairs(samples, overlaps);
 
-  // log g_first - log g_second = - mean log ratio, as sure as the root of the texels
+  // log g_first - log g_second = - mean log ratio, weighted by the root of the texel
+  // count
   const auto size = static_cast<Eigen::Index>(views);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(size);

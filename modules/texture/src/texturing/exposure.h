@@ -6,9 +6,10 @@
 
 namespace pcl::acmap::texturing {
 
-/** Factors, one a view, that make the views agree where they saw the same texels: least
- * squares of the logarithms of their brightness, near 1 as a whole and for views that share
- * nothing. Brightness that is clipped says nothing. */
+/** Exposure gains, one per view, for which the views agree on the texels that they
+ * share: the least-squares solution in the logarithms of the brightness, with a prior
+ * that keeps the gains near 1; views without shared texels get 1. Clipped samples are
+ * ignored. */
 std::vector<double>
 exposureGains(const std::vector<Canvas>& canvases, std::size_t views);
 

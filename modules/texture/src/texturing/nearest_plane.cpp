@@ -7,7 +7,7 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** Round the points of a view, map frame. */
+/** Bounding box of the points of a view in the map frame. */
 Eigen::AlignedBox3d
 boxOf(const ColoredView& view)
 {
@@ -32,7 +32,7 @@ boxOf(const TextureChart& chart)
   return box;
 }
 
-/** The canvases that points of a view can be on. */
+/** The canvases to which points of a view can belong. */
 std::vector<std::int32_t>
 canvasesNear(const ColoredView& view,
              const std::vector<PlanePatch>& planes,

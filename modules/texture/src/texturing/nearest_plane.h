@@ -6,8 +6,9 @@
 
 namespace pcl::acmap::texturing {
 
-/** For each point of a view the canvas that it colours, -1 for none: the one of the closest
- * plane, on its seen side, whose polygon the point's foot is in (the paper's last step). */
+/** For each point of a view, the canvas that it colours, or -1: the canvas of the
+ * closest plane that faces the sensor and whose polygon contains the projection of the
+ * point (the last step of the paper). */
 std::vector<std::int32_t>
 nearestCanvases(const ColoredView& view,
                 const std::vector<PlanePatch>& planes,

@@ -5,7 +5,7 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** Least squares of value = slope * x + offset. */
+/** Least-squares fit of value = slope * x + offset. */
 class Line {
 public:
   void
@@ -37,7 +37,7 @@ public:
     return count_;
   }
 
-  /** Root mean square of what the line leaves. */
+  /** Root mean square of the residuals. */
   double
   deviation() const
   {

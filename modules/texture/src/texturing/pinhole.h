@@ -18,8 +18,8 @@ struct Pinhole {
   }
 };
 
-/** The camera that saw an organized cloud, from where its points lie; nothing where they
- * are too few or do not lie as a pinhole camera sees them. */
+/** Estimates the camera of an organized cloud from its points; returns nothing if there
+ * are too few points or they do not fit a pinhole camera. */
 std::optional<Pinhole>
 pinholeOf(const ColoredView& view);
 

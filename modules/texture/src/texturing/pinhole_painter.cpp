@@ -10,7 +10,7 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** Paints one canvas with one view. */
+/** Textures one canvas with one view. */
 class Painter {
 public:
   Painter(const ColoredView& view,
@@ -71,9 +71,9 @@ private:
            static_cast<std::size_t>(c);
   }
 
-  /** 1 where the depth around a pixel is of this plane, less where it was not measured; 0
-   * at depth edges and where it is of something else: what is left unknown there is better
-   * filled from the inside. */
+  /** 1 if the depth around a pixel belongs to this plane, less if the nearest depth is
+   * farther away; 0 at depth edges and where the depth belongs to something else: such
+   * texels are better filled from the inside. */
   double
   visibility(const Eigen::Vector2d& pixel) const
   {
@@ -102,7 +102,8 @@ private:
       ++others;
   }
 
-  /** Square of a texel's size in pixels, and less towards the image's rim. */
+  /** Area of the texel in the image, up to a constant factor; reduced towards the image
+   * border. */
   double
   quality(const Eigen::Vector3d& middle,
           const Eigen::Vector3d& point,
@@ -111,7 +112,7 @@ private:
     const Eigen::Vector3d ray = middle - view_.T_map_camera.translation();
     const double range = ray.norm();
     const double slant = std::abs(plane_.coefficients.head<3>().dot(ray)) / range;
-    constexpr double fade = 0.1; // of the image's width
+    constexpr double fade = 0.1; // fraction of the image width
     const double from_rim = std::min({pixel.x(),
                                       pixel.y(),
                                       camera_.width - 1 - pixel.x(),
@@ -120,8 +121,8 @@ private:
     return slant * rim / (point.z() * point.z());
   }
 
-  /** Mean over the texel's pixels, for a texel may be as large as many of them; without
-   * those that see something else. */
+  /** Mean over the pixels of the texel, as a texel may cover several of them; ignores
+   * pixels that see something else. */
   Rgb
   meanColor(std::int32_t column, std::int32_t row, const Eigen::Vector3d& point) const
   {
@@ -153,7 +154,8 @@ private:
     return color;
   }
 
-  /** Whether one of the four pixels round a place does. */
+  /** Does one of the four pixels around a position see something else than this
+   * plane? */
   bool
   seesOthers(const Eigen::Vector2d& pixel) const
   {
@@ -201,7 +203,8 @@ paintPinhole(const ColoredView& view,
              const std::vector<PlanePatch>& planes,
              std::vector<Canvas>& canvases)
 {
-  // planes, for a texel at the border of a tile has neighbours on another one
+  // compares planes, not canvases, as a texel at the border of a tile has neighbours on
+  // another tile
   std::vector<std::int32_t> nearest_planes(nearest.size(), -1);
   std::vector<bool> is_seen(planes.size(), false);
   for (std::size_t i = 0; i < nearest.size(); ++i)

@@ -7,13 +7,13 @@
 
 namespace pcl::acmap::texturing {
 
-/** Offers the colours of a pinhole view to the texels it sees.
+/** Offers the colours of a pinhole view to the texels that it sees.
  *
- * A texel is seen where the view's own depth around its pixel is of its plane alone; at
- * depth edges it is not. Frontal, near views count
- * more than others (a pixel's area on the plane), and the middle of an image more than its
- * rim, so that views fade into each other.
- * \param[in] nearest canvas of each pixel, of \ref nearestCanvases */
+ * A texel is visible if the depth around its pixel belongs to its plane only; it is
+ * not visible at depth edges. Frontal and near views get larger weights than others
+ * (by the area of a pixel on the plane), and the centre of an image gets larger
+ * weights than its border, so that views blend into each other.
+ * \param[in] nearest canvas of each pixel, from \ref nearestCanvases */
 void
 paintPinhole(const ColoredView& view,
              const Pinhole& camera,

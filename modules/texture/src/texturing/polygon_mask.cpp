@@ -8,7 +8,7 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-/** Where the middle of each row crosses the loops. */
+/** Positions at which the centre line of each row crosses the loops. */
 using Crossings = std::vector<std::vector<double>>;
 
 void
@@ -21,7 +21,7 @@ addLoop(const TextureChart& chart,
     Eigen::Vector2d b = placeOn(chart, loop[(k + 1) % loop.size()].cast<double>());
     if (a.y() > b.y())
       std::swap(a, b);
-    // rows whose middle is in [a, b): a corner is met once
+    // rows whose centre is in [a, b), so that a corner is counted once
     const double rows = static_cast<double>(crossings.size());
     const double first = std::clamp(std::ceil(a.y() - 0.5), 0.0, rows);
     const double end = std::clamp(std::ceil(b.y() - 0.5), 0.0, rows);

@@ -12,7 +12,7 @@ struct Mean {
   std::array<std::uint64_t, 3> sums{};
 };
 
-/** Points of one canvas, ascending. */
+/** Indices of the points of one canvas, in ascending order. */
 using Points = std::vector<std::size_t>;
 
 void

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::texturing {
 
-/** Colours the texels that the points of a cloud are in with their mean: for clouds of which
- * nobody knows the camera. */
+/** Colours each texel with the mean of the points that fall into it; for clouds whose
+ * camera is unknown. */
 void
 splat(const ColoredView& view,
       std::int32_t number,

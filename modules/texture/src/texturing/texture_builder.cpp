@@ -67,7 +67,7 @@ TextureBuilder::add(const ColoredView& view)
 
 namespace {
 
-/** For each plane the views whose samples its texels have. */
+/** For each plane, the views that contributed samples to its texels. */
 std::vector<std::vector<std::int32_t>>
 observationsOf(const std::vector<Canvas>& canvases, std::size_t planes)
 {

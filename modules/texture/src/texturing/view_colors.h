@@ -8,7 +8,7 @@ namespace pcl::acmap::texturing {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/** The packed colours of a view, one a point. */
+/** Unpacks the colour of a point of a view. */
 inline Rgb
 colorOf(const ColoredView& view, std::size_t i)
 {

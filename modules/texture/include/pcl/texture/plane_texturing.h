@@ -18,21 +18,22 @@ namespace acmap {
 struct TexturingSettings;
 }
 
-/** \brief Paints planes with the colours of the observations: the last step of
+/** \brief Textures planes with the colours of the observations: the last step of
  * "Active Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
  *
- * Each polygon of a plane gets a rectangular chart of texels. A point colours the closest
- * plane whose polygon its foot is in, within 0.3 m, as in the paper. An organized cloud as a
- * pinhole camera sees it is projected into instead, texel by texel: a texel is seen where
- * the view's own depth around its pixel is of its plane, and colours next to depth edges
- * hardly count. Of each texel the four best samples are kept (near, frontal, off the image's
- * rim), brought to one exposure by a gain for each view, and those that agree with their
- * median are averaged. Holes are filled from their rims a few texels far; what remains
- * unknown stays so (\ref TexelKind).
+ * Each polygon of a plane gets a rectangular chart of texels. As in the paper, a point
+ * colours the closest plane within 0.3 m whose polygon contains the projection of the
+ * point. If the cloud is organized like the image of a pinhole camera, the texels are
+ * projected into this image instead: a texel is visible where the depth measured
+ * around its pixel belongs to its plane, and colours next to depth edges get little
+ * weight. For each texel the four best samples are kept (near, frontal, far from the
+ * image border). The samples are brought to a common exposure with one gain per view,
+ * and those that agree with their median are averaged. Holes are filled from their
+ * borders over a few texels; the remaining texels stay unknown (\ref TexelKind).
  *
- * Metres, in the frame of the planes; colours as in the clouds. Time O(n p + t v) for n
- * points, p planes near a view, t texels and v views that see them; the same bytes for every
- * number of threads.
+ * Lengths are in metres, in the frame of the planes; colours are as in the clouds. The
+ * time is O(n p + t v) for n points, p planes near a view, t texels and v views that
+ * see them. The output is byte-identical for every number of threads.
  * \code
  * pcl::PlaneTexturing<pcl::PointXYZRGB> texturing;
  * texturing.setPlanes (planes);                        // of PlaneHypothesisClustering
@@ -42,8 +43,7 @@ struct TexturingSettings;
  * texturing.texture (map);
  * pcl::saveCompactMap ("map", map);
  * \endcode
- * \ingroup texture
- */
+ * \ingroup texture */
 template <typename PointT>
 class PlaneTexturing : public StageControls<TexturingReport> {
 public:
@@ -51,8 +51,8 @@ public:
   using ConstPtr = shared_ptr<const PlaneTexturing<PointT>>;
   using PointCloudConstPtr = typename PointCloud<PointT>::ConstPtr;
 
-  /** \brief Sets the planes; those without polygons get no chart, nor do polygons that have
-   * no area or are not finite, and the report says so. */
+  /** \brief Sets the planes. Planes without polygons get no chart. Polygons that have
+   * no area or are not finite get none either, and the report mentions them. */
   void
   setPlanes(std::vector<PlanePatch> planes)
   {
@@ -66,12 +66,15 @@ public:
     return planes_;
   }
 
-  /** \brief Adds what was seen from one pose. An organized cloud is one that was seen from
-   * the origin of its frame: it colours no plane that looks away from there.
-   * \param[in] cloud organized or not; its points may be NaN, its colours are valid at each
-   * of them
-   * \param[in] T_map_camera from the frame of the cloud to that of the planes
-   * \throws BadArgumentException when the cloud is missing or the pose is no rigid motion */
+  /** \brief Adds the cloud that was observed from one pose. An organized cloud is
+   * assumed to be observed from the origin of its frame: it does not colour planes
+   * that face away from there.
+   * \param[in] cloud organized or not; its points may be NaN, its colours are valid at
+   * every point
+   * \param[in] T_map_camera transform from the frame of the cloud to that of the
+   * planes
+   * \throws BadArgumentException when the cloud is missing or the pose is not a rigid
+   * motion */
   void
   addObservation(const PointCloudConstPtr& cloud,
                  const Eigen::Isometry3d& T_map_camera = Eigen::Isometry3d::Identity());
@@ -95,7 +98,7 @@ public:
     return observations_.size();
   }
 
-  /** \brief Sets the edge of a texel (default 0.02 m).
+  /** \brief Sets the edge length of a texel (default 0.02 m).
    * \throws BadArgumentException unless within [1e-4, 10] m */
   void
   setTexelSize(double metres);
@@ -106,8 +109,8 @@ public:
     return texel_size_;
   }
 
-  /** \brief Sets how far a point may be from the plane it colours (default 0.3 m, the
-   * paper's). \throws BadArgumentException unless within (0, 1e3] m */
+  /** \brief Sets the maximum distance of a point from the plane it colours (default 0.3
+   * m, as in the paper). \throws BadArgumentException unless within [1e-6, 1e3] m */
   void
   setMaximumDistance(double metres);
 
@@ -117,8 +120,9 @@ public:
     return maximum_distance_;
   }
 
-  /** \brief Sets how many texels a side of a chart may have (default 4096); larger polygons
-   * get several charts. \throws BadArgumentException unless within [16, 65500] */
+  /** \brief Sets the maximum width and height of a chart in texels (default 4096);
+   * larger polygons get several charts. \throws BadArgumentException unless within
+   * [16, 65500] */
   void
   setMaximumTextureSize(int texels);
 
@@ -128,8 +132,8 @@ public:
     return maximum_texture_size_;
   }
 
-  /** \brief Sets how far holes are filled from their rims (default 5 texels; 0: only the rim
-   * that interpolation needs).
+  /** \brief Sets how far holes are filled from their borders (default 5 texels; 0: only
+   * the texels next to the polygon that interpolation needs).
    * \throws BadArgumentException unless within [0, 1000] */
   void
   setFillDistance(int texels);
@@ -140,7 +144,8 @@ public:
     return fill_distance_;
   }
 
-  /** \brief Brings the observations to one exposure (default true). */
+  /** \brief Enables the correction of the observations to a common exposure (default
+   * true). */
   void
   setCorrectExposure(bool correct)
   {
@@ -153,18 +158,18 @@ public:
     return correct_exposure_;
   }
 
-  /** \brief Estimates the memory that \ref texture takes, whatever the number of
-   * observations. \return bytes */
+  /** \brief Estimates the memory that \ref texture takes for any number of observations.
+   * \return bytes */
   double
   estimateMemory() const;
 
-  /** \brief Paints the planes.
-   * \param[out] map the planes with their charts, which observations saw which plane, and
-   * the poses; of no planes it is empty, and the report says why
+  /** \brief Textures the planes.
+   * \param[out] map the planes with their charts, the observations that saw each
+   * plane, and the poses; empty when there are no planes, and the report says why
    * \throws InitFailedException when no planes were set, or an observation has no
    * coordinates
    * \throws BadArgumentException when the charts have more than 2^28 texels
-   * \throws CancelledException when the progress callback stopped it */
+   * \throws CancelledException when the progress callback cancelled the run */
   void
   texture(CompactMap& map);
 

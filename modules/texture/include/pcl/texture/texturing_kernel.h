@@ -11,25 +11,25 @@
 
 namespace pcl::acmap {
 
-/** \brief What PlaneTexturing is told. Metres. \ingroup texture */
+/** \brief Settings of PlaneTexturing. Lengths in metres. \ingroup texture */
 struct TexturingSettings {
   double texel_size = 0.02;
   double maximum_distance = 0.3;   ///< from a point to the plane it colours
-  int maximum_texture_size = 4096; ///< texels a side; larger polygons are tiled
-  int fill_distance = 5;           ///< texels that holes are filled from their rim
+  int maximum_texture_size = 4096; ///< texels per side; larger polygons are tiled
+  int fill_distance = 5;           ///< texels; how far holes are filled
   bool correct_exposure = true;
   unsigned threads = 0; ///< 0: all
 };
 
-/** \brief Points that were seen from one pose, with their colours. */
+/** \brief Coloured points that were observed from one pose. */
 struct ColoredView {
   PointView points; ///< camera frame, metres; NaN where nothing was measured
-  ColorView colors; ///< valid at every pixel; nothing for none
-  int width = 0;    ///< px, of an organized cloud: rows one after the other; else 0
+  ColorView colors; ///< valid at every pixel; empty if there are none
+  int width = 0;    ///< pixels, of an organized cloud in row-major order; else 0
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
 
-  /** \brief Were the points seen from the origin of their frame? Then planes that look
-   * away from there get nothing. */
+  /** \brief Were the points observed from the origin of their frame? If so, planes that
+   * face away from there get no colour. */
   bool has_eye = true;
 };
 
@@ -38,13 +38,14 @@ struct ColoredView {
 ACMAP_EXPORT ColoredView
 viewOfObservation(const TexturedObservation& observation);
 
-/** \brief Bytes that painting these planes will take, however many. */
+/** \brief Estimates the memory in bytes for texturing these planes with any number of
+ * views. */
 ACMAP_EXPORT double
 texturingMemory(const std::vector<PlanePatch>& planes,
                 const TexturingSettings& settings);
 
-/** \brief Paints planes view by view; keeps of each texel its best samples only, so that
- * the views need not be in memory together. */
+/** \brief Textures planes view by view. Keeps only the best samples of each texel, so
+ * that the views need not be in memory at the same time. */
 class ACMAP_EXPORT TextureBuilder {
 public:
   /** \param[in] planes in the map's frame; those without polygons get no chart
@@ -56,8 +57,8 @@ public:
   void
   add(const ColoredView& view);
 
-  /** \brief Balances, blends and fills. The map's planes and charts are set, and which
-   * observations saw which plane. */
+  /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes
+   * and charts of the map, and the observations that saw each plane. */
   CompactMap
   finish(const Progress& progress, TexturingReport& report) const;
 

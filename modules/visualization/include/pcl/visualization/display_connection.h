@@ -6,13 +6,14 @@ namespace pcl::acmap {
 
 /** \brief A connection to the X server that VTK is going to use.
  *
- * VTK aborts the process where none answers. Keep it as long as VTK draws: a virtual
- * server starts anew when its last client leaves, and refuses others meanwhile. A program
- * that ends with a picture opens one before its work, so as to fail at once.
+ * VTK aborts the process if no X server answers. Keep the connection as long as VTK
+ * draws: a virtual server resets when its last client disconnects, and refuses
+ * connections meanwhile. A program that draws a picture at its end opens a connection
+ * before its computation, so that a missing server is reported at once.
  * \ingroup visualization */
 class ACMAP_EXPORT DisplayConnection {
 public:
-  /** \throws InitFailedException with advice when no X server answers */
+  /** \throws InitFailedException with advice if no X server answers */
   DisplayConnection();
 
   ~DisplayConnection();

@@ -12,91 +12,94 @@
 
 namespace pcl {
 
-/** \brief A way to look at a building; one may lie upon the other. The key of a layer in a
- * window is its number. \ingroup visualization */
+/** \brief A representation of a building; layers can be shown together. The key of a
+ * layer in a window is its number. \ingroup visualization */
 enum class SceneLayer {
-  Points = 1,    ///< of the cloud, else the mesh's vertices
-  Mesh = 2,      ///< facets under light
-  Normals = 3,   ///< short lines at vertices of the mesh, 3000 at most
-  Planes = 4,    ///< translucent, each with its outline in a colour of its own
+  Points = 1,    ///< of the cloud, or the vertices of the mesh if there is no cloud
+  Mesh = 2,      ///< facets with lighting
+  Normals = 3,   ///< short lines at the vertices of the mesh, at most 3000
+  Planes = 4,    ///< translucent, each with an outline in its own colour
   Texture = 5,   ///< planes with the colours of their charts
-  Trajectory = 6 ///< a line, and the camera's axes at 50 poses at most
+  Trajectory = 6 ///< a line, and the axes of the camera at up to 50 poses
 };
 
-/** \brief All that there is of a building; any part may be empty. \ingroup visualization */
+/** \brief Everything that is known of a building; any part may be empty. \ingroup
+ * visualization */
 struct LayeredScene {
   PCLPointCloud2 points;
   PCLPointCloud2 vertices;
-  TriangleMesh mesh; ///< of the vertices
+  TriangleMesh mesh; ///< indexes the vertices
   CompactMap map;
 
-  /** \brief The poses of the map's trajectory as they were before rectification. Points
-   * with an int32 field `view`, the number of the pose that saw them, go with these. */
+  /** \brief The poses of the map's trajectory before rectification. Points with an
+   * int32 field `view`, the number of the pose that observed them, move with these. */
   Trajectory trajectory_before;
 };
 
-/** \brief How a layered scene is shown; \ref MapView's paint does not count. A scene
- * without planes has no view from inside, and one without trajectory too no plan.
+/** \brief How a layered scene is shown; the `paint` of \ref MapView is ignored. A view
+ * from inside needs planes, and a plan needs planes or a trajectory.
  * \ingroup visualization */
 struct LayeredView : MapView {
-  std::set<SceneLayer> layers; ///< shown at first; none: the usual ones
+  std::set<SceneLayer> layers; ///< shown at first; empty: see usualLayers
 
-  /** \brief As it was before rectification: points and trajectory alone. */
+  /** \brief Shows the state before rectification: points and trajectory only. */
   bool before = false;
 
-  /** \brief The mesh as far as the walls of this step and those before it have made it
-   * (Fig. 5), 0 to \ref wallSteps - 1. The eye stands as for the whole mesh, so that
-   * pictures of all steps fit upon each other. */
+  /** \brief Shows only the triangles that were constructed by the walls up to this step
+   * (Fig. 5), 0 to \ref wallSteps - 1. The camera is the one for the whole mesh, so
+   * that the pictures of all steps can be compared. */
   std::optional<std::size_t> wall_step;
 
-  /** \brief The eye is that of this pose of the trajectory, wide; no other place of the
-   * eye may be given then. */
+  /** \brief Places the camera at this pose of the trajectory, with a wide angle; no
+   * other camera position may be set then. */
   std::optional<std::size_t> at_pose;
 };
 
-/** \brief The layers a scene has something for. \ingroup visualization */
+/** \brief The layers for which a scene has data. \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 layersOf(const LayeredScene& scene);
 
-/** \brief The layers that show how it was before rectification: the trajectory where each
- * pose has one before, and points that name their poses. \ingroup visualization */
+/** \brief The layers that can be shown as before rectification: the trajectory if there
+ * is an earlier pose for each pose, and points with a `view` field. \ingroup
+ * visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 layersBefore(const LayeredScene& scene);
 
-/** \brief In how many steps the walls of a mesh are shown: one for each depth of walls, and
- * one more for the halves that were divided no further, whose triangles have the
- * greatest depth. 0 without wall depths, or where nothing was divided.
+/** \brief Number of steps in which the walls of a mesh are shown: one for each depth of
+ * the walls, and one for the halves that were not divided further, whose triangles
+ * have the largest depth. 0 if there are no wall depths or nothing was divided.
  * \ingroup visualization */
 ACMAP_EXPORT std::size_t
 wallSteps(const TriangleMesh& mesh);
 
-/** \brief What is shown when nobody chooses: texture, else planes, else mesh, else points;
- * and the trajectory. \ingroup visualization */
+/** \brief The default layers: texture, else planes, else mesh, else points; and the
+ * trajectory. \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 usualLayers(const LayeredScene& scene);
 
 /** \brief Draws layers into a PNG file.
  *
- * The points of a plan are those up to a little above the cameras, or one would see
- * nothing but ceilings.
- * \throws OutputFileException when it could not be written
+ * A plan shows only the points up to 0.3 m above the cameras; otherwise the ceilings
+ * would hide everything else.
+ * \throws OutputFileException when the file could not be written
  * \throws InitFailedException without an X server, or when there is nothing to draw
- * \throws BadArgumentException when the scene has nothing for a layer, a place of the eye
- * needs what there is not, there is nothing before rectification, no such
- * step or pose, or as \ref saveSnapshot and \ref saveMapSnapshot
+ * \throws BadArgumentException when the scene has no data for a layer or for the
+ * requested camera position, there is no state before rectification, the step or pose
+ * does not exist, or as \ref saveSnapshot and \ref saveMapSnapshot
  * \ingroup visualization */
 ACMAP_EXPORT void
 saveSnapshot(const std::string& path,
              const LayeredScene& scene,
              const LayeredView& view = {});
 
-/** \brief Shows layers in a window that follows the mouse, until it is closed.
+/** \brief Shows layers in an interactive window until it is closed.
  *
- * Keys: 1 to 6 layers on and off, b before and after rectification, t planes with and
- * without texture, n and N steps of the walls on and back, space a flight along the
- * trajectory, p (or a click with shift) the card of the plane under the mouse, h help, r
- * all in view, q end.
- * \param[in] tell gets help, cards and what a key could not do, a text each
+ * Keys: 1 to 6 toggle the layers, b toggles between before and after rectification, t
+ * shows planes with or without texture, n and N go to the next and previous step of
+ * the walls, space starts or stops a flight along the trajectory, p (or a click with
+ * shift) shows the card of the plane under the mouse, h shows the help, r resets the
+ * camera, q quits.
+ * \param[in] tell receives help, cards and failures of keys, one text per call
  * \throws InitFailedException, BadArgumentException as \ref saveSnapshot
  * \ingroup visualization */
 ACMAP_EXPORT void

@@ -11,42 +11,43 @@ class vtkRenderer;
 namespace pcl {
 
 /** \file
- * Layers for a renderer of your own. Each function adds one thing and returns it;
- * it belongs to the renderer, SetVisibility turns it off and on. Nothing of the arguments
- * is needed later.
+ * Layers for a renderer of your own. Each function adds one prop and returns it. The
+ * renderer owns it; SetVisibility shows and hides it. The arguments need not outlive
+ * the call.
  * \throws BadArgumentException, InitFailedException as pcl::saveSnapshot and
- * pcl::saveMapSnapshot; the renderer is then as it was */
+ * pcl::saveMapSnapshot; the renderer is then unchanged */
 
-/** \brief Points in their colours, else blue. \ingroup visualization */
+/** \brief Points in their colours, or blue if they have none. \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addPointLayer(vtkRenderer& renderer, const PCLPointCloud2& cloud);
 
-/** \brief Facets in the colours of the vertices, else grey; backs bluish.
- * \param[in] hide_backs leaves out facets that look away \ingroup visualization */
+/** \brief Facets in the colours of the vertices, or grey if these have none; back faces
+ * are bluish.
+ * \param[in] hide_backs leaves out facets that face away \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addMeshLayer(vtkRenderer& renderer,
              const PCLPointCloud2& vertices,
              const TriangleMesh& mesh,
              bool hide_backs = false);
 
-/** \brief Short lines along the normals of the vertices, 3000 at most.
+/** \brief Short lines along the normals of the vertices, at most 3000.
  * \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addNormalLayer(vtkRenderer& renderer,
                const PCLPointCloud2& vertices,
                const TriangleMesh& mesh);
 
-/** \brief Planes, translucent, with outlines, each in a colour of its own.
+/** \brief Translucent planes with outlines, each in its own colour.
  * \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addPlaneLayer(vtkRenderer& renderer, const CompactMap& map, bool hide_backs = false);
 
-/** \brief Planes with the colours of their charts, grey where there are none.
+/** \brief Planes with the colours of their charts, grey where there is no chart.
  * \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addTextureLayer(vtkRenderer& renderer, const CompactMap& map, bool hide_backs = false);
 
-/** \brief A line through the poses and the camera's axes: x red, y green, z blue.
+/** \brief A line through the poses, and the axes of the camera: x red, y green, z blue.
  * \param[in] axis_length metres \ingroup visualization */
 ACMAP_EXPORT vtkProp*
 addTrajectoryLayer(vtkRenderer& renderer,

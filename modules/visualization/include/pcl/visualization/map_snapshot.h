@@ -8,20 +8,20 @@
 
 namespace pcl {
 
-/** \brief How a compact map is drawn, and from where. \ingroup visualization */
+/** \brief How, and from where, a compact map is drawn. \ingroup visualization */
 struct MapView : SceneView {
   enum class Paint {
-    Textured,    ///< with the colours of the charts, without light; grey where none is
-    PlaneColors, ///< each plane has a colour of its own, under light
-    Outlines     ///< rims and holes as lines in the colours of the planes
+    Textured,    ///< with the colours of the charts, without lighting; else grey
+    PlaneColors, ///< each plane has its own colour, with lighting
+    Outlines     ///< outlines and holes as lines in the colours of the planes
   };
 
   enum class Place {
-    Outside, ///< obliquely from above; faces that look away are left out
-    Inside, ///< wide, from where the most is seen, at a pose of the trajectory or, without
-            ///< one, in the middle of the map at half its height
-    Plan ///< from above without perspective: no plane that looks down, walls as lines,
-         ///< the trajectory, a bar that tells the scale; the view's `from` is not used
+    Outside, ///< obliquely from above; faces that face away are left out
+    Inside,  ///< wide angle, from the pose of the trajectory that sees most; without a
+             ///< trajectory from the centre of the map
+    Plan ///< orthographic from above: no downward facing planes, walls as lines, the
+         ///< trajectory, a scale bar; the view's `from` is not used
   };
 
   Paint paint = Paint::Textured;
@@ -30,14 +30,15 @@ struct MapView : SceneView {
 
 /** \brief Draws a compact map into a PNG file.
  *
- * Up, where the view does not tell, is \ref upDirection of the map. Texels of which nothing
- * is known are grey, backs of planes bluish. A chart without colours counts as none; planes
- * without a normal or an area are left out. Needs an X server as \ref saveSnapshot does.
+ * If the view does not set it, the up direction is \ref upDirection of the map.
+ * Unknown texels are grey, back faces of planes bluish. A chart without colours is
+ * treated as missing; planes without a normal or an area are left out. Needs an X
+ * server as \ref saveSnapshot does.
  * \param[in] path the file, ending in .png
- * \throws OutputFileException when it could not be written
+ * \throws OutputFileException when the file could not be written
  * \throws InitFailedException without an X server, or when no plane has an area
- * \throws BadArgumentException when a chart is of a plane or polygon that is not there, or
- * its colours are not of its size; or as \ref saveSnapshot for the view
+ * \throws BadArgumentException when a chart refers to a plane or polygon that does not
+ * exist, or its colours do not have its size; or as \ref saveSnapshot for the view
  * \code
  * pcl::MapView view;
  * view.place = pcl::MapView::Place::Plan;

@@ -8,18 +8,20 @@
 
 namespace pcl {
 
-/** \brief What is known of a plane, a line each: number, equation, standard deviations of
- * slopes and offset, support, area, rmse. What is not known is called so.
+/** \brief Describes a plane, one property per line: number, equation, standard
+ * deviations of slopes and offset, support, area, rmse. Unknown properties are marked
+ * as such.
  * \param[in] number of the plane in its map \ingroup visualization */
 ACMAP_EXPORT std::string
 planeCard(const PlanePatch& plane, std::size_t number);
 
-/** \brief The first plane that a ray meets, inside of its polygons.
- * \param[in] eye where the ray begins, metres
+/** \brief Finds the first plane that a ray intersects inside its polygons.
+ * \param[in] eye origin of the ray, metres
  * \param[in] direction of any length but 0
- * \param[in] fronts_only lets the ray pass through planes that look away from the eye
- * \return its number in the map; nothing where there is none
- * \throws BadArgumentException when eye or direction are not finite, or the direction is 0
+ * \param[in] fronts_only ignores planes that face away from the eye
+ * \return its number in the map; nothing if there is no intersection
+ * \throws BadArgumentException when eye or direction are not finite, or the direction
+ * is 0
  * \ingroup visualization */
 ACMAP_EXPORT std::optional<std::size_t>
 planeOnRay(const CompactMap& map,

@@ -8,7 +8,7 @@
 
 namespace pcl {
 
-/** \brief A mesh or a cloud as it came from a file; without triangles it is a cloud.
+/** \brief A mesh or a cloud read from a file; without triangles it is a cloud.
  * \ingroup visualization */
 struct SceneFile {
   PointCloudFile points;
@@ -17,7 +17,7 @@ struct SceneFile {
 
 /** \brief Reads what \ref showScene can show: a cloud (PCD, XYZ, PLY or OBJ without
  * faces) or a mesh (PLY or OBJ with faces, legacy VTK of polygons or triangle strips).
- * \throws InputFileException naming file and fault \ingroup visualization */
+ * \throws InputFileException with file name and error \ingroup visualization */
 ACMAP_EXPORT SceneFile
 loadScene(const std::string& path);
 

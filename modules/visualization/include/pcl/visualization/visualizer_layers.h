@@ -3,10 +3,10 @@
 #include <pcl/visualization/map_layers.h>
 
 /** \file
- * The layers of map_layers.h for `pcl::visualization::PCLVisualizer`, or for
- * anything else with a `getRendererCollection ()`: they go into its first renderer. Templates,
- * so that who does not use it does not link it. Include beside this
- * `<pcl/visualization/pcl_visualizer.h>` and `<vtkRendererCollection.h>`. */
+ * The layers of map_layers.h for `pcl::visualization::PCLVisualizer`, or for any other
+ * class with a `getRendererCollection ()`: they are added to its first renderer. These
+ * are templates, so that programs that do not use PCLVisualizer need not link it. Also
+ * include `<pcl/visualization/pcl_visualizer.h>` and `<vtkRendererCollection.h>`. */
 
 namespace pcl {
 namespace acmap {

@@ -7,7 +7,7 @@
 
 namespace oneapi::tbb {
 
-/** \brief A value of each thread, made when the thread first asks for it. */
+/** \brief One value per thread, created when the thread first requests it. */
 template <typename Value>
 class enumerable_thread_specific {
 public:
@@ -25,7 +25,8 @@ public:
                : values_.emplace(std::this_thread::get_id(), make_()).first->second;
   }
 
-  /** \brief Calls use (value) for all; no thread may be asking meanwhile. */
+  /** \brief Calls use (value) for all values; no thread may request its value
+   * meanwhile. */
   template <typename Use>
   void
   combine_each(const Use& use)

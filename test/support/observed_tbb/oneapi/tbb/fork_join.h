@@ -9,7 +9,7 @@
 
 namespace oneapi::tbb::observed {
 
-/** \brief Threads that may still be started. */
+/** \brief Number of threads that may still be started. */
 struct Arena {
   explicit Arena(int threads)
   : concurrency(threads)
@@ -39,8 +39,8 @@ takeThread(Arena& arena)
   return false;
 }
 
-/** \brief Runs work () in this thread and in up to \a most - 1 others, and waits for all;
- * throws what the first of them threw. */
+/** \brief Runs work () in this thread and in up to \a most - 1 others, and waits for
+ * all; rethrows the first exception. */
 template <typename Work>
 void
 fork(std::size_t most, const Work& work)

@@ -5,7 +5,7 @@
 
 namespace oneapi::tbb {
 
-/** \brief Nothing is limited here, so that nothing has to be allowed. */
+/** \brief Does nothing, because this implementation has no global limits. */
 class global_control {
 public:
   enum parameter { max_allowed_parallelism };
