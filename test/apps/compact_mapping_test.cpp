@@ -4,6 +4,7 @@
 #include "tool_cases.h"
 #include "virtual_display.h"
 
+#include <pcl/pipeline/compact_mapping.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,18 @@ TEST(CompactMapping, MakesAMapThatIsRead)
   EXPECT_GE(found, 4u);
   for (std::size_t p = 0; p < 4; ++p)
     EXPECT_GE(map.observations[p].size(), 2u) << p;
+}
+
+TEST(CompactMapping, MakesTheMapOfTheClass)
+{
+  const Corridor& made = corridor();
+  pcl::CompactMapping mapping;
+  mapping.setInputSequence(ObservationSequence(made.session), true);
+  CompactMap map;
+  mapping.compute(map);
+  const TemporaryFolder folder;
+  for (const std::string& name : saveCompactMap(folder.path(""), map))
+    EXPECT_EQ(contentOf(folder.path(name)), contentOf(made.map + "/" + name)) << name;
 }
 
 TEST(CompactMapping, TellsHowCompactItIs)

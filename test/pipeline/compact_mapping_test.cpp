@@ -37,15 +37,6 @@ protected:
     clouds_.clear();
   }
 
-  static CompactMapping
-  makeMapping()
-  {
-    CompactMapping mapping;
-    PlaneMapping planes;
-    mapping.setPlaneMapping(planes);
-    return mapping;
-  }
-
   static void
   expectSame(const CompactMap& a, const CompactMap& b)
   {

@@ -6,6 +6,7 @@
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
 #include <pcl/surface/gp3.h>
+#include <pcl/surface/impl/gp3.hpp>
 
 #include <gmock/gmock.h>
 

@@ -182,3 +182,7 @@ private:
 };
 
 } // namespace pcl::registration
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/egomotion/impl/correspondence_estimation_log_polar.hpp>
+#endif

@@ -123,3 +123,7 @@ private:
 extern template class ACMAP_EXPORT Keypoint<PointXYZRGBSigma, PointXYZRGBSigma>;
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
+#endif

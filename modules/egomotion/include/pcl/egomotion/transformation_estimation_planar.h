@@ -117,3 +117,7 @@ private:
 };
 
 } // namespace pcl::registration
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/egomotion/impl/transformation_estimation_planar.hpp>
+#endif

@@ -230,3 +230,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/egomotion/impl/visual_egomotion.hpp>
+#endif

@@ -184,3 +184,7 @@ extern template class ACMAP_EXPORT Feature<PointXYZRGBNormalView, Normal>;
 extern template class ACMAP_EXPORT Feature<PointXYZRGBSigma, Normal>;
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/features/impl/normal_vector_voting.hpp>
+#endif

@@ -121,3 +121,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/filters/impl/depth_refinement.hpp>
+#endif

@@ -233,3 +233,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/filters/impl/voxel_consolidation.hpp>
+#endif

@@ -194,3 +194,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/mapping/impl/entropy_rectification.hpp>
+#endif

@@ -184,3 +184,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/mapping/impl/map_entropy.hpp>
+#endif

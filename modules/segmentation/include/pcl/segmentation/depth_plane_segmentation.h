@@ -112,3 +112,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/depth_plane_segmentation.hpp>
+#endif

@@ -290,3 +290,7 @@ PlaneHypothesisClustering<PointT>::setSourceCloud(
 }
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/plane_hypothesis_clustering.hpp>
+#endif

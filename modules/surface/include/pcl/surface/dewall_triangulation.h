@@ -166,3 +166,7 @@ extern template class ACMAP_EXPORT MeshConstruction<PointXYZRGBNormalView>;
 extern template class ACMAP_EXPORT MeshConstruction<PointXYZRGBSigma>;
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/surface/impl/dewall_triangulation.hpp>
+#endif

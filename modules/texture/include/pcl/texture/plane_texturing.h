@@ -194,3 +194,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/texture/impl/plane_texturing.hpp>
+#endif
