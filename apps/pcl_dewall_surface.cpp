@@ -29,7 +29,7 @@ struct Options {
   std::string input;
   std::string output;
   std::optional<double> voxel_size;
-  DepthSensor sensor = DepthSensor::Automatic;
+  pcl::DepthSensor sensor = pcl::DepthSensor::Automatic;
   double maximum_edge_length = 0;
   pcl::DeWallRule rule = pcl::DeWallRule::Paper;
   bool wall_depth = false;

@@ -20,7 +20,7 @@ using namespace pcl::acmap;
 void
 writeOutputs(const Tool& tool,
              const PlaneOptions& options,
-             const MappedPlanes& found,
+             const pcl::MappedPlanes& found,
              pcl::PointCloudFile file)
 {
   OutputGroup outputs;
@@ -45,7 +45,7 @@ writeOutputs(const Tool& tool,
 }
 
 void
-summarize(Tool& tool, const PlaneOptions& options, const MappedPlanes& found)
+summarize(Tool& tool, const PlaneOptions& options, const pcl::MappedPlanes& found)
 {
   tellPlanes(tool, found.planes, found.labels, found.finite_points);
   tool.tellSeconds();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chain.h"
-#include "map_truth.h"
+#include "truth_report.h"
 
 namespace pcl::acmap {
 

@@ -12,26 +12,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief The way of the map; observations that it left out have no pose in it.
+/** \brief The mapped of the map; observations that it left out have no pose in it.
  * \param[in] before a row for each observation of the folder */
-MappedWay
-wayOf(const ObservationSequence& posed,
-      const Trajectory& before,
-      const Trajectory& after,
-      const SessionTruth& truth)
+MappedTrajectory
+trajectoryOf(const ObservationSequence& posed,
+             const Trajectory& before,
+             const Trajectory& after,
+             const SessionTruth& truth)
 {
   const std::vector<std::size_t> rows = trajectoryRows(
       truth.trajectory_path, posed.names(), truth.trajectory.poses.size());
-  MappedWay way;
+  MappedTrajectory mapped;
   for (std::size_t i = 0, row = 0; i < posed.size() && row < after.poses.size(); ++i) {
     if (posed.stamp(i) != after.stamps[row])
       continue;
-    way.observations.push_back(rows[i]);
-    way.after.push_back(after.poses[row]);
-    way.before.push_back(before.poses.empty() ? after.poses[row] : before.poses.at(i));
+    mapped.observations.push_back(rows[i]);
+    mapped.after.push_back(after.poses[row]);
+    mapped.before.push_back(before.poses.empty() ? after.poses[row]
+                                                 : before.poses.at(i));
     ++row;
   }
-  return way;
+  return mapped;
 }
 
 } // namespace
@@ -48,7 +49,7 @@ compareMap(const ChainOptions& options,
     before = loadTrajectory(
         (fs::path(chain.folderOf("rectification")) / "trajectory_before.txt").string());
   MapFigures figures = compareWithTruth(
-      map, wayOf(*sequence.posed, before, map.trajectory, truth), truth);
+      map, trajectoryOf(*sequence.posed, before, map.trajectory, truth), truth);
   const auto& bytes = chain.stages().back().told.details.at("bytes");
   figures.compactness =
       bytes.at("raw").get<double>() / std::max(bytes.at("map.glb").get<double>(), 1.0);

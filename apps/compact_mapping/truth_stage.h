@@ -1,7 +1,8 @@
 #pragma once
 
 #include "chain.h"
-#include "map_truth.h"
+
+#include <pcl/pipeline/map_comparison.h>
 
 namespace pcl::acmap {
 

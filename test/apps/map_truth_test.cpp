@@ -22,7 +22,7 @@ protected:
 
   RoomSession session_;
   CompactMap map_ = roomMap();
-  MappedWay way_ = trueWay();
+  MappedTrajectory way_ = trueWay();
 };
 
 PlaneDeviation

@@ -95,7 +95,7 @@ roomMap()
   return map;
 }
 
-MappedWay
+MappedTrajectory
 trueWay()
 {
   const Trajectory way = roomWay();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compact_mapping/map_truth.h"
+#include "compact_mapping/truth_report.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/compact_map.h>
@@ -60,7 +60,7 @@ CompactMap
 roomMap();
 
 /** \brief The true way, all of it, before and after. */
-MappedWay
+MappedTrajectory
 trueWay();
 
 } // namespace pcl::acmap::test

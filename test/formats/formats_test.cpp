@@ -1,4 +1,3 @@
-#include "compact_mapping/session_truth.h"
 #include "compact_mapping/stage_folder.h"
 #include "paper_figures/figure_plan.h"
 #include "rgbd_import/color_camera.h"
@@ -11,6 +10,7 @@
 #include <pcl/core/map_file.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/core/trinocular_rig.h>
+#include <pcl/pipeline/session_truth.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/texture/compact_map_folder.h>
 

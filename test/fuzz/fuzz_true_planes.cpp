@@ -1,8 +1,10 @@
 #include "checks.h"
-#include "compact_mapping/session_truth.h"
+
+#include <pcl/pipeline/session_truth.h>
 
 #include <cmath>
 
+using namespace pcl;
 using namespace pcl::acmap;
 
 /** Bytes are rejected, or give planes with unit normals and an extent. */

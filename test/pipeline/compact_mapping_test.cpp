@@ -16,13 +16,26 @@ using testing::HasSubstr;
 
 constexpr std::size_t views = 3;
 
+/** Gives the cameras fewer pixels. */
+void
+makeSmall(SimulatedScene& scene, int factor)
+{
+  scene.rig.width /= factor;
+  scene.rig.height /= factor;
+  scene.rig.focal_length /= factor;
+  scene.rig.center_x = (scene.rig.width - 1) / 2.0;
+  scene.rig.center_y = (scene.rig.height - 1) / 2.0;
+  scene.sensor.points /= static_cast<std::size_t>(factor) * factor;
+}
+
 /** A few views of an office, each with its pose. */
 class OfficeViews : public testing::Test {
 protected:
   static void
   SetUpTestSuite()
   {
-    const SimulatedScene office = standardScene("office");
+    SimulatedScene office = standardScene("office");
+    makeSmall(office, 2);
     trajectory_ = trajectoryOf(office, views);
     for (std::size_t i = 0; i < views; ++i) {
       const auto file = std::make_shared<PointCloudFile>();
@@ -219,14 +232,10 @@ TEST(CompactMapping, takesTheCloudsOfAGrabber)
 TEST(CompactMapping, takesTheFramesOfARig)
 {
   SimulatedScene scene = standardScene("corridor");
-  scene.rig.width = 160;
-  scene.rig.height = 120;
-  scene.rig.focal_length = 130;
-  scene.rig.center_x = 79.5;
-  scene.rig.center_y = 59.5;
+  makeSmall(scene, 8);
   scene.views.resize(2);
   const RgbImage blank{
-      160, 120, std::vector<std::uint8_t>(std::size_t{3} * 160 * 120, 90)};
+      1024, 768, std::vector<std::uint8_t>(std::size_t{3} * 1024 * 768, 90)};
   SimulatedRigGrabber grabber(scene, {blank, blank});
   CompactMapping mapping;
   mapping.setInputGrabber(grabber);

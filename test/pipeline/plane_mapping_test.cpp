@@ -22,7 +22,9 @@ protected:
   static void
   SetUpTestSuite()
   {
-    const MergedObservations merged = mergeObservations(standardScene("office"), 2, 1);
+    SimulatedScene office = standardScene("office");
+    office.sensor.points /= 3;
+    const MergedObservations merged = mergeObservations(office, 2, 1);
     const auto file = std::make_shared<PointCloudFile>();
     file->cloud = cloudOf(merged);
     cloud_ = file;

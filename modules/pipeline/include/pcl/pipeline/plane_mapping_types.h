@@ -38,17 +38,17 @@ struct MappedPlanes {
   PointCloudFile vertices;
   TriangleMesh mesh;
   double spacing = 0; ///< of neighbouring vertices, metres; 0 without a mesh
-  std::vector<std::int32_t> vertex_labels;  ///< plane of each vertex, -1 for none
-  PointCloud<Normal>::ConstPtr normals;     ///< voted, one per vertex
+  std::vector<std::int32_t> vertex_labels;    ///< plane of each vertex, -1 for none
+  PointCloud<Normal>::ConstPtr normals;       ///< voted, one per vertex
   PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
 };
 
 /** \brief What PlaneMapping reports of its last run; steps that did not run have no report.
  * \ingroup pipeline */
 struct PlaneMappingReport : Report {
-  std::optional<NoiseScale> noise_scale;           ///< of a cloud in space
+  std::optional<NoiseScale> noise_scale; ///< of a cloud in space
   std::optional<ConsolidationReport> consolidation;
-  std::optional<DepthPlaneReport> depth_planes;    ///< if planes were found in a picture
+  std::optional<DepthPlaneReport> depth_planes; ///< if planes were found in a picture
   std::optional<DepthRefinementReport> refinement; ///< the same, with a mesh
   std::optional<DeWallReport> mesh;
   std::optional<VotingReport> votes;

@@ -1,13 +1,14 @@
-#include "session_truth.h"
-
 #include <pcl/core/file_format.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/session_truth.h>
 
 #include <Eigen/Geometry>
 
 #include <cmath>
 
-namespace pcl::acmap {
+namespace pcl {
+
+using namespace acmap;
 
 namespace {
 
@@ -96,7 +97,7 @@ SessionTruth::mainPlanes() const
 }
 
 std::vector<TruePlane>
-readTruePlanes(const YamlNode& file)
+acmap::readTruePlanes(const YamlNode& file)
 {
   requireFormat(file, file_formats::truth);
   std::vector<TruePlane> planes;
@@ -118,4 +119,4 @@ loadSessionTruth(const std::string& folder)
   return truth;
 }
 
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,4 +1,4 @@
-#include "plane_overlap.h"
+#include "comparison/plane_overlap.h"
 
 namespace pcl::acmap {
 

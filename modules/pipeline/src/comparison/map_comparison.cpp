@@ -1,35 +1,37 @@
-#include "map_truth.h"
+#include "comparison/plane_overlap.h"
 
-#include "plane_overlap.h"
-#include "tool.h"
-
+#include <pcl/core/planar_pose.h>
 #include <pcl/core/trajectory_error.h>
+#include <pcl/pipeline/map_comparison.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl::acmap {
+namespace pcl {
+
+using namespace acmap;
 
 namespace {
 
 using Poses = std::vector<Eigen::Isometry3d>;
-using Json = nlohmann::ordered_json;
 
 constexpr double most_angle = 3;    // degrees
 constexpr double most_offset = 0.1; // metres
 constexpr double degrees = 57.29577951308232;
 
 Poses
-truePosesOf(const MappedWay& way, const SessionTruth& truth)
+truePosesOf(const MappedTrajectory& trajectory, const SessionTruth& truth)
 {
-  if (way.observations.empty() || way.before.size() != way.observations.size() ||
-      way.after.size() != way.observations.size())
-    throw BadArgumentException("a way has " + std::to_string(way.observations.size()) +
-                               " observations, " + std::to_string(way.before.size()) +
-                               " poses before and " + std::to_string(way.after.size()) +
-                               " after; as many of each, and at least one, are legal");
+  if (trajectory.observations.empty() ||
+      trajectory.before.size() != trajectory.observations.size() ||
+      trajectory.after.size() != trajectory.observations.size())
+    throw BadArgumentException(
+        "a way has " + std::to_string(trajectory.observations.size()) +
+        " observations, " + std::to_string(trajectory.before.size()) +
+        " poses before and " + std::to_string(trajectory.after.size()) +
+        " after; as many of each, and at least one, are legal");
   Poses poses;
-  for (const std::size_t observation : way.observations) {
+  for (const std::size_t observation : trajectory.observations) {
     if (observation >= truth.trajectory.poses.size())
       throw InputFileException(truth.trajectory_path + ": has " +
                                std::to_string(truth.trajectory.poses.size()) +
@@ -68,7 +70,7 @@ byFirst(const Poses& found, const Poses& truth)
 /** \brief T_truth_map, a turn and a shift on the floor, under which places fit best. A
  * camera that stood still has no way that could be turned. */
 Eigen::Isometry3d
-byWay(const Poses& found, const Poses& truth)
+byTrajectory(const Poses& found, const Poses& truth)
 {
   constexpr double shortest = 1e-3; // metres, from the middle, root mean square
   const auto count = static_cast<double>(found.size());
@@ -169,76 +171,25 @@ deviationOf(const CompactMap& map,
   return deviation;
 }
 
-Json
-jsonOf(const PlaneDeviation& plane)
-{
-  if (!plane.finder)
-    return {{"name", plane.name}, {"plane", nullptr}};
-  return {{"name", plane.name},
-          {"plane", *plane.finder},
-          {"angle_deg", plane.angle},
-          {"offset_m", plane.offset},
-          {"overlap_m2", plane.overlap}};
-}
-
-Json
-jsonOf(const MapDeviation& deviation)
-{
-  return {{"main_planes_found", deviation.found},
-          {"main_planes", deviation.planes.size()},
-          {"mean_angle_deg", deviation.mean_angle},
-          {"largest_angle_deg", deviation.largest_angle},
-          {"mean_offset_m", deviation.mean_offset},
-          {"largest_offset_m", deviation.largest_offset},
-          {"ate_before_m", deviation.ate_before},
-          {"ate_after_m", deviation.ate_after}};
-}
-
 } // namespace
 
 MapFigures
-compareWithTruth(const CompactMap& map, const MappedWay& way, const SessionTruth& truth)
+compareWithTruth(const CompactMap& map,
+                 const MappedTrajectory& trajectory,
+                 const SessionTruth& truth)
 {
   const Poses poses = truePosesOf(way, truth);
-  const Eigen::Isometry3d T_truth_first = byFirst(way.after, poses);
+  const Eigen::Isometry3d T_truth_first = byFirst(trajectory.after, poses);
   MapFigures figures;
-  figures.aligned = deviationOf(map, truth, byWay(way.after, poses));
-  figures.aligned.ate_before = errorOf(way.before, poses).aligned;
-  figures.aligned.ate_after = errorOf(way.after, poses).aligned;
+  figures.aligned = deviationOf(map, truth, byTrajectory(trajectory.after, poses));
+  figures.aligned.ate_before = errorOf(trajectory.before, poses).aligned;
+  figures.aligned.ate_after = errorOf(trajectory.after, poses).aligned;
   figures.from_first = deviationOf(map, truth, T_truth_first);
   figures.from_first.ate_before =
-      errorOf(way.before, poses, byFirst(way.before, poses)).unaligned;
-  figures.from_first.ate_after = errorOf(way.after, poses, T_truth_first).unaligned;
+      errorOf(trajectory.before, poses, byFirst(trajectory.before, poses)).unaligned;
+  figures.from_first.ate_after =
+      errorOf(trajectory.after, poses, T_truth_first).unaligned;
   return figures;
 }
 
-Json
-toJson(const MapFigures& figures)
-{
-  Json json = jsonOf(figures.aligned);
-  json["compactness"] = figures.compactness;
-  json["planes"] = Json::array();
-  for (const PlaneDeviation& plane : figures.aligned.planes)
-    json["planes"].push_back(jsonOf(plane));
-  json["from_first"] = jsonOf(figures.from_first);
-  return json;
-}
-
-std::vector<std::pair<std::string, std::string>>
-linesOf(const MapFigures& figures)
-{
-  const MapDeviation& it = figures.aligned;
-  std::string planes =
-      std::to_string(it.found) + " of " + std::to_string(it.planes.size()) + " found";
-  if (it.found > 0)
-    planes += ", " + shortNumber(it.mean_angle) + " degrees and " +
-              shortNumber(1000 * it.mean_offset) + " mm off (means), at most " +
-              shortNumber(it.largest_angle) + " degrees and " +
-              shortNumber(1000 * it.largest_offset) + " mm";
-  return {{"true planes", planes},
-          {"ATE",
-           shortNumber(it.ate_before) + " m before rectification, " +
-               shortNumber(it.ate_after) + " m after"}};
-}
-
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,22 +1,19 @@
 #pragma once
 
-#include "session_truth.h"
-
 #include <pcl/core/compact_map.h>
-
-#include <nlohmann/json.hpp>
+#include <pcl/core/export.h>
+#include <pcl/pipeline/session_truth.h>
 
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace pcl::acmap {
+namespace pcl {
 
 /** \brief The way of a map's camera, as it was estimated first and as the map was made. */
-struct MappedWay {
+struct MappedTrajectory {
   std::vector<std::size_t> observations; ///< of the session; some may be lost
   /** T_map_camera, one an observation above. */
   std::vector<Eigen::Isometry3d> before, after;
@@ -58,18 +55,9 @@ struct MapFigures {
  * several that stand for one the largest overlap counts.
  * \throws InputFileException when the session has no such observation
  * \throws BadArgumentException when the way has no observations, or their numbers differ */
-MapFigures
+ACMAP_EXPORT MapFigures
 compareWithTruth(const CompactMap& map,
-                 const MappedWay& way,
+                 const MappedTrajectory& trajectory,
                  const SessionTruth& truth);
 
-/** \brief Those figures as a report has them; `compactness` is null until it is known. */
-nlohmann::ordered_json
-toJson(const MapFigures& figures);
-
-/** \brief Those figures as lines of a summary, but for the compactness, which every map
- * has: names and values. */
-std::vector<std::pair<std::string, std::string>>
-linesOf(const MapFigures& figures);
-
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "session_truth.h"
-
 #include <pcl/core/plane_patch.h>
+#include <pcl/pipeline/session_truth.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/chart_clip.h>
+#include <pcl/core/export.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/core/yaml_node.h>
 
@@ -10,14 +11,14 @@
 #include <string>
 #include <vector>
 
-namespace pcl::acmap {
+namespace pcl {
 
 /** \brief A plane that really is there, in the frame of the true trajectory. */
 struct TruePlane {
   std::string name;
   Eigen::Vector4d coefficients = Eigen::Vector4d::UnitZ(); ///< unit normal; metres
   std::size_t points = 0; ///< that were, or could be, measured on it
-  std::vector<ChartClip> rectangles;
+  std::vector<acmap::ChartClip> rectangles;
 };
 
 /** \brief What a simulated session knows of its building. */
@@ -29,7 +30,7 @@ struct SessionTruth {
   /** \brief The planes that a map of the session should have: those with at least 1 % of
    * all points. In a corridor these are floor, ceiling, walls, ends that were seen, and
    * doors where there are many. */
-  std::vector<std::size_t>
+  ACMAP_EXPORT std::vector<std::size_t>
   mainPlanes() const;
 };
 
@@ -37,12 +38,15 @@ struct SessionTruth {
  * \throws InputFileException naming the file and its fault: one that is missing or cannot
  * be understood, a plane without `points`, a
  * normal that is not of unit length, corners of no rectangle, no plane that has points */
-SessionTruth
+ACMAP_EXPORT SessionTruth
 loadSessionTruth(const std::string& folder);
+
+namespace acmap {
 
 /** \brief The planes of a truth.json.
  * \throws InputFileException likewise */
-std::vector<TruePlane>
+ACMAP_EXPORT std::vector<TruePlane>
 readTruePlanes(const YamlNode& file);
 
-} // namespace pcl::acmap
+} // namespace acmap
+} // namespace pcl
