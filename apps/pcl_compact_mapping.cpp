@@ -76,9 +76,9 @@ run(Tool& tool, const ChainOptions& options)
   const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
   OutputFolder folder(options.output);
   tool.requireReportWritable(inputsOf(options));
-  std::optional<SessionTruth> truth;
+  std::optional<pcl::SessionTruth> truth;
   if (!options.truth.empty())
-    truth = loadSessionTruth(options.truth);
+    truth = pcl::loadSessionTruth(options.truth);
   tool.setReportPlace(options.output + "/report.json");
 
   Chain chain(tool, options, (fs::path(options.output) / "stages").string());
@@ -98,7 +98,7 @@ run(Tool& tool, const ChainOptions& options)
         return makeMap(tool, options, chain, sequence, display != nullptr, folder);
       },
       options.output);
-  std::optional<MapFigures> figures;
+  std::optional<pcl::MapFigures> figures;
   if (truth)
     figures = compareMap(options, chain, sequence, *truth);
   tellChain(tool, options, start, chain.stages(), figures);

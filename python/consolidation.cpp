@@ -19,24 +19,6 @@ struct Consolidated {
   py::object report;
 };
 
-py::object
-reportOfConsolidation(const ConsolidationReport& report)
-{
-  return reportOf(py::dict("points"_a = report.points,
-                           "invalid_points"_a = report.invalid_points,
-                           "distant_points"_a = report.distant_points,
-                           "voxels"_a = report.voxels,
-                           "representatives"_a = report.representatives,
-                           "two_sided_voxels"_a = report.two_sided_voxels,
-                           "narrowed_windows"_a = report.narrowed_windows,
-                           "without_normal"_a = report.without_normal,
-                           "sensors_fit"_a = report.sensors_fit,
-                           "voxel_size"_a = report.voxel_size,
-                           "sigma"_a = report.sigma,
-                           "residual"_a = report.residual),
-                  report);
-}
-
 Consolidated
 arraysOf(Consolidation&& result, bool keep_sources, const ConsolidationReport& report)
 {
@@ -53,7 +35,7 @@ arraysOf(Consolidation&& result, bool keep_sources, const ConsolidationReport& r
   arrays.representative_of = py::none();
   if (keep_sources)
     arrays.representative_of = arrayOver(std::move(result.representative_of));
-  arrays.report = reportOfConsolidation(report);
+  arrays.report = reportOf(report);
   return arrays;
 }
 

@@ -18,26 +18,6 @@ constexpr NamedChoices<DeWallRule, 3> dewall_rules = {{{"paper", DeWallRule::Pap
                                                        {"dense", DeWallRule::Dense},
                                                        {"strict", DeWallRule::Strict}}};
 
-py::object
-reportOfMesh(const DeWallReport& report)
-{
-  return reportOf(py::dict("points"_a = report.points,
-                           "invalid_points"_a = report.invalid_points,
-                           "duplicate_points"_a = report.duplicate_points,
-                           "used_points"_a = report.used_points,
-                           "clusters"_a = report.clusters,
-                           "triangles"_a = report.triangles,
-                           "edges"_a = report.edges,
-                           "boundary_edges"_a = report.boundary_edges,
-                           "components"_a = report.components,
-                           "refused_moebius"_a = report.refused_moebius,
-                           "removed_fans"_a = report.removed_fans,
-                           "median_spacing"_a = report.median_spacing,
-                           "least_maximum_edge"_a = report.least_maximum_edge,
-                           "largest_maximum_edge"_a = report.largest_maximum_edge),
-                  report);
-}
-
 Mesh
 triangulate(const PointArgument& points,
             const std::optional<PointArgument>& normals,
@@ -57,7 +37,7 @@ triangulate(const PointArgument& points,
         rows.width > 0 && isSingleView(rows.view, rows.width, settings.sensor_origin);
     return triangulateDeWall(rows.view, settings, progress, report);
   });
-  return pythonMesh(std::move(mesh), reportOfMesh(report));
+  return pythonMesh(std::move(mesh), reportOf(report));
 }
 
 constexpr const char* about_mesh =

@@ -13,23 +13,6 @@ namespace {
 
 using namespace py::literals;
 
-py::object
-reportOfVoting(const VotingReport& report)
-{
-  return reportOf(py::dict("vertices"_a = report.vertices,
-                           "invalid_points"_a = report.invalid_points,
-                           "triangles"_a = report.triangles,
-                           "degenerate_triangles"_a = report.degenerate_triangles,
-                           "surface"_a = report.surface,
-                           "crease"_a = report.crease,
-                           "corner"_a = report.corner,
-                           "unknown"_a = report.unknown,
-                           "radius"_a = report.radius,
-                           "mean_edge"_a = report.mean_edge,
-                           "sigma"_a = report.sigma),
-                  report);
-}
-
 Normals
 voteOnMesh(const PointArgument& points,
            const MeshArgument& triangles,
@@ -47,8 +30,7 @@ voteOnMesh(const PointArgument& points,
   VotedNormals votes = callKernel(listener, [&](const Progress& progress) {
     return voteNormals(view, mesh->triangles, seen_by, settings, progress, report);
   });
-  return pythonNormals(
-      std::move(votes), settings.compute_curvatures, reportOfVoting(report));
+  return pythonNormals(std::move(votes), settings.compute_curvatures, reportOf(report));
 }
 
 constexpr const char* about_normals =

@@ -29,27 +29,6 @@ struct SourceArguments {
   SensorArguments sensors;
 };
 
-py::object
-reportOfPlanes(const PlaneClusteringReport& report)
-{
-  return reportOf(py::dict("points"_a = report.points,
-                           "invalid_points"_a = report.invalid_points,
-                           "hypotheses"_a = report.hypotheses,
-                           "planes"_a = report.planes,
-                           "points_on_planes"_a = report.points_on_planes,
-                           "small_regions"_a = report.small_regions,
-                           "curved_regions"_a = report.curved_regions,
-                           "points_on_curved"_a = report.points_on_curved,
-                           "refuted_regions"_a = report.refuted_regions,
-                           "merged"_a = report.merged,
-                           "regular_planes"_a = report.regular_planes,
-                           "largest_turn"_a = report.largest_turn,
-                           "spacing"_a = report.spacing,
-                           "sigma"_a = report.sigma,
-                           "plane_distance"_a = report.plane_distance),
-                  report);
-}
-
 void
 requireLegal(const PlaneClusteringSettings& settings)
 {
@@ -88,7 +67,7 @@ findPlanes(const PointArgument& points,
   planes.source_labels = py::none();
   if (source.points)
     planes.source_labels = arrayOver(std::move(clusters.source_labels));
-  planes.report = reportOfPlanes(report);
+  planes.report = reportOf(report);
   return planes;
 }
 

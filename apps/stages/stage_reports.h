@@ -16,28 +16,21 @@ namespace pcl::acmap {
 
 class Tool;
 
-/** \brief The fields of a stage's report, and its seconds; remarks go elsewhere. */
-nlohmann::ordered_json
-jsonOf(const ConsolidationReport& report);
-
-nlohmann::ordered_json
-jsonOf(const DepthRefinementReport& report);
-
-nlohmann::ordered_json
-jsonOf(const DeWallReport& report);
-
-nlohmann::ordered_json
-jsonOf(const VotingReport& report);
-
-nlohmann::ordered_json
-jsonOf(const PlaneClusteringReport& report);
-
-nlohmann::ordered_json
-jsonOf(const DepthPlaneReport& report);
-
 /** \brief The seconds of the steps of a stage. */
 nlohmann::ordered_json
 secondsOf(const Report& report);
+
+/** \brief The fields of a stage's report, and its seconds; remarks are not included. */
+template <typename StageReport>
+nlohmann::ordered_json
+jsonOf(const StageReport& report)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  visitFields(report,
+              [&json](const char* name, const auto& value) { json[name] = value; });
+  json["seconds"] = secondsOf(report);
+  return json;
+}
 
 /** \brief A line of the summary and a part of the JSON report. */
 void

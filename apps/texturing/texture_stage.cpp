@@ -44,23 +44,6 @@ rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
   return {file, &file->cloud};
 }
 
-nlohmann::ordered_json
-jsonOf(const TexturingReport& report)
-{
-  return {{"observations", report.observations},
-          {"pinholes", report.pinholes},
-          {"splatted", report.splatted},
-          {"colorless", report.colorless},
-          {"invalid_points", report.invalid_points},
-          {"charts", report.charts},
-          {"texels", report.texels},
-          {"seen", report.seen},
-          {"filled", report.filled},
-          {"texel_size", report.texel_size},
-          {"gains", report.gains},
-          {"seconds", secondsOf(report)}};
-}
-
 CompactMap
 paint(Tool& tool, Texturing& texturing)
 {

@@ -1,4 +1,124 @@
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/compiled_point_types.h>
+#include <pcl/core/depth_view.h>
+#include <pcl/filters/depth_refinement_kernel.h>
 #include <pcl/filters/impl/depth_refinement.hpp>
+
+#include <cstring>
+#include <limits>
+
+namespace pcl {
+
+namespace {
+
+void
+setPosition(PCLPointCloud2& cloud,
+            std::size_t row,
+            std::size_t offset,
+            const Eigen::Vector3f& point)
+{
+  std::memcpy(
+      &cloud.data[row * cloud.point_step + offset], point.data(), 3 * sizeof(float));
+}
+
+/** Removes the positions of all rows but those. */
+void
+keepOnly(const Indices& indices, PCLPointCloud2& cloud)
+{
+  std::vector<bool> is_chosen(acmap::rowsOf(cloud), false);
+  for (const index_t index : indices)
+    is_chosen[static_cast<std::size_t>(index)] = true;
+  const Eigen::Vector3f none =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  const std::size_t offset = acmap::findField(cloud, "x")->offset;
+  for (std::size_t row = 0; row < is_chosen.size(); ++row)
+    if (!is_chosen[row])
+      setPosition(cloud, row, offset, none);
+}
+
+void
+setPoints(const acmap::RefinedDepth& refined, PCLPointCloud2& cloud)
+{
+  std::vector<acmap::FieldWish> wishes;
+  for (const char* name : acmap::normal_field_names)
+    wishes.push_back({name, PCLPointField::FLOAT32});
+  const std::uint32_t width = cloud.width, height = cloud.height;
+  cloud = acmap::withFields(std::move(cloud), wishes);
+  cloud.width = width;
+  cloud.height = height;
+  cloud.row_step = width * cloud.point_step;
+  const std::size_t offset = acmap::findField(cloud, "x")->offset;
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
+    setPosition(cloud, i, offset, refined.points[i]);
+  for (std::size_t axis = 0; axis < acmap::normal_field_names.size(); ++axis) {
+    const std::size_t normal =
+        acmap::findField(cloud, acmap::normal_field_names[axis])->offset;
+    for (std::size_t i = 0; i < refined.normals.size(); ++i)
+      acmap::setValue(
+          cloud, i, normal, refined.normals[i][static_cast<Eigen::Index>(axis)]);
+  }
+}
+
+} // namespace
+
+DepthRefinement<PCLPointCloud2>::DepthRefinement()
+{
+  filter_name_ = "DepthRefinement";
+}
+
+void
+DepthRefinement<PCLPointCloud2>::setPlanes(const std::vector<PlanePatch>& patches,
+                                           const std::vector<std::int32_t>& labels)
+{
+  planes_ = acmap::depthPlanesOf(patches, labels);
+}
+
+void
+DepthRefinement<PCLPointCloud2>::filter(PCLPointCloud2& output)
+{
+  applyFilter(output);
+}
+
+void
+DepthRefinement<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
+{
+  const Indices* const wanted = fake_indices_ ? nullptr : indices_.get();
+  acmap::requirePoints(input_, wanted);
+  const std::size_t rows = acmap::rowsOf(*input_);
+  if (rows > 0 && input_->height < 2)
+    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                        "the cloud is not organized: give a view as rows of pixels");
+  if (!planes_.labels.empty() && planes_.labels.size() != rows)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the planes have " << planes_.labels.size()
+                                           << " labels, the cloud has " << rows
+                                           << " points");
+  const PCLPointCloud2::Ptr result(new PCLPointCloud2(*input_));
+  if (wanted)
+    keepOnly(*wanted, *result);
+  const acmap::PointView points = acmap::requirePoints(result);
+  DepthRefinementReport report;
+  report.points = report.invalid_points = rows;
+  const std::optional<acmap::DepthView> view =
+      rows > 0 ? acmap::DepthView::recognize(points, result->width) : std::nullopt;
+  if (view)
+    setPoints(acmap::refineDepth(*view,
+                                 acmap::measureInverseDepthNoise(
+                                     *view, acmap::measureDepthStep(points)),
+                                 planes_.labels.empty() ? nullptr : &planes_,
+                                 threads_,
+                                 acmap::Progress(progress_),
+                                 report),
+              *result);
+  else
+    report.remarks.emplace_back("nothing was refined: fewer than 1000 pixels are "
+                                "measured, or no pinhole camera "
+                                "fits them: the view is not in its sensor's frame");
+  result->is_dense = 0;
+  output = std::move(*result);
+  report_ = std::move(report);
+}
+
+} // namespace pcl
 
 PCL_INSTANTIATE(DepthRefinement, ACMAP_MAP_POINT_TYPES)

@@ -1,4 +1,168 @@
+#include <pcl/core/arguments.h>
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/compiled_point_types.h>
+#include <pcl/filters/consolidation_kernel.h>
 #include <pcl/filters/impl/voxel_consolidation.hpp>
+
+#include <cstring>
+
+namespace pcl {
+
+namespace {
+
+using acmap::FieldWish;
+using acmap::Representative;
+
+acmap::ColorView
+colorsOfCloud(const PCLPointCloud2& cloud)
+{
+  const PCLPointField* const color = acmap::findColor(cloud);
+  if (!color || cloud.data.empty())
+    return {};
+  return {cloud.data.data() + color->offset, cloud.point_step};
+}
+
+/** The fields of the input, and those of a normal if they are missing. */
+PCLPointCloud2
+emptyResult(const PCLPointCloud2& cloud, std::size_t size)
+{
+  std::vector<FieldWish> wishes;
+  for (const char* name : acmap::normal_field_names)
+    wishes.push_back({name, PCLPointField::FLOAT32});
+  wishes.push_back({"curvature", PCLPointField::FLOAT32});
+  PCLPointCloud2 result = acmap::layoutWith(cloud, wishes);
+  acmap::resizeRows(result, size);
+  result.header = cloud.header;
+  return result;
+}
+
+class RowWriter {
+public:
+  explicit RowWriter(const PCLPointCloud2& cloud)
+  : position_(acmap::findField(cloud, "x")->offset)
+  , sigma_(acmap::findField(cloud, "sigma", PCLPointField::FLOAT32))
+  , color_(acmap::findColor(cloud))
+  , curvature_(acmap::findField(cloud, "curvature")->offset)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      normal_[axis] = acmap::findField(cloud, acmap::normal_field_names[axis])->offset;
+  }
+
+  void
+  write(const Representative& from, float sigma, std::uint8_t* row) const
+  {
+    std::memcpy(row + position_, from.point.data(), 3 * sizeof(float));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      std::memcpy(row + normal_[axis], from.normal.data() + axis, sizeof(float));
+    std::memcpy(row + curvature_, &from.curvature, sizeof(float));
+    if (sigma_)
+      std::memcpy(row + sigma_->offset, &sigma, sizeof sigma);
+    if (color_)
+      for (std::size_t channel = 0; channel < 3; ++channel) // blue is packed first
+        row[color_->offset + 2 - channel] = from.color[channel];
+  }
+
+private:
+  std::size_t position_;
+  const PCLPointField* sigma_;
+  const PCLPointField* color_;
+  std::size_t curvature_;
+  std::size_t normal_[3] = {};
+};
+
+acmap::SensorView
+sensorsOfCloud(const PCLPointCloud2& cloud,
+               const Indices* indices,
+               const std::vector<Eigen::Vector3f>& viewpoints,
+               const std::optional<Eigen::Vector3f>& origin)
+{
+  const PCLPointField* const view =
+      acmap::findField(cloud, "view", PCLPointField::INT32);
+  if (view && !cloud.data.empty())
+    return acmap::SensorView(cloud.data.data() + view->offset,
+                             cloud.point_step,
+                             viewpoints,
+                             indices ? indices->data() : nullptr);
+  return origin ? acmap::SensorView(*origin) : acmap::SensorView();
+}
+
+} // namespace
+
+VoxelConsolidation<PCLPointCloud2>::VoxelConsolidation()
+{
+  filter_name_ = "VoxelConsolidation";
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::setVoxelSize(double size)
+{
+  acmap::requireInRange("voxel size", size, 0.0, 1e9, "m (0 = automatic)");
+  voxel_size_ = size;
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::setViewpoints(
+    std::vector<Eigen::Vector3f> viewpoints)
+{
+  acmap::requireViewpoints(viewpoints);
+  viewpoints_ = std::move(viewpoints);
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::setSensorOrigin(const Eigen::Vector3f& origin)
+{
+  acmap::requireViewpoints({origin});
+  sensor_origin_ = origin;
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::filter(PCLPointCloud2& output)
+{
+  applyFilter(output);
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
+{
+  const Indices* const wanted = fake_indices_ ? nullptr : indices_.get();
+  const acmap::PointView points = acmap::requirePoints(input_, wanted);
+  acmap::ConsolidationSettings settings;
+  settings.voxel_size = voxel_size_;
+  settings.keep_sources = keep_sources_;
+  settings.threads = threads_;
+  ConsolidationReport report;
+  const acmap::Consolidation consolidation = acmap::consolidatePoints(
+      points,
+      sensorsOfCloud(*input_, wanted, viewpoints_, sensor_origin_),
+      colorsOfCloud(*input_),
+      settings,
+      acmap::Progress(progress_),
+      report);
+
+  PCLPointCloud2 result = emptyResult(*input_, consolidation.representatives.size());
+  result.is_dense = report.without_normal == 0;
+  const RowWriter writer(result);
+  std::uint8_t* row = result.data.data();
+  for (const Representative& representative : consolidation.representatives) {
+    const auto witness = static_cast<std::size_t>(
+        points.index(static_cast<std::size_t>(representative.witness)));
+    std::memcpy(
+        row, input_->data.data() + witness * input_->point_step, input_->point_step);
+    writer.write(representative, static_cast<float>(report.residual), row);
+    row += result.point_step;
+  }
+  Indices voxel_of_point;
+  if (keep_sources_) {
+    voxel_of_point.assign(acmap::rowsOf(*input_), -1);
+    for (std::size_t i = 0; i < consolidation.representative_of.size(); ++i)
+      voxel_of_point[static_cast<std::size_t>(points.index(i))] =
+          consolidation.representative_of[i];
+  }
+  voxel_of_point_ = std::move(voxel_of_point);
+  output = std::move(result);
+  report_ = std::move(report);
+}
+
+} // namespace pcl
 
 PCL_INSTANTIATE(VoxelConsolidation, ACMAP_ALL_POINT_TYPES)

@@ -33,4 +33,22 @@ struct VotingReport : Report {
   double sigma = 0;     ///< metres; noise of the vertices across the surface
 };
 
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const VotingReport& report, Visitor&& visit)
+{
+  visit("vertices", report.vertices);
+  visit("invalid_points", report.invalid_points);
+  visit("triangles", report.triangles);
+  visit("degenerate_triangles", report.degenerate_triangles);
+  visit("surface", report.surface);
+  visit("crease", report.crease);
+  visit("corner", report.corner);
+  visit("unknown", report.unknown);
+  visit("radius", report.radius);
+  visit("mean_edge", report.mean_edge);
+  visit("sigma", report.sigma);
+}
+
 } // namespace pcl

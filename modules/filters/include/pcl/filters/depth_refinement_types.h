@@ -18,4 +18,17 @@ struct DepthRefinementReport : Report {
   NoiseScale::InverseDepth noise; ///< of the view, 1/m
 };
 
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const DepthRefinementReport& report, Visitor&& visit)
+{
+  visit("points", report.points);
+  visit("invalid_points", report.invalid_points);
+  visit("on_planes", report.on_planes);
+  visit("smoothed", report.smoothed);
+  visit("withdrawn", report.withdrawn);
+  visit("planes", report.planes);
+}
+
 } // namespace pcl

@@ -38,6 +38,27 @@ struct DeWallReport : Report {
   double largest_maximum_edge = 0; ///< metres, maximum of the size constraint
 };
 
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const DeWallReport& report, Visitor&& visit)
+{
+  visit("points", report.points);
+  visit("invalid_points", report.invalid_points);
+  visit("duplicate_points", report.duplicate_points);
+  visit("used_points", report.used_points);
+  visit("clusters", report.clusters);
+  visit("triangles", report.triangles);
+  visit("edges", report.edges);
+  visit("boundary_edges", report.boundary_edges);
+  visit("components", report.components);
+  visit("refused_moebius", report.refused_moebius);
+  visit("removed_fans", report.removed_fans);
+  visit("median_spacing", report.median_spacing);
+  visit("least_maximum_edge", report.least_maximum_edge);
+  visit("largest_maximum_edge", report.largest_maximum_edge);
+}
+
 namespace acmap {
 
 /** \brief Estimates the memory of a triangulation beside its input, its result included.

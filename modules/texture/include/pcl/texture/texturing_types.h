@@ -30,6 +30,24 @@ struct TexturingReport : Report {
   std::vector<double> gains; ///< factor applied to the colours of each observation
 };
 
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const TexturingReport& report, Visitor&& visit)
+{
+  visit("observations", report.observations);
+  visit("pinholes", report.pinholes);
+  visit("splatted", report.splatted);
+  visit("colorless", report.colorless);
+  visit("invalid_points", report.invalid_points);
+  visit("charts", report.charts);
+  visit("texels", report.texels);
+  visit("seen", report.seen);
+  visit("filled", report.filled);
+  visit("texel_size", report.texel_size);
+  visit("gains", report.gains);
+}
+
 /** \brief An observation that PlaneTexturing paints with, of any fields, as files have them.
  * \ingroup texture */
 struct TexturedObservation {
