@@ -178,7 +178,7 @@ compareWithTruth(const CompactMap& map,
                  const MappedTrajectory& trajectory,
                  const SessionTruth& truth)
 {
-  const Poses poses = truePosesOf(way, truth);
+  const Poses poses = truePosesOf(trajectory, truth);
   const Eigen::Isometry3d T_truth_first = byFirst(trajectory.after, poses);
   MapFigures figures;
   figures.aligned = deviationOf(map, truth, byTrajectory(trajectory.after, poses));
