@@ -85,6 +85,14 @@ arrayOf(const std::string& name,
         const std::vector<py::ssize_t>& ranks,
         const std::string& shape);
 
+/** \brief Refuses the shape of an array. \throws py::value_error always */
+[[noreturn]] void
+refuseShape(const std::string& name, const py::array& array, const std::string& shape);
+
+/** \brief Requires that int32 indices can count the points. \throws py::value_error */
+void
+requireCountable(const std::string& name, std::size_t points);
+
 /** \brief Requires one entry per point. \throws py::value_error */
 void
 requireAsMany(const std::string& name, std::size_t number, std::size_t points);
