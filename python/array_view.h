@@ -38,6 +38,9 @@ struct ShownIndices {
 struct ShownWeights {
   static constexpr auto name = py::detail::const_name("numpy.ndarray[float32[n]]");
 };
+struct ShownPose {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray[float64[4, 4]]");
+};
 struct ShownPoses {
   static constexpr auto name =
       py::detail::const_name("numpy.ndarray[float64[k, 4, 4]]");
@@ -46,6 +49,7 @@ struct ShownPoses {
 using PointArgument = Argument<ShownPoints>;
 using IndexArgument = Argument<ShownIndices>;
 using WeightArgument = Argument<ShownWeights>;
+using SinglePoseArgument = Argument<ShownPose>;
 using PoseArgument = Argument<ShownPoses>;
 
 /** \brief Points of an array; the array must outlive the view. */
