@@ -7,14 +7,6 @@ namespace pcl::acmap::python {
 
 namespace {
 
-constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
-
-std::string
-shapeOf(const py::array& array)
-{
-  return py::str(array.attr("shape"));
-}
-
 /** Values of an array that are separated by a constant number of bytes.
  * \throws py::value_error when the strides are not constant or are negative */
 Column
@@ -23,9 +15,7 @@ stepThrough(const std::string& name, const py::array& array, int leading)
   Column column{array.data(), 0, 1};
   for (int axis = 0; axis < leading; ++axis)
     column.size *= static_cast<std::size_t>(array.shape(axis));
-  if (column.size > most_points)
-    throw py::value_error(name + ": " + std::to_string(column.size) +
-                          " points are more than 2**31 - 1");
+  requireCountable(name, column.size);
   if (column.size == 0)
     return {nullptr, 0, 0};
   const py::ssize_t stride = array.strides(leading - 1);
@@ -44,6 +34,22 @@ stepThrough(const std::string& name, const py::array& array, int leading)
 
 } // namespace
 
+void
+refuseShape(const std::string& name, const py::array& array, const std::string& shape)
+{
+  throw py::value_error(name + ": must have the shape " + shape + ", not " +
+                        std::string(py::str(array.attr("shape"))));
+}
+
+void
+requireCountable(const std::string& name, std::size_t points)
+{
+  constexpr std::size_t max_points = std::numeric_limits<std::int32_t>::max();
+  if (points > max_points)
+    throw py::value_error(name + ": " + std::to_string(points) +
+                          " points are more than 2**31 - 1");
+}
+
 py::array
 arrayOf(const std::string& name,
         const py::handle& argument,
@@ -61,8 +67,7 @@ arrayOf(const std::string& name,
                          " is refused, nothing is converted unasked: pass " + name +
                          ".astype(" + wanted + ")");
   if (std::find(ranks.begin(), ranks.end(), array.ndim()) == ranks.end())
-    throw py::value_error(name + ": must have the shape " + shape + ", not " +
-                          shapeOf(array));
+    refuseShape(name, array, shape);
   return array;
 }
 
@@ -74,8 +79,7 @@ pointRowsOf(const std::string& name, const py::handle& argument)
       arrayOf(name, argument, py::dtype::of<float>(), {2, 3}, shape);
   const int axis = static_cast<int>(array.ndim()) - 1;
   if (array.shape(axis) != 3)
-    throw py::value_error(name + ": must have the shape " + shape + ", not " +
-                          shapeOf(array));
+    refuseShape(name, array, shape);
   const Column column = stepThrough(name, array, axis);
   if (column.size > 0 && array.strides(axis) != sizeof(float))
     throw py::value_error(name +

@@ -38,6 +38,9 @@ struct ShownIndices {
 struct ShownWeights {
   static constexpr auto name = py::detail::const_name("numpy.ndarray[float32[n]]");
 };
+struct ShownPose {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray[float64[4, 4]]");
+};
 struct ShownPoses {
   static constexpr auto name =
       py::detail::const_name("numpy.ndarray[float64[k, 4, 4]]");
@@ -46,6 +49,7 @@ struct ShownPoses {
 using PointArgument = Argument<ShownPoints>;
 using IndexArgument = Argument<ShownIndices>;
 using WeightArgument = Argument<ShownWeights>;
+using SinglePoseArgument = Argument<ShownPose>;
 using PoseArgument = Argument<ShownPoses>;
 
 /** \brief Points of an array; the array must outlive the view. */
@@ -84,6 +88,14 @@ arrayOf(const std::string& name,
         const py::dtype& type,
         const std::vector<py::ssize_t>& ranks,
         const std::string& shape);
+
+/** \brief Refuses the shape of an array. \throws py::value_error always */
+[[noreturn]] void
+refuseShape(const std::string& name, const py::array& array, const std::string& shape);
+
+/** \brief Requires that int32 indices can count the points. \throws py::value_error */
+void
+requireCountable(const std::string& name, std::size_t points);
 
 /** \brief Requires one entry per point. \throws py::value_error */
 void

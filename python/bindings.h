@@ -8,7 +8,13 @@ namespace pcl::acmap::python {
 void
 bindErrors();
 
-// Each of these binds one stage: its function and the class of its result.
+// Each of these binds one concept: a stage with its result, or what several of them share.
+
+void
+bindCompactMap(pybind11::module_& module);
+
+void
+bindCompactMapping(pybind11::module_& module);
 
 void
 bindConsolidation(pybind11::module_& module);
@@ -27,6 +33,9 @@ bindPlanes(pybind11::module_& module);
 
 void
 bindRectification(pybind11::module_& module);
+
+void
+bindTextureCharts(pybind11::module_& module);
 
 void
 bindFiles(pybind11::module_& module);

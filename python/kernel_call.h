@@ -8,6 +8,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace pcl::acmap::python {
 
@@ -16,15 +17,15 @@ namespace py = pybind11;
 /** \brief The `progress` argument of Python functions: called with (fraction, step). */
 using Listener = std::optional<py::function>;
 
-/** \brief Reports the progress of a kernel that runs without the GIL to Python, and
- * checks for signals such as Ctrl-C. */
+/** \brief Reports the progress of what runs without the GIL to Python, and checks for
+ * signals such as Ctrl-C. */
 class ProgressRelay {
 public:
   explicit ProgressRelay(const Listener& listener)
   : listener_(listener)
   {}
 
-  /** \return false when the kernel shall stop */
+  /** \return false when it shall stop */
   bool
   tell(double fraction, const std::string& step);
 
@@ -37,16 +38,17 @@ private:
   std::exception_ptr error_;
 };
 
-/** \brief Calls kernel (progress) without the GIL.
+/** \brief Calls stage (callback) without the GIL; the callback is for the
+ * setProgressCallback of a class.
  * \throws py::error_already_set raised by the listener or a signal handler */
-template <typename Kernel>
+template <typename Stage>
 auto
-callKernel(const Listener& listener, const Kernel& kernel)
+callStage(const Listener& listener, const Stage& stage)
 {
   ProgressRelay relay(listener);
   try {
     const py::gil_scoped_release others_may_run;
-    return kernel(Progress([&relay](double fraction, const std::string& step) {
+    return stage(ProgressCallback([&relay](double fraction, const std::string& step) {
       return relay.tell(fraction, step);
     }));
   }
@@ -54,6 +56,16 @@ callKernel(const Listener& listener, const Kernel& kernel)
     relay.raise();
     throw;
   }
+}
+
+/** \brief Calls kernel (progress) as \ref callStage does. */
+template <typename Kernel>
+auto
+callKernel(const Listener& listener, const Kernel& kernel)
+{
+  return callStage(listener, [&](ProgressCallback callback) {
+    return kernel(Progress(std::move(callback)));
+  });
 }
 
 } // namespace pcl::acmap::python

@@ -32,12 +32,12 @@ meshOf(const MeshArgument& argument, std::size_t points)
     mesh = argument.cast<const Mesh&>().mesh;
   }
   else {
+    const std::string shape = "(m, 3)";
     const py::array array =
-        arrayOf("triangles", argument, py::dtype::of<std::int32_t>(), {2}, "(m, 3)");
+        arrayOf("triangles", argument, py::dtype::of<std::int32_t>(), {2}, shape);
     const py::array_t<std::int32_t> corners(array);
     if (corners.shape(1) != 3)
-      throw py::value_error("triangles: must have the shape (m, 3), not " +
-                            std::string(py::str(array.attr("shape"))));
+      refuseShape("triangles", array, shape);
     mesh = std::make_shared<TriangleMesh>();
     const auto at = corners.unchecked<2>();
     for (py::ssize_t t = 0; t < at.shape(0); ++t)

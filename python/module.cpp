@@ -13,5 +13,8 @@ PYBIND11_MODULE(acmap, module)
   bindPlanePatches(module);
   bindPlanes(module);
   bindRectification(module);
+  bindTextureCharts(module);
+  bindCompactMap(module);
+  bindCompactMapping(module);
   bindFiles(module);
 }

@@ -1,5 +1,6 @@
 #include "array_view.h"
 #include "bindings.h"
+#include "members.h"
 
 #include <pcl/core/plane_patch.h>
 
@@ -8,18 +9,6 @@
 namespace pcl::acmap::python {
 
 namespace {
-
-/** A property that returns an array of numbers inside a Python object and keeps it
- * alive. */
-template <typename Owner, typename Value>
-py::cpp_function
-memberArray(std::vector<py::ssize_t> shape, const Value* (*address)(const Owner&))
-{
-  return [shape = std::move(shape), address](const py::object& self) {
-    return py::array(
-        py::dtype::of<Value>(), shape, {}, address(self.cast<const Owner&>()), self);
-  };
-}
 
 /** A polygon loop as (k, 3); the array keeps the Python object alive that contains
  * it. */
@@ -92,13 +81,10 @@ bindPlanePatches(py::module_& module)
       .def_readonly("area", &PlanePatch::area, "square metres, of the polygons")
       .def_property_readonly(
           "polygons",
-          [](const py::object& self) {
-            py::list polygons;
-            for (const PlanePolygon& one : self.cast<const PlanePatch&>().polygons)
-              polygons.append(
-                  py::cast(one, py::return_value_policy::reference_internal, self));
-            return polygons;
-          },
+          memberList<PlanePatch, PlanePolygon>(
+              [](const PlanePatch& patch) -> const std::vector<PlanePolygon>& {
+                return patch.polygons;
+              }),
           "list of PlanePolygon");
 }
 

@@ -1,7 +1,7 @@
-#include "array_view.h"
 #include "bindings.h"
 #include "kernel_call.h"
 #include "named_choice.h"
+#include "poses.h"
 #include "rectification_report.h"
 
 #include <pcl/core/arguments.h>
@@ -20,8 +20,6 @@ using namespace py::literals;
 constexpr NamedChoices<RectificationMode, 2> modes = {
     {{"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}}};
 
-using Poses = std::vector<Eigen::Isometry3d>;
-
 /** Result of rectify. */
 struct Rectified {
   py::array poses;
@@ -34,32 +32,6 @@ struct Observation {
   PointView normals;
   std::vector<float> weights;
 };
-
-Poses
-posesOf(const PoseArgument& argument)
-{
-  const py::array array =
-      arrayOf("poses", argument, py::dtype::of<double>(), {3}, "(k, 4, 4)");
-  if (array.shape(1) != 4 || array.shape(2) != 4)
-    throw py::value_error("poses: must have the shape (k, 4, 4), not " +
-                          std::string(py::str(array.attr("shape"))));
-  const py::array_t<double> values(array);
-  const auto at = values.unchecked<3>();
-  Poses poses(static_cast<std::size_t>(at.shape(0)));
-  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
-    Eigen::Matrix4d matrix;
-    for (int row = 0; row < 4; ++row)
-      for (int column = 0; column < 4; ++column)
-        matrix(row, column) = at(i, row, column);
-    Eigen::Isometry3d& pose = poses[static_cast<std::size_t>(i)];
-    pose.matrix() = matrix;
-    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-      throw py::value_error("poses: the last row of pose " + std::to_string(i) +
-                            " is not 0 0 0 1");
-    requireMapPose(pose);
-  }
-  return poses;
-}
 
 std::vector<float>
 weightsOf(const std::string& name, const py::handle& argument, std::size_t points)
@@ -156,20 +128,6 @@ search(const std::vector<Observation>& observations,
   return poses;
 }
 
-py::array
-arrayOfPoses(Poses&& poses)
-{
-  static_assert(sizeof(Eigen::Isometry3d) == 16 * sizeof(double));
-  const auto [kept, owner] = owned(std::move(poses));
-  constexpr py::ssize_t size = sizeof(double);
-  return py::array(
-      py::dtype::of<double>(),
-      {static_cast<py::ssize_t>(kept.size()), py::ssize_t{4}, py::ssize_t{4}},
-      {16 * size, size, 4 * size}, // column-major
-      kept.empty() ? nullptr : kept.front().data(),
-      owner);
-}
-
 Rectified
 rectifyClouds(const ObservationArguments& arguments,
               const PoseArgument& poses,
@@ -179,15 +137,15 @@ rectifyClouds(const ObservationArguments& arguments,
 {
   requireLegal(settings);
   const std::vector<Observation> observations = observationsOf(arguments);
-  const Poses given = posesOf(poses);
+  const Poses given = posesOf("poses", poses);
   requireOneEach("poses", given.size(), observations.size());
   if (given.empty())
     throw py::value_error("clouds: there is none");
   EntropyRectificationReport report;
-  Poses found = callKernel(listener, [&](const Progress& progress) {
+  const auto [found, owner] = owned(callKernel(listener, [&](const Progress& progress) {
     return search(observations, given, settings, threads, progress, report);
-  });
-  return {arrayOfPoses(std::move(found)), reportOfRectification(std::move(report))};
+  }));
+  return {arrayOfPoses(found, owner), reportOfRectification(std::move(report))};
 }
 
 constexpr const char* about_rectification =

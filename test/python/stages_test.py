@@ -6,10 +6,7 @@ import unittest
 import numpy
 
 import acmap
-from rooms import noisy_wall, room_view
-
-# Walls of the room: axis, position in metres.
-walls = ((2, 3.5), (0, -2.0), (0, 2.0), (1, -1.2), (1, 1.3))
+from rooms import noisy_wall, room_view, walls
 
 
 def off_walls(points):

@@ -1,4 +1,5 @@
-"""From a noisy view of a room to its planes, and from a bent corridor to a straight one.
+"""From a noisy view of a room to its planes, from a few coloured views to a map of textured
+planes, and from a bent corridor to a straight one.
 
 Each `# %%` begins a cell, for editors that run a script as a notebook. The script prints
 its results. Usage: room.py [FOLDER]; the pictures are written into the folder.
@@ -27,7 +28,7 @@ if folder:
         folder = None
 
 # %% A room and a corridor of rectangles, and the view of a camera in the room
-from scenes import corridor, look_along, noisy_view, room
+from scenes import colors_of, corridor, look_along, noisy_view, room
 
 view = noisy_view(room(), np.eye(4), height=216, width=288, seed=1)
 print(f"view: {view.shape}, {view.dtype}")
@@ -74,6 +75,25 @@ if folder:
             left, found.points, mesh.triangles, "creases", normals.vertex_class >= 2
         )
         draw_planes(right, planes.patches, "planes and their rims")
+
+# %% A compact map of a few coloured views: textured planes; all steps in one object
+mapping = acmap.CompactMapping(rectify=False)  # these poses are exact
+for seed, pose in enumerate(look_along(np.arange(0, 1, 0.25))):
+    seen_points = noisy_view(room(), pose, height=108, width=144, seed=seed)
+    mapping.add_observation(seen_points, colors_of(seen_points, pose), pose)
+compact = mapping.compute()
+texels = compact.report.texture
+print(
+    f"map: {len(compact.planes)} planes, {len(compact.charts)} textures, "
+    f"{texels.seen / texels.texels:.1%} of their texels seen"
+)
+for chart in compact.charts:
+    height, width = chart.kinds.shape
+    area = compact.planes[chart.plane].area
+    print(
+        f"  plane {chart.plane}: {area:.2f} m2, {width} x {height} texels, seen by the "
+        f"observations {compact.observations[chart.plane]}"
+    )
 
 # %% A trajectory through a corridor, and odometry that drifts to the side
 scene = corridor()

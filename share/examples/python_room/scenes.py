@@ -1,4 +1,5 @@
-"""Scenes of rectangles, and simulated views of a noisy range camera. Metres, y down."""
+"""Scenes of rectangles, and simulated views of a noisy range camera, in colour.
+Metres, y down."""
 
 import numpy as np
 
@@ -83,3 +84,11 @@ def noisy_view(scene, pose, height, width, seed, reach=6.0):
     noise = np.random.default_rng(seed).standard_normal(depth.shape)
     depth += noise * np.maximum(0.006, 0.0015 * depth**2)
     return (rays * depth[..., None]).astype(np.float32)
+
+
+def colors_of(view, pose):
+    """Colours of a view from pose T_map_camera: (height, width, 3) uint8. Red changes
+    along x, green along y and blue along z; grey where nothing was measured."""
+    places = view @ pose[:3, :3].T + pose[:3, 3]
+    waves = np.nan_to_num(np.sin(places * (2, 3, 4)))
+    return (128 + 100 * waves).astype(np.uint8)

@@ -1,0 +1,104 @@
+#include "compact_map.h"
+
+#include "bindings.h"
+#include "members.h"
+#include "poses.h"
+
+#include <pcl/texture/compact_map_folder.h>
+
+#include <pybind11/stl.h>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+const Trajectory&
+trajectoryOf(const py::object& self)
+{
+  return self.cast<const ReportedMap&>().map.trajectory;
+}
+
+std::vector<std::string>
+saveMap(const ReportedMap& reported, const std::string& folder)
+{
+  const py::gil_scoped_release others_may_run;
+  CompactMap map = reported.map; // its charts get the names of their images
+  return saveCompactMap(folder, map);
+}
+
+ReportedMap
+readMap(const std::string& folder)
+{
+  CompactMap map;
+  {
+    const py::gil_scoped_release others_may_run;
+    map = loadCompactMap(folder);
+  }
+  return {std::move(map), py::none()};
+}
+
+constexpr const char* about_saving =
+    R"(Writes the map into a folder, which is made if it is missing: map.json, one image per
+texture, map.obj and map.glb. An older map there stays whole if it fails. Returns the
+names of the files. Raises OSError.)";
+
+} // namespace
+
+void
+bindCompactMap(py::module_& module)
+{
+  py::class_<ReportedMap>(module,
+                          "CompactMap",
+                          "A map of textured planes. Its arrays refer to it: changes "
+                          "of them are saved too.")
+      .def_property_readonly(
+          "planes",
+          memberList<ReportedMap, PlanePatch>(
+              [](const ReportedMap& reported) -> const std::vector<PlanePatch>& {
+                return reported.map.planes;
+              }),
+          "list of PlanePatch, by falling area")
+      .def_property_readonly(
+          "charts",
+          memberList<ReportedMap, TextureChart>(
+              [](const ReportedMap& reported) -> const std::vector<TextureChart>& {
+                return reported.map.charts;
+              }),
+          "list of TextureChart: the textures of the planes")
+      .def_property_readonly(
+          "observations",
+          [](const ReportedMap& reported) { return reported.map.observations; },
+          "for each plane the list of the observations that saw it, as indices of "
+          "poses; empty if they are unknown")
+      .def_property_readonly(
+          "poses",
+          [](const py::object& self) {
+            return arrayOfPoses(trajectoryOf(self).poses, self);
+          },
+          "(k, 4, 4) float64: T_map_camera of the observations, metres")
+      .def_property_readonly(
+          "stamps",
+          [](const py::object& self) {
+            return fieldOf<double>(trajectoryOf(self).stamps,
+                                   0,
+                                   self,
+                                   [](const double& stamp) { return &stamp; });
+          },
+          "(k,) float64, seconds: when they were made; their numbers if that is "
+          "unknown")
+      .def_readonly("report",
+                    &ReportedMap::report,
+                    "outcome of the rectification, counts of the steps, seconds and "
+                    "remarks; None for a map from a folder")
+      .def("save", &saveMap, about_saving, "folder"_a);
+  module.def(
+      "read_map",
+      &readMap,
+      "Reads a map that CompactMap.save or a tool wrote into a folder. Returns a "
+      "CompactMap. Raises OSError.",
+      "folder"_a);
+}
+
+} // namespace pcl::acmap::python

@@ -1,0 +1,207 @@
+#include "bindings.h"
+#include "compact_map.h"
+#include "kernel_call.h"
+#include "mapping_report.h"
+#include "named_choice.h"
+#include "observation_argument.h"
+#include "poses.h"
+
+#include <pcl/core/arguments.h>
+#include <pcl/pipeline/compact_mapping.h>
+
+#include <pybind11/stl.h>
+
+namespace pcl::acmap::python {
+
+namespace {
+
+using namespace py::literals;
+
+constexpr NamedChoices<DepthSensor, 5> depth_sensors = {
+    {{"auto", DepthSensor::Automatic},
+     {"quantised", DepthSensor::Quantised},
+     {"stereo", DepthSensor::Stereo},
+     {"tof", DepthSensor::TimeOfFlight},
+     {"laser", DepthSensor::Laser}}};
+
+struct MappingSettings {
+  bool rectify;
+  DepthSensor sensor;
+  double voxel_size; ///< metres; 0: automatic
+  double min_area;   ///< square metres; 0: automatic
+  bool regular;
+  double texel_size; ///< metres
+  unsigned threads;
+};
+
+struct GivenObservation {
+  std::shared_ptr<const PointCloudFile> cloud;
+  std::optional<Eigen::Isometry3d> T_map_camera;
+};
+
+/** What a pcl::CompactMapping is to be given. Every call of compute creates one, because
+ * it runs without the GIL: in the meantime other threads can add observations to this
+ * object, or compute with it. */
+struct MappingInput {
+  MappingSettings settings;
+  std::vector<GivenObservation> observations;
+};
+
+void
+requireLegal(const MappingSettings& settings)
+{
+  requireInRange("voxel_size", settings.voxel_size, 0, 1e9, "m (0 = automatic)");
+  requireInRange("min_area", settings.min_area, 0, 1e12, "m^2 (0 = automatic)");
+  requireInRange("texel_size", settings.texel_size, 1e-4, 10, "m");
+}
+
+void
+addObservation(MappingInput& input,
+               const ViewArgument& points,
+               const ColorArgument& colors,
+               const std::optional<SinglePoseArgument>& pose)
+{
+  GivenObservation given = {observationOf(points, colors), std::nullopt};
+  if (pose)
+    given.T_map_camera = poseOf("pose", *pose);
+  input.observations.push_back(std::move(given));
+}
+
+/** The sensor as PlaneMapping needs it: merged views are no picture. */
+DepthSensor
+sensorOfMerged(DepthSensor sensor, std::size_t observations)
+{
+  const bool needs_picture =
+      sensor == DepthSensor::Quantised || sensor == DepthSensor::Stereo;
+  return needs_picture && observations > 1 ? DepthSensor::Automatic : sensor;
+}
+
+PlaneMapping
+planeMappingOf(const MappingSettings& settings, std::size_t observations)
+{
+  PlaneMapping planes;
+  PlaneMapping::Clustering clustering = planes.getClustering();
+  clustering.setMinArea(settings.min_area);
+  clustering.setRegularize(settings.regular);
+  planes.setClustering(clustering);
+  PlaneMapping::DepthSegmentation segmentation = planes.getDepthSegmentation();
+  segmentation.setMinArea(settings.min_area);
+  segmentation.setRegularize(settings.regular);
+  planes.setDepthSegmentation(segmentation);
+  if (settings.voxel_size > 0) {
+    PlaneMapping::Consolidation consolidation = planes.getConsolidation();
+    consolidation.setVoxelSize(settings.voxel_size);
+    planes.setConsolidation(consolidation);
+    planes.setConsolidationPolicy(ConsolidationPolicy::Always);
+  }
+  planes.setDepthSensor(sensorOfMerged(settings.sensor, observations));
+  planes.setComputeMesh(false);
+  return planes;
+}
+
+void
+prepare(CompactMapping& mapping, const MappingInput& input)
+{
+  const MappingSettings& settings = input.settings;
+  ObservationMerging merging = mapping.getMerging();
+  merging.setDepthSensor(settings.sensor);
+  CompactMapping::Texturing texturing = mapping.getTexturing();
+  texturing.setTexelSize(settings.texel_size);
+  mapping.setRectify(settings.rectify);
+  mapping.setMerging(merging);
+  mapping.setPlaneMapping(planeMappingOf(settings, input.observations.size()));
+  mapping.setTexturing(texturing);
+  mapping.setNumberOfThreads(settings.threads);
+  for (const GivenObservation& given : input.observations)
+    mapping.addObservation(given.cloud, given.T_map_camera);
+}
+
+ReportedMap
+computeMap(const MappingInput& input, const Listener& listener)
+{
+  CompactMapping mapping;
+  prepare(mapping, input);
+  CompactMap map;
+  callStage(listener, [&](const ProgressCallback& progress) {
+    mapping.setProgressCallback(progress);
+    mapping.compute(map);
+  });
+  return {std::move(map), reportOfMapping(mapping.getReport())};
+}
+
+constexpr const char* about_mapping =
+    R"(Makes a compact map of what a camera saw: all steps of the paper in one object
+(pcl::CompactMapping). Add the observations, then call compute.
+
+rectify    straightens the map before its planes are found, as the function rectify does
+           (II-B.2 of the paper)
+sensor     what measured the points. 'quantised' (structured light, such as a Kinect) and
+           'stereo': the noise of each view is removed in its picture; 'tof' and 'laser':
+           not; 'auto': only where the depth is quantised
+voxel_size metres, the edge of a voxel to which the points of all observations are
+           consolidated; None or 0: automatic, and only if their noise requires it
+min_area   square metres, of a plane; 0: automatic
+regular    turns planes to be parallel or upright to larger ones, where their uncertainty
+           allows
+texel_size metres, the edge of a texel of the textures
+threads    0: all; the result is the same bytes for every number)";
+
+constexpr const char* about_observation =
+    R"(Adds an observation; its arrays are copied.
+
+points (h, w, 3) float32, metres: a view in the frame of its camera (x right, y down, z
+       forward), NaN where nothing was measured
+colors (h, w, 3) uint8: red, green, blue; also where points are NaN
+pose   (4, 4) float64: T_map_camera; None: estimated from the colours and depths (visual
+       odometry). Give the poses of all observations, or of none.)";
+
+constexpr const char* about_computation =
+    R"(Computes the map of all observations. Returns a CompactMap, without planes if there are
+none; its report then tells why.
+
+progress called with (fraction, step); stops the run when it returns False)";
+
+} // namespace
+
+void
+bindCompactMapping(py::module_& module)
+{
+  const CompactMapping defaults;
+  const PlaneMapping::Clustering& clustering =
+      defaults.getPlaneMapping().getClustering();
+  py::class_<MappingInput>(module, "CompactMapping", about_mapping)
+      .def(py::init([](bool rectify,
+                       const std::string& sensor,
+                       std::optional<double> voxel_size,
+                       double min_area,
+                       bool regular,
+                       double texel_size,
+                       unsigned threads) {
+             const MappingSettings settings = {rectify,
+                                               chosen("sensor", sensor, depth_sensors),
+                                               voxel_size.value_or(0),
+                                               min_area,
+                                               regular,
+                                               texel_size,
+                                               threads};
+             requireLegal(settings);
+             return MappingInput{settings, {}};
+           }),
+           py::kw_only(),
+           "rectify"_a = defaults.getRectify(),
+           "sensor"_a = nameOf(DepthSensor::Automatic, depth_sensors),
+           "voxel_size"_a = py::none(),
+           "min_area"_a = clustering.getMinArea(),
+           "regular"_a = clustering.getRegularize(),
+           "texel_size"_a = defaults.getTexturing().getTexelSize(),
+           "threads"_a = defaults.getNumberOfThreads())
+      .def("add_observation",
+           &addObservation,
+           about_observation,
+           "points"_a,
+           "colors"_a,
+           "pose"_a = py::none())
+      .def("compute", &computeMap, about_computation, "progress"_a = py::none());
+}
+
+} // namespace pcl::acmap::python
