@@ -67,17 +67,8 @@ addObservation(MappingInput& input,
   input.observations.push_back(std::move(given));
 }
 
-/** The sensor as PlaneMapping needs it: merged views are no picture. */
-DepthSensor
-sensorOfMerged(DepthSensor sensor, std::size_t observations)
-{
-  const bool needs_picture =
-      sensor == DepthSensor::Quantised || sensor == DepthSensor::Stereo;
-  return needs_picture && observations > 1 ? DepthSensor::Automatic : sensor;
-}
-
 PlaneMapping
-planeMappingOf(const MappingSettings& settings, std::size_t observations)
+planeMappingOf(const MappingSettings& settings)
 {
   PlaneMapping planes;
   PlaneMapping::Clustering clustering = planes.getClustering();
@@ -94,7 +85,7 @@ planeMappingOf(const MappingSettings& settings, std::size_t observations)
     planes.setConsolidation(consolidation);
     planes.setConsolidationPolicy(ConsolidationPolicy::Always);
   }
-  planes.setDepthSensor(sensorOfMerged(settings.sensor, observations));
+  planes.setDepthSensor(settings.sensor);
   planes.setComputeMesh(false);
   return planes;
 }
@@ -109,7 +100,7 @@ prepare(CompactMapping& mapping, const MappingInput& input)
   texturing.setTexelSize(settings.texel_size);
   mapping.setRectify(settings.rectify);
   mapping.setMerging(merging);
-  mapping.setPlaneMapping(planeMappingOf(settings, input.observations.size()));
+  mapping.setPlaneMapping(planeMappingOf(settings));
   mapping.setTexturing(texturing);
   mapping.setNumberOfThreads(settings.threads);
   for (const GivenObservation& given : input.observations)

@@ -21,48 +21,16 @@ reportOfMerging(const MergingReport& report)
                   report);
 }
 
-/** Counts that planes in space and planes in a picture have in common. */
-template <typename PlaneReport>
-py::dict
-planeCounts(const PlaneReport& report)
-{
-  return py::dict("points"_a = report.points,
-                  "invalid_points"_a = report.invalid_points,
-                  "planes"_a = report.planes,
-                  "points_on_planes"_a = report.points_on_planes,
-                  "small_regions"_a = report.small_regions,
-                  "curved_regions"_a = report.curved_regions,
-                  "merged"_a = report.merged,
-                  "regular_planes"_a = report.regular_planes,
-                  "largest_turn"_a = report.largest_turn);
-}
-
 py::object
 reportOfPlaneMapping(const PlaneMappingReport& report)
 {
   py::dict fields;
   if (report.depth_planes)
-    fields = planeCounts(*report.depth_planes);
+    fields = fieldsOf(*report.depth_planes);
   else if (report.planes)
-    fields = planeCounts(*report.planes);
+    fields = fieldsOf(*report.planes);
   fields["voxel_size"] = report.consolidation ? report.consolidation->voxel_size : 0.0;
   return reportOf(fields, report);
-}
-
-py::object
-reportOfTexture(const TexturingReport& report)
-{
-  return reportOf(py::dict("observations"_a = report.observations,
-                           "pinholes"_a = report.pinholes,
-                           "splatted"_a = report.splatted,
-                           "invalid_points"_a = report.invalid_points,
-                           "charts"_a = report.charts,
-                           "texels"_a = report.texels,
-                           "seen"_a = report.seen,
-                           "filled"_a = report.filled,
-                           "texel_size"_a = report.texel_size,
-                           "gains"_a = report.gains),
-                  report);
 }
 
 } // namespace
@@ -80,7 +48,7 @@ reportOfMapping(const CompactMappingReport& report)
                            "rectification"_a = rectification,
                            "merging"_a = reportOfMerging(report.merging),
                            "planes"_a = reportOfPlaneMapping(report.planes),
-                           "texture"_a = reportOfTexture(report.texture)),
+                           "texture"_a = reportOf(report.texture)),
                   report);
 }
 

@@ -18,15 +18,23 @@ reportOf(pybind11::dict fields, const Report& report)
   return pybind11::module_::import("types").attr("SimpleNamespace")(**fields);
 }
 
+/** \brief The fields that a report names. */
+template <typename StageReport>
+pybind11::dict
+fieldsOf(const StageReport& report)
+{
+  pybind11::dict fields;
+  visitFields(report,
+              [&fields](const char* name, const auto& value) { fields[name] = value; });
+  return fields;
+}
+
 /** \brief The same for a report that names its fields. */
 template <typename StageReport>
 pybind11::object
 reportOf(const StageReport& report)
 {
-  pybind11::dict fields;
-  visitFields(report,
-              [&fields](const char* name, const auto& value) { fields[name] = value; });
-  return reportOf(std::move(fields), report);
+  return reportOf(fieldsOf(report), report);
 }
 
 } // namespace pcl::acmap::python

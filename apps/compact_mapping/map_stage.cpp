@@ -86,7 +86,9 @@ mapSequence(Tool& tool,
     StepTimer timer(tool.report());
     const MergedCloud merged = merge(tool, options, posed);
     timer.finish("read");
-    result.found = extractPlanes(tool, options.planes, merged.cloud, merged.viewpoints);
+    PlaneOptions planes = options.planes;
+    planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
+    result.found = extractPlanes(tool, planes, merged.cloud, merged.viewpoints);
     StepTimer write_timer(tool.report());
     savePointCloud(folder.path("map.pcd"), thinned(merged.cloud->cloud));
     write_timer.finish("write");
@@ -180,10 +182,8 @@ tellUp(Tool& tool, const CompactMap& map)
 void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
-  tellPlanes(tool,
-             mapped.found.planes,
-             mapped.found.labels,
-             mapped.found.finite_points);
+  tellPlanes(
+      tool, mapped.found.planes, mapped.found.labels, mapped.found.finite_points);
   tool.details()["planes"] = jsonOf(mapped.map.planes);
   tellUp(tool, mapped.map);
   tellCompactness(tool, mapped.found.finite_points, mapped.map, options.output);
@@ -199,9 +199,8 @@ makeMap(Tool& tool,
         bool draws,
         OutputFolder& folder)
 {
-  Mapped mapped = sequence.posed
-                      ? mapSequence(tool, options, *sequence.posed, folder)
-                      : mapCloud(tool, options);
+  Mapped mapped = sequence.posed ? mapSequence(tool, options, *sequence.posed, folder)
+                                 : mapCloud(tool, options);
   tool.stopIfInterrupted();
   StepTimer timer(tool.report());
 

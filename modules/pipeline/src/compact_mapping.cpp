@@ -286,6 +286,8 @@ CompactMapping::compute(CompactMap& map)
   PlaneMapping planes = planes_;
   planes.setInputCloud(merged.cloud);
   planes.setViewpoints(merged.viewpoints);
+  planes.setDepthSensor(
+      acmap::sensorOfMerged(planes.getDepthSensor(), merged.viewpoints.size()));
   planes.setNumberOfThreads(threads_);
   planes.setProgressCallback(partOf(progress_, 0.6, 0.8));
   planes.compute(mapped_);

@@ -33,8 +33,7 @@ ObservationMerging::compute(const ObservationSequence& sequence, MergedCloud& me
       const std::shared_ptr<const PointCloudFile> refined =
           refineQuantisedDepth(seen.file, sensor_, threads_);
       report.refined += refined != seen.file ? 1 : 0;
-      rows.append(
-          *refined, seen.T_map_camera, static_cast<std::int32_t>(poses.size()));
+      rows.append(*refined, seen.T_map_camera, static_cast<std::int32_t>(poses.size()));
       poses.push_back(seen.T_map_camera);
       result.viewpoints.push_back(seen.T_map_camera.translation().cast<float>());
     }

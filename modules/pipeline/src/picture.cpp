@@ -51,10 +51,11 @@ pictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
     return picture;
   if (is_automatic)
     return std::nullopt;
-  PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                      "quantised depth and stereo need one organized view in its "
-                      "sensor's frame, z forward, with at least 1000 points, or what is "
-                      "left of one without its NaN pixels");
+  PCL_THROW_EXCEPTION(
+      UnorganizedPointCloudException,
+      "quantised depth and stereo need one organized view in its "
+      "sensor's frame, z forward, with at least 1000 points, or what is "
+      "left of one without its NaN pixels");
 }
 
 } // namespace acmap
@@ -92,8 +93,7 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
   const acmap::PointView points = observation->points();
   if (points.size() == 0)
     return observation;
-  PointCloud<PointXYZ>::Ptr view =
-      acmap::organized(points, observation->cloud.width);
+  PointCloud<PointXYZ>::Ptr view = acmap::organized(points, observation->cloud.width);
   if (!refineQuantisedDepth(*view, sensor, threads))
     return observation;
   auto refined = std::make_shared<PointCloudFile>(*observation);

@@ -5,6 +5,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace pcl {
@@ -19,6 +20,20 @@ enum class DepthSensor {
   TimeOfFlight,
   Laser
 };
+
+namespace acmap {
+
+/** \brief The sensor of a merged cloud for \ref PlaneMapping: several views are no picture.
+ * \param[in] sensor that measured the views */
+inline DepthSensor
+sensorOfMerged(DepthSensor sensor, std::size_t views)
+{
+  const bool needs_picture =
+      sensor == DepthSensor::Quantised || sensor == DepthSensor::Stereo;
+  return needs_picture && views > 1 ? DepthSensor::Automatic : sensor;
+}
+
+} // namespace acmap
 
 /** \brief Removes the quantisation steps of a view with \ref DepthRefinement, if it is to be
  * worked on in its picture. Points that are withdrawn become NaN.
