@@ -113,7 +113,7 @@ runAll() {
 
 table() {
   local name options
-  echo "| fuzzer | executions | with sanitizers | a second of one core | edges | features | inputs kept |"
+  echo "| fuzzer | executions | with sanitizers | per second on one core | edges | features | inputs kept |"
   echo "|---|---|---|---|---|---|---|"
   while read -r name options; do
     summarize "$1/$name/log" "$name"

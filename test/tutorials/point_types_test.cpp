@@ -30,7 +30,7 @@ Types
 listedTypes()
 {
   static const std::regex row(R"(\| \[`(\w+)`\]\([^)]*\) \| (.*))");
-  static const std::regex type("`(Point\\w+)`");
+  static const std::regex type("`(Point\\w+|PCL_XYZ_POINT_TYPES)`");
   std::istringstream page(contentOf(ACMAP_TUTORIALS "/use_acmap_in_cmake.md"));
   Types types;
   std::smatch found;
@@ -53,7 +53,8 @@ withLists(std::string text)
        at != end;
        ++at)
     lists[(*at)[1]] = (*at)[2];
-  for (const std::string& name : {std::string("ACMAP_MAP_POINT_TYPES"),
+  for (const std::string& name : {std::string("ACMAP_ALL_POINT_TYPES"),
+                                  std::string("ACMAP_MAP_POINT_TYPES"),
                                   std::string("ACMAP_PCL_POINT_TYPES"),
                                   std::string("ACMAP_VIEW_POINT_TYPES")})
     text = std::regex_replace(text, std::regex(name), lists.at(name));
@@ -65,7 +66,8 @@ compiledTypes()
 {
   static const std::regex name(
       R"((?:PCL_INSTANTIATE\(\s*|PCL_INSTANTIATE_|ACMAP_EXPORT (?=Trans))(\w+))");
-  static const std::regex type(R"(\b(Point(?!Cloud|T\b)\w+))");
+  static const std::regex type(
+      R"(\b(Point(?!Cloud|T\b|View\b)\w+|PCL_XYZ_POINT_TYPES))");
   Types types;
   for (const auto& module : fs::directory_iterator(ACMAP_MODULES))
     for (const auto& source : fs::directory_iterator(module.path() / "src")) {
