@@ -205,11 +205,13 @@ CompactMapping::rectify(const ObservationSequence& sequence,
                         CompactMappingReport& report)
 {
   SequenceConsolidation consolidation;
+  consolidation.setSkipBroken(skip_broken_);
   consolidation.setNumberOfThreads(threads_);
   consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
   ConsolidatedObservations observations;
   consolidation.compute(sequence, observations);
   report.consolidation = consolidation.getReport();
+  addRemarks(*report.consolidation, report);
 
   Rectification rectification = rectification_;
   if (report.odometry && isDefault(rectification.getOdometryNoise()))
@@ -231,6 +233,21 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   return sequence.withPoses(namesOf(sequence, observations.places), rectified);
 }
 
+std::optional<TexturedObservation>
+CompactMapping::load(const ObservationSequence& sequence, std::size_t i) const
+{
+  try {
+    const PosedObservation seen = sequence.load(i);
+    return TexturedObservation{
+        {seen.file, &seen.file->cloud}, seen.T_map_camera, sequence.stamp(i), true};
+  }
+  catch (const InputFileException&) {
+    if (!skip_broken_)
+      throw;
+    return std::nullopt; // the merging has reported it
+  }
+}
+
 CompactMap
 CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport& report)
 {
@@ -238,11 +255,7 @@ CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport&
   texturing.setPlanes(mapped_.planes);
   texturing.clearObservations();
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    texturing.addObservation([&sequence, i]() -> std::optional<TexturedObservation> {
-      const PosedObservation seen = sequence.load(i);
-      return TexturedObservation{
-          {seen.file, &seen.file->cloud}, seen.T_map_camera, sequence.stamp(i), true};
-    });
+    texturing.addObservation([this, &sequence, i] { return load(sequence, i); });
   texturing.setNumberOfThreads(threads_);
   texturing.setProgressCallback(partOf(progress_, 0.8, 1));
   CompactMap map;
@@ -275,6 +288,7 @@ CompactMapping::compute(CompactMap& map)
   }
 
   ObservationMerging merging = merging_;
+  merging.setSkipBroken(skip_broken_);
   merging.setNumberOfThreads(threads_);
   merging.setProgressCallback(partOf(progress_, 0.5, 0.6));
   MergedCloud merged;

@@ -48,7 +48,7 @@ MapRows::MapRows(std::size_t points, bool colored, CostCallback cost)
 void
 MapRows::announce(std::size_t bytes) const
 {
-  if (cost_)
+  if (cost_ && bytes > 0)
     cost_("merging the observations", bytes, 0);
 }
 

@@ -90,6 +90,8 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
                      DepthSensor sensor,
                      unsigned threads)
 {
+  if (!observation)
+    throw BadArgumentException("the observation is a null pointer");
   const acmap::PointView points = observation->points();
   if (points.size() == 0)
     return observation;

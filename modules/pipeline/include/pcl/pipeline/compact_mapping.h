@@ -191,6 +191,22 @@ public:
     return rectify_;
   }
 
+  /** \brief Leaves out observations that cannot be read, with a remark, in the steps after
+   * the odometry (default false). */
+  void
+  setSkipBroken(bool skip)
+  {
+    skip_broken_ = skip;
+  }
+
+  bool
+  getSkipBroken() const
+  {
+    return skip_broken_;
+  }
+
+  /** \brief Sets how observations are merged; whether broken ones are skipped is decided
+   * by this object. */
   void
   setMerging(const ObservationMerging& merging)
   {
@@ -244,7 +260,8 @@ public:
     return mapped_;
   }
 
-  /** \brief Poses of the last run before the rectification; metres. */
+  /** \brief Poses of the last run before the rectification, metres; empty if the map was not
+   * rectified. */
   const Trajectory&
   getOdometryTrajectory() const
   {
@@ -272,6 +289,9 @@ private:
   ObservationSequence
   rectify(const ObservationSequence& sequence, CompactMappingReport& report);
 
+  std::optional<TexturedObservation>
+  load(const ObservationSequence& sequence, std::size_t i) const;
+
   CompactMap
   paint(const ObservationSequence& sequence, CompactMappingReport& report);
 
@@ -286,6 +306,7 @@ private:
   VisualOdometry odometry_;
   Rectification rectification_;
   bool rectify_ = true;
+  bool skip_broken_ = false;
   ObservationMerging merging_;
   PlaneMapping planes_;
   Texturing texturing_;

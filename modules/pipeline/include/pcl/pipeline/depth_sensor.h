@@ -48,7 +48,8 @@ refineQuantisedDepth(PointCloud<PointXYZ>& view,
                      unsigned threads = 0);
 
 /** \brief The same for an observation, whose other fields stay as they are.
- * \return a refined copy; the observation itself if it was not refined */
+ * \return a refined copy; the observation itself if it was not refined
+ * \throws BadArgumentException without an observation */
 ACMAP_EXPORT std::shared_ptr<const PointCloudFile>
 refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
                      DepthSensor sensor = DepthSensor::Automatic,

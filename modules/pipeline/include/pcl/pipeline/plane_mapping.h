@@ -82,7 +82,7 @@ public:
 
   /** \brief Sets the positions of the observations that the field `view` refers to, in
    * metres, in the frame of the cloud. Clouds without that field were seen from the sensor
-   * of the file. \throws BadArgumentException when one is not finite */
+   * of the file. Not used with \ref setInputMesh. \throws BadArgumentException when one is not finite */
   void
   setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
 
