@@ -23,7 +23,7 @@ rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
   return {file, &file->cloud};
 }
 
-/** Copies a value of a field, if the cloud has it. */
+/** Copies the value of a field if the cloud has that field. */
 class FieldCopy {
 public:
   FieldCopy(const PCLPointCloud2& cloud, const PCLPointField* field)
@@ -125,7 +125,8 @@ public:
       result.vertices = *cloud;
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
     triangulate(vertices, result);
-    // the consolidation has turned its normals to the sensors, and the mesh with them
+    // the consolidation has already oriented its normals, and the mesh, towards the
+    // sensors
     const bool turns = !is_consolidated && names_views;
     vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
@@ -186,7 +187,8 @@ private:
         report_.remarks.end(), step.remarks.begin(), step.remarks.end());
   }
 
-  /** \return whether it was: the vertices are then the consolidated points */
+  /** \return true if the cloud was consolidated: the vertices are then the consolidated
+   * points */
   bool
   consolidate(const std::shared_ptr<const PointCloudFile>& cloud,
               bool names_views,
@@ -198,13 +200,13 @@ private:
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
       const PCLPointField* const view =
           names_views ? findField(cloud->cloud, "view") : nullptr;
-      report_.noise_scale = measureNoiseScale(
-          cloud->points(),
-          view ? SensorView(cloud->cloud.data.data() + view->offset,
-                            cloud->cloud.point_step,
-                            sensors)
-               : SensorView(cloud->sensor_origin),
-          mapping_.getNumberOfThreads());
+      report_.noise_scale =
+          measureNoiseScale(cloud->points(),
+                            view ? SensorView(cloud->cloud.data.data() + view->offset,
+                                              cloud->cloud.point_step,
+                                              sensors)
+                                 : SensorView(cloud->sensor_origin),
+                            mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       timer_.finish("noise scale");
@@ -255,7 +257,8 @@ private:
   {
     using DeWall = DeWallTriangulation<Vertex>;
     if (cost_)
-      cost_("triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
+      cost_(
+          "triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
     if (const auto given = std::dynamic_pointer_cast<DeWall>(construction)) {
       DeWall dewall = *given;
