@@ -25,13 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief What the input became. */
+/** \brief Result for the input. */
 struct Mapped {
   MappedPlanes found;
   CompactMap map;
 };
 
-/** \brief Every n-th point of a map, so that a million or fewer are left to look at. */
+/** \brief Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
 thinned(const PCLPointCloud2& map)
 {
@@ -121,7 +121,7 @@ mapCloud(Tool& tool, const ChainOptions& options)
   return result;
 }
 
-/** \brief What shows the rectification goes with the map that it straightened. */
+/** \brief Copies the plots of the rectification next to the map. */
 void
 takeAlong(const Chain& chain, const OutputFolder& folder)
 {
@@ -134,7 +134,8 @@ takeAlong(const Chain& chain, const OutputFolder& folder)
   }
 }
 
-/** \brief A picture that cannot be drawn costs the pictures, not the map. */
+/** \brief Draws the pictures. A failure is reported as a warning, and the map is
+ * kept. */
 void
 drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
 {
@@ -146,7 +147,7 @@ drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
   }
 }
 
-/** \brief In the order of map.json, which has more of each. */
+/** \brief Reports the planes in the order of map.json, which has more details. */
 nlohmann::ordered_json
 jsonOf(const std::vector<PlanePatch>& planes)
 {
@@ -162,7 +163,7 @@ jsonOf(const std::vector<PlanePatch>& planes)
   return list;
 }
 
-/** \brief Which direction pictures take for up, and how far the map's frame is off it. */
+/** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
 tellUp(Tool& tool, const CompactMap& map)
 {
@@ -180,10 +181,8 @@ tellUp(Tool& tool, const CompactMap& map)
 void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
-  tellPlanes(tool,
-             mapped.found.planes,
-             mapped.found.labels,
-             mapped.found.finite_points);
+  tellPlanes(
+      tool, mapped.found.planes, mapped.found.labels, mapped.found.finite_points);
   tool.details()["planes"] = jsonOf(mapped.map.planes);
   tellUp(tool, mapped.map);
   tellCompactness(tool, mapped.found.finite_points, mapped.map, options.output);
@@ -199,9 +198,8 @@ makeMap(Tool& tool,
         bool draws,
         OutputFolder& folder)
 {
-  Mapped mapped = sequence.posed
-                      ? mapSequence(tool, options, *sequence.posed, folder)
-                      : mapCloud(tool, options);
+  Mapped mapped = sequence.posed ? mapSequence(tool, options, *sequence.posed, folder)
+                                 : mapCloud(tool, options);
   tool.stopIfInterrupted();
   StepTimer timer(tool.report());
 
