@@ -16,7 +16,8 @@ namespace pcl::acmap {
 
 class Tool;
 
-/** \brief The fields of a stage's report, and its seconds; remarks go elsewhere. */
+/** \brief The fields of a stage's report, and its seconds; remarks are reported
+ * separately. */
 nlohmann::ordered_json
 jsonOf(const ConsolidationReport& report);
 
@@ -39,7 +40,7 @@ jsonOf(const DepthPlaneReport& report);
 nlohmann::ordered_json
 secondsOf(const Report& report);
 
-/** \brief A line of the summary and a part of the JSON report. */
+/** \brief Adds a line to the summary and a part to the JSON report. */
 void
 tellConsolidation(Tool& tool, const ConsolidationReport& report);
 
@@ -49,7 +50,7 @@ tellDepthNoise(Tool& tool, const NoiseScale::InverseDepth& noise);
 void
 tellRefinement(Tool& tool, const DepthRefinementReport& report);
 
-/** \brief Share of a whole, as a text with %. */
+/** \brief A fraction as text, in %. */
 std::string
 percent(std::size_t part, std::size_t whole);
 
