@@ -181,8 +181,10 @@ tellUp(Tool& tool, const CompactMap& map)
 void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
-  tellPlanes(
-      tool, mapped.found.planes, mapped.found.labels, mapped.found.finite_points);
+  tellPlanes(tool,
+             mapped.found.planes,
+             mapped.found.labels,
+             mapped.found.finite_points);
   tool.details()["planes"] = jsonOf(mapped.map.planes);
   tellUp(tool, mapped.map);
   tellCompactness(tool, mapped.found.finite_points, mapped.map, options.output);
@@ -198,8 +200,9 @@ makeMap(Tool& tool,
         bool draws,
         OutputFolder& folder)
 {
-  Mapped mapped = sequence.posed ? mapSequence(tool, options, *sequence.posed, folder)
-                                 : mapCloud(tool, options);
+  Mapped mapped = sequence.posed
+                      ? mapSequence(tool, options, *sequence.posed, folder)
+                      : mapCloud(tool, options);
   tool.stopIfInterrupted();
   StepTimer timer(tool.report());
 

@@ -107,9 +107,9 @@ drawMeshes(const MappedSession& map,
   };
   savePng(folder.path("fig5.png"),
           wallsFigure(meshOf(path(plan.walls), with_walls, threads), plan, folder));
-  savePng(
-      folder.path("fig7.png"),
-      withFewLevels(meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder)));
+  savePng(folder.path("fig7.png"),
+          withFewLevels(
+              meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder)));
 }
 
 } // namespace pcl::acmap

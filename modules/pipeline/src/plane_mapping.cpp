@@ -200,13 +200,13 @@ private:
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
       const PCLPointField* const view =
           names_views ? findField(cloud->cloud, "view") : nullptr;
-      report_.noise_scale =
-          measureNoiseScale(cloud->points(),
-                            view ? SensorView(cloud->cloud.data.data() + view->offset,
-                                              cloud->cloud.point_step,
-                                              sensors)
-                                 : SensorView(cloud->sensor_origin),
-                            mapping_.getNumberOfThreads());
+      report_.noise_scale = measureNoiseScale(
+          cloud->points(),
+          view ? SensorView(cloud->cloud.data.data() + view->offset,
+                            cloud->cloud.point_step,
+                            sensors)
+               : SensorView(cloud->sensor_origin),
+          mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       timer_.finish("noise scale");
@@ -257,8 +257,7 @@ private:
   {
     using DeWall = DeWallTriangulation<Vertex>;
     if (cost_)
-      cost_(
-          "triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
+      cost_("triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
     if (const auto given = std::dynamic_pointer_cast<DeWall>(construction)) {
       DeWall dewall = *given;
