@@ -16,7 +16,8 @@ namespace {
 using namespace pcl::acmap;
 namespace fs = std::filesystem;
 
-/** \brief An X server for the pictures; none, and a warning, where there is none. */
+/** \brief Connects to an X server for the pictures; returns null, with a warning, if
+ * there is none. */
 std::unique_ptr<pcl::acmap::DisplayConnection>
 openDisplay(Tool& tool, const ChainOptions& options)
 {
@@ -31,7 +32,7 @@ openDisplay(Tool& tool, const ChainOptions& options)
   }
 }
 
-/** \brief Whether a path names the folder, or something below it. */
+/** \brief Is a path the folder, or below it? */
 bool
 isIn(const std::string& path, const std::string& folder)
 {
@@ -56,7 +57,7 @@ inputsOf(const ChainOptions& options)
   return inputs;
 }
 
-/** \brief What is read must not lie where results are put. */
+/** \brief Checks that inputs are not in the folders of the results. */
 void
 checkPlaces(const ChainOptions& options)
 {
@@ -85,7 +86,7 @@ run(Tool& tool, const ChainOptions& options)
   Sequence sequence;
   if (start != StartingPoint::Cloud)
     sequence = chain.sequenceFrom(start);
-  // pictures of the same map stay, though this run would draw none
+  // pictures of the same map are kept, even if this run would not draw any
   const auto madeOf = [&](bool has_pictures) {
     return mapIsMadeOf(tool, options, sequence, has_pictures);
   };

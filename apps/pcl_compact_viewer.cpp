@@ -51,7 +51,8 @@ colorByLabel(pcl::LayeredScene& scene)
     scene.vertices = coloredByLabel(std::move(scene.vertices));
 }
 
-/** \brief From outside one would see nothing but the ceilings of a cloud with poses. */
+/** \brief Chooses the plan for a cloud with poses: from outside, only its ceilings
+ * would be visible. */
 void
 choosePlace(const ViewerOptions& options,
             const pcl::LayeredScene& scene,

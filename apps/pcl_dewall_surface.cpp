@@ -93,7 +93,7 @@ typedCloud(const pcl::PointCloudFile& file)
                 "triangulating this cloud");
   typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
   pcl::fromPCLPointCloud2(file.cloud, *cloud);
-  // An organized cloud is known to come from one sensor.
+  // An organized cloud is measured by a single sensor.
   cloud->width = file.cloud.width;
   cloud->height = file.cloud.height;
   cloud->is_dense = false;
@@ -170,7 +170,8 @@ giveUp(pcl::PCLPointCloud2& cloud)
   return std::make_shared<const pcl::PCLPointCloud2>(std::move(cloud));
 }
 
-/** Replaces the cloud by its consolidation. \return the edge of a voxel, metres */
+/** Replaces the cloud by its consolidation.
+ * \return the edge length of a voxel, metres */
 double
 consolidate(Tool& tool, const Options& options, pcl::PointCloudFile& file)
 {
@@ -214,7 +215,7 @@ refine(Tool& tool, const Picture& picture, pcl::PointCloudFile& file)
   tellRefinement(tool, refinement.getReport());
 }
 
-/** The picture in which a cloud is to be refined; none if it is to be worked on in space. */
+/** The picture in which a cloud is refined; nothing if it is processed in space. */
 std::optional<Picture>
 pictureOfFile(const Options& options, const pcl::PointCloudFile& file)
 {

@@ -5,7 +5,7 @@ namespace {
 
 using namespace pcl::acmap;
 
-/** \brief A recording of which nothing could be read gives nothing. */
+/** \brief Throws if no frame of a recording could be read. */
 void
 requireFrames(const GrabRun& run, const GrabberOptions& options)
 {
@@ -32,7 +32,8 @@ void
 grab(Tool& tool, const GrabberOptions& options)
 {
   StepTimer timer(tool.report());
-  std::mutex drawing; // of the projector's window and of ours
+  // locks the drawing of the projector's window and of the live window
+  std::mutex drawing;
   std::optional<LiveWindow> live;
   if (options.live)
     live.emplace(drawing);

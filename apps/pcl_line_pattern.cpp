@@ -24,7 +24,8 @@ patternName(std::uint32_t index)
   return name;
 }
 
-/** \brief Patterns of an earlier run would stand among ours. */
+/** \brief Refuses a folder with patterns of an earlier run, which would mix with the
+ * new ones. */
 void
 requireNoPatterns(const OutputFolder& folder)
 {
@@ -32,7 +33,7 @@ requireNoPatterns(const OutputFolder& folder)
                 [](const std::string& name) { return name.rfind(name_start, 0) == 0; });
 }
 
-/** \brief What is told of all patterns together. */
+/** \brief Statistics over all patterns. */
 struct Totals {
   double coverage = 0;
   int redraws = 0;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace pcl::acmap;
 
-/** \brief Left-out frames are named up to here; the report names them all. */
+/** \brief Maximum number of left-out frames in warnings; the report names them all. */
 constexpr std::size_t most_named = 5;
 
 void
@@ -72,7 +72,8 @@ warnOfCameras(Tool& tool,
               "depths; --color-camera names it, --registered says that this is right");
 }
 
-/** Rooms are smaller: the numbers are not of the unit that they are taken for. */
+/** Warns of lengths that exceed rooms, since the unit of the numbers is then probably
+ * wrong. */
 void
 warnOfLengths(Tool& tool, const RgbdCameras& cameras, const RgbdImport& import)
 {
@@ -108,7 +109,7 @@ warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
               " further frames left out, the report names them");
 }
 
-/** \brief Where the colour camera is known from. */
+/** \brief Source of the colour camera's parameters. */
 std::string
 colorCameraText(const ImportOptions& options, const RgbdCameras& cameras)
 {

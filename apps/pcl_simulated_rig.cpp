@@ -20,11 +20,11 @@ namespace {
 using namespace pcl::acmap;
 using Json = nlohmann::ordered_json;
 
-/** \brief What was done with --clouds, for summary and report. */
+/** \brief Results of --clouds, for summary and report. */
 struct Counts {
   std::size_t observations = 0;
   PointCounts points;
-  std::size_t sparse = 0; ///< observations with fewer points than asked for
+  std::size_t sparse = 0; ///< observations with fewer points than requested
   std::string first_sparse;
 };
 
@@ -61,7 +61,7 @@ checkPlaces(const Tool& tool,
 void
 requireMemoryForMerging(const pcl::SimulatedScene& scene, std::size_t views)
 {
-  // coordinates, colour, view, label, and the same again as a cloud
+  // coordinates, colour, view, label, and the same for the copy as a cloud
   constexpr std::size_t bytes_per_point = 48;
   requireMemory(scene.mostPointsOfView() * views * bytes_per_point, "the merged cloud");
 }
@@ -106,7 +106,7 @@ writeObservations(Tool& tool,
   return counts;
 }
 
-/** \brief What measured, and with what noise. */
+/** \brief Reports the sensor and its noise. */
 void
 addSensor(const pcl::SimulatedScene& scene, Json& json)
 {

@@ -7,10 +7,10 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float darkest = 64; // clearly not black
+constexpr float darkest = 64; // clearly distinct from black
 constexpr float brightest = 255;
 constexpr float least_range = 1e-6F;       // px
-constexpr std::size_t cut_at_an_end = 100; // one in so many
+constexpr std::size_t cut_at_an_end = 100; // fraction 1 / 100
 
 } // namespace
 

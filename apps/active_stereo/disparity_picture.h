@@ -7,8 +7,9 @@
 
 namespace pcl::acmap {
 
-/** \brief A grey picture of disparities, 8 bits a pixel: near is bright (64 to 255), black
- * (0) has none. The greys span what was found, but for a hundredth at each end. */
+/** \brief Draws disparities as a grey picture, 8 bits per pixel: near is bright (64 to
+ * 255), black (0) means invalid. The grey levels span the disparities without the
+ * lowest and highest 1 %. */
 std::vector<std::uint8_t>
 pictureOf(const DisparityImage& disparities);
 

@@ -31,7 +31,7 @@ FrameRectifier::FrameRectifier(const std::string& path,
   catch (const BadArgumentException& fault) {
     throw InputFileException(path + ": " + fault.what());
   }
-  const double sigma = rig_.disparity_sigma; // no matter of rectification
+  const double sigma = rig_.disparity_sigma; // the rectification does not affect it
   rig_ = rectification_->getRig();
   rig_.disparity_sigma = sigma;
   for (const std::string& remark : rectification_->getReport().remarks)

@@ -10,22 +10,23 @@
 
 namespace pcl::acmap {
 
-/** \brief Makes frames ready for matching: what is rectified already stays as it is. */
+/** \brief Prepares frames for matching: rectifies them unless they are rectified
+ * already. */
 class FrameRectifier {
 public:
-  /** \brief Of rectified frames.
+  /** \brief For frames that are rectified already.
    * \throws InputFileException when the rig cannot be matched
    * \param[in] path of its file, for messages */
   FrameRectifier(const std::string& path, const TrinocularRig& rig);
 
-  /** \brief Of frames as the cameras of a file see them; those that the rig has not are
-   * not used.
+  /** \brief For unrectified frames of the cameras in a file; cameras that the rig does
+   * not have are not used.
    * \param[in] threads 0 = all
    * \throws InputFileException likewise, and when the file's cameras are missing,
    * malformed or cannot be rectified */
   FrameRectifier(const std::string& path, const TrinocularRig& rig, unsigned threads);
 
-  /** \brief Of the rectified frames. */
+  /** \brief Rig of the rectified frames. */
   const TrinocularRig&
   rig() const
   {
@@ -38,11 +39,11 @@ public:
     return rectification_.has_value();
   }
 
-  /** \brief May be called from several threads at once. */
+  /** \brief Thread-safe. */
   void
   rectify(TrinocularFrame& frame) const;
 
-  /** \brief What is odd about the cameras. */
+  /** \brief Warnings about the cameras. */
   const std::vector<std::string>&
   remarks() const
   {
@@ -55,8 +56,8 @@ private:
   std::vector<std::string> remarks_;
 };
 
-/** \brief Whether a rig's file has the cameras as they are built: the frames of a session
- * with such a file, and those of a camera, are not rectified yet.
+/** \brief Does a rig's file have unrectified cameras? The frames of a session with such
+ * a file, and those of a camera, are not rectified yet.
  * \throws InputFileException when it cannot be read */
 bool
 hasBuiltCameras(const std::string& path);

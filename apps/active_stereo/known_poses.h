@@ -23,7 +23,7 @@ public:
   Eigen::Isometry3d
   of(std::size_t observation) const;
 
-  /** \brief Writes them as the trajectory of the sequence, where there are any. */
+  /** \brief Writes them as the trajectory of the sequence, if there are any. */
   void
   save(const OutputFolder& folder) const;
 

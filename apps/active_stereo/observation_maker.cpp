@@ -29,7 +29,7 @@ ObservationMaker::ObservationMaker(const TrinocularRig& rig,
 MadeObservation
 ObservationMaker::make(const ObservationShots& shots, const ProgressCallback& progress)
 {
-  // most of the work is where shots are matched
+  // most of the time is spent in the step that does the matching
   const bool at_once = fusion_.getMethod() == DisparityFusion::Method::SpaceTime;
   const double share_of_shots = at_once ? 0.05 : 0.95;
   double begin = 0.0;
@@ -47,7 +47,7 @@ ObservationMaker::make(const ObservationShots& shots, const ProgressCallback& pr
   begin = share_of_shots;
   share = 1.0 - share_of_shots;
   fusion_.fuse(made.matched);
-  fusion_.setProgressCallback({}); // it refers to what ends here
+  fusion_.setProgressCallback({}); // the callback refers to local variables
   made.fusion = fusion_.getReport();
   projection_.project(made.matched, fusion_.getColor(), made.cloud);
   made.projection = projection_.getReport();
@@ -57,7 +57,7 @@ ObservationMaker::make(const ObservationShots& shots, const ProgressCallback& pr
 std::size_t
 disparityMemory(const TrinocularRig& rig, const SearchRange& range)
 {
-  constexpr double bytes = 4.0; // a disparity of a pair
+  constexpr double bytes = 4.0; // one disparity of a pair
   // the vertical pair has disparities in proportion to its baseline
   const double pairs =
       (std::abs(rig.baseline_horizontal) + std::abs(rig.baseline_vertical)) /

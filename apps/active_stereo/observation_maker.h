@@ -13,7 +13,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What was made of an observation's shots. */
+/** \brief Result of the shots of an observation. */
 struct MadeObservation {
   MatchedDisparity matched;
   PointCloud<PointXYZRGBSigma> cloud; ///< organized, camera frame
@@ -21,17 +21,17 @@ struct MadeObservation {
   DisparityBackProjectionReport projection;
 };
 
-/** \brief Makes the observations of one rig. */
+/** \brief Computes the observations of one rig. */
 class ObservationMaker {
 public:
   /** \param[in] threads 0 = all
-   * \throws BadArgumentException for a range that no matcher takes */
+   * \throws BadArgumentException for a range that the matcher does not support */
   ObservationMaker(const TrinocularRig& rig,
                    const SearchRange& range,
                    const StereoOptions& options,
                    unsigned threads);
 
-  /** \throws CancelledException when the callback says so */
+  /** \throws CancelledException when the callback requests it */
   MadeObservation
   make(const ObservationShots& shots, const ProgressCallback& progress);
 
@@ -40,8 +40,9 @@ private:
   DisparityBackProjection projection_;
 };
 
-/** \brief What the costs of all disparities of a rig's views take, bytes. The shots come on
- * top: how many an observation has is not known before they are read. */
+/** \brief Memory for the costs of all disparities of a rig's views, in bytes. The
+ * memory of the shots is not included: their number in an observation is not known
+ * before they are read. */
 std::size_t
 disparityMemory(const TrinocularRig& rig, const SearchRange& range);
 

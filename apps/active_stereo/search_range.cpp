@@ -12,7 +12,7 @@ namespace pcl::acmap {
 
 namespace {
 
-// what TrinocularMatching takes
+// supported by TrinocularMatching
 constexpr int fewest_disparities = 8;
 constexpr int most_disparities = 1024;
 
@@ -29,7 +29,7 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
 {
   const double longest =
       (hasCamera(rig, RigCamera::Horizontal) ? rig.width : rig.height) - 1.0;
-  // a depth's disparity is computed as a disparity's depth
+  // the conversion between depth and disparity is its own inverse
   const double from = std::floor(depthOf(rig, farthest)) - 1.0;
   if (from > longest)
     throw UsageError("--max-depth: at " + shortNumber(farthest) +

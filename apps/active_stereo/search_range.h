@@ -9,7 +9,7 @@ namespace pcl::acmap {
 /** \brief The disparities that are searched. */
 struct SearchRange {
   int least = 0; ///< px
-  int count = 0; ///< how many, from the least on
+  int count = 0; ///< number of disparities, starting at the minimum
 
   int
   most() const
@@ -18,8 +18,8 @@ struct SearchRange {
   }
 };
 
-/** \brief Disparities of all that a rig sees between two depths, a pixel more at both
- * ends; none is longer than an image, nor are they more than a matcher takes.
+/** \brief Disparities between two depths, extended by one pixel at both ends, and
+ * limited by the size of the image and the range of the matcher.
  * \param[in] rig with a neighbour
  * \param[in] nearest metres
  * \param[in] farthest metres, above the nearest

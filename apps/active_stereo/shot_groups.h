@@ -15,9 +15,9 @@ struct ObservationShots {
   std::vector<TrinocularFrame::ConstPtr> frames;
 };
 
-/** \brief Tells which frames of a stream are shots of one observation. What comes of an
- * observation after frames of another one is left out, and what is more than can be fused.
- */
+/** \brief Assigns the frames of a stream to observations. Frames of an observation that
+ * arrive after frames of another one are left out, and so are more frames than can be
+ * fused. */
 class ShotGroups {
 public:
   /** \brief Adds a frame to the shots of its observation.
@@ -26,14 +26,14 @@ public:
   bool
   add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots);
 
-  /** \brief The observation is over. */
+  /** \brief Ends the observation. */
   void
   close(const ObservationShots& shots)
   {
     done_.insert(shots.number);
   }
 
-  /** \brief What was left out. */
+  /** \brief Warnings about the frames that were left out. */
   const std::vector<std::string>&
   remarks() const
   {
@@ -45,7 +45,7 @@ private:
   leaveOut(const TrinocularFrame& frame, const std::string& reason);
 
   std::set<std::size_t> done_; // numbers of observations
-  std::set<std::int32_t> cut_; // of those with frames left out
+  std::set<std::int32_t> cut_; // observations with frames that were left out
   std::vector<std::string> remarks_;
 };
 

@@ -12,7 +12,7 @@ namespace pcl::acmap {
 namespace {
 
 /** \brief The rig of image lists: cameras without a list are not used.
- * \throws UsageError for a list of a camera that the rig has not */
+ * \throws UsageError for a list of a camera that is not in the rig */
 TrinocularRig
 rigOfLists(const StereoOptions& options)
 {
@@ -45,7 +45,7 @@ rectifierOf(const StereoOptions& options,
             bool has_cameras,
             unsigned threads)
 {
-  // a session says by its rig.yaml what its frames are
+  // the rig.yaml of a session defines if its frames are rectified
   if (options.hasLists() ? options.rectify : has_cameras)
     return FrameRectifier(options.rigPath(), rig, threads);
   return FrameRectifier(options.rigPath(), rig);
@@ -139,7 +139,7 @@ ShotSource::noteBroken()
 {
   const TrinocularFileReport report = grabber_->getReport();
   if (report.broken.size() == broken_)
-    return; // it was found when the session was opened
+    return; // already found when the session was opened
   broken_ = report.broken.size();
   remarks_.push_back(report.remarks.back());
 }

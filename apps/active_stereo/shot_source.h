@@ -13,25 +13,25 @@
 
 namespace pcl::acmap {
 
-/** \brief Gives the observations of a session, or the one of image lists, one after
- * another; what is not rectified is rectified. */
+/** \brief Reads the observations of a session, or the one of image lists, one after
+ * another, and rectifies them if they are not rectified. */
 class ShotSource {
 public:
   /** \param[in] threads 0 = all
-   * \throws InputFileException when session, rig or the image for the colours are missing
-   * or malformed, or no such rig can be rectified or matched
-   * \throws UsageError for lists of a camera that the rig has not
+   * \throws InputFileException when session, rig or the image for the colours are
+   * missing or malformed, or the rig cannot be rectified or matched
+   * \throws UsageError for lists of a camera that is not in the rig
    * \throws BadArgumentException for lists of different lengths */
   ShotSource(const StereoOptions& options, unsigned threads);
 
-  /** \brief Of the rectified frames. */
+  /** \brief Rig of the rectified frames. */
   const TrinocularRig&
   rig() const
   {
     return rectifier_.rig();
   }
 
-  /** \brief Whether the rig's file has cameras as they are built. */
+  /** \brief Does the rig's file have unrectified cameras? */
   bool
   hasCameras() const
   {
@@ -44,22 +44,23 @@ public:
     return rectifier_.isRectifying();
   }
 
-  /** \brief How many frames there are, broken ones with them. */
+  /** \brief Number of frames, including broken ones. */
   std::size_t
   frames() const
   {
     return grabber_->frames();
   }
 
-  /** \brief How many of them belong to the observations so far, or were left out. */
+  /** \brief Number of frames that belong to the observations so far, or were left
+   * out. */
   std::size_t
   passed() const
   {
     return next_ - (pending_ ? 1 : 0);
   }
 
-  /** \brief Reads the next observation. Broken frames of a session are left out, which
-   * the remarks tell.
+  /** \brief Reads the next observation. Broken frames of a session are left out and
+   * reported in the remarks.
    * \return nothing at the end
    * \throws InputFileException for an image of the lists that cannot be read */
   std::optional<ObservationShots>
@@ -70,11 +71,11 @@ public:
   std::size_t
   lastObservation() const;
 
-  /** \brief What was odd so far. */
+  /** \brief Warnings so far. */
   std::vector<std::string>
   remarks() const;
 
-  /** \brief Of the frames that could not be read so far. */
+  /** \brief Numbers of the frames that could not be read so far. */
   std::vector<std::uint64_t>
   broken() const
   {
@@ -96,9 +97,10 @@ private:
   bool has_cameras_;
   FrameRectifier rectifier_;
   std::size_t next_ = 0;
-  TrinocularFrame::ConstPtr pending_; // read, of the observation that comes next
+  // first frame of the next observation, already read
+  TrinocularFrame::ConstPtr pending_;
   ShotGroups groups_;
-  std::size_t broken_; // frames known to be
+  std::size_t broken_; // number of frames that are known to be
   std::vector<std::string> remarks_;
 };
 

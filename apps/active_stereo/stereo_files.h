@@ -8,14 +8,14 @@
 
 namespace pcl::acmap {
 
-/** \brief Refuses a folder that results would mix with.
+/** \brief Refuses a folder that already holds files with which results would mix.
  * \throws OutputFileException naming what it holds */
 void
 requireNoStereo(const OutputFolder& folder);
 
-/** \brief Writes an observation, and its disparities where they are wanted, as numbers and
- * as a picture.
- * \throws OutputFileException when a file could not be written whole */
+/** \brief Writes an observation and, if requested, its disparities as numbers and as a
+ * picture.
+ * \throws OutputFileException when a file could not be written completely */
 void
 saveResults(const OutputFolder& folder,
             const StereoOptions& options,

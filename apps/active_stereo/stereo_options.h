@@ -9,22 +9,22 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct StereoOptions {
-  std::string session; ///< folder; empty where it is none
+  std::string session; ///< folder; empty without a session
   TrinocularImageLists images;
-  std::string rig;      ///< of the lists
-  std::string color;    ///< image of the reference view; empty: of the shots
+  std::string rig;      ///< of the image lists
+  std::string color;    ///< image of the reference view; empty: colours of the shots
   bool rectify = false; ///< the lists
   std::string output;
   std::string method = "spacetime";
   double nearest = 0.5;              ///< metres
   double farthest = 10;              ///< metres
-  std::optional<double> correlation; ///< least ZNCC
+  std::optional<double> correlation; ///< minimum ZNCC
   std::optional<double> texture;     ///< grey levels, one standard deviation
-  std::string poses;                 ///< path; empty: none
+  std::string poses;                 ///< trajectory; empty: none
   bool disparity = false;
-  bool goes_on = false; ///< takes what an interrupted run left in the output
+  bool goes_on = false; ///< continue an interrupted run
 
   bool
   hasLists() const
@@ -32,29 +32,29 @@ struct StereoOptions {
     return !images.reference.empty();
   }
 
-  /** \brief Where the rig stands. */
+  /** \brief Path of the file of the rig. */
   std::string
   rigPath() const;
 
-  /** \brief All images that were named. */
+  /** \brief Paths of all images of the options. */
   std::vector<std::string>
   allImages() const;
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, StereoOptions& options);
 
-/** \brief Adds only those that say how disparities and points are found. */
+/** \brief Adds only the options for matching and for the points. */
 void
 addStereoChoices(CLI::App& app, StereoOptions& options);
 
-/** \brief Refuses options that do not go together.
+/** \brief Refuses options that exclude each other.
  * \throws UsageError naming them */
 void
 requireSense(const StereoOptions& options);
 
-/** \brief Refuses depths of which the nearest is not below the farthest.
+/** \brief Refuses a minimum depth that is not below the maximum depth.
  * \throws UsageError naming them */
 void
 requireDepthOrder(const StereoOptions& options);

@@ -13,7 +13,8 @@ using Outcomes = std::array<std::size_t, disparity_outcomes>;
 
 constexpr auto matched_index = static_cast<std::size_t>(DisparityOutcome::Matched);
 
-constexpr std::size_t most_named = 10; // findings in warnings, the report has all
+// number of remarks in warnings; the report has all
+constexpr std::size_t most_named = 10;
 
 Json
 jsonOf(const Outcomes& outcomes)
@@ -30,8 +31,8 @@ percent(double share)
   return shortNumber(100.0 * share) + " %";
 }
 
-/** \brief The nearest depth that is searched: the image, or the matcher, may not reach to
- * what was asked for. */
+/** \brief The minimum depth that is searched; it is above the requested one if image or
+ * matcher limit the disparities. */
 double
 nearestOf(const StereoOptions& options,
           const TrinocularRig& rig,

@@ -9,18 +9,18 @@
 
 namespace pcl::acmap {
 
-/** \brief What came of all observations, for summary and report. */
+/** \brief Collects the results of all observations for summary and report. */
 class StereoResults {
 public:
   void
   add(const ObservationShots& shots, const MadeObservation& made);
 
-  /** \brief Takes the \ref entries of an earlier run.
-   * \throws nlohmann::json::exception when they are something else */
+  /** \brief Adds the \ref entries of an earlier run.
+   * \throws nlohmann::json::exception when they have another form */
   void
   takeEntries(const nlohmann::ordered_json& entries);
 
-  /** \brief Whether an observation is among them. */
+  /** \brief Is an observation among the results? */
   bool
   has(std::size_t observation) const
   {
@@ -39,13 +39,13 @@ public:
     return points_;
   }
 
-  /** \throws InputFileException when there was no frame to make them of
-   * \throws NothingFound when there is no point in any */
+  /** \throws InputFileException when there was no readable frame
+   * \throws NothingFound when no observation has a point */
   void
   requireAny(Tool& tool, const StereoOptions& options, const ShotSource& source) const;
 
-  /** \brief Summary, report and warnings.
-   * \param[in] options what the user asked for
+  /** \brief Writes summary, report and warnings.
+   * \param[in] options of the user
    * \param[in] source at its end */
   void
   tell(Tool& tool,
@@ -53,26 +53,27 @@ public:
        const ShotSource& source,
        const SearchRange& range) const;
 
-  /** \brief Share of the pixels that have a disparity, in [0, 1]. */
+  /** \brief Fraction of the pixels that have a disparity, in [0, 1]. */
   double
   matchedShare() const;
 
-  /** \brief Likewise as text, in percent. */
+  /** \brief The same as text, in percent. */
   std::string
   matchedText() const;
 
-  /** \brief Why the others have none, most frequent first: "3.1 % untextured, ...". */
+  /** \brief Reasons for missing disparities, most frequent first: "3.1 % untextured,
+   * ...". */
   std::string
   rejected() const;
 
-  /** \brief For the report: of each observation its counts, in their order. */
+  /** \brief Statistics of each observation, in their order, for the report. */
   const nlohmann::ordered_json&
   entries() const
   {
     return entries_;
   }
 
-  /** \brief What was odd about the observations, as warnings. */
+  /** \brief Reports the remarks on observations as warnings. */
   void
   warnOfRemarks(Tool& tool) const;
 
@@ -80,9 +81,9 @@ private:
   void
   warn(Tool& tool, const StereoOptions& options, const ShotSource& source) const;
 
-  /** \brief A remark that several observations may have. */
+  /** \brief A remark that may apply to several observations. */
   struct Remark {
-    std::size_t first = 0; ///< number of the observation
+    std::size_t first = 0; ///< number of the first observation
     std::size_t count = 0;
   };
 

@@ -42,10 +42,10 @@ addSums(const pcl::Report& steps, pcl::Report& report)
   }
 }
 
-/** \brief The shots of an observation, and how far they bring the whole work. */
+/** \brief The shots of an observation, and the progress of the whole work. */
 struct ComingShots {
   std::optional<ObservationShots> shots;
-  double done = 0; ///< share of all frames
+  double done = 0; ///< fraction of all frames
 };
 
 ComingShots
@@ -58,7 +58,8 @@ read(ShotSource& source)
   return coming;
 }
 
-/** \brief What was finished so far, where a later run is to go on from there. */
+/** \brief Name of the file that lists the finished observations, from which a later run
+ * can continue. */
 constexpr const char* finished_name = "finished.json";
 
 void
@@ -70,8 +71,8 @@ saveFinished(const StereoResults& results, const OutputFolder& folder)
   file.commit();
 }
 
-/** \brief Puts an observation into place with the counts so far: what comes to a killed run
- * costs it no more than the next one. */
+/** \brief Moves an observation to its final place, with the statistics so far: a run
+ * that is killed loses only the observation that it was working on. */
 void
 commitObservation(const StereoOptions& options,
                   const ObservationShots& shots,
@@ -85,8 +86,9 @@ commitObservation(const StereoOptions& options,
   folder.commit();
 }
 
-/** \brief Makes the observations one after another, and reads the next one meanwhile; their
- * files are in the folder's hidden part, unless a later run is to go on from them. */
+/** \brief Computes the observations one after another, while the next one is read.
+ * Their files are in the hidden part of the folder, unless a later run is to continue
+ * from them. */
 void
 writeObservations(Tool& tool,
                   const StereoOptions& options,
@@ -152,11 +154,12 @@ finishedBefore(const StereoOptions& options)
     return results;
   }
   catch (const nlohmann::json::exception&) {
-    return {}; // damaged: all is made again
+    return {}; // damaged: everything is computed again
   }
 }
 
-/** \brief What was finished before an interruption is a whole result each.
+/** \brief Keeps the observations that were finished before an interruption; each of
+ * them is complete.
  * \throws InterruptedPartway when there is any */
 void
 keepFinished(const StereoOptions& options,

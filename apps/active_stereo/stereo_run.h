@@ -4,10 +4,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Makes the observations of a session, or the one of image lists, as files of a
- * folder: all of what pcl_active_stereo does.
- * \throws what its page tells as exit codes; InterruptedPartway when observations were
- * finished before an interruption, which are kept */
+/** \brief Computes the observations of a session, or the one of image lists, and writes
+ * them into a folder: the complete work of pcl_active_stereo.
+ * \throws according to the exit codes of its documentation page; InterruptedPartway
+ * when observations were finished before an interruption, which are kept */
 void
 makeObservations(Tool& tool, const StereoOptions& options);
 

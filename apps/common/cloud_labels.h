@@ -7,14 +7,14 @@
 
 namespace pcl::acmap {
 
-/** \brief The cloud with a uint32 field `label`, which replaces an older one: the number
- * of a plane + 1, 0 for none.
- * \param[in] planes for each point the number of its plane, -1 for none */
+/** \brief Adds a uint32 field `label` to the cloud, which replaces an existing one: the
+ * index of a plane + 1, 0 for none.
+ * \param[in] planes index of the plane of each point, -1 for none */
 PCLPointCloud2
 withLabels(PCLPointCloud2 cloud, const std::vector<std::int32_t>& planes);
 
-/** \brief The cloud in colours by its uint32 field `label`, as different as 256 can be;
- * grey where the label is 0.
+/** \brief Colours a cloud by its uint32 field `label` with 256 colours that are as
+ * different as possible; grey where the label is 0.
  * \throws UsageError when there is no such field */
 PCLPointCloud2
 coloredByLabel(PCLPointCloud2 cloud);

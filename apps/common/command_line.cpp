@@ -25,8 +25,8 @@ withDoubleDash(const std::string& argument, const CLI::App& app)
   return "--" + name + argument.substr(end);
 }
 
-/** \brief How many letters to insert, remove, replace or swap with their neighbour turn
- * one word into the other. */
+/** \brief Edit distance: number of letters to insert, remove, replace or swap with
+ * their neighbour to turn one word into the other. */
 std::size_t
 editDistance(const std::string& a, const std::string& b)
 {
@@ -46,9 +46,9 @@ editDistance(const std::string& a, const std::string& b)
   return last[b.size()];
 }
 
-/** \brief How far a word is from the name of an option; nothing where it is probably not
- * what was meant. Of words that are part of one another, the shorter one was probably
- * taken for the whole name. */
+/** \brief Distance of a word from the name of an option; nothing if it is too large for
+ * a misspelling. If one of the words is a part of the other, the shorter one probably
+ * stands for the whole name. */
 std::optional<std::size_t>
 misspelling(const std::string& word, const std::string& name)
 {
@@ -62,7 +62,7 @@ misspelling(const std::string& word, const std::string& name)
   return is_part ? std::optional(distance + name.size()) : std::nullopt;
 }
 
-/** \brief Names of the options nearest to a word, without dashes. */
+/** \brief Names of the options that are most similar to a word, without dashes. */
 std::vector<std::string>
 nearestNames(const std::string& word, const CLI::App& app)
 {
@@ -80,7 +80,7 @@ nearestNames(const std::string& word, const CLI::App& app)
   return names;
 }
 
-/** \brief Whether a word begins as options do, and negative numbers do not. */
+/** \brief Does a word begin as options do? Negative numbers do not. */
 bool
 looksLikeOption(const std::string& word)
 {
@@ -89,7 +89,8 @@ looksLikeOption(const std::string& word)
          std::isalpha(static_cast<unsigned char>(word[begin]));
 }
 
-/** \brief In the spelling of the user: dashes before the name, and underscores in it. */
+/** \brief Writes a name in the spelling of the user: with his dashes before the name,
+ * and his underscores in it. */
 std::string
 spelledAs(const std::string& word, std::string name)
 {
@@ -213,7 +214,7 @@ memorySize()
   return CLI::Validator(
       [bytes = CLI::AsSizeValue(true)](std::string& text) -> std::string {
         const std::string size = text;
-        // a sign would wrap round to a large number
+        // a negative number would wrap round to a large one
         if (text.empty() || !std::isdigit(static_cast<unsigned char>(text[0])))
           return size + " is no size such as 500MB";
         const std::string fault = bytes(text);

@@ -12,40 +12,40 @@
 namespace pcl::acmap {
 
 /** \brief Rewrites PCL's spelling of long options (`-max_edge`, `-max-edge`) to the one
- * that CLI11 knows (`--max-edge`); everything else stays as it is.
+ * that CLI11 knows (`--max-edge`); all other arguments are unchanged.
  * \param[in] arguments without the name of the program
  * \param[in] app knows the long options */
 std::vector<std::string>
 withDoubleDashes(std::vector<std::string> arguments, const CLI::App& app);
 
-/** \brief Explains options that a tool does not have, and suggests those that were
- * probably meant, with the dashes and underscores of the user.
+/** \brief Error message for options that a tool does not have, with suggestions of
+ * similar ones, in the spelling of the user.
  * \param[in] words that the parser did not recognise, with their dashes
- * \return empty where none of the words looks like an option */
+ * \return empty if none of the words looks like an option */
 std::string
 unknownOptionFault(const std::vector<std::string>& words, const CLI::App& app);
 
-/** \brief What must be given, and what may be: "pcl_tool IN [OUT] --rig RIG.yaml
- * [OPTIONS]". */
+/** \brief Usage line with required and optional arguments: "pcl_tool IN [OUT] --rig
+ * RIG.yaml [OPTIONS]". */
 std::string
 usageOf(const CLI::App& app);
 
-/** \brief Gives an option whose value may be left out the value `auto` where what follows
- * it is no value: a number or `auto`.
+/** \brief Inserts the value `auto` after an option whose value may be omitted, if the
+ * next argument is neither a number nor `auto`.
  * \param[in] name of the option, with its dashes */
 std::vector<std::string>
 withAutomaticValue(std::vector<std::string> arguments, const std::string& name);
 
-/** \brief Reads two whole numbers with a cross between them, as in 9x6; nothing where the
- * text is anything else. */
+/** \brief Reads two whole numbers with an x between them, such as 9x6; nothing if the
+ * text has another form. */
 std::optional<std::array<int, 2>>
 crossedNumbers(const std::string& text);
 
-/** \brief For help and messages: "one of paper, dense". */
+/** \brief Text for help and messages: "one of paper, dense". */
 std::string
 oneOf(const std::vector<std::string>& names);
 
-/** \brief Refuses all values but the names. */
+/** \brief Accepts only the given names. */
 CLI::Validator
 nameAmong(const std::vector<std::string>& names);
 
@@ -80,16 +80,17 @@ addChoice(CLI::App& app,
       ->check(nameAmong(names));
 }
 
-/** \brief Lets finite numbers above zero pass. */
+/** \brief Accepts finite numbers above zero. */
 CLI::Validator
 positiveNumber();
 
-/** \brief Makes a number of bytes, above zero, of a size such as 500MB (powers of ten). */
+/** \brief Converts a size such as 500MB (powers of ten) to a number of bytes above
+ * zero. */
 CLI::Validator
 memorySize();
 
-/** \brief Lets names of images pass. Without it, a list that was left empty would take the
- * next option for an image. */
+/** \brief Accepts names of images. Without it, an empty list of images would take the
+ * next option as an image. */
 CLI::Validator
 imageName();
 

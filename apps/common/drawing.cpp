@@ -10,7 +10,8 @@ namespace pcl::acmap {
 
 namespace {
 
-// Five rows of three pixels, the upper left one the highest bit; drawn twice as large.
+// Glyphs of 5 rows of 3 pixels; the upper left pixel is the highest bit. They are drawn
+// in double size.
 constexpr int glyph_rows = 5, glyph_columns = 3, glyph_scale = 2;
 constexpr std::array<std::uint16_t, 10> digits = {
     075557, 026227, 071747, 071717, 055711, 074717, 074757, 071111, 075757, 075717};
@@ -61,7 +62,7 @@ distanceToSegment(const Eigen::Vector2d& point,
   return (point - from - t * along).norm();
 }
 
-/** \brief Pixels from least to most, of a side of so many. */
+/** \brief Range of pixels, limited to an image side of that length. */
 struct Span {
   int first, last;
 };

@@ -14,7 +14,7 @@ namespace {
 std::string
 oneLine(std::string text)
 {
-  // PCL puts ": " before every message
+  // PCL begins its messages with ": "
   text.erase(0, std::min(text.find_first_not_of(": \n"), text.size()));
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -67,7 +67,7 @@ failureOf(const std::exception_ptr& error)
     return {exit_memory, memoryFault()};
   }
   catch (const std::system_error& e) {
-    // so fails a thread for whose stack there is no memory
+    // thrown when there is no memory for the stack of a thread
     if (e.code() == std::errc::resource_unavailable_try_again ||
         e.code() == std::errc::not_enough_memory)
       return {exit_memory, memoryFault()};

@@ -6,7 +6,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What a tool returns to its caller; scripts rely on these numbers. */
+/** \brief Exit codes of the tools; scripts rely on these numbers. */
 enum ExitCode {
   exit_done = 0,
   exit_failed = 1,
@@ -18,38 +18,39 @@ enum ExitCode {
   exit_interrupted = 130
 };
 
-/** \brief The tool did its work and there is nothing to write; says why. */
+/** \brief The tool finished, but there is no result to write; the message is the
+ * reason. */
 class NothingFound : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief Options that are well-formed each but not together. */
+/** \brief Each option is valid, but not their combination. */
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief The work would not fit into the memory of this machine. */
+/** \brief The work does not fit into the memory of this machine. */
 class MemoryRefused : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief The user interrupted the run, and what was finished by then is written; says
- * what. */
+/** \brief The user interrupted the run, and the results finished by then are written;
+ * the message names them. */
 class InterruptedPartway : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief How a run ended that an exception ended. */
+/** \brief Exit code and message of a run that ended with an exception. */
 struct Failure {
   ExitCode code;
-  std::string line; ///< what to tell the user, without line breaks
+  std::string line; ///< message for the user, without line breaks
 };
 
-/** \brief Sorts an exception into the exit codes. */
+/** \brief Maps an exception to an exit code. */
 Failure
 failureOf(const std::exception_ptr& error);
 

@@ -34,7 +34,7 @@ namesIn(const fs::path& folder)
   return names;
 }
 
-/** \brief The layouts of TUM, 7-Scenes and Open3D. */
+/** \brief Do the names have the layout of TUM, 7-Scenes or Open3D? */
 bool
 isRgbdFolder(const std::set<std::string>& names)
 {
@@ -117,7 +117,7 @@ kindOfFile(const std::string& path)
   return beginsAsCarmenLog(bytes) ? InputKind::CarmenLog : InputKind::Unknown;
 }
 
-/** \brief The arguments that an input of the kind is for, as "tool argument". */
+/** \brief The arguments that accept an input of the kind, as "tool argument". */
 const std::multimap<InputKind, std::string>&
 rightDoors()
 {

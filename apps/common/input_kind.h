@@ -4,13 +4,14 @@
 
 namespace pcl::acmap {
 
-/** \brief What a file or folder is, as far as its name and a look into it tell. */
+/** \brief Kind of a file or folder, judged by its name and a short look at its
+ * content. */
 enum class InputKind {
   Unknown,
   RgbdFolder,   ///< colour and depth images
-  RawSession,   ///< frames of a rig, even where the recording was not finished
-  CompactMap,   ///< folder with a map.json, and no PCD but a map.pcd
-  MergedMap,    ///< folder with a trajectory.txt, and no PCD but a map.pcd
+  RawSession,   ///< frames of a rig, also of an unfinished recording
+  CompactMap,   ///< folder with a map.json, and no PCD except map.pcd
+  MergedMap,    ///< folder with a trajectory.txt, and no PCD except map.pcd
   Observations, ///< folder of other PCDs
   Images,       ///< folder of pictures
   CarmenLog,
@@ -18,16 +19,16 @@ enum class InputKind {
   Cloud   ///< points, or a mesh
 };
 
-/** \brief Looks at endings, names and the first bytes, and never throws. */
+/** \brief Checks extensions, names and the first bytes; never throws. */
 InputKind
 inputKindOf(const std::string& path);
 
-/** \brief Advice for an input that a tool cannot use because another tool, or an option,
- * is for it.
+/** \brief Advice for an input that this tool cannot use, but another tool or option
+ * can.
  * \param[in] tool name of the program
- * \param[in] positional name of the argument that the input was given for
- * \return one sentence with a command; empty where the input is unknown, or is what the
- * argument is for */
+ * \param[in] positional name of the argument that received the input
+ * \return one sentence with a command; empty if the kind of input is unknown, or fits
+ * the argument */
 std::string
 toolForInput(const std::string& tool,
              const std::string& positional,

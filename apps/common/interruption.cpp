@@ -26,7 +26,7 @@ noteInterruptions()
   for (const int signal : signals) {
     struct sigaction before = {};
     sigaction(signal, nullptr, &before);
-    // what the caller had us ignore (nohup) stays ignored
+    // signals that the caller ignores (nohup) stay ignored
     if (before.sa_handler != SIG_IGN)
       sigaction(signal, &action, nullptr);
   }

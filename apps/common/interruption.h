@@ -2,16 +2,16 @@
 
 namespace pcl::acmap {
 
-/** \brief From now on an interruption (Ctrl-C, a polite kill, a lost terminal) is only
- * noted, so that the tool can stop cleanly; the second one ends it at once. */
+/** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
+ * recorded, so that the tool can stop cleanly; the second one ends it at once. */
 void
 noteInterruptions();
 
-/** \brief From now on an interruption ends the tool at once, as it does any program. */
+/** \brief From now on, an interruption ends the tool at once, as usual. */
 void
 obeyInterruptions();
 
-/** \brief Whether one has come. */
+/** \brief Was there an interruption? */
 bool
 interrupted();
 

@@ -9,7 +9,7 @@ using Json = nlohmann::ordered_json;
 Json
 readJson(const std::string& path)
 {
-  constexpr int deepest = 64; // copies are made by recursion
+  constexpr int deepest = 64; // copies are made recursively
   bool is_too_deep = false;
   std::ifstream file(path);
   Json json = Json::parse(

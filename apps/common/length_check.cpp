@@ -9,21 +9,24 @@
 namespace pcl::acmap {
 namespace {
 
-/** Rooms and streets are scanned denser than this, and stretch less far. */
+/** Scans of rooms and streets are denser than this, and smaller. */
 constexpr double suspicious_spacing = 0.5;
 constexpr double suspicious_extent = 1000.0;
 
-/** Not even in millimetres does a building stretch so far. */
+/** No building has this extent, not even in millimetres. */
 constexpr double absurd_extent = 1000.0 * suspicious_extent;
 
-/** Coordinates are floats; where neighbouring ones are farther apart, walls get steps. */
+/** Coordinates are floats; where their resolution is coarser than this, walls get
+ * steps. */
 constexpr double coarse_step = 0.001;
 
-/** A point this many extents away from the others belongs to no scene. */
+/** A point at this multiple of the extent from the others does not belong to the
+ * scene. */
 constexpr double far_extents = 100.0;
 
-/** A length that divides a cloud is beyond it, or leaves only few parts, in extents. Most
- * points may lie closer together than all of them. */
+/** Limits for a length that divides a cloud, in extents: above the first it exceeds the
+ * cloud, above the second it leaves only few parts. The extent is that of most points;
+ * all points may reach farther. */
 constexpr double extents_beyond = 2.0;
 constexpr double coarse_extents = 0.1;
 

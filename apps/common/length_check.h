@@ -10,10 +10,10 @@ namespace pcl::acmap {
 
 class Tool;
 
-/** \brief Where most points of a cloud lie, whatever a few strays do. */
+/** \brief Extent of most points of a cloud, robust against outliers. */
 struct CloudExtent {
-  Eigen::Vector3d least = Eigen::Vector3d::Zero(); ///< metres, 10 % quantile an axis
-  Eigen::Vector3d most = Eigen::Vector3d::Zero();  ///< metres, 90 % quantile an axis
+  Eigen::Vector3d least = Eigen::Vector3d::Zero(); ///< metres, 10 % quantile per axis
+  Eigen::Vector3d most = Eigen::Vector3d::Zero();  ///< metres, 90 % quantile per axis
   std::size_t finite_points = 0;
 
   double
@@ -26,25 +26,27 @@ struct CloudExtent {
 CloudExtent
 cloudExtent(const PointView& points);
 
-/** \brief What is odd about the lengths in a cloud, a line each: points far away from all
- * others, lengths that look like millimetres or like nothing, and places so far from the
- * origin that floats are too coarse for them.
- * \param[in] points in what the caller takes for metres
+/** \brief Warnings about the lengths in a cloud, one per line: points far away from all
+ * others, lengths that are probably in millimetres or implausible in any unit, and
+ * positions so far from the origin that the resolution of floats is too coarse.
+ * \param[in] points in what the caller assumes to be metres
  * \param[in] median_spacing between neighbouring points, in the same unit
  * \param[in] scale that was applied to the file's numbers, for the advice */
 std::vector<std::string>
 lengthRemarks(const PointView& points, double median_spacing, double scale);
 
-/** \brief Warns of what is odd about a file's lengths, as far as its spacing need not be
- * known. \param[in] file in metres, by the tool's scale */
+/** \brief Warns about the lengths of a file, without those checks that need its
+ * spacing.
+ * \param[in] file in metres, by the tool's scale */
 void
 warnOfLengths(Tool& tool, const PointCloudFile& file);
 
-/** \brief Compares a length that the user gave in metres with the cloud that it divides:
- * warns where it leaves only few parts.
+/** \brief Compares a length that the user gave in metres with the extent of the cloud
+ * that it divides: warns if only few parts are left.
  * \param[in] option its name, with its dashes
  * \param[in] points in metres
- * \throws UsageError where it is beyond the cloud, as millimetres taken for metres are */
+ * \throws UsageError if it exceeds the cloud, for example if it was given in
+ * millimetres */
 void
 requireFineLength(Tool& tool,
                   const std::string& option,

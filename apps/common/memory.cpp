@@ -29,8 +29,9 @@ namespace {
 
 constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 
-/** \brief Small blocks may go so far beyond the limit: some are taken in destructors (those of
- * nlohmann-json), where a refusal would end the process. The large ones are refused. */
+/** \brief Small blocks may exceed the limit by this amount: some are allocated in
+ * destructors (those of nlohmann-json), where a refusal would end the process. Large
+ * blocks are refused. */
 constexpr std::size_t for_small_blocks = std::size_t{1} << 20;
 
 std::size_t memory_limit = 0;
@@ -42,7 +43,7 @@ constexpr bool can_refuse = false;
 constexpr bool can_refuse = true;
 #endif
 
-/** \brief A row of one of the kernel's tables of memory, in bytes. */
+/** \brief Reads a row of one of the kernel's memory tables, in bytes. */
 std::size_t
 rowOf(const char* table, const std::string& row)
 {
@@ -55,7 +56,7 @@ rowOf(const char* table, const std::string& row)
   return unknown;
 }
 
-/** \brief What counts for the limit: all that is this process's own and can be written. */
+/** \brief Memory that counts for the limit: private writable memory of this process. */
 std::size_t
 ownMemory()
 {
@@ -78,10 +79,11 @@ startThreads(unsigned threads)
   using Clock = std::chrono::steady_clock;
   withThreads(threads, [] {
     const int all = oneapi::tbb::this_task_arena::max_concurrency();
-    // on a busy machine; one that starts later ends the process where it gets no memory
+    // on a busy machine; a thread that starts later ends the process if it gets no
+    // memory
     const auto deadline = Clock::now() + std::chrono::seconds(10);
     std::atomic<int> there = 0;
-    // each task holds its thread until all threads have one
+    // each task keeps its thread busy until all threads have started
     oneapi::tbb::parallel_for(0, all, [&](int) {
       ++there;
       while (there < all && Clock::now() < deadline)
@@ -90,7 +92,7 @@ startThreads(unsigned threads)
   });
 }
 
-/** The first refusal lifts the limit: what cleans up behind the run needs memory, too. */
+/** The first refusal lifts the limit: the cleanup after the run needs memory, too. */
 void
 refuseOnce()
 {
@@ -110,7 +112,7 @@ leftByLimit()
 {
   if (!memory_limit)
     return unknown;
-  if (!can_refuse) // and what is in use tells nothing
+  if (!can_refuse) // and the memory in use is not meaningful
     return memory_limit;
   const std::size_t taken = std::max(ownMemory(), memory_before) - memory_before;
   return memory_limit - std::min(memory_limit, taken);

@@ -5,25 +5,26 @@
 
 namespace pcl::acmap {
 
-/** \brief Largest resident memory of this process so far, in bytes. */
+/** \brief Peak resident memory of this process so far, in bytes. */
 std::size_t
 peakMemory();
 
-/** \brief From now on this process gets at most so many bytes beside those it has; asked
- * for more, it meets std::bad_alloc. Under AddressSanitizer and ThreadSanitizer, which end
- * the process then, only \ref requireMemory heeds the limit.
+/** \brief Limits the memory that this process can allocate in addition to what it has;
+ * beyond it, allocations throw std::bad_alloc. Under AddressSanitizer and
+ * ThreadSanitizer, which would end the process, only \ref requireMemory respects the
+ * limit.
  * \param[in] bytes 0 for no limit
- * \param[in] threads that work at once (0 = all cores): they are started first, since
- * a thread whose stack is refused would end the process */
+ * \param[in] threads number of worker threads (0 = all cores): they are started first,
+ * since a thread whose stack cannot be allocated would end the process */
 void
 limitMemory(std::size_t bytes, unsigned threads);
 
-/** \brief What was allowed by \ref limitMemory, 0 without a limit. */
+/** \brief The limit of \ref limitMemory, 0 without a limit. */
 std::size_t
 memoryLimit();
 
-/** \brief Lifts the limit for a while, and does not count what is taken until its end:
- * libraries that draw end the process where memory is refused. */
+/** \brief Suspends the limit during its lifetime, and does not count what is allocated
+ * meanwhile: rendering libraries end the process when an allocation fails. */
 class UnlimitedMemory {
 public:
   UnlimitedMemory();
@@ -39,15 +40,15 @@ private:
   std::size_t before_ = 0;
 };
 
-/** \brief Refuses work that there is no memory for, before it is begun: what this machine
- * has left, or the limit leaves.
- * \param[in] bytes what the work will take
- * \param[in] work what it is, for the message
+/** \brief Refuses work for which there is not enough memory before it begins, according
+ * to the free memory of this machine and the limit.
+ * \param[in] bytes needed by the work
+ * \param[in] work description, for the message
  * \throws MemoryRefused naming both amounts */
 void
 requireMemory(std::size_t bytes, const std::string& work);
 
-/** \brief "0.5 GB", for messages. */
+/** \brief Text such as "0.5 GB", for messages. */
 std::string
 gigabytes(std::size_t bytes);
 

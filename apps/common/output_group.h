@@ -8,20 +8,20 @@
 
 namespace pcl::acmap {
 
-/** \brief Files of a run that appear together: each is written into a hidden folder beside
- * its target, and \ref commit renames them all. A run that fails before leaves the old
- * files, or none. */
+/** \brief Files of a run that appear together: each is written into a hidden folder
+ * next to its target, and \ref commit renames them all. If a run fails before, existing
+ * files are unchanged and no new ones appear. */
 class OutputGroup {
 public:
   /** \brief Writes a file.
    * \param[in] path its target
-   * \param[in] save writes to the place that it is given, whose ending is the target's
-   * \throws OutputFileException of save, with the target for the place */
+   * \param[in] save writes to the given path, which has the extension of the target
+   * \throws OutputFileException of save, with the path replaced by the target */
   void
   write(const std::string& path,
         const std::function<void(const std::string& place)>& save);
 
-  /** \throws OutputFileException when a file could not be put into place */
+  /** \throws OutputFileException when a file could not be renamed */
   void
   commit();
 
@@ -29,10 +29,10 @@ private:
   struct Entry {
     explicit Entry(const std::string& path);
 
-    std::string path;   ///< as the user named it
-    std::string target; ///< with links followed
+    std::string path;   ///< as given by the user
+    std::string target; ///< with symbolic links resolved
     HiddenFolder hidden;
-    std::string place; ///< in there
+    std::string place; ///< path in the hidden folder
   };
 
   std::list<Entry> entries_;

@@ -24,7 +24,7 @@ listOf(const std::vector<std::string>& endings)
   return list;
 }
 
-/** \brief Whether two names, existing or not, stand for one file. */
+/** \brief Do two names, existing or not, refer to the same file? */
 bool
 sameFile(const std::string& a, const std::string& b)
 {

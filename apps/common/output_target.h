@@ -8,33 +8,35 @@
 
 namespace pcl::acmap {
 
-/** \brief Checks, before any work, that a result could be written there: its ending is
- * known, its folder exists and can be written to, and no input stands in its place.
+/** \brief Checks, before any work, that a result can be written to a path: its
+ * extension is known, its folder exists and is writable, and it is not the path of an
+ * input.
  * \param[in] path of the result
- * \param[in] endings legal ones, with the dot, lower case
+ * \param[in] endings legal extensions, with the dot, lower case
  * \param[in] others files of this run that the result must not replace
- * \throws OutputFileException when the place is unfit
+ * \throws OutputFileException when it cannot be written
  * \throws UsageError when it is one of the other files */
 void
 requireWritable(const std::string& path,
                 const std::vector<std::string>& endings,
                 const std::vector<std::string>& others);
 
-/** \brief Refuses a folder that holds files which new ones would mix with.
- * \param[in] is_ours whether a file of that name is one
+/** \brief Refuses a folder that holds files with which new ones would mix.
+ * \param[in] is_ours returns true for the name of such a file
  * \throws OutputFileException naming the first */
 void
 requireNoneIn(const OutputFolder& folder,
               const std::function<bool(const std::string& name)>& is_ours);
 
-/** \brief Refuses a folder that holds parts of a sequence, which new ones would mix with.
+/** \brief Refuses a folder that holds parts of a sequence, with which new ones would
+ * mix.
  * \param[in] more names that it must not hold either
  * \throws OutputFileException naming what it holds */
 void
 requireNoSequence(const OutputFolder& folder,
                   const std::vector<std::string>& more = {});
 
-/** \brief Ending of a file name with its dot, in lower case; empty without one. */
+/** \brief Extension of a file name with its dot, in lower case; empty without one. */
 std::string
 endingOf(const std::string& path);
 

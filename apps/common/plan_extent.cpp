@@ -19,11 +19,11 @@ canBeShown(const Eigen::Vector3d& in_map)
   return in_map.cwiseAbs().maxCoeff() < farthest && in_map.allFinite();
 }
 
-/** The range that holds all numbers but a few at each end. */
+/** The range of the numbers without the outermost ones at each end. */
 Eigen::Vector2d
 rangeOf(std::vector<float> values)
 {
-  constexpr std::size_t few = 500; // one in so many
+  constexpr std::size_t few = 500; // fraction 1 / 500 at each end
   const auto skipped = static_cast<std::ptrdiff_t>(values.size() / few);
   const auto least = values.begin() + skipped;
   std::nth_element(values.begin(), least, values.end());

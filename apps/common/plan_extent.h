@@ -8,13 +8,13 @@
 
 namespace pcl::acmap {
 
-/** \brief What of the XZ plane a plan shows, x to the right and z upwards. */
+/** \brief The part of the xz plane that a plan shows, x to the right and z upwards. */
 struct PlanExtent {
   Eigen::Vector2d least = Eigen::Vector2d::Zero(); ///< x, z; metres
   double pixel = 1;                                ///< metres
   int width = 1, height = 1;                       ///< pixels
 
-  /** \brief Column and row of a place. */
+  /** \brief Column and row of a point. */
   Eigen::Vector2d
   pixelOf(const Eigen::Vector3d& in_map) const
   {
@@ -23,14 +23,16 @@ struct PlanExtent {
   }
 };
 
-/** \brief What plans that are to be compared show. */
+/** \brief Collects the contents of plans, so that plans with the same extent can be
+ * compared. */
 class PlanContents {
 public:
-  /** \brief Adds points, of which the extent leaves out the few outermost ones. */
+  /** \brief Adds a point. The extent ignores the outermost points. */
   void
   addPoint(const Eigen::Vector3d& in_map);
 
-  /** \brief Adds a place that is always shown, unless it is 1e9 m off or not finite. */
+  /** \brief Adds a position that is always in the extent, unless it is farther than 1e9
+   * m or not finite. */
   void
   addPlace(const Eigen::Vector3d& in_map);
 
@@ -42,7 +44,8 @@ private:
   Eigen::AlignedBox2d places_; ///< x, z
 };
 
-/** \brief Draws a bar of a round length into the lower left corner, with its metres.
+/** \brief Draws a scale bar of a round length into the lower left corner, labelled in
+ * metres.
  * \param[in] pixel metres */
 void
 drawScaleBar(RgbImage& image, double pixel);

@@ -6,7 +6,8 @@
 namespace pcl::acmap {
 namespace {
 
-/** \brief How many bytes the character that begins there takes; 0 where none does. */
+/** \brief Number of bytes of the character that begins at an index; 0 if it is not
+ * valid. */
 std::size_t
 lengthAt(const std::string& text, std::size_t at)
 {

@@ -4,8 +4,9 @@
 
 namespace pcl::acmap {
 
-/** \brief A text as a terminal may show it: control characters, and bytes that are no
- * UTF-8, become question marks. Messages quote files, which hold anything. */
+/** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
+ * text can be printed on a terminal. Messages quote files, which may contain
+ * anything. */
 std::string
 printable(const std::string& text);
 

@@ -5,14 +5,14 @@
 
 namespace pcl::acmap {
 
-/** \brief One line on stderr that tells how far the work is and how long it will take;
- * silent when stderr is no terminal. */
+/** \brief One line on stderr with the progress and the remaining time; silent when
+ * stderr is no terminal. */
 class ProgressBar {
 public:
-  /** \param[in] wanted false for a bar that shows nothing */
+  /** \param[in] wanted false for a bar that is not shown */
   explicit ProgressBar(bool wanted);
 
-  /** \brief Wipes the line away. */
+  /** \brief Clears the line. */
   ~ProgressBar();
 
   ProgressBar(const ProgressBar&) = delete;
@@ -20,7 +20,7 @@ public:
   operator=(const ProgressBar&) = delete;
 
   /** \param[in] fraction of the work that is done, in [0, 1]
-   * \param[in] step what is being done */
+   * \param[in] step name of the current step */
   void
   show(double fraction, const std::string& step);
 
@@ -34,7 +34,7 @@ private:
 };
 
 /** \brief The text of the bar, without line ends.
- * \param[in] elapsed seconds since the work began */
+ * \param[in] elapsed seconds since the start */
 std::string
 progressLine(double fraction, const std::string& step, double elapsed);
 

@@ -10,23 +10,23 @@
 
 namespace pcl::acmap {
 
-/** \brief What a tool, or one stage of it, has to tell. */
+/** \brief The report of a tool, or of one of its stages. */
 struct Told {
   std::vector<std::pair<std::string, std::string>> lines; ///< of the summary
   nlohmann::ordered_json details = nlohmann::ordered_json::object();
   Report report; ///< seconds of each step, warnings
 };
 
-/** \brief For a report: "seconds", "summary", "warnings", "details". */
+/** \brief Report as JSON: "seconds", "summary", "warnings", "details". */
 nlohmann::ordered_json
 jsonOf(const Told& told);
 
-/** \brief What \ref jsonOf gave.
- * \throws nlohmann::json::exception when it is something else */
+/** \brief Reads the output of \ref jsonOf.
+ * \throws nlohmann::json::exception when it has another form */
 Told
 toldIn(const nlohmann::ordered_json& json);
 
-/** \brief Of all steps. */
+/** \brief Sum over all steps. */
 double
 totalSeconds(const Told& told);
 

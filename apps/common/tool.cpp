@@ -78,7 +78,7 @@ Tool::addThreads()
 void
 Tool::addSeed(std::uint64_t& seed)
 {
-  // A sign would wrap round to a large number.
+  // A negative number would wrap round to a large one.
   const auto fault = [](const std::string& text) {
     return text.rfind('-', 0) == 0 ? text + " is no whole number from 0 on"
                                    : std::string();
@@ -122,11 +122,13 @@ Tool::addLengthOrAuto(const std::string& name,
 int
 Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
 {
-  // PCL's own messages would come between ours
+  // PCL's own messages would mix with those of the tool
   console::setVerbosityLevel(console::L_ALWAYS);
-  // a file beyond the limit of its size is an error to report, not a reason to die
+  // writing beyond the limit of the file size is reported as an error, and does not end
+  // the process
   std::signal(SIGXFSZ, SIG_IGN);
-  // a reader of stdout or stderr that went away ends the tool once its files are in place
+  // if the reader of stdout or stderr is gone, the tool ends after its files are
+  // written
   pipe_action_ = std::signal(SIGPIPE, SIG_IGN);
   noteInterruptions();
   try {
@@ -140,7 +142,8 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
   }
   catch (...) {
     Failure failure = failureOf(std::current_exception());
-    if (failure.code == exit_memory) // what was odd about the input is often why
+    // warnings about the input often explain the failure
+    if (failure.code == exit_memory)
       for (const std::string& remark : told_.report.remarks)
         failure.line += "; " + remark;
     if (failure.code == exit_usage)
@@ -162,7 +165,7 @@ Tool::parse(int argc, const char* const* argv)
   arguments = withDoubleDashes(std::move(arguments), *app_);
   for (const std::string& name : automatic_options_)
     arguments = withAutomaticValue(std::move(arguments), name);
-  // CLI11 takes them from the back
+  // CLI11 takes them in reverse order
   std::reverse(arguments.begin(), arguments.end());
   try {
     app_->parse(std::move(arguments));
@@ -174,7 +177,7 @@ Tool::parse(int argc, const char* const* argv)
     return code;
   }
   catch (const CLI::ParseError& e) {
-    // an option that is not known leaves its value where an input is expected
+    // the value of an unknown option is parsed as an input
     const std::string unknown = unknownOptionFault(app_->remaining(), *app_);
     if (!unknown.empty())
       throw UsageError(unknown);

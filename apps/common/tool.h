@@ -20,18 +20,18 @@ class App;
 
 namespace pcl::acmap {
 
-/** \brief What all tools share: common options, exit codes, one line for an error,
- * progress, warnings, the summary on stdout and the report as JSON.
+/** \brief Common base of all tools: common options, exit codes, one-line error
+ * messages, progress, warnings, the summary on stdout and the report as JSON.
  *
- * A tool adds its own options, then hands its work to \ref run. */
+ * A tool adds its own options, then passes its work to \ref run. */
 class Tool {
 public:
   /** \param[in] name of the program
-   * \param[in] purpose what it does, a sentence */
+   * \param[in] purpose one sentence for the help */
   Tool(std::string name, const std::string& purpose);
   ~Tool();
 
-  /** \brief Where the tool adds its own options. */
+  /** \brief The command line, to which the tool adds its own options. */
   CLI::App&
   options()
   {
@@ -57,8 +57,9 @@ public:
                   std::optional<double>& length,
                   const std::string& description);
 
-  /** \brief Parses, works, reports; what main returns.
-   * \param[in] work throws what \ref failureOf knows */
+  /** \brief Parses the command line, does the work and reports. Returns the exit code
+   * of main.
+   * \param[in] work may throw the exceptions that \ref failureOf knows */
   int
   run(int argc, const char* const* argv, const std::function<void()>& work);
 
@@ -68,7 +69,7 @@ public:
     return threads_;
   }
 
-  /** \brief Whether nothing but errors is to be printed. */
+  /** \brief Are only errors to be printed? */
   bool
   isQuiet() const
   {
@@ -82,12 +83,12 @@ public:
     return scale_;
   }
 
-  /** \brief Checks the place of the report, if one was asked for, as
-   * \ref requireWritable does. */
+  /** \brief Checks the path of the report, if there is one, as \ref requireWritable
+   * does. */
   void
   requireReportWritable(const std::vector<std::string>& others) const;
 
-  /** \brief Where the report goes when the user asked for no other place. */
+  /** \brief Sets the default path of the report. */
   void
   setReportPlace(const std::string& path)
   {
@@ -95,7 +96,8 @@ public:
       report_path_ = path;
   }
 
-  /** \brief Calls the work with a callback that draws the bar and tells interruptions. */
+  /** \brief Calls the work with a callback that draws the progress bar and reports
+   * interruptions. */
   void
   withProgress(const std::function<void(const ProgressCallback&)>& work);
 
@@ -103,12 +105,12 @@ public:
   void
   stopIfInterrupted() const;
 
-  /** \brief Something odd that did not stop the run; told once the run has succeeded. */
+  /** \brief Adds a warning; warnings are printed once the run has succeeded. */
   void
   warn(const std::string& remark);
 
-  /** \brief A warning that is of use only now, such as that the work will take long: told at
-   * once, and in no report. */
+  /** \brief Prints a warning immediately, for example that the work will take long. It
+   * is not in the report. */
   void
   warnAtOnce(const std::string& remark) const;
 
@@ -119,40 +121,41 @@ public:
     return told_.report.remarks;
   }
 
-  /** \brief Refuses to go on: there is nothing to write. The warnings so far are joined to
-   * the reason. \throws NothingFound always */
+  /** \brief Ends the run because there is no result. The warnings so far are appended
+   * to the reason.
+   * \throws NothingFound always */
   [[noreturn]] void
   failWithNothing(std::string reason) const;
 
-  /** \brief A line of the summary on stdout. */
+  /** \brief Adds a line to the summary on stdout. */
   void
   tell(const std::string& name, const std::string& value);
 
-  /** \brief The line with the seconds of all steps so far. */
+  /** \brief Adds a line with the seconds of all steps so far to the summary. */
   void
   tellSeconds();
 
-  /** \brief What goes into the JSON report besides what the base knows. */
+  /** \brief The part of the JSON report that is specific to the tool. */
   nlohmann::ordered_json&
   details()
   {
     return told_.details;
   }
 
-  /** \brief Seconds of each step; the base adds them to the JSON report. */
+  /** \brief Seconds of each step; they are added to the JSON report. */
   Report&
   report()
   {
     return told_.report;
   }
 
-  /** \brief The report as it stands. */
+  /** \brief The complete report so far. */
   nlohmann::ordered_json
   fullReport() const;
 
-  /** \brief Keeps what a stage tells apart from what the tool told so far.
-   * \param[in] stage tells, and adds seconds, as the tool of that stage would
-   * \return what it told */
+  /** \brief Runs a stage and separates its report from that of the tool.
+   * \param[in] stage reports, and adds seconds, as the tool of that stage would
+   * \return the report of the stage */
   Told
   apart(const std::function<void()>& stage);
 
@@ -160,7 +163,7 @@ private:
   int
   parse(int argc, const char* const* argv);
 
-  /** \brief Where an input is for another tool, what to do with it; else empty. */
+  /** \brief Advice if the input is for another tool; otherwise empty. */
   std::string
   otherDoor() const;
 
@@ -186,11 +189,11 @@ private:
   bool quiet_ = false;
   std::size_t memory_limit_ = 0; // bytes; 0: none
   std::vector<std::string> command_line_;
-  void (*pipe_action_)(int) = nullptr; // what SIGPIPE did when the tool was started
+  void (*pipe_action_)(int) = nullptr; // original action of SIGPIPE
   Told told_;
 };
 
-/** \brief A number with a few significant digits, for the summary. */
+/** \brief Formats a number with a few significant digits, for the summary. */
 std::string
 shortNumber(double value);
 

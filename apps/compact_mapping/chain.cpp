@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/** \brief What egomotion says that its motions err by. */
+/** \brief Odometry noise as estimated by the egomotion. */
 OdometryNoise
 noiseOf(const Json& egomotion)
 {
@@ -35,7 +35,7 @@ namesIn(const Json& stage)
   return stage.at("posed_files").get<std::vector<std::string>>();
 }
 
-/** \brief The input as far as stages are to notice a change. */
+/** \brief The properties of the input by which stages detect a change. */
 Json
 sequenceState(const std::string& folder)
 {

@@ -12,10 +12,10 @@
 
 namespace pcl::acmap {
 
-/** \brief What a map is made of; without observations it is one cloud. */
+/** \brief Input of the map; without observations it is one cloud. */
 struct Sequence {
   std::optional<ObservationSequence> posed;
-  bool is_rectified = false; ///< whether the poses went through that stage
+  bool is_rectified = false; ///< true if the poses were rectified
 };
 
 /** \brief A stage of this run. */
@@ -23,40 +23,41 @@ struct RunStage {
   std::string name;
   Told told;
   bool is_reused = false;
-  std::vector<std::string> removed; ///< results of an earlier run that this one has not
+  /** \brief Results of an earlier run that this run does not have. */
+  std::vector<std::string> removed;
 };
 
-/** \brief The stages on the way to a compact map, each kept in a folder of its own so that
- * a later run takes what has not changed. */
+/** \brief The stages of the pipeline to a compact map. Each has a folder of its own for
+ * its results, so that a later run can reuse those that have not changed. */
 class Chain {
 public:
-  /** \param[in] folder where the stages' folders are */
+  /** \param[in] folder that holds the folders of the stages */
   Chain(Tool& tool, const ChainOptions& options, std::string folder);
 
-  /** \brief Makes what the map is made of: observations and poses.
-   * \throws InterruptedPartway telling which stages are finished
+  /** \brief Computes the input of the map: observations and poses.
+   * \throws InterruptedPartway naming the stages that are finished
    * \throws what the stages throw */
   Sequence
   sequenceFrom(StartingPoint start);
 
-  /** \brief Runs a stage, or takes what an earlier run left.
-   * \param[in] made_of its inputs and options, beside the stages before it
-   * \param[in] work makes the results, and returns their names; none: all files of the
-   * stage's folder
-   * \param[in] result_folder where they lie; empty: the stage's folder */
+  /** \brief Runs a stage, or reuses the results of an earlier run.
+   * \param[in] made_of its inputs and options, in addition to the previous stages
+   * \param[in] work computes the results, and returns their names; none: all files of
+   * the stage's folder
+   * \param[in] result_folder of the results; empty: the stage's folder */
   const Told&
   run(const std::string& name,
       nlohmann::ordered_json made_of,
       const std::function<std::vector<std::string>()>& work,
       const std::string& result_folder = {});
 
-  /** \brief Whether \ref run would take what an earlier run left. */
+  /** \brief Would \ref run reuse the results of an earlier run? */
   bool
   isFinished(const std::string& name,
              nlohmann::ordered_json made_of,
              const std::string& result_folder = {}) const;
 
-  /** \brief Where a stage keeps its results. */
+  /** \brief Folder of the results of a stage. */
   std::string
   folderOf(const std::string& stage) const;
 
@@ -67,7 +68,7 @@ public:
   }
 
 private:
-  /** \param[in] last what the stage that was interrupted leaves; may be empty */
+  /** \param[in] last what the interrupted stage has finished; may be empty */
   [[noreturn]] void
   throwInterrupted(std::string last) const;
 

@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Options that are added meanwhile stand in a group of the help. */
+/** \brief Adds options to a group of the help. */
 void
 inGroup(Tool& tool, const char* group, const std::function<void()>& add)
 {

@@ -9,14 +9,15 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for: the options of all stages. */
+/** \brief Options of the user: those of all stages. */
 struct ChainOptions {
   std::string input;
   std::string output;
   std::string truth; ///< simulated session to compare with; empty: none
   bool has_pictures = true;
   bool rectifies = true;
-  std::size_t most_points = 50000000; ///< of the map, before it is consolidated
+  /** \brief Maximum for the merged cloud, before it is consolidated. */
+  std::size_t most_points = 50000000;
   StereoOptions stereo;
   EgomotionOptions egomotion;
   RectificationOptions rectification;
@@ -24,24 +25,24 @@ struct ChainOptions {
   TextureOptions texture;
 };
 
-/** \brief Titles of the options of the stages in the help. */
+/** \brief Titles of the option groups of the stages in the help. */
 constexpr const char* stereo_group = "Stereo, for a raw session";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
 constexpr const char* rectification_group =
     "Rectification, for more than one observation";
 constexpr const char* map_group = "Map";
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, ChainOptions& options);
 
-/** \brief Refuses options that do not go together, or of a stage that the way from the
- * input to the map does not lead through.
+/** \brief Refuses options that exclude each other, or that belong to a stage that is
+ * not used for this input.
  * \throws UsageError naming them */
 void
 requireSense(Tool& tool, const ChainOptions& options, StartingPoint start);
 
-/** \brief All options of a group with what the user gave, for \ref StageFolder. */
+/** \brief All options of a group with the values of the user, for \ref StageFolder. */
 nlohmann::ordered_json
 valuesIn(Tool& tool, const std::string& group);
 

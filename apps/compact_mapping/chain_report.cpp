@@ -53,7 +53,8 @@ inOneLine(const std::vector<std::string>& names)
   return line;
 }
 
-/** \brief The folders are the chain's own; seconds have a line for all. */
+/** \brief Is a line of a step's summary left out of the overall summary? The folders
+ * belong to the chain, and there is one line for the seconds of all steps. */
 bool
 isForChain(const std::string& line)
 {
@@ -104,7 +105,7 @@ mapIsMadeOf(Tool& tool,
   else
     files = stateOfFile(options.input);
   Json values = valuesIn(tool, map_group);
-  values.erase("--no-pictures"); // told below
+  values.erase("--no-pictures"); // added below
   return {{"files", files},
           {"scale", tool.scale()},
           {"options", values},

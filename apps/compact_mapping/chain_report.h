@@ -12,9 +12,9 @@ mapIsMadeOf(Tool& tool,
             const Sequence& sequence,
             bool has_pictures);
 
-/** \brief Tells what all stages told, in summary, warnings and report, and draws
+/** \brief Writes the reports of all stages into summary, warnings and report, and draws
  * report.html.
- * \param[in] figures against the truth, if it is known
+ * \param[in] figures of the comparison with the truth, if it is known
  * \throws OutputFileException when that cannot be written */
 void
 tellChain(Tool& tool,

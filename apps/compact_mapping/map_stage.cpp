@@ -25,13 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief What the input became. */
+/** \brief Result for the input. */
 struct Mapped {
   MappedPlanes found;
   CompactMap map;
 };
 
-/** \brief Every n-th point of a map, so that a million or fewer are left to look at. */
+/** \brief Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
 thinned(const PCLPointCloud2& map)
 {
@@ -123,7 +123,7 @@ mapCloud(Tool& tool, const ChainOptions& options)
   return result;
 }
 
-/** \brief What shows the rectification goes with the map that it straightened. */
+/** \brief Copies the plots of the rectification next to the map. */
 void
 takeAlong(const Chain& chain, const OutputFolder& folder)
 {
@@ -136,7 +136,8 @@ takeAlong(const Chain& chain, const OutputFolder& folder)
   }
 }
 
-/** \brief A picture that cannot be drawn costs the pictures, not the map. */
+/** \brief Draws the pictures. A failure is reported as a warning, and the map is
+ * kept. */
 void
 drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
 {
@@ -148,7 +149,7 @@ drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
   }
 }
 
-/** \brief In the order of map.json, which has more of each. */
+/** \brief Reports the planes in the order of map.json, which has more details. */
 nlohmann::ordered_json
 jsonOf(const std::vector<PlanePatch>& planes)
 {
@@ -164,7 +165,7 @@ jsonOf(const std::vector<PlanePatch>& planes)
   return list;
 }
 
-/** \brief Which direction pictures take for up, and how far the map's frame is off it. */
+/** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
 tellUp(Tool& tool, const CompactMap& map)
 {

@@ -8,14 +8,14 @@
 
 namespace pcl::acmap {
 
-/** \brief Of less nothing is said, degrees. */
+/** \brief Minimum tilt that is reported, in degrees. */
 inline constexpr double least_tilt_told = 2;
 
-/** \brief Makes a compact map of observations, or of one cloud, and writes it with its
- * mesh, thinned points, poses and pictures, as a stage of the chain.
+/** \brief Computes a compact map of observations, or of one cloud, and writes it with
+ * its mesh, thinned points, poses and pictures, as a step of the chain.
  * \param[in] sequence the observations; without poses: one cloud, the options' input
  * \param[in,out] folder is committed
- * \return names of what was written
+ * \return names of the files
  * \throws NothingFound when there is no plane
  * \throws what its steps throw */
 std::vector<std::string>

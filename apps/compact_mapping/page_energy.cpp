@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double width = 900, height = 380; // units of the picture
+constexpr double width = 900, height = 380; // in SVG units
 constexpr double left = 70, right = 20, top = 15, bottom = 60;
 
 constexpr std::array<const char*, 6> palette = {
@@ -34,7 +34,7 @@ stepsOf(const Json& columns)
     return steps;
   const std::size_t rows = std::min({searches.size(), sizes.size(), energies.size()});
   for (std::size_t i = 0; i < rows; ++i) {
-    constexpr double most = 1e100; // differences of what is below stay finite
+    constexpr double most = 1e100; // limit, so that differences of energies stay finite
     RectificationStep step;
     step.search = searches[i].is_string() ? searches[i].get<std::string>() : "";
     step.bin_size = sizes[i].is_number() ? sizes[i].get<double>() : 0;
@@ -46,7 +46,7 @@ stepsOf(const Json& columns)
   return steps;
 }
 
-/** The searches in the order in which they began. */
+/** The searches in the order of their start. */
 std::vector<std::string>
 searchesOf(const std::vector<RectificationStep>& steps)
 {
@@ -115,7 +115,8 @@ private:
   double
   row(double energy) const
   {
-    // what leaves the picture goes on as straight as numbers of a browser allow
+    // limits lines that leave the picture, as the range of coordinates in browsers is
+    // limited
     const double shown = std::min(energy, 100 * range_.most);
     return height - bottom -
            (shown - range_.least) / range_.length() * (height - top - bottom);
@@ -157,7 +158,7 @@ private:
            label(width - right, height - 6, "end", "steps");
   }
 
-  /** A line for each run of steps that are comparable, with a dot where it begins. */
+  /** Draws a line for each run of comparable steps, with a dot at its start. */
   std::string
   curves() const
   {

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The energy over the steps of the rectification as SVG, drawn as
- * \ref energyPicture draws it, with its legend; empty where there are no steps.
+/** \brief The energy over the steps of the rectification as SVG, with a legend, in the
+ * style of \ref energyPicture; empty if there are no steps.
  * \param[in] steps columns "search", "bin_size" and "energy" */
 std::string
 energyFigure(const nlohmann::ordered_json& steps);

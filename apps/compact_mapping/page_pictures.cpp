@@ -27,7 +27,8 @@ isPng(const std::vector<std::uint8_t>& bytes)
          std::equal(std::begin(signature), std::end(signature), bytes.begin());
 }
 
-/** A browser would show half of a damaged picture, or none, without a word. */
+/** Checks the picture completely: a browser would show half of a damaged picture, or
+ * none, without a message. */
 std::string
 imageTag(const std::string& path, const std::string& description)
 {

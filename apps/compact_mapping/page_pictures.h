@@ -10,10 +10,10 @@ namespace pcl::acmap {
 std::string
 base64(const std::vector<std::uint8_t>& bytes);
 
-/** \brief A figure that holds its picture: a whole PNG; where the file is missing or
- * anything else, the figure says so instead.
+/** \brief A figure with an embedded PNG; if the file is missing or is no complete PNG,
+ * the figure says so instead.
  * \param[in] path of the file
- * \param[in] name what it is called
+ * \param[in] name title of the picture
  * \param[in] caption may be empty */
 std::string
 pictureFigure(const std::string& path,

@@ -19,7 +19,7 @@ strong(const std::string& text)
   return "<strong>" + text + "</strong>";
 }
 
-/** "31 planes", "1 plane". */
+/** Number and noun: "31 planes", "1 plane". */
 std::string
 several(double count, const std::string& noun)
 {
@@ -101,7 +101,7 @@ resultParagraph(const Json& report)
       planesSentence(report) + compactnessSentence(report) + effortSentence(report);
   if (text.empty())
     return {};
-  text.pop_back(); // the space behind the last sentence
+  text.pop_back(); // the space after the last sentence
   return "<p class=\"result\">" + text + "</p>\n";
 }
 

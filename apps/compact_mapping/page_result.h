@@ -6,12 +6,12 @@
 
 namespace pcl::acmap {
 
-/** \brief What came out, in a paragraph; empty where nothing is known. */
+/** \brief The result in a paragraph; empty if nothing is known. */
 std::string
 resultParagraph(const nlohmann::ordered_json& report);
 
-/** \brief The warnings of the run and of its stages, each once; a line where there are
- * none. */
+/** \brief The warnings of the run and of its stages, without duplicates; one line if
+ * there are none. */
 std::string
 warningBox(const nlohmann::ordered_json& report);
 

@@ -8,31 +8,32 @@
 
 namespace pcl::acmap {
 
-/** \brief What a stage took. */
+/** \brief Duration of a stage. */
 struct StageSeconds {
   std::string name;
-  bool is_reused = false; ///< then its seconds are those of an earlier run
+  bool is_reused = false; ///< its seconds are those of an earlier run
   std::vector<std::pair<std::string, double>> steps;
 
   double
   total() const;
 };
 
-/** \brief What a run took. */
+/** \brief Duration of a run. */
 struct RunSeconds {
   std::vector<StageSeconds> stages;
 
-  /** \brief Of what this run did itself. */
+  /** \brief Sum over the steps of this run, without reused ones. */
   double
   total() const;
 };
 
-/** \brief The seconds of the stages, and, as one more, those of the run that are of
- * none. */
+/** \brief The seconds of the stages; the seconds of the run outside of its stages are
+ * an additional entry. */
 RunSeconds
 secondsOfRun(const nlohmann::ordered_json& report);
 
-/** \brief Stages and their steps with a bar each; empty where no seconds are known. */
+/** \brief Table of the stages and their steps with a bar for each; empty if no seconds
+ * are known. */
 std::string
 secondsTable(const nlohmann::ordered_json& report);
 

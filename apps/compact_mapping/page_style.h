@@ -2,7 +2,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The style sheet of the report page: for screens, phones and paper. */
+/** \brief The style sheet of the report page, for screens, phones and print. */
 const char*
 pageStyle();
 

@@ -23,8 +23,8 @@ cell(const std::string& text)
   return "<td class=\"number\">" + text + "</td>";
 }
 
-/** \param[in] factor to the unit that is shown
- * \param[in] digits behind the point */
+/** \param[in] factor converts to the unit that is shown
+ * \param[in] digits after the decimal point */
 std::string
 numberCell(const Json& json, const char* name, double factor, int digits)
 {
@@ -32,8 +32,8 @@ numberCell(const Json& json, const char* name, double factor, int digits)
   return cell(number ? fixedText(factor * *number, digits) : unknown);
 }
 
-/** "1.0000 x - 0.0024 y + 0.0000 z - 1.2100 = 0", with true minus signs; a line may break
- * before a sign only. */
+/** Equation such as "1.0000 x - 0.0024 y + 0.0000 z - 1.2100 = 0", with typographic
+ * minus signs; a line may only break before a sign. */
 std::string
 equationOf(const Json& plane)
 {
@@ -42,7 +42,8 @@ equationOf(const Json& plane)
     return unknown;
   constexpr std::array<const char*, 4> factors = {
       "\xC2\xA0x", "\xC2\xA0y", "\xC2\xA0z", ""};
-  constexpr int digits = 4; // of the normal 0.006 degrees, of the offset 0.1 mm
+  // resolution: 0.006 degrees for the normal, 0.1 mm for the offset
+  constexpr int digits = 4;
   std::string text;
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (!coefficients[i].is_number() || !std::isfinite(coefficients[i].get<double>()))
@@ -61,7 +62,7 @@ equationOf(const Json& plane)
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-/** A table of names and values, which are HTML. */
+/** A table of names and values, which are already HTML. */
 std::string
 tableOf(const Rows& rows)
 {

@@ -10,11 +10,11 @@ namespace pcl::acmap {
 std::string
 planesTable(const nlohmann::ordered_json& report);
 
-/** \brief The figures against a known truth; empty where there is none. */
+/** \brief The comparison with a known truth; empty if there is none. */
 std::string
 truthTable(const nlohmann::ordered_json& report);
 
-/** \brief What each stage told; empty where none told anything. */
+/** \brief The summary of each stage; empty if there is none. */
 std::string
 summaryTables(const nlohmann::ordered_json& report);
 

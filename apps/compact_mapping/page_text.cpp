@@ -13,8 +13,8 @@ namespace {
 constexpr const char* replacement = "\xEF\xBF\xBD"; // U+FFFD
 constexpr const char* minus = "\xE2\x88\x92";       // U+2212
 
-/** Of the well-formed character that begins at a byte; 0 where there is none. Neither long
- * forms nor halves of UTF-16 pairs are well-formed. */
+/** Length of the well-formed character that begins at a byte; 0 if there is none.
+ * Overlong forms and surrogates are not well-formed. */
 std::size_t
 characterLength(const std::string& text, std::size_t at)
 {
@@ -69,7 +69,7 @@ printed(const char* format, int digits, double value)
   return text.data();
 }
 
-/** Commas between the thousands of the digits before the point. */
+/** Inserts commas between groups of three digits before the decimal point. */
 std::string
 grouped(std::string digits)
 {
@@ -85,7 +85,7 @@ withMinus(const std::string& text)
 {
   if (text.empty() || text[0] != '-')
     return text;
-  // nothing is left of what was rounded to zero
+  // a number that was rounded to zero has no sign
   const bool is_zero = text.find_first_of("123456789") == std::string::npos;
   return is_zero ? text.substr(1) : minus + text.substr(1);
 }
@@ -130,7 +130,8 @@ shellText(const std::vector<std::string>& arguments)
 std::string
 numberText(double value)
 {
-  constexpr double most_grouped = 1e15; // whole numbers of a double end there
+  // whole numbers are not exact in a double beyond this
+  constexpr double most_grouped = 1e15;
   const double size = std::abs(value);
   if (size >= 999.5 && size < most_grouped)
     return withMinus(grouped(printed("%.*f", 0, value)));

@@ -5,30 +5,32 @@
 
 namespace pcl::acmap {
 
-/** \brief A text for HTML, between tags as well as in quoted attributes. Bytes that are
- * no UTF-8, and control characters, become U+FFFD. */
+/** \brief Escapes a text for HTML, for use between tags and in quoted attributes.
+ * Invalid UTF-8 and control characters become U+FFFD. */
 std::string
 htmlText(const std::string& text);
 
-/** \brief A command line for a shell, which gives the same arguments again. */
+/** \brief Quotes arguments as a command line for a shell. */
 std::string
 shellText(const std::vector<std::string>& arguments);
 
-/** \brief A finite number with three significant digits, or all before the point;
- * thousands are grouped. */
+/** \brief Formats a finite number with three significant digits, or all digits before
+ * the decimal point; thousands are grouped. */
 std::string
 numberText(double value);
 
-/** \brief A finite number with so many digits behind the point, and a minus sign as the
- * printers know it. */
+/** \brief Formats a finite number with a fixed number of decimals and a typographic
+ * minus sign. */
 std::string
 fixedText(double value, int digits);
 
-/** \brief "0.25 s", "12.3 s", "3 min 05 s". \param[in] seconds finite */
+/** \brief Formats a duration: "0.25 s", "12.3 s", "3 min 05 s".
+ * \param[in] seconds finite */
 std::string
 secondsText(double seconds);
 
-/** \brief "813 bytes", "1.2 MB", with powers of thousand. \param[in] bytes finite */
+/** \brief Formats a size: "813 bytes", "1.2 MB", with powers of 1000.
+ * \param[in] bytes finite */
 std::string
 bytesText(double bytes);
 

@@ -9,27 +9,28 @@
 
 namespace pcl::acmap {
 
-/** \brief A field of an object; null where there is none, or no object. */
+/** \brief A field of an object; null if it is missing, or if the value is no object. */
 const nlohmann::ordered_json&
 fieldOf(const nlohmann::ordered_json& json, std::string_view name);
 
-/** \brief A field that is a finite number. */
+/** \brief A field that is a finite number; nothing if it is none. */
 std::optional<double>
 numberOf(const nlohmann::ordered_json& json, const std::string& name);
 
-/** \brief A field that is a text; an empty one where it is none. */
+/** \brief A field that is a string; empty if it is none. */
 std::string
 textOf(const nlohmann::ordered_json& json, const std::string& name);
 
-/** \brief The texts of a field that is a list. */
+/** \brief The strings of a field that is a list. */
 std::vector<std::string>
 textsOf(const nlohmann::ordered_json& json, const std::string& name);
 
-/** \brief A field of the details of the last stage that has it, else null. */
+/** \brief A field of the details of the last stage that has it, otherwise null. */
 const nlohmann::ordered_json&
 detailOf(const nlohmann::ordered_json& report, std::string_view name);
 
-/** \brief Of such a field: the number, or how many are in the list. */
+/** \brief The value of such a field if it is a number, or the length if it is a
+ * list. */
 std::optional<double>
 countOf(const nlohmann::ordered_json& report, const std::string& name);
 

@@ -26,7 +26,8 @@ titleOf(const Json& report)
   return input.empty() ? "Compact map" : "Compact map of " + htmlText(input);
 }
 
-/** The policy keeps a browser from fetching anything, whatever the page holds. */
+/** The content security policy prevents a browser from loading anything, whatever the
+ * page contains. */
 std::string
 head(const Json& report)
 {

@@ -6,17 +6,17 @@
 
 namespace pcl::acmap {
 
-/** \brief The report of a run of the whole chain as a page for a browser, which needs no
- * other file and no network: result, warnings, pictures, energies, tables, seconds.
+/** \brief The report of a run of the whole chain as an HTML page, which needs no other
+ * file and no network: result, warnings, pictures, energies, tables, seconds.
  *
- * What the report does not tell, the page leaves out.
+ * Values that are missing in the report are left out.
  * \param[in] report as the chain writes it into report.json
- * \param[in] picture_folder where the files of its "pictures" are */
+ * \param[in] picture_folder folder of the files in its "pictures" */
 std::string
 reportPage(const nlohmann::ordered_json& report, const std::string& picture_folder);
 
 /** \brief Writes \ref reportPage into a file.
- * \throws OutputFileException when it could not be written whole */
+ * \throws OutputFileException when it could not be written completely */
 void
 saveReportPage(const std::string& path,
                const nlohmann::ordered_json& report,

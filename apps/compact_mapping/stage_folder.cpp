@@ -23,9 +23,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* state_name = "stage.json";
 
-/** What the folder's stage.json tells.
- * \return a discarded value where it is missing or damaged
- * \throws OutputFileException when a newer acmap wrote it, which knows what it is for */
+/** Reads stage.json of the folder.
+ * \return a discarded value if it is missing or damaged
+ * \throws OutputFileException when a newer version of acmap wrote it */
 Json
 readState(const fs::path& folder)
 {
@@ -46,7 +46,7 @@ dumped(const Json& json, int indent)
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/** As it comes back from a file, where bytes that are no text were replaced. */
+/** The JSON as it is read back from a file, with invalid UTF-8 replaced. */
 Json
 asWritten(const Json& json)
 {
@@ -79,7 +79,7 @@ StageFolder::finished() const
     return toldIn(state.at("told"));
   }
   catch (const nlohmann::json::exception&) {
-    return std::nullopt; // damaged, or another version's
+    return std::nullopt; // damaged, or written by another version
   }
 }
 
@@ -141,9 +141,9 @@ StageFolder::abandon() const
 {
   std::error_code ignored;
   if (!earlierResults().empty())
-    return; // a later run is to know whose they are
+    return; // a later run must know which results it may replace
   fs::remove_all(path_, ignored);
-  fs::remove(fs::path(path_).parent_path(), ignored); // fails where others lie in it
+  fs::remove(fs::path(path_).parent_path(), ignored); // fails if it is not empty
 }
 
 void

@@ -11,34 +11,36 @@
 
 namespace pcl::acmap {
 
-/** \brief A folder with stage.json: of which inputs and options its stage's results are.
+/** \brief A folder with a stage.json, which records the inputs, options and results of
+ * a stage.
  *
- * A run that comes later takes them instead of making them again, as long as inputs, options
- * and results are what they were. Files are compared by name, size and time. */
+ * A later run reuses the results as long as inputs, options and results are unchanged.
+ * Files are compared by name, size and time. */
 class StageFolder {
 public:
   /** \param[in] path of the folder
-   * \param[in] made_of inputs and options, as \ref stateOf and the like give them
-   * \param[in] result_folder where the results lie; empty: in it */
+   * \param[in] made_of inputs and options, as returned by \ref stateOf and similar
+   * functions
+   * \param[in] result_folder folder of the results; empty: this folder */
   StageFolder(std::string path,
               nlohmann::ordered_json made_of,
               std::string result_folder = {});
 
-  /** \brief What the stage told when it was finished; nothing when it has to be run. */
+  /** \brief The report of the stage if it is finished; nothing if it has to be run. */
   std::optional<Told>
   finished() const;
 
-  /** \brief Makes the folder ready for a run: empty, but for what an interrupted run of
-   * the same left to go on from.
-   * \throws OutputFileException when it cannot be made or emptied, or holds what is not of
-   * a stage */
+  /** \brief Prepares the folder for a run: empties it, except for results from which an
+   * interrupted run with the same inputs can be continued.
+   * \throws OutputFileException when it cannot be created or emptied, or holds files
+   * that do not belong to a stage */
   void
   begin() const;
 
-  /** \brief Notes that the results are whole, and removes those of an earlier run that
-   * have no successor.
+  /** \brief Records that the results are complete, and removes results of an earlier
+   * run that were not replaced.
    * \param[in] names of the result files
-   * \return names of what was removed
+   * \return names of the removed files
    * \throws OutputFileException */
   std::vector<std::string>
   finish(const Told& told, const std::vector<std::string>& names) const;
@@ -47,8 +49,8 @@ public:
   std::vector<std::string>
   finish(const Told& told) const;
 
-  /** \brief Removes the folder, and what it lies in where that is empty by then: nothing
-   * in it is of use. It stays where it tells whose the results elsewhere are. */
+  /** \brief Removes the folder, and its parent if that is then empty. The folder is
+   * kept if it records results of earlier runs in another folder. */
   void
   abandon() const;
 
@@ -62,21 +64,21 @@ private:
   bool
   isInterrupted() const;
 
-  /** \brief States of the results of the runs before, as stage.json has them. */
+  /** \brief States of the results of earlier runs, as in stage.json. */
   nlohmann::ordered_json
   earlierResults() const;
 
-  /** \throws OutputFileException when the folder holds what no run put there */
+  /** \throws OutputFileException when the folder holds files that no run wrote */
   void
   requireNoStrangers(const nlohmann::ordered_json& earlier) const;
 
-  /** \brief Empties the folder, but for what tells whose the results elsewhere are until a
-   * new state does. */
+  /** \brief Empties the folder except for stage.json, which records the owner of
+   * results elsewhere until it is replaced. */
   void
   removeAllButState(std::error_code& error) const;
 
-  /** \brief Removes results of the runs before that this one has not, as far as nobody has
-   * changed them.
+  /** \brief Removes results of earlier runs that this run does not have, unless they
+   * were changed since.
    * \return their names */
   std::vector<std::string>
   removeStale(const std::vector<std::string>& names) const;
@@ -92,21 +94,21 @@ private:
   std::string result_folder_;
 };
 
-/** \brief Names of the regular files of a folder that are not hidden, in order.
+/** \brief Names of the regular files of a folder that are not hidden, sorted.
  * \throws InputFileException when it cannot be listed */
 std::vector<std::string>
 filesIn(const std::string& folder);
 
-/** \brief Names, sizes and times of files, by which it is told whether they have changed; a
- * file that is missing has neither. */
+/** \brief Names, sizes and times of files, by which changes are detected; a missing
+ * file has only a name. */
 nlohmann::ordered_json
 stateOf(const std::string& folder, const std::vector<std::string>& names);
 
-/** \brief The same of one file. */
+/** \brief The same for one file. */
 nlohmann::ordered_json
 stateOfFile(const std::string& path);
 
-/** \brief A few letters that stand for a text of any length. */
+/** \brief A short hash of a JSON text. */
 std::string
 fingerprint(const nlohmann::ordered_json& json);
 

@@ -34,7 +34,7 @@ hasPoses(const ObservationSequence& sequence, bool skip_broken)
         throw;
     }
   }
-  return readable < 2; // nothing to be told apart
+  return readable < 2; // a single pose cannot differ from others
 }
 
 } // namespace

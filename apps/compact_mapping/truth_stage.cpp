@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief The mapped of the map; observations that it left out have no pose in it.
- * \param[in] before a row for each observation of the folder */
+/** \brief The trajectory of the map, without observations that the map left out.
+ * \param[in] before one row per observation of the folder */
 MappedTrajectory
 trajectoryOf(const ObservationSequence& posed,
              const Trajectory& before,

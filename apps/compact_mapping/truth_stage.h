@@ -6,10 +6,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Compares the finished map of a sequence with the session it shows.
+/** \brief Compares the finished map of a sequence with the ground truth of its session.
  * \param[in] sequence with poses
  * \throws InputFileException when an observation has no true pose, or a result of the
- * chain cannot be read again */
+ * chain cannot be read */
 MapFigures
 compareMap(const ChainOptions& options,
            const Chain& chain,

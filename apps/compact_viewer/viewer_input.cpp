@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** What cannot be told is not there; who reads it says why. */
+/** Does a path exist? If that cannot be determined, reading it later gives the
+ * reason. */
 bool
 isThere(const fs::path& path)
 {
@@ -72,7 +73,7 @@ loadMeshOf(const fs::path& folder, ViewerInput& input)
   input.scene.mesh = std::move(mesh.mesh);
 }
 
-/** \brief Number of points that name a view without a pose. */
+/** \brief Number of points whose view has no pose. */
 std::size_t
 pointsOfNoPose(const LayeredScene& scene)
 {
@@ -88,7 +89,7 @@ pointsOfNoPose(const LayeredScene& scene)
   return count;
 }
 
-/** \brief The poses before rectification, where there is one for each after it. */
+/** \brief Loads the poses before rectification, if there are as many as after it. */
 void
 loadPosesBefore(const fs::path& folder, ViewerInput& input)
 {

@@ -31,7 +31,7 @@ struct ViewerOptions {
 void
 addOptions(Tool& tool, ViewerOptions& options);
 
-/** \throws UsageError for options that make no sense */
+/** \throws UsageError for options that exclude each other */
 LayeredView
 viewOf(const ViewerOptions& options);
 

@@ -15,8 +15,8 @@ std::optional<ChannelOrder>
 channelOrderOf(const std::string& text);
 
 /** \brief Sets mode, rate, shutter, gain, trigger and channel order.
- * \throws UsageError, BadArgumentException for what cannot be
- * \throws CameraException for what this camera cannot do */
+ * \throws UsageError, BadArgumentException for illegal values
+ * \throws CameraException for settings that this camera does not support */
 void
 setUpCamera(DigiclopsGrabber& grabber, const GrabberOptions& options);
 

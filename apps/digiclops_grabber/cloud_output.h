@@ -11,14 +11,14 @@
 
 namespace pcl::acmap {
 
-/** \brief Makes the device's frames ready for matching.
+/** \brief Creates the rectifier of the device's frames.
  * \param[in] threads 0 = all
  * \throws InputFileException when the rig cannot be matched or rectified */
 FrameRectifier
 rectifierOf(const GrabberOptions& options, const Device& device, unsigned threads);
 
-/** \brief The observations of a run as point clouds, as pcl_active_stereo makes them of a
- * session. Their files are in the folder's hidden part until \ref commit. */
+/** \brief The observations of a run as point clouds, as pcl_active_stereo computes them
+ * for a session. Their files are in the folder's hidden part until \ref commit. */
 class CloudOutput {
 public:
   /** \throws OutputFileException when the folder cannot be written to, or holds
@@ -27,9 +27,9 @@ public:
    * \throws MemoryRefused */
   CloudOutput(Tool& tool, const GrabberOptions& options, const Device& device);
 
-  /** \brief Makes a cloud, and writes it where a folder is wanted.
-   * \param[in] shots as the device gave them
-   * \throws CancelledException when the callback says so */
+  /** \brief Computes a cloud, and writes it if there is an output folder.
+   * \param[in] shots as received from the device
+   * \throws CancelledException when the callback requests it */
   PointCloud<PointXYZRGBSigma>::ConstPtr
   make(ObservationShots shots, const ProgressCallback& progress);
 
@@ -42,7 +42,7 @@ public:
   void
   commit();
 
-  /** \brief Lines of the summary and the report. */
+  /** \brief Writes lines of the summary and the report. */
   void
   tell(Tool& tool) const;
 

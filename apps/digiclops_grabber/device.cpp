@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float fastest = 1000; // frames a second that a recording gives
+constexpr float fastest = 1000; // frames per second of a recording
 
 Device
 openRecording(const GrabberOptions& options)

@@ -10,14 +10,14 @@
 
 namespace pcl::acmap {
 
-/** \brief What gives the frames: a camera, or a recording in its place. */
+/** \brief The source of the frames: a camera, or a recording. */
 struct Device {
   shared_ptr<DigiclopsGrabber> camera;         ///< null for a recording
   shared_ptr<TrinocularFileGrabber> recording; ///< null for a camera
-  TrinocularRig rig;                           ///< of the frames
+  TrinocularRig rig;                           ///< rig of the frames
 
-  /** \brief The cameras as they are built, where the rig's file has them: frames are then
-   * not rectified. */
+  /** \brief The unrectified cameras, if the rig's file has them: frames are then not
+   * rectified. */
   std::optional<RigCalibration> cameras;
 
   TrinocularGrabber&
@@ -26,22 +26,22 @@ struct Device {
   shared_ptr<TrinocularGrabber>
   framesPointer() const;
 
-  /** \brief Bytes of the images of a frame, at most. */
+  /** \brief Maximum number of bytes of the images of a frame. */
   std::size_t
   frameBytes() const;
 };
 
-/** \brief Opens the device, and sets a camera as the user wishes.
+/** \brief Opens the device, and applies the settings of the user to a camera.
  * \throws NothingFound when there is no such camera
  * \throws CameraException when it cannot be opened or set
- * \throws UsageError, BadArgumentException for settings that no camera takes
+ * \throws UsageError, BadArgumentException for settings that no camera supports
  * \throws InputFileException when rig or recording cannot be read */
 Device
 openDevice(const GrabberOptions& options);
 
-/** \brief A line for each camera on the USB.
+/** \brief Prints one line per camera on the USB.
  * \throws NothingFound when there is none
- * \throws CameraException when there is no USB to look at */
+ * \throws CameraException when USB is not available */
 void
 listCameras(Tool& tool);
 

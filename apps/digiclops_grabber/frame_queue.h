@@ -10,23 +10,25 @@
 
 namespace pcl::acmap {
 
-/** \brief Frames on their way from a grabber's thread to the one that works with them. */
+/** \brief Queue of frames between a grabber's thread and the thread that processes
+ * them. */
 class FrameQueue {
 public:
-  /** \param[in] most frames that may wait, at least 1 */
+  /** \param[in] most maximum number of waiting frames, at least 1 */
   explicit FrameQueue(std::size_t most);
 
-  /** \brief Adds a frame; waits while there are too many. Once the queue is closed, the
+  /** \brief Adds a frame; blocks while the queue is full. Once the queue is closed, the
    * frame is dropped. */
   void
   push(const TrinocularFrame::ConstPtr& frame);
 
-  /** \brief Takes the first frame.
-   * \return null when none came in time */
+  /** \brief Removes the first frame.
+   * \return null after a timeout */
   TrinocularFrame::ConstPtr
   pop(std::chrono::milliseconds timeout);
 
-  /** \brief No frame is added any more, and nobody waits; those that are there stay. */
+  /** \brief Closes the queue: no frame is added any more, and waiting threads return.
+   * Frames in the queue are kept. */
   void
   close();
 
@@ -38,7 +40,8 @@ private:
   bool is_closed_ = false;
 };
 
-/** \brief How many frames may wait: some seconds of a stream, while the disk is busy. */
+/** \brief Maximum number of waiting frames: some seconds of a stream, while the disk is
+ * busy. */
 std::size_t
 queueLength(std::size_t frame_bytes);
 

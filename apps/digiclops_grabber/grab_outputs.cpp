@@ -138,7 +138,7 @@ GrabOutputs::keepSession()
     session_->recorder().finish();
   }
   catch (const OutputFileException&) {
-    // frames can be read without it, and what went wrong before is told
+    // frames can be read without it, and the earlier error is reported
   }
   return "; frames recorded by then, in " + options_.session + ": " +
          std::to_string(session_->recorder().frames());

@@ -12,8 +12,8 @@
 
 namespace pcl::acmap {
 
-/** \brief All that a run writes. Session and clouds tell the same: an observation is
- * recorded when it is whole, and then its cloud is made. */
+/** \brief All outputs of a run. Session and clouds are consistent: an observation is
+ * recorded when it is complete, and then its cloud is computed. */
 class GrabOutputs {
 public:
   using SeeCloud =
@@ -21,29 +21,30 @@ public:
 
   /** \param[in] see is called with each cloud; may be empty
    * \throws as \ref SessionOutput and \ref CloudOutput
-   * \throws UsageError for one folder twice */
+   * \throws UsageError if both have the same folder */
   GrabOutputs(Tool& tool,
               const GrabberOptions& options,
               const Device& device,
               SeeCloud see);
 
-  /** \brief Takes a frame; that of another observation closes the one before. */
+  /** \brief Adds a frame; the first frame of another observation closes the one
+   * before. */
   void
   take(const TrinocularFrame::ConstPtr& frame, const ProgressCallback& progress);
 
-  /** \brief The observation is whole: its frames are recorded, its cloud is made.
+  /** \brief Closes the observation: records its frames, and computes its cloud.
    * \throws OutputFileException, CancelledException */
   void
   close(const ProgressCallback& progress);
 
-  /** \brief How many were closed. */
+  /** \brief Number of closed observations. */
   std::size_t
   observations() const
   {
     return observations_;
   }
 
-  /** \brief Number of the observation whose frames come. */
+  /** \brief Number of the current observation. */
   std::optional<std::size_t>
   openObservation() const;
 
@@ -51,21 +52,21 @@ public:
   std::optional<std::uintmax_t>
   written() const;
 
-  /** \brief Bytes that are left on the disk that is written to. */
+  /** \brief Free bytes on the disk of the outputs. */
   std::optional<std::uintmax_t>
   free() const;
 
-  /** \brief All is there: puts it into place.
-   * \throws NothingFound when there is no point in any cloud; the session stays */
+  /** \brief Completes the outputs and moves them to their final place.
+   * \throws NothingFound when there is no point in any cloud; the session is kept */
   void
   finish();
 
-  /** \brief Keeps what is whole after an error, and throws it again, with what was
-   * kept. */
+  /** \brief Keeps complete outputs after an error, and rethrows it with a note about
+   * what was kept. */
   [[noreturn]] void
   keep(const std::exception_ptr& error);
 
-  /** \brief Lines of the summary and the report. */
+  /** \brief Writes lines of the summary and the report. */
   void
   tell() const;
 
@@ -84,10 +85,11 @@ private:
   SeeCloud see_;
   std::optional<CloudOutput> clouds_;
   std::optional<SessionOutput> session_;
-  std::vector<TrinocularFrame::ConstPtr> open_; // of one observation
+  std::vector<TrinocularFrame::ConstPtr> open_; // frames of the current observation
   ShotGroups groups_;
   std::size_t observations_ = 0;
-  std::map<std::string, double> seconds_; // of each step, of all observations
+  // seconds of each step, summed over all observations
+  std::map<std::string, double> seconds_;
 };
 
 } // namespace pcl::acmap

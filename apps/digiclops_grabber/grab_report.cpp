@@ -8,7 +8,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_named = 10; // findings in warnings, the report has all
+// number of remarks in warnings; the report has all
+constexpr std::size_t most_named = 10;
 
 void
 tellRecording(Tool& tool, const GrabberOptions& options, const Device& device)

@@ -5,9 +5,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Lines of summary and report about device and projector.
- * \param[in] projection null without
- * \param[in] frames that came */
+/** \brief Writes lines of summary and report about device and projector.
+ * \param[in] projection null if there is none
+ * \param[in] frames number of received frames */
 void
 tellDevice(Tool& tool,
            const GrabberOptions& options,

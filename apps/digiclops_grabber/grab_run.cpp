@@ -45,7 +45,8 @@ GrabRun::listenTo(TrinocularGrabber& grabber)
   connection_ = grabber.registerCallback(queue);
 }
 
-/** Frames that wait stay. A grabber that waits for room in the queue could not stop. */
+/** Closes the queue first, since a grabber that waits for room in the queue could not
+ * stop. Frames in the queue are kept. */
 void
 GrabRun::end()
 {
@@ -54,7 +55,7 @@ GrabRun::end()
     grabber_->stop();
 }
 
-/** Uses frames until the stream is over and none waits. */
+/** Processes frames until the stream is over and the queue is empty. */
 void
 GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
 {
@@ -80,7 +81,7 @@ GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
     std::rethrow_exception(grabber_->getError());
 }
 
-/** Likewise; nothing but an error or the user ends the stream early. */
+/** Likewise; only an error or the user ends the stream early. */
 void
 GrabRun::pumpAll(const UseFrame& use)
 {

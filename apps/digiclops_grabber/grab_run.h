@@ -12,10 +12,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Brings frames from the device to the outputs. */
+/** \brief Moves frames from the device to the outputs. */
 class GrabRun {
 public:
-  /** \param[in] live null without a window; all outlive it */
+  /** \param[in] live null without a window; all arguments outlive this object */
   GrabRun(Tool& tool,
           const GrabberOptions& options,
           const Device& device,
@@ -23,31 +23,32 @@ public:
           StatusLine& status,
           LiveWindow* live);
 
-  /** \brief No callback of a grabber comes any more. */
+  /** \brief Afterwards no callback of a grabber is called. */
   ~GrabRun();
 
   GrabRun(const GrabRun&) = delete;
   GrabRun&
   operator=(const GrabRun&) = delete;
 
-  /** \brief All observations of a recording, or as many as are wanted. */
+  /** \brief Processes all observations of a recording, or the requested number. */
   void
   passRecording();
 
-  /** \brief Frames of the camera, one after another, until the user's end. */
+  /** \brief Processes frames of the camera, one after another, until the user ends
+   * it. */
   void
   passStream();
 
-  /** \brief Observations of camera and projector. */
+  /** \brief Processes observations of camera and projector. */
   void
   passObservations(PatternSequenceGrabber& sequence);
 
-  /** \brief All is done: lets the user look until the window is closed, or an
+  /** \brief After the work: shows the window until it is closed, or until an
    * interruption. */
   void
   waitForWindow();
 
-  /** \brief That came so far. */
+  /** \brief Number of received frames. */
   std::size_t
   frames() const
   {
@@ -88,13 +89,13 @@ private:
   GrabOutputs& outputs_;
   StatusLine& status_;
   LiveWindow* live_;
-  std::optional<PatternNeed> need_; // where it may end an observation
+  std::optional<PatternNeed> need_; // set if observations may end early
   FrameQueue queue_;
   TrinocularGrabber* grabber_ = nullptr;
   boost::signals2::connection connection_;
   std::size_t frames_ = 0;
-  std::size_t shots_ = 0;  // of the observation that is taken
-  std::size_t wanted_ = 0; // observations, 0: all
+  std::size_t shots_ = 0;  // of the current observation
+  std::size_t wanted_ = 0; // number of observations, 0: all
 };
 
 } // namespace pcl::acmap

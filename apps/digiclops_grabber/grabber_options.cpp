@@ -12,8 +12,9 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double longest_wait = 86400;       // seconds, a day
-constexpr std::uint32_t most_patterns = 255; // that are fused with a shot without one
+constexpr double longest_wait = 86400; // seconds, one day
+// maximum for fusion, with a shot without a pattern
+constexpr std::uint32_t most_patterns = 255;
 
 CLI::Option*
 addNumberOrAuto(CLI::App& app,
@@ -213,7 +214,7 @@ requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
                           : "; " + options.device + " is no folder with a recording"));
   if (!options.isStream()) {
     refuse(app, for_stream, "is for a stream of frames, --patterns 0");
-    // Both are measured with shots of their own, for which nobody triggers.
+    // Both are measured with additional shots, for which there is no external trigger.
     if (options.trigger == "external" &&
         (options.settle.is_auto || options.channel_order == "auto"))
       throw UsageError("--trigger external with patterns needs --channel-order, and "

@@ -10,18 +10,18 @@
 
 namespace pcl::acmap {
 
-/** \brief A number, the word `auto`, or what was there before. */
+/** \brief A number, the word `auto`, or the current value. */
 struct NumberOrAuto {
   std::optional<double> number;
   bool is_auto = false;
 };
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct GrabberOptions {
   bool list = false;
-  std::string device; ///< as \ref openUsbBus takes it, or folder of a recording
+  std::string device; ///< name for \ref openUsbBus, or folder of a recording
   std::string rig;    ///< of a camera
-  std::string clouds; ///< folder for observations; empty: none
+  std::string clouds; ///< folder for observations; empty: not written
   std::string session;
   bool live = false;
 
@@ -30,12 +30,13 @@ struct GrabberOptions {
   std::size_t frames = 0;      ///< of a stream; 0: no end
   double seconds = 0;          ///< of a stream; 0: no end
 
-  PatternOptions pattern; ///< patterns may be 0; output and size are not used
-  std::string display;    ///< of the projector
-  NumberOrAuto settle;    ///< seconds
+  /** \brief The number of patterns may be 0; output and size are not used. */
+  PatternOptions pattern;
+  std::string display; ///< display of the projector
+  NumberOrAuto settle; ///< seconds
   bool early = false;
 
-  std::string mode;     ///< `FORMAT:MODE`; empty: by the rig
+  std::string mode;     ///< `FORMAT:MODE`; empty: chosen by the rig
   double rate = 14;     ///< Hz
   NumberOrAuto shutter; ///< seconds
   NumberOrAuto gain;    ///< dB
@@ -44,27 +45,27 @@ struct GrabberOptions {
 
   StereoOptions stereo;
 
-  /** \brief Whether the device is the folder of a recording. */
+  /** \brief Is the device the folder of a recording? */
   bool
   isRecording() const;
 
-  /** \brief Whether frames are streamed without a projector. */
+  /** \brief Are frames streamed without a projector? */
   bool
   isStream() const
   {
     return !isRecording() && pattern.patterns == 0;
   }
 
-  /** \brief Where the rig stands. */
+  /** \brief Path of the file of the rig. */
   std::string
   rigPath() const;
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, GrabberOptions& options);
 
-/** \brief Refuses options that do not go together.
+/** \brief Refuses options that exclude each other.
  * \throws UsageError naming them */
 void
 requireSense(Tool& tool, const GrabberOptions& options);

@@ -33,11 +33,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds between_pictures(100);
 constexpr int window_width = 1120;
 constexpr int window_height = 720;
-constexpr double images_from = 0.71; // share of the width that the cloud has
-constexpr double ahead = 3.0;        // metres, what the view turns about
-constexpr double view_angle = 55.0;  // degrees, up and down: more than a rig sees
+constexpr double images_from = 0.71; // the cloud takes this fraction of the width
+constexpr double ahead = 3.0;        // metres, centre of rotation of the view
+// degrees, vertical: more than the field of view of a rig
+constexpr double view_angle = 55.0;
 
-/** \brief A new picture of an image, its first row at the top. */
+/** \brief A VTK image of a camera image, its first row at the top. */
 vtkSmartPointer<vtkImageData>
 pictureOf(const CameraImage& image)
 {
@@ -107,7 +108,7 @@ struct LiveWindow::Window {
     stage->AddActor(points);
     stage->SetViewport(0, 0, images_from, 1);
     stage->SetBackground(0.10, 0.11, 0.13);
-    // behind the camera, as it sees: x right, y down
+    // behind the camera, in its direction of view: x right, y down
     stage->GetActiveCamera()->SetPosition(0, 0, -1);
     stage->GetActiveCamera()->SetFocalPoint(0, 0, ahead);
     stage->GetActiveCamera()->SetViewUp(0, -1, 0);
@@ -138,7 +139,7 @@ struct LiveWindow::Window {
     corners[i]->GetActiveCamera()->SetParallelScale(0.5 * image.height);
   }
 
-  DisplayConnection connection; // as long as VTK draws
+  DisplayConnection connection; // needed as long as VTK draws
   std::mutex& drawing;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderWindowInteractor> interactor;
@@ -162,7 +163,7 @@ LiveWindow::~LiveWindow() = default;
 void
 LiveWindow::show(const TrinocularFrame& frame)
 {
-  // most frames of a stream are gone before anybody has seen them
+  // most frames of a stream are replaced before they could be seen
   if (Clock::now() - window_->last < between_pictures)
     return;
   const std::lock_guard lock(window_->drawing);

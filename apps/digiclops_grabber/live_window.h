@@ -11,12 +11,12 @@
 
 namespace pcl::acmap {
 
-/** \brief A window with the last cloud, and beside it the last images, small. Used by one
- * thread. One that the user closes shows nothing any more. */
+/** \brief A window with the last cloud, and next to it the last images in small size.
+ * Used by one thread. After the user has closed it, nothing is shown any more. */
 class LiveWindow {
 public:
-  /** \param[in] drawing is held while something is drawn; outlives it
-   * \throws InitFailedException with advice when no X server answers */
+  /** \param[in] drawing is locked during drawing; outlives the window
+   * \throws InitFailedException with advice when there is no X server */
   explicit LiveWindow(std::mutex& drawing);
   ~LiveWindow();
 
@@ -24,19 +24,19 @@ public:
   LiveWindow&
   operator=(const LiveWindow&) = delete;
 
-  /** \brief Takes the images of a frame; the next \ref update draws them. */
+  /** \brief Sets the images of a frame; the next \ref update draws them. */
   void
   show(const TrinocularFrame& frame);
 
-  /** \brief Takes a cloud in the camera's frame. */
+  /** \brief Sets a cloud in the camera's frame. */
   void
   show(const PointCloud<PointXYZRGBSigma>& cloud);
 
-  /** \brief Draws what is new, heeds the mouse; not more often than the eye sees. */
+  /** \brief Draws new data and processes mouse events, at a limited rate. */
   void
   update();
 
-  /** \brief Whether the user has closed it. */
+  /** \brief Has the user closed it? */
   bool
   isClosed() const;
 

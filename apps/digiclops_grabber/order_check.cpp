@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds surely_settled(700);
 
-/** \brief No longer than until the user interrupts it. */
+/** \brief Waits while a condition holds, or until the user interrupts it. */
 template <typename Condition>
 void
 waitWhile(const Tool& tool, const Condition& condition)

@@ -10,10 +10,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Takes shots under patterns, in which there are corners everywhere, until the
- * grabber is certain of the order of its channels, three at most; tells it, or warns where
- * it stays uncertain.
- * \throws CameraException when a shot cannot be had
+/** \brief Takes up to three shots under patterns, which provide corners everywhere,
+ * until the grabber is certain of the order of its channels. Reports the order, or
+ * warns if it remains uncertain.
+ * \throws CameraException when a shot fails
  * \throws CancelledException when the user interrupted it */
 void
 checkOrder(Tool& tool,

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks(50);
 
-/** \brief What was typed, up to Enter; nothing as long as nobody has. */
+/** \brief Returns the line that was typed, up to Enter; nothing if there is none
+ * yet. */
 std::optional<std::string>
 typedLine()
 {

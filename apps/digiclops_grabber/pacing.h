@@ -8,27 +8,28 @@
 
 namespace pcl::acmap {
 
-/** \brief What begins the next observation: a clock, the Enter key, or nothing. */
+/** \brief Decides when the next observation begins: by a clock, by the Enter key, or
+ * immediately. */
 class Pacing {
 public:
-  /** \param[in] every seconds from begin to begin; none: the key, where standard input
-   * is a terminal */
+  /** \param[in] every seconds from start to start; none: wait for the key, if standard
+   * input is a terminal */
   explicit Pacing(const std::optional<double>& every);
 
-  /** \brief Whether the key is waited for. */
+  /** \brief Does it wait for the key? */
   bool
   asks() const
   {
     return asks_;
   }
 
-  /** \brief An observation begins. */
+  /** \brief Marks the start of an observation. */
   void
   begin();
 
   /** \brief Waits for the next one.
-   * \param[in] idle is called now and then; may throw
-   * \return false when the user wants no more: q, or the end of the input */
+   * \param[in] idle is called repeatedly; may throw
+   * \return false when the user ends the run: q, or the end of the input */
   bool
   wait(const std::function<void()>& idle);
 

@@ -7,7 +7,7 @@ namespace pcl::acmap {
 PatternNeed::PatternNeed(FrameRectifier rectifier)
 : rectifier_(std::move(rectifier))
 {
-  // it only counts what the patterns cover, and matches nothing
+  // only counts the pixels that the patterns cover; nothing is matched
   fusion_.setMethod(DisparityFusion::Method::SpaceTime);
   fusion_.setInputRig(rectifier_.rig());
 }

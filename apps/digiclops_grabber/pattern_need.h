@@ -9,13 +9,14 @@
 
 namespace pcl::acmap {
 
-/** \brief Tells, shot by shot, whether an observation needs a further pattern. */
+/** \brief Decides, shot by shot, if an observation needs a further pattern. */
 class PatternNeed {
 public:
   /** \param[in] rectifier of the camera's frames */
   explicit PatternNeed(FrameRectifier rectifier);
 
-  /** \brief Takes a shot under a pattern, as the camera gave it. */
+  /** \brief Adds a shot under a pattern, as received from the camera. Returns true if a
+   * further pattern is needed. */
   bool
   wantsMoreAfter(const TrinocularFrame& frame);
 

@@ -10,8 +10,8 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double usual_settle_time = 0.1; // seconds
-constexpr double shot_timeout = 5;        // seconds, beyond exposure
-constexpr double external_timeout = 60;   // seconds; who triggers may take his time
+constexpr double shot_timeout = 5;        // seconds, in addition to the exposure
+constexpr double external_timeout = 60; // seconds; an external trigger may take longer
 
 std::vector<RgbImage>
 drawPatterns(Tool& tool, PatternOptions pattern, const MonitorPlace& monitor)
@@ -99,7 +99,7 @@ openProjection(Tool& tool,
   GuardedWindow& window = *projection.window;
   std::vector<RgbImage> patterns =
       drawPatterns(tool, options.pattern, window.getMonitor());
-  // of fewer cameras the order cannot be found out
+  // with fewer cameras the order cannot be determined
   if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
     checkOrder(tool, *device.camera, window, patterns, status);
   const double settle = settleTime(tool, options, device, projection.window, status);

@@ -11,11 +11,11 @@
 
 namespace pcl::acmap {
 
-/** \brief A projector's monitor, used while nobody else draws: Xlib is for one thread at a
- * time. */
+/** \brief A projector's monitor, which is used only while no other thread draws, since
+ * Xlib is not thread-safe. */
 class GuardedWindow : public PatternProjector {
 public:
-  /** \param[in] drawing is held while something is drawn; outlives it */
+  /** \param[in] drawing is locked during drawing; outlives the window */
   GuardedWindow(std::mutex& drawing, std::size_t monitor, const std::string& display);
 
   const MonitorPlace&
@@ -35,17 +35,18 @@ private:
   PatternWindow window_;
 };
 
-/** \brief The projector with its patterns, and the camera in step with it. */
+/** \brief The projector with its patterns, and the grabber that synchronises the camera
+ * with it. */
 struct Projection {
   shared_ptr<GuardedWindow> window;
   shared_ptr<PatternSequenceGrabber> sequence;
 };
 
-/** \brief Opens the projector, draws the patterns, finds out what is left to find out: the
- * order of the channels, the time to settle.
+/** \brief Opens the projector, draws the patterns, and measures the order of the
+ * channels and the settle time if they are unknown.
  * \throws BadArgumentException, IOException as \ref PatternWindow
  * \throws MemoryRefused when the patterns do not fit
- * \throws CameraException when a shot cannot be had
+ * \throws CameraException when a shot fails
  * \throws CancelledException when the user interrupted it */
 Projection
 openProjection(Tool& tool,

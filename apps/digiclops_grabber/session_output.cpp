@@ -21,7 +21,7 @@ SessionOutput::~SessionOutput()
 {
   if (recorder_->frames() > 0)
     return;
-  // what a failed run leaves would be in the way of the next one
+  // files of a failed run would block the next one
   std::error_code error;
   for (const char* const name : {"session.yaml", "rig.yaml"})
     fs::remove(fs::path(folder_) / name, error);

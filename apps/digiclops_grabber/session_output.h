@@ -10,7 +10,7 @@
 
 namespace pcl::acmap {
 
-/** \brief The raw session of a run; one that got no frame is taken away again. */
+/** \brief The raw session of a run; it is removed if no frame was received. */
 class SessionOutput {
 public:
   /** \throws OutputFileException as \ref TrinocularRecorder */

@@ -80,7 +80,7 @@ StatusLine::show(const std::string& text)
     return;
   last_ = Clock::now();
   is_shown_ = true;
-  // a line that breaks could not be written again
+  // a line that wraps could not be overwritten
   std::fprintf(stderr, "\r%s\x1b[K", text.substr(0, columns() - 1).c_str());
 }
 

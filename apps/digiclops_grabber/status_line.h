@@ -7,45 +7,44 @@
 
 namespace pcl::acmap {
 
-/** \brief What is told while frames come. */
+/** \brief Status of the acquisition. */
 struct GrabStatus {
-  std::string doing;                       ///< say `observation 2, shot 5`
+  std::string doing;                       ///< for example `observation 2, shot 5`
   std::optional<double> frames_per_second; ///< of a camera
   std::size_t frames = 0;
   std::size_t lost = 0;
   std::size_t broken = 0;
-  std::optional<std::uintmax_t>
-      written;                        ///< bytes on the disk; none: nothing is recorded
-  std::optional<std::uintmax_t> free; ///< bytes that are left there
+  std::optional<std::uintmax_t> written; ///< bytes on the disk; none: not recorded
+  std::optional<std::uintmax_t> free;    ///< free bytes on the disk
 };
 
-/** \brief It as a line, without line ends. */
+/** \brief The status as one line, without line ends. */
 std::string
 statusText(const GrabStatus& status);
 
-/** \brief One line on stderr that is written again and again; silent when stderr is no
+/** \brief One line on stderr that is updated repeatedly; silent when stderr is no
  * terminal. */
 class StatusLine {
 public:
-  /** \param[in] wanted false for one that shows and notes nothing */
+  /** \param[in] wanted false for a line that prints nothing */
   explicit StatusLine(bool wanted);
 
-  /** \brief Wipes the line away. */
+  /** \brief Clears the line. */
   ~StatusLine();
 
   StatusLine(const StatusLine&) = delete;
   StatusLine&
   operator=(const StatusLine&) = delete;
 
-  /** \brief Whether it is time for another text. */
+  /** \brief Is it time for an update? */
   bool
   isDue() const;
 
-  /** \brief As much of it as the terminal has room for. */
+  /** \brief Shows a text, truncated to the width of the terminal. */
   void
   show(const std::string& text);
 
-  /** \brief A line that stays, whatever stderr is. */
+  /** \brief Prints a line that stays, also if stderr is no terminal. */
   void
   note(const std::string& text);
 

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Some logs have one stamp for all scans. */
+/** Do the stamps increase? Some logs have the same stamp for all scans. */
 bool
 grow(const std::vector<double>& stamps)
 {

@@ -43,7 +43,7 @@ shownRange(std::vector<double> heights)
   if (heights.empty())
     return {0, 1};
   std::sort(heights.begin(), heights.end());
-  const std::size_t left_out = heights.size() / 40; // none of few
+  const std::size_t left_out = heights.size() / 40; // zero if there are few
   const double most = heights[heights.size() - 1 - left_out];
   const double spare = std::max(0.05 * most, 1e-6);
   return {-0.5 * spare, most + spare};

@@ -6,16 +6,17 @@
 
 namespace pcl::acmap {
 
-/** \brief Is the energy of both the same function of the poses? Only within one search
- * and size of bins it is. */
+/** \brief Are the energies of both the same function of the poses? This holds only
+ * within one search and bin size. */
 bool
 areComparable(const RectificationStep& a, const RectificationStep& b);
 
-/** \brief Each step's energy above the lowest of its kind; NaN where it is not finite. */
+/** \brief Energy of each step above the minimum of the comparable steps; NaN if it is
+ * not finite. */
 std::vector<double>
 energiesAboveLowest(const std::vector<RectificationStep>& steps);
 
-/** \brief What a picture of the energies shows. */
+/** \brief Range of energies in a picture. */
 struct EnergyRange {
   double least, most;
 
@@ -26,7 +27,7 @@ struct EnergyRange {
   }
 };
 
-/** \brief From 0 to what all but the highest ones are below.
+/** \brief A range that includes 0 and all but the highest values.
  * \param[in] heights of \ref energiesAboveLowest */
 EnergyRange
 shownRange(std::vector<double> heights);

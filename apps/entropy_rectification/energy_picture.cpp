@@ -37,7 +37,7 @@ public:
             height - bottom - (y - y_.least) / y_.length() * (height - top - bottom)};
   }
 
-  /** Cut off at the frame's upper edge, beyond which lines may go. */
+  /** Draws a line, clipped at the upper edge of the frame. */
   void
   draw(Eigen::Vector2d from, Eigen::Vector2d to, double line_width, const Color& color)
   {
@@ -78,7 +78,7 @@ private:
     return roundLength(range.length() / 4);
   }
 
-  /** \param[in] share of the text that lies left of the place */
+  /** \param[in] share fraction of the text that is left of the position */
   void
   label(const Eigen::Vector2d& place, double value, double share)
   {

@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief The energy over the steps of the search, a colour for each search. Energies
- * are comparable within one search and size of bins only: each is drawn above the
- * lowest of its kind, and a line is broken where the kind changes. Those far above the
- * others leave the picture. */
+/** \brief Plots the energy over the steps of the search, with one colour per search.
+ * Energies are comparable only within one search and bin size: each is plotted relative
+ * to the minimum of the comparable steps, and the line is interrupted between them.
+ * Much higher energies are clipped. */
 RgbImage
 energyPicture(const std::vector<RectificationStep>& steps);
 

@@ -7,12 +7,13 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double steepest = 0.7071;  // cosine of 45 degrees
-constexpr double alike = 0.9962;     // cosine of 5 degrees
-constexpr double least_share = 0.02; // of all points, that floors make up
+constexpr double steepest = 0.7071; // cosine of 45 degrees
+constexpr double alike = 0.9962;    // cosine of 5 degrees
+// minimum fraction of the points that are on floors
+constexpr double least_share = 0.02;
 constexpr std::size_t most_tried = 300;
 
-/** Normals of what may be floor or ceiling, turned to y > 0. */
+/** Normals of possible floors or ceilings, flipped to y > 0. */
 std::vector<Eigen::Vector3f>
 floorNormals(const MapObservations& observations, std::size_t& points)
 {
@@ -30,7 +31,7 @@ floorNormals(const MapObservations& observations, std::size_t& points)
   return normals;
 }
 
-/** Number and sum of the normals like this one. */
+/** Number and sum of the normals similar to this one. */
 std::pair<std::size_t, Eigen::Vector3f>
 gather(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3f& like)
 {

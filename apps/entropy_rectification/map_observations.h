@@ -13,35 +13,35 @@
 
 namespace pcl::acmap {
 
-/** \brief What is to be rectified, from whichever input. */
+/** \brief The observations to be rectified, from any kind of input. */
 struct MapObservations {
-  Trajectory trajectory;          ///< as it came
-  std::vector<std::string> files; ///< names of the observations; none of a log
+  Trajectory trajectory;          ///< from the input
+  std::vector<std::string> files; ///< names of the observations; empty for a log
 
-  /** \brief The points by which observations are compared, each with its normal (NaN
-   * where it has none); sensor frame, metres. */
+  /** \brief The points by which observations are compared, each with its normal (NaN if
+   * there is none); sensor frame, metres. */
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
 
-  /** \brief How much surface each of them stands for. */
+  /** \brief Surface area that each of these points represents. */
   std::vector<std::vector<float>> weights;
 
-  /** \brief An observation as it was measured; sensor frame, metres.
+  /** \brief Loads an observation as measured; sensor frame, metres.
    * \throws InputFileException when it can no longer be read */
   std::function<std::shared_ptr<const PointCloudFile>(std::size_t)> load;
 
-  std::size_t points = 0; ///< finite ones, as measured
-  bool colored = false;   ///< has an observation that has colours
+  std::size_t points = 0; ///< finite measured points
+  bool colored = false;   ///< true if an observation has colours
 };
 
-/** \brief Reads a folder and consolidates each observation for itself, as a step of the
+/** \brief Reads a folder and consolidates each observation separately, as a step of the
  * tool.
- * \param[in] skip_broken observations that cannot be read are left out and named
- * \throws InputFileException when an observation cannot be read and none may be skipped, or
- * none has a pose */
+ * \param[in] skip_broken observations that cannot be read are left out and reported
+ * \throws InputFileException when an observation cannot be read and none may be
+ * skipped, or none has a pose */
 MapObservations
 readObservations(Tool& tool, const ObservationSequence& sequence, bool skip_broken);
 
-/** \brief Reads each Nth scan of a CARMEN log, as a step of the tool.
+/** \brief Reads every n-th scan of a CARMEN log, as a step of the tool.
  * \throws InputFileException as loadCarmenLog */
 MapObservations
 readScans(Tool& tool, const std::string& log, std::size_t every);

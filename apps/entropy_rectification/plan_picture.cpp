@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The number of points of a pixel that counts as black. */
+/** The number of points per pixel that is shown as black. */
 double
 blackCount(std::vector<std::uint32_t> counts)
 {
@@ -48,7 +48,7 @@ PlanPicture::draw(const std::vector<Eigen::Isometry3d>& poses, const Color& colo
   RgbImage image = whiteImage(extent_.width, extent_.height);
   const double black_count = blackCount(counts_);
   const double scale = 1 / std::log1p(black_count);
-  // dense clouds are shown in stronger contrast, so that walls stand out from floors
+  // dense clouds are shown with more contrast, so that walls stand out from floors
   const double contrast = std::clamp(0.5 + 0.5 * std::log10(black_count), 1.0, 2.0);
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     const double share = std::min(1.0, scale * std::log1p(counts_[i]));

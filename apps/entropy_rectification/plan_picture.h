@@ -9,17 +9,17 @@
 
 namespace pcl::acmap {
 
-/** \brief A map from above: how many points lie over each pixel. */
+/** \brief A map from above: the number of points per pixel. */
 class PlanPicture {
 public:
   explicit PlanPicture(const PlanExtent& extent);
 
-  /** \brief Counts a point; one outside of the extent, or not finite, is left out. */
+  /** \brief Counts a point, unless it is outside of the extent or not finite. */
   void
   add(const Eigen::Vector3d& in_map);
 
-  /** \brief The points as darkness, by the logarithm of their number, the way of the
-   * sensor as a line with a mark at its begin, and a scale bar. */
+  /** \brief Draws the logarithm of the number of points as darkness, the trajectory of
+   * the sensor as a line with a mark at its start, and a scale bar. */
   RgbImage
   draw(const std::vector<Eigen::Isometry3d>& poses, const Color& color) const;
 
@@ -28,7 +28,7 @@ private:
   std::vector<std::uint32_t> counts_;
 };
 
-/** \brief Two plans of one extent beside each other. */
+/** \brief Two plans of the same extent side by side. */
 RgbImage
 beside(const RgbImage& left, const RgbImage& right);
 

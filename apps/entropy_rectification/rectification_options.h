@@ -10,22 +10,23 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct RectificationOptions {
   std::string folder; ///< of posed observations; empty with a log
-  std::string log;    ///< CARMEN's; empty with a folder
+  std::string log;    ///< CARMEN log; empty with a folder
   std::string output;
-  std::size_t every = 1; ///< scan of the log
+  std::size_t every = 1; ///< step between the scans of the log
   RectificationMode mode = RectificationMode::Guarded;
   std::uint64_t seed = 1;
   OdometryNoise odometry;
-  bool has_odometry_noise = false;      ///< whether the user told it
+  bool has_odometry_noise = false;      ///< true if the user set it
   std::optional<double> asked_bin_size; ///< metres
   bool write_observations = false;
-  bool write_map = true;    ///< map.pcd, all points
-  bool skip_broken = false; ///< observations that cannot be read are left out
+  bool write_map = true;    ///< write map.pcd with all points
+  bool skip_broken = false; ///< leave out observations that cannot be read
 
-  /** \brief Metres: cameras see walls nearer and finer than laser scanners do. */
+  /** \brief Bin size, metres: smaller for cameras, which see walls from a shorter
+   * distance and in more detail than laser scanners. */
   double
   binSize() const
   {
@@ -40,11 +41,11 @@ struct RectificationOptions {
   }
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, RectificationOptions& options);
 
-/** \brief Adds only those that say how a map is rectified. */
+/** \brief Adds only the options for the rectification. */
 void
 addRectificationChoices(Tool& tool, RectificationOptions& options);
 
@@ -53,7 +54,7 @@ addRectificationChoices(Tool& tool, RectificationOptions& options);
 void
 requireInput(const RectificationOptions& options);
 
-/** \brief Its name on the command line. */
+/** \brief Name of a mode on the command line. */
 const char*
 nameOf(RectificationMode mode);
 

@@ -15,7 +15,7 @@ namespace {
 
 using Poses = std::vector<Eigen::Isometry3d>;
 
-/** The poses in a frame whose xz plane is the floor. */
+/** Transforms the poses to a frame whose xz plane is the floor. */
 Poses
 alongFloor(const Eigen::Vector3d& floor, Poses poses)
 {
@@ -26,7 +26,7 @@ alongFloor(const Eigen::Vector3d& floor, Poses poses)
   return poses;
 }
 
-/** Of all poses and points, before and after. */
+/** Extent of all poses and points, before and after. */
 PlanExtent
 extentOf(const MapObservations& observations, const Poses& before, const Poses& after)
 {

@@ -9,15 +9,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Writes what the run is for: trajectory.txt, trajectory_before.txt, map.pcd,
- * plan_before.png, plan_after.png, plan.png, energy.png and, where asked for, the
+/** \brief Writes the results: trajectory.txt, trajectory_before.txt, map.pcd,
+ * plan_before.png, plan_after.png, plan.png, energy.png and, if requested, the
  * observations.
  * \param[in] poses rectified, T_map_camera
  * \param[in] floor its normal, y > 0: plans are drawn along it
  * \param[in] steps of the search
  * \throws OutputFileException when one could not be written
  * \throws InputFileException when an observation can no longer be read
- * \throws MemoryRefused when this machine has too little for the map */
+ * \throws MemoryRefused when this machine has not enough memory for the map */
 void
 writeOutputs(Tool& tool,
              const RectificationOptions& options,

@@ -37,7 +37,7 @@ jsonOf(const MapEvidence& evidence)
           {"orthogonal_variance", evidence.orthogonal_variance}};
 }
 
-/** By columns, as there may be thousands. */
+/** The steps as columns, since there may be thousands of them. */
 nlohmann::ordered_json
 jsonOf(const std::vector<RectificationStep>& steps)
 {
@@ -89,7 +89,7 @@ largestOf(const std::vector<double>& values)
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/** A share of rays before and after, in %. */
+/** Fraction of rays before and after, in %. */
 std::string
 change(double before, double after, bool is_new)
 {

@@ -5,8 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief The outcome as lines of the summary, as parts of the JSON report and, where
- * it is Refused or Undetermined, as a warning. */
+/** \brief Reports the outcome as lines of the summary, in the JSON report and, if it is
+ * Refused or Undetermined, as a warning. */
 void
 tellOutcome(Tool& tool,
             const RectificationOptions& options,

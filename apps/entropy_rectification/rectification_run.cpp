@@ -48,8 +48,8 @@ posesOf(const Rectification& rectification)
   return poses;
 }
 
-/** \brief Whether all poses turn about y only and have the same height, as motions on a
- * floor leave them. */
+/** \brief Do all poses have the same height, and rotate about y only, as for motions on
+ * a floor? */
 bool
 areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
 {

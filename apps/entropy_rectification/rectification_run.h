@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Rectifies a map and writes it into a folder: all of what
- * pcl_entropy_rectification does.
+/** \brief Rectifies a map and writes it into a folder: the complete work of
+ * pcl_entropy_rectification.
  * \param[in] posed the observations; none: the scans of the options' log
- * \throws what its page tells as exit codes */
+ * \throws according to the exit codes of its documentation page */
 void
 rectifyPoses(Tool& tool,
              const RectificationOptions& options,

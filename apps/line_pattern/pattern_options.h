@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct PatternOptions {
   std::string output; ///< folder, or a picture for a single pattern
   std::string size = "1024x768";
@@ -23,21 +23,22 @@ struct PatternOptions {
   double hold = 2; ///< seconds
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, PatternOptions& options);
 
-/** \brief Adds only those that say what the lines of a pattern look like. */
+/** \brief Adds only the options for the lines of a pattern. */
 void
 addPatternLook(CLI::App& app, PatternOptions& options);
 
-/** \brief Looks at them together: is it a folder or a picture?
- * \throws UsageError when they make no sense together */
+/** \brief Checks the options together, and decides if the output is a folder or a
+ * picture.
+ * \throws UsageError when they exclude each other */
 void
 settleOutput(Tool& tool, PatternOptions& options);
 
-/** \brief The generator that they describe.
- * \throws UsageError, BadArgumentException when it cannot be */
+/** \brief Creates the generator from the options.
+ * \throws UsageError, BadArgumentException for illegal values */
 RandomLinePattern
 generatorOf(const PatternOptions& options);
 

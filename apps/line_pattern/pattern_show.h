@@ -8,21 +8,21 @@
 
 namespace pcl::acmap {
 
-/** \brief Shows patterns one after another where the user asked for it. */
+/** \brief Shows patterns one after another, if the user requested it. */
 class PatternShow {
 public:
-  /** \brief Opens the window, black; warns when patterns have to be scaled.
+  /** \brief Opens a black window; warns when patterns have to be scaled.
    * \throws BadArgumentException, IOException when there is no such monitor */
   PatternShow(Tool& tool,
               const PatternOptions& options,
               const RandomLinePattern& generator);
 
-  /** \brief Shows a pattern for the time the user asked for.
+  /** \brief Shows a pattern for the time that the user set.
    * \throws CancelledException when the user interrupted it */
   void
   show(const RgbImage& pattern);
 
-  /** \brief A line of the summary and a part of the report. */
+  /** \brief Adds a line to the summary and a part to the report. */
   void
   tell() const;
 

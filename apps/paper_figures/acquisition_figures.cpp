@@ -14,11 +14,11 @@ namespace pcl::acmap {
 
 namespace {
 
-// what a single shot must have: more than the cameras' noise makes by chance
+// thresholds for a single shot, above what the noise of the cameras reaches by chance
 constexpr double least_texture = 2; // grey levels
 constexpr double least_correlation = 0.5;
 
-/** Makes disparities as pcl_active_stereo does. */
+/** Computes disparities as pcl_active_stereo does. */
 class Acquisition {
 public:
   Acquisition(const std::string& session, unsigned threads)
@@ -50,7 +50,7 @@ public:
     matching.setXOffset(range_.least);
     matching.setMaxDisparity(range_.count);
     matching.setNumberOfThreads(threads_);
-    // the one without a pattern too, which else is filled by guesses
+    // also for the shot without a pattern, which would otherwise be filled with guesses
     matching.setPeakFilter(least_texture);
     matching.setCorrelationThreshold(least_correlation);
     MatchedDisparity matched;
@@ -65,7 +65,7 @@ private:
   unsigned threads_;
 };
 
-/** The ends of the colours: what nearly all disparities lie between. */
+/** The ends of the colour scale: the range of nearly all disparities. */
 struct ColorRange {
   float least = 0, most = 1; // px
 

@@ -27,8 +27,8 @@ cornerOf(const YamlNode& node)
   return corner;
 }
 
-/** The two corners of an upright rectangle that are farthest from each other seen from
- * above: its ends. */
+/** The ends of an upright rectangle: its two corners that are farthest from each other
+ * seen from above. */
 std::array<Eigen::Vector3d, 2>
 endsOf(const YamlNode& rectangle)
 {
@@ -53,7 +53,8 @@ requireThere(const std::string& path, const std::string& advice)
     throw InputFileException(path + ": is not there; " + advice);
 }
 
-/** Places in metres: a map of another session is off by more than any drift. */
+/** Compares positions, in metres: the map of another session differs by more than any
+ * drift. */
 void
 requireSameWay(const MappedSession& map, const FilmedSession& session)
 {
@@ -81,7 +82,7 @@ loadFilmedSession(const std::string& folder)
   const std::string path = folder + "/truth.json";
   requireThere(path,
                "the figures need the truth of a session that pcl_simulated_rig filmed");
-  const YamlNode truth = loadYaml(path); // which JSON is a part of
+  const YamlNode truth = loadYaml(path); // JSON is a subset of YAML
   requireFormat(truth, file_formats::truth);
   FilmedSession session;
   session.folder = folder;

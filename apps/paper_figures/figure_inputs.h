@@ -12,33 +12,36 @@
 
 namespace pcl::acmap {
 
-/** \brief What a simulated session tells of itself and of its building. */
+/** \brief Data of a simulated session and its building. */
 struct FilmedSession {
   std::string folder;
   std::string scene;
   std::size_t observations = 0;
-  std::size_t patterns = 0; ///< an observation
+  std::size_t patterns = 0; ///< per observation
   Trajectory trajectory;    ///< the true one
 
-  /** \brief Walls and all else that stands upright, from above, in the frame of the true
+  /** \brief Walls and all other upright rectangles from above, in the frame of the true
    * trajectory: the two ends (y is 0). */
   std::vector<std::array<Eigen::Vector3d, 2>> uprights;
 };
 
 /** \brief Reads truth.json and trajectory.txt of a session.
- * \throws InputFileException naming the file and its fault, as when it was no simulation */
+ * \throws InputFileException naming the file and its fault, for example for a session
+ * that was not simulated */
 FilmedSession
 loadFilmedSession(const std::string& folder);
 
-/** \brief Where and how a map of the session was made. */
+/** \brief Data of a map of the session. */
 struct MappedSession {
   std::string folder;
-  PCLPointCloud2 points;                 ///< map.pcd: x y z rgb view, map frame
-  Trajectory before, after;              ///< of rectification, T_map_camera, row by row
+  PCLPointCloud2 points; ///< map.pcd: x y z rgb view, map frame
+  /** \brief Before and after rectification, T_map_camera, the same observations. */
+  Trajectory before, after;
   std::vector<std::string> observations; ///< paths of their clouds
 };
 
-/** \brief Reads what pcl_compact_mapping left of the session, but for the map itself.
+/** \brief Reads the results of pcl_compact_mapping for the session, except for the map
+ * itself.
  * \throws InputFileException naming the file and its fault: one that is missing, poses
  * that differ in number, a map of another session */
 MappedSession

@@ -45,7 +45,7 @@ eyeAlone(const YamlNode& node)
   return eyeOf(node);
 }
 
-/** Reads the parts of a figure and notes where they stand. */
+/** Reads the figures from YAML and keeps the nodes of their numbers. */
 class PlanReader {
 public:
   explicit PlanReader(FigurePlan& plan)

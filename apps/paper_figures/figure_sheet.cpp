@@ -23,7 +23,8 @@ aspectOf(const RgbImage& image)
   return static_cast<double>(image.width) / image.height;
 }
 
-/** \brief Widths of a row's pictures, so that together with the gaps they fill it. */
+/** \brief Widths of the pictures of a row, so that they fill it together with the
+ * gaps. */
 std::vector<int>
 widthsOf(const std::vector<RgbImage>& row, int width)
 {
@@ -44,7 +45,8 @@ heightOf(const std::vector<RgbImage>& row, const std::vector<int>& widths)
   return std::max(1, static_cast<int>(std::lround(widths[0] / aspectOf(row[0]))));
 }
 
-/** \brief Resamples one direction. \param[in] step from a value to the next, of bytes */
+/** \brief Resamples along one direction.
+ * \param[in] step from one value to the next, in bytes */
 void
 shrinkLine(const double* from, int length, int step, double* to, int new_length)
 {

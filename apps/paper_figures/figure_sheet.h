@@ -12,42 +12,45 @@
 
 namespace pcl::acmap {
 
-/** \brief A camera's image in colour; a grey one becomes grey in colour. */
+/** \brief Converts a camera's image to RGB; a grey image stays grey. */
 RgbImage
 rgbOf(const CameraImage& image);
 
-/** \brief A picture in another size, each pixel the mean of what it covers. */
+/** \brief Resizes a picture; each pixel is the mean of the area that it covers. */
 RgbImage
 resized(const RgbImage& image, int width, int height);
 
-/** \brief Rows of pictures below each other, each row as wide as the sheet: its pictures
- * become equally high. \param[in] width pixels */
+/** \brief Places rows of pictures below each other. Each row has the width of the
+ * sheet, and its pictures have the same height.
+ * \param[in] width pixels */
 RgbImage
 sheetOf(const std::vector<std::vector<RgbImage>>& rows, int width);
 
-/** \brief A picture whose colours have fewer levels, which makes a small file of one with
- * noise. \param[in] step from a level to the next */
+/** \brief Quantises the colours of a picture, so that the file of a noisy picture is
+ * small.
+ * \param[in] step between levels */
 RgbImage
 withFewLevels(RgbImage image, int step = 8);
 
-/** \brief A level of a picture that was taken in the dark, 2.5 times as light. */
+/** \brief Brightens a level of a dark picture by a factor of 2.5. */
 std::uint8_t
 lightened(std::uint8_t level);
 
-/** \brief A picture as much lighter. */
+/** \brief Brightens a picture by the same factor. */
 RgbImage
 lightened(RgbImage image);
 
-/** \brief Makes the colours of points as much lighter. */
+/** \brief Brightens the colours of points by the same factor. */
 void
 lighten(PCLPointCloud2& cloud);
 
-/** \brief Disparities as colours, from blue (far) over green to red (near); black where
- * there is none. \param[in] least,most px, the ends of the colours */
+/** \brief Disparities as colours, from blue (far) over green to red (near); black if
+ * invalid.
+ * \param[in] least,most px, the ends of the colour scale */
 RgbImage
 coloredDisparity(const DisparityImage& image, float least, float most);
 
-/** \brief What a function draws into the file that it is told.
+/** \brief Returns the picture that a function draws into a given file.
  * \param[in] folder for that file, which is removed again */
 RgbImage
 drawn(const OutputFolder& folder,

@@ -11,27 +11,28 @@
 
 namespace pcl::acmap {
 
-/** \brief What the table says of a session and its map, beside what the paper says. */
+/** \brief Numbers of a session and its map, for the comparison with those of the
+ * paper. */
 struct FigureNumbers {
   std::size_t observations = 0;
-  std::size_t patterns = 0;  ///< an observation
-  std::size_t points = 0;    ///< finite ones of all observations
-  int width = 0, height = 0; ///< px, of an image
+  std::size_t patterns = 0;  ///< per observation
+  std::size_t points = 0;    ///< finite points of all observations
+  int width = 0, height = 0; ///< px, image size
   std::size_t planes = 0;
   double area = 0;       ///< square metres of all planes
   double ate_before = 0; ///< metres, on the floor, in the map's frame
   double ate_after = 0;
-  std::size_t map_bytes = 0; ///< of map.glb
+  std::size_t map_bytes = 0; ///< size of map.glb
 };
 
-/** \brief Counts the points of all observations, and what else there is to tell.
+/** \brief Counts the points of all observations, and collects the other numbers.
  * \throws InputFileException when a cloud cannot be read */
 FigureNumbers
 numbersOf(const FilmedSession& session,
           const MappedSession& mapped,
           const CompactMap& map);
 
-/** \brief The text of figures.md: the table, and each figure with what it shows. */
+/** \brief The text of figures.md: the table, and each figure with its description. */
 std::string
 figurePage(const FigureNumbers& numbers, const FigurePlan& plan);
 

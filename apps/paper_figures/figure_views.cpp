@@ -10,7 +10,7 @@ namespace {
 bool
 isOneSurface(float a, float b, float c)
 {
-  constexpr float largest_step = 0.03f; // of the depth
+  constexpr float largest_step = 0.03f; // relative to the depth
   const auto [least, most] = std::minmax({a, b, c});
   return std::isfinite(a + b + c) && most - least <= largest_step * least;
 }

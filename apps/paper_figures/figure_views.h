@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A view of 640 x 480 px, or of another size, from an eye; up is -y. */
+/** \brief A view from an eye, by default 640 x 480 px; up is -y. */
 template <typename View = SceneView>
 View
 viewFrom(const FigureEye& eye, int width = 640, int height = 480)
@@ -22,8 +22,9 @@ viewFrom(const FigureEye& eye, int width = 640, int height = 480)
   return view;
 }
 
-/** \brief The surface between neighbouring pixels of an observation, where their depths
- * differ by no more than a slanting wall's do; towards the camera. */
+/** \brief Connects neighbouring pixels of an observation by triangles that face the
+ * camera. Pixels whose depths differ by more than those of a slanted wall are not
+ * connected. */
 TriangleMesh
 surfaceOf(const PointCloud<PointXYZRGBSigma>& observation);
 

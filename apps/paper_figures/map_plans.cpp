@@ -18,10 +18,11 @@ namespace {
 constexpr Color truth_color = {255, 150, 140};
 constexpr Color way_color = {120, 160, 220};
 
-/** The map seen from above, turned so that its longer side lies across the page. */
+/** Plans of the map, rotated so that its longer side is horizontal. */
 class Plans {
 public:
-  /** \param[in] cut points farther above or below the first camera are left out, metres */
+  /** \param[in] cut points farther above or below the first camera are left out,
+   * metres */
   Plans(const FilmedSession& session, const MappedSession& map, double cut)
   : session_(session)
   , map_(map)
@@ -32,14 +33,15 @@ public:
     Eigen::AlignedBox3d box;
     for (const Eigen::Isometry3d& pose : map.after.poses)
       box.extend(pose.translation());
-    if (box.sizes().z() > box.sizes().x()) // z goes right, x down
+    if (box.sizes().z() > box.sizes().x()) // z to the right, x downwards
       T_plan_map_ = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY());
     PlanContents contents;
     for (const Trajectory* trajectory : {&map.before, &map.after})
       for (std::size_t i = 0; i < points_.size(); ++i)
         if (isShown(i))
           contents.addPoint(T_plan_map_ * place(i, *trajectory));
-    constexpr double beyond = 0.8; // metres that the truth goes on for
+    // metres by which the extent is widened for the true walls
+    constexpr double beyond = 0.8;
     const PlanExtent seen = contents.extent();
     contents.addPlace({seen.least.x() + seen.pixel * seen.width + beyond,
                        0,
@@ -47,7 +49,7 @@ public:
     extent_ = contents.extent();
   }
 
-  /** \brief The walls alone. */
+  /** \brief Draws only the walls. */
   RgbImage
   truth() const
   {
@@ -57,7 +59,7 @@ public:
     return image;
   }
 
-  /** \brief The points as poses have them, and the true walls below them. */
+  /** \brief Draws the points at the poses of a trajectory, over the true walls. */
   RgbImage
   of(const Trajectory& trajectory, const std::string& name) const
   {
@@ -97,7 +99,7 @@ private:
     return std::abs(points_[i].y()) <= cut_;
   }
 
-  /** \brief A point where it is when its observation has the pose of a trajectory. */
+  /** \brief Position of a point for the pose of its observation in a trajectory. */
   Eigen::Vector3d
   place(std::size_t i, const Trajectory& trajectory) const
   {
@@ -141,7 +143,7 @@ private:
   PlanExtent extent_;
 };
 
-/** The points that are not higher above the first camera. */
+/** The points that are at most this height above the first camera. */
 PCLPointCloud2
 below(const PCLPointCloud2& cloud, double height)
 {

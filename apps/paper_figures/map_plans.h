@@ -8,7 +8,7 @@
 namespace pcl::acmap {
 
 /** \brief Draws fig4.png: the true plan, the map's points from above before and after
- * rectification with the true plan upon them, and the points after from some places. */
+ * rectification with the true plan, and perspective views of the points after it. */
 void
 drawMapFigure(const FilmedSession& session,
               const MappedSession& map,

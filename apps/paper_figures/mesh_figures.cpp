@@ -22,14 +22,16 @@ struct ObservationMesh {
 
 using DeWall = DeWallTriangulation<PointNormal>;
 
-/** The mesh of an observation's cloud at its noise scale, with the depths of its walls. */
+/** The mesh of an observation's cloud at its noise scale, with the recursion depths of
+ * its walls. */
 ObservationMesh
 meshOf(const std::string& path, DeWall dewall, unsigned threads)
 {
   VoxelConsolidation<PCLPointCloud2> consolidation;
   consolidation.setInputCloud(
       std::make_shared<const PCLPointCloud2>(loadPointCloud(path).cloud));
-  consolidation.setSensorOrigin(Eigen::Vector3f::Zero()); // the camera's own frame
+  // the cloud is in the camera's frame
+  consolidation.setSensorOrigin(Eigen::Vector3f::Zero());
   consolidation.setNumberOfThreads(threads);
   ObservationMesh result;
   consolidation.filter(result.vertices);
@@ -74,7 +76,7 @@ meshFigure(const ObservationMesh& observation,
            const FigurePlan& plan,
            const OutputFolder& folder)
 {
-  constexpr int finer = 2; // its edges are thinner than a pixel
+  constexpr int finer = 2; // oversampling, since mesh edges are thinner than a pixel
   const int width = plan.width, height = plan.width * 3 / 4;
   auto view = viewFrom(plan.mesh.eye, finer * width, finer * height);
   view.ignore_colors = true;
@@ -96,7 +98,8 @@ drawMeshes(const MappedSession& map,
            unsigned threads,
            const OutputFolder& folder)
 {
-  constexpr int small_leaf = 256; // so few points make walls that can be told apart
+  // so few points that single walls can be distinguished
+  constexpr int small_leaf = 256;
   DeWall usual, with_walls;
   with_walls.setLeafSize(small_leaf);
   const auto path = [&](const ObservationFigure& figure) {
@@ -104,9 +107,9 @@ drawMeshes(const MappedSession& map,
   };
   savePng(folder.path("fig5.png"),
           wallsFigure(meshOf(path(plan.walls), with_walls, threads), plan, folder));
-  savePng(folder.path("fig7.png"),
-          withFewLevels(
-              meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder)));
+  savePng(
+      folder.path("fig7.png"),
+      withFewLevels(meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder)));
 }
 
 } // namespace pcl::acmap

@@ -8,7 +8,7 @@
 namespace pcl::acmap {
 
 /** \brief Draws fig5.png, the steps in which the walls of triangles grow over an
- * observation, and fig7.png, the mesh of one.
+ * observation, and fig7.png, the mesh of an observation.
  * \param[in] threads 0 = all
  * \throws InputFileException when a cloud cannot be read
  * \throws NothingFound when there is no triangle */

@@ -18,7 +18,7 @@ pictureOf(const CompactMap& map, const MapView& view, const OutputFolder& folder
                [&](const std::string& path) { saveMapSnapshot(path, map, view); });
 }
 
-/** A picture in the upper right corner of another one, in a white frame. */
+/** Draws a picture with a white frame into the upper right corner of another one. */
 void
 inset(const RgbImage& small, RgbImage& large)
 {
@@ -38,7 +38,7 @@ drawPlanes(CompactMap map, const FigurePlan& plan, const OutputFolder& folder)
   for (TextureChart& chart : map.charts)
     chart.colors = lightened(std::move(chart.colors));
   const int height = plan.width * 3 / 4;
-  constexpr int part = 3; // of the figure's side
+  constexpr int part = 3; // the inset has 1 / 3 of the figure's side
   auto view = viewFrom<MapView>(plan.inside, plan.width, height);
   view.place = MapView::Place::Inside;
   RgbImage inside = pictureOf(map, view, folder);

@@ -7,8 +7,9 @@
 
 namespace pcl::acmap {
 
-/** \brief Draws fig8.png, the textured planes as the robot sees them with the planes
- * without texture on the top right, and fig9.png and fig10.png, from outside. */
+/** \brief Draws fig8.png, the textured planes as seen by the robot with the planes
+ * without texture in the upper right corner, and fig9.png and fig10.png, from
+ * outside. */
 void
 drawPlanes(CompactMap map, const FigurePlan& plan, const OutputFolder& folder);
 

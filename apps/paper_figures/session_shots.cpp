@@ -28,7 +28,7 @@ ObservationShots
 SessionShots::of(std::size_t observation) const
 {
   const auto number = static_cast<std::int32_t>(observation);
-  // the frames are in order: the first one that is not before the observation
+  // binary search: the frames are sorted by observation
   std::size_t first = 0, last = grabber_->frames();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;

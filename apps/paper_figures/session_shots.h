@@ -15,7 +15,7 @@ namespace pcl::acmap {
 
 class FrameRectifier;
 
-/** \brief Single observations of a session, without reading those before them. */
+/** \brief Random access to the observations of a session. */
 class SessionShots {
 public:
   /** \param[in] threads 0 = all
@@ -23,12 +23,12 @@ public:
   SessionShots(const std::string& session, unsigned threads);
   ~SessionShots();
 
-  /** \brief Of the rectified frames. */
+  /** \brief Rig of the rectified frames. */
   const TrinocularRig&
   rig() const;
 
   /** \brief The shots of an observation, rectified.
-   * \throws InputFileException for a frame that cannot be read, or without any */
+   * \throws InputFileException for a frame that cannot be read, or if there is none */
   ObservationShots
   of(std::size_t observation) const;
 
@@ -38,7 +38,7 @@ private:
   std::unique_ptr<FrameRectifier> rectifier_;
 };
 
-/** \brief The shot under a pattern, or that without one.
+/** \brief The shot under a pattern, or the one without a pattern.
  * \throws InputFileException when the observation has none */
 const TrinocularFrame&
 shotUnder(const ObservationShots& shots, std::int32_t pattern);

@@ -38,7 +38,8 @@ mappingOf(const Tool& tool, const PlaneOptions& options)
   return mapping;
 }
 
-/** Refuses what there is no memory for, and warns of what takes long. */
+/** Callback that refuses work for which there is not enough memory, and warns of work
+ * that takes long. */
 CostCallback
 costCheck(const Tool& tool)
 {

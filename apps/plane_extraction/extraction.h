@@ -10,12 +10,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Finds the planes of a cloud, or of a mesh, as a step of the tool: with its
- * progress, warnings, lines of the summary and parts of the report.
+/** \brief Finds the planes of a cloud, or of a mesh, as a step of the tool, with its
+ * progress, warnings, summary and report.
  * \param[in] viewpoints of a cloud with a field `view`, metres
  * \param[in] mesh whose vertices are the points of the cloud; empty: none
- * \throws UsageError where an option does not fit the cloud
- * \throws MemoryRefused when this machine has too little */
+ * \throws UsageError if an option does not fit the cloud
+ * \throws MemoryRefused when this machine has not enough memory */
 MappedPlanes
 extractPlanes(Tool& tool,
               const PlaneOptions& options,
@@ -23,7 +23,7 @@ extractPlanes(Tool& tool,
               std::vector<Eigen::Vector3f> viewpoints,
               TriangleMesh mesh = {});
 
-/** \param[in] input what the planes were looked for in
+/** \param[in] input name of the input
  * \throws NothingFound, with the reasons, when there is no plane */
 void
 requirePlanes(const Tool& tool, const std::string& input, const MappedPlanes& found);

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for; outputs without a name are not written. */
+/** \brief Options of the user; outputs without a name are not written. */
 struct PlaneOptions {
   std::string input;
   std::string output;
@@ -22,7 +22,7 @@ struct PlaneOptions {
   bool regular = false;
   bool paper = false;
 
-  /** \brief The mesh is used even where no output of these names it. */
+  /** \brief The mesh is needed, even if it is not requested by an output here. */
   bool keeps_mesh = false;
 
   bool
@@ -31,7 +31,7 @@ struct PlaneOptions {
     return keeps_mesh || !normals.empty() || !picture.empty();
   }
 
-  /** \brief Is a cloud to be worked on in space, be it a view or not? */
+  /** \brief Is a cloud to be processed in space, even if it is a single view? */
   bool
   isInSpace() const
   {
@@ -39,20 +39,22 @@ struct PlaneOptions {
   }
 };
 
-/** \brief Adds what decides which planes are found. */
+/** \brief Adds the options that affect which planes are found. */
 void
 addPlaneChoices(Tool& tool, PlaneOptions& options);
 
-/** \brief Adds all of them to the command line. */
+/** \brief Adds all options to the command line. */
 void
 addOptions(Tool& tool, PlaneOptions& options);
 
-/** \brief Checks that these choices go together. \throws UsageError */
+/** \brief Checks that these options are compatible.
+ * \throws UsageError */
 void
 checkChoices(const PlaneOptions& options);
 
-/** \brief Checks before the work that all outputs can be written, and that the options go
- * together. \throws OutputFileException, UsageError */
+/** \brief Checks before the work that all outputs can be written, and that the options
+ * are compatible.
+ * \throws OutputFileException, UsageError */
 void
 checkPlaces(const Tool& tool, const PlaneOptions& options);
 

@@ -7,8 +7,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Writes a cloud as PCD with the planes of its points, \ref withLabels.
- * \param[in] file given up, as it may be large */
+/** \brief Writes a cloud as PCD with the plane of each point, see \ref withLabels.
+ * \param[in] file passed by value and released, as it may be large */
 void
 saveLabels(const std::string& path,
            PointCloudFile file,
@@ -19,11 +19,11 @@ saveLabels(const std::string& path,
 void
 saveNormals(const std::string& path, const MappedPlanes& found);
 
-/** \brief From beside its sensor, without faces that look away. */
+/** \brief A view from a position next to the sensor, with back faces culled. */
 SceneView
 sceneViewOf(const MappedPlanes& found);
 
-/** \brief Draws the mesh as PNG, in colours by plane, without faces that look away. */
+/** \brief Draws the mesh as PNG, coloured by plane, with back faces culled. */
 void
 savePicture(const std::string& path, const MappedPlanes& found);
 

@@ -14,7 +14,7 @@ constexpr std::size_t most_lines = 20, lines_of_many = 5;
 std::string
 describe(const PlanePatch& plane)
 {
-  // adding zero takes the minus from zeros
+  // adding zero removes the sign of negative zeros
   const Eigen::Array3d n =
       (1000 * plane.coefficients.head<3>().array()).round() / 1000 + 0.0;
   char text[128];
@@ -85,7 +85,7 @@ tellPlanes(Tool& tool,
   tool.details()["points_on_planes"] = on_planes;
   tool.tell("planes", std::to_string(planes.size()));
   tool.tell("on planes", percent(on_planes, points) + " of the points");
-  // they come by falling area
+  // they are sorted by decreasing area
   const std::size_t listed =
       planes.size() <= most_lines ? planes.size() : lines_of_many;
   for (std::size_t id = 0; id < listed; ++id)

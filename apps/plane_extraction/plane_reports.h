@@ -9,15 +9,15 @@
 
 namespace pcl::acmap {
 
-/** \brief Reports all steps that found planes: warnings, lines of the summary, parts of the
- * JSON report and seconds. */
+/** \brief Reports all steps of the plane extraction: warnings, summary, JSON report and
+ * seconds. */
 void
 tellMapping(Tool& tool, const PlaneMappingReport& report);
 
-/** \brief Lines of the summary: how many planes, the share of the points on them, and
- * each plane, or of many the largest ones.
- * \param[in] labels for each point of the input its plane, -1 for none
- * \param[in] points of the input that are finite */
+/** \brief Adds lines to the summary: the number of planes, the fraction of the points
+ * on them, and each plane, or the largest ones if there are many.
+ * \param[in] labels plane of each point of the input, -1 for none
+ * \param[in] points number of finite points of the input */
 void
 tellPlanes(Tool& tool,
            const std::vector<PlanePatch>& planes,

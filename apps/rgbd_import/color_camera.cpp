@@ -9,7 +9,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double most_pixels = 1e6;
-constexpr double most_distance = 10.0; // metres, of two cameras in one device
+constexpr double most_distance = 10.0; // metres, between two cameras in one device
 
 Pinhole
 pinholeOf(const YamlNode& camera)

@@ -10,15 +10,15 @@
 
 namespace pcl::acmap {
 
-/** \brief A camera that sees the colours from beside the depth camera. */
+/** \brief A colour camera next to the depth camera. */
 struct ColorCamera {
   Pinhole pinhole;
   Eigen::Isometry3d T_depth_color; ///< its pose in the depth camera's frame, metres
 };
 
-/** \brief That of a Kinect as 7-Scenes was recorded with, whose own was never published:
- * its usual focal length, and the place that was measured of another Kinect
- * (doc/tools/pcl_rgbd_import.md says how well it fits). */
+/** \brief Default colour camera for a Kinect as used for 7-Scenes, whose calibration
+ * was never published: the usual focal length, and the pose that was measured for
+ * another Kinect (see doc/tools/pcl_rgbd_import.md for its accuracy). */
 ColorCamera
 kinectColorCamera();
 
@@ -29,7 +29,7 @@ kinectColorCamera();
 ColorCamera
 loadColorCamera(const std::string& path);
 
-/** \brief The reader behind it. */
+/** \brief Reads a colour camera from a YAML node. */
 ColorCamera
 readColorCamera(const YamlNode& camera);
 

@@ -20,7 +20,7 @@ sizeOf(const Image& image)
   return {image.width, image.height};
 }
 
-/** \param[in] needed 0 x 0 for any */
+/** \param[in] needed 0 x 0 for any size */
 void
 requireSize(const std::string& path, const ImageSize& size, const ImageSize& needed)
 {
@@ -45,7 +45,7 @@ loadImages(const RgbdFrame& frame, const RgbdCameras& cameras, const RgbdImport&
   return images;
 }
 
-/** Quantisation steps are removed in the picture of the depth camera. */
+/** Quantisation steps are removed in the pixels of the depth camera. */
 PCLPointCloud2
 cloudOf(const FrameImages& images,
         const RgbdCameras& cameras,
@@ -68,7 +68,7 @@ cloudOf(const FrameImages& images,
                        : observationCloud(images.color, points);
 }
 
-/** \brief Of the camera whose pixels the observation has. */
+/** \brief Pose of the camera whose pixels the observation has. */
 Eigen::Isometry3d
 poseInWorld(const RgbdFrame& frame, const RgbdCameras& cameras)
 {
@@ -76,7 +76,7 @@ poseInWorld(const RgbdFrame& frame, const RgbdCameras& cameras)
   return cameras.color ? T_world_depth * cameras.color->T_depth_color : T_world_depth;
 }
 
-/** \brief Pose in the map, which is the frame of the first camera that is written. */
+/** \brief Pose in the map, which is the frame of the first written camera. */
 Eigen::Isometry3d
 poseInMap(const Eigen::Isometry3d& T_world_camera, RgbdImport& import)
 {

@@ -14,7 +14,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Pixels of an image. */
+/** \brief Size of an image in pixels. */
 struct ImageSize {
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -23,27 +23,28 @@ struct ImageSize {
 /** \brief The cameras of all frames. */
 struct RgbdCameras {
   Pinhole depth;
-  std::optional<ColorCamera> color; ///< none: the depth camera saw the colours
+  /** \brief None: colours have the pixels of the depth camera. */
+  std::optional<ColorCamera> color;
   DepthMeaning meaning;
   DepthSensor sensor = DepthSensor::Automatic;
 };
 
-/** \brief What was done so far. */
+/** \brief Results so far. */
 struct RgbdImport {
   pcl::Trajectory trajectory; ///< T_first_camera; identity without poses
   Eigen::Isometry3d T_first_world;
-  ImageSize color;         ///< of all colour images, and so of the observations
-  ImageSize depth;         ///< of all depth images
+  ImageSize color; ///< size of all colour images, and therefore of the observations
+  ImageSize depth; ///< size of all depth images
   std::size_t empty = 0;   ///< observations without a point
   std::size_t refined = 0; ///< observations whose depth was quantised
-  /** \brief How many points have the depth of which number in a depth image. */
+  /** \brief Histogram of the numbers in the depth images over all points. */
   std::vector<std::uint64_t> depths = std::vector<std::uint64_t>(65536);
-  std::vector<std::string> broken; ///< why frames were left out
+  std::vector<std::string> broken; ///< reasons why frames were left out
 
   std::uint64_t
   points() const;
 
-  /** \brief Number in a depth image that half of the points do not exceed. */
+  /** \brief Median of the numbers in the depth images over all points. */
   std::uint16_t
   medianDepth() const;
 };
@@ -52,11 +53,11 @@ struct RgbdImport {
 std::string
 sizeText(const ImageSize& size);
 
-/** \brief Turns a frame into an observation in the folder. Reads and checks all of it
- * before anything is counted or written.
- * \param[in] has_poses the frame has one; else all are the identity
- * \throws InputFileException when an image or the pose is missing, malformed or of another
- * size than those before */
+/** \brief Converts a frame to an observation in the folder. All of the frame is read
+ * and checked before anything is counted or written.
+ * \param[in] has_poses the frame has a pose; otherwise all poses are the identity
+ * \throws InputFileException when an image or the pose is missing, malformed, or
+ * differs in size from the previous ones */
 void
 importFrame(const RgbdFrame& frame,
             bool has_poses,

@@ -8,7 +8,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief A finite number above zero, of a size that gives finite points. */
+/** \brief Adds an option for a finite number above zero, in a range for which points
+ * are finite. */
 template <typename Value>
 CLI::Option*
 addPositive(CLI::App& app,

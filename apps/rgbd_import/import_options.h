@@ -9,7 +9,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct ImportOptions {
   std::string input;
   std::string output;
@@ -19,29 +19,29 @@ struct ImportOptions {
   std::string color_camera;
   bool is_registered = false;
   std::optional<double> fx, fy, cx, cy; ///< pixels
-  std::optional<double> depth_scale;    ///< numbers in a metre
+  std::optional<double> depth_scale;    ///< number in a depth image that is one metre
   double most_depth = 0.0;              ///< metres; 0 for no limit
   DepthSensor sensor = DepthSensor::Automatic;
   std::size_t every = 1;
   double most_stamp_gap = 0.02; ///< seconds
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, ImportOptions& options);
 
-/** \brief What is asked of the folder. */
+/** \brief Settings for reading the folder. */
 SequenceSettings
 settingsOf(const ImportOptions& options);
 
-/** \brief The camera that the user names, or else that of the folder.
- * \throws InputFileException when its file is none */
+/** \brief The camera of the user, otherwise that of the folder.
+ * \throws InputFileException when its file has no camera */
 Pinhole
 cameraOf(const ImportOptions& options, const RgbdSequence& sequence);
 
-/** \brief The camera of the colours that the user names, or else that of the folder; none
- * where colours are taken from the depth's pixels.
- * \throws InputFileException when its file is none */
+/** \brief The colour camera of the user, otherwise that of the folder; none if colours
+ * have the pixels of the depth camera.
+ * \throws InputFileException when its file has no camera */
 std::optional<ColorCamera>
 colorCameraOf(const ImportOptions& options, const RgbdSequence& sequence);
 

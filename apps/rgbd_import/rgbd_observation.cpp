@@ -18,7 +18,7 @@ struct Pixel {
   float sigma;
 };
 
-/** \brief What every pixel has: its colour. */
+/** \brief All pixels with their colours, without points. */
 std::vector<Pixel>
 pixelsWithoutPoint(const RgbImage& color)
 {
@@ -44,7 +44,7 @@ setPoint(Pixel& pixel, const Eigen::Vector3f& point, float sigma)
   pixel.sigma = sigma;
 }
 
-/** Along the ray. */
+/** Standard deviation along the ray. */
 float
 sigmaOf(const Eigen::Vector3d& point)
 {
@@ -113,7 +113,7 @@ registeredCloud(const RgbImage& color,
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
   for (const Eigen::Vector3f& measured : points) {
     const Eigen::Vector3d point = T_color_depth * measured.cast<double>();
-    if (!(point.z() > 0.0)) // NaN too
+    if (!(point.z() > 0.0)) // also true for NaN
       continue;
     const double column = std::round(seen.fx * point.x() / point.z() + seen.cx);
     const double row = std::round(seen.fy * point.y() / point.z() + seen.cy);
@@ -123,7 +123,7 @@ registeredCloud(const RgbImage& color,
         pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(color.width) +
                static_cast<std::size_t>(column)];
     const Eigen::Vector3f place = point.cast<float>();
-    if (!(pixel.z <= place.z())) // NaN: the first one
+    if (!(pixel.z <= place.z())) // also true for NaN, if the pixel has no point yet
       setPoint(pixel, place, sigmaOf(measured.cast<double>()));
   }
   return cloudOf(pixels, color.width, color.height);

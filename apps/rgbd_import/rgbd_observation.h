@@ -12,12 +12,12 @@
 
 namespace pcl::acmap {
 
-/** \brief How numbers of a depth image become metres. */
+/** \brief Conversion of the numbers of a depth image to metres. */
 struct DepthMeaning {
-  double scale = 1000.0; ///< numbers in a metre
+  double scale = 1000.0; ///< number that is one metre
   double most = 0.0;     ///< metres; points beyond are left out; 0 for no limit
 
-  /** \brief Metres of a number; 0 where nothing was measured. */
+  /** \brief Converts a number to metres; 0 if nothing was measured. */
   double
   metres(std::uint16_t number) const
   {
@@ -27,35 +27,36 @@ struct DepthMeaning {
   }
 };
 
-/** \brief One standard deviation of a depth that a Kinect measured, along z, metres:
- * Nguyen, Izadi, Lovell: Modeling Kinect Sensor Noise for Improved 3D Reconstruction and
- * Tracking, 3DIMPVT 2012, their axial noise of surfaces that are not seen at a slant. */
+/** \brief Standard deviation of a depth measured by a Kinect, along z, metres: axial
+ * noise of surfaces that are not slanted, from Nguyen, Izadi, Lovell: Modeling Kinect
+ * Sensor Noise for Improved 3D Reconstruction and Tracking, 3DIMPVT 2012. */
 inline double
 kinectDepthSigma(double z)
 {
   return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);
 }
 
-/** \brief The points of a depth image, a point a pixel, metres; NaN where nothing was
+/** \brief The points of a depth image, one per pixel, metres; NaN if nothing was
  * measured. */
 std::vector<Eigen::Vector3f>
 measuredPoints(const GrayImage16& depth,
                const Pinhole& camera,
                const DepthMeaning& meaning);
 
-/** \brief An organized cloud of x y z rgb sigma in the camera's frame, a point a pixel.
+/** \brief An organized cloud of x y z rgb sigma in the camera's frame, one point per
+ * pixel.
  *
- * x y z and sigma are NaN where nothing was measured; rgb is there at every pixel. sigma
- * is along the ray, which is longer than z by the ray's slant.
- * \param[in] color a pixel a point */
+ * x y z and sigma are NaN if nothing was measured; rgb is valid at every pixel. sigma
+ * is along the ray, which is longer than z for pixels off the centre.
+ * \param[in] color one pixel per point */
 PCLPointCloud2
 observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points);
 
-/** \brief The same in the frame and the pixels of a colour camera that stands beside.
+/** \brief The same in the frame and the pixels of a separate colour camera.
  *
- * A point lies where the depth camera measured it, up to half a pixel off the middle of
- * the pixel that shows it; of several the nearest is taken. Pixels that no point falls on
- * have rgb alone. sigma is the one along the depth camera's ray.
+ * A point keeps its measured position, which is up to half a pixel from the centre of
+ * its pixel; of several points in a pixel the nearest is used. Pixels without a point
+ * have only rgb. sigma is along the ray of the depth camera.
  * \param[in] color of any size
  * \param[in] points of the depth camera. O(n) */
 PCLPointCloud2

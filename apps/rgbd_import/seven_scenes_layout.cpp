@@ -36,7 +36,7 @@ isPicture(const std::string& ending)
          std::count(colorEndings().begin(), colorEndings().end(), ending) > 0;
 }
 
-/** \brief Endings of a frame's files, by the frame's digits. */
+/** \brief Extensions of the files of each frame, by the digits of the frame. */
 using FrameFiles = std::map<std::string, std::set<std::string>>;
 
 FrameFiles
@@ -58,7 +58,7 @@ listFrames(const std::string& folder)
   return frames;
 }
 
-/** \brief Names its files, there or not: what is missing is told when it is read. */
+/** \brief Paths of the files of a frame; a missing file is reported when it is read. */
 RgbdFrame
 frameOf(const fs::path& folder,
         const std::string& digits,
@@ -90,7 +90,7 @@ cameraOf(const fs::path& folder, RgbdSequence& sequence)
   return kinect;
 }
 
-/** \brief Other devices come in this layout, too. */
+/** \brief Is the camera a Kinect? Other devices use this layout, too. */
 bool
 isKinect(const Pinhole& camera)
 {

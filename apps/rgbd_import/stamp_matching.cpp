@@ -12,15 +12,15 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 struct Stamp {
   double time;
-  bool is_second;    ///< of which list
-  std::size_t index; ///< there
+  bool is_second;    ///< list of the stamp
+  std::size_t index; ///< index in that list
   std::size_t before;
   std::size_t after;
   bool is_free;
 };
 
-/** \brief All stamps in one row. The nearest pair of free ones always stands side by
- * side: one between them would be nearer to one of the two. */
+/** \brief All stamps of both lists, sorted. The closest pair of unmatched ones is
+ * always adjacent: a stamp between them would be closer to one of the two. */
 class Matching {
 public:
   Matching(const std::vector<double>& first,

@@ -6,10 +6,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Pairs stamps of two lists: of all pairs no further apart than the gap the
- * nearest first, each stamp once; equally near ones by their order.
- * \param[in] first rising, seconds
- * \param[in] second rising, seconds
+/** \brief Matches the stamps of two lists greedily: of all pairs within the gap the
+ * closest one first, each stamp at most once; equally close pairs in their order.
+ * \param[in] first increasing, seconds
+ * \param[in] second increasing, seconds
  * \param[in] gap seconds
  * \return indices into both, in the order of the first list. O(n log n) */
 std::vector<std::pair<std::size_t, std::size_t>>

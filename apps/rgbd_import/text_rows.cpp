@@ -28,7 +28,7 @@ placeOf(const TextRow& row)
   return "line " + std::to_string(row.line) + ": ";
 }
 
-/** \brief A word for a message: short, and printable whatever the file holds. */
+/** \brief A word for a message, shortened and made printable. */
 std::string
 quoted(const std::string& word)
 {

@@ -8,9 +8,9 @@
 
 namespace pcl::acmap {
 
-/** \brief A line of a text file, cut at its blanks. */
+/** \brief A line of a text file, split at blanks. */
 struct TextRow {
-  std::size_t line; ///< from 1
+  std::size_t line; ///< line number, from 1
   std::vector<std::string> words;
 };
 
@@ -19,35 +19,35 @@ struct TextRow {
 std::vector<TextRow>
 loadTextRows(const std::string& path);
 
-/** \brief The same of a stream.
- * \param[in] path stands for it in messages
+/** \brief Reads the same from a stream.
+ * \param[in] path name of the stream in messages
  * \throws InputFileException when it is empty or cannot be read to its end */
 std::vector<TextRow>
 readTextRows(std::istream& stream, const std::string& path);
 
 /** \brief Throws an InputFileException that names file, line and word.
- * \param[in] fault what follows the word, as "is no finite number" */
+ * \param[in] fault text after the word, such as "is no finite number" */
 [[noreturn]] void
 refuseWord(const std::string& path,
            const TextRow& row,
            std::size_t word,
            const std::string& fault);
 
-/** \brief A word as a number.
+/** \brief Converts a word to a number.
  * \throws InputFileException naming file, line and word when it is no finite number */
 double
 numberOf(const std::string& path, const TextRow& row, std::size_t word);
 
 /** \brief Reads a square matrix, row by row.
- * \throws InputFileException naming file and fault: other than size rows of size finite
- * numbers */
+ * \throws InputFileException naming file and fault when it does not have size rows of
+ * size finite numbers */
 std::vector<double>
 loadSquareMatrix(const std::string& path, std::size_t size);
 
-/** How far numbers with few digits may be off what they must be. */
+/** Tolerance for numbers that are written with few digits. */
 constexpr double text_slack = 0.01;
 
-/** \brief A proper rotation, as far as the few digits of a text tell. */
+/** \brief Is a matrix a proper rotation, within the precision of a text file? */
 bool
 isRotation(const Eigen::Matrix3d& matrix);
 

@@ -23,13 +23,13 @@ constexpr const char* pose_list = "groundtruth.txt";
 constexpr Pinhole tum_camera = {525.0, 525.0, 319.5, 239.5};
 constexpr double tum_depth_scale = 5000.0;
 
-/** \brief Images and when they were taken, rising. */
+/** \brief Images with their stamps, sorted by stamp. */
 struct ImageList {
   std::vector<double> stamps;
   std::vector<std::string> paths;
 };
 
-/** \brief The order in which stamps rise; equal ones keep theirs. */
+/** \brief Indices that sort the stamps; equal stamps keep their order. */
 std::vector<std::size_t>
 risingOrder(const std::vector<double>& stamps)
 {
@@ -41,7 +41,7 @@ risingOrder(const std::vector<double>& stamps)
   return order;
 }
 
-/** A list may come from anyone: what it names lies in the folder. */
+/** Is a path inside the folder? Lists may come from an untrusted source. */
 bool
 isInside(const fs::path& image)
 {
@@ -73,7 +73,8 @@ loadImageList(const fs::path& folder, const char* name)
   return rising;
 }
 
-/** \brief Where the camera was, at any time near enough to known poses. */
+/** \brief Interpolates the camera's pose between known poses that are close enough in
+ * time. */
 class CameraPath {
 public:
   CameraPath(const Trajectory& trajectory, double gap)
@@ -85,8 +86,8 @@ public:
     }
   }
 
-  /** \brief Between the poses before and after where both are near enough, else the
-   * near one of them. */
+  /** \brief Interpolates between the poses before and after if both are close enough,
+   * otherwise returns the close one of them. */
   std::optional<Eigen::Isometry3d>
   at(double stamp) const
   {

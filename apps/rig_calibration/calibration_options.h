@@ -10,27 +10,27 @@
 
 namespace pcl::acmap {
 
-/** \brief What the user asks for. */
+/** \brief Options of the user. */
 struct CalibrationOptions {
-  std::string session;                            ///< folder; empty: the images
+  std::string session;                            ///< folder; empty: use the images
   std::array<std::vector<std::string>, 3> images; ///< paths by \ref RigCamera
   std::string board = "9x6";
   double square = 0.0; ///< metres
   std::string output;
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, CalibrationOptions& options);
 
-/** \brief The board that is meant.
- * \throws UsageError when its text is none */
+/** \brief Creates the board from its text.
+ * \throws UsageError when the text is malformed */
 CalibrationBoard
 boardOf(const CalibrationOptions& options);
 
-/** \brief Refuses lists that do not go together.
+/** \brief Refuses invalid combinations of lists.
  * \throws UsageError when there is no neighbour, the lists differ in length, an image
- * stands twice, or a session is named too */
+ * occurs twice, or a session is named too */
 void
 requireShots(const CalibrationOptions& options);
 

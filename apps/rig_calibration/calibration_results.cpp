@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 namespace {
 
-// What a matcher bears, and what a good session of boards has, see doc/tutorials.
+// Limits for the matcher, and for a good session of boards; see doc/tutorials.
 constexpr double most_residual = 0.3; // px
 constexpr std::size_t few_boards = 10;
 constexpr double small_coverage = 0.4;

@@ -7,12 +7,12 @@
 
 namespace pcl::acmap {
 
-/** \brief Puts the board images with their errors or reasons into the report and names
- * those that were left out. */
+/** \brief Adds the board images with their errors, or the reasons why they were left
+ * out, to the report, and reports those that were left out. */
 void
 tellImages(Tool& tool, const RigCalibratorReport& calibrated);
 
-/** \brief Summary, report and warnings of a calibration that was found. */
+/** \brief Writes summary, report and warnings of a successful calibration. */
 void
 tellCalibration(Tool& tool,
                 const RigCalibratorReport& calibrated,

@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief What the cameras' images, rays and tables take at most. */
+/** \brief Refuses cameras whose images, rays and tables do not fit into memory. */
 void
 requireMemoryFor(const RigCalibration& cameras)
 {

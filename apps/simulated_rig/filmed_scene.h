@@ -10,29 +10,31 @@
 
 namespace pcl::acmap {
 
-/** \brief What is filmed, and by which cameras. */
+/** \brief A scene and the cameras that film it. */
 struct FilmedScene {
-  /** \brief Its rig is what frames are of once they are rectified, its views are places of
-   * the rectified reference camera: truth refers to both. */
+  /** \brief The scene. Its rig is that of the rectified frames, its views are poses of
+   * the rectified reference camera: the ground truth refers to both. */
   SimulatedScene scene;
 
-  std::optional<RigCalibration> cameras; ///< as they are built; else those of the rig
-  std::string cameras_path;              ///< where they were read
+  /** \brief Unrectified cameras; if not set, those of the rig. */
+  std::optional<RigCalibration> cameras;
+  std::string cameras_path; ///< path of their file
 
-  /** \brief Turns the built reference camera's frame into the rectified one's. */
+  /** \brief Transforms from the frame of the unrectified reference camera to the
+   * rectified one. */
   Eigen::Isometry3d T_rectified_reference = Eigen::Isometry3d::Identity();
 };
 
-/** \brief Puts cameras as they are built in place of the scene's rig.
+/** \brief Replaces the cameras of the scene's rig by unrectified ones.
  * \param[in] path of a `rig.yaml` with cameras
- * \return what is odd about them
+ * \return warnings about them
  * \throws InputFileException when no cameras can be read, or none can be rectified
  * \throws MemoryRefused when their images do not fit */
 std::vector<std::string>
 setBuiltCameras(const std::string& path, FilmedScene& filmed);
 
-/** \brief The grabber that films it.
- * \param[in] light its projector is placed in the rectified reference camera's frame
+/** \brief Creates the grabber that films the scene.
+ * \param[in] light its projector is given in the rectified reference camera's frame
  * \throws InputFileException when the cameras cannot be simulated
  * \throws BadArgumentException as the grabber's first constructor */
 std::unique_ptr<SimulatedRigGrabber>

@@ -17,16 +17,17 @@ namespace pcl::acmap {
 namespace {
 
 constexpr const char* session_name = "session.yaml";
-constexpr double share_of_filming = 0.85; // of the time, the rest is truth
+// fraction of the time; the rest is for the ground truth
+constexpr double share_of_filming = 0.85;
 
-// metres: where pcl_active_stereo looks for points unless it is told another range
+// metres: the default range of pcl_active_stereo
 constexpr double nearest_measured = 0.5;
 constexpr double farthest_measured = 10.0;
 
 std::vector<RgbImage>
 makePatterns(const SessionSettings& settings, const SimulatedProjector& projector)
 {
-  // as they are drawn, and as the simulation keeps them
+  // as generated, and as the simulation stores them
   constexpr std::size_t bytes_per_pixel = 9;
   requireMemory(bytes_per_pixel * settings.patterns *
                     static_cast<std::size_t>(projector.width) *
@@ -41,9 +42,9 @@ makePatterns(const SessionSettings& settings, const SimulatedProjector& projecto
   return patterns;
 }
 
-/** \brief Whether active stereo can measure a pixel: two cameras see the place, it is
- * lit, and its depth is one that is searched.
- * \param[in] disparities into one of the neighbours
+/** \brief Can active stereo measure a pixel? It must be visible to two cameras, lit by
+ * the projector, and have a depth in the search range.
+ * \param[in] disparities of one of the neighbours
  * \param[in] focal_times_baseline of that neighbour, px m */
 bool
 isMeasurable(const SimulatedTruth& truth,
@@ -60,7 +61,8 @@ isMeasurable(const SimulatedTruth& truth,
   return depth >= nearest_measured && depth <= farthest_measured;
 }
 
-/** \brief Adds the pixels of an observation that could measure a true plane. */
+/** \brief Counts the pixels of an observation that could be measured on each true
+ * plane. */
 void
 countMeasurable(const SimulatedScene& scene,
                 const SimulatedTruth& truth,
@@ -79,7 +81,7 @@ countMeasurable(const SimulatedScene& scene,
     }
 }
 
-/** \brief Writes what stereo should find in an observation. */
+/** \brief Writes the ground truth of an observation for stereo. */
 void
 writeObservationTruth(const OutputFolder& folder,
                       const SimulatedScene& scene,
@@ -103,7 +105,7 @@ writeObservationTruth(const OutputFolder& folder,
   }
 }
 
-/** \brief Poses with the stamp of each observation's first shot. */
+/** \brief The poses, each with the stamp of the observation's first shot. */
 Trajectory
 stampedTrajectory(const SimulatedScene& scene, const SimulatedRigGrabber& grabber)
 {

@@ -13,13 +13,14 @@ namespace pcl::acmap {
 constexpr const char* rig_name = "rig.yaml";
 constexpr const char* truth_name = "truth.json";
 
-/** \brief What a session has, or can have, on the true planes. */
+/** \brief Number of points that a session has, or can have, on the true planes. */
 struct PointCounts {
   std::size_t all = 0;
-  std::vector<std::size_t> of_label; ///< planes of the scene + 1; 0 is on no plane
+  /** \brief Index: label, the plane of the scene + 1; 0 is on no plane. */
+  std::vector<std::size_t> of_label;
 };
 
-/** \brief What every `truth.json` begins with. */
+/** \brief The first fields of every `truth.json`. */
 nlohmann::ordered_json
 truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations);
 
@@ -28,7 +29,7 @@ truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observati
 nlohmann::ordered_json
 truthPlanes(const SimulatedScene& scene, const PointCounts& counts);
 
-/** \throws OutputFileException when it could not be written whole */
+/** \throws OutputFileException when it could not be written completely */
 void
 saveTruth(const std::string& path, const nlohmann::ordered_json& truth);
 

@@ -32,7 +32,7 @@ jsonOf(const StageReport& report)
   return json;
 }
 
-/** \brief A line of the summary and a part of the JSON report. */
+/** \brief Adds a line to the summary and a part to the JSON report. */
 void
 tellConsolidation(Tool& tool, const ConsolidationReport& report);
 
@@ -42,7 +42,7 @@ tellDepthNoise(Tool& tool, const NoiseScale::InverseDepth& noise);
 void
 tellRefinement(Tool& tool, const DepthRefinementReport& report);
 
-/** \brief Share of a whole, as a text with %. */
+/** \brief A fraction as text, in %. */
 std::string
 percent(std::size_t part, std::size_t whole);
 

@@ -32,7 +32,8 @@ texturingOf(const Tool& tool,
   texturing.setFillDistance(options.fill_distance);
   texturing.setCorrectExposure(!options.keep_exposure);
   texturing.setNumberOfThreads(tool.threads());
-  constexpr double most = 1e18; // what fits an integer, and no machine
+  // within the range of an integer, but beyond the memory of any machine
+  constexpr double most = 1e18;
   requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), most)),
                 "painting the planes");
   return texturing;
@@ -121,7 +122,8 @@ paintPlanes(Tool& tool,
     try {
       const PosedObservation seen = sequence.load(i);
       remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
-      if (i == 0 && tool.warnings().empty()) // else who merged them has told
+      // otherwise the merging has already reported them
+      if (i == 0 && tool.warnings().empty())
         warnOfLengths(tool, *seen.file);
       return TexturedObservation{
           rowsOfFile(seen.file), seen.T_map_camera, sequence.stamp(i), true};
@@ -136,8 +138,7 @@ paintPlanes(Tool& tool,
   for (std::size_t i = 0; i < sequence.size(); ++i)
     texturing.addObservation([&load, i] { return load(i); });
   CompactMap map = paint(tool, texturing);
-  const std::vector<std::string> told =
-      tool.warnings(); // who merged them read them too
+  const std::vector<std::string> told = tool.warnings(); // those of the merging
   for (const std::string& remark : remarks)
     if (std::find(told.begin(), told.end(), remark) == told.end())
       tool.warn(remark);

@@ -12,7 +12,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What tools that paint planes let the user choose. */
+/** \brief Options for texturing planes. */
 struct TextureOptions {
   double texel_size = 0.02;        ///< metres
   double maximum_distance = 0.3;   ///< metres
@@ -23,29 +23,30 @@ struct TextureOptions {
   bool skip_broken = false;
 };
 
-/** \brief Adds them to the command line. */
+/** \brief Adds the options to the command line. */
 void
 addTextureOptions(Tool& tool, TextureOptions& options);
 
-/** \brief Paints planes with the observations of a folder, as a step of the tool.
- * \throws InputFileException when an observation cannot be read and none may be skipped */
+/** \brief Textures planes with the observations of a folder, as a step of the tool.
+ * \throws InputFileException when an observation cannot be read and none may be
+ * skipped */
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
             const ObservationSequence& sequence,
             const TextureOptions& options);
 
-/** \brief Paints planes with the colours of one cloud in their frame. */
+/** \brief Textures planes with the colours of one cloud in their frame. */
 CompactMap
 paintPlanes(Tool& tool,
             const std::vector<PlanePatch>& planes,
             const std::shared_ptr<const PointCloudFile>& cloud,
             const TextureOptions& options);
 
-/** \brief Raw bytes (16 a finite point) beside those of the map, for summary and report:
- * map.glb, map.json, and geometry alone, 16 bytes a plane and 12 a corner.
- * \param[in] points finite ones of the input
- * \param[in] folder of the map, written */
+/** \brief Reports the size of the raw points (16 bytes per finite point) and of the
+ * map: map.glb, map.json, and geometry alone, 16 bytes per plane and 12 per corner.
+ * \param[in] points number of finite points of the input
+ * \param[in] folder of the map, already written */
 void
 tellCompactness(Tool& tool,
                 std::size_t points,

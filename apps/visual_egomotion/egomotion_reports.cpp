@@ -30,7 +30,7 @@ nameOf(EgomotionOutcome outcome)
   }
 }
 
-/** Metres and radians of all that the model lets move. */
+/** Standard deviations of all degrees of freedom of the model, metres and radians. */
 Json
 deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
 {
@@ -114,7 +114,7 @@ jsonOf(const TruthComparison& comparison)
   return json;
 }
 
-/** Metres, over the places that are known. */
+/** Length in metres, over the positions that are known. */
 double
 lengthOf(const Trajectory& trajectory)
 {
@@ -126,7 +126,7 @@ lengthOf(const Trajectory& trajectory)
   return length;
 }
 
-/** Of what a function gives for each pair with a motion. */
+/** Median of a function over all pairs with a motion. */
 template <typename Function>
 double
 medianOf(const VisualOdometryResult& run, const Function& function)
@@ -140,7 +140,8 @@ medianOf(const VisualOdometryResult& run, const Function& function)
   return *middle;
 }
 
-/** What the motions err by in the xz plane and about y, as estimated: metres, radians. */
+/** Medians of the estimated standard deviations of the motions, in the xz plane and
+ * about y: metres, radians. */
 Json
 medianDeviations(const VisualOdometryResult& run)
 {
@@ -152,7 +153,7 @@ medianDeviations(const VisualOdometryResult& run)
   return {{"x", deviation(0)}, {"z", deviation(2)}, {"about_y", deviation(4)}};
 }
 
-constexpr std::size_t most_named = 20; ///< of each kind, on stderr
+constexpr std::size_t most_named = 20; ///< number of warnings of each kind on stderr
 
 void
 warnOfLost(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
@@ -166,7 +167,7 @@ warnOfLost(Tool& tool, const ObservationList& list, const VisualOdometryResult& 
               " further observations are lost, the report names them");
 }
 
-/** One lost at the end has its own line, more of them are news. */
+/** A single observation lost at the end is already reported in another line. */
 void
 warnOfEnd(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {
@@ -178,7 +179,7 @@ warnOfEnd(Tool& tool, const ObservationList& list, const VisualOdometryResult& r
               std::to_string(list.sequence.size() - end) + " observations are lost");
 }
 
-/** Less is common to views that lie farther apart. */
+/** Views that are farther apart have less in common. */
 void
 warnOfSkips(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {

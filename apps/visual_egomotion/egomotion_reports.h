@@ -4,13 +4,13 @@
 
 namespace pcl::acmap {
 
-/** \brief Warns where the motions were found on the floor, and the camera left it. */
+/** \brief Warns if the motion model was planar, but the camera left the floor. */
 void
 warnOfFreeMotion(Tool& tool, const VisualOdometryResult& run);
 
-/** \brief Tells on stdout and in the report what became of a sequence; lost observations
- * are warned of by name.
- * \param[in] comparison nothing where the truth is not known */
+/** \brief Reports the result for a sequence on stdout and in the report, and warns of
+ * lost observations by name.
+ * \param[in] comparison nothing if the truth is not known */
 void
 tellRun(Tool& tool,
         const EgomotionOptions& options,

@@ -14,8 +14,8 @@ constexpr int caption_height = text_height + 8;
 constexpr Color green = {40, 200, 60};
 constexpr Color light_red = {255, 70, 60};
 
-/** In grey, from black to below white whatever the light was, so that lines stand out;
- * in few steps, as noise would make large files. */
+/** A grey image, stretched from black to below white for any lighting, so that lines
+ * stand out. It has few grey levels, since noise would make large files. */
 RgbImage
 imageOf(const Cloud& cloud)
 {

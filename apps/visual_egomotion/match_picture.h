@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Two views beside each other, the one before on the left, with a line from each
- * match to its fellow: above all that look alike, in red, below those that the motion
- * stands on, in green.
- * \param[in] now, before organized, of one size
+/** \brief Draws two views side by side, the previous one on the left, with a line for
+ * each match: in the upper part all matches by appearance, in red, in the lower part
+ * the inliers of the motion, in green.
+ * \param[in] now, before organized, of the same size
  * \param[in] matches, kept with `index_query` in now and `index_match` in before */
 RgbImage
 matchPicture(const PointCloud<PointXYZRGBSigma>& now,

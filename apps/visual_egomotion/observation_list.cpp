@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** Poses of the input are not used, so that odd ones are no reason to give up. */
+/** Poses of the input are not used, so that invalid ones are no error. */
 void
 takeStamps(Tool& tool, const std::string& folder, ObservationList& list)
 {
@@ -87,7 +87,7 @@ requireFit(const OutputFolder& folder, const ObservationSequence& sequence)
     if (folder.holds(sequence.path(i)))
       throw UsageError(folder.name() + ": holds the input; name another folder");
   requireNoneIn(folder, [](const std::string& name) {
-    // a report that was replaced would leave its map without one
+    // replacing a report would leave the map without its own
     return isSequenceName(name) || endingOf(name) == ".pcd" || name == "plan.png" ||
            name == "report.json" || name.rfind("map.", 0) == 0 ||
            name.rfind("matches_", 0) == 0;

@@ -11,29 +11,29 @@
 
 namespace pcl::acmap {
 
-/** \brief The files of a sequence whose poses are looked for, in their order. */
+/** \brief The files of a sequence whose poses are to be estimated, in their order. */
 struct ObservationList {
   ObservationSequence sequence;
-  std::vector<std::string> names;   ///< without their folders, as they came
-  std::vector<std::string> outputs; ///< names for the posed ones
-  std::vector<double> stamps;       ///< seconds, or places in the sequence
+  std::vector<std::string> names; ///< without their folders, in the order of the input
+  std::vector<std::string> outputs; ///< output names of observations with a pose
+  std::vector<double> stamps;       ///< seconds, or indices in the sequence
 };
 
-/** \brief Lists a folder, or takes the files that are named.
+/** \brief Lists a folder, or the given files.
  *
  * Posed files keep their names; if names would be read back in another order, or are
- * given twice, they become observation_0000.pcd and so on, with a warning. Stamps are those
- * of the folder's trajectory, if it has a row for each file.
+ * given twice, they become observation_0000.pcd and so on, with a warning. Stamps are
+ * those of the folder's trajectory, if it has a row for each file.
  * \param[in] inputs one folder, or files
- * \param[in] opened these files, if somebody has opened them before
- * \throws InputFileException if the folder is none, or holds no PCD file */
+ * \param[in] opened these files, if they are already open
+ * \throws InputFileException if it is no folder, or holds no PCD file */
 ObservationList
 listObservations(Tool& tool,
                  const std::vector<std::string>& inputs,
                  const std::optional<ObservationSequence>& opened);
 
 /** \brief Checks that the results would neither replace nor mix with other files.
- * \throws UsageError if an observation lies in the folder
+ * \throws UsageError if an observation is in the folder
  * \throws OutputFileException if the folder holds a sequence, PCD files, pictures, a
  * report, or a map */
 void

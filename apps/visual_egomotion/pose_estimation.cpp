@@ -12,7 +12,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Without a motion there is no trajectory to write. */
+/** Throws if there is no motion, and therefore no trajectory to write. */
 void
 requireMotion(const Tool& tool,
               const ObservationList& list,
@@ -40,8 +40,8 @@ egomotionOf(const EgomotionOptions& options)
   return egomotion;
 }
 
-/** Draws the matches of each observation with the one that it was joined to; of a lost one
- * those with the observation before. */
+/** Draws the matches of each observation with the one that it was joined to; for a lost
+ * one, those with the previous observation. */
 VisualOdometry::PairCallback
 matchDrawer(const OutputFolder& folder)
 {
@@ -115,7 +115,8 @@ estimatePoses(Tool& tool,
       wayPicture(found.poses,
                  comparison ? comparison->truth : std::vector<Eigen::Isometry3d>()));
   tool.stopIfInterrupted();
-  requireFit(folder, list.sequence); // another run may have come before
+  // another run may have written into the folder meanwhile
+  requireFit(folder, list.sequence);
   folder.commit();
   timer.finish("write");
   tellRun(tool, options, list, found, comparison);

@@ -9,10 +9,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Estimates the poses of a sequence and writes them into a folder: all of what
- * pcl_visual_egomotion does.
- * \param[in] opened files of the inputs, if somebody has opened them before
- * \throws what its page names as exit codes */
+/** \brief Estimates the poses of a sequence and writes them into a folder: the complete
+ * work of pcl_visual_egomotion.
+ * \param[in] opened files of the inputs, if they are already open
+ * \throws according to the exit codes of its documentation page */
 void
 estimatePoses(Tool& tool,
               const EgomotionOptions& options,

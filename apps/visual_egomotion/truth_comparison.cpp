@@ -16,7 +16,7 @@ planarPartsOf(const std::vector<Eigen::Isometry3d>& poses)
   return parts;
 }
 
-/** Rows that merely come one after the other would belong to other observations. */
+/** Rows that are only in the same order might belong to other observations. */
 void
 requireRows(Tool& tool,
             const std::string& path,
@@ -34,7 +34,8 @@ requireRows(Tool& tool,
   tool.warn(counts + "; the numbers in their names tell which");
 }
 
-/** A truth that stands still has no way that an error could be a part of. */
+/** Does the true trajectory move? Otherwise errors cannot be given relative to its
+ * length. */
 bool
 isWay(const std::vector<Eigen::Isometry3d>& truth)
 {

@@ -10,26 +10,28 @@
 
 namespace pcl::acmap {
 
-/** \brief Reads the true poses of a sequence's observations, metres: as many rows as
- * observations, else those that the numbers in their names tell, with a warning.
- * \return one an observation; none when there is no path
- * \throws InputFileException when it cannot be read, or an observation has no row, or no
- * number where it needs one */
+/** \brief Reads the true poses of a sequence's observations, metres. If the number of
+ * rows differs from that of the observations, rows are selected by the numbers in the
+ * file names, with a warning.
+ * \return one per observation; empty if there is no path
+ * \throws InputFileException when it cannot be read, or an observation has no row, or
+ * no number where it needs one */
 std::vector<Eigen::Isometry3d>
 loadTruth(Tool& tool, const std::string& path, const ObservationList& list);
 
-/** \brief How far a run is from the truth. */
+/** \brief Deviation of a run from the truth. */
 struct TruthComparison {
-  std::vector<Eigen::Isometry3d> truth; ///< of all, in the map of the run
+  std::vector<Eigen::Isometry3d> truth; ///< of all observations, in the map of the run
   RelativePoseError relative;           ///< from each posed observation to the next
-  AbsoluteTrajectoryError absolute;     ///< of the posed ones
-  bool is_way = true; ///< whether the truth moves, so that errors are a part of its way
+  AbsoluteTrajectoryError absolute;     ///< of the posed observations
+  /** \brief True if the truth moves, so that errors can be relative to its length. */
+  bool is_way = true;
 };
 
 /** \param[in] truth in any map
  * \param[in] run with at least one pose
- * \param[in] is_rigid whether the camera moved freely; else places are compared on the
- * floor */
+ * \param[in] is_rigid true if the camera moved freely; otherwise positions are compared
+ * on the floor */
 TruthComparison
 compare(std::vector<Eigen::Isometry3d> truth,
         const VisualOdometryResult& run,

@@ -12,7 +12,7 @@ using Poses = std::vector<std::optional<Eigen::Isometry3d>>;
 
 constexpr Color pale = {225, 225, 225};
 constexpr int legend_height = 56; // pixels, below the plan
-constexpr int legend_width = 80;  // on its right
+constexpr int legend_width = 80;  // pixels, to the right of the plan
 
 PlanExtent
 extentOf(const Poses& poses, const std::vector<Eigen::Isometry3d>& truth)
@@ -35,7 +35,7 @@ metresText(const char* axis, double metres, double step)
   return text.str();
 }
 
-/** Lines at round x and z, with their numbers below and on the right. */
+/** Grid lines at round x and z, with labels below and on the right. */
 void
 drawGrid(RgbImage& image, const PlanExtent& extent)
 {
@@ -86,7 +86,8 @@ drawCross(RgbImage& image, const Eigen::Vector2d& at)
       image, at - Eigen::Vector2d(arm, -arm), at + Eigen::Vector2d(arm, -arm), 2, red);
 }
 
-/** The lost ones are shown evenly between those before and behind them. */
+/** Draws lost observations equally spaced between the posed ones before and after
+ * them. */
 void
 drawGap(RgbImage& image,
         const Eigen::Vector2d& from,
@@ -136,7 +137,7 @@ drawTruth(RgbImage& image,
              gray);
 }
 
-/** Those lost at the end have no place in the picture. */
+/** Observations lost at the end have no position in the picture. */
 void
 drawCount(RgbImage& image, const Poses& poses)
 {
@@ -151,7 +152,7 @@ drawCount(RgbImage& image, const Poses& poses)
            black);
 }
 
-/** So many that they can be told apart. */
+/** Number of strokes that can be distinguished. */
 void
 drawDirections(RgbImage& image, const PlanExtent& extent, const Poses& poses)
 {

@@ -7,11 +7,11 @@
 
 namespace pcl::acmap {
 
-/** \brief The way of the camera from above, x to the right and z upwards: a line from a dot
- * on, strokes that tell where it looked, a dashed red line with a cross an observation
- * where some are lost, a grid in metres, and a scale bar.
- * \param[in] poses T_map_camera of each observation; nothing where it is lost
- * \param[in] truth the true ones of all, drawn in grey; may be empty */
+/** \brief Draws the trajectory of the camera from above, x to the right and z upwards:
+ * a line that starts at a dot, strokes for the directions of view, dashed red lines
+ * with one cross per lost observation, a grid in metres, and a scale bar.
+ * \param[in] poses T_map_camera of each observation; nothing if it is lost
+ * \param[in] truth the true poses of all observations, drawn in grey; may be empty */
 RgbImage
 wayPicture(const std::vector<std::optional<Eigen::Isometry3d>>& poses,
            const std::vector<Eigen::Isometry3d>& truth);

@@ -30,7 +30,7 @@ TEST_F(ActiveStereoLists, MakeOneObservationAndItsDisparities)
   EXPECT_EQ(loadGrayImage16(out("disparity.png")).height, 120);
   const StereoCloud lists = loadStereo(out("observation_0000.pcd")).cloud;
 
-  // the session's points, but for the colours of its shot without a pattern
+  // the session's points, except for the colours from the shot without a pattern
   std::filesystem::remove_all(out_);
   ASSERT_EQ(runSession().exit_code, 0);
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
@@ -73,7 +73,7 @@ TEST_F(ActiveStereoLists, TwoViewsAreEnough)
   images_[2].clear();
   expectGood(fit(), 0.75);
   images_ = all;
-  images_[1].clear(); // both baselines are as long
+  images_[1].clear(); // both baselines have the same length
   expectGood(fit(), 0.75);
 }
 
@@ -87,7 +87,7 @@ TEST_F(ActiveStereoLists, OnePatternWillDo)
 
 TEST_F(ActiveStereoLists, DepthsThatNoImageReachesAreNotPromised)
 {
-  // 160 columns: 159 px are the longest disparity
+  // 160 columns: the maximum disparity is 159 px
   const ToolRun run = runLists({"--min-depth", "0.01"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("0 to 159 px, depths of 0.0818 to 10 m"));
@@ -119,8 +119,8 @@ TEST_F(ActiveStereoLists, DepthsBoundSearchAndPoints)
       runLists({"--min-depth", "1.2", "--max-depth", "2", "--report", report});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(contentOf(report));
-  EXPECT_EQ(json["least_disparity"], 5); // 6.5 px at 2 m, a pixel less, down
-  EXPECT_EQ(json["most_disparity"], 12); // 10.8 px at 1.2 m, up, a pixel more
+  EXPECT_EQ(json["least_disparity"], 5); // 6.5 px at 2 m, minus one pixel, rounded down
+  EXPECT_EQ(json["most_disparity"], 12); // 10.8 px at 1.2 m, rounded up, plus one pixel
   for (const PointXYZRGBSigma& point : loadStereo(out("observation_0000.pcd")).cloud)
     if (std::isfinite(point.z)) {
       ASSERT_GE(point.z, 1.2f);

@@ -20,7 +20,7 @@ namespace pcl::acmap::test {
 
 using StereoCloud = PointCloud<PointXYZRGBSigma>;
 
-/** \brief An observation as a PCD holds it. */
+/** \brief Content of the PCD of an observation. */
 struct StereoFile {
   StereoCloud cloud;
   Eigen::Vector4f origin;
@@ -30,23 +30,23 @@ struct StereoFile {
 StereoFile
 loadStereo(const std::string& path);
 
-/** \brief How disparities fit the truth, over the pixels that all cameras see and the
- * projector lights. */
+/** \brief Comparison of disparities with the truth, over the pixels that all cameras
+ * see and the projector lights. */
 struct TruthFit {
-  double found = 0;  ///< share that has a disparity
-  double wrong = 0;  ///< share of these that is more than 1 px off
-  double median = 0; ///< px, of how far these are off
+  double found = 0;  ///< fraction that has a disparity
+  double wrong = 0;  ///< fraction of these with an error above 1 px
+  double median = 0; ///< px, of the errors of these
 };
 
 TruthFit
 fitOf(const DisparityImage& disparity, const std::string& session, int observation = 0);
 
-/** \brief Disparities that a cloud's depths mean. */
+/** \brief Disparities that correspond to a cloud's depths. */
 DisparityImage
 disparityOf(const StereoCloud& cloud, const TrinocularRig& rig);
 
-/** \brief A slanted wall and a box before it, filmed from two places under six patterns by
- * a small rig; once for all tests. */
+/** \brief A slanted wall and a box in front of it, filmed from two positions under six
+ * patterns by a small rig; filmed once for all tests. */
 class ActiveStereoRuns : public testing::Test {
 protected:
   static void
@@ -65,7 +65,7 @@ protected:
   runLists(const std::vector<std::string>& more = {},
            const RunSettings& settings = {}) const;
 
-  /** \brief Checks that a run gave up as it should, and left nothing. */
+  /** \brief Checks that a run failed with a code and a message, and left no files. */
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const;
 

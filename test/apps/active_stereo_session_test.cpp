@@ -88,7 +88,7 @@ TEST_F(ActiveStereoSession, PointsAreInTheCameraFrameWithColourEverywhere)
 
 TEST_F(ActiveStereoSession, KnownPosesAreTakenByNumberWhereTheyAreNamed)
 {
-  // the first observation is not there: the second keeps its number and its pose
+  // the first observation is missing: the second keeps its number and its pose
   std::vector<std::string> first;
   for (int i = 0; i < 7; ++i)
     first.push_back("frame_00000" + std::to_string(i) + ".acf");
@@ -156,7 +156,7 @@ TEST_F(ActiveStereoSession, DisparitiesAreWrittenOnRequest)
     }
   }
   ASSERT_GT(found, 1000u);
-  // what is not brightest is no nearer
+  // pixels that are not the brightest are not nearer
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (picture.values[i] < 255 && std::isfinite(disparity.values[i])) {
       ASSERT_LE(disparity.values[i], brightest);
@@ -189,7 +189,7 @@ TEST_F(ActiveStereoSession, RawFramesAreRectified)
   EXPECT_LT(fit.wrong, 0.03);
   EXPECT_LT(fit.median, 0.3);
 
-  // the same images as lists, which have to say it
+  // the same images as lists, for which the option is required
   images_ = writeImages(raw, folder_);
   rig_ = raw + "/rig.yaml";
   const std::string first = contentOf(out("observation_0000.pcd"));
@@ -213,7 +213,7 @@ TEST_F(ActiveStereoSession, ReportTellsOfEachObservation)
   EXPECT_EQ(json["frames"], "rectified");
   EXPECT_EQ(json["method"], "spacetime");
   EXPECT_EQ(json["least_disparity"], 0);
-  EXPECT_EQ(json["most_disparity"], 27); // 130 px * 0.1 m / 0.5 m, and one
+  EXPECT_EQ(json["most_disparity"], 27); // 130 px * 0.1 m / 0.5 m, plus one pixel
   EXPECT_EQ(json["has_poses"], false);
   ASSERT_EQ(json["observations"].size(), 2u);
   std::size_t points = 0;
@@ -257,7 +257,7 @@ TEST_F(ActiveStereoSession, AnObservationThatComesAgainIsNotOverwritten)
     TrinocularRecorder recorder(input_, loadTrinocularRig(rig_));
     const auto frames = framesOf(session());
     for (std::size_t i = 0; i < 14; ++i) {
-      // the last two shots of the first observation stand at the end
+      // the last two shots of the first observation are at the end
       TrinocularFrame frame = *frames[i < 5 ? i : i < 12 ? i + 2 : i - 7];
       frame.number = i;
       recorder.record(frame);
@@ -272,7 +272,7 @@ TEST_F(ActiveStereoSession, AnObservationThatComesAgainIsNotOverwritten)
 
 TEST_F(ActiveStereoSession, ObservationsOfWhichNothingIsLeft)
 {
-  // of the first one only the shot without a pattern
+  // the first observation has only the shot without a pattern
   std::vector<std::string> shots;
   for (int i = 1; i < 7; ++i)
     shots.push_back("frame_00000" + std::to_string(i) + ".acf");
@@ -294,7 +294,7 @@ TEST_F(ActiveStereoSession, ObservationsOfWhichNothingIsLeft)
   expectRefused(runSession(), 3, "no frame that can be read");
 }
 
-/** \brief Records one shot again and again, each time as an observation of its own. */
+/** \brief Records one shot repeatedly, each time as a separate observation. */
 void
 recordRepeated(const std::string& folder,
                const TrinocularRig& rig,
@@ -312,7 +312,8 @@ recordRepeated(const std::string& folder,
 
 TEST_F(ActiveStereoSession, AnInterruptedRunKeepsWhatIsFinished)
 {
-  constexpr int observations = 250; // seconds of work, so that it cannot finish before
+  // takes seconds, so that the run cannot finish before the interruption
+  constexpr int observations = 250;
   input_ = folder_.path("recorded");
   recordRepeated(
       input_, loadTrinocularRig(rig_), *framesOf(session())[1], observations);

@@ -41,14 +41,14 @@ setViewpoints(const std::string& folder, const Trajectory& poses)
 
 class ChainInputs : public ChainTest {
 protected:
-  /** \brief Where it begins, as the report has it. */
+  /** \brief The kind of input according to the report. */
   std::string
   start() const
   {
     return jsonOfFile(out_ + "/report.json").at("starting_point");
   }
 
-  /** \brief Refuses, and leaves nothing. */
+  /** \brief Checks that an input is refused, and no files are left. */
   void
   refuse(const std::string& input,
          const std::vector<std::string>& options,

@@ -23,7 +23,7 @@ protected:
     return out_ + "/stages/" + name;
   }
 
-  /** \brief Settings that stop a run as soon as its first observation is there. */
+  /** \brief Settings that stop a run as soon as its first observation is written. */
   RunSettings
   stopAfterObservation(int signal) const
   {
@@ -39,7 +39,8 @@ protected:
     return runSessionChain(session_, out_, {"--threads", "1"}, settings);
   }
 
-  /** \brief Runs to the end, and checks that it is that of an undisturbed run. */
+  /** \brief Runs to the end, and checks that the results are those of an uninterrupted
+   * run. */
   void
   finish() const
   {
@@ -108,7 +109,7 @@ TEST_F(ChainInterruption, AMapThatIsThereSurvivesTheNextOnesInterruption)
   expectRefused(
       runAgain({"--no-rectification"}, settings), 130, "observations, egomotion\n");
   EXPECT_THAT(differing(resultsIn(map_), before), IsEmpty());
-  // and its files are known as what a later map replaces
+  // and its files are recorded, so that a later map replaces them
   EXPECT_EQ(runAgain({"--no-rectification"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(map_ + "/energy.png"));
 }

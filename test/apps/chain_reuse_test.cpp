@@ -31,7 +31,7 @@ protected:
     first_ = resultsIn(map_);
   }
 
-  /** \brief Runs again, and tells what was made. */
+  /** \brief Runs again, and returns the stages that were not reused. */
   Stages
   made(const std::vector<std::string>& options = {}) const
   {
@@ -112,7 +112,7 @@ TEST_F(ChainReuse, WhatTheNewMapHasNotIsRemoved)
   EXPECT_TRUE(fs::exists(map_ + "/map.json"));
   EXPECT_EQ(contentOf(map_ + "/mine.txt"), "mine");
   EXPECT_EQ(stagesOf(map_), (Stages{"observations", "egomotion", "map"}));
-  // the rectification is still there
+  // the rectification is still stored
   EXPECT_EQ(made(), Stages{"map"});
   first_["mine.txt"] = "mine";
   EXPECT_THAT(differing(resultsIn(map_), first_), IsEmpty());
@@ -123,8 +123,8 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
   const VirtualDisplay display;
   if (!display.exists())
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
-  const std::vector<std::string> command = {
-      session_, "-o", map_, "--min-depth", "1"}; // as the first, but with pictures
+  // as in the first run, but with pictures
+  const std::vector<std::string> command = {session_, "-o", map_, "--min-depth", "1"};
   ASSERT_EQ(runTool(ACMAP_COMPACT_MAPPING, command).exit_code, 0);
   EXPECT_EQ(madeStages(map_), Stages{"map"});
   const auto with_pictures = resultsIn(map_);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief With the times of the files, which stages go by. */
+/** \brief Also copies the times of the files, by which stages detect changes. */
 void
 copyWhole(const std::string& from, const std::string& to)
 {
@@ -20,7 +20,8 @@ copyWhole(const std::string& from, const std::string& to)
   ASSERT_EQ(runTool("cp", {"-a", from, to}).exit_code, 0) << from;
 }
 
-/** \brief The session and its map, made once a program, and copies that stay whole. */
+/** \brief The session and its map, made once per program, and copies that are never
+ * changed. */
 class Kept {
 public:
   Kept()
@@ -28,7 +29,7 @@ public:
     filmSmallSession(session());
     const ToolRun chain = runSessionChain(session(), map(), {"--threads", "2"});
     EXPECT_EQ(chain.exit_code, 0) << chain.err;
-    // three views leave noise that may look bent; nothing else is to be told
+    // with three views, noise may look like curved surfaces; there is no other warning
     EXPECT_THAT(
         chain.err,
         testing::MatchesRegex("(pcl_compact_mapping: warning: [0-9]+ points lie "

@@ -25,20 +25,20 @@ runSessionChain(const std::string& session,
                 std::vector<std::string> options = {},
                 const RunSettings& settings = {});
 
-/** \brief Stages that the last run went through, in their order, by the report. */
+/** \brief Stages of the last run in their order, from the report. */
 std::vector<std::string>
 stagesOf(const std::string& output);
 
-/** \brief Those of them that it did not take from an earlier run. */
+/** \brief Those of them that were not reused from an earlier run. */
 std::vector<std::string>
 madeStages(const std::string& output);
 
-/** \brief All files of a folder and those below it by their path in it, but for what tells
- * of the run: reports, stage.json. */
+/** \brief Contents of all files of a folder and its subfolders by relative path, except
+ * for files about the run: reports, stage.json. */
 std::map<std::string, std::string>
 resultsIn(const std::string& folder);
 
-/** \brief Names of those that differ, or are in one of both only. */
+/** \brief Names of files that differ, or exist in only one of both. */
 std::vector<std::string>
 differing(const std::map<std::string, std::string>& a,
           const std::map<std::string, std::string>& b);
@@ -47,8 +47,8 @@ differing(const std::map<std::string, std::string>& a,
 std::vector<std::string>
 hiddenIn(const std::string& folder);
 
-/** \brief Has a raw session of three observations and the map made of it, as they came,
- * in each test; copies of them may be spoilt. */
+/** \brief Provides a raw session of three observations and the map made of it,
+ * unchanged in each test; tests may modify the copies. */
 class ChainTest : public testing::Test {
 protected:
   void

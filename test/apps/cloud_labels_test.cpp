@@ -46,7 +46,8 @@ TEST(CloudLabels, ColoursTellPlanesApart)
           << a << " " << b;
 }
 
-/** Four bytes at its place would be the neighbours' too, or behind the last row. */
+/** Writing four bytes at its offset would overwrite neighbours, or exceed the last
+ * row. */
 TEST(CloudLabels, ANarrowColourIsReplaced)
 {
   PCLPointCloud2 cloud = withLabels(makeCloud(2), {0, -1});

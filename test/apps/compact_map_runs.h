@@ -20,20 +20,20 @@ ToolRun
 runTexturing(const std::vector<std::string>& arguments,
              const RunSettings& settings = {});
 
-/** \brief A folder with the first four observations of the simulated corridor, made once a
- * program, and the map that pcl_compact_mapping made of it. */
+/** \brief A folder with the first four observations of the simulated corridor, made
+ * once per program, and the map that pcl_compact_mapping computed from it. */
 struct Corridor {
   std::string session;
-  std::string merged; ///< .pcd of all, x y z rgb view
+  std::string merged; ///< .pcd of all points, x y z rgb view
   std::string map;    ///< folder
   std::string planes; ///< its map.json
-  ToolRun run;        ///< that made the map
+  ToolRun run;        ///< the run that made the map
 };
 
 const Corridor&
 corridor();
 
-/** \brief A copy of the session, which may be spoilt. \return its path */
+/** \brief A copy of the session, which a test may modify. \return its path */
 std::string
 copyOfSession(const std::string& folder);
 
@@ -41,7 +41,7 @@ copyOfSession(const std::string& folder);
 std::string
 observation(const std::string& session, int number);
 
-/** \brief Writes an observation anew, with its VIEWPOINT changed. */
+/** \brief Rewrites an observation with a changed VIEWPOINT. */
 void
 changeViewpoint(const std::string& path,
                 const std::function<void(PointCloud<PointXYZRGB>&)>& change);

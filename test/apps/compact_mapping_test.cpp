@@ -140,7 +140,7 @@ TEST(CompactMapping, ObservationsWithoutPosesNeedViewsInCommon)
   const TemporaryFolder folder;
   const std::string session = copyOfSession(folder.path("s"));
   fs::remove(session + "/trajectory.txt");
-  // the VIEWPOINTs alone do
+  // the VIEWPOINTs alone are sufficient
   EXPECT_EQ(runMapping({session, "-o", folder.path("m")}).exit_code, 0);
   EXPECT_EQ(
       runTexturing({corridor().planes, session, "-o", folder.path("t")}).exit_code, 0);
@@ -149,14 +149,14 @@ TEST(CompactMapping, ObservationsWithoutPosesNeedViewsInCommon)
       cloud.sensor_origin_.setZero();
       cloud.sensor_orientation_.setIdentity();
     });
-  // neighbours look 60 degrees apart: there is nothing that egomotion could go by
+  // neighbours look 60 degrees apart, too far for egomotion
   expectRefused(
       runMapping({session, "-o", folder.path("m2")}), 4, "could be joined to another");
   expectRefused(runTexturing({corridor().planes, session, "-o", folder.path("t2")}),
                 3,
                 "have no poses");
   EXPECT_EQ(folder.count(), 3);
-  // turned about one place is posed
+  // rotations about one position count as poses
   for (int i = 0; i < 4; ++i)
     changeViewpoint(observation(session, i), [i](auto& cloud) {
       cloud.sensor_orientation_ =
@@ -219,7 +219,7 @@ TEST(CompactMapping, ViewpointsThatDisagreeAreTold)
   const ToolRun run = runMapping({session, "-o", folder.path("m")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("observation_0002.pcd: its VIEWPOINT is 0.01"));
-  EXPECT_EQ(run.errorLines(), 2u) << run.err; // the other: no pictures
+  EXPECT_EQ(run.errorLines(), 2u) << run.err; // the other line: no pictures
   EXPECT_EQ(contentOf(folder.path("m/map.json")), contentOf(corridor().planes));
 }
 

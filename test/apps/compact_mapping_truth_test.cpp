@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/** What a run reports on the truth; the poses are those of the truth, and stay. */
+/** The comparison with the truth in the report of a run; its poses are the true ones,
+ * and are not rectified. */
 nlohmann::json
 truthOf(const ToolRun& run, const std::string& map)
 {

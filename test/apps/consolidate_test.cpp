@@ -14,7 +14,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** Two noisy faces of a board 12 cm thick, each seen by a view of its own. */
+/** Two noisy faces of a board 12 cm thick, each seen by a separate view. */
 std::string
 boardPcd(bool with_views)
 {

@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-// What the tools make of one view whose depth comes in steps, with their defaults.
+// Results of the tools for one view with quantised depth, with their defaults.
 
 namespace pcl::acmap::test {
 namespace {

@@ -26,7 +26,7 @@ secondCamera()
 
 TEST_F(DigiclopsCameraFaults, UnpluggedItKeepsTheObservationsBefore)
 {
-  // one shot for the order of the channels, an observation, a part of another
+  // one shot for the order of the channels, one observation, and a part of another one
   camera_.faults().failFrame(FrameFault::Unplug, 1 + (patterns + 1) + 2);
   const ToolRun run = grab({"--observations", "2"});
   expectGrabberFails(run, 1, "observations finished by then, in " + clouds_ + ": 1;");

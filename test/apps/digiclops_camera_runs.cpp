@@ -81,7 +81,7 @@ DigiclopsCameraRuns::SetUp()
   if (!film_)
     GTEST_SKIP() << "no X server for the projector";
   film_->watch(projector_);
-  // frames as they are: no number is written into their first pixels
+  // the camera does not write frame numbers into the first pixels
   camera_.faults().overrideRegister(iidc::frame_info, 0);
 }
 

@@ -13,8 +13,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The corner of a room, a projector on a virtual screen, and an emulated camera on
- * the USB that looks at it; the corner is filmed once. */
+/** \brief The corner of a room, a projector on a virtual screen, and an emulated camera
+ * on the USB that looks at the corner, which is filmed once. */
 class DigiclopsCameraRuns : public testing::Test {
 protected:
   static constexpr int patterns = 4;
@@ -27,14 +27,14 @@ protected:
   static void
   TearDownTestSuite();
 
-  /** \brief The session that a camera in step with the projector records. */
+  /** \brief The session that a camera synchronised with the projector records. */
   static std::string
   truth()
   {
     return folders_->path("truth");
   }
 
-  /** \brief What pcl_active_stereo makes of it. */
+  /** \brief Result of pcl_active_stereo for it. */
   static std::string
   trueClouds()
   {

@@ -92,7 +92,7 @@ TEST_F(DigiclopsCamera, AProjectorThatIsLateMixesPatternsUnlessItMaySettle)
 
 TEST_F(DigiclopsCamera, TimeToSettleIsMeasured)
 {
-  projector_.setDelay(std::chrono::milliseconds(130)); // longer than is usual
+  projector_.setDelay(std::chrono::milliseconds(130)); // longer than the default
   const std::string report = folder_.path("report.json");
   const ToolRun run = grab({"--settle", "auto", "--report", report});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -118,13 +118,13 @@ TEST_F(DigiclopsCamera, ChannelsInAnotherOrderAreFound)
 
 TEST_F(DigiclopsCamera, AnObservationMayEndEarly)
 {
-  film_->hang(); // a pattern that was there before tells nothing more
+  film_->hang(); // a pattern that was shown before adds no information
   const std::string report = folder_.path("report.json");
   const ToolRun run = grab({"--early", "--report", report});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(contentOf(report));
   const int spared = json["projector"]["spared"];
-  EXPECT_EQ(spared, 1); // three are looked at before one is judged
+  EXPECT_EQ(spared, 1); // three patterns are used before the need is judged
   EXPECT_EQ(json["frames"], patterns + 1 - spared);
   const std::string again = folder_.path("again");
   ASSERT_EQ(runTool(ACMAP_ACTIVE_STEREO, {recorded_, "-o", again}).exit_code, 0);
@@ -133,13 +133,14 @@ TEST_F(DigiclopsCamera, AnObservationMayEndEarly)
 
 TEST_F(DigiclopsCamera, AWindowStaysUntilTheUserHasSeenEnough)
 {
-  const VirtualDisplay desk("1280x960x24"); // the projector's screen is another one
+  // a display other than that of the projector
+  const VirtualDisplay desk("1280x960x24");
   const std::string projector = screen_;
   RunSettings settings;
   settings.interrupt_when = [&] {
     return std::filesystem::exists(clouds_ + "/observation_0000.pcd");
   };
-  settings.interrupt_after = 2; // seconds; clouds are there before it waits
+  settings.interrupt_after = 2; // seconds; the clouds are written before it waits
   const ToolRun run = grab({"--live", "--display", projector}, settings);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("close the window"));
@@ -170,7 +171,7 @@ TEST_F(DigiclopsCamera, WithoutAProjectorFramesAreStreamed)
   }
   std::filesystem::remove_all(recorded_);
 
-  RunSettings interrupted; // which is how a stream without an end ends
+  RunSettings interrupted; // an endless stream ends by an interruption
   interrupted.interrupt_when = [&] { return namesIn(recorded_).size() > 4; };
   EXPECT_EQ(runGrabber(stream, interrupted).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(recorded_ + "/session.yaml"));

@@ -32,7 +32,7 @@ TEST(FrameQueue, GivesFramesInTheirOrder)
   EXPECT_EQ(queue.pop(milliseconds(1)), nullptr);
   std::thread giver([&] {
     for (std::uint64_t i = 0; i < 50; ++i)
-      queue.push(frameOf(i)); // waits for room
+      queue.push(frameOf(i)); // blocks until there is room
   });
   for (std::uint64_t i = 0; i < 50; ++i) {
     const TrinocularFrame::ConstPtr frame = queue.pop(milliseconds(5000));
@@ -62,7 +62,7 @@ TEST(FrameQueue, IsNeverTooShort)
   EXPECT_GT(queueLength(0), 0u);
 }
 
-/** \brief Somebody types on the terminal that standard input is meanwhile. */
+/** \brief Simulates a user who types on a terminal that replaces standard input. */
 class TypingUser {
 public:
   TypingUser()
@@ -108,7 +108,7 @@ TEST(Pacing, EnterBeginsTheNextObservationOnATerminal)
   EXPECT_GE(looks, 3);
   user.type("q\n");
   EXPECT_FALSE(pacing.wait([] {}));
-  user.type("\x04"); // Ctrl-D, the end of the input
+  user.type("\x04"); // Ctrl-D, end of input
   EXPECT_FALSE(pacing.wait([] {}));
   EXPECT_THROW(pacing.wait([] { throw CancelledException("interrupted"); }),
                CancelledException);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/** \brief Grabs from a recording in place of a camera. */
+/** \brief Grabs from a recording instead of a camera. */
 class DigiclopsRecording : public ActiveStereoRuns {
 protected:
   /** \brief Grabs clouds and a session of the input.
@@ -30,7 +30,7 @@ protected:
     return runGrabber(all, settings);
   }
 
-  /** \brief A copy of the session, which may be spoilt. */
+  /** \brief A copy of the session, which a test may modify. */
   std::string
   copy() const
   {
@@ -51,7 +51,7 @@ TEST_F(DigiclopsRecording, CloudsAreThoseOfActiveStereoAndTheSessionIsTheRecordi
   EXPECT_THAT(run.out, HasSubstr("14, rectified"));
   ASSERT_EQ(runSession().exit_code, 0);
   expectSameFiles(clouds_, out_);
-  EXPECT_EQ(namesIn(recorded_).size(), 16u); // of 14 frames, rig, session
+  EXPECT_EQ(namesIn(recorded_).size(), 16u); // 14 frames, rig, session
   for (const std::string& name : namesIn(recorded_))
     EXPECT_TRUE(contentOf(recorded_ + "/" + name) == contentOf(session() + "/" + name))
         << name;
@@ -247,12 +247,12 @@ TEST_F(DigiclopsRecording, WithoutAPointTheSessionStays)
 TEST_F(DigiclopsRecording, DiskIsFullAndWhatIsWholeStays)
 {
   RunSettings full;
-  full.file_size_limit = 1000; // of rig.yaml, but no frame
+  full.file_size_limit = 1000; // enough for rig.yaml, but not for a frame
   expectGrabberFails(grab({}, full), 5, "frame_000000.acf");
   EXPECT_FALSE(fs::exists(clouds_));
   EXPECT_FALSE(fs::exists(recorded_));
 
-  full.file_size_limit = 300000; // of a frame, but no cloud
+  full.file_size_limit = 300000; // enough for a frame, but not for a cloud
   const ToolRun run = grab({}, full);
   expectGrabberFails(run, 5, "observation_0000.pcd");
   EXPECT_THAT(run.err, HasSubstr("frames recorded by then, in " + recorded_ + ": 7\n"));
@@ -262,7 +262,8 @@ TEST_F(DigiclopsRecording, DiskIsFullAndWhatIsWholeStays)
 
 TEST_F(DigiclopsRecording, AnInterruptedRunKeepsWholeObservations)
 {
-  constexpr int observations = 250; // seconds of work, so that it cannot finish before
+  // takes seconds, so that the run cannot finish before the interruption
+  constexpr int observations = 250;
   input_ = folder_.path("long");
   {
     TrinocularRecorder recorder(input_, loadTrinocularRig(rig_));
@@ -282,7 +283,7 @@ TEST_F(DigiclopsRecording, AnInterruptedRunKeepsWholeObservations)
   const std::size_t frames = framesOf(recorded_).size();
   EXPECT_GE(clouds, 1u);
   EXPECT_LT(clouds, 250u);
-  // one that was recorded may not have become a cloud
+  // the last recorded observation may not have a cloud yet
   EXPECT_GE(frames, clouds);
   EXPECT_LE(frames, clouds + 1);
   EXPECT_THAT(run.err, HasSubstr(clouds_ + ": " + std::to_string(clouds) + ";"));

@@ -11,16 +11,16 @@ namespace pcl::acmap::test {
 ToolRun
 runGrabber(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
-/** \brief Checks that it gave up as it should: the exit code, nothing on stdout, and a
- * last line on stderr that begins with its name and holds a word. */
+/** \brief Checks that it failed: the exit code, nothing on stdout, and a last line on
+ * stderr that begins with its name and contains a word. */
 void
 expectGrabberFails(const ToolRun& run, int exit_code, const std::string& word);
 
-/** \brief Names of the files of a folder, in order. */
+/** \brief Names of the files of a folder, sorted. */
 std::vector<std::string>
 namesIn(const std::string& folder);
 
-/** \brief Checks that both folders have the same files, byte for byte. */
+/** \brief Checks that both folders have the same files with the same bytes. */
 void
 expectSameFiles(const std::string& folder, const std::string& as);
 

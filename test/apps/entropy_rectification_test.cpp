@@ -82,7 +82,7 @@ observationOf(const std::string& folder, std::size_t i)
   return folder + "/observation_00" + (i < 10 ? "0" : "") + std::to_string(i) + ".pcd";
 }
 
-/** The map is that of the observations, at the poses of its trajectory. */
+/** Checks that the map consists of the observations at the poses of its trajectory. */
 void
 expectMap(const std::string& session, const std::string& output)
 {
@@ -132,7 +132,7 @@ TEST(RectificationTool, StraightensAFolder)
             report.at("before").at("far_contradictions"));
 }
 
-/** Near and far observations, before and after: each a share in %. */
+/** Fractions for near and far observations, before and after, in %. */
 TEST(RectificationTool, SharesOfRaysAreTold)
 {
   const TemporaryFolder folder;
@@ -140,7 +140,7 @@ TEST(RectificationTool, SharesOfRaysAreTold)
   const ToolRun run = runRectification({driftedRoom().session, "-o", output});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json report = reportOf(output);
-  // the reason stands behind the outcome, and has no numbers of its own
+  // the reason follows the outcome, and contains no numbers
   const std::string reason = report.at("rectified");
   EXPECT_EQ(reason.find_first_of("0123456789"), std::string::npos) << reason;
   std::istringstream lines(run.out);
@@ -212,7 +212,7 @@ TEST(RectificationTool, ObservationsAreASequenceAgain)
     EXPECT_TRUE(orientation.toRotationMatrix().cast<double>().isApprox(
         rectified.poses[i].linear(), 1e-5));
   }
-  // without a word about VIEWPOINTs, since they agree with the trajectory
+  // there is no warning about VIEWPOINTs, since they agree with the trajectory
   const ToolRun again = runRectification({output, "-o", folder.path("again")});
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_THAT(again.err, Not(HasSubstr("VIEWPOINT")));
@@ -295,7 +295,7 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTold)
   EXPECT_NEAR(plan.height, level_plan.height, 20) << "drawn along the floor";
   EXPECT_NEAR(plan.width, level_plan.width, 20);
 
-  // the camera is tilted, and its poses turn about y as those of a robot
+  // the camera is tilted, but its poses rotate about y only, as those of a robot
   const std::string unknown = copyOfRoom(folder.path("unknown"));
   for (std::size_t i = 0; i < driftedRoom().truth.poses.size(); ++i) {
     PointCloudFile file = loadPointCloud(observationOf(unknown, i));

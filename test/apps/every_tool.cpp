@@ -16,9 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t shot_count = 7; // of a board, which a calibration wants
+// images of a board, the minimum for a calibration
+constexpr std::size_t shot_count = 7;
 
-/** \brief The least of a building that a map comes of. */
+/** \brief The smallest building that gives a map. */
 constexpr const char* scene = R"(name: corridor_bit
 rig: {width: 224, height: 168, focal_length: 179, center_x: 111.5, center_y: 83.5,
       baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
@@ -95,7 +96,7 @@ private:
   TemporaryFolder rgbd_;
 };
 
-/** \brief Arguments of the chain that maps what \ref Inputs films. */
+/** \brief Arguments of pcl_compact_mapping for one of the \ref Inputs. */
 ToolRow
 rowOfChain(const std::string& input)
 {

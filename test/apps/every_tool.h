@@ -9,54 +9,55 @@
 
 namespace pcl::acmap::test {
 
-/** \brief How a tool is run with all its outputs. */
+/** \brief Command line of a tool with all its outputs. */
 struct ToolRow {
   std::string tool;
   /** \brief "<name" is an input, ">name" an output. */
   std::vector<std::string> arguments;
 
-  /** \brief What an interrupted run leaves, by its page; empty for nothing. */
+  /** \brief Results that an interrupted run keeps, according to its page; empty for
+   * none. */
   std::string keeps = {};
 
   bool needs_screen = false;
 
-  /** \brief Whether a run takes seconds. */
+  /** \brief Does a run take seconds? */
   bool is_slow = false;
 };
 
-/** \brief Every tool, the report among its outputs. */
+/** \brief Every tool, with the report as one of its outputs. */
 const std::vector<ToolRow>&
 everyTool();
 
-/** \brief Small inputs for all of them, in a folder: made once a program. */
+/** \brief A folder with small inputs for all of them, made once per program. */
 const TemporaryFolder&
 smallInputs();
 
 /** \brief Runs a tool of the table.
- * \param[in] place of an output, by its name */
+ * \param[in] place returns the path of an output for its name */
 ToolRun
 runRow(const ToolRow& row,
        const std::function<std::string(const std::string& output)>& place,
        const RunSettings& settings = {});
 
-/** \brief Names of the outputs of a row, in their order. */
+/** \brief Names of the outputs of a row, in order. */
 std::vector<std::string>
 outputsOf(const ToolRow& row);
 
-/** \brief Whether all it needs is there: an X server, where it draws. */
+/** \brief Are its requirements met? A tool that draws needs an X server. */
 bool
 canRun(const ToolRow& row);
 
-/** \brief The number that ACMAP_MOMENTS has, by which somebody asks for a thorough run. */
+/** \brief Value of ACMAP_MOMENTS, which requests a thorough run. */
 std::optional<int>
 wantedMoments();
 
-/** \brief Whether it can run, and is quick or a thorough run is wanted. */
+/** \brief Can it run, and is it fast or a thorough run requested? */
 bool
 isWorthwhile(const ToolRow& row);
 
-/** \brief All files below a folder, by their path in it, but for what tells of the run:
- * reports, stage.json. */
+/** \brief Contents of all files below a folder by relative path, except for files about
+ * the run: reports, stage.json. */
 std::map<std::string, std::string>
 resultsBelow(const std::string& folder);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int dark = ProjectorWatch::dark;
 
-/** \brief As a camera without colour sees it. */
+/** \brief Converts to the image of a camera without colour. */
 void
 makeGrey(CameraImage& image)
 {

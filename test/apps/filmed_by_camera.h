@@ -17,40 +17,43 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A simulated place before an emulated camera: what the camera sees in an exposure
- * is what a projector, watched on its screen, threw on the walls meanwhile. */
+/** \brief A simulated scene in front of an emulated camera: each exposure shows the
+ * scene in the light that a projector, watched on its screen, projected during the
+ * exposure. */
 class FilmedByCamera {
 public:
-  /** \param[in] lights what will be shown: the patterns of an observation, then white */
+  /** \param[in] lights images that will be shown: the patterns of an observation, then
+   * white */
   FilmedByCamera(const SimulatedScene& scene, const std::vector<RgbImage>& lights);
 
-  /** \brief From now on this projector is looked at, from the first place again. */
+  /** \brief From now on this projector is watched, and the camera is at the first
+   * position again. */
   void
   watch(const ProjectorWatch& projector);
 
-  /** \brief The projector hangs: from the second pattern on, that one is on the walls.
-   * Until \ref watch. */
+  /** \brief Simulates a projector that hangs: from the second pattern on, this pattern
+   * remains. Until \ref watch. */
   void
   hang()
   {
     hangs_ = true;
   }
 
-  /** \brief The projector is late: an exposure also sees what the one before it saw.
-   * Until \ref watch. */
+  /** \brief Simulates a projector with latency: an exposure also sees the light of the
+   * previous one. Until \ref watch. */
   void
   linger()
   {
     lingers_ = true;
   }
 
-  /** \brief The image of an exposure: a byte of each camera. Where the light changed
-   * meanwhile it is mixed. After the last pattern of an observation, the dark begins the
-   * next one. */
+  /** \brief The image of an exposure: one byte per camera. If the light changed during
+   * the exposure, it is mixed. After the last pattern of an observation, a dark
+   * exposure begins the next one. */
   std::vector<std::uint8_t>
   expose(const Exposure& exposure);
 
-  /** \brief Exposures that mixed two lights. */
+  /** \brief Number of exposures that mixed two lights. */
   int
   mixed() const
   {
@@ -63,11 +66,11 @@ public:
     return rig_;
   }
 
-  /** \brief Records what a camera in step with the projector sees. */
+  /** \brief Records the session of a camera that is synchronised with the projector. */
   void
   record(const std::string& session) const;
 
-  /** \brief Where the bytes of a pixel go: not in the order that is usual. */
+  /** \brief Sets the order of the channels in a pixel. */
   void
   setOrder(const std::array<RigCamera, 3>& order);
 
@@ -86,10 +89,10 @@ private:
   std::map<Shot, std::vector<std::uint8_t>> bytes_;
   const ProjectorWatch* projector_ = nullptr;
   int observation_ = 0;
-  bool saw_last_ = false; ///< pattern of the observation
+  bool saw_last_ = false; ///< the last pattern of the observation
   std::atomic<bool> hangs_{false};
   std::atomic<bool> lingers_{false};
-  std::set<int> before_; ///< lights of the last exposure, where they linger
+  std::set<int> before_; ///< lights of the previous exposure, with latency
   std::atomic<int> mixed_{0};
 };
 

@@ -9,7 +9,7 @@ namespace pcl::acmap::test {
 
 namespace {
 
-/** Within the text between two tags, or the value of an attribute. */
+/** Checks the text between two tags, or the value of an attribute. */
 bool
 isEscaped(const std::string& text)
 {
@@ -17,7 +17,7 @@ isEscaped(const std::string& text)
   return std::regex_replace(text, entity, "").find_first_of("<>&") == std::string::npos;
 }
 
-/** \param[in] attributes what stands behind the name of the element */
+/** \param[in] attributes text after the name of the element */
 bool
 areQuoted(std::string attributes)
 {
@@ -31,7 +31,8 @@ areQuoted(std::string attributes)
   return attributes.empty() || attributes == "/";
 }
 
-/** Python's decoder would say so too: each lead byte has as many others behind it. */
+/** Checks that each lead byte is followed by its continuation bytes, as a decoder
+ * would. */
 bool
 isUtf8(const std::string& text)
 {
@@ -50,7 +51,7 @@ isUtf8(const std::string& text)
   return missing == 0;
 }
 
-/** Walks over the tags. */
+/** Parses the tags. */
 class Walk {
 public:
   std::string

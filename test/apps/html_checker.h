@@ -4,9 +4,9 @@
 
 namespace pcl::acmap::test {
 
-/** \brief The first fault of a page as ours are: elements that are not closed, or in the
- * wrong order, attributes without quotes, bare `<`, `>` or `&`, bytes that are no UTF-8;
- * empty for a sound one. */
+/** \brief Finds the first fault of a page: elements that are not closed, or in the
+ * wrong order, attributes without quotes, unescaped `<`, `>` or `&`, invalid UTF-8;
+ * empty if there is none. */
 std::string
 htmlFault(const std::string& page);
 

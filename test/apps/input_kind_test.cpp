@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief A folder with empty files, and folders where a name ends in a slash. */
+/** \brief A folder with empty files; names that end in a slash are subfolders. */
 InputKind
 kindOfFolderWith(const std::vector<std::string>& names)
 {

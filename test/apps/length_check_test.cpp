@@ -80,7 +80,7 @@ TEST(LengthCheck, NamesPlacesThatFloatsAreTooCoarseFor)
   EXPECT_NE(remarks[0].find("take an offset off"), std::string::npos) << remarks[0];
 }
 
-/** What is said of a voxel; an exception's words where it is refused. */
+/** The warnings about a voxel size; the message of the exception if it is refused. */
 std::string
 saidOf(double voxel, const Cloud& cloud)
 {

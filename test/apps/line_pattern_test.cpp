@@ -93,7 +93,7 @@ TEST_F(LinePattern, HasTenPatternsByDefaultAndOneInAPicture)
   output_ = folder_.path("one.PNG");
   ASSERT_EQ(runPattern(arguments()).exit_code, 0);
   EXPECT_EQ(contentOf(output_), contentOf(folder + "/pattern_00.png"));
-  EXPECT_EQ(folder_.count(), 2); // no report beside the picture
+  EXPECT_EQ(folder_.count(), 2); // no report next to the picture
   const std::string report = folder_.path("r.json");
   ASSERT_EQ(runPattern(arguments({"--grey", "--report", report})).exit_code, 0);
   const RgbImage grey = loadRgbImage(output_);
@@ -200,7 +200,7 @@ protected:
       GTEST_SKIP() << "Xvfb is not installed";
   }
 
-  /** \brief Waits until the screen shows an image. */
+  /** \brief Waits until the screen shows an image. Returns false after a timeout. */
   static bool
   comesToShow(const RgbImage& image)
   {

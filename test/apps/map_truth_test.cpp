@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double fine = 1e-5; // polygons are floats
+constexpr double fine = 1e-5; // tolerance for polygons, which are floats
 
 class MapTruth : public testing::Test {
 protected:
@@ -51,7 +51,7 @@ TEST_F(MapTruth, OfTheRoomAsItIsIsZero)
 
 TEST_F(MapTruth, PlanesWithAHundredthOfThePointsAreMain)
 {
-  // 9180 points: the far end has 1.09 % of them, the board 0.87 %
+  // of 9180 points, the far end has 1.09 %, the board 0.87 %
   std::vector<std::string> names;
   for (const PlaneDeviation& plane : figures().aligned.planes)
     names.push_back(plane.name);
@@ -78,7 +78,8 @@ TEST_F(MapTruth, TellsAngleAndOffsetOfAPlane)
 
 TEST_F(MapTruth, OffsetIsThatInTheMiddleOfWhatWasFound)
 {
-  // only the last 10 m, turned about the wall's beginning: 15 m from there it is off most
+  // only the last 10 m, rotated about the start of the wall: the centre of the part is
+  // 15 m from there
   const PlanePatch part = patchOf({-2, 1.25, 10}, {0, 0, 10}, {0, -2.5, 0});
   map_.planes[1] = moved(part, turnAt({-2, 0, 0}, 0.2));
   const PlaneDeviation wall = planeOf(figures().aligned, "left wall");
@@ -129,7 +130,7 @@ TEST_F(MapTruth, TheLargestOfSeveralCounts)
   EXPECT_EQ(planeOf(figures().aligned, "left wall").finder, 4u);
 }
 
-/** The board, 5 cm before the left wall, lies within what a wall may be off. */
+/** The board, 5 cm in front of the left wall, is within the tolerance for the wall. */
 TEST_F(MapTruth, APlaneStandsForOneOnly)
 {
   const RoomSession session(
@@ -158,14 +159,14 @@ TEST_F(MapTruth, AFirstPoseThatIsWrongTurnsAllOfIt)
   EXPECT_NEAR(result.aligned.ate_after, 0, 1e-9);
   EXPECT_NEAR(planeOf(result.from_first, "left wall").angle, 0.2, fine);
   EXPECT_NEAR(planeOf(result.from_first, "floor").angle, 0, fine);
-  // places 2, 4, 6, 8 m ahead move sideways
+  // the positions 2, 4, 6, 8 m ahead move sideways
   const double way = std::sqrt((4.0 + 16 + 36 + 64) / 5);
   EXPECT_NEAR(result.from_first.ate_after, 2 * std::sin(0.1 * M_PI / 180) * way, 1e-9);
 }
 
 TEST_F(MapTruth, TellsTheWayBeforeAndAfter)
 {
-  // to the sides in turn, so that neither turn nor shift makes it better
+  // alternating sides, so that neither rotation nor translation reduces the error
   const double sides[] = {1, -1, 0, -1, 1};
   for (std::size_t i = 0; i < way_.before.size(); ++i) {
     way_.before[i].translation().x() += 0.1 * sides[i];
@@ -175,7 +176,7 @@ TEST_F(MapTruth, TellsTheWayBeforeAndAfter)
   const double share = std::sqrt(4.0 / 5.0);
   EXPECT_NEAR(result.aligned.ate_before, 0.1 * share, 1e-9);
   EXPECT_NEAR(result.aligned.ate_after, 0.03 * share, 1e-9);
-  // the first place is off by nothing, the others by what it was off, too
+  // the first position has no error now, the others also have its error
   const double more = std::sqrt((0 + 4.0 + 1 + 4 + 0) / 5);
   EXPECT_NEAR(result.from_first.ate_before, 0.1 * more, 1e-9);
   EXPECT_NEAR(result.from_first.ate_after, 0.03 * more, 1e-9);

@@ -70,7 +70,7 @@ protected:
     fs::remove_all(path("out"));
   }
 
-  /** Runs a tool whose output is out, or begins with it. */
+  /** Runs a tool whose output is `out`, or begins with it. */
   static ToolRun
   run(const std::string& tool, std::vector<std::string> arguments, const char* limit)
   {

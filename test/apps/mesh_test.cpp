@@ -14,7 +14,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief Reads a mesh with VTK, a reader that is not ours. */
+/** \brief Reads a mesh with VTK, an independent reader. */
 template <typename Reader>
 vtkSmartPointer<vtkPolyData>
 readBack(const std::string& path)
@@ -25,7 +25,7 @@ readBack(const std::string& path)
   return reader->GetOutput();
 }
 
-/** \brief Edge length of the widest bounding box side. */
+/** \brief Maximum side length of the bounding box. */
 double
 widthOf(vtkPolyData* mesh)
 {

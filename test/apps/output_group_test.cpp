@@ -12,7 +12,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** Writes a text to a place, as the savers do. */
+/** Returns a function that writes a text to a path, like a saver. */
 std::function<void(const std::string&)>
 saving(const std::string& text)
 {

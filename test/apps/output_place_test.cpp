@@ -11,7 +11,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/** \brief Every tool with each of its outputs in a bad place, and the others in a good one. */
+/** \brief Runs every tool with each of its outputs in a bad folder, and the others in a
+ * good one. */
 class OutputPlace : public testing::Test {
 protected:
   void
@@ -23,7 +24,7 @@ protected:
       fs::create_directory(folder_.path(name));
   }
 
-  /** \brief Runs a tool with one output in the bad place. */
+  /** \brief Runs a tool with one output in the bad folder. */
   ToolRun
   run(const ToolRow& row, const std::string& bad) const
   {
@@ -32,7 +33,7 @@ protected:
     });
   }
 
-  /** \brief An output that stands there from before, where it is a file. */
+  /** \brief Creates an existing output, if it is a file. */
   void
   writeOld(const std::string& output) const
   {
@@ -60,7 +61,7 @@ protected:
     EXPECT_THAT(run.err, HasSubstr(folder_.path("bad/" + bad)));
   }
 
-  /** \brief Empties the good place. */
+  /** \brief Empties the good folder. */
   void
   clear() const
   {
@@ -122,7 +123,7 @@ TEST_F(OutputPlace, ThatIsFullBeforeLongLeavesAllOrNothing)
     }
 }
 
-/** \brief Puts all outputs into a folder. */
+/** \brief Puts all outputs into one folder. */
 auto
 allIn(const TemporaryFolder& folder)
 {

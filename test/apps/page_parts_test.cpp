@@ -47,11 +47,12 @@ TEST(PageText, WhatIsNoTextIsReplaced)
   EXPECT_EQ(htmlText("a\xFF"
                      "b"),
             "a" + replaced + "b");
-  EXPECT_EQ(htmlText("\xC3"), replaced);                // cut off
-  EXPECT_EQ(htmlText("\xC3<"), replaced + "&lt;");      // swallows nothing
-  EXPECT_EQ(htmlText("\xC0\xBC"), replaced + replaced); // a long form of <
-  EXPECT_EQ(htmlText("\xED\xA0\x80"), replaced + replaced + replaced); // half a pair
-  EXPECT_EQ(htmlText("\xF5\x80\x80\x80").substr(0, 3), replaced);      // above U+10FFFF
+  EXPECT_EQ(htmlText("\xC3"), replaced);                // truncated
+  EXPECT_EQ(htmlText("\xC3<"), replaced + "&lt;");      // the next character is kept
+  EXPECT_EQ(htmlText("\xC0\xBC"), replaced + replaced); // an overlong form of <
+  // half of a surrogate pair
+  EXPECT_EQ(htmlText("\xED\xA0\x80"), replaced + replaced + replaced);
+  EXPECT_EQ(htmlText("\xF5\x80\x80\x80").substr(0, 3), replaced); // above U+10FFFF
   EXPECT_EQ(htmlText(std::string("\0\x1B\r\x7F", 4)),
             replaced + replaced + replaced + replaced);
 }
@@ -90,7 +91,7 @@ TEST(PageText, SecondsAndBytesHaveUnits)
   EXPECT_EQ(bytesText(1213445120), "1.21 GB");
 }
 
-/** A search of one bin size, from an energy down to another one. */
+/** Adds a search with one bin size and the given energies. */
 void
 addSearch(Json& steps,
           const std::string& name,
@@ -118,7 +119,8 @@ TEST(PageEnergy, BreaksTheLineWhereEnergiesAreNotComparable)
   EXPECT_THAT(figure, HasSubstr("&lt;fine&gt;"));
 }
 
-/** Highest and lowest place at which a line begins; 0 is the picture's upper edge. */
+/** Minimum and maximum y coordinate at which a line begins; 0 is the upper edge of the
+ * picture. */
 std::pair<double, double>
 rowsOf(const std::string& figure)
 {
@@ -184,7 +186,7 @@ TEST(PageSeconds, ReusedStagesAreMarkedAndNotCounted)
   ASSERT_EQ(seconds.stages.size(), 3U);
   EXPECT_TRUE(seconds.stages[0].is_reused);
   EXPECT_EQ(seconds.stages[1].total(), 10);
-  EXPECT_EQ(seconds.stages[2].steps.size(), 1U); // the others are of the stages
+  EXPECT_EQ(seconds.stages[2].steps.size(), 1U); // the others belong to stages
   EXPECT_EQ(seconds.total(), 10.5);
   const std::string table = secondsTable(report);
   EXPECT_EQ(htmlFault(table), "");
@@ -215,7 +217,7 @@ TEST(PageTables, PlanesHaveEquationsAndUnits)
   EXPECT_THAT(table, HasSubstr(">3.51<"));
   EXPECT_THAT(table, HasSubstr(">6,522,137<"));
   EXPECT_EQ(countOf(table, "\xE2\x80\x93"),
-            8U); // all that two do not tell
+            8U); // missing values of two planes
   EXPECT_EQ(planesTable({{"stages", {{{"details", {{"planes", 3}}}}}}}), "");
 }
 

@@ -52,7 +52,8 @@ TEST(PictureFigure, SaysWhatIsMissingOrDamaged)
   const std::string bytes = contentOf(folder.path("whole.png"));
   folder.write("cut.png", bytes.substr(0, bytes.size() / 2));
   folder.write("text.png", "no picture");
-  folder.write("grey.png", "P5 1 1 255\n7"); // a picture, but not one for browsers
+  // a picture, but not in a format for browsers
+  folder.write("grey.png", "P5 1 1 255\n7");
   for (const char* name : {"none.png", "cut.png", "text.png", "grey.png", ""}) {
     const std::string figure = pictureFigure(folder.path(name), "<n>", "It");
     EXPECT_EQ(htmlFault(figure), "") << name;

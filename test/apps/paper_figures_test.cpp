@@ -78,7 +78,7 @@ protected:
     return folder_->path("map");
   }
 
-  /** A copy of the map, to be spoilt. */
+  /** A copy of the map, which a test may modify. */
   static std::string
   copyOfMap(const TemporaryFolder& folder)
   {

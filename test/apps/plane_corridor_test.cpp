@@ -28,7 +28,7 @@ protected:
                                  "--merged",
                                  path("map.pcd")});
     ASSERT_EQ(rig.exit_code, 0) << rig.err;
-    // the views are told apart by the trajectory beside the cloud
+    // the views are known from the trajectory next to the cloud
     std::filesystem::rename(path("map.pcd"), path("session/map.pcd"));
     run_ = runPlanes(
         {path("session/map.pcd"), path("p.json"), "--labels", path("labels.pcd")});

@@ -12,7 +12,7 @@ namespace {
 
 class PlaneInputs : public testing::Test {
 protected:
-  /** Runs the tool, writes the labels too, and gives the planes. */
+  /** Runs the tool, which also writes the labels, and returns the planes. */
   nlohmann::json
   planesOf(const std::string& input, std::vector<std::string> more = {})
   {

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** The planes of a noisy room, and how they are written. */
+/** The planes of a noisy room, and their output files. */
 class PlaneOutputs : public testing::Test {
 protected:
   ToolRun
@@ -42,7 +42,7 @@ distance(const nlohmann::json& plane, const nlohmann::json& point)
   return std::abs(coefficientsOf(plane).dot(pointOf(point).homogeneous()));
 }
 
-/** Area within a loop, positive where it is counter-clockwise seen along -normal. */
+/** Area within a loop, positive if it is counter-clockwise seen along -normal. */
 double
 areaOf(const nlohmann::json& loop, const Eigen::Vector3d& normal)
 {
@@ -122,7 +122,7 @@ TEST_F(PlaneOutputs, NormalsStandInTheMesh)
   EXPECT_GT(right, surface * 95 / 100);
 }
 
-/** Squares above each other, the larger the higher. */
+/** Squares above each other, whose size increases with the height. */
 std::string
 stairsObj(int steps)
 {
@@ -135,7 +135,8 @@ stairsObj(int steps)
         points += "v " + std::to_string(i * size) + " " + std::to_string(k * size) +
                   " " + std::to_string(0.7 * step) + "\n";
         if (i < squares && k < squares)
-          for (const int other : {at + squares + 2, at + 1}) // halves of a square
+          // the two triangles of a square
+          for (const int other : {at + squares + 2, at + 1})
             faces +=
                 "f " + std::to_string(at) + " " +
                 std::to_string(other == at + 1 ? at + squares + 2 : at + squares + 1) +
@@ -196,7 +197,7 @@ TEST_F(PlaneOutputs, AFullDiskLeavesTheOldFilesAll)
 {
   folder_.write("p.json", "old planes");
   RunSettings full;
-  full.file_size_limit = 200000; // the planes fit, the labels do not
+  full.file_size_limit = 200000; // enough for the planes, but not for the labels
   expectRefused(run({"--labels", labels_}, full), 5, labels_);
   EXPECT_EQ(contentOf(json_), "old planes");
   EXPECT_EQ(folder_.count(), 2);

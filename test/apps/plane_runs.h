@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A plane as a file of planes or of truth holds it: unit normal and offset. */
+/** \brief A plane of a planes file or a truth file: unit normal and offset. */
 Eigen::Vector4d
 coefficientsOf(const nlohmann::json& plane);
 
@@ -20,8 +20,9 @@ pointOf(const nlohmann::json& point);
 double
 angleBetween(const Eigen::Vector4d& a, const Eigen::Vector4d& b);
 
-/** \brief The plane of a file that is nearest to one in direction, within a tolerance in
- * degrees, and off it by no more than so many metres at its centre; null without one. */
+/** \brief The plane of a file with the most similar normal within a tolerance in
+ * degrees and at most this distance, in metres, at its centre; null if there is
+ * none. */
 nlohmann::json
 matchOf(const nlohmann::json& planes,
         const Eigen::Vector4d& truth,
@@ -31,19 +32,20 @@ matchOf(const nlohmann::json& planes,
 nlohmann::json
 jsonOfFile(const std::string& path);
 
-/** \brief The field `label` of a cloud's file. */
+/** \brief The field `label` of a cloud file. */
 std::vector<std::uint32_t>
 labelsOfFile(const std::string& path);
 
-/** \brief Floor and four walls with a noise of 6 mm as a PCD, seen from the origin. */
+/** \brief PCD of a floor and four walls with a noise of 6 mm, seen from the origin. */
 std::string
 roomPcd();
 
-/** \brief The five planes of it, normals inwards. */
+/** \brief Its five planes, normals pointing inwards. */
 std::vector<Eigen::Vector4d>
 roomPlanes();
 
-/** \brief A cube of side 1 m about the origin as OBJ, its sides of squares. */
+/** \brief OBJ of a cube with a side of 1 m about the origin, its sides divided into
+ * squares. */
 std::string
 cubeObj();
 

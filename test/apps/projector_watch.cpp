@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks(2);
 constexpr std::chrono::seconds patience(5);
-constexpr std::array<int, 3> looked_at = {20, 50, 80}; // rows, percent of the height
+// rows that are compared, percent of the height
+constexpr std::array<int, 3> looked_at = {20, 50, 80};
 
 std::vector<std::uint8_t>
 rowOf(const RgbImage& image, int row)
@@ -30,7 +31,7 @@ rowOnScreen(Display* display, int row)
   std::vector<std::uint8_t> values;
   for (int column = 0; column < image->width; ++column) {
     const unsigned long pixel = XGetPixel(image, column, 0);
-    for (const int shift : {16, 8, 0}) // Xvfb's order
+    for (const int shift : {16, 8, 0}) // order of channels in Xvfb
       values.push_back(static_cast<std::uint8_t>(pixel >> shift));
   }
   XDestroyImage(image);
@@ -62,7 +63,7 @@ ProjectorWatch::watch()
 {
   Display* const display = XOpenDisplay(nullptr);
   if (!display)
-    return; // all is dark
+    return; // everything is dark
   while (!ends_) {
     const Clock::time_point now = Clock::now();
     std::vector<Row> rows;
@@ -71,7 +72,8 @@ ProjectorWatch::watch()
     const int pattern = patternOf(rows);
     {
       const std::lock_guard lock(mutex_);
-      // at the earliest: a look that was late must not make the projector late
+      // the earliest possible time: a delayed look must not make the projector appear
+      // late
       if (changes_.back().second != pattern)
         changes_.emplace_back(last_look_, pattern);
       last_look_ = now;

@@ -15,8 +15,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Looks, all the time, at the screen of the environment's display, as a camera
- * would at the wall: which pattern stands there? */
+/** \brief Continuously watches the screen of the environment's display, as a camera
+ * would watch the wall, and detects which pattern is shown. */
 class ProjectorWatch {
 public:
   using Clock = std::chrono::steady_clock;
@@ -24,7 +24,7 @@ public:
   static constexpr int dark = -1;
   static constexpr int something_else = -2;
 
-  /** \param[in] patterns of the screen's size */
+  /** \param[in] patterns have the size of the screen */
   explicit ProjectorWatch(const std::vector<RgbImage>& patterns);
   ~ProjectorWatch();
 
@@ -32,15 +32,15 @@ public:
   ProjectorWatch&
   operator=(const ProjectorWatch&) = delete;
 
-  /** \brief How long the projector takes to show what is on the screen. */
+  /** \brief Sets the latency of the projector relative to the screen. */
   void
   setDelay(std::chrono::milliseconds delay)
   {
     delay_ = delay;
   }
 
-  /** \brief Numbers of all patterns that were on the wall within a time; waits until the
-   * screen was looked at after its end. */
+  /** \brief Numbers of all patterns that were on the wall within a time interval; waits
+   * until the screen was checked after its end. */
   std::set<int>
   shownWithin(Clock::time_point begin, Clock::time_point end) const;
 
@@ -53,12 +53,13 @@ private:
   int
   patternOf(const std::vector<Row>& rows) const;
 
-  std::vector<std::vector<Row>> rows_; ///< of each pattern, those that are looked at
+  std::vector<std::vector<Row>> rows_; ///< rows of each pattern that are compared
   std::atomic<std::chrono::milliseconds> delay_{std::chrono::milliseconds(0)};
   mutable std::mutex mutex_;
   mutable std::condition_variable looked_;
-  Clock::time_point last_look_; ///< when the last one that is over began
-  std::vector<std::pair<Clock::time_point, int>> changes_; ///< since when
+  Clock::time_point last_look_; ///< start of the last completed check
+  /** \brief Time of each change, new pattern. */
+  std::vector<std::pair<Clock::time_point, int>> changes_;
   std::atomic<bool> ends_{false};
   std::thread thread_;
 };

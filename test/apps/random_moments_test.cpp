@@ -28,7 +28,7 @@ private:
   Clock::time_point begin_ = Clock::now();
 };
 
-/** \brief What a tool makes when nobody disturbs it, and how long that takes. */
+/** \brief Results of an uninterrupted run of a tool, and its duration. */
 struct Undisturbed {
   explicit Undisturbed(const ToolRow& row)
   {
@@ -45,22 +45,22 @@ struct Undisturbed {
   double seconds = 0;
 };
 
-/** \brief Of each tool once a program. */
+/** \brief The uninterrupted run of each tool, once per program. */
 const Undisturbed&
 undisturbed(const ToolRow& row)
 {
   static std::map<const ToolRow*, Undisturbed> all;
-  smallInputs(); // whose making does not count
+  smallInputs(); // not included in the measured time
   return all.try_emplace(&row, row).first->second;
 }
 
-/** \brief How many runs ended how. */
+/** \brief Number of runs by outcome. */
 struct Tally {
   int stopped = 0;
-  int finished = 0; ///< before they were
+  int finished = 0; ///< before the interruption
   int with_results = 0;
 
-  /** \brief Whether so many moments are not reached yet; some come too late. */
+  /** \brief Are more interruptions needed? Some come too late. */
   bool
   isWanted(int moments) const
   {
@@ -75,7 +75,7 @@ struct Tally {
   }
 };
 
-/** \brief A run of a tool in a folder, stopped at a random moment. */
+/** \brief Runs a tool in a folder, and stops it at a random moment. */
 class Stopping {
 public:
   Stopping(const ToolRow& row, const Undisturbed& whole)
@@ -93,7 +93,7 @@ public:
         std::uniform_real_distribution<double>(0, seconds_)(random_);
     const Stopwatch watch;
     const ToolRun run = this->run(folder, settings);
-    if (run.exit_code == 0) // it came too late: this run was quicker than the first one
+    if (run.exit_code == 0) // too late: this run was faster than the first one
       seconds_ = 0.8 * std::min(seconds_, watch.seconds());
     return run;
   }
@@ -105,8 +105,8 @@ public:
         row_, [&](const std::string& output) { return folder.path(output); }, settings);
   }
 
-  /** \brief Checks that each file that is there is a whole one.
-   * \param[out] any whether there is one */
+  /** \brief Checks that each file is complete.
+   * \param[out] any true if there is a file */
   void
   expectWhole(const TemporaryFolder& folder, bool& any) const
   {
@@ -116,7 +116,7 @@ public:
         continue; // in a hidden folder
       any = true;
       if (fs::path(name).filename() == "session.yaml")
-        continue; // a recording that was interrupted is finished, with fewer frames
+        continue; // an interrupted recording is finished with fewer frames
       const auto there = whole_.results.find(name);
       ASSERT_NE(there, whole_.results.end()) << name;
       EXPECT_TRUE(bytes == there->second) << name << " is not whole";
@@ -130,7 +130,7 @@ private:
   std::mt19937 random_{14};
 };
 
-/** \brief Checks that all that an undisturbed run makes is there, and nothing else. */
+/** \brief Checks that the results are exactly those of an uninterrupted run. */
 void
 expectSame(const TemporaryFolder& folder, const Undisturbed& whole)
 {
@@ -144,7 +144,7 @@ expectSame(const TemporaryFolder& folder, const Undisturbed& whole)
   EXPECT_THAT(hiddenBelow(folder.path("")), IsEmpty());
 }
 
-/** \brief Kills a tool again and again, and lets the next run finish each time. */
+/** \brief Kills a tool repeatedly, and lets the next run finish each time. */
 void
 killAtRandom(const ToolRow& row, int moments)
 {
@@ -165,7 +165,7 @@ killAtRandom(const ToolRow& row, int moments)
     ToolRun next = stopping.run(folder);
     EXPECT_THAT(hiddenBelow(folder.path("")), IsEmpty());
     if (next.exit_code == 5) {
-      // the folder has results already: none are overwritten
+      // the folder already has results: none are overwritten
       EXPECT_THAT(next.err, HasSubstr(" already")) << next.err;
       for (const std::string& output : outputsOf(row))
         fs::remove_all(folder.path(output));
@@ -221,7 +221,7 @@ TEST(RandomMoments, AKilledToolLeavesNothingHalfAndNothingThatStays)
       killAtRandom(row, wantedMoments().value_or(1));
 }
 
-/** \brief The one row of a tool. */
+/** \brief The only row of a tool. */
 const ToolRow&
 rowOf(const std::string& tool)
 {

@@ -31,7 +31,7 @@ countOf(const RgbImage& image, const Color& color)
   return count;
 }
 
-/** A square of points, 10 m by 5 m, with a stray one far away. */
+/** A rectangle of points, 10 m by 5 m, with an outlier far away. */
 PlanContents
 floorContents()
 {
@@ -78,7 +78,7 @@ TEST(PlanPicture, ShowsXToTheRightAndZUpwards)
 {
   const PlanExtent extent = floorContents().extent();
   PlanPicture plan(extent);
-  plan.add({2.5, 0, 104}); // left of the middle, above it
+  plan.add({2.5, 0, 104}); // left of the centre, above it
   plan.add({std::numeric_limits<double>::quiet_NaN(), 0, 104});
   plan.add({1e9, 0, 104});
   const RgbImage image = plan.draw({}, red);
@@ -189,7 +189,7 @@ TEST(EnergyPicture, OfWildEnergiesCanBeDrawn)
   EXPECT_GT(countOf(none, black), 100U);
   std::vector<RectificationStep> steps = descent("s", 10, 80);
   const std::size_t blue_before = countOf(energyPicture(steps), blue);
-  steps[20].energy = 1e300; // leaves the picture; the others stay readable
+  steps[20].energy = 1e300; // outside of the picture; the others remain visible
   steps[60].energy = std::numeric_limits<double>::quiet_NaN();
   EXPECT_GT(countOf(energyPicture(steps), blue), blue_before / 2);
   for (RectificationStep& step : steps)
@@ -197,7 +197,7 @@ TEST(EnergyPicture, OfWildEnergiesCanBeDrawn)
   EXPECT_EQ(energyPicture(steps).width, none.width);
 }
 
-/** Points on a floor that is tilted about z, and twice as many on walls. */
+/** Points on a floor that is tilted about z, and on walls. */
 MapObservations
 tiltedRoom(double tilt, double floor_share)
 {
@@ -206,7 +206,7 @@ tiltedRoom(double tilt, double floor_share)
       Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   MapObservations room;
   room.clouds.emplace_back(new PointCloud<PointNormal>);
-  // The camera itself is turned, so that only its pose makes the map level.
+  // The camera itself is rotated, so that the map is level only by its pose.
   Eigen::Isometry3d T_map_camera(
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
   room.trajectory.poses.push_back(T_map_camera);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** A room of 7 m by 5 m with a pillar and a cupboard, gone through along a line while
- * the camera looks round. */
+/** A room of 7 m by 5 m with a pillar and a cupboard; the camera moves along a line
+ * while it looks around. */
 constexpr const char* room = R"(name: room
 rig: {width: 96, height: 72, focal_length: 78, center_x: 47.5, center_y: 35.5,
       baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
@@ -57,7 +57,7 @@ rangeInRoom(double x, double y, double angle)
   return range;
 }
 
-/** A pose in the frame of the log: x ahead, y to the left. */
+/** A pose in the frame of the log: x forward, y to the left. */
 std::array<double, 3>
 logPoseOf(const Eigen::Isometry3d& T_map_laser)
 {
@@ -131,7 +131,7 @@ roomLogTruth()
   Trajectory truth;
   for (int i = 0; i < 60; ++i) {
     const double turned = 2 * pi * i / 60;
-    // round the middle (4.5, 3), looking ahead
+    // around the centre (4.5, 3), looking forward
     const double x = 4.5 + 2.8 * std::cos(turned);
     const double y = 3 + 1.8 * std::sin(turned);
     const double theta = std::atan2(1.8 * std::cos(turned), -2.8 * std::sin(turned));

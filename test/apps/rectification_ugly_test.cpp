@@ -142,7 +142,7 @@ TEST_F(RectificationFaults, AnInterruptionLeavesNothing)
   EXPECT_FALSE(fs::exists(folder_.path("out")));
 }
 
-/** Runs on a folder whose poses must stay as they are. */
+/** Runs on a folder whose poses must not change. */
 void
 expectPosesAsTheyCame(const std::string& session, const std::string& output)
 {
@@ -183,7 +183,7 @@ TEST_F(RectificationFaults, ObservationsThatShareNothingAreLeftWhereTheyAre)
   for (std::size_t i = 0; i < apart.poses.size(); ++i)
     apart.poses[i].translation().x() += 200.0 * static_cast<double>(i);
   saveTrajectory(session + "/trajectory.txt", apart);
-  for (int i = 0; i < 24; ++i) { // without VIEWPOINTs there is nothing else to tell
+  for (int i = 0; i < 24; ++i) { // without VIEWPOINTs there is no other warning
     const std::string path =
         session + "/observation_00" + (i < 10 ? "0" : "") + std::to_string(i) + ".pcd";
     savePointCloud(path, loadPointCloud(path).cloud);

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
-/** A report in which everything stands, with the worst of names. */
+/** A report with all possible entries, and a name full of special characters. */
 Json
 fullReport(const std::string& name)
 {
@@ -56,7 +56,7 @@ fullReport(const std::string& name)
 
 constexpr const char* worst_name = "<script src=\"http://a.b/c.js\">&'\xFF\x01.pcd";
 
-/** With its one picture. */
+/** With its only picture. */
 std::string
 pageOf(const Json& report)
 {

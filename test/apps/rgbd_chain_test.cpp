@@ -18,7 +18,7 @@ namespace {
 const std::string kitchen = "C_sequence/redkitchen_000_495";
 constexpr std::size_t frames = 12;
 
-/** The recording's first frames, and the camera. */
+/** Links the first frames of the recording, and the camera. */
 void
 linkFrames(const std::filesystem::path& folder)
 {
@@ -28,14 +28,14 @@ linkFrames(const std::filesystem::path& folder)
     if (entry.path().filename().string().rfind("frame-", 0) == 0)
       files.push_back(entry.path().filename());
   std::sort(files.begin(), files.end());
-  files.resize(3 * frames); // colour, depth and pose of each
+  files.resize(3 * frames); // colour, depth and pose of each frame
   files.emplace_back("camera-intrinsics.txt");
   std::filesystem::create_directory(folder);
   for (const auto& file : files)
     std::filesystem::create_symlink(recording / file, folder / file);
 }
 
-/** Has the map a plane like this one, as drift and noise leave it? */
+/** Does the map have a plane like this one, within drift and noise? */
 bool
 holdsLike(const CompactMap& map, const PlanePatch& wanted)
 {
@@ -49,7 +49,7 @@ holdsLike(const CompactMap& map, const PlanePatch& wanted)
       });
 }
 
-/** Frames of a hand-held recording: images alone, then egomotion, then a map. */
+/** Frames of a hand-held recording: only images, then egomotion, then a map. */
 TEST(RgbdChain, ImagesAloneGiveTheMapThatPosesGive)
 {
   if (!hasTestData(kitchen + "/camera-intrinsics.txt"))

@@ -112,7 +112,7 @@ writeTum(const TemporaryFolder& folder, int frames)
     times.str("");
     times << stamp << " depth/" << name;
     depths += times.str() + "\n";
-    // halfway between the two is the frame's pose
+    // the frame's pose is halfway between these two
     Eigen::Isometry3d before = posedAt(frame);
     Eigen::Isometry3d after = posedAt(frame);
     before.translation().x() -= 0.02;

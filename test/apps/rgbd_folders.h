@@ -11,23 +11,23 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Size of all images of the made folders, unless a test wants another. */
+/** \brief Default size of all images of the generated folders. */
 constexpr std::int32_t small_width = 8;
 constexpr std::int32_t small_height = 6;
 
-/** \brief A colour that tells pixel and frame. */
+/** \brief An image whose colours encode pixel and frame. */
 RgbImage
 tellingColors(int frame,
               std::int32_t width = small_width,
               std::int32_t height = small_height);
 
-/** \brief Depths that tell pixel and frame, 1000 and up; the first pixel holds 0, the
+/** \brief Depths that encode pixel and frame, 1000 and more; the first pixel is 0, the
  * second 65535. */
 std::vector<std::uint16_t>
 tellingDepths(int frame);
 
-/** \brief Where the camera of a made folder is, T_world_camera; the first one is neither
- * at the origin nor straight. */
+/** \brief Pose of the camera of a generated folder, T_world_camera; the first one is
+ * neither at the origin nor unrotated. */
 Eigen::Isometry3d
 posedAt(int frame);
 
@@ -44,12 +44,13 @@ poseRow(double stamp, const Eigen::Isometry3d& pose);
 void
 writeSevenScenes(const TemporaryFolder& folder, int frames);
 
-/** \brief Writes rgb.txt, depth.txt, groundtruth.txt and the images they name. Depth is
- * taken each 0.1 s, colour 4 ms later, a pose 10 ms before and 10 ms after each depth. */
+/** \brief Writes rgb.txt, depth.txt, groundtruth.txt and their images. Depth is taken
+ * every 0.1 s, colour 4 ms later, a pose 10 ms before and 10 ms after each depth
+ * image. */
 void
 writeTum(const TemporaryFolder& folder, int frames);
 
-/** \brief Bytes as a string, to be written. */
+/** \brief Bytes as a string, for writing. */
 std::string
 textOfBytes(const std::vector<std::uint8_t>& bytes);
 

@@ -72,7 +72,8 @@ sigmaOf(const PCLPointCloud2& cloud, std::size_t point)
   return sigma;
 }
 
-/** Reads an observation with PCL and compares each pixel with what the frame holds. */
+/** Reads an observation with PCL and compares each pixel with the content of the
+ * frame. */
 void
 expectObservation(const std::string& path, int frame, const Camera& camera)
 {
@@ -156,7 +157,7 @@ TEST_F(RgbdImport, TumComesOutExactly)
   for (int frame = 0; frame < 3; ++frame) {
     const auto index = static_cast<std::size_t>(frame);
     EXPECT_NEAR(trajectory.stamps[index], 1305031102.1 + 0.1 * frame, 1e-5);
-    // stamps of microseconds move what lies between the poses a little
+    // stamps in microseconds change the interpolated pose slightly
     expectPose(trajectory.poses[index], posedAt(0).inverse() * posedAt(frame), 1e-5);
     expectObservation(outputFile("observation_000" + std::to_string(frame) + ".pcd"),
                       frame,

@@ -73,7 +73,8 @@ protected:
 
   static TemporaryFolder* folder_;
   static ToolRun run_;
-  static ToolRun unregistered_run_; ///< with --registered, which is not true of it
+  /** \brief With --registered, although the images are not registered. */
+  static ToolRun unregistered_run_;
 };
 
 TemporaryFolder* RealRgbd::folder_ = nullptr;
@@ -91,7 +92,8 @@ TEST_F(RealRgbd, AllObservationsAreThere)
     ASSERT_EQ(cloud.height, 480u);
     const auto finite = std::count_if(
         cloud.begin(), cloud.end(), [](const PointXYZRGB& p) { return p.z > 0.3F; });
-    EXPECT_GT(finite, 640 * 480 * 0.45); // the colour camera sees more than the other
+    // the colour camera has a larger field of view than the depth camera
+    EXPECT_GT(finite, 640 * 480 * 0.45);
     const Eigen::Vector3d origin = cloud.sensor_origin_.head<3>().cast<double>();
     const auto& pose = trajectory.poses[static_cast<std::size_t>(index)];
     EXPECT_LT((origin - pose.translation()).norm(), 1e-5);
@@ -110,8 +112,8 @@ TEST_F(RealRgbd, ColoursAreThoseOfTheImage)
   }
 }
 
-/** How far, as one standard deviation, points of a window are off their best plane;
- * negative where the window has too few of them. */
+/** Standard deviation of the points of a window from their best-fit plane; negative if
+ * the window has too few points. */
 double
 unevenness(const Cloud& cloud, std::uint32_t column, std::uint32_t row)
 {
@@ -157,8 +159,9 @@ medianOf(std::vector<double> values)
   return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-/** Calls use (point in the frame of the other view, its pixel's point in this one, pixel's
- * point in the other view) for every seventh point that the other view shows. */
+/** Calls use (point in the frame of the other view, point of its pixel in this view,
+ * point of its pixel in the other view) for every seventh point that is visible in the
+ * other view. */
 template <typename Use>
 void
 forEachCommonPoint(const Cloud& from,
@@ -178,8 +181,8 @@ forEachCommonPoint(const Cloud& from,
   }
 }
 
-/** Median of what one view's depths differ by from those of another, both in the frame of
- * the latter, metres. */
+/** Median difference between the depths of one view and those of another, both in the
+ * frame of the latter, metres. */
 double
 disagreement(const Cloud& from, const Cloud& to, const Eigen::Isometry3d& T_to_from)
 {
@@ -196,7 +199,7 @@ disagreement(const Cloud& from, const Cloud& to, const Eigen::Isometry3d& T_to_f
   return medianOf(differences);
 }
 
-/** The same of their colours, grey levels. */
+/** Median difference of their colours, grey levels. */
 double
 colorDisagreement(const Cloud& from,
                   const Cloud& to,
@@ -231,7 +234,7 @@ TEST_F(RealRgbd, ViewsAgreeByTheirPoses)
     const Cloud to = observation(view - 5);
     const double posed = disagreement(from, to, between(index - 5, index));
     EXPECT_LT(posed, 0.03) << view;
-    // the other way round, or not at all, they do not
+    // with the inverse pose, or without it, they do not agree
     EXPECT_LT(posed, 0.5 * disagreement(from, to, Eigen::Isometry3d::Identity()));
     EXPECT_LT(posed, 0.5 * disagreement(from, to, between(index, index - 5)));
   }

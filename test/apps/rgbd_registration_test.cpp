@@ -21,12 +21,13 @@ using testing::HasSubstr;
 
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
-/** More pixels than the depth images have, but coarser ones: some show several points. */
+/** More pixels than the depth images have, but of a coarser resolution: some show
+ * several points. */
 constexpr std::int32_t color_width = 12;
 constexpr std::int32_t color_height = 9;
 constexpr double color_fx = 7, color_fy = 13, color_cx = 6, color_cy = 3.5;
 
-/** A place and a turn that no axis or sign can be mixed up in. */
+/** A pose for which any confusion of axes or signs is detected. */
 Eigen::Isometry3d
 depthFromColor()
 {
@@ -57,7 +58,8 @@ colorCameraText(const Eigen::Isometry3d& T_depth_color = depthFromColor())
          listText(turn.row(2)) + "]\n";
 }
 
-/** Depths of which the nearest comes first here and last there. */
+/** Depths in mixed order: in some pixels the nearest point comes first, in others
+ * last. */
 std::vector<std::uint16_t>
 mixedDepths(int frame)
 {
@@ -149,18 +151,18 @@ protected:
   std::string output_ = results_.path("observations");
 };
 
-/** What the depth camera of the made folders measured in a frame. */
+/** A measurement of the depth camera of the generated folders. */
 struct Measured {
   Eigen::Vector3d point; ///< metres, in the colour camera's frame
   double sigma;
-  int column, row; ///< that show it in the colour image
+  int column, row; ///< its pixel in the colour image
 };
 
 std::vector<Measured>
 measuredIn(const std::vector<std::uint16_t>& depths)
 {
   std::vector<Measured> all;
-  for (std::size_t i = 2; i < depths.size(); ++i) { // not 0 and 65535
+  for (std::size_t i = 2; i < depths.size(); ++i) { // without 0 and 65535
     const double z = depths[i] / 1000.0;
     const Eigen::Vector3d ray((static_cast<double>(i % 8) - 3.5) / 10,
                               (static_cast<double>(i / 8) - 2.5) / 20,
@@ -212,7 +214,7 @@ TEST_F(RgbdRegistration, PixelsHoldTheNearestPointTheyShow)
         EXPECT_TRUE(std::isnan(pixel.sigma));
       }
   }
-  EXPECT_GT(hidden, 4); // or the test would not tell
+  EXPECT_GT(hidden, 4); // otherwise nothing is tested
   EXPECT_GT(holes, 4);
 }
 
@@ -257,7 +259,8 @@ TEST_F(RgbdRegistration, KinectOfSevenScenesIsRegisteredUnlessToldOtherwise)
   EXPECT_EQ(done.err, "");
   EXPECT_THAT(done.out, HasSubstr("colour camera: 7-Scenes\n"));
   EXPECT_EQ(nlohmann::json::parse(contentOf(report))["color_camera"], "7-Scenes");
-  // by hand: (0.341880, -0.341880, 2) m moves to (0.299586, -0.359004, 2.001804) m
+  // computed by hand: (0.341880, -0.341880, 2) m moves to (0.299586, -0.359004,
+  // 2.001804) m
   EXPECT_EQ(onlyPixel(observation(0)), (std::pair<int, int>{399, 146}));
   std::filesystem::remove_all(output_);
   ASSERT_EQ(run({"--registered"}).exit_code, 0);

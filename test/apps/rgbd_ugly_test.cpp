@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** A folder of three frames, the second of which is spoilt. */
+/** A folder of three frames, the second of which is modified. */
 class UglyRgbd : public testing::Test {
 protected:
   ToolRun
@@ -38,7 +38,8 @@ protected:
     EXPECT_EQ(results_.count(), 0);
   }
 
-  /** Refused with the file's name; left out where that is asked for. */
+  /** The folder is refused with the name of the file; the frame is left out if that is
+   * requested. */
   void
   expectBroken(const std::string& file, const std::string& word)
   {

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** What is said of a truth that is refused; empty when it is taken. */
+/** Error message for an invalid truth; empty if it is accepted. */
 std::string
 faultOf(const RoomSession& session)
 {

@@ -24,7 +24,8 @@ using testing::HasSubstr;
 
 constexpr const char* built_rig = ACMAP_SHARE "/rigs/digiclops_built.yaml";
 
-/** A slanted wall and a box before it, filmed from two places in different directions. */
+/** A slanted wall and a box in front of it, filmed from two positions in different
+ * directions. */
 constexpr const char* painted_room = R"(name: room
 looks:
   wall: {color: [150, 140, 130], texture: 2}
@@ -38,7 +39,7 @@ path:
 const std::vector<std::string> noiseless = {
     "--read-noise", "0", "--shot-noise", "0", "--patterns", "6"};
 
-/** \brief Where a pixel's channel stands. */
+/** \brief Index of a channel of a pixel. */
 std::size_t
 indexOf(const CameraImage& image, int column, int row, int channel)
 {
@@ -54,12 +55,12 @@ medianOf(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/** \brief Holds rectified shots against disparities: how far a neighbour's image has to be
- * shifted for a small window to fit best, in all shots together. */
+/** \brief Compares rectified shots with disparities: finds the shift of a neighbour's
+ * image for which a small window fits best, in all shots together. */
 class WindowSearch {
 public:
   /** \param[in] disparities px, of the reference
-   * \param[in] step by which a place moves in the neighbour for a px of disparity */
+   * \param[in] step displacement in the neighbour for 1 px of disparity */
   WindowSearch(const std::vector<TrinocularFrame>& shots,
                const DisparityImage& disparities,
                RigCamera neighbour,
@@ -89,7 +90,7 @@ public:
     return best;
   }
 
-  /** \brief Whether all of a window is of one surface. */
+  /** \brief Is all of a window on one surface? */
   bool
   isSmooth(int column, int row) const
   {
@@ -135,7 +136,7 @@ private:
     return sum;
   }
 
-  /** \brief Linear between the pixels. */
+  /** \brief Bilinear interpolation. */
   static double
   value(const CameraImage& image, const Eigen::Vector2d& at, int channel)
   {
@@ -174,7 +175,7 @@ protected:
     return runTool(ACMAP_SIMULATED_RIG, all);
   }
 
-  /** \brief The room by the built cameras, without noise. */
+  /** \brief Films the room with the unrectified cameras, without noise. */
   void
   filmRaw() const
   {
@@ -275,7 +276,7 @@ TEST_F(SimulatedCameras, RectifiedFramesAreThoseOfTheRectifiedRig)
     }
 }
 
-/** \brief Does without the simulation's own idea of a rectified camera. */
+/** \brief Does not use the simulation's own model of a rectified camera. */
 TEST_F(SimulatedCameras, TrueDisparitiesAreFoundInTheFrames)
 {
   filmRaw();

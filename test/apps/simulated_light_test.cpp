@@ -23,7 +23,7 @@ path:
   - line: {from: [0, 0, 0], to: [0, 0, 1], views: 1}
 )";
 
-/** \brief The shots of the reference camera: without and with a pattern. */
+/** \brief The shots of the reference camera, without and with a pattern. */
 struct Shots {
   CameraImage off;
   CameraImage on;
@@ -40,7 +40,7 @@ protected:
     return runTool(ACMAP_SIMULATED_RIG, all);
   }
 
-  /** \brief Without noise and blur, but for what the options say. */
+  /** \brief Films without noise and blur, unless the options set them. */
   Shots
   shots(const std::vector<std::string>& more) const
   {

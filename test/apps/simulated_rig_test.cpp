@@ -35,7 +35,7 @@ expectRefused(const ToolRun& run, int exit_code, const std::string& word)
   EXPECT_THAT(run.err, HasSubstr(word));
 }
 
-/** A room that is quickly simulated. */
+/** A room that is simulated quickly. */
 constexpr const char* room = R"(name: room
 rig: {width: 64, height: 48, focal_length: 52, center_x: 31.5, center_y: 23.5,
       baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
@@ -133,7 +133,7 @@ TEST_F(SimulatedRig, TruthIsOfTheMapFrame)
       }
   }
   EXPECT_EQ(points, 6000u);
-  // 3.5 m before the first camera, which looks 10 degrees to the right.
+  // 3.5 m in front of the first camera, which looks 10 degrees to the right.
   const auto wall = truth["planes"][0]["coefficients"].get<std::vector<double>>();
   EXPECT_NEAR(wall[3], 3.5, 1e-9);
   EXPECT_NEAR(wall[2], -std::cos(10 * M_PI / 180), 1e-9);
@@ -220,12 +220,12 @@ TEST_F(SimulatedRig, KinectMakesCloudsOfRoundedDisparities)
     if (const Eigen::Vector3f point = points[i]; point.allFinite()) {
       ++finite;
       const double steps = 575.0 * 0.075 / static_cast<double>(point.z()) / 0.125;
-      // of depths rounded to a millimetre
+      // for depths rounded to a millimetre
       const double slack = 0.0006 * steps / static_cast<double>(point.z());
       EXPECT_NEAR(steps, std::round(steps), slack);
     }
   EXPECT_GT(finite, 250000u);
-  EXPECT_LT(finite, 632u * 480u); // the right rim is blind
+  EXPECT_LT(finite, 632u * 480u); // there is no depth at the right border
 }
 
 TEST_F(SimulatedRig, StereoIsTheDefaultSensor)
@@ -343,7 +343,7 @@ TEST_F(SimulatedRig, FullDiskLeavesNothing)
   RunSettings full;
   full.file_size_limit = 20000;
   expectRefused(runRig(arguments(), full), 5, "observation_0000.pcd");
-  full.file_size_limit = 100000; // the observations fit, the map does not
+  full.file_size_limit = 100000; // enough for the observations, but not for the map
   expectRefused(
       runRig(arguments({"--merged", folder_.path("map.pcd")}), full), 5, "map.pcd");
   EXPECT_EQ(folder_.count(), 1);

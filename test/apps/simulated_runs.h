@@ -11,7 +11,7 @@ namespace pcl::acmap::test {
 std::vector<TrinocularFrame::ConstPtr>
 framesOf(const std::string& session);
 
-/** \brief Grey levels, of all channels. */
+/** \brief Mean grey level over all channels. */
 double
 meanOf(const CameraImage& image);
 

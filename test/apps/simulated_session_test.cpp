@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/** A wall and a box before it, filmed from two places. */
+/** A wall and a box in front of it, filmed from two positions. */
 constexpr const char* small_room = R"(name: room
 rig: {width: 64, height: 48, focal_length: 52, center_x: 31.5, center_y: 23.5,
       baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
@@ -76,7 +76,8 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   ASSERT_EQ(film({"--patterns", "1", "--seed", "4"}).exit_code, 0);
   const Trajectory trajectory = loadTrajectory(inSession("trajectory.txt"));
   ASSERT_EQ(trajectory.poses.size(), 2u);
-  EXPECT_NEAR(trajectory.stamps[1], 2.0 / 14.0, 1e-9); // of its first shot
+  // of the first shot of the observation
+  EXPECT_NEAR(trajectory.stamps[1], 2.0 / 14.0, 1e-9);
   EXPECT_NEAR(trajectory.poses[1].translation().z(), 1.5, 1e-9);
   const DisparityImage first = loadPfm(inSession("disparity_0000.pfm"));
   ASSERT_EQ(first.width, 64);
@@ -84,8 +85,9 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   EXPECT_FLOAT_EQ(first.at(42, 24), 52 * 0.1 / 2.5); // the box
   EXPECT_FLOAT_EQ(loadPfm(inSession("disparity_0001.pfm")).at(0, 0), 52 * 0.1 / 2.0);
   const GrayImage16 visible = loadGrayImage16(inSession("visible_0000.png"));
-  EXPECT_EQ(visible.values[24 * 64 + 42], 7);     // both neighbours and the projector
-  EXPECT_EQ(visible.values[24 * 64 + 63] & 1, 0); // beyond the left one's rim
+  // both neighbours and the projector see it
+  EXPECT_EQ(visible.values[24 * 64 + 42], 7);
+  EXPECT_EQ(visible.values[24 * 64 + 63] & 1, 0); // beyond the border of the left one
   const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
   EXPECT_EQ(truth["scene"], "room");
   EXPECT_EQ(truth["seed"], 4);
@@ -94,7 +96,7 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   EXPECT_EQ(truth["planes"].size(), 7u);
 }
 
-/** What a session's files say that can be measured is what its planes have. */
+/** The number of measurable points in the session's files is that of its planes. */
 TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
 {
   ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
@@ -122,7 +124,7 @@ TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
   EXPECT_EQ(truth["points"], wall + box);
 }
 
-/** What stands too near, or too far away, is not looked for. */
+/** Points that are too near, or too far away, are not measured. */
 TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
 {
   std::string text = small_room;
@@ -142,9 +144,10 @@ TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
       box += plane["points"].get<std::size_t>();
   EXPECT_FLOAT_EQ(second.at(0, 0), 52 * 0.1 / 9.8);
   EXPECT_GT(truth["planes"][0]["points"],
-            0); // from the second place; 10.3 m is too far
+            0); // from the second position; 10.3 m is too far
   EXPECT_LT(truth["planes"][0]["points"], 64 * 48);
-  EXPECT_EQ(box, 0u); // in front of the first place, behind the second one
+  // the box is in front of the first position, behind the second one
+  EXPECT_EQ(box, 0u);
 }
 
 TEST_F(SimulatedSession, AnotherSeedIsAnotherSession)

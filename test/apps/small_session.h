@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Films three observations of a corridor under three patterns into a raw session:
- * the least that a map comes of. */
+/** \brief Films three observations of a corridor under three patterns into a raw
+ * session: the minimum that gives a map. */
 void
 filmSmallSession(const std::string& session);
 

@@ -22,7 +22,7 @@ protected:
     return {folder_.path("stages/a"), made_of};
   }
 
-  /** \brief One whose results lie beside the stages. */
+  /** \brief A folder whose results are outside of it. */
   StageFolder
   outer(const Json& made_of = {{"option", 1}}) const
   {
@@ -132,7 +132,7 @@ TEST_F(StageFolders, ResultsElsewhereWithoutSuccessorAreRemoved)
 
   const Json other = {{"option", 2}};
   outer(other).begin();
-  outer(other).abandon(); // interrupted, and begun again
+  outer(other).abandon(); // interrupted, and started again
   outer(other).begin();
   EXPECT_TRUE(fs::exists(folder_.path("old")));
   folder_.write("map", "second");

@@ -12,7 +12,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/** All pairs, the nearest first. */
+/** Brute-force reference: all pairs, the closest first. */
 Pairs
 matchedByAllPairs(const std::vector<double>& first,
                   const std::vector<double>& second,

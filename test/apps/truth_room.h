@@ -9,17 +9,17 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A room 4 m wide and 20 m long, as a simulated session tells it: floor, left wall
- * (x = -2), right wall (x = 2), far end (z = 20), a board of which hardly anything is seen,
- * and a near end of which nothing is. */
+/** \brief The truth.json of a room 4 m wide and 20 m long: floor, left wall (x = -2),
+ * right wall (x = 2), far end (z = 20), a board with hardly any points, and a near end
+ * without points. */
 std::string
 roomTruth();
 
-/** \brief Five places along the room, 2 m apart, that look ahead. */
+/** \brief Five poses along the room, 2 m apart, that look forward. */
 Trajectory
 roomWay();
 
-/** \brief A session's folder with the room. */
+/** \brief The folder of a session with the room. */
 class RoomSession {
 public:
   explicit RoomSession(const std::string& truth = roomTruth());
@@ -41,25 +41,25 @@ private:
   TemporaryFolder folder_;
 };
 
-/** \brief A plane of a map: a parallelogram that looks to the side of u x v. */
+/** \brief A plane of a map: a parallelogram with its normal along u x v. */
 PlanePatch
 patchOf(const Eigen::Vector3d& corner,
         const Eigen::Vector3d& u,
         const Eigen::Vector3d& v);
 
-/** \brief A plane that was moved. */
+/** \brief A plane after a motion. */
 PlanePatch
 moved(const PlanePatch& patch, const Eigen::Isometry3d& motion);
 
-/** \brief A turn about an upright axis through a place, degrees. */
+/** \brief A rotation about a vertical axis through a point, degrees. */
 Eigen::Isometry3d
 turnAt(const Eigen::Vector3d& place, double angle);
 
-/** \brief The room as it is: floor, left wall, right wall, far end. */
+/** \brief The true room: floor, left wall, right wall, far end. */
 CompactMap
 roomMap();
 
-/** \brief The true way, all of it, before and after. */
+/** \brief The complete true trajectory, as that before and after. */
 MappedTrajectory
 trueWay();
 

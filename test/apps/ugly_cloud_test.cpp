@@ -7,8 +7,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief No triangle can be made of a cloud, and no plane: code 4, the reason, nothing
- * written. */
+/** \brief Checks that a cloud gives no triangle and no plane: code 4, the reason, no
+ * files. */
 void
 expectNothingFound(const Cloud& cloud)
 {
@@ -34,7 +34,7 @@ expectNothingFound(const Cloud& cloud)
   EXPECT_EQ(folder.count(), 1);
 }
 
-/** \brief A mesh is made, and stderr names what is odd. */
+/** \brief Checks that a mesh is made, and stderr has a warning. */
 void
 expectMeshAndWarning(const Cloud& cloud, const std::string& warning)
 {

@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief The tools refuse a file as unreadable and write nothing. */
+/** \brief Checks that the tools refuse a file as unreadable, and write nothing. */
 void
 expectUnreadable(const TemporaryFolder& folder, const std::string& input)
 {

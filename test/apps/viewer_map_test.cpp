@@ -46,7 +46,7 @@ protected:
     return ShownPicture(picture_);
   }
 
-  /** \brief A carpet above the floor, beside the map. */
+  /** \brief Adds a carpet above the floor, next to the map. */
   void
   addMeshAndCloud()
   {
@@ -107,7 +107,7 @@ TEST_F(ViewerOfMaps, ShowsPlanesOfAFileWithoutColours)
   EXPECT_GT(shoot(bare).covered(), 0.2);
 }
 
-/** As all programs show an OBJ, and as map.obj is written. */
+/** As other programs show an OBJ, and as map.obj is written. */
 TEST_F(ViewerOfMaps, AnObjHasYUp)
 {
   std::string points;

@@ -55,7 +55,7 @@ TEST_F(Viewer, LooksFromWhereItIsTold)
   EXPECT_NE(front, oblique);
   EXPECT_NE(shoot(cloud_, {"-from", "0", "0", "-1", "-up", "1", "0", "0"}), front);
   EXPECT_NE(shoot(cloud_, {"-from", "0", "0", "-1", "-look", "0.1", "0", "0"}), front);
-  // width and height stand as big-endian numbers in the first chunk
+  // width and height are big-endian numbers in the first chunk
   EXPECT_EQ(shoot(cloud_, {"--size", "320x200"}).substr(16, 8),
             std::string("\0\0\1\x40\0\0\0\xc8", 8));
 }

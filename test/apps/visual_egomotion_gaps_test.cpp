@@ -12,8 +12,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/** Of those that are posed; their stamps are places in the sequence.
- * \return how many of them come after the gap */
+/** Checks the observations with a pose; their stamps are indices in the sequence.
+ * \return number of them after the gap */
 std::size_t
 expectRightOrLost(const std::string& output, const Trajectory& truth, std::size_t gap)
 {
@@ -75,7 +75,7 @@ TEST(EgomotionGaps, ReachGrowsUpToThreeSteps)
   };
   darken(session.session, 3, 4); // three steps of 0.12 m
   EXPECT_EQ(posedWith("near", "0.15"), 8U);
-  darken(session.session, 5, 6); // five
+  darken(session.session, 5, 6); // five steps
   EXPECT_EQ(posedWith("far", "0.15"), 3U);
   EXPECT_EQ(posedWith("wide", "1"), 6U);
 }

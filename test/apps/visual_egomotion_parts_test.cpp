@@ -64,13 +64,13 @@ TEST(WayPicture, ShowsGapsInRedAndTheTruthInGrey)
 
 TEST(WayPicture, DirectionsPointWhereTheCameraLooks)
 {
-  // a single pose in the middle, looking along x, then along -z
+  // a single pose in the centre, looking along x, then along -z
   for (const auto& [yaw, side] :
        {std::pair{1.5707963, Eigen::Vector2d(8, 0)}, {3.1415927, {0, 8}}}) {
     auto way = wayAlongX(1);
     way[0]->rotate(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()));
     const RgbImage image = wayPicture(way, {});
-    const Eigen::Vector2d at = middleOf(image, blue); // of the dot of the begin
+    const Eigen::Vector2d at = middleOf(image, blue); // centre of the start dot
     const auto isDark = [&](const Eigen::Vector2d& place) {
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy)
@@ -88,7 +88,7 @@ TEST(WayPicture, OfWildPlacesCanBeDrawn)
 {
   auto way = wayAlongX(3);
   way[1]->translation() << 1e12, std::numeric_limits<double>::quiet_NaN(), -1e300;
-  EXPECT_GT(countOf(wayPicture(way, {}), blue), 40U); // the dot of the begin
+  EXPECT_GT(countOf(wayPicture(way, {}), blue), 40U); // the start dot
   EXPECT_GT(countOf(wayPicture({}, {}), black), 50U); // the scale bar, the count
 }
 
@@ -103,8 +103,9 @@ TEST(MatchPicture, LinesGoFromViewToView)
     return std::max(pixel[0], pixel[1]) > 150 && pixel[2] < 150;
   };
   const int top = middle - 30;
-  EXPECT_TRUE(isDrawn(0, top)); // from the upper left corner of the view before
-  EXPECT_TRUE(isDrawn(image.width - 1, top)); // to the upper right one of the view now
+  EXPECT_TRUE(isDrawn(0, top)); // from the upper left corner of the previous view
+  // to the upper right corner of the current view
+  EXPECT_TRUE(isDrawn(image.width - 1, top));
   EXPECT_FALSE(isDrawn(0, middle + top));
   EXPECT_TRUE(isDrawn(39, middle + top + 15));
   EXPECT_TRUE(isDrawn(image.width - 40, middle + top + 15));

@@ -20,18 +20,19 @@ ToolRun
 runEgomotion(const std::vector<std::string>& arguments,
              const RunSettings& settings = {});
 
-/** \brief Observations of a simulated hall with grained walls, 160 x 120 points each, and
- * where the camera was. */
+/** \brief Observations of a simulated hall with textured walls, 160 x 120 points each,
+ * and the trajectory of the camera. */
 struct Hall {
   std::string session; ///< folder
   Trajectory truth;    ///< its trajectory.txt
 };
 
-/** \brief Makes a session in the folder. \param[in] line of the scene's path */
+/** \brief Makes a session in the folder.
+ * \param[in] line of the scene's path */
 Hall
 walk(const TemporaryFolder& folder, const std::string& line);
 
-/** \brief One of six observations, made once a program. */
+/** \brief A hall with six observations, made once per program. */
 const Hall&
 hall();
 
@@ -39,7 +40,7 @@ hall();
 nlohmann::json
 reportOf(const std::string& folder);
 
-/** \brief A copy of the folder, which may be spoilt. \return its path */
+/** \brief A copy of the folder, which a test may modify. \return its path */
 std::string
 copyOfHall(const std::string& folder);
 
@@ -47,7 +48,7 @@ copyOfHall(const std::string& folder);
 std::string
 observationIn(const std::string& folder, std::size_t i);
 
-/** \brief Reads a cloud, changes it, and writes it to its place again. */
+/** \brief Reads a cloud, changes it, and writes it to the same file. */
 void
 change(const std::string& pcd, const std::function<void(PCLPointCloud2&)>& edit);
 
@@ -55,19 +56,20 @@ change(const std::string& pcd, const std::function<void(PCLPointCloud2&)>& edit)
 void
 blacken(PCLPointCloud2& cloud);
 
-/** \brief Takes all places from a cloud. */
+/** \brief Sets all positions of a cloud to NaN. */
 void
 takePlaces(PCLPointCloud2& cloud);
 
-/** \brief Turns all places, as if the camera had turned the other way about its place. */
+/** \brief Rotates all positions, as if the camera had rotated in the opposite
+ * direction. */
 void
 turn(PCLPointCloud2& cloud, const Eigen::AngleAxisf& by);
 
-/** \brief Leaves out a field. */
+/** \brief Removes a field. */
 void
 dropField(PCLPointCloud2& cloud, const std::string& name);
 
-/** \brief Names of what lies in a folder. */
+/** \brief Names of the entries of a folder. */
 std::set<std::string>
 filesIn(const std::string& folder);
 

@@ -27,7 +27,8 @@ outputsOf(const std::vector<std::size_t>& observations)
   return names;
 }
 
-/** The rows are these observations of the hall, in the frame of the first of them. */
+/** Checks that the rows are the poses of these observations of the hall, in the frame
+ * of the first of them. */
 void
 expectPoses(const std::string& output, const std::vector<std::size_t>& observations)
 {
@@ -40,13 +41,13 @@ expectPoses(const std::string& output, const std::vector<std::size_t>& observati
     EXPECT_EQ(found.stamps[i], truth.stamps[observations[i]]);
     const Eigen::Isometry3d error =
         (T_map_world * truth.poses[observations[i]]).inverse() * found.poses[i];
-    // between neighbours it moves 0.24 m and turns 0.07
+    // between neighbours it moves by 0.24 m and rotates by 0.07 rad
     EXPECT_LT(error.translation().norm(), 0.03) << i;
     EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.015) << i;
   }
 }
 
-/** What a user's own program reads. */
+/** Reads the VIEWPOINT with PCL, as a user's own program would. */
 Eigen::Isometry3d
 viewpointOf(const std::string& pcd, PCLPointCloud2& cloud)
 {
@@ -99,7 +100,7 @@ TEST(EgomotionTool, ObservationsAreAsTheyWereButForThePose)
   }
 }
 
-/** A hand turns the camera up; on a floor it cannot. */
+/** The camera tilts up, as a hand-held one may; a robot on a floor cannot. */
 TEST(EgomotionTool, ACameraThatLeavesTheFloorIsToldOfWithWhatToDo)
 {
   const TemporaryFolder folder;
@@ -149,7 +150,7 @@ TEST(EgomotionTool, LostObservationsLeaveAGap)
               HasSubstr("was joined to observation_0001.pcd, past 2 others, by " +
                         join.at("inliers").dump() + " matches"));
   EXPECT_EQ(report.at("pairs").back().at("skipped"), 0);
-  // as a sequence of its own it is whole
+  // as a separate sequence it is complete
   const ToolRun again = runEgomotion({output, "-o", folder.path("again")});
   EXPECT_EQ(again.exit_code, 0) << again.err;
   expectPoses(folder.path("again"), {0, 1, 4, 5});
@@ -213,7 +214,7 @@ TEST(EgomotionTool, FilesInTheOrderOfTheCommandLine)
   const Trajectory found = loadTrajectory(folder.path("out/trajectory.txt"));
   EXPECT_THAT(found.stamps, ElementsAre(0, 1));
 
-  // a folder would have them the other way round
+  // sorted in a folder, they would have the opposite order
   const ToolRun back = runEgomotion({files[1], files[0], "-o", folder.path("back")});
   ASSERT_EQ(back.exit_code, 0) << back.err;
   EXPECT_THAT(back.err, HasSubstr("named anew"));
@@ -265,7 +266,7 @@ TEST(EgomotionTool, PicturesShowMatchesBeforeAndAfterRejection)
     EXPECT_EQ(countOf(image, 0, middle, isReddish) > 1000, i != 3);
     EXPECT_EQ(countOf(image, middle, image.height, isGreenish) > 1000, i != 3);
   }
-  // the lost one is a red gap in the blue way
+  // the lost one is a red gap in the blue trajectory
   const RgbImage plan = loadRgbImage(output + "/plan.png");
   EXPECT_GT(countOf(plan, 0, plan.height, isReddish), 100U);
 }
@@ -283,7 +284,7 @@ TEST(EgomotionTool, LengthsInOtherUnitsAreScaled)
         const Eigen::Vector3f in_mm = 1000 * points[k].getVector3fMap();
         std::memcpy(&cloud.data[k * cloud.point_step], in_mm.data(), sizeof in_mm);
       }
-      dropField(cloud, "sigma"); // clouds may be without
+      dropField(cloud, "sigma"); // clouds without sigma are accepted
     });
   const std::string output = folder.path("out");
   const ToolRun unscaled = runEgomotion({session, "-o", folder.path("unscaled")});
@@ -329,7 +330,7 @@ TEST(EgomotionTool, OptionsReachTheEstimate)
     EXPECT_EQ(pair.at("is_refined"), false);
     EXPECT_FALSE(pair.contains("motion"));
   }
-  // the camera moves 0.24 m a pair, and turns by 4 degrees
+  // the camera moves by 0.24 m per pair, and rotates by 4 degrees
   for (const auto& [option, limit] :
        {std::pair{"--max-translation", "0.02"}, {"--max-rotation", "1"}})
     EXPECT_EQ(runEgomotion({observationIn(hall().session, 0),

@@ -23,7 +23,7 @@ TEST(EgomotionTruth, ComparesWithTheTruth)
   EXPECT_LT(errors.at("translation_per_metre"), 0.03);
   EXPECT_LT(errors.at("rotation_worst"), 0.015);
 
-  // a row too many at the begin: another way
+  // an additional row near the beginning: the trajectory differs
   Trajectory shifted = hall().truth;
   shifted.poses.insert(shifted.poses.begin() + 1, Eigen::Isometry3d::Identity());
   shifted.stamps.push_back(100);

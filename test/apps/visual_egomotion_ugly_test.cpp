@@ -25,7 +25,7 @@ protected:
     EXPECT_FALSE(fs::exists(folder_.path("out")));
   }
 
-  /** A hall whose fourth observation is spoilt. */
+  /** A hall whose fourth observation is invalid. */
   void
   refuseWith(const std::function<void(PCLPointCloud2&)>& edit, const std::string& word)
   {

@@ -248,7 +248,7 @@ TEST(CompactMapping, takesTheFramesOfARig)
   try {
     mapping.compute(map);
   }
-  catch (const InitFailedException& error) { // of views this small
+  catch (const InitFailedException& error) { // for views this small
     EXPECT_THAT(error.what(), HasSubstr("could be joined"));
   }
   EXPECT_EQ(mapping.getNumberOfObservations(), 2U);

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** \brief Points along x from a number on; each fifth one is none. */
+/** \brief Points along x, starting at a number; every fifth one is NaN. */
 PointCloudFile
 line(int first, int points)
 {
@@ -55,7 +55,7 @@ rowsOf(const PCLPointCloud2& cloud)
   return rows;
 }
 
-/** \brief What is to be left of observations of so many points. */
+/** \brief Expected rows for observations with these numbers of points. */
 std::vector<Row>
 expectedOf(const std::vector<int>& sizes, std::size_t every)
 {

@@ -60,7 +60,7 @@ equationsOf(const std::vector<PlanePatch>& planes)
   return equations;
 }
 
-/** The same, class by class. */
+/** The same with the single classes, one after the other. */
 std::vector<PlanePatch>
 chained(const std::shared_ptr<const PointCloudFile>& cloud,
         const std::vector<Eigen::Vector3f>& viewpoints)

@@ -12,7 +12,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
 
-/** A chain along x, a metre an observation, some of whose pairs cannot be estimated. */
+/** A chain along x with one observation per metre, some of whose pairs cannot be
+ * estimated. */
 class ChainOfPairs {
 public:
   explicit ChainOfPairs(std::set<std::pair<std::size_t, std::size_t>> failing)
@@ -36,7 +37,8 @@ public:
     }
   }
 
-  std::vector<std::pair<std::size_t, double>> places; ///< as they were kept
+  /** \brief In the order in which they were kept. */
+  std::vector<std::pair<std::size_t, double>> places;
   std::vector<std::pair<std::size_t, std::size_t>> tried;
 
 private:
@@ -71,7 +73,7 @@ TEST(PoseChain, TriesTheTwoPosedOnesBeforeThat)
   EXPECT_THAT(chain.tried.back(), Pair(4, 1));
   ChainOfPairs lost({{4, 3}, {4, 2}, {4, 1}});
   lost.run(6);
-  // three tries, then the next one against the last three posed ones
+  // three failures, then the next view is tried against the last three posed ones
   EXPECT_THAT(lost.places,
               ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 2), Pair(3, 3), Pair(5, 5)));
   EXPECT_EQ(lost.tried.size(), 7U);

@@ -58,7 +58,8 @@ connectClouds(Grabber& grabber, CompactMapping& mapping)
 
 CompactMapping::CompactMapping()
 {
-  rectification_.setBinSize(0.05); // cameras see walls closer than laser scanners do
+  // cameras see walls from a shorter distance than laser scanners
+  rectification_.setBinSize(0.05);
 }
 
 CompactMapping::~CompactMapping() = default;

@@ -20,7 +20,8 @@ fieldsOf(bool colored)
   return fields;
 }
 
-/** \return how many rows were moved to the front of \a to, which may be the cloud's own */
+/** \return number of rows that were moved to the front of \a to, which may be the data
+ * of the cloud itself */
 std::size_t
 moveEveryNth(const PCLPointCloud2& cloud, std::size_t n, std::vector<std::uint8_t>& to)
 {

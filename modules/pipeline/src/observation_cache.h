@@ -10,27 +10,27 @@
 
 namespace pcl::acmap {
 
-/** \brief Files of a sequence that stay in memory, up to a number of bytes.
+/** \brief Keeps files of a sequence in memory, up to a number of bytes.
  *
- * Stages read a sequence from its beginning to its end, again and again. What was read
- * first is therefore kept, and later files are not: had they replaced it, none would be
- * there when the next stage asks for it. May be used from several threads. */
+ * Several stages read a sequence from its beginning to its end. The files that were read
+ * first are therefore kept, and later ones are not: if they replaced the first ones,
+ * none would be in memory when the next stage needs it. Thread-safe. */
 class ObservationCache {
 public:
-  /** \brief Reads a file unless it is kept.
+  /** \brief Reads a file unless it is in memory.
    * \param[in] scale metres in a unit of the file
    * \throws InputFileException as \ref pcl::loadPointCloud */
   std::shared_ptr<const PointCloudFile>
   load(const std::string& path, double scale);
 
-  /** \brief Keeps a cloud that no file holds, beside the limit. */
+  /** \brief Keeps a cloud that has no file; it does not count for the limit. */
   void
   hold(const std::string& path, std::shared_ptr<const PointCloudFile> cloud);
 
   void
   setLimit(std::size_t bytes);
 
-  /** \brief Number of files that were read so far. */
+  /** \brief Number of files that were read. */
   std::size_t
   reads() const;
 

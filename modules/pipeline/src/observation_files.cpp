@@ -28,7 +28,7 @@ isPcd(const fs::path& path)
   return ending == ".pcd";
 }
 
-/** A map.pcd that lies beside a map.json or a trajectory is a merged map. */
+/** A map.pcd next to a map.json or a trajectory is a merged map. */
 bool
 holdsMergedMapOnly(const fs::path& folder, const std::vector<std::string>& names)
 {
@@ -108,7 +108,7 @@ inSequence(std::vector<std::string> names)
   for (const std::string& name : names)
     if (numberOf(name))
       numbered.push_back(name);
-  // As text, observation_10000 would precede observation_9999.
+  // Sorted as text, observation_10000 would precede observation_9999.
   std::sort(
       numbered.begin(), numbered.end(), [](const std::string& a, const std::string& b) {
         return std::pair(*numberOf(a), a) < std::pair(*numberOf(b), b);

@@ -9,9 +9,9 @@
 
 namespace pcl::acmap {
 
-/** \brief An observation of a sequence as pcl::VisualEgomotion takes it. */
+/** \brief An observation of a sequence as input of pcl::VisualEgomotion. */
 struct OdometryView {
-  std::size_t index = 0;                      ///< place in the sequence
+  std::size_t index = 0;                      ///< index in the sequence
   std::shared_ptr<const PointCloudFile> file; ///< camera frame, metres
   PointCloud<PointXYZRGBSigma>::ConstPtr cloud;
 };

@@ -4,7 +4,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Callback of a step that is a part of a run, from one share of it to another. */
+/** \brief Progress callback of a step that covers a part of the whole progress, between
+ * two fractions. */
 inline ProgressCallback
 partOf(const ProgressCallback& callback, double from, double to)
 {

@@ -23,7 +23,7 @@ rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
   return {file, &file->cloud};
 }
 
-/** Copies a value of a field, if the cloud has it. */
+/** Copies the value of a field if the cloud has that field. */
 class FieldCopy {
 public:
   FieldCopy(const PCLPointCloud2& cloud, const PCLPointField* field)
@@ -125,7 +125,8 @@ public:
       result.vertices = *cloud;
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
     triangulate(vertices, result);
-    // the consolidation has turned its normals to the sensors, and the mesh with them
+    // the consolidation has already oriented its normals, and the mesh, towards the
+    // sensors
     const bool turns = !is_consolidated && names_views;
     vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
@@ -186,7 +187,8 @@ private:
         report_.remarks.end(), step.remarks.begin(), step.remarks.end());
   }
 
-  /** \return whether it was: the vertices are then the consolidated points */
+  /** \return true if the cloud was consolidated: the vertices are then the consolidated
+   * points */
   bool
   consolidate(const std::shared_ptr<const PointCloudFile>& cloud,
               bool names_views,

@@ -12,18 +12,19 @@ namespace pcl::acmap {
 
 /** \brief Joins views to the last ones that have a pose, one after the other.
  *
- * Each view is tried against the one before, then against the two posed ones before that;
- * if no motion is found it is lost, and gets no pose. The map is the frame of the first
- * view that another one could be joined to: until there is a motion, the last three views
- * are kept as possible beginnings, so that a bad first one does not spoil the rest. Holds
- * three views. */
+ * Each view is tried against the previous one, then against the two posed ones before
+ * that; if no motion is found it is lost, and gets no pose. The map is the frame of the
+ * first view that another one could be joined to: until there is a motion, the last
+ * three views are kept as possible origins, so that a bad first one does not spoil the
+ * rest. At most three views are kept. */
 class PoseChain {
 public:
-  /** \brief Gives T_before_now, or nothing if the motion is not known. */
+  /** \brief Returns T_before_now, or nothing if the motion could not be estimated. */
   using Estimate = std::function<std::optional<Eigen::Isometry3d>(
       const OdometryView& now, const OdometryView& before)>;
 
-  /** \brief Gets each view as soon as it has a pose, in the order of the sequence. */
+  /** \brief Called with each view as soon as it has a pose, in the order of the
+   * sequence. */
   using Keep = std::function<void(const OdometryView& view,
                                   const Eigen::Isometry3d& T_map_camera)>;
 
@@ -51,8 +52,9 @@ private:
   Estimate estimate_;
   Keep keep_;
   bool has_begun_ = false;
-  std::deque<Anchor>
-      anchors_; ///< the last posed views; until it begins, possible firsts
+  /** \brief The last posed views; until the first motion is found, the possible first
+   * views. */
+  std::deque<Anchor> anchors_;
 };
 
 } // namespace pcl::acmap

@@ -52,7 +52,8 @@ weightOf(const std::string& path, double voxel_size)
   throw InputFileException(text.str());
 }
 
-/** Poses that were rectified before differ from all VIEWPOINTs: one line is enough. */
+/** Poses that were rectified before differ from all VIEWPOINTs: one line is
+ * sufficient. */
 std::string
 inOneLine(const std::vector<std::string>& remarks)
 {

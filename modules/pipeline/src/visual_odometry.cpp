@@ -72,7 +72,7 @@ public:
     beginWith(0);
   }
 
-  /** \throws InputFileException if it cannot be used */
+  /** \throws InputFileException if the observation cannot be used */
   OdometryView
   next()
   {
@@ -102,12 +102,12 @@ private:
   }
 
   const ObservationSequence& sequence_;
-  std::string size_; ///< of the first
+  std::string size_; ///< of the first observation
   std::future<OdometryView> coming_;
 };
 
-/** Sets the reach for two observations that lie so many steps apart. It grows with a gap,
- * but not so far that every motion would be possible. */
+/** Sets the search limits for two observations that are this number of steps apart.
+ * They grow with the gap, but not so far that every motion would be possible. */
 void
 setReach(double steps, const Egomotion& of_step, Egomotion& egomotion)
 {
@@ -129,7 +129,7 @@ medianOf(std::vector<double> values)
   return *middle;
 }
 
-/** Does a motion leave the floor, clearly beyond its uncertainty? */
+/** Does a motion leave the floor by clearly more than its uncertainty? */
 bool
 isFree(const EgomotionEstimate& estimate, double tilt, double rise)
 {
@@ -141,7 +141,8 @@ isFree(const EgomotionEstimate& estimate, double tilt, double rise)
          rise > std::max(min_rise, sigmas * std::sqrt(covariance(1, 1)));
 }
 
-/** Tries neighbouring observations all over the sequence with six degrees of freedom. */
+/** Estimates motions of neighbouring observations, spread over the sequence, with six
+ * degrees of freedom. */
 FreeMotion
 probeFreeMotion(const ObservationSequence& sequence, Egomotion egomotion)
 {
@@ -149,7 +150,7 @@ probeFreeMotion(const ObservationSequence& sequence, Egomotion egomotion)
   egomotion.setMotionModel(MotionModel::Rigid);
   FreeMotion result;
   std::vector<double> tilts, rises;
-  const std::size_t steps = sequence.size() - 1; // from one to the next
+  const std::size_t steps = sequence.size() - 1; // from one observation to the next
   const std::size_t pairs = std::min(steps, max_pairs);
   for (std::size_t k = 0; k < pairs; ++k) {
     const std::size_t first = (2 * k + 1) * steps / (2 * pairs);

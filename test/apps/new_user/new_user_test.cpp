@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <set>
 
-// The page of the new user's trial is the table of this test: each section is tried in a
-// folder of its own, row after row, as a user would type it.
+// The page of the new user's trial is the table of this test: each section is run in a
+// separate folder, row after row, as a user would type it.
 
 namespace pcl::acmap::test {
 namespace {
@@ -40,7 +40,7 @@ toolNames()
   return names;
 }
 
-/** \brief What the user has: see the page. */
+/** \brief The files of the user, see the page. */
 class Belongings {
 public:
   Belongings()
@@ -90,7 +90,7 @@ private:
     }
   }
 
-  /** \brief Two clouds that nothing tells the poses of. */
+  /** \brief Two clouds without known poses. */
   void
   makeUnposed() const
   {
@@ -200,7 +200,7 @@ TEST(NewUserTrial, KnowsEveryTool)
   EXPECT_GE(sections().size(), 4u);
 }
 
-/** What the README shows is tried, too, word for word. */
+/** The commands of the README are run as well, word for word. */
 TEST(NewUserTrial, TriesTheReadmesCommands)
 {
   const std::string readme = contentOf(ACMAP_SOURCE "/README.md");

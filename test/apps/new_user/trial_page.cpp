@@ -14,7 +14,7 @@ refuse(const TrialRow& row, const std::string& why)
   throw std::runtime_error("line " + std::to_string(row.line) + ": " + why);
 }
 
-/** \brief Cells between the bars of a row, without the blanks around them. */
+/** \brief Cells of a table row, without surrounding blanks. */
 std::vector<std::string>
 cellsOf(const std::string& line)
 {
@@ -29,7 +29,7 @@ cellsOf(const std::string& line)
   return cells;
 }
 
-/** \brief Reads "exit 2, says `a` `b`" into a row. */
+/** \brief Reads text such as "exit 2, says `a` `b`" into a row. */
 void
 takeOutcome(const std::string& cell, TrialRow& row)
 {

@@ -6,30 +6,31 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What a run must return and tell. */
+/** \brief The expected exit code and message of a run. */
 struct UglyOutcome {
   int exit_code = 0;
   std::string told;
 };
 
-/** \brief Collects cases, each of which spoils a copy of something good. */
+/** \brief Collects cases, each of which damages a copy of a good input. */
 class CaseList {
 public:
   using Prepare = std::function<void(const TemporaryFolder&)>;
 
-  /** \param[in] good puts what is good into a folder
-   * \param[in] arguments of the command line for it
-   * \param[in] outcomes by what is ugly, as the page has it; what is left out is code 3
-   * and the name of the ugly file */
+  /** \param[in] good puts good inputs into a folder
+   * \param[in] arguments of the command line for them
+   * \param[in] outcomes by the description of the case on the page; the default is code
+   * 3 and the name of the damaged file */
   CaseList(Prepare good,
            std::vector<std::string> arguments,
            std::map<std::string, UglyOutcome> outcomes);
 
-  /** \brief A file of it is spoilt in each way that any file can be. */
+  /** \brief Adds a case for each kind of damage that is possible for any file. */
   void
   addFile(const std::string& file);
 
-  /** \brief A case with something else wrong. \param[in] file name of what is wrong */
+  /** \brief Adds a case with another fault.
+   * \param[in] file name of the faulty file */
   void
   add(Ugliness kind,
       const std::string& what,
@@ -45,7 +46,7 @@ public:
       const std::vector<std::string>& arguments,
       const Prepare& spoil = [](const TemporaryFolder&) {});
 
-  /** \brief A case that makes no sense, and why. */
+  /** \brief Adds a combination that is not applicable, and the reason. */
   void
   addSenseless(Ugliness kind, const std::string& why);
 

@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-/** A cloud as the text of a PCD, all its numbers with as many digits as there are. */
+/** A cloud as text in PCD format, with all digits of its numbers. */
 std::string
 pcdOf(const std::vector<Eigen::Vector3d>& points, const std::string& fields = "x y z")
 {
@@ -23,7 +23,7 @@ pcdOf(const std::vector<Eigen::Vector3d>& points, const std::string& fields = "x
   return text.str();
 }
 
-/** A wall 1 m by 1 m in front of the sensor, 2 mm rough. */
+/** A wall 1 m by 1 m in front of the sensor, with a roughness of 2 mm. */
 std::vector<Eigen::Vector3d>
 wall()
 {

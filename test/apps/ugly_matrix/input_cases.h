@@ -31,7 +31,7 @@ constexpr const char* vast_rig = "`shots/rig.yaml` with `focal_length: 1e30`";
 constexpr const char* millimetre_rig = "`shots/rig.yaml` with baselines in millimetres";
 /** \} */
 
-/** \brief The command line for an input, which may have any name. */
+/** \brief Returns the command line for an input with any name. */
 using CommandFor = std::function<std::vector<std::string>(const std::string& input)>;
 
 /** \brief Cases of a tool that reads one cloud. \param[in] outcomes see CaseList */
@@ -40,15 +40,15 @@ cloudCases(const CommandFor& command,
            const std::map<std::string, UglyOutcome>& outcomes);
 
 /** \brief Cases of a tool that reads a folder of two observations with their poses.
- * \param[in] others puts what else is read into the folder */
+ * \param[in] others puts further inputs into the folder */
 std::vector<UglyCase>
 sequenceCases(
     const CommandFor& command,
     const std::map<std::string, UglyOutcome>& outcomes,
     const CaseList::Prepare& others = [](const TemporaryFolder&) {});
 
-/** \brief What most tools make of \ref sessionCases: a lost frame is told, and nothing
- * else goes on. */
+/** \brief Results of most tools for \ref sessionCases: a lost frame is reported, all
+ * other cases fail. */
 std::map<std::string, UglyOutcome>
 sessionOutcomes();
 

@@ -18,7 +18,7 @@ giveMapFile(const TemporaryFolder& folder)
   give(folder, hallMap() + "/map.json", "planes.json");
 }
 
-/** What pcl_compact_mapping makes of each starting point. */
+/** Results of pcl_compact_mapping for each kind of input. */
 Outcomes
 outcomesOfClouds()
 {
@@ -49,7 +49,7 @@ outcomesOfSequences()
 UglyTool
 uglyCompactMapping()
 {
-  // texels so fine that no machine has the memory for a map in millimetres
+  // texels so fine that a map in millimetres does not fit into any memory
   const auto command = [](const std::string& input) {
     return std::vector<std::string>{
         input, "-o", "map", "--no-pictures", "--texel", "0.005"};

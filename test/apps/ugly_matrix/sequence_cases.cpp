@@ -19,7 +19,7 @@ constexpr const char* first = "obs/observation_0000.pcd";
 constexpr const char* second = "obs/observation_0001.pcd";
 constexpr const char* poses = "obs/trajectory.txt";
 
-/** Reads an observation, changes the place of each pixel, and writes it again. */
+/** Reads an observation, changes the position of each pixel, and writes it again. */
 void
 changePlaces(const std::string& path,
              const std::function<void(Eigen::Vector3f&)>& change,
@@ -38,7 +38,7 @@ changePlaces(const std::string& path,
       path, file.cloud, sensor_factor * file.sensor_origin, file.sensor_orientation);
 }
 
-/** Leaves only the first so many points. */
+/** Keeps only this number of points. */
 void
 keepPoints(const std::string& path, std::size_t kept)
 {
@@ -50,7 +50,7 @@ keepPoints(const std::string& path, std::size_t kept)
   });
 }
 
-/** All lengths of the sequence times a factor. */
+/** Multiplies all lengths of the sequence by a factor. */
 void
 scaleAll(const TemporaryFolder& folder, float factor)
 {

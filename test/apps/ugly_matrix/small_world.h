@@ -6,12 +6,12 @@
 
 namespace pcl::acmap::test {
 
-/** \brief A simulated hall, 160 x 120 pixels, seen from two places. */
+/** \brief A simulated hall, 160 x 120 pixels, seen from two positions. */
 const std::string&
 hallScene();
 
 /** \brief Raw session of it: two observations, three patterns and a shot without; made
- * once a program, as the others here. \return the folder */
+ * once per program, as the others here. \return the folder */
 const std::string&
 hallSession();
 
@@ -23,11 +23,11 @@ hallObservations();
 const std::string&
 hallMap();
 
-/** \brief Copies a file, or a folder with all in it. */
+/** \brief Copies a file, or a folder with its contents. */
 void
 give(const TemporaryFolder& folder, const std::string& from, const std::string& name);
 
-/** \brief Replaces the first place of a text in a file. */
+/** \brief Replaces the first occurrence of a text in a file. */
 void
 replaceIn(const std::string& path, const std::string& text, const std::string& by);
 

@@ -4,16 +4,16 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Bytes that mean nothing. */
+/** \brief Meaningless bytes. */
 std::string
 garbage();
 
-/** \brief Makes a file ugly in a way that any file can be: missing, empty, truncated,
- * garbage, a pipe that nobody writes to, or a folder. */
+/** \brief Damages a file in a way that is possible for any file: missing, empty,
+ * truncated, garbage, a pipe without a writer, or a folder. */
 void
 spoil(const std::string& path, Ugliness kind);
 
-/** \brief What the page says of it then. */
+/** \brief Description of its state for the page. */
 const char*
 stateOf(Ugliness kind);
 

@@ -8,7 +8,7 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What can be wrong with an input: the rows of the matrix. */
+/** \brief Kinds of faults of an input: the rows of the matrix. */
 enum class Ugliness {
   Missing,
   Empty,
@@ -29,42 +29,43 @@ enum class Ugliness {
 const std::vector<Ugliness>&
 uglinesses();
 
-/** \brief How the page calls it. */
+/** \brief Name on the page. */
 const char*
 nameOf(Ugliness kind);
 
-/** \brief A run of a tool on an ugly input, in a folder of its own. */
+/** \brief A run of a tool on a faulty input, in a separate folder. */
 struct UglyCase {
   Ugliness kind = Ugliness::Missing;
 
-  /** \brief What is read, for the page; of a case that makes no sense, why. */
+  /** \brief Description of the input for the page; the reason if the case is not
+   * applicable. */
   std::string what;
 
-  /** \brief Puts the input into the folder that the tool will run in. */
+  /** \brief Puts the input into the folder in which the tool will run. */
   std::function<void(const TemporaryFolder&)> prepare;
 
-  /** \brief Of the command line, names relative to that folder; none where the case
-   * makes no sense. */
+  /** \brief Command line, with names relative to that folder; empty if the case is not
+   * applicable. */
   std::vector<std::string> arguments;
 
-  /** \brief What the run must return. */
+  /** \brief Expected exit code. */
   int exit_code = 0;
 
-  /** \brief What stderr must hold: the name of the ugly file, or a word of the warning;
-   * empty where nothing must be said. */
+  /** \brief Expected text on stderr: the name of the faulty file, or a word of the
+   * warning; empty if there must be no message. */
   std::string told;
 };
 
 /** \brief A column of the matrix. */
 struct UglyTool {
-  std::string name; ///< of the program
+  std::string name; ///< name of the program
 
-  /** \brief File or folder that its command lines name as the result. */
+  /** \brief File or folder of the result in its command lines. */
   std::string output;
 
-  bool makes_folder = false; ///< whether that is a folder
+  bool makes_folder = false; ///< true if that is a folder
 
-  bool draws = false; ///< whether some cases need an X server
+  bool draws = false; ///< true if some cases need an X server
 
   std::vector<UglyCase> cases;
 };

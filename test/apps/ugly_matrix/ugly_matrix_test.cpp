@@ -7,7 +7,7 @@
 #include <set>
 
 namespace pcl::acmap::test {
-/** For gtest, which would print the bytes. */
+/** For gtest, which would otherwise print the bytes. */
 void
 PrintTo(const UglyTool& tool, std::ostream* to)
 {

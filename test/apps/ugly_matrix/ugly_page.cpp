@@ -22,7 +22,7 @@ file can back, so they must know its size. It is refused at once as no regular f
 
 )";
 
-/** Exit codes in the order of the cases, each once. */
+/** Exit codes in the order of the cases, without duplicates. */
 std::string
 cellOf(Ugliness kind, const UglyTool& tool, const std::vector<UglyRun>& runs)
 {
@@ -51,7 +51,7 @@ inCell(std::string text)
   return text;
 }
 
-/** Lines of stderr as code, without the name of the tool. */
+/** Lines of stderr in code style, without the name of the tool. */
 std::string
 linesOf(const UglyTool& tool, const UglyRun& run)
 {
@@ -81,7 +81,7 @@ listOf(const UglyTool& tool, const std::vector<UglyRun>& runs)
   return list;
 }
 
-/** The cells of a line of a table. */
+/** The cells of a table row. */
 std::vector<std::string>
 cellsIn(const std::string& line)
 {
@@ -93,7 +93,7 @@ cellsIn(const std::string& line)
   return cells;
 }
 
-/** The name as a heading that may be broken. */
+/** The name as a heading with possible line breaks. */
 std::string
 headingOf(const std::string& tool)
 {

@@ -6,12 +6,11 @@
 
 namespace pcl::acmap::test {
 
-/** \brief What the page says of a tool: its place in the table, row by row, and its
- * list. */
+/** \brief Content of the page about a tool: its column of the table, and its list. */
 struct UglyColumn {
   std::string name;
   std::map<std::string, std::string> cells; ///< by the name of the row
-  std::string list;                         ///< from its heading on
+  std::string list;                         ///< text from its heading on
 };
 
 UglyColumn
@@ -21,7 +20,7 @@ columnOf(const UglyTool& tool, const std::vector<UglyRun>& runs);
 std::string
 pageOf(const std::vector<UglyColumn>& columns);
 
-/** \brief What a page says of a tool. */
+/** \brief Reads the content about a tool from a page. */
 UglyColumn
 columnIn(const std::string& page, const std::string& tool);
 

@@ -13,9 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned time_limit = 300; // under sanitizers, on a machine that is busy
+constexpr unsigned time_limit = 300; // for sanitizers on a busy machine
 
-/** All below a folder by its path: the bytes of files, what else there is as a word. */
+/** All entries below a folder by relative path: the bytes of files, a word for
+ * others. */
 std::map<std::string, std::string>
 allIn(const TemporaryFolder& folder)
 {
@@ -29,8 +30,8 @@ allIn(const TemporaryFolder& folder)
   return all;
 }
 
-/** What differs from machine to machine: memory, the last digits of sums, and what a JSON
- * parser meets where a file of such digits is cut. */
+/** Masks text that depends on the machine: memory, the last digits of sums, and the
+ * parse error of a JSON file that is truncated within such digits. */
 std::string
 masked(const std::string& text)
 {
@@ -48,7 +49,7 @@ isPrintable(const std::string& text)
   });
 }
 
-/** Checks what was said. */
+/** Checks the messages. */
 void
 judgeWords(const UglyTool& tool,
            const UglyCase& ugly,
@@ -78,7 +79,7 @@ judgeWords(const UglyTool& tool,
       faults.push_back("a line does not begin as it should: " + line);
 }
 
-/** Without the stages that a chain finished: its next run goes on from them. */
+/** Removes the stages that a chain finished, from which its next run continues. */
 std::map<std::string, std::string>
 withoutStages(std::map<std::string, std::string> all, const std::string& output)
 {
@@ -96,7 +97,7 @@ withoutStages(std::map<std::string, std::string> all, const std::string& output)
   return all;
 }
 
-/** Checks what lies about. */
+/** Checks the files. */
 void
 judgeFiles(const UglyTool& tool,
            const UglyCase& ugly,

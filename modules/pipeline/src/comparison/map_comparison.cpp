@@ -60,19 +60,20 @@ errorOf(const Poses& found,
                                  onFloor(truth, Eigen::Isometry3d::Identity()));
 }
 
-/** \brief T_truth_map under which the first pose is the true one. */
+/** \brief T_truth_map that aligns the first pose with the true one. */
 Eigen::Isometry3d
 byFirst(const Poses& found, const Poses& truth)
 {
   return truth.front() * found.front().inverse();
 }
 
-/** \brief T_truth_map, a turn and a shift on the floor, under which places fit best. A
- * camera that stood still has no way that could be turned. */
+/** \brief T_truth_map, a rotation and a translation on the floor, that aligns the
+ * positions best. If the camera did not move, the first poses are aligned. */
 Eigen::Isometry3d
 byTrajectory(const Poses& found, const Poses& truth)
 {
-  constexpr double shortest = 1e-3; // metres, from the middle, root mean square
+  // metres, root mean square distance from the centroid
+  constexpr double shortest = 1e-3;
   const auto count = static_cast<double>(found.size());
   Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = from;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -96,7 +97,7 @@ byTrajectory(const Poses& found, const Poses& truth)
   return T_truth_map;
 }
 
-/** \brief How a found plane deviates from a true one, if it may be that one. */
+/** \brief Deviation of a found plane from a true one, if they may correspond. */
 std::optional<PlaneDeviation>
 deviationOf(const PlacedPlane& found, const TruePlane& truth)
 {
@@ -116,7 +117,7 @@ deviationOf(const PlacedPlane& found, const TruePlane& truth)
   return deviation;
 }
 
-/** \brief For each true plane what finds it, of all planes, main or not. */
+/** \brief The corresponding plane of each true plane, for all planes, main or not. */
 std::vector<PlaneDeviation>
 matched(const CompactMap& map,
         const std::vector<TruePlane>& planes,
@@ -144,7 +145,7 @@ matched(const CompactMap& map,
   return matches;
 }
 
-/** \brief The planes' part. */
+/** \brief The deviation of the planes. */
 MapDeviation
 deviationOf(const CompactMap& map,
             const SessionTruth& truth,
@@ -164,7 +165,7 @@ deviationOf(const CompactMap& map,
     deviation.largest_offset = std::max(deviation.largest_offset, plane.offset);
   }
   const auto count = static_cast<double>(deviation.found);
-  deviation.mean_angle /= count; // NaN without any
+  deviation.mean_angle /= count; // NaN if there are none
   deviation.mean_offset /= count;
   if (deviation.found == 0)
     deviation.largest_angle = deviation.largest_offset = deviation.mean_angle;

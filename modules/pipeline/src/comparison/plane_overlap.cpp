@@ -4,7 +4,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Of a triangle; negative for one that is clockwise seen from the normal's side. */
+/** \brief Signed area of a triangle; negative if it is clockwise seen from the side of
+ * the normal. */
 double
 areaOf(const Eigen::Vector3d& a,
        const Eigen::Vector3d& b,
@@ -14,7 +15,8 @@ areaOf(const Eigen::Vector3d& a,
   return (b - a).cross(c - a).dot(normal) / 2;
 }
 
-/** \brief Adds a convex polygon; the middle is a sum until all are there. */
+/** \brief Adds a convex polygon; `middle` is a weighted sum until all polygons are
+ * added. */
 void
 add(const std::vector<ChartCorner>& polygon,
     const Eigen::Vector3d& normal,

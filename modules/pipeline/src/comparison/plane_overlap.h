@@ -13,8 +13,9 @@ namespace pcl::acmap {
 /** \brief A found plane in the frame of the truth. */
 struct PlacedPlane {
   Eigen::Vector4d coefficients = Eigen::Vector4d::UnitZ();
-  /** Fans of its rims and holes, counter-clockwise or clockwise seen from the side the
-   * normal points to: their areas with their signs add up to that of any part. */
+  /** Triangle fans of its outer and inner rims, counter-clockwise or clockwise seen
+   * from the side that the normal points to: the signed areas of any part add up to its
+   * area. */
   std::vector<std::array<Eigen::Vector3d, 3>> fans;
   double area = 0; ///< square metres
 };
@@ -22,11 +23,11 @@ struct PlacedPlane {
 PlacedPlane
 placed(const PlanePatch& plane, const Eigen::Isometry3d& T_truth_map);
 
-/** \brief The part of a found plane that lies on the rectangles of a true one, along that
- * one's normal. */
+/** \brief The part of a found plane that is on the rectangles of a true one, projected
+ * along the normal of the true one. */
 struct PlaneOverlap {
   double area = 0; ///< square metres, of the found plane
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< of that area
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< centroid of that area
 };
 
 PlaneOverlap

@@ -36,13 +36,13 @@ coefficientsOf(const YamlNode& node)
   return coefficients;
 }
 
-/** \param[in] node four corners, one after the other */
+/** \param[in] node four corners in order along the rim */
 ChartClip
 rectangleOf(const YamlNode& node)
 {
   constexpr double shortest = 1e-3;     // metres
   constexpr double largest_cosine = .1; // between its edges
-  constexpr int texels = 1000; // what the clip takes for rounding is 1e-5 of an edge
+  constexpr int texels = 1000;          // the tolerance of the clip is 1e-5 of an edge
   const auto& corners = node.list(4, 4);
   const Eigen::Vector3d corner = vectorOf<3>(corners[0]);
   const Eigen::Vector3d edge_u = vectorOf<3>(corners[1]) - corner;
@@ -111,7 +111,7 @@ loadSessionTruth(const std::string& folder)
 {
   const std::string path = folder + "/truth.json";
   SessionTruth truth;
-  truth.planes = readTruePlanes(loadYaml(path)); // which JSON is a part of
+  truth.planes = readTruePlanes(loadYaml(path)); // JSON is a subset of YAML
   if (pointsOf(truth.planes) == 0)
     throw InputFileException(path + ": none of its planes has points");
   truth.trajectory_path = folder + "/" + trajectory_name;

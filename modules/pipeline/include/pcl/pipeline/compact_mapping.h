@@ -106,7 +106,8 @@ public:
     addObservation(std::shared_ptr<const PointCloud<PointT>>(cloud), T_map_camera);
   }
 
-  /** \brief The same for a cloud of any fields, as files have them; it is shared. */
+  /** \brief The same for a cloud with any fields, such as one from a file; the cloud is
+   * shared. */
   void
   addObservation(std::shared_ptr<const PointCloudFile> cloud,
                  const std::optional<Eigen::Isometry3d>& T_map_camera = std::nullopt)
@@ -114,8 +115,9 @@ public:
     add(std::move(cloud), T_map_camera);
   }
 
-  /** \brief Takes what a grabber delivers: frames of a \ref TrinocularGrabber, or organized
-   * clouds of points with colours (PointXYZRGBSigma, PointXYZRGB, PointXYZRGBA).
+  /** \brief Takes the output of a grabber: frames of a \ref TrinocularGrabber, or
+   * organized clouds of points with colours (PointXYZRGBSigma, PointXYZRGB,
+   * PointXYZRGBA).
    * \param[in] grabber not started; it must be stopped before \ref compute
    * \return the connection, which ends with this object or by its disconnect ()
    * \throws BadArgumentException if it delivers neither */

@@ -10,8 +10,10 @@
 
 namespace pcl {
 
-/** \brief What measured a cloud. It decides if planes are searched for in the picture of a
- * view, where the noise of cameras that triangulate is uniform, or in space.
+/** \brief The kind of sensor that measured a cloud. It decides if planes are searched
+ * for in the picture of a view, where the noise of cameras that triangulate is uniform,
+ * or in space.
+ *
  * \ingroup pipeline */
 enum class DepthSensor {
   Automatic, ///< in the picture if the depth is quantised
@@ -35,13 +37,15 @@ sensorOfMerged(DepthSensor sensor, std::size_t views)
 
 } // namespace acmap
 
-/** \brief Removes the quantisation steps of a view with \ref DepthRefinement, if it is to be
- * worked on in its picture. Points that are withdrawn become NaN.
+/** \brief Removes the quantisation steps of a view with \ref DepthRefinement, if the
+ * view is processed as a picture. Points that are removed become NaN.
  * \param[in,out] view in its sensor's frame, metres; need not be organized
  * \param[in] threads 0 for all
- * \return whether it was refined
- * \throws UnorganizedPointCloudException if the sensor requires a picture and the view is
- * none \ingroup pipeline */
+ * \return true if it was refined
+ * \throws UnorganizedPointCloudException if the sensor requires a picture and the view
+ * is none
+ *
+ * \ingroup pipeline */
 ACMAP_EXPORT bool
 refineQuantisedDepth(PointCloud<PointXYZ>& view,
                      DepthSensor sensor = DepthSensor::Automatic,

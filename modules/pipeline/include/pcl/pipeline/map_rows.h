@@ -12,23 +12,23 @@
 
 namespace pcl::acmap {
 
-/** \brief The cloud of a whole map, observation by observation: `x y z`, `rgb` if some
- * observation has colours, and `view`, the number of the observation. */
+/** \brief Builds the cloud of a whole map, observation by observation. Fields: `x y z`,
+ * `rgb` if some observation has colours, and `view`, the number of the observation. */
 class ACMAP_EXPORT MapRows {
 public:
-  /** \param[in] points number that it will hold at least, 0 if that is unknown
-   * \param[in] cost called before memory is taken for more points than that */
+  /** \param[in] points expected minimum number of points, 0 if unknown
+   * \param[in] cost called before memory is allocated for more points than that */
   MapRows(std::size_t points, bool colored, CostCallback cost = {});
 
-  /** \brief Sets the maximum number of points: of more, every second one is dropped, again
-   * and again. */
+  /** \brief Sets the maximum number of points. Whenever it is exceeded, every second
+   * point is dropped. */
   void
   setMaximum(std::size_t points)
   {
     maximum_ = points;
   }
 
-  /** \brief Which of the finite points are kept: every n-th. */
+  /** \brief Step between the finite points that are kept: every n-th. */
   std::size_t
   every() const
   {
@@ -41,7 +41,8 @@ public:
          const Eigen::Isometry3d& T_map_camera,
          std::int32_t view);
 
-  /** \brief The cloud of what was appended. Nothing can be appended afterwards. */
+  /** \brief Returns the cloud of all appended points. Nothing can be appended
+   * afterwards. */
   PCLPointCloud2
   finish();
 
@@ -55,7 +56,7 @@ private:
   std::size_t announced_; ///< bytes
   std::size_t maximum_ = std::numeric_limits<std::size_t>::max();
   std::size_t every_ = 1;
-  std::size_t seen_ = 0; ///< finite points
+  std::size_t seen_ = 0; ///< finite points so far
 };
 
 /** \brief The first row and every n-th after it. */

@@ -19,11 +19,11 @@ numberedName(const std::string& begin, std::size_t index, const std::string& end
 ACMAP_EXPORT std::string
 observationName(std::size_t index);
 
-/** \brief Would a file of that name be taken for a part of a sequence? */
+/** \brief Would a file of that name be read as a part of a sequence? */
 ACMAP_EXPORT bool
 isSequenceName(const std::string& name);
 
-/** \brief Is a name observation_0012.pcd or the like? */
+/** \brief Does a name have the form observation_0012.pcd? */
 ACMAP_EXPORT bool
 isNumbered(const std::string& name);
 

@@ -18,21 +18,22 @@ struct MergedCloud {
   /** \brief Finite points with fields `x y z rgb view`; `view` is the position of the
    * observation among the viewpoints. Metres. */
   std::shared_ptr<const PointCloudFile> cloud;
-  std::vector<Eigen::Vector3f> viewpoints; ///< sensor of each observation, metres
+  /** \brief Sensor positions, one per observation, metres. */
+  std::vector<Eigen::Vector3f> viewpoints;
 };
 
 /** \brief What ObservationMerging reports of its last run. \ingroup pipeline */
 struct MergingReport : Report {
-  std::size_t observations = 0; ///< that could be read
+  std::size_t observations = 0; ///< that were read
   std::size_t refined = 0;      ///< of these, those with quantised depth
   std::size_t points = 0;       ///< of the merged cloud
-  std::size_t every = 1;        ///< which of the finite points were kept: every n-th
+  std::size_t every = 1; ///< step between the finite points that were kept: every n-th
 };
 
-/** \brief Merges the observations of a sequence to one cloud, whose points know the
- * observation that saw them; the input of \ref PlaneMapping.
+/** \brief Merges the observations of a sequence to one cloud with the observation of
+ * each point in a field; the input of \ref PlaneMapping.
  *
- * Quantised depth is refined before (\ref refineQuantisedDepth).
+ * Quantised depth is refined first (\ref refineQuantisedDepth).
  * \code
  * pcl::ObservationMerging merging;
  * pcl::MergedCloud merged;
@@ -41,15 +42,17 @@ struct MergingReport : Report {
  * \ingroup pipeline */
 class ACMAP_EXPORT ObservationMerging : public StageControls<MergingReport> {
 public:
-  /** \brief Sets what measured the observations (default Automatic). */
+  /** \brief Sets the kind of sensor that measured the observations (default
+   * Automatic). */
   void
   setDepthSensor(DepthSensor sensor)
   {
     sensor_ = sensor;
   }
 
-  /** \brief Sets the maximum number of points (default 50 million): of more, only every
-   * second, fourth ... is kept. \throws BadArgumentException if it is 0 */
+  /** \brief Sets the maximum number of points (default 50 million): above it, only
+   * every second, fourth ... point is kept.
+   * \throws BadArgumentException if it is 0 */
   void
   setMaximumPoints(std::size_t points);
 

@@ -21,7 +21,7 @@ class ObservationCache;
 struct PosedObservation {
   std::shared_ptr<const PointCloudFile> file; ///< camera frame, metres; not null
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
-  std::vector<std::string> remarks; ///< oddities of its pose, one per line
+  std::vector<std::string> remarks; ///< warnings about its pose, one per line
 };
 
 /** \brief The observations of a trajectory, read when they are needed.
@@ -61,10 +61,12 @@ public:
       std::vector<std::shared_ptr<const PointCloudFile>> clouds,
       Trajectory trajectory = {});
 
-  /** \brief Those observations whose poses were found elsewhere, with these poses.
+  /** \brief Selects observations whose poses were estimated elsewhere, and gives them
+   * these poses.
    *
    * Files of the result share memory with those of this sequence.
-   * \param[in] names of the observations, a part of those of this sequence, in their order
+   * \param[in] names of the observations, a subset of those of this sequence, in the
+   * same order
    * \param[in] trajectory one pose per name, metres
    * \throws InputFileException if they differ in number, or a name is unknown */
   ObservationSequence
@@ -117,7 +119,7 @@ public:
   PosedObservation
   load(std::size_t i) const;
 
-  /** \brief Reports oddities of the sequence, one per line: poses without observations. */
+  /** \brief Warnings about the sequence, one per line: poses without observations. */
   std::vector<std::string>
   remarks() const;
 
@@ -139,7 +141,7 @@ private:
   std::string source_; ///< folder, or first file, for messages
   double scale_;
   std::vector<std::string> paths_;
-  std::vector<std::size_t> rows_; ///< of the trajectory, one per observation
+  std::vector<std::size_t> rows_; ///< row in the trajectory, one per observation
   Trajectory trajectory_;
   bool is_given_ = false; ///< Were the poses given by the caller?
   std::shared_ptr<acmap::ObservationCache> cache_;

@@ -9,15 +9,15 @@
 
 namespace pcl::acmap {
 
-/** \brief The picture in which points are worked on. */
+/** \brief Points that are processed as a picture. */
 struct Picture {
   PointCloud<PointXYZ>::Ptr points;  ///< organized, metres, NaN without a measurement
   std::optional<PictureOrder> order; ///< if the points were not organized
 };
 
 /** \brief Arranges points as a picture.
- * \param[in] width pixels of a row; that of all points if they are not organized
- * \return nothing if they are to be worked on in space
+ * \param[in] width pixels per row; that of all points if they are not organized
+ * \return nothing if the points are to be processed in space
  * \throws UnorganizedPointCloudException if the sensor requires a picture, and they are
  * none */
 ACMAP_EXPORT std::optional<Picture>

@@ -80,13 +80,14 @@ public:
     input_mesh_ = std::move(mesh);
   }
 
-  /** \brief Sets the positions of the observations that the field `view` refers to, in
-   * metres, in the frame of the cloud. Clouds without that field were seen from the sensor
-   * of the file. Not used with \ref setInputMesh. \throws BadArgumentException when one is not finite */
+  /** \brief Sets the positions of the sensor for the observations that the field `view`
+   * refers to, in metres, in the frame of the cloud. Clouds without that field use the
+   * sensor position of the file. Not used with \ref setInputMesh.
+   * \throws BadArgumentException when one is not finite */
   void
   setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
 
-  /** \brief Sets what measured the cloud (default Automatic). */
+  /** \brief Sets the kind of sensor that measured the cloud (default Automatic). */
   void
   setDepthSensor(DepthSensor sensor)
   {

@@ -27,19 +27,21 @@ enum class ConsolidationPolicy {
   Always      ///< all, also organized views
 };
 
-/** \brief Planes of a cloud, with the mesh that they were found on. \ingroup pipeline */
+/** \brief Planes of a cloud, and the mesh on which they were found.
+ *
+ * \ingroup pipeline */
 struct MappedPlanes {
   std::vector<PlanePatch> planes;   ///< in the order of decreasing area
   std::vector<std::int32_t> labels; ///< plane of each input point, -1 for none
-  std::size_t finite_points = 0;    ///< of the input; in a picture those with depth
+  std::size_t finite_points = 0;    ///< of the input; in a picture, those with depth
 
-  /** \brief Vertices of the mesh with all fields of the input: the consolidated cloud, or
-   * the input itself. Empty, but for the remarks, where no mesh was made. */
+  /** \brief Vertices of the mesh with all fields of the input: the consolidated cloud,
+   * or the input itself. Empty, except for the remarks, if no mesh was made. */
   PointCloudFile vertices;
   TriangleMesh mesh;
-  double spacing = 0; ///< of neighbouring vertices, metres; 0 without a mesh
+  double spacing = 0; ///< between neighbouring vertices, metres; 0 without a mesh
   std::vector<std::int32_t> vertex_labels;    ///< plane of each vertex, -1 for none
-  PointCloud<Normal>::ConstPtr normals;       ///< voted, one per vertex
+  PointCloud<Normal>::ConstPtr normals;       ///< from normal voting, one per vertex
   PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
 };
 

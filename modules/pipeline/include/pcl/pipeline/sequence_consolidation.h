@@ -15,19 +15,21 @@ namespace pcl {
 
 /** \brief Observations of a sequence, each consolidated on its own. \ingroup pipeline */
 struct ConsolidatedObservations {
-  std::vector<std::size_t> places; ///< in the sequence; those that could be read
-  Trajectory trajectory;           ///< T_map_camera of each
+  /** \brief Indices in the sequence of those that could be read. */
+  std::vector<std::size_t> places;
+  Trajectory trajectory; ///< T_map_camera of each observation
 
   /** \brief Consolidated points with normals (NaN if there is none); sensor frame, metres. */
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
 
-  /** \brief Surface that each of these points represents, in units of the smallest voxel. */
+  /** \brief Surface area that each of these points represents, in units of the smallest
+   * voxel. */
   std::vector<std::vector<float>> weights;
 };
 
 /** \brief What SequenceConsolidation reports of its last run. \ingroup pipeline */
 struct SequenceConsolidationReport : Report {
-  std::size_t points = 0;          ///< finite ones of all observations
+  std::size_t points = 0;          ///< finite points of all observations
   std::size_t representatives = 0; ///< points of all consolidated clouds
   double min_voxel_size = 0;       ///< metres
   double max_voxel_size = 0;       ///< metres

@@ -13,23 +13,23 @@
 
 namespace pcl {
 
-/** \brief A plane that really is there, in the frame of the true trajectory. */
+/** \brief A plane of the simulated scene, in the frame of the true trajectory. */
 struct TruePlane {
   std::string name;
   Eigen::Vector4d coefficients = Eigen::Vector4d::UnitZ(); ///< unit normal; metres
-  std::size_t points = 0; ///< that were, or could be, measured on it
+  std::size_t points = 0; ///< number of points that were, or could be, measured on it
   std::vector<acmap::ChartClip> rectangles;
 };
 
-/** \brief What a simulated session knows of its building. */
+/** \brief The ground truth of a simulated session. */
 struct SessionTruth {
   std::vector<TruePlane> planes; ///< at least one of them with points
   Trajectory trajectory;         ///< T_map_camera of its observations
-  std::string trajectory_path;   ///< for messages
+  std::string trajectory_path;   ///< path of the trajectory, for messages
 
-  /** \brief The planes that a map of the session should have: those with at least 1 % of
-   * all points. In a corridor these are floor, ceiling, walls, ends that were seen, and
-   * doors where there are many. */
+  /** \brief Indices of the planes that a map of the session should have: those with at
+   * least 1 % of all points. In a corridor these are floor, ceiling, walls, ends that
+   * were seen, and doors if there are many. */
   ACMAP_EXPORT std::vector<std::size_t>
   mainPlanes() const;
 };
@@ -43,7 +43,7 @@ loadSessionTruth(const std::string& folder);
 
 namespace acmap {
 
-/** \brief The planes of a truth.json.
+/** \brief Reads the planes of a truth.json.
  * \throws InputFileException likewise */
 ACMAP_EXPORT std::vector<TruePlane>
 readTruePlanes(const YamlNode& file);

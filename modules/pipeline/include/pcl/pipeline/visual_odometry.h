@@ -18,9 +18,9 @@
 
 namespace pcl {
 
-/** \brief Two observations between which a motion was looked for. \ingroup pipeline */
+/** \brief Two observations between which a motion was estimated. \ingroup pipeline */
 struct OdometryPair {
-  std::size_t now = 0, before = 0; ///< places in the sequence
+  std::size_t now = 0, before = 0; ///< indices in the sequence
   EgomotionReport report;
   std::optional<EgomotionEstimate> estimate; ///< T_before_now
 
@@ -31,36 +31,39 @@ struct OdometryPair {
     return now - before - 1;
   }
 
-  /** \brief Why there is no motion, with the name of the view that is at fault.
+  /** \brief Reason why no motion was found, with the name of the view that caused it.
    * \param[in] names of the files of the sequence */
   ACMAP_EXPORT std::string
   reason(const std::vector<std::string>& names) const;
 };
 
-/** \brief How far a camera leaves what planar motions can follow (those in its xz plane
- * and about its y axis), from one observation to the next. \ingroup pipeline */
+/** \brief Deviation of the camera from planar motion (in its xz plane and about its y
+ * axis), from one observation to the next.
+ * \ingroup pipeline */
 struct FreeMotion {
-  std::size_t pairs = 0; ///< tried with six degrees of freedom, and estimated
-  std::size_t free = 0;  ///< of these, those clearly beyond their noise
+  std::size_t pairs = 0; ///< estimated with six degrees of freedom
+  std::size_t free = 0;  ///< of these, those that clearly exceed their noise
   double tilt = 0;       ///< of its y axis, radians, median
   double rise = 0;       ///< along y, metres, absolute value, median
 };
 
-/** \brief Poses of a sequence, and the motions that they were made of.
+/** \brief Poses of a sequence, and the motions that they were computed from.
+ *
  * \ingroup pipeline */
 struct VisualOdometryResult {
   std::vector<OdometryPair> pairs; ///< in the order in which they were tried
 
-  /** \brief T_map_camera of each observation; none where it is lost. */
+  /** \brief T_map_camera of each observation; empty if the observation is lost. */
   std::vector<std::optional<Eigen::Isometry3d>> poses;
 
-  FreeMotion free; ///< of a few pairs, if the motion model is planar
+  FreeMotion free; ///< from a few pairs, if the motion model is planar
 
   /** \brief Number of observations with a pose. */
   ACMAP_EXPORT std::size_t
   posed() const;
 
-  /** \brief Why an observation has no pose: what was found of the first pair that failed.
+  /** \brief Reason why an observation has no pose: the result of the first pair that
+   * failed.
    * \param[in] names of the files of the sequence */
   ACMAP_EXPORT std::string
   reasonOf(std::size_t lost, const std::vector<std::string>& names) const;
@@ -98,17 +101,20 @@ class ACMAP_EXPORT VisualOdometry : public StageControls<Report> {
 public:
   using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 
-  /** \brief Gets each pair after it was tried. The egomotion has its matches and views. */
+  /** \brief Called with each pair after it was tried. The egomotion has its matches and
+   * views. */
   using PairCallback = std::function<void(const OdometryPair&, const Egomotion&)>;
 
-  /** \brief Gets each observation as soon as it has a pose, in the order of the sequence.
-   * \param[in] index place in the sequence */
+  /** \brief Called with each observation as soon as it has a pose, in the order of the
+   * sequence.
+   * \param[in] index in the sequence */
   using PoseCallback = std::function<void(std::size_t index,
                                           const PointCloudFile& observation,
                                           const Eigen::Isometry3d& T_map_camera)>;
 
-  /** \brief Sets the step: its motion model, keypoints and refinement; its reach is that
-   * from one observation to the next. Threads and progress are those of this object. */
+  /** \brief Sets the estimator of the motions: its motion model, keypoints and
+   * refinement; its search limits are those from one observation to the next. Threads
+   * and progress are those of this object. */
   void
   setEgomotion(const Egomotion& egomotion)
   {
@@ -134,9 +140,9 @@ public:
   }
 
   /** \brief Estimates the poses of a sequence.
-   * \return what was found; fewer than two observations have no pose
-   * \throws InputFileException if an observation cannot be read, is not organized, has no
-   * colour, or differs in size from the first one
+   * \return the poses; a sequence of fewer than two observations has none
+   * \throws InputFileException if an observation cannot be read, is not organized, has
+   * no colour, or differs in size from the first one
    * \throws CancelledException if the progress callback stopped it */
   VisualOdometryResult
   compute(const ObservationSequence& sequence);
