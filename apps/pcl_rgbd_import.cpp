@@ -12,7 +12,7 @@ namespace {
 using namespace pcl::acmap;
 
 /** \brief Maximum number of left-out frames in warnings; the report names them all. */
-constexpr std::size_t most_named = 5;
+constexpr std::size_t max_named = 5;
 
 void
 importFrames(Tool& tool,
@@ -102,10 +102,10 @@ warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
         " depth images left out: no colour image was taken near them");
   count(sequence.unposed, " frames left out: no pose is known near them");
   count(import.empty, " observations have no point at all");
-  for (std::size_t i = 0; i < std::min(most_named, import.broken.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_named, import.broken.size()); ++i)
     tool.warn("left out: " + import.broken[i]);
-  if (import.broken.size() > most_named)
-    tool.warn(std::to_string(import.broken.size() - most_named) +
+  if (import.broken.size() > max_named)
+    tool.warn(std::to_string(import.broken.size() - max_named) +
               " further frames left out, the report names them");
 }
 
@@ -170,7 +170,7 @@ convert(Tool& tool, const ImportOptions& options)
   const RgbdCameras cameras{
       cameraOf(options, sequence),
       colorCameraOf(options, sequence),
-      {options.depth_scale.value_or(sequence.depth_scale), options.most_depth},
+      {options.depth_scale.value_or(sequence.depth_scale), options.max_depth},
       options.sensor};
   OutputFolder folder(options.output);
   if (folder.holds(options.input + "/any"))

@@ -115,8 +115,8 @@ addSensor(const pcl::SimulatedScene& scene, Json& json)
     json["reach"] = sensor.reach;
     json["noise"] = {{"along", "ray"},
                      {"growth", sensor.noise_growth},
-                     {"least", sensor.least_noise},
-                     {"most", sensor.most_noise}};
+                     {"least", sensor.min_noise},
+                     {"most", sensor.max_noise}};
     return;
   }
   const pcl::DepthCamera& camera = *scene.depth_camera;

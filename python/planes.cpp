@@ -34,7 +34,7 @@ requireLegal(const PlaneClusteringSettings& settings)
 {
   requireInRange("member_distance", settings.member_distance, 1e-9, 1e9, "m");
   requireInRange("normal_angle", settings.normal_angle, 1e-6, M_PI / 2, "rad");
-  requireInRange("least_area", settings.least_area, 0, 1e12, "m^2 (0 = automatic)");
+  requireInRange("least_area", settings.min_area, 0, 1e12, "m^2 (0 = automatic)");
 }
 
 Planes
@@ -143,8 +143,8 @@ bindPlanes(py::module_& module)
          double member_distance,
          double normal_angle,
          std::optional<double> plane_distance,
-         std::size_t least_support,
-         double least_area,
+         std::size_t min_support,
+         double min_area,
          bool regular,
          unsigned threads,
          const Listener& progress) {
@@ -157,8 +157,8 @@ bindPlanes(py::module_& module)
                            member_distance,
                            normal_angle,
                            planeDistance(plane_distance, noise_driven),
-                           least_support,
-                           least_area,
+                           min_support,
+                           min_area,
                            regular,
                            threads},
                           progress);
@@ -176,8 +176,8 @@ bindPlanes(py::module_& module)
       "member_distance"_a = defaults.member_distance,
       "normal_angle"_a = defaults.normal_angle,
       "plane_distance"_a = py::none(),
-      "least_support"_a = defaults.least_support,
-      "least_area"_a = defaults.least_area,
+      "least_support"_a = defaults.min_support,
+      "least_area"_a = defaults.min_area,
       "regular"_a = defaults.regular,
       "threads"_a = defaults.threads,
       "progress"_a = py::none());

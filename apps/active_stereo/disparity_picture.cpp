@@ -9,7 +9,7 @@ namespace {
 
 constexpr float darkest = 64; // clearly distinct from black
 constexpr float brightest = 255;
-constexpr float least_range = 1e-6F;       // px
+constexpr float min_range = 1e-6F;         // px
 constexpr std::size_t cut_at_an_end = 100; // fraction 1 / 100
 
 } // namespace
@@ -28,7 +28,7 @@ pictureOf(const DisparityImage& disparities)
   const std::size_t cut = found.size() / cut_at_an_end;
   const float least = found[cut];
   const float most = found[found.size() - 1 - cut];
-  const float range = std::max(most - least, least_range);
+  const float range = std::max(most - least, min_range);
   for (std::size_t i = 0; i < greys.size(); ++i) {
     const float disparity = disparities.values[i];
     if (!std::isfinite(disparity))

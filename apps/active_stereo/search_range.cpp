@@ -14,7 +14,7 @@ namespace {
 
 // supported by TrinocularMatching
 constexpr int fewest_disparities = 8;
-constexpr int most_disparities = 1024;
+constexpr int max_disparities = 1024;
 
 } // namespace
 
@@ -41,7 +41,7 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   SearchRange range;
   range.least = static_cast<int>(std::max(from, 0.0));
   range.count = std::clamp(
-      static_cast<int>(to) - range.least + 1, fewest_disparities, most_disparities);
+      static_cast<int>(to) - range.least + 1, fewest_disparities, max_disparities);
   return range;
 }
 

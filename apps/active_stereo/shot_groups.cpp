@@ -12,8 +12,8 @@ ShotGroups::add(const TrinocularFrame::ConstPtr& frame, ObservationShots& shots)
     return false;
   if (done_.count(number) > 0)
     leaveOut(*frame, "frames of another one stand before them");
-  else if (shots.frames.size() == most_shots)
-    leaveOut(*frame, "there are " + std::to_string(most_shots) + " before them");
+  else if (shots.frames.size() == max_shots)
+    leaveOut(*frame, "there are " + std::to_string(max_shots) + " before them");
   else {
     shots.number = number;
     shots.frames.push_back(frame);

@@ -14,7 +14,7 @@ using Outcomes = std::array<std::size_t, disparity_outcomes>;
 constexpr auto matched_index = static_cast<std::size_t>(DisparityOutcome::Matched);
 
 // number of remarks in warnings; the report has all
-constexpr std::size_t most_named = 10;
+constexpr std::size_t max_named = 10;
 
 Json
 jsonOf(const Outcomes& outcomes)
@@ -202,10 +202,10 @@ StereoResults::warn(Tool& tool,
                     const ShotSource& source) const
 {
   const std::vector<std::string> findings = source.remarks();
-  for (std::size_t i = 0; i < std::min(most_named, findings.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_named, findings.size()); ++i)
     tool.warn(findings[i]);
-  if (findings.size() > most_named)
-    tool.warn(std::to_string(findings.size() - most_named) +
+  if (findings.size() > max_named)
+    tool.warn(std::to_string(findings.size() - max_named) +
               " further findings, the report names them");
   warnOfRemarks(tool);
   if (options.hasLists() && source.hasCameras() && !source.isRectifying())

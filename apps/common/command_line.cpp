@@ -52,13 +52,13 @@ editDistance(const std::string& a, const std::string& b)
 std::optional<std::size_t>
 misspelling(const std::string& word, const std::string& name)
 {
-  constexpr std::size_t letters_per_fault = 3, least_part = 3;
+  constexpr std::size_t letters_per_fault = 3, min_part = 3;
   const std::size_t distance = editDistance(word, name);
   const std::size_t length = std::min(word.size(), name.size());
   if (distance <= std::max<std::size_t>(1, word.size() / letters_per_fault))
     return distance;
-  const bool is_part = length >= least_part && (name.find(word) != std::string::npos ||
-                                                word.find(name) != std::string::npos);
+  const bool is_part = length >= min_part && (name.find(word) != std::string::npos ||
+                                              word.find(name) != std::string::npos);
   return is_part ? std::optional(distance + name.size()) : std::nullopt;
 }
 

@@ -9,7 +9,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr int longest_side = 1000; // pixels
-constexpr int least_side = 200;
+constexpr int min_side = 200;
 constexpr int margin = 15;
 
 bool
@@ -67,7 +67,7 @@ PlanContents::extent() const
   extent.pixel = std::max(box.sizes().maxCoeff(), 1e-3) / (longest_side - 2 * margin);
   const auto pixels = [&](double metres) {
     const auto side = static_cast<int>(std::lround(metres / extent.pixel));
-    return std::max(side + 2 * margin, least_side);
+    return std::max(side + 2 * margin, min_side);
   };
   extent.width = pixels(box.sizes().x());
   extent.height = pixels(box.sizes().y());

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int bar_width = 30;
 constexpr double seconds_between = 0.1;
-constexpr double least_fraction_for_guess = 0.02;
+constexpr double min_fraction_for_guess = 0.02;
 
 std::string
 timeText(double seconds)
@@ -32,7 +32,7 @@ progressLine(double fraction, const std::string& step, double elapsed)
   std::string line = "[" + std::string(filled, '#') +
                      std::string(bar_width - filled, '.') + "] " +
                      std::to_string(std::lround(fraction * 100)) + " % " + step;
-  if (fraction >= least_fraction_for_guess)
+  if (fraction >= min_fraction_for_guess)
     line += ", " + timeText(elapsed / fraction * (1 - fraction)) + " left";
   return line;
 }

@@ -50,7 +50,7 @@ addMapOptions(Tool& tool, ChainOptions& options)
     options.planes.keeps_mesh = true;
     addTextureOptions(tool, options.texture);
     app.add_option("--max-points",
-                   options.most_points,
+                   options.max_points,
                    "Points that the map is made of, at most: of more only each second, "
                    "fourth ... is taken; 100 bytes of memory each")
         ->type_name("N")

@@ -17,7 +17,7 @@ struct ChainOptions {
   bool has_pictures = true;
   bool rectifies = true;
   /** \brief Maximum for the merged cloud, before it is consolidated. */
-  std::size_t most_points = 50000000;
+  std::size_t max_points = 50000000;
   StereoOptions stereo;
   EgomotionOptions egomotion;
   RectificationOptions rectification;

@@ -35,7 +35,7 @@ picturesIn(const std::string& folder, double tilt)
   for (const auto& [name, caption] : captions)
     if (fs::exists(fs::path(folder) / name, error)) {
       std::string text = caption;
-      if (tilt > least_tilt_told && std::string_view(name) == plan_name)
+      if (tilt > min_tilt_told && std::string_view(name) == plan_name)
         text +=
             " Drawn along the floor, from which the frame of the map is tilted by " +
             shortNumber(tilt) + " degrees.";

@@ -46,7 +46,7 @@ merge(Tool& tool, const ChainOptions& options, const ObservationSequence& posed)
   merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
                                                     : options.planes.sensor);
   merging.setSkipBroken(options.texture.skip_broken);
-  merging.setMaximumPoints(options.most_points);
+  merging.setMaximumPoints(options.max_points);
   merging.setNumberOfThreads(tool.threads());
   merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
     requireMemory(bytes, work);
@@ -60,7 +60,7 @@ merge(Tool& tool, const ChainOptions& options, const ObservationSequence& posed)
   for (const std::string& remark : report.remarks)
     tool.warn(remark);
   if (report.every > 1)
-    tool.warn("the map has more than " + std::to_string(options.most_points) +
+    tool.warn("the map has more than " + std::to_string(options.max_points) +
               " points (--max-points): it is made of each " +
               std::to_string(report.every) + "th of them");
   warnOfLengths(tool, *merged.cloud);
@@ -174,7 +174,7 @@ tellUp(Tool& tool, const CompactMap& map)
   const double tilt = degrees * std::acos(std::min(1.0, up.dot(upAxis(map))));
   tool.details()["up"] = {up.x(), up.y(), up.z()};
   tool.details()["tilt_deg"] = tilt;
-  if (tilt > least_tilt_told)
+  if (tilt > min_tilt_told)
     tool.tell("tilted",
               "the frame of the map by " + shortNumber(tilt) +
                   " degrees, by its planes; pictures are drawn along the floor");

@@ -9,7 +9,7 @@
 namespace pcl::acmap {
 
 /** \brief Minimum tilt that is reported, in degrees. */
-inline constexpr double least_tilt_told = 2;
+inline constexpr double min_tilt_told = 2;
 
 /** \brief Computes a compact map of observations, or of one cloud, and writes it with
  * its mesh, thinned points, poses and pictures, as a step of the chain.

@@ -131,9 +131,9 @@ std::string
 numberText(double value)
 {
   // whole numbers are not exact in a double beyond this
-  constexpr double most_grouped = 1e15;
+  constexpr double max_grouped = 1e15;
   const double size = std::abs(value);
-  if (size >= 999.5 && size < most_grouped)
+  if (size >= 999.5 && size < max_grouped)
     return withMinus(grouped(printed("%.*f", 0, value)));
   return withMinus(printed("%.*g", 3, value));
 }

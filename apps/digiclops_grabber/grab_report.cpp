@@ -9,16 +9,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // number of remarks in warnings; the report has all
-constexpr std::size_t most_named = 10;
+constexpr std::size_t max_named = 10;
 
 void
 tellRecording(Tool& tool, const GrabberOptions& options, const Device& device)
 {
   const TrinocularFileReport report = device.recording->getReport();
-  for (std::size_t i = 0; i < std::min(most_named, report.remarks.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_named, report.remarks.size()); ++i)
     tool.warn(report.remarks[i]);
-  if (report.remarks.size() > most_named)
-    tool.warn(std::to_string(report.remarks.size() - most_named) +
+  if (report.remarks.size() > max_named)
+    tool.warn(std::to_string(report.remarks.size() - max_named) +
               " further findings, the report names them");
   if (!report.doubled.empty())
     tool.warn(std::to_string(report.doubled.size()) +

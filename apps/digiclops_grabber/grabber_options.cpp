@@ -14,7 +14,7 @@ namespace {
 
 constexpr double longest_wait = 86400; // seconds, one day
 // maximum for fusion, with a shot without a pattern
-constexpr std::uint32_t most_patterns = 255;
+constexpr std::uint32_t max_patterns = 255;
 
 CLI::Option*
 addNumberOrAuto(CLI::App& app,
@@ -107,7 +107,7 @@ addProjector(Tool& tool, GrabberOptions& options)
                  options.pattern.patterns,
                  "Patterns of an observation; 0 for no projector: a stream of frames")
       ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{0}, most_patterns).description(""));
+      ->check(CLI::Range(std::uint32_t{0}, max_patterns).description(""));
   addPatternLook(app, options.pattern);
   tool.addSeed(options.pattern.seed);
   app.add_option("--monitor",

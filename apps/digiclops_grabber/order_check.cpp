@@ -55,7 +55,7 @@ checkOrder(Tool& tool,
            StatusLine& status)
 {
   const std::size_t shots =
-      std::min<std::size_t>(DigiclopsGrabber::most_order_checks, patterns.size());
+      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
   for (std::size_t i = 0; i < shots; ++i) {
     projector.show(patterns[i]);
     const Clock::time_point settled = Clock::now() + surely_settled;

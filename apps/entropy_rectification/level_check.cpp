@@ -10,8 +10,8 @@ namespace {
 constexpr double steepest = 0.7071; // cosine of 45 degrees
 constexpr double alike = 0.9962;    // cosine of 5 degrees
 // minimum fraction of the points that are on floors
-constexpr double least_share = 0.02;
-constexpr std::size_t most_tried = 300;
+constexpr double min_share = 0.02;
+constexpr std::size_t max_tried = 300;
 
 /** Normals of possible floors or ceilings, flipped to y > 0. */
 std::vector<Eigen::Vector3f>
@@ -51,14 +51,14 @@ floorNormalOf(const MapObservations& observations)
 {
   std::size_t points = 0;
   const std::vector<Eigen::Vector3f> normals = floorNormals(observations, points);
-  const std::size_t step = 1 + normals.size() / most_tried;
+  const std::size_t step = 1 + normals.size() / max_tried;
   std::pair<std::size_t, Eigen::Vector3f> best(0, Eigen::Vector3f::UnitY());
   for (std::size_t i = 0; i < normals.size(); i += step) {
     const auto found = gather(normals, normals[i]);
     if (found.first > best.first)
       best = found;
   }
-  if (static_cast<double>(best.first) < least_share * static_cast<double>(points) ||
+  if (static_cast<double>(best.first) < min_share * static_cast<double>(points) ||
       best.first == 0)
     return std::nullopt;
   return best.second.cast<double>().normalized();

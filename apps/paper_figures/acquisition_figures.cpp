@@ -15,8 +15,8 @@ namespace pcl::acmap {
 namespace {
 
 // thresholds for a single shot, above what the noise of the cameras reaches by chance
-constexpr double least_texture = 2; // grey levels
-constexpr double least_correlation = 0.5;
+constexpr double min_texture = 2; // grey levels
+constexpr double min_correlation = 0.5;
 
 /** Computes disparities as pcl_active_stereo does. */
 class Acquisition {
@@ -51,8 +51,8 @@ public:
     matching.setMaxDisparity(range_.count);
     matching.setNumberOfThreads(threads_);
     // also for the shot without a pattern, which would otherwise be filled with guesses
-    matching.setPeakFilter(least_texture);
-    matching.setCorrelationThreshold(least_correlation);
+    matching.setPeakFilter(min_texture);
+    matching.setCorrelationThreshold(min_correlation);
     MatchedDisparity matched;
     matching.match(shot, matched);
     return matched.disparity;

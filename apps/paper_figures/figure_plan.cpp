@@ -10,8 +10,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_observations = 1000000;
-constexpr std::size_t most_patterns = 256;
+constexpr std::size_t max_observations = 1000000;
+constexpr std::size_t max_patterns = 256;
 
 Eigen::Vector3f
 placeOf(const YamlNode& node)
@@ -58,7 +58,7 @@ public:
     more.insert(more.end(), {"observation", "from", "look"});
     node.requireKeys(more);
     plan_.observation_nodes.push_back(node.at("observation"));
-    return {node.at("observation").count(0, most_observations), eyeOf(node)};
+    return {node.at("observation").count(0, max_observations), eyeOf(node)};
   }
 
   void
@@ -67,7 +67,7 @@ public:
     plan_.fusion = observationOf(node, {"patterns"});
     const auto& patterns = node.at("patterns").list(3, 3);
     for (std::size_t i = 0; i < patterns.size(); ++i) {
-      plan_.patterns[i] = patterns[i].count(0, most_patterns);
+      plan_.patterns[i] = patterns[i].count(0, max_patterns);
       plan_.pattern_nodes.push_back(patterns[i]);
     }
   }
@@ -76,10 +76,10 @@ public:
   readMap(const YamlNode& node)
   {
     constexpr double highest = 1e6; // metres
-    constexpr std::size_t most_views = 8;
+    constexpr std::size_t max_views = 8;
     node.requireKeys({"cut", "views"});
     plan_.cut = node.at("cut").number(-highest, highest);
-    for (const YamlNode& view : node.at("views").list(1, most_views))
+    for (const YamlNode& view : node.at("views").list(1, max_views))
       plan_.perspectives.push_back(eyeAlone(view));
   }
 
@@ -90,8 +90,8 @@ private:
 FigurePlan
 planOf(const YamlNode& file)
 {
-  constexpr std::size_t least_width = 200, most_width = 8000; // px
-  constexpr std::size_t most_examples = 8, most_steps = 16;
+  constexpr std::size_t min_width = 200, max_width = 8000; // px
+  constexpr std::size_t max_examples = 8, max_steps = 16;
   requireFormat(file, file_formats::figures);
   file.requireKeys({"format",
                     "scene",
@@ -108,14 +108,14 @@ planOf(const YamlNode& file)
   FigurePlan plan;
   PlanReader reader(plan);
   plan.scene = file.at("scene").text();
-  plan.observations = file.at("observations").count(1, most_observations);
-  plan.width = static_cast<int>(file.at("width").count(least_width, most_width));
+  plan.observations = file.at("observations").count(1, max_observations);
+  plan.width = static_cast<int>(file.at("width").count(min_width, max_width));
   reader.readFusion(file.at("fig2"));
-  for (const YamlNode& example : file.at("fig3").list(1, most_examples))
+  for (const YamlNode& example : file.at("fig3").list(1, max_examples))
     plan.acquisitions.push_back(reader.observationOf(example));
   reader.readMap(file.at("fig4"));
   plan.walls = reader.observationOf(file.at("fig5"), {"steps"});
-  plan.wall_steps = file.at("fig5").at("steps").count(1, most_steps);
+  plan.wall_steps = file.at("fig5").at("steps").count(1, max_steps);
   plan.mesh = reader.observationOf(file.at("fig7"));
   plan.inside = eyeAlone(file.at("fig8"));
   plan.outside = {eyeAlone(file.at("fig9")), eyeAlone(file.at("fig10"))};
@@ -132,7 +132,7 @@ FigurePlan::requireWithin(std::size_t session_observations,
                           std::size_t count,
                           const std::string& what) {
     for (const YamlNode& node : nodes)
-      if (node.count(0, most_observations) >= count)
+      if (node.count(0, max_observations) >= count)
         node.fail("is beyond the session, which has " + std::to_string(count) + " " +
                   what);
   };

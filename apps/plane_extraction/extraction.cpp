@@ -20,8 +20,8 @@ mappingOf(const Tool& tool, const PlaneOptions& options)
   clustering.setNoiseDriven(!options.paper);
   if (!options.paper && options.tolerance)
     clustering.setDistanceThreshold(*options.tolerance);
-  clustering.setMinArea(options.least_area.value_or(0));
-  segmentation.setMinArea(options.least_area.value_or(0));
+  clustering.setMinArea(options.min_area.value_or(0));
+  segmentation.setMinArea(options.min_area.value_or(0));
   clustering.setRegularize(options.regular);
   segmentation.setRegularize(options.regular);
   mapping.setClustering(clustering);

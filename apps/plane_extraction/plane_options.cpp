@@ -33,7 +33,7 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
                        "cloud");
   app.add_option(
          "--min-area",
-         options.least_area,
+         options.min_area,
          "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
          "surface where that is less]")
       ->type_name("M2")
@@ -97,7 +97,7 @@ checkChoices(const PlaneOptions& options)
       throw UsageError(option + " is not among the paper's thresholds, leave it out "
                                 "with --paper");
   };
-  refuse(options.least_area.has_value(), "--min-area");
+  refuse(options.min_area.has_value(), "--min-area");
   refuse(options.tolerance.has_value(), "--tolerance");
   if (options.sensor != DepthSensor::Automatic && options.isInSpace())
     throw UsageError(

@@ -16,7 +16,7 @@ struct PlaneOptions {
   std::string normals;
   std::string picture;
   std::optional<double> voxel_size; ///< metres; 0: automatic
-  std::optional<double> least_area; ///< square metres
+  std::optional<double> min_area;   ///< square metres
   std::optional<double> tolerance;  ///< metres
   DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;

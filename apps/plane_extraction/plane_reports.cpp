@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_lines = 20, lines_of_many = 5;
+constexpr std::size_t max_lines = 20, lines_of_many = 5;
 
 std::string
 describe(const PlanePatch& plane)
@@ -86,8 +86,7 @@ tellPlanes(Tool& tool,
   tool.tell("planes", std::to_string(planes.size()));
   tool.tell("on planes", percent(on_planes, points) + " of the points");
   // they are sorted by decreasing area
-  const std::size_t listed =
-      planes.size() <= most_lines ? planes.size() : lines_of_many;
+  const std::size_t listed = planes.size() <= max_lines ? planes.size() : lines_of_many;
   for (std::size_t id = 0; id < listed; ++id)
     tool.tell("plane " + std::to_string(id), describe(planes[id]));
   if (listed < planes.size())

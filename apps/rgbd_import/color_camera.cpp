@@ -8,14 +8,14 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double most_pixels = 1e6;
-constexpr double most_distance = 10.0; // metres, between two cameras in one device
+constexpr double max_pixels = 1e6;
+constexpr double max_distance = 10.0; // metres, between two cameras in one device
 
 Pinhole
 pinholeOf(const YamlNode& camera)
 {
   const auto focalLength = [&](const char* key) {
-    return camera.at(key).number(1.0, most_pixels);
+    return camera.at(key).number(1.0, max_pixels);
   };
   const bool is_one = camera.find("focal_length") != nullptr;
   for (const char* key : {"focal_length_x", "focal_length_y"})
@@ -23,8 +23,8 @@ pinholeOf(const YamlNode& camera)
       other->fail("stands beside focal_length, which is both");
   return {focalLength(is_one ? "focal_length" : "focal_length_x"),
           focalLength(is_one ? "focal_length" : "focal_length_y"),
-          camera.at("center_x").number(-most_pixels, most_pixels),
-          camera.at("center_y").number(-most_pixels, most_pixels)};
+          camera.at("center_x").number(-max_pixels, max_pixels),
+          camera.at("center_y").number(-max_pixels, max_pixels)};
 }
 
 Eigen::RowVector3d
@@ -48,7 +48,7 @@ poseOf(const YamlNode& camera)
   if (!isRotation(rotation))
     rows.fail("is no rotation");
   Eigen::Isometry3d pose(Eigen::Quaterniond(rotation).normalized());
-  pose.translation() = threeNumbersOf(camera.at("position"), most_distance).transpose();
+  pose.translation() = threeNumbersOf(camera.at("position"), max_distance).transpose();
   return pose;
 }
 

@@ -49,7 +49,7 @@ addCamera(CLI::App& app, ImportOptions& options)
               "7-Scenes]");
   addPositive(app,
               "--max-depth",
-              options.most_depth,
+              options.max_depth,
               "M",
               "Leave out points farther than this, metres [default: none]")
       ->default_str("");
@@ -98,7 +98,7 @@ addOptions(Tool& tool, ImportOptions& options)
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
   addPositive(app,
               "--max-stamp-gap",
-              options.most_stamp_gap,
+              options.max_stamp_gap,
               "S",
               "Seconds between what TUM's lists have of one moment, at most");
 }
@@ -108,7 +108,7 @@ settingsOf(const ImportOptions& options)
 {
   SequenceSettings settings;
   settings.has_poses = !options.no_poses;
-  settings.most_stamp_gap = options.most_stamp_gap;
+  settings.max_stamp_gap = options.max_stamp_gap;
   settings.has_camera =
       !options.intrinsics.empty() || (options.fx && options.cx && options.cy);
   return settings;

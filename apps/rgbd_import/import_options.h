@@ -20,10 +20,10 @@ struct ImportOptions {
   bool is_registered = false;
   std::optional<double> fx, fy, cx, cy; ///< pixels
   std::optional<double> depth_scale;    ///< number in a depth image that is one metre
-  double most_depth = 0.0;              ///< metres; 0 for no limit
+  double max_depth = 0.0;               ///< metres; 0 for no limit
   DepthSensor sensor = DepthSensor::Automatic;
   std::size_t every = 1;
-  double most_stamp_gap = 0.02; ///< seconds
+  double max_stamp_gap = 0.02; ///< seconds
 };
 
 /** \brief Adds the options to the command line. */

@@ -26,7 +26,7 @@ struct RgbdFrame {
 struct SequenceSettings {
   bool has_poses = true; ///< poses are required
   /** \brief Seconds, maximum difference between stamps that match. */
-  double most_stamp_gap = 0.02;
+  double max_stamp_gap = 0.02;
   bool has_camera = false; ///< the user set the camera
 };
 

@@ -18,7 +18,7 @@ constexpr const char* prefix = "frame-";
 constexpr const char* camera_file = "camera-intrinsics.txt";
 constexpr const char* depth_ending = ".depth.png";
 constexpr const char* pose_ending = ".pose.txt";
-constexpr std::size_t most_digits = 9;
+constexpr std::size_t max_digits = 9;
 constexpr Pinhole kinect = {585.0, 585.0, 320.0, 240.0};
 
 const std::vector<std::string>&
@@ -51,7 +51,7 @@ listFrames(const std::string& folder)
     const std::size_t end =
         std::min(name.find_first_not_of("0123456789", begin), name.size());
     const std::string ending = name.substr(end);
-    if (end > begin && end - begin <= most_digits &&
+    if (end > begin && end - begin <= max_digits &&
         (isPicture(ending) || ending == pose_ending))
       frames[name.substr(begin, end - begin)].insert(ending);
   }

@@ -14,7 +14,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = 64 * 1024 * 1024;
+constexpr std::uintmax_t max_bytes = 64 * 1024 * 1024;
 
 [[noreturn]] void
 fail(const std::string& path, const std::string& fault)
@@ -52,7 +52,7 @@ requireText(const std::string& path)
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error)
     fail(path, error.message());
-  if (bytes > most_bytes)
+  if (bytes > max_bytes)
     fail(path, "is too long: " + std::to_string(bytes) + " bytes");
 }
 

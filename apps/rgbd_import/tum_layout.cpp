@@ -162,7 +162,7 @@ openTumSequence(const std::string& folder, const SequenceSettings& settings)
   sequence.depth_scale = tum_depth_scale;
   sequence.is_registered = true;
   for (const auto& [depth, color] :
-       matchStamps(depths.stamps, colors.stamps, settings.most_stamp_gap)) {
+       matchStamps(depths.stamps, colors.stamps, settings.max_stamp_gap)) {
     RgbdFrame frame;
     frame.color = colors.paths[color];
     frame.depth = depths.paths[depth];
@@ -173,7 +173,7 @@ openTumSequence(const std::string& folder, const SequenceSettings& settings)
   if (sequence.frames.empty())
     throw NothingFound(folder + ": no colour image was taken near a depth image");
   if (settings.has_poses)
-    findPoses(folder, settings.most_stamp_gap, sequence);
+    findPoses(folder, settings.max_stamp_gap, sequence);
   if (sequence.frames.empty())
     throw NothingFound(folder + ": " + pose_list + " has no pose near an image");
   if (!settings.has_camera)

@@ -7,7 +7,7 @@ namespace pcl::acmap {
 namespace {
 
 // Limits for the matcher, and for a good session of boards; see doc/tutorials.
-constexpr double most_residual = 0.3; // px
+constexpr double max_residual = 0.3; // px
 constexpr std::size_t few_boards = 10;
 constexpr double small_coverage = 0.4;
 
@@ -15,9 +15,9 @@ void
 warnOfWeakness(Tool& tool, const RigCalibratorReport& calibrated)
 {
   const auto residual = [&](const char* lines, double value) {
-    if (value > most_residual)
+    if (value > max_residual)
       tool.warn(std::string(lines) + " are off by " + shortNumber(value) +
-                " px; disparities need " + shortNumber(most_residual) +
+                " px; disparities need " + shortNumber(max_residual) +
                 " or less: is the board flat, and were the shots sharp and taken at "
                 "once?");
   };

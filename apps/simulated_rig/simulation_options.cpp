@@ -42,14 +42,14 @@ addLightOptions(CLI::App& app, SimulatedLight& light)
 void
 addFrameOptions(CLI::App& app, SimulationOptions& options)
 {
-  constexpr std::uint32_t most_patterns = 100;
+  constexpr std::uint32_t max_patterns = 100;
   app.add_option(
          "--patterns",
          options.patterns,
          "Shots of an observation under a pattern of lines each, beside the one "
          "without")
       ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{1}, most_patterns).description(""));
+      ->check(CLI::Range(std::uint32_t{1}, max_patterns).description(""));
   app.add_option("--cameras",
                  options.cameras,
                  "Cameras as they are built, with distortion and out of line, in place "

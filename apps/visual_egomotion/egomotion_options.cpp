@@ -15,13 +15,13 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options)
       "The camera moves freely, as in a hand; else level, as on a robot: in its "
       "xz plane and about its y axis");
   app.add_option("--max-translation",
-                 options.most_translation,
+                 options.max_translation,
                  "How far it moves from an observation to the next, at most, metres")
       ->type_name("M")
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(0.001, 1e6).description(""));
   app.add_option(
-         "--max-rotation", options.most_rotation, "How far it turns, at most, degrees")
+         "--max-rotation", options.max_rotation, "How far it turns, at most, degrees")
       ->type_name("DEG")
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(0.0, 180.0).description(""));

@@ -11,9 +11,9 @@ namespace pcl::acmap {
 struct EgomotionOptions {
   std::vector<std::string> inputs; ///< one folder, or PCDs in their order
   std::string output;
-  bool is_rigid = false;       ///< six degrees of freedom instead of three
-  double most_translation = 1; ///< metres, from one observation to the next
-  double most_rotation = 30;   ///< degrees
+  bool is_rigid = false;      ///< six degrees of freedom instead of three
+  double max_translation = 1; ///< metres, from one observation to the next
+  double max_rotation = 30;   ///< degrees
   std::size_t keypoints = 1000;
   bool refines = true;
   bool writes_observations = true; ///< write copies of the input with poses

@@ -153,17 +153,17 @@ medianDeviations(const VisualOdometryResult& run)
   return {{"x", deviation(0)}, {"z", deviation(2)}, {"about_y", deviation(4)}};
 }
 
-constexpr std::size_t most_named = 20; ///< number of warnings of each kind on stderr
+constexpr std::size_t max_named = 20; ///< number of warnings of each kind on stderr
 
 void
 warnOfLost(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
 {
   std::size_t lost = 0;
   for (std::size_t i = 0; i < list.sequence.size(); ++i)
-    if (!run.poses[i] && ++lost <= most_named)
+    if (!run.poses[i] && ++lost <= max_named)
       tool.warn("lost: " + list.sequence.path(i) + ": " + run.reasonOf(i, list.names));
-  if (lost > most_named)
-    tool.warn(std::to_string(lost - most_named) +
+  if (lost > max_named)
+    tool.warn(std::to_string(lost - max_named) +
               " further observations are lost, the report names them");
 }
 
@@ -185,12 +185,12 @@ warnOfSkips(Tool& tool, const ObservationList& list, const VisualOdometryResult&
 {
   std::size_t skips = 0;
   for (const OdometryPair& pair : run.pairs)
-    if (pair.estimate && pair.skipped() > 0 && ++skips <= most_named)
+    if (pair.estimate && pair.skipped() > 0 && ++skips <= max_named)
       tool.warn("skipped: " + list.sequence.path(pair.now) + ": was joined to " +
                 list.names[pair.before] + ", past " + std::to_string(pair.skipped()) +
                 " others, by " + std::to_string(pair.report.inliers) + " matches");
-  if (skips > most_named)
-    tool.warn(std::to_string(skips - most_named) +
+  if (skips > max_named)
+    tool.warn(std::to_string(skips - max_named) +
               " further observations were joined past others, the report tells which");
 }
 
@@ -260,8 +260,8 @@ addDetails(Tool& tool,
   tool.details() = {{"inputs", options.inputs},
                     {"output", options.output},
                     {"model", options.is_rigid ? "rigid" : "planar"},
-                    {"max_translation", options.most_translation},
-                    {"max_rotation", options.most_rotation / degrees},
+                    {"max_translation", options.max_translation},
+                    {"max_rotation", options.max_rotation / degrees},
                     {"keypoints", options.keypoints},
                     {"refinement", options.refines},
                     {"observations", list.sequence.size()},

@@ -35,8 +35,8 @@ egomotionOf(const EgomotionOptions& options)
   egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
   egomotion.setMaximumKeypoints(options.keypoints);
   egomotion.setRefinement(options.refines);
-  egomotion.setMaximumTranslation(options.most_translation);
-  egomotion.setMaximumRotation(options.most_rotation * pi / 180);
+  egomotion.setMaximumTranslation(options.max_translation);
+  egomotion.setMaximumRotation(options.max_rotation * pi / 180);
   return egomotion;
 }
 

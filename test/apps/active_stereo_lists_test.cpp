@@ -13,9 +13,9 @@ using testing::HasSubstr;
 using ActiveStereoLists = ActiveStereoRuns;
 
 void
-expectGood(const TruthFit& fit, double least_found)
+expectGood(const TruthFit& fit, double min_found)
 {
-  EXPECT_GT(fit.found, least_found);
+  EXPECT_GT(fit.found, min_found);
   EXPECT_LT(fit.wrong, 0.02);
   EXPECT_LT(fit.median, 0.1);
 }

@@ -32,7 +32,7 @@ printPatterns(const std::string& name,
   RandomLinePattern lines;
   change(lines);
   std::size_t redrawn = 0, none_good = 0;
-  int most_redraws = 0;
+  int max_redraws = 0;
   double coverage = 0;
   std::vector<double> seconds;
   for (std::uint32_t i = 0; i < patterns; ++i) {
@@ -40,13 +40,13 @@ printPatterns(const std::string& name,
     const RandomLinePatternReport& report = lines.getReport();
     redrawn += report.redraws > 0 ? 1 : 0;
     none_good += report.remarks.empty() ? 0 : 1;
-    most_redraws = std::max(most_redraws, report.redraws);
+    max_redraws = std::max(max_redraws, report.redraws);
     coverage += report.coverage / patterns;
   }
   MarkdownRow()
       .text(name)
       .count(redrawn)
-      .count(static_cast<std::size_t>(most_redraws))
+      .count(static_cast<std::size_t>(max_redraws))
       .count(none_good)
       .number(coverage, 3)
       .number(milli * median(seconds), 1)
@@ -190,11 +190,11 @@ printAllPatterns()
              "none good",
              "coverage",
              "a pattern, ms"});
-  constexpr double least_angle = 0.2618; // 15 degrees
+  constexpr double min_angle = 0.2618; // 15 degrees
   printPatterns("as they are", [](RandomLinePattern&) {});
   printPatterns("grey", [](RandomLinePattern& lines) { lines.setColored(false); });
   printPatterns("minimum angle 15°",
-                [](RandomLinePattern& lines) { lines.setMinimumAngle(least_angle); });
+                [](RandomLinePattern& lines) { lines.setMinimumAngle(min_angle); });
   printPatterns("60 lines",
                 [](RandomLinePattern& lines) { lines.setNumberOfLines(60); });
 }

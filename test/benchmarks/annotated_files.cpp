@@ -70,15 +70,15 @@ readTable(const std::string& path)
 MarkedPoints
 readRoomParts(const std::string& path)
 {
-  constexpr double most_deviation = 0.02; // metres
-  constexpr double least_points = 300;
+  constexpr double max_deviation = 0.02; // metres
+  constexpr double min_points = 300;
   MarkedPoints points = readMarked<PointXYZL>(path, [](const PointXYZL& point) {
     return static_cast<std::int32_t>(point.label) - 1;
   });
   const std::vector<PlaneFit> planes = fitMarkedPlanes(points);
   const auto is_planar = [&](std::int32_t plane) {
     const PlaneFit& fit = planes[static_cast<std::size_t>(plane)];
-    return fit.count >= least_points && deviationOf(fit) <= most_deviation;
+    return fit.count >= min_points && deviationOf(fit) <= max_deviation;
   };
   for (MarkedPoint& point : points)
     if (point.plane >= 0 && !is_planar(point.plane))

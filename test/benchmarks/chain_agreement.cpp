@@ -130,7 +130,7 @@ Overlaps
 overlapsOf(const std::vector<PlanePatch>& reference,
            const std::vector<PlanePatch>& planes)
 {
-  constexpr double reach = 0.05, most_angle = 5; // metres, degrees
+  constexpr double reach = 0.05, max_angle = 5; // metres, degrees
   const PlanePlaces here = placesOn(reference), there = placesOn(planes);
   const test::PointTree tree(there.places);
   Overlaps overlaps;
@@ -142,7 +142,7 @@ overlapsOf(const std::vector<PlanePatch>& reference,
       near.insert(there.plane[static_cast<std::size_t>(j)]);
     bool is_near = false;
     for (const std::size_t other : near)
-      if (angleBetween(reference[plane], planes[other]) <= most_angle) {
+      if (angleBetween(reference[plane], planes[other]) <= max_angle) {
         Shared& both = overlaps.shared[plane][other];
         both.area += here.area[i];
         both.sum += here.area[i] * here.places[i];

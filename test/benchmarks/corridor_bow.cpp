@@ -39,11 +39,11 @@ int
 wallOf(const PointNormal& point, const Eigen::Isometry3d& T_scene_camera)
 {
   constexpr double half_width = 1.2, tolerance = 0.04; // metres
-  constexpr double least_cosine = 0.95;
+  constexpr double min_cosine = 0.95;
   const Eigen::Vector3d place = T_scene_camera * point.getVector3fMap().cast<double>();
   const Eigen::Vector3d normal =
       T_scene_camera.linear() * point.getNormalVector3fMap().cast<double>();
-  if (!(std::abs(normal.x()) > least_cosine) ||
+  if (!(std::abs(normal.x()) > min_cosine) ||
       !(std::abs(std::abs(place.x()) - half_width) < tolerance))
     return 0;
   return place.x() > 0 ? 1 : -1;

@@ -89,10 +89,10 @@ edgePieces(const SceneTruth& truth)
 bool
 isSeen(const SceneTruth& truth, const EdgePiece& piece, double voxel)
 {
-  constexpr double least_part = 0.25;
+  constexpr double min_part = 0.25;
   return std::min(areaSeen(truth.surfaces()[piece.first], piece.place, voxel),
                   areaSeen(truth.surfaces()[piece.second], piece.place, voxel)) >
-         least_part * voxel * voxel;
+         min_part * voxel * voxel;
 }
 
 } // namespace pcl::acmap::bench

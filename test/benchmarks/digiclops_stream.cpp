@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t frames_wanted = 840; // one minute
 constexpr float rate = 14;                 // as in the paper
-constexpr std::size_t most_waiting = 28;   // two seconds
+constexpr std::size_t max_waiting = 28;    // two seconds
 constexpr double milli = 1e3;
 
 /** Bytes of shots in the format of the camera. */
@@ -82,7 +82,7 @@ public:
   TimedRecorder(const std::string& folder, const TrinocularRig& rig)
   : recorder_(folder, rig)
   {
-    recorder_.setMostWaiting(most_waiting);
+    recorder_.setMostWaiting(max_waiting);
   }
 
   /** Called in the stream's thread. */

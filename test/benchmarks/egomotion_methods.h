@@ -44,7 +44,7 @@ struct OrbSetting {
   int fast_threshold = 20; ///< grey levels that define a corner
   double ratio = 0.8;      ///< best by second-best distance; 1: mutual best matches
   double tolerance = 3;    ///< pixels, of an inlier
-  int least_inliers = 12;  ///< minimum number of inliers
+  int min_inliers = 12;    ///< minimum number of inliers
 };
 
 /** \brief cv::ORB in both views with brute-force matching; the points of the target and

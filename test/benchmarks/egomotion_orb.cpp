@@ -94,7 +94,7 @@ poseOf(const PnpInput& input, const TrinocularRig& rig, const OrbSetting& settin
                            0,
                            0,
                            1);
-  if (static_cast<int>(input.points.size()) < setting.least_inliers)
+  if (static_cast<int>(input.points.size()) < setting.min_inliers)
     return std::nullopt;
   cv::Vec3d turn, shift;
   std::vector<int> inliers;
@@ -111,7 +111,7 @@ poseOf(const PnpInput& input, const TrinocularRig& rig, const OrbSetting& settin
                           confidence,
                           inliers,
                           cv::SOLVEPNP_EPNP) ||
-      static_cast<int>(inliers.size()) < setting.least_inliers)
+      static_cast<int>(inliers.size()) < setting.min_inliers)
     return std::nullopt;
   PnpInput good;
   for (const int i : inliers) {

@@ -69,8 +69,8 @@ EgomotionMethod
 ndtMethod(double resolution)
 {
   // PCL's tutorial uses 0.01 and 35, with which it stops after the first step here.
-  constexpr double step = 0.1, least_change = 1e-4; // metres, square metres
-  constexpr int most_iterations = 100;
+  constexpr double step = 0.1, min_change = 1e-4; // metres, square metres
+  constexpr int max_iterations = 100;
   std::ostringstream title;
   title << "PCL NDT, cells of " << resolution << " m";
   return {
@@ -79,8 +79,8 @@ ndtMethod(double resolution)
         NormalDistributionsTransform<PointXYZ, PointXYZ> ndt;
         ndt.setResolution(static_cast<float>(resolution));
         ndt.setStepSize(step);
-        ndt.setTransformationEpsilon(least_change);
-        ndt.setMaximumIterations(most_iterations);
+        ndt.setTransformationEpsilon(min_change);
+        ndt.setMaximumIterations(max_iterations);
         return aligned(ndt, *sequence.clouds[source], *sequence.clouds[target]);
       }};
 }

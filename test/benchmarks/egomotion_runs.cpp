@@ -100,10 +100,10 @@ runApart(const EgomotionMethod& method,
          const EgomotionSequence& sequence,
          std::size_t step)
 {
-  constexpr std::size_t most_pairs = 25;
+  constexpr std::size_t max_pairs = 25;
   Tally tally(method, sequence);
   const std::size_t pairs = sequence.clouds.size() - step;
-  const std::size_t every = (pairs + most_pairs - 1) / most_pairs;
+  const std::size_t every = (pairs + max_pairs - 1) / max_pairs;
   for (std::size_t i = 0; i < pairs; i += every)
     tally.add(i, i + step);
   return tally.sum();

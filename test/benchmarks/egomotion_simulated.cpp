@@ -15,18 +15,18 @@ printRun(const EgomotionRun& run, const EgomotionSequence& sequence)
 {
   constexpr double percent = 100;
   const bool is_judged = run.name == "acmap";
-  const double most_percent = is_judged ? 1 : no_reach;
-  const double most_degrees = is_judged ? 0.15 : no_reach;
+  const double max_percent = is_judged ? 1 : no_reach;
+  const double max_degrees = is_judged ? 0.15 : no_reach;
   MarkdownRow()
       .text(sequence.name)
       .text(run.name)
       .count(run.all.pairs)
       .count(run.failures)
       .count(run.wrong)
-      .atMost(percent * run.estimated.translation_per_metre, most_percent, 2)
+      .atMost(percent * run.estimated.translation_per_metre, max_percent, 2)
       .number(percent * run.estimated.translation_per_metre_median, 2)
       .number(run.estimated.rotation_median / degree, 3)
-      .atMost(run.estimated.rotation_rms / degree, most_degrees, 3)
+      .atMost(run.estimated.rotation_rms / degree, max_degrees, 3)
       .number(run.estimated.rotation_worst / degree, 2)
       .number(percent * run.all.translation_per_metre, 2)
       .number(run.all.rotation_rms / degree, 3)

@@ -65,7 +65,7 @@ void
 addScan(const std::vector<Wall>& walls, Random& random, EntropyMap& map)
 {
   constexpr int beams = 180;
-  constexpr double noise = 0.01, least_slant = 0.15;
+  constexpr double noise = 0.01, min_slant = 0.15;
   const PlanarPose& pose = map.poses.back();
   auto& points = map.points.emplace_back();
   auto& normals = map.normals.emplace_back();
@@ -83,7 +83,7 @@ addScan(const std::vector<Wall>& walls, Random& random, EntropyMap& map)
         (hit.along == 0 ? Eigen::Vector3d(-s, 0, c) : Eigen::Vector3d(c, 0, s))
             .cast<float>());
     weights.push_back(static_cast<float>(
-        std::clamp(range * M_PI / beams / std::max(slant, least_slant), 0.02, 0.5)));
+        std::clamp(range * M_PI / beams / std::max(slant, min_slant), 0.02, 0.5)));
   }
 }
 

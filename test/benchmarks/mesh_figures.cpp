@@ -76,8 +76,8 @@ private:
     const Eigen::Vector3d along_b = place[1] - place[0];
     const Eigen::Vector3d along_c = place[2] - place[0];
     const double area = along_b.x() * along_c.y() - along_c.x() * along_b.y();
-    constexpr double least_area = 1e-12; // seen edge-on
-    if (std::abs(area) < least_area)
+    constexpr double min_area = 1e-12; // seen edge-on
+    if (std::abs(area) < min_area)
       return;
     Eigen::Array3d least = place[0].array().min(place[1].array()).min(place[2].array());
     Eigen::Array3d most = place[0].array().max(place[1].array()).max(place[2].array());
@@ -152,8 +152,8 @@ measureMesh(const SceneTruth& truth,
             const Triangles& triangles,
             double voxel)
 {
-  constexpr double least_tolerance = 0.05;
-  CoverRaster raster(truth, std::max(least_tolerance, voxel / 2));
+  constexpr double min_tolerance = 0.05;
+  CoverRaster raster(truth, std::max(min_tolerance, voxel / 2));
   Points middles, normals;
   double area = 0;
   for (const Triangle& t : triangles) {

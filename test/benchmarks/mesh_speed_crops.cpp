@@ -47,7 +47,7 @@ printRow(const SimulatedCloud& cloud, bool is_whole)
 void
 printSpread(const std::vector<CropCost>& costs)
 {
-  const auto [least_raw, most_raw] = std::minmax_element(
+  const auto [min_raw, max_raw] = std::minmax_element(
       costs.begin(), costs.end(), [](auto& a, auto& b) { return a.raw < b.raw; });
   const auto [least, most] =
       std::minmax_element(costs.begin(), costs.end(), [](auto& a, auto& b) {
@@ -56,7 +56,7 @@ printSpread(const std::vector<CropCost>& costs)
   MarkdownRow()
       .text("slowest to fastest")
       .text("")
-      .text(timesOf(most_raw->raw, least_raw->raw))
+      .text(timesOf(max_raw->raw, min_raw->raw))
       .text("")
       .text(timesOf(most->consolidated, least->consolidated))
       .print();

@@ -44,10 +44,10 @@ cellKey(const TruthPlane& plane,
 double
 medianOfCells(const std::unordered_map<std::uint64_t, SquareSum>& cells)
 {
-  constexpr std::size_t least_points = 9;
+  constexpr std::size_t min_points = 9;
   std::vector<double> deviations;
   for (const auto& [key, cell] : cells)
-    if (cell.count >= least_points)
+    if (cell.count >= min_points)
       deviations.push_back(cell.root());
   return median(deviations);
 }
@@ -63,11 +63,11 @@ rangeBin(double distance)
 NoiseTruth
 measureTruth(const SimulatedCloud& cloud, double visible_area)
 {
-  constexpr double least_edge = 0.1;
+  constexpr double min_edge = 0.1;
   constexpr double points_of_an_edge = 4;
   NoiseTruth truth;
   truth.spacing = std::sqrt(visible_area / static_cast<double>(cloud.size()));
-  const double edge = std::max(least_edge, points_of_an_edge * truth.spacing);
+  const double edge = std::max(min_edge, points_of_an_edge * truth.spacing);
   std::unordered_map<std::uint64_t, SquareSum> cells;
   std::map<int, SquareSum> ranges;
   const std::vector<Eigen::Vector3f> origins = cloud.sensorOrigins();

@@ -12,7 +12,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double least_ratio = 20;
+constexpr double min_ratio = 20;
 
 /** Median times of each step over several rounds. */
 struct TimedVoting {
@@ -59,7 +59,7 @@ printRow(const SimulatedCloud& cloud,
   if (std::isnan(peer))
     row.text("");
   else
-    row.atLeast(peer / each, least_ratio, 1);
+    row.atLeast(peer / each, min_ratio, 1);
   row.print();
 }
 

@@ -64,10 +64,10 @@ supportsOf(const OneView& view, const FoundPlanes& found)
 std::size_t
 countLayers(const OneView& view, const FoundPlanes& found)
 {
-  constexpr double most_rms = 1.0 / 3.0; // of the depth step
-  constexpr double most_angle = 2.0;     // degrees
+  constexpr double max_rms = 1.0 / 3.0; // of the depth step
+  constexpr double max_angle = 2.0;     // degrees
   constexpr std::size_t min_parallels = 3;
-  const double cosine = std::cos(most_angle * M_PI / 180);
+  const double cosine = std::cos(max_angle * M_PI / 180);
   const double inverse_step = inverseDepthStep(view);
   const std::vector<FoundSupport> supports = supportsOf(view, found);
   std::size_t layers = 0;
@@ -79,7 +79,7 @@ countLayers(const OneView& view, const FoundPlanes& found)
           return std::abs(other.head<3>().dot(normal)) >= cosine;
         });
     layers += std::abs(normal.z()) >= cosine &&
-              supports[f].rms<most_rms * step&& static_cast<std::size_t>(parallels)>
+              supports[f].rms<max_rms * step&& static_cast<std::size_t>(parallels)>
                   min_parallels; // the plane itself is counted too
   }
   return layers;

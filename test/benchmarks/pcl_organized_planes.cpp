@@ -14,11 +14,11 @@ namespace {
 // 10000 inliers, depth change of 0.02 and curvature of 0.001 lose planes: with 1000
 // inliers it finds 83 of 120 in the simulated views. These settings find 91, the most
 // of seven that were tried.
-constexpr float most_depth_change = 0.05f;
-constexpr double most_curvature = 0.01;
+constexpr float max_depth_change = 0.05f;
+constexpr double max_curvature = 0.01;
 constexpr float smoothing = 20.0f; // px
 constexpr unsigned min_inliers = 1000;
-constexpr double most_angle = 3.0 * M_PI / 180;
+constexpr double max_angle = 3.0 * M_PI / 180;
 
 PointCloud<Normal>::Ptr
 integralNormals(const OneView& view)
@@ -26,7 +26,7 @@ integralNormals(const OneView& view)
   using Estimation = IntegralImageNormalEstimation<PointXYZ, Normal>;
   Estimation estimation;
   estimation.setNormalEstimationMethod(Estimation::COVARIANCE_MATRIX);
-  estimation.setMaxDepthChangeFactor(most_depth_change);
+  estimation.setMaxDepthChangeFactor(max_depth_change);
   estimation.setNormalSmoothingSize(smoothing);
   estimation.setInputCloud(view.organized);
   const auto normals = std::make_shared<PointCloud<Normal>>();
@@ -39,9 +39,9 @@ segmentOrganized(const OneView& view)
 {
   OrganizedMultiPlaneSegmentation<PointXYZ, Normal, Label> segmentation;
   segmentation.setMinInliers(min_inliers);
-  segmentation.setAngularThreshold(most_angle);
+  segmentation.setAngularThreshold(max_angle);
   segmentation.setDistanceThreshold(view_tolerance);
-  segmentation.setMaximumCurvature(most_curvature);
+  segmentation.setMaximumCurvature(max_curvature);
   segmentation.setInputNormals(integralNormals(view));
   segmentation.setInputCloud(view.organized);
   std::vector<PlanarRegion<PointXYZ>, Eigen::aligned_allocator<PlanarRegion<PointXYZ>>>

@@ -45,16 +45,16 @@ std::vector<Indices>
 growRegions(const PlaneInput& input)
 {
   constexpr unsigned neighbours = 30;
-  constexpr float most_angle = 3 * static_cast<float>(M_PI) / 180;
-  constexpr float most_curvature = 0.1f;
+  constexpr float max_angle = 3 * static_cast<float>(M_PI) / 180;
+  constexpr float max_curvature = 0.1f;
   const auto tree = std::make_shared<Tree>();
   RegionGrowing<PointXYZ, Normal> growing;
   growing.setInputCloud(input.points);
   growing.setInputNormals(estimateNormals(input, tree));
   growing.setSearchMethod(tree);
   growing.setNumberOfNeighbours(neighbours);
-  growing.setSmoothnessThreshold(most_angle);
-  growing.setCurvatureThreshold(most_curvature);
+  growing.setSmoothnessThreshold(max_angle);
+  growing.setCurvatureThreshold(max_curvature);
   growing.setMinClusterSize(static_cast<int>(input.leastSupport()));
   growing.setMaxClusterSize(std::numeric_limits<int>::max());
   std::vector<PointIndices> clusters;

@@ -16,12 +16,12 @@ namespace {
 SACSegmentation<PointXYZ>
 makeSegmentation(const PlaneInput& input)
 {
-  constexpr int most_iterations = 1000; // PCL's 50 miss planes with less than a quarter
-                                        // of the points
+  constexpr int max_iterations = 1000; // PCL's 50 miss planes with less than a quarter
+                                       // of the points
   SACSegmentation<PointXYZ> sac;
   sac.setModelType(SACMODEL_PLANE);
   sac.setMethodType(SAC_RANSAC);
-  sac.setMaxIterations(most_iterations);
+  sac.setMaxIterations(max_iterations);
   sac.setDistanceThreshold(input.tolerance);
   sac.setOptimizeCoefficients(true);
   sac.setInputCloud(input.points);

@@ -126,7 +126,7 @@ printCase(const PlaneCase& plane_case,
             << 1000 * input.tolerance << " mm\n";
   std::vector<ScoredFinder> all;
   for (const NamedFinder& finder : finders)
-    if (input.points->size() <= finder.most_points)
+    if (input.points->size() <= finder.max_points)
       all.push_back({finder.name,
                      finder.is_ours ? reach : PlaneReach(),
                      scorePlanes(plane_case, findPlanes(finder, input))});
@@ -156,8 +156,8 @@ printNoisyViewPlanes(const SceneData& corridor, const NamedFinders& finders)
   scene.sensor.noise_growth =
       disparity_noise /
       (scene.rig.focal_length * std::abs(scene.rig.baseline_horizontal));
-  scene.sensor.least_noise = 0;
-  scene.sensor.most_noise = std::numeric_limits<double>::max();
+  scene.sensor.min_noise = 0;
+  scene.sensor.max_noise = std::numeric_limits<double>::max();
   PlaneCase plane_case = makePlaneCase(makeViewCloud(scene, 0));
   plane_case.name += ", disparities with a noise of 0.5 px";
   printCase(plane_case, finders, {});

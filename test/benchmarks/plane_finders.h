@@ -29,7 +29,7 @@ struct NamedFinder {
   bool is_ours = false; ///< its figures are compared with targets
 
   /** Larger clouds would take too long and are skipped. */
-  std::size_t most_points = std::numeric_limits<std::size_t>::max();
+  std::size_t max_points = std::numeric_limits<std::size_t>::max();
 
   bool is_slow = false; ///< takes several seconds for a view of 300,000 points
 };

@@ -45,12 +45,12 @@ runCorridor(const RectificationMap& map,
 void
 printCorridorRun(const CorridorRun& run, bool is_loop)
 {
-  constexpr double most_ratio = 0.3;
+  constexpr double max_ratio = 0.3;
   MarkdownRow row;
   row.text(run.ours.name)
       .number(run.ours.before.unaligned, 3)
       .number(run.ours.after.unaligned, 3)
-      .atMost(run.ours.ratio(), most_ratio, 3)
+      .atMost(run.ours.ratio(), max_ratio, 3)
       .number(run.ours.alignedRatio(), 3)
       .text(nameOf(run.ours.report.outcome))
       .number(run.ours.report.odometry_scale, 0)
@@ -113,7 +113,7 @@ excess(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& othe
 void
 printBows(const RectificationMap& map, const std::vector<CorridorRun>& runs)
 {
-  constexpr double most_degrees = 0.3;
+  constexpr double max_degrees = 0.3;
   std::cout << "\nBow of the straight corridor: angle between the walls of the first "
                "and of the last third; in the true map "
             << bowOf(map, map.truth) << " degrees.\n";
@@ -128,7 +128,7 @@ printBows(const RectificationMap& map, const std::vector<CorridorRun>& runs)
     MarkdownRow()
         .text(run.ours.name)
         .number(bowOf(map, run.ours.given), 2)
-        .atMost(bowOf(map, run.ours.found), most_degrees, 2)
+        .atMost(bowOf(map, run.ours.found), max_degrees, 2)
         .number(bowOf(map, run.lum.poses), 2)
         .number(excess(run.ours.given, map.truth), 2)
         .number(excess(run.ours.found, map.truth), 2)
@@ -140,7 +140,7 @@ void
 printBareCorridor()
 {
   constexpr std::uint64_t seeds = 5;
-  constexpr double most_percent = 1;
+  constexpr double max_percent = 1;
   std::cout << "\nA bare corridor: nothing tells where along it the camera is, and its "
                "length should stay as the odometry has it.\n";
   const RectificationMap map = makeSceneMap(bareCorridor());
@@ -159,7 +159,7 @@ printBareCorridor()
         .number(run.before.unaligned, 3)
         .number(run.after.unaligned, 3)
         .number(lengthOf(run.given), 2)
-        .within(excess(run.found, run.given), most_percent, 2)
+        .within(excess(run.found, run.given), max_percent, 2)
         .text(nameOf(run.report.outcome))
         .number(run.seconds, 1)
         .print();

@@ -59,7 +59,7 @@ printPerfect()
 void
 printSize()
 {
-  constexpr double most_seconds = 30;
+  constexpr double max_seconds = 30;
   constexpr double mebi = 1024 * 1024;
   std::cout << "\n### The paper's size\n";
   const PeakMemory memory;
@@ -85,7 +85,7 @@ printSize()
       .count(pointsOf(map))
       .number(map.consolidation_seconds, 1)
       .number(run.seconds, 1)
-      .atMost(map.consolidation_seconds + run.seconds, most_seconds, 1)
+      .atMost(map.consolidation_seconds + run.seconds, max_seconds, 1)
       .number(peak, 0)
       .text(nameOf(run.report.outcome))
       .number(run.ratio(), 3)

@@ -111,7 +111,7 @@ sgbmDisparities(const std::vector<TrinocularFrame::ConstPtr>& frames,
 DisparityImage
 medianDisparity(const std::vector<DisparityImage>& images)
 {
-  constexpr std::size_t least_support = 3;
+  constexpr std::size_t min_support = 3;
   DisparityImage fused = images.front();
   std::vector<float> found;
   for (std::size_t i = 0; i < fused.values.size(); ++i) {
@@ -120,7 +120,7 @@ medianDisparity(const std::vector<DisparityImage>& images)
       if (!std::isnan(image.values[i]))
         found.push_back(image.values[i]);
     std::sort(found.begin(), found.end());
-    fused.values[i] = found.size() >= least_support
+    fused.values[i] = found.size() >= min_support
                           ? found[(found.size() - 1) / 2]
                           : std::numeric_limits<float>::quiet_NaN();
   }

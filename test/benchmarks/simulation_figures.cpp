@@ -25,7 +25,7 @@ constexpr char usage[] =
 
 constexpr std::uint32_t patterns = 10; // as in the paper
 constexpr std::uint64_t seed = 1;
-constexpr double most_seconds = 1.0; // CPU, per observation
+constexpr double max_seconds = 1.0; // CPU, per observation
 
 std::vector<RgbImage>
 drawPatterns()
@@ -93,7 +93,7 @@ printTimes(const std::string& name)
       .number(median(cast), 3)
       .number(median(shade), 3)
       .number(median(noise), 3)
-      .atMost(median(all), most_seconds, 3)
+      .atMost(median(all), max_seconds, 3)
       .number(median(truth), 3)
       .print();
 }
@@ -118,7 +118,7 @@ printSession()
       .count(observations)
       .count(frames)
       .number(seconds, 1)
-      .atMost(seconds / static_cast<double>(observations), most_seconds, 3)
+      .atMost(seconds / static_cast<double>(observations), max_seconds, 3)
       .number(static_cast<double>(memory.bytes()) / mebibyte, 0)
       .print();
 }

@@ -39,7 +39,7 @@ public:
     all_.add(found, truth_, mask_);
     DisparityErrors one;
     one.add(found, truth_, mask_);
-    most_bad_ = std::max(most_bad_, one.bad());
+    max_bad_ = std::max(max_bad_, one.bad());
   }
 
   void
@@ -50,7 +50,7 @@ public:
         .text(name)
         .count(shots)
         .atMost(all_.bad(), reach.bad, digits)
-        .number(most_bad_, digits)
+        .number(max_bad_, digits)
         .number(all_.wrong(), digits)
         .atMost(all_.medianError(), reach.error, digits)
         .atMost(all_.rms(), reach.rms, digits)
@@ -61,7 +61,7 @@ private:
   const DisparityImage& truth_;
   PixelMask mask_;
   DisparityErrors all_;
-  double most_bad_ = 0;
+  double max_bad_ = 0;
 };
 
 void

@@ -13,7 +13,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double most_frames = 6.0; // of SGBM, for an observation by space-time
+constexpr double max_frames = 6.0; // of SGBM, for an observation by space-time
 
 /** The minimum CPU seconds of several runs. */
 double
@@ -86,7 +86,7 @@ printStereoTimes()
   printSeconds("acmap, space-time, 10 patterns, three views",
                fusionSeconds(three, Method::SpaceTime),
                sgbm,
-               most_frames);
+               max_frames);
   printSeconds("acmap, median, 10 patterns, three views",
                fusionSeconds(three, Method::Median),
                sgbm);

@@ -182,7 +182,7 @@ printRow(const std::string& name,
          const std::vector<PlanePatch>& planes,
          const std::vector<double>& exposures)
 {
-  constexpr double least_similarity = 0.9, most_steps = 1.5;
+  constexpr double min_similarity = 0.9, max_steps = 1.5;
   const Painted painted = paint(scene, trajectory, planes, exposures);
   const Similarity similarity = redraw(scene, trajectory, painted, exposures);
   constexpr std::int32_t deep = 5; // texels
@@ -196,11 +196,11 @@ printRow(const std::string& name,
       .count(trajectory.poses.size())
       .count(painted.map.charts.size())
       .count(texels)
-      .atLeast(similarity.mean, least_similarity, 3)
+      .atLeast(similarity.mean, min_similarity, 3)
       .number(steps.across, 2)
       .number(steps.inside, 2)
-      .atMost(steps.across / steps.inside, most_steps, 2)
-      .atMost(all.across / all.inside, most_steps, 2)
+      .atMost(steps.across / steps.inside, max_steps, 2)
+      .atMost(all.across / all.inside, max_steps, 2)
       .number(100 * unbalanced(painted.gains, exposures), 2)
       .number(painted.seconds, 1)
       .print();

@@ -98,10 +98,10 @@ struct LogPolarTraits {
     const LogPolarSettings& settings = object.getSettings();
     std::ostringstream words;
     words << settings.rings << ' ' << settings.sectors << ' ' << settings.inner << ' '
-          << settings.outer << ' ' << settings.least_contrast << ' '
-          << settings.least_score << ' ' << settings.most_ambiguity << ' '
-          << settings.ring_shifts << ' ' << settings.sector_shifts << ' '
-          << object.getMaximumImageDistance() << ' ' << object.getNumberOfThreads();
+          << settings.outer << ' ' << settings.min_contrast << ' ' << settings.min_score
+          << ' ' << settings.max_ambiguity << ' ' << settings.ring_shifts << ' '
+          << settings.sector_shifts << ' ' << object.getMaximumImageDistance() << ' '
+          << object.getNumberOfThreads();
     return words.str();
   }
 

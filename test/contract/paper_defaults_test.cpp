@@ -61,8 +61,8 @@ TEST(PaperDefaults, areOursWhereThePaperTellsNone)
   EXPECT_EQ(patches.sectors, 24);
   EXPECT_EQ(patches.inner, 1);
   EXPECT_EQ(patches.outer, 20);
-  EXPECT_EQ(patches.least_score, 0.8F);
-  EXPECT_EQ(patches.most_ambiguity, 0.7F);
+  EXPECT_EQ(patches.min_score, 0.8F);
+  EXPECT_EQ(patches.max_ambiguity, 0.7F);
   const registration::CorrespondenceRejectorWorstOut rejector;
   EXPECT_EQ(rejector.getMaximumDistortion(), 1.06);
   EXPECT_EQ(rejector.getMinimumDistance(), 0.05);

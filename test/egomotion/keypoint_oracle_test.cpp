@@ -83,7 +83,7 @@ protected:
 TEST_F(KeypointOracle, maximaAreThoseOfEightNeighbours)
 {
   KeypointSettings settings;
-  settings.least_gradient = 4;
+  settings.min_gradient = 4;
   settings.most = 100000;
   const std::vector<std::int32_t> pixels = found(settings);
   ASSERT_GT(pixels.size(), 50u);

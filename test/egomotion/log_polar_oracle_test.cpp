@@ -90,8 +90,8 @@ private:
       if (std::hypot(right, down) > settings_.second_distance)
         second = std::max(second, scores[j]);
     }
-    return scores[which] >= settings_.least_score &&
-           1.003 - scores[which] < settings_.most_ambiguity * (1.003 - second);
+    return scores[which] >= settings_.min_score &&
+           1.003 - scores[which] < settings_.max_ambiguity * (1.003 - second);
   }
 
   double
@@ -190,17 +190,17 @@ protected:
 TEST_F(LogPolarOracle, matchesAreThoseOfEveryPairCompared)
 {
   EXPECT_GT(compare(), 20u);
-  settings_.least_score = 0.95F;
-  settings_.most_ambiguity = 0.4F;
+  settings_.min_score = 0.95F;
+  settings_.max_ambiguity = 0.4F;
   EXPECT_GT(compare(), 5u);
-  settings_.most_ambiguity = 1;
-  settings_.least_score = -1;
+  settings_.max_ambiguity = 1;
+  settings_.min_score = -1;
   EXPECT_GT(compare(), 40u);
 }
 
 TEST_F(LogPolarOracle, shiftsAreThoseOfRingsAndSectors)
 {
-  settings_.least_score = 0.9F;
+  settings_.min_score = 0.9F;
   settings_.ring_shifts = 2;
   EXPECT_GT(compare(), 20u);
   settings_.sector_shifts = 3;
@@ -213,7 +213,7 @@ TEST_F(LogPolarOracle, shiftsAreThoseOfRingsAndSectors)
 
 TEST_F(LogPolarOracle, gatesLeavePairsOut)
 {
-  settings_.least_score = 0.5F;
+  settings_.min_score = 0.5F;
   MatchGate near;
   near.image_distance = 12;
   const std::size_t in_the_image = compare(near);

@@ -218,7 +218,7 @@ TEST_F(LogPolarProperty, uglyImagesGiveNoPatches)
   image.values[static_cast<std::size_t>(middle)] =
       std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(logPolarPatches(image, {middle}, settings_).pixels.empty());
-  settings_.least_contrast = 0;
+  settings_.min_contrast = 0;
   image.values.assign(image.values.size(), 128);
   const LogPolarPatches none = logPolarPatches(image, {middle}, settings_);
   EXPECT_TRUE(none.pixels.empty());

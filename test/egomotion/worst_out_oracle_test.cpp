@@ -61,7 +61,7 @@ TEST_P(WorstOutOracle, everyRemovalIsOfTheWorstAndNoneTooMany)
     scene.seed = seed;
     const StereoMatches matches = stereoMatches(scene);
     WorstOutSettings settings;
-    settings.least_distance = std::get<1>(GetParam());
+    settings.min_distance = std::get<1>(GetParam());
     const WorstOutOutcome outcome =
         leaveWorstOut(matches.source, matches.target, settings);
 
@@ -69,18 +69,17 @@ TEST_P(WorstOutOracle, everyRemovalIsOfTheWorstAndNoneTooMany)
     for (std::size_t i = 0; i < left.size(); ++i)
       left[i] = static_cast<std::int32_t>(i);
     for (const std::int32_t removed : outcome.removed) {
-      const double worst = naiveWorst(left, matches, settings.least_distance);
-      EXPECT_GT(worst, settings.most_distortion - rounding);
-      EXPECT_NEAR(naiveDistortion(removed, left, matches, settings.least_distance),
+      const double worst = naiveWorst(left, matches, settings.min_distance);
+      EXPECT_GT(worst, settings.max_distortion - rounding);
+      EXPECT_NEAR(naiveDistortion(removed, left, matches, settings.min_distance),
                   worst,
                   rounding * worst);
       left.erase(std::find(left.begin(), left.end(), removed));
     }
     EXPECT_EQ(outcome.kept, left);
-    EXPECT_NEAR(outcome.distortion,
-                naiveWorst(left, matches, settings.least_distance),
-                rounding);
-    EXPECT_LE(outcome.distortion, settings.most_distortion);
+    EXPECT_NEAR(
+        outcome.distortion, naiveWorst(left, matches, settings.min_distance), rounding);
+    EXPECT_LE(outcome.distortion, settings.max_distortion);
   }
 }
 
@@ -106,16 +105,16 @@ TEST(WorstOutSample, othersAreJudgedByWhatIsLeftOfIt)
     if (kept % 5 == 4)
       sample.push_back(kept);
   ASSERT_GT(sample.size(), 40u);
-  EXPECT_LE(naiveWorst(sample, matches, settings.least_distance),
-            settings.most_distortion + rounding);
+  EXPECT_LE(naiveWorst(sample, matches, settings.min_distance),
+            settings.max_distortion + rounding);
   for (std::int32_t match = 0; match < 500; ++match) {
     if (match % 5 == 4)
       continue;
     const bool is_kept =
         std::binary_search(outcome.kept.begin(), outcome.kept.end(), match);
     const double distortion =
-        naiveDistortion(match, sample, matches, settings.least_distance);
-    EXPECT_EQ(is_kept, distortion <= settings.most_distortion) << match;
+        naiveDistortion(match, sample, matches, settings.min_distance);
+    EXPECT_EQ(is_kept, distortion <= settings.max_distortion) << match;
   }
 }
 

@@ -79,7 +79,7 @@ TEST_P(WorstOutProperty, aCommonScaleChangesNothing)
     for (Eigen::Vector3f& place : *cloud)
       place *= 8;
   WorstOutSettings scaled = settings_;
-  scaled.least_distance *= 8;
+  scaled.min_distance *= 8;
   const WorstOutOutcome outcome =
       leaveWorstOut(matches_.source, matches_.target, scaled);
   EXPECT_EQ(outcome.kept, outcome_.kept);

@@ -46,7 +46,7 @@ TEST(WorstOutUgly, matchesInOnePlaceTellNothing)
 {
   expectNoneKept(Places(20, Eigen::Vector3f(1, 2, 3)));
   WorstOutSettings settings;
-  settings.least_distance = 0;
+  settings.min_distance = 0;
   const Places places(20, Eigen::Vector3f(1, 2, 3));
   EXPECT_TRUE(leaveWorstOut(places, places, settings).kept.empty());
 }

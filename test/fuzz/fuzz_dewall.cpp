@@ -12,7 +12,7 @@ namespace pcl::acmap::test {
 namespace {
 
 /** Completeness is checked with all triples of points, so only for few points. */
-constexpr std::size_t most_points = 40, most_judged = 12;
+constexpr std::size_t max_points = 40, max_judged = 12;
 
 /** A cloud with the settings of its mesh. */
 struct DeWallTask {
@@ -39,7 +39,7 @@ struct DeWallTask {
         std::min(0.25F * static_cast<float>(bytes.byte()) * style.scale, 1e9F);
     for (int axis = 0; axis < 3; ++axis)
       settings.sensor_origin[axis] = style.coordinate(bytes);
-    points = fuzzedPoints(bytes, style, most_points);
+    points = fuzzedPoints(bytes, style, max_points);
     if (has_normals) {
       while (normals.size() < points.size())
         normals.push_back(fuzzedNormal(bytes));
@@ -79,10 +79,10 @@ requireSound(const DeWallTask& task,
   MeshDemands demands;
   demands.edge_allowed = noLongerThan(points, longestAllowed(task, report));
   demands.empty_spheres = task.settings.rule != DeWallRule::Dense;
-  demands.sphere_tolerance = 1e-5;    // the sphere of a flat triangle is not more
-                                      // accurate
-  demands.least_area_ratio = 0.9e-10; // the kernel's threshold with a tolerance for
-                                      // rounding
+  demands.sphere_tolerance = 1e-5;  // the sphere of a flat triangle is not more
+                                    // accurate
+  demands.min_area_ratio = 0.9e-10; // the kernel's threshold with a tolerance for
+                                    // rounding
   MeshFaults faults = checkMesh(points, mesh.triangles, demands);
   if (!isGuarded(task))
     faults.crowded_edges = faults.torn_vertices = faults.inconsistent_edges =
@@ -150,7 +150,7 @@ requireComplete(const DeWallTask& task,
                 const TriangleMesh& mesh,
                 const DeWallReport& report)
 {
-  if (!isGuarded(task) || !task.is_moderate || points.size() > most_judged)
+  if (!isGuarded(task) || !task.is_moderate || points.size() > max_judged)
     return;
   // duplicate points would get a mesh of their own
   Points judged(points.size(), Points::value_type::Constant(std::nan("")));

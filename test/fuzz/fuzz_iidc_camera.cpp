@@ -57,9 +57,9 @@ useFeature(pcl::IidcCamera& camera, pcl::IidcFeature feature)
 void
 takeFrames(CameraStream& stream, CameraStream::Way way, const pcl::IidcMode& mode)
 {
-  constexpr int most_frames = 30;
+  constexpr int max_frames = 30;
   WholeFrame frame;
-  for (int i = 0; i < most_frames && stream.next(way, frame); ++i) {
+  for (int i = 0; i < max_frames && stream.next(way, frame); ++i) {
     test::require(frame.data.bytes.size() >= mode.bytes() && frame.lost < 1000000);
     const std::size_t bytes = frame.data.bytes.size();
     counterOf(frame.data);

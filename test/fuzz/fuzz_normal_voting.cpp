@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr std::size_t most_points = 48;
+constexpr std::size_t max_points = 48;
 
 /** A mesh with the settings of its voting. */
 struct VotingTask {
@@ -21,7 +21,7 @@ struct VotingTask {
 
   explicit VotingTask(FuzzedBytes bytes)
   : style(bytes)
-  , mesh(bytes, style, most_points)
+  , mesh(bytes, style, max_points)
   , sensors(fuzzedSensors(bytes, style, mesh.points.size(), views))
   {
     const std::uint8_t choice = bytes.byte();

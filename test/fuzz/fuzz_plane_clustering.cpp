@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr std::size_t most_points = 64;
+constexpr std::size_t max_points = 64;
 
 /** Points with normals, a source cloud, and the settings of the clustering. */
 struct ClusteringTask {
@@ -25,7 +25,7 @@ struct ClusteringTask {
 
   explicit ClusteringTask(FuzzedBytes bytes)
   : style(bytes)
-  , mesh(bytes, style, most_points)
+  , mesh(bytes, style, max_points)
   {
     const std::uint8_t choice = bytes.byte(), more = bytes.byte();
     const std::size_t size = mesh.points.size();
@@ -49,12 +49,12 @@ struct ClusteringTask {
     const auto length = [&](int steps) {
       return std::clamp(static_cast<double>(style.scale) * steps, 1e-9, 1e9);
     };
-    settings.least_support = more & 7;
+    settings.min_support = more & 7;
     settings.plane_distance =
         settings.noise_driven && more & 8 ? 0 : length(1 + bytes.byte()) / 16;
     settings.member_distance = length(1 + (bytes.byte() & 15));
     settings.normal_angle = (1 + bytes.byte()) / 256.0 * M_PI / 2;
-    settings.least_area = more & 16 ? length(1 + bytes.byte()) : 0;
+    settings.min_area = more & 16 ? length(1 + bytes.byte()) : 0;
   }
 };
 

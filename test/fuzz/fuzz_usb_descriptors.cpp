@@ -11,7 +11,7 @@ using namespace pcl::acmap;
 
 namespace {
 
-constexpr int most_parts = 4; // maximum number of children per node
+constexpr int max_parts = 4; // maximum number of children per node
 
 /** \brief A configuration as returned by libusb: the number of endpoints can be larger
  * than the array, which is then missing. */
@@ -20,9 +20,9 @@ public:
   explicit Configuration(test::FuzzedBytes numbers)
   {
     descriptor_.bConfigurationValue = numbers.byte();
-    const std::size_t interfaces = numbers.byte() % (most_parts + 1);
+    const std::size_t interfaces = numbers.byte() % (max_parts + 1);
     settings_.resize(interfaces);
-    endpoints_.resize(interfaces * most_parts);
+    endpoints_.resize(interfaces * max_parts);
     for (std::size_t i = 0; i < interfaces; ++i)
       interfaces_.push_back(interfaceOf(i, numbers));
     descriptor_.bNumInterfaces = static_cast<std::uint8_t>(interfaces);
@@ -40,13 +40,13 @@ private:
   interfaceOf(std::size_t number, test::FuzzedBytes& numbers)
   {
     std::vector<libusb_interface_descriptor>& settings = settings_[number];
-    settings.resize(numbers.byte() % (most_parts + 1));
+    settings.resize(numbers.byte() % (max_parts + 1));
     for (std::size_t k = 0; k < settings.size(); ++k) {
       settings[k] = {};
       settings[k].bInterfaceNumber = numbers.byte();
       settings[k].bAlternateSetting = numbers.byte();
       settings[k].bNumEndpoints = numbers.byte();
-      fill(endpoints_[number * most_parts + k], settings[k], numbers);
+      fill(endpoints_[number * max_parts + k], settings[k], numbers);
     }
     return {settings.data(), static_cast<int>(settings.size())};
   }
@@ -56,7 +56,7 @@ private:
        libusb_interface_descriptor& setting,
        test::FuzzedBytes& numbers)
   {
-    if (setting.bNumEndpoints > most_parts)
+    if (setting.bNumEndpoints > max_parts)
       return;
     endpoints.resize(setting.bNumEndpoints);
     for (libusb_endpoint_descriptor& endpoint : endpoints) {

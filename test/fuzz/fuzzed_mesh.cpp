@@ -30,10 +30,10 @@ addSheet(FuzzedBytes& bytes, std::int32_t columns, FuzzedMesh& mesh)
 
 FuzzedMesh::FuzzedMesh(FuzzedBytes& bytes,
                        const PointStyle& style,
-                       std::size_t most_points)
+                       std::size_t max_points)
 {
   const std::uint8_t shape = bytes.byte();
-  const std::size_t size = bytes.byte() % (most_points + 1);
+  const std::size_t size = bytes.byte() % (max_points + 1);
   const std::int32_t columns = 2 + (shape & 7);
   const bool is_sheet = shape & 8, is_level = shape & 16;
   for (std::size_t i = 0; i < size; ++i) {

@@ -13,7 +13,7 @@ struct FuzzedMesh {
   std::vector<Eigen::Vector3f> points;
   std::vector<TriangleMesh::Triangle> triangles;
 
-  FuzzedMesh(FuzzedBytes& bytes, const PointStyle& style, std::size_t most_points);
+  FuzzedMesh(FuzzedBytes& bytes, const PointStyle& style, std::size_t max_points);
 };
 
 /** \brief Sensor positions: unknown, one for all, or one per view number.

@@ -125,9 +125,9 @@ HostileCamera::HostileCamera(FuzzedBytes numbers)
 {
   static const Registers sound = soundRegisters();
   registers = sound;
-  constexpr std::size_t most_accesses = 4096;
+  constexpr std::size_t max_accesses = 4096;
   const std::size_t failing = numbers.number<std::uint16_t>();
-  failing_access = failing > 0 && failing < most_accesses ? failing : most_accesses;
+  failing_access = failing > 0 && failing < max_accesses ? failing : max_accesses;
   const auto lies = numbers.byte();
   if ((lies & 0x80) != 0)
     failure = CameraFault::Unplugged;
@@ -171,9 +171,9 @@ RegisterBus::writeQuadlet(std::uint64_t address, std::uint32_t value)
 void
 RegisterBus::startStream(std::size_t frame_bytes, std::size_t)
 {
-  constexpr std::size_t most_bytes = 65536; // frames with more take too long
+  constexpr std::size_t max_bytes = 65536; // frames with more take too long
   require(frame_bytes > 0);
-  if (frame_bytes > most_bytes)
+  if (frame_bytes > max_bytes)
     throw CameraException(CameraFault::Failed, place() + ": has no memory");
   frame_bytes_ = frame_bytes;
 }

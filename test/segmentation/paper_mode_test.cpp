@@ -53,7 +53,7 @@ TEST(PaperMode, thresholdsAreThePapers)
   EXPECT_EQ(settings.member_distance, clustering.getClusterTolerance());
   EXPECT_NEAR(settings.normal_angle, clustering.getSmoothnessThreshold(), 1e-8);
   EXPECT_EQ(settings.plane_distance, clustering.getDistanceThreshold());
-  EXPECT_EQ(settings.least_support, clustering.getMinClusterSize());
+  EXPECT_EQ(settings.min_support, clustering.getMinClusterSize());
 }
 
 TEST(PaperMode, moreThanFiftySupporters)

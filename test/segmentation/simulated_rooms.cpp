@@ -30,7 +30,7 @@ makeEmptyScene(double noise)
   scene.rig.center_y = 74.5;
   scene.sensor.points = 30000;
   scene.sensor.noise_growth = 0;
-  scene.sensor.least_noise = scene.sensor.most_noise = noise;
+  scene.sensor.min_noise = scene.sensor.max_noise = noise;
   scene.views = {Eigen::Isometry3d::Identity()};
   return scene;
 }

@@ -35,7 +35,7 @@ TEST(MergedObservations, AreTheObservationsInTheMap)
 TEST(MergedObservations, LieOnThePlanesOfTheMap)
 {
   SimulatedScene scene = smallScene("office", 40);
-  scene.sensor.least_noise = scene.sensor.most_noise = 0.0;
+  scene.sensor.min_noise = scene.sensor.max_noise = 0.0;
   const MergedObservations merged = mergeObservations(scene, 0, 1);
   EXPECT_EQ(merged.trajectory.poses.size(), scene.views.size());
   for (std::size_t i = 0; i < merged.points.size(); ++i) {

@@ -76,7 +76,7 @@ TEST(Observation, EveryPixelHasAColourOfItsSurface)
 TEST(Observation, WithoutNoisePointsLieOnTheirPlanes)
 {
   SimulatedScene scene = smallScene("office");
-  scene.sensor.least_noise = scene.sensor.most_noise = 0.0;
+  scene.sensor.min_noise = scene.sensor.max_noise = 0.0;
   std::size_t labelled = 0;
   for (std::size_t view = 0; view < scene.views.size(); view += 7)
     for (const ObservationPixel& pixel : observe(scene, view, 1).pixels)

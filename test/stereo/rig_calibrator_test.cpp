@@ -177,10 +177,10 @@ TEST(RigCalibrator, SameShotsGiveTheSameCameras)
 }
 
 void
-paint(CameraImage& image, int least_column, std::uint8_t value)
+paint(CameraImage& image, int min_column, std::uint8_t value)
 {
   for (std::size_t i = 0; i < image.values.size(); ++i)
-    if (static_cast<int>(i) % image.width >= least_column)
+    if (static_cast<int>(i) % image.width >= min_column)
       image.values[i] = value;
 }
 

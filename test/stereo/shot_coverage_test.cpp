@@ -102,7 +102,7 @@ TEST(ShotCoverage, NoiseIsNoCoverage)
 TEST(ShotCoverage, BrightestAndMostShotsDoNotOverflow)
 {
   ShotCoverage coverage(width, height);
-  for (std::size_t i = 0; i < ShotCoverage::most_shots; ++i)
+  for (std::size_t i = 0; i < ShotCoverage::max_shots; ++i)
     coverage.add(noisy(1, i == 0 ? 0 : 255, 0));
   EXPECT_EQ(coverage.share(15.87), 1); // 255 * sqrt (256) / 257
   EXPECT_EQ(coverage.share(15.88), 0);

@@ -133,7 +133,7 @@ checkMesh(const Points& points, const Triangles& faces, const MeshDemands& deman
       ++faults.invalid_faces;
     else if (hasRepeatedCorner(face) ||
              areaRatio(points[face[0]], points[face[1]], points[face[2]]) <
-                 demands.least_area_ratio)
+                 demands.min_area_ratio)
       ++faults.degenerate_faces;
   }
   const Triangles usable = usableFaces(points, faces);

@@ -54,11 +54,11 @@ struct MeshCounts {
 
 /** \brief Selects checks and their thresholds. */
 struct MeshDemands {
-  EdgeAllowed edge_allowed;        ///< empty: any length
-  bool empty_spheres = false;      ///< \ref MeshFaults::occupied_spheres is counted
-  double sphere_tolerance = 1e-6;  ///< of the radius
-  double least_area_ratio = 1e-10; ///< twice the area divided by the square of the
-                                   ///< longest edge
+  EdgeAllowed edge_allowed;       ///< empty: any length
+  bool empty_spheres = false;     ///< \ref MeshFaults::occupied_spheres is counted
+  double sphere_tolerance = 1e-6; ///< of the radius
+  double min_area_ratio = 1e-10;  ///< twice the area divided by the square of the
+                                  ///< longest edge
 };
 
 /** \brief Finds every fault by brute force, independently of the tested kernels. */

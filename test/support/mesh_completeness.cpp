@@ -55,7 +55,7 @@ public:
       if (!rule_.edge_allowed(t[i], t[(i + 1) % 3]))
         return false;
     return areaRatio(points_[t[0]], points_[t[1]], points_[t[2]]) >=
-           rule_.least_area_ratio;
+           rule_.min_area_ratio;
   }
 
   /** Returns true if no point is inside the sphere by more than the slack. */
@@ -176,7 +176,7 @@ nearestApexes(const Points& points,
 {
   constexpr double tie = 1e-5;
   double least = std::numeric_limits<double>::infinity();
-  double least_doubtful = least;
+  double min_doubtful = least;
   std::vector<std::pair<double, Triangle>> candidates;
   const Eigen::Vector3d& a = points[edge.first];
   const Eigen::Vector3d& b = points[edge.second];
@@ -192,14 +192,14 @@ nearestApexes(const Points& points,
     const double distance = signedDistance(a, b, points[i]);
     const Triangle triangle{edge.first, edge.second, p};
     if (turn > limit - rule.turn_slack || !extension.isWellFormed(triangle)) {
-      least_doubtful = std::min(least_doubtful, distance);
+      min_doubtful = std::min(min_doubtful, distance);
       continue;
     }
     candidates.emplace_back(distance, triangle);
     least = std::min(least, distance);
   }
   Triangles nearest;
-  if (least_doubtful > least + tie)
+  if (min_doubtful > least + tie)
     for (const auto& [distance, triangle] : candidates)
       if (distance <= least + tie)
         nearest.push_back(triangle);

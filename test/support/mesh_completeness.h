@@ -21,7 +21,7 @@ struct CompletenessRule {
   double sphere_slack = 1e-6;
 
   /** \brief Triangles flatter than this are optional, see \ref areaRatio. */
-  double least_area_ratio = 1e-6;
+  double min_area_ratio = 1e-6;
 };
 
 /** \brief Triangles that could be added to the mesh without breaking a guarantee: every

@@ -61,18 +61,18 @@ TEST(DeWallClass, wallOfTheFirstPlaneIsCutByOnePlane)
   ASSERT_EQ(depth.size(), result.mesh.triangles.size());
   std::size_t first_wall = 0;
   Eigen::Vector3d greatest_low = Eigen::Vector3d::Constant(-1e9);
-  Eigen::Vector3d least_high = Eigen::Vector3d::Constant(1e9);
+  Eigen::Vector3d min_high = Eigen::Vector3d::Constant(1e9);
   for (std::size_t i = 0; i < depth.size(); ++i)
     if (depth[i] == 0) {
       const Triangle& t = result.mesh.triangles[i];
       const auto& p = result.points;
       ++first_wall;
       greatest_low = greatest_low.cwiseMax(p[t[0]].cwiseMin(p[t[1]]).cwiseMin(p[t[2]]));
-      least_high = least_high.cwiseMin(p[t[0]].cwiseMax(p[t[1]]).cwiseMax(p[t[2]]));
+      min_high = min_high.cwiseMin(p[t[0]].cwiseMax(p[t[1]]).cwiseMax(p[t[2]]));
     }
   EXPECT_GT(first_wall, 40U);
   EXPECT_LT(first_wall, depth.size() / 10);
-  EXPECT_TRUE((greatest_low.array() <= least_high.array()).any());
+  EXPECT_TRUE((greatest_low.array() <= min_high.array()).any());
   const auto deepest =
       std::accumulate(depth.begin(), depth.end(), 0, [](int most, int d) {
         return d == TriangleMesh::no_wall ? most : std::max(most, d);
@@ -120,9 +120,9 @@ TEST(DeWallClass, automaticLengthFollowsTheDensity)
     const DeWallResult result = triangulate(sheet.cloud, {rule, 0});
     EXPECT_TRUE(keepsGuarantees(result, {rule, 0}));
     EXPECT_LT(measureCoverage(sheet, result.mesh.triangles).uncovered, 3);
-    EXPECT_GT(result.report.largest_maximum_edge, 4 * result.report.least_maximum_edge);
+    EXPECT_GT(result.report.largest_maximum_edge, 4 * result.report.min_maximum_edge);
     EXPECT_LT(result.report.largest_maximum_edge, 1);
-    EXPECT_GT(result.report.least_maximum_edge, 0.01);
+    EXPECT_GT(result.report.min_maximum_edge, 0.01);
   }
 }
 

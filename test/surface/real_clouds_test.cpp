@@ -12,8 +12,8 @@ namespace {
 struct RealCloud {
   std::string name;
   std::string path;
-  double least_used;    ///< fraction of the valid, distinct points that have triangles
-  double most_boundary; ///< fraction of the edges with one triangle
+  double min_used;     ///< fraction of the valid, distinct points that have triangles
+  double max_boundary; ///< fraction of the edges with one triangle
 };
 
 void
@@ -45,10 +45,10 @@ TEST_P(DeWallOnRealCloud, keepsEveryGuarantee)
     const DeWallReport& report = result.report;
     const auto valid = static_cast<double>(report.points - report.invalid_points -
                                            report.duplicate_points);
-    EXPECT_GE(static_cast<double>(report.used_points), GetParam().least_used * valid)
+    EXPECT_GE(static_cast<double>(report.used_points), GetParam().min_used * valid)
         << nameOf(rule);
     EXPECT_LE(static_cast<double>(report.boundary_edges),
-              GetParam().most_boundary * static_cast<double>(report.edges))
+              GetParam().max_boundary * static_cast<double>(report.edges))
         << nameOf(rule);
   }
 }

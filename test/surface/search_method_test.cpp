@@ -72,7 +72,7 @@ TEST(DeWallSearchMethod, treeOfPclSaysWhatTheCellsSay)
   const DeWallResult asked_half =
       triangulateWith(telling([](Distances&) {}), cloud, once);
   EXPECT_NEAR(
-      asked_half.report.least_maximum_edge, own_half.report.least_maximum_edge, 1e-5);
+      asked_half.report.min_maximum_edge, own_half.report.min_maximum_edge, 1e-5);
   EXPECT_NEAR(asked_half.report.largest_maximum_edge,
               own_half.report.largest_maximum_edge,
               1e-5);
@@ -88,7 +88,7 @@ TEST(DeWallSearchMethod, decidesHowLongEdgesMayBe)
                                                 d *= 4;
                                             }),
                                             cloud);
-  EXPECT_NEAR(wide.report.least_maximum_edge, 2 * own.report.least_maximum_edge, 1e-3);
+  EXPECT_NEAR(wide.report.min_maximum_edge, 2 * own.report.min_maximum_edge, 1e-3);
   EXPECT_NEAR(wide.report.median_spacing, 2 * own.report.median_spacing, 1e-3);
 }
 

@@ -59,7 +59,7 @@ countOf(const CompactMap& map, TexelKind kind)
 }
 
 std::size_t
-expectSquares(const CompactMap& map, double most_off)
+expectSquares(const CompactMap& map, double max_off)
 {
   const auto isInside = [](double along) {
     return std::abs(along / square - std::floor(along / square) - 0.5) < 0.2;
@@ -75,7 +75,7 @@ expectSquares(const CompactMap& map, double most_off)
         const Rgb truth = is_wall ? wallColor(place) : floorColor(place);
         ++compared;
         for (std::size_t k = 0; k < 3; ++k)
-          wrong += std::abs(color[k] - truth[k]) > most_off ? 1 : 0;
+          wrong += std::abs(color[k] - truth[k]) > max_off ? 1 : 0;
       });
   EXPECT_EQ(wrong, 0u) << "of " << compared;
   return compared;

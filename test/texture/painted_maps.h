@@ -35,7 +35,7 @@ forTexels(const CompactMap& map,
 /** \brief Checks the colours of the squares on wall (plane 0) and floor (1) for texels
  * that are at least 3 cm inside their square. \return number of compared texels */
 std::size_t
-expectSquares(const CompactMap& map, double most_off);
+expectSquares(const CompactMap& map, double max_off);
 
 /** \brief Expects both maps to be byte-identical. */
 void

@@ -11,8 +11,8 @@ namespace pcl {
 namespace {
 
 // Measured thresholds, see doc/acquisition/channel_order.md.
-constexpr std::size_t least_found = 10; // corners
-constexpr std::size_t least_lead = 4;   // factor to the number under any other order
+constexpr std::size_t min_found = 10; // corners
+constexpr std::size_t min_lead = 4;   // factor to the number under any other order
 
 std::string
 sizeText(int width, int height)
@@ -114,8 +114,7 @@ checkChannelOrder(const TrinocularFrame& frame,
 
   ChannelOrderCheck check;
   check.best = best_order;
-  check.is_certain =
-      best.found >= least_found && best.found >= least_lead * other.found;
+  check.is_certain = best.found >= min_found && best.found >= min_lead * other.found;
   check.corners = best.corners;
   check.share = best.share();
   check.runner_up = other.share();

@@ -83,7 +83,7 @@ DigiclopsGrabber::setChannelOrder(const ChannelOrder& order)
   const std::lock_guard lock(state_->mutex);
   state_->order = order;
   state_->is_order_fixed = true;
-  state_->checks_left = most_order_checks;
+  state_->checks_left = max_order_checks;
 }
 
 ChannelOrder
@@ -108,7 +108,7 @@ DigiclopsGrabber::setCalibration(const RigCalibration& calibration)
           "a calibration without a camera of the rig is refused");
   const std::lock_guard lock(state_->mutex);
   state_->calibration = calibration;
-  state_->checks_left = most_order_checks;
+  state_->checks_left = max_order_checks;
 }
 
 void

@@ -20,7 +20,7 @@ constexpr Seconds turn_time{0.5};
 constexpr Seconds tail{0.35}; // delay at which changes should be complete
 constexpr Seconds shot_timeout{5};
 constexpr int turns_wanted = 6;
-constexpr int least_shots_of_turn = 3;
+constexpr int min_shots_of_turn = 3;
 
 /** \brief The pixel values that increase when the projector is on. */
 class LitValues {
@@ -153,7 +153,7 @@ private:
     LightTurn turn;
     taker_.show(image);
     taker_.settle(first);
-    while (turn.size() < least_shots_of_turn || taker_.delay() < turn_time) {
+    while (turn.size() < min_shots_of_turn || taker_.delay() < turn_time) {
       const TrinocularFrame::ConstPtr frame = shoot();
       turn.push_back({taker_.delay().count(), lit.meanOf(*frame)});
     }

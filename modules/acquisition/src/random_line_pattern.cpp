@@ -12,7 +12,7 @@
 namespace pcl {
 namespace {
 
-constexpr int most_redraws = 16;
+constexpr int max_redraws = 16;
 
 /** \brief A generated pattern and its rating. */
 struct Candidate {
@@ -69,8 +69,8 @@ RandomLinePattern::setLineWidths(int least, int most)
 {
   acmap::requireInRange("most line width", most, 1, 64, "px");
   acmap::requireInRange("least line width", least, 1, most, "px");
-  least_line_width_ = least;
-  most_line_width_ = most;
+  min_line_width_ = least;
+  max_line_width_ = most;
 }
 
 void
@@ -95,8 +95,8 @@ RandomLinePattern::generate(std::uint32_t index)
   const acmap::PatternLaw law{width_,
                               height_,
                               lines_,
-                              least_line_width_,
-                              most_line_width_,
+                              min_line_width_,
+                              max_line_width_,
                               colored_,
                               minimum_angle_};
   Candidate best;
@@ -106,9 +106,9 @@ RandomLinePattern::generate(std::uint32_t index)
         drawCandidate(law, disparity_range_, seedOf(seed_, index, attempt));
     if (next.judged < best.judged)
       best = std::move(next);
-  } while (best.judged >= acmap::highest_side_lobe && attempt++ < most_redraws);
+  } while (best.judged >= acmap::highest_side_lobe && attempt++ < max_redraws);
   report_.lines = lines_;
-  report_.redraws = std::min(attempt, most_redraws);
+  report_.redraws = std::min(attempt, max_redraws);
   report_.coverage = acmap::coverageOf(best.image);
   report_.row_side_lobe = best.rows.gated;
   report_.column_side_lobe = best.columns.gated;
@@ -118,7 +118,7 @@ RandomLinePattern::generate(std::uint32_t index)
     report_.remarks.push_back(
         "pattern " + std::to_string(index) + " repeats itself (side lobe " +
         std::to_string(best.judged) + "): the best of " +
-        std::to_string(most_redraws + 1) + "; more lines would help");
+        std::to_string(max_redraws + 1) + "; more lines would help");
   timer.finish("generate");
   return std::move(best.image);
 }

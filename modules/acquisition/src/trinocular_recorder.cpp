@@ -108,7 +108,7 @@ struct TrinocularRecorder::State {
   const std::string folder;
   const TrinocularRig rig;
   bool is_finished = false;
-  std::size_t most_waiting = 0;
+  std::size_t max_waiting = 0;
 
   std::mutex mutex; // protects the members below, except for the last one
   std::set<std::uint64_t> numbers;
@@ -195,13 +195,13 @@ TrinocularRecorder::setMostWaiting(std::size_t frames)
   if (frames > most)
     throw BadArgumentException("most waiting: " + std::to_string(frames) +
                                " frames; legal is [0, " + std::to_string(most) + ']');
-  state_->most_waiting = frames;
+  state_->max_waiting = frames;
 }
 
 std::size_t
 TrinocularRecorder::getMostWaiting() const
 {
-  return state_->most_waiting;
+  return state_->max_waiting;
 }
 
 void
@@ -209,13 +209,13 @@ TrinocularRecorder::record(const TrinocularFrame& frame)
 {
   state_->waiting.throwFault();
   state_->take(frame);
-  if (state_->most_waiting == 0) {
+  if (state_->max_waiting == 0) {
     state_->waiting.waitForAll();
     state_->write(frame);
     return;
   }
   try {
-    state_->waiting.add(frame, state_->most_waiting);
+    state_->waiting.add(frame, state_->max_waiting);
   }
   catch (...) { // out of memory, or no thread
     state_->forget(frame);

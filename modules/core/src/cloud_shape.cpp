@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::uint64_t most_points = std::numeric_limits<std::int32_t>::max();
+constexpr std::uint64_t max_points = std::numeric_limits<std::int32_t>::max();
 
 [[noreturn]] void
 refusePoints(std::uint64_t points, const std::string& size, const ByteSource& source)
@@ -23,9 +23,9 @@ refusePoints(std::uint64_t points, const std::string& size, const ByteSource& so
 void
 requireCountable(std::uint64_t points, const ByteSource& source)
 {
-  if (points > most_points)
+  if (points > max_points)
     source.fail("holds " + std::to_string(points) + " points; an index counts " +
-                std::to_string(most_points) + " at most");
+                std::to_string(max_points) + " at most");
 }
 
 } // namespace

@@ -58,7 +58,7 @@ readSize(acmap::ByteSource& source, PfmHeader& header)
       source.failAtLine(acmap::inQuotes(word) + " is no width or height in pixels");
     *side = pixels;
   }
-  if (header.width * header.height > acmap::most_pixels)
+  if (header.width * header.height > acmap::max_pixels)
     source.failAtLine("claims " + std::to_string(header.width) + " x " +
                       std::to_string(header.height) + " pixels, at most 2^28 are read");
 }

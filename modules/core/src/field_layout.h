@@ -16,7 +16,7 @@ class ByteSource;
 /** \brief Maximum number of fields, properties or elements of a header. More are
  * considered an attack on the memory, because a field takes more bytes in memory than
  * its few letters in the file. */
-constexpr std::size_t most_fields = 1000;
+constexpr std::size_t max_fields = 1000;
 
 /** \brief A field as declared by a file; there are no gaps between fields. */
 struct SourceField {

@@ -13,7 +13,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_unpacked = std::size_t{1} << 30;
+constexpr std::size_t max_unpacked = std::size_t{1} << 30;
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 class Inflater {
@@ -66,7 +66,7 @@ private:
       source_.fail("its compression is damaged");
     at_end_ = state == Z_STREAM_END;
     const std::size_t got = unpacked_.size() - stream_.avail_out;
-    if (got > most_unpacked - text.size())
+    if (got > max_unpacked - text.size())
       source_.fail("unpacks to more than 1 GiB");
     text.append(reinterpret_cast<const char*>(unpacked_.data()), got);
   }

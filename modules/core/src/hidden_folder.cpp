@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 const std::string unfinished_mark = ".acmap-unfinished-";
 
 /** Only a few processes write the same target at the same time. */
-constexpr std::size_t most_leftovers = 8;
+constexpr std::size_t max_leftovers = 8;
 
 fs::path
 numbered(const fs::path& parent, const std::string& name, std::size_t number)
@@ -136,7 +136,7 @@ removeLeftoversIn(const std::string& folder)
 void
 removeLeftoversOf(const fs::path& parent, const std::string& name)
 {
-  for (std::size_t number = 0; number < most_leftovers; ++number)
+  for (std::size_t number = 0; number < max_leftovers; ++number)
     removeIfLeft(numbered(parent, name, number));
 }
 

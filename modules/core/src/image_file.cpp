@@ -21,8 +21,8 @@ requireImageSize(std::uint64_t width,
   if (width == 0 || height == 0)
     throw DamagedImage("has no pixels: " + size);
   // Both are below 2^31.
-  if (width * height > most_pixels)
-    throw DamagedImage("claims " + size + ", at most " + std::to_string(most_pixels) +
+  if (width * height > max_pixels)
+    throw DamagedImage("claims " + size + ", at most " + std::to_string(max_pixels) +
                        " are read");
   const auto pixels = static_cast<double>(width * height);
   if (pixels > pixels_per_byte * static_cast<double>(bytes))
@@ -40,7 +40,7 @@ requireImageValues(std::int32_t width,
       width > 0 && height > 0
           ? static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height)
           : 0;
-  if (pixels == 0 || pixels > most_pixels || values != channels * pixels)
+  if (pixels == 0 || pixels > max_pixels || values != channels * pixels)
     throw BadArgumentException("an image of " + std::to_string(width) + " x " +
                                std::to_string(height) + " pixels with " +
                                std::to_string(values) +
@@ -56,7 +56,7 @@ requireWholeImage(const RgbImage& image)
 
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 31;
 constexpr std::size_t kind_bytes = 8; // to distinguish a PNG from a JPEG
 
 /** \brief Reads a file of a supported format and decodes it.
@@ -71,7 +71,7 @@ loadImage(const std::string& path, const Kind& is_known, const Decode& decode)
   if (const char* const fault = is_known(bytes))
     source.fail(fault);
   const std::uint64_t rest = source.remaining();
-  if (rest > most_bytes)
+  if (rest > max_bytes)
     source.fail("is too long for an image: " + std::to_string(rest) + " bytes");
   const std::size_t begun = bytes.size();
   bytes.resize(begun + static_cast<std::size_t>(rest));

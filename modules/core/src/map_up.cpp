@@ -155,7 +155,7 @@ upAxis(const CompactMap& map)
 Eigen::Vector3d
 upDirection(const CompactMap& map)
 {
-  constexpr double least_share = 1.0 / 3; // of the area
+  constexpr double min_share = 1.0 / 3; // of the area
   const Vector3d axis = upAxis(map);
   const Vector3d cameras = upOfCameras(map.trajectory);
   const Vector3d expected = cameras.norm() > 0.1 ? cameras.normalized() : axis;
@@ -177,7 +177,7 @@ upDirection(const CompactMap& map)
       best = up;
     }
   }
-  if (best_share < least_share)
+  if (best_share < min_share)
     return axis;
   best = refined(facings, best);
   return best.dot(axis) > std::cos(0.5 * degree) ? axis : best;

@@ -12,7 +12,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::uint64_t most_vertices = std::numeric_limits<std::int32_t>::max();
+constexpr std::uint64_t max_vertices = std::numeric_limits<std::int32_t>::max();
 
 /** \brief Zero-based index of the vertex of a corner such as `7`, `7/1/2` or `-1`. */
 std::int32_t
@@ -25,7 +25,7 @@ cornerOf(std::string_view word, std::uint64_t vertices, const ByteSource& source
   std::uint64_t value = 0;
   if (!parseCount(number, value))
     source.failAtLine("corner " + inQuotes(word) + " is not the number of a vertex");
-  if (value == 0 || value > most_vertices || (backwards && value > vertices))
+  if (value == 0 || value > max_vertices || (backwards && value > vertices))
     source.failAtLine("corner " + inQuotes(word) + " lies outside of the vertices");
   return static_cast<std::int32_t>(backwards ? vertices - value : value - 1);
 }

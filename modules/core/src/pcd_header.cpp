@@ -112,8 +112,8 @@ readKeyedLine(std::string_view key,
   if (key == "FIELDS" || key == "COLUMNS") {
     lines.names.clear();
     for (std::string_view word; words.next(word);) {
-      if (lines.names.size() == most_fields)
-        source.failAtLine("names more than " + std::to_string(most_fields) + " fields");
+      if (lines.names.size() == max_fields)
+        source.failAtLine("names more than " + std::to_string(max_fields) + " fields");
       lines.names.emplace_back(word);
     }
   }

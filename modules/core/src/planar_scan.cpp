@@ -14,7 +14,7 @@ namespace {
 
 constexpr int reach = 3; ///< neighbours on each side of an echo
 /** \brief Minimum cosine of the angle of incidence on a wall. */
-constexpr double least_cosine = .15;
+constexpr double min_cosine = .15;
 
 /** An echo of a scan. */
 struct Echo {
@@ -43,7 +43,7 @@ areConnected(const Echo& a, const Echo& b, double step)
 {
   const double beams = std::abs(static_cast<double>(a.beam) - double(b.beam));
   const double nearer = std::min(a.place.norm(), b.place.norm());
-  const double limit = std::max(0.15, nearer * std::abs(step) * beams / least_cosine);
+  const double limit = std::max(0.15, nearer * std::abs(step) * beams / min_cosine);
   return beams <= reach && (a.place - b.place).norm() < limit;
 }
 
@@ -104,7 +104,7 @@ pointsOf(const PlanarScan& scan)
     points.cloud->push_back(point);
     const double range = place.norm();
     const double cosine =
-        lies_on_line ? std::max(least_cosine, -normal.dot(place) / range) : 1.0;
+        lies_on_line ? std::max(min_cosine, -normal.dot(place) / range) : 1.0;
     const double length = range * std::abs(scan.angle_step) / cosine;
     points.weights.push_back(static_cast<float>(std::clamp(length, 0.02, 0.5)));
   }

@@ -55,8 +55,8 @@ readFormat(Words& words, PlyHeader& header, const ByteSource& source)
 void
 requireFew(std::size_t count, const ByteSource& source)
 {
-  if (count >= most_fields)
-    source.failAtLine("is one of more than " + std::to_string(most_fields));
+  if (count >= max_fields)
+    source.failAtLine("is one of more than " + std::to_string(max_fields));
 }
 
 void

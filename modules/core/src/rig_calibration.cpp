@@ -48,13 +48,13 @@ noPoint()
 Eigen::Vector2d
 undistort(const std::array<double, 5>& distortion, const Eigen::Vector2d& goal)
 {
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   constexpr double arrived = 1e-14; // relative to the focal length
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   Distorted at = distort(distortion, point);
   double fault = goal.norm();
   double share = 1.0;
-  for (int i = 0; i < most_steps && fault > arrived; ++i) {
+  for (int i = 0; i < max_steps && fault > arrived; ++i) {
     const Eigen::Vector2d step = at.jacobian.inverse() * (goal - at.point);
     const Eigen::Vector2d next = point + share * step;
     const Distorted there = distort(distortion, next);

@@ -17,7 +17,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t max_points = std::numeric_limits<std::int32_t>::max();
 
 /** \brief The leading numbers of a line, at most \a Most. */
 template <std::size_t Most>
@@ -38,8 +38,8 @@ struct Numbers {
 void
 appendPoint(std::vector<float>& to, const float* values, const ByteSource& source)
 {
-  if (to.size() / 3 >= most_points)
-    source.fail("holds more than " + std::to_string(most_points) + " points");
+  if (to.size() / 3 >= max_points)
+    source.fail("holds more than " + std::to_string(max_points) + " points");
   to.insert(to.end(), values, values + 3);
 }
 

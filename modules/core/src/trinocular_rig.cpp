@@ -13,7 +13,7 @@ namespace pcl {
 
 namespace {
 
-constexpr int most_pixels = 32768; // per side
+constexpr int max_pixels = 32768; // per side
 constexpr double longest_focal_length = 1e6;
 constexpr double farthest_center = 1e6;
 constexpr double longest_baseline = 100.0;
@@ -55,8 +55,8 @@ realKeys()
 void
 requireSoundRig(const TrinocularRig& rig)
 {
-  acmap::requireInRange("width", rig.width, 1, most_pixels, "px");
-  acmap::requireInRange("height", rig.height, 1, most_pixels, "px");
+  acmap::requireInRange("width", rig.width, 1, max_pixels, "px");
+  acmap::requireInRange("height", rig.height, 1, max_pixels, "px");
   for (const RealKey& key : realKeys())
     acmap::requireInRange(key.name, rig.*key.value, key.least, key.most, key.unit);
 }
@@ -72,8 +72,8 @@ acmap::readTrinocularRig(const YamlNode& map)
 {
   requireFormat(map, file_formats::rig);
   TrinocularRig rig;
-  rig.width = static_cast<int>(map.at("width").count(1, most_pixels));
-  rig.height = static_cast<int>(map.at("height").count(1, most_pixels));
+  rig.width = static_cast<int>(map.at("width").count(1, max_pixels));
+  rig.height = static_cast<int>(map.at("height").count(1, max_pixels));
   for (const RealKey& key : realKeys())
     rig.*key.value = map.at(key.name).number(key.least, key.most);
   return rig;

@@ -114,8 +114,8 @@ private:
     if (anchor != YAML::NullAnchor)
       refuseAnchor(mark);
     YamlNode node = nodeAt(kind, mark);
-    if (++count_ > most_values)
-      node.fail("has more than " + std::to_string(most_values) +
+    if (++count_ > max_values)
+      node.fail("has more than " + std::to_string(max_values) +
                 " values, more than a YAML file of acmap ever has");
     return node;
   }
@@ -170,7 +170,7 @@ private:
     map.node.keys_.push_back(std::move(key));
   }
 
-  static constexpr std::size_t most_values = 300000;
+  static constexpr std::size_t max_values = 300000;
   static constexpr std::size_t deepest = 64;
 
   std::shared_ptr<const std::string> file_;
@@ -201,9 +201,9 @@ parseYaml(const std::string& name, const std::string& text)
 YamlNode
 loadYaml(const std::string& path)
 {
-  constexpr std::uint64_t most_bytes = std::uint64_t{16} << 20;
+  constexpr std::uint64_t max_bytes = std::uint64_t{16} << 20;
   ByteSource source(path);
-  if (source.remaining() > most_bytes)
+  if (source.remaining() > max_bytes)
     source.fail("has " + std::to_string(source.remaining()) +
                 " bytes, more than a YAML file of acmap ever has");
   std::string text(static_cast<std::size_t>(source.remaining()), ' ');

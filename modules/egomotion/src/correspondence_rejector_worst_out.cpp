@@ -39,7 +39,7 @@ remark(const acmap::WorstOutSettings& settings, WorstOutReport& report)
     report.remarks.push_back(std::to_string(report.invalid) +
                              " matches have a point that is not finite");
   if (report.kept == 0)
-    report.remarks.push_back("no " + std::to_string(settings.least_matches) + " of " +
+    report.remarks.push_back("no " + std::to_string(settings.min_matches) + " of " +
                              std::to_string(report.given) +
                              " matches agree on distances: none is kept");
 }
@@ -55,14 +55,14 @@ void
 CorrespondenceRejectorWorstOut::setMaximumDistortion(double distortion)
 {
   acmap::requireInRange("maximum distortion", distortion, 1.0, 1000.0, "(no unit)");
-  settings_.most_distortion = distortion;
+  settings_.max_distortion = distortion;
 }
 
 void
 CorrespondenceRejectorWorstOut::setMinimumDistance(double metres)
 {
   acmap::requireInRange("minimum distance", metres, 0.0, 1e6, "m");
-  settings_.least_distance = metres;
+  settings_.min_distance = metres;
 }
 
 void
@@ -70,7 +70,7 @@ CorrespondenceRejectorWorstOut::setMinimumMatches(std::size_t matches)
 {
   acmap::requireInRange(
       "minimum matches", static_cast<double>(matches), 3.0, 1e6, "matches");
-  settings_.least_matches = matches;
+  settings_.min_matches = matches;
 }
 
 void

@@ -21,7 +21,7 @@ constexpr float not_measured = std::numeric_limits<float>::quiet_NaN();
 // Disparities in a window that differ by more are beyond a depth discontinuity.
 constexpr double largest_fold = 1.0; // px
 // Minimum lit fraction of a window for a match.
-constexpr double least_lit_share = 1.0 / 3.0;
+constexpr double min_lit_share = 1.0 / 3.0;
 constexpr double grazing_begin = 75.0 * M_PI / 180.0;
 constexpr double grazing_end = 85.0 * M_PI / 180.0;
 
@@ -232,7 +232,7 @@ private:
       for (int c = window.first_column; c <= window.last_column; ++c)
         if (const std::size_t i = indexOf(r, c); std::isfinite(disparity_[i]))
           lit.emplace_back(disparity_[i], i);
-    if (static_cast<double>(lit.size()) < least_lit_share * window.size())
+    if (static_cast<double>(lit.size()) < min_lit_share * window.size())
       return {};
     const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
     std::nth_element(lit.begin(), middle, lit.end());

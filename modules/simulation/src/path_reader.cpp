@@ -8,8 +8,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_views = 100000;
-constexpr std::size_t most_steps = 1000;
+constexpr std::size_t max_views = 100000;
+constexpr std::size_t max_steps = 1000;
 
 using Views = std::vector<Eigen::Isometry3d>;
 
@@ -39,7 +39,7 @@ addPose(const YamlNode& node, Views& views)
 void
 addLine(const YamlNode& node, Views& views)
 {
-  constexpr std::size_t most_yaws = 1000;
+  constexpr std::size_t max_yaws = 1000;
   constexpr double shortest = 1e-3; // metres
   node.requireKeys({"from", "to", "views", "yaw"});
   const Eigen::Vector3d from = vectorOf(node.at("from"));
@@ -49,11 +49,11 @@ addLine(const YamlNode& node, Views& views)
   const double heading = std::atan2(way.x(), way.z());
   std::vector<double> yaws;
   if (const YamlNode* const list = node.find("yaw"))
-    for (const YamlNode& yaw : list->list(1, most_yaws))
+    for (const YamlNode& yaw : list->list(1, max_yaws))
       yaws.push_back(angleOf(yaw));
   else
     yaws.push_back(0.0);
-  const std::size_t count = node.at("views").count(1, most_views);
+  const std::size_t count = node.at("views").count(1, max_views);
   for (std::size_t i = 0; i < count; ++i)
     views.push_back(
         poseOf(from + fractionOf(i, count) * way, heading + yaws[i % yaws.size()]));
@@ -66,7 +66,7 @@ addTurn(const YamlNode& node, Views& views)
   const Eigen::Vector3d place = vectorOf(node.at("at"));
   const double from = angleOf(node.at("from"));
   const double way = angleOf(node.at("to")) - from;
-  const std::size_t count = node.at("views").count(1, most_views);
+  const std::size_t count = node.at("views").count(1, max_views);
   for (std::size_t i = 0; i < count; ++i)
     views.push_back(poseOf(place, from + fractionOf(i, count) * way));
 }
@@ -77,7 +77,7 @@ Views
 readPath(const YamlNode& path)
 {
   Views views;
-  for (const YamlNode& item : path.list(1, most_steps)) {
+  for (const YamlNode& item : path.list(1, max_steps)) {
     const YamlNode& key = onlyKeyOf(item);
     const YamlNode& step = item.at(key.text());
     if (key.text() == "pose")
@@ -88,8 +88,8 @@ readPath(const YamlNode& path)
       addTurn(step, views);
     else
       key.fail("'" + key.text() + "' is no part of a path; pose, line and turn are");
-    if (views.size() > most_views)
-      key.fail("the path has more than " + std::to_string(most_views) + " views");
+    if (views.size() > max_views)
+      key.fail("the path has more than " + std::to_string(max_views) + " views");
   }
   return views;
 }

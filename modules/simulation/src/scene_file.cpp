@@ -14,24 +14,24 @@ namespace pcl {
 
 namespace {
 
-constexpr std::size_t most_pixels = std::size_t{1} << 30;
+constexpr std::size_t max_pixels = std::size_t{1} << 30;
 
 RangeSensor
 readSensor(const acmap::YamlNode& node, std::size_t views)
 {
   node.requireKeys({"reach", "points", "total_points"});
   RangeSensor sensor;
-  constexpr double least_reach = 1e-2;
+  constexpr double min_reach = 1e-2;
   if (const auto* const reach = node.find("reach"))
-    sensor.reach = reach->number(least_reach, acmap::farthest_place);
+    sensor.reach = reach->number(min_reach, acmap::farthest_place);
   const auto* const points = node.find("points");
   const auto* const total = node.find("total_points");
   if (points && total)
     total->fail("points of a view are given too: one of both is enough");
   if (points)
-    sensor.points = points->count(1, most_pixels);
+    sensor.points = points->count(1, max_pixels);
   if (total) {
-    const std::size_t all = total->count(views, views * most_pixels);
+    const std::size_t all = total->count(views, views * max_pixels);
     sensor.points = all / views;
     sensor.views_with_one_more = all % views;
   }

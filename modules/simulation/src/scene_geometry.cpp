@@ -14,7 +14,7 @@ constexpr double farthest = 1e4;       // metres
 constexpr double plane_slack = 1e-6;   // metres
 constexpr double right_angle_slack = 1e-9;
 constexpr double strongest_texture = 255; // grey levels
-constexpr std::size_t most_surfaces = 100000;
+constexpr std::size_t max_surfaces = 100000;
 
 void
 requirePlace(const std::string& name, const Eigen::Vector3d& place)
@@ -100,8 +100,8 @@ transformPlane(const TruthPlane& plane, const Eigen::Isometry3d& T_a_b)
 void
 SceneGeometry::addSurface(SimulatedSurface surface)
 {
-  if (surfaces_.size() == most_surfaces)
-    throw BadArgumentException("a scene has at most " + std::to_string(most_surfaces) +
+  if (surfaces_.size() == max_surfaces)
+    throw BadArgumentException("a scene has at most " + std::to_string(max_surfaces) +
                                " surfaces");
   surfaces_.push_back(std::move(surface));
 }

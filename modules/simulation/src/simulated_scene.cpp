@@ -9,7 +9,7 @@ namespace pcl {
 double
 RangeSensor::sigma(double depth) const
 {
-  return std::clamp(noise_growth * depth * depth, least_noise, most_noise);
+  return std::clamp(noise_growth * depth * depth, min_noise, max_noise);
 }
 
 void

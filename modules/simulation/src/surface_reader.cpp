@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_items = 10000; // per list of the file
+constexpr std::size_t max_items = 10000; // per list of the file
 
 using Looks = std::map<std::string, SurfaceLook>;
 
@@ -90,7 +90,7 @@ private:
         {"name", "at", "width", "height", "depth", "panel", "reveal", "floor"});
     WallOpenings openings;
     openings.name = node.at("name").text();
-    for (const YamlNode& at : node.at("at").list(1, most_items))
+    for (const YamlNode& at : node.at("at").list(1, max_items))
       openings.at.push_back(at.number(0.0, farthest_place));
     openings.width = node.at("width").number(0.0, farthest_place);
     openings.height = node.at("height").number(0.0, farthest_place);
@@ -162,7 +162,7 @@ readSurfaces(const YamlNode& scene)
   for (const YamlNode& name : look_map.keys())
     looks.emplace(name.text(), readLook(look_map.at(name.text())));
   SurfaceReader reader(std::move(looks));
-  for (const YamlNode& item : scene.at("surfaces").list(1, most_items))
+  for (const YamlNode& item : scene.at("surfaces").list(1, max_items))
     reader.add(item);
   return reader.take();
 }

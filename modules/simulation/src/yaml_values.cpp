@@ -16,9 +16,9 @@ vectorOf(const YamlNode& node)
 double
 angleOf(const YamlNode& node)
 {
-  constexpr double most_degrees = 720.0;
+  constexpr double max_degrees = 720.0;
   constexpr double degree = 3.14159265358979323846 / 180.0;
-  return node.number(-most_degrees, most_degrees) * degree;
+  return node.number(-max_degrees, max_degrees) * degree;
 }
 
 const YamlNode&

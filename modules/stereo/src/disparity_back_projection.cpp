@@ -12,7 +12,7 @@ namespace pcl {
 
 namespace {
 
-constexpr double least_maximum_depth = 0.01;
+constexpr double min_maximum_depth = 0.01;
 constexpr double farthest_depth = 10000.0;
 
 void
@@ -78,8 +78,7 @@ DisparityBackProjection::setMinimumDepth(double depth)
 void
 DisparityBackProjection::setMaximumDepth(double depth)
 {
-  acmap::requireInRange(
-      "maximum depth", depth, least_maximum_depth, farthest_depth, "m");
+  acmap::requireInRange("maximum depth", depth, min_maximum_depth, farthest_depth, "m");
   maximum_depth_ = depth;
 }
 

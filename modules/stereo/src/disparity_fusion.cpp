@@ -19,7 +19,7 @@ struct DisparityFusion::State {
   TrinocularMatching matching;
   Method method = Method::SpaceTime;
   int minimum_support = 3;
-  double least_gain = 0.005;
+  double min_gain = 0.005;
   unsigned threads = 0;
   ProgressCallback progress;
   DisparityFusionReport report;
@@ -130,7 +130,7 @@ DisparityFusion::getMethod() const
 void
 DisparityFusion::setMinimumSupport(int shots)
 {
-  acmap::requireInRange("minimum support", shots, 1, acmap::most_shots, "shots");
+  acmap::requireInRange("minimum support", shots, 1, acmap::max_shots, "shots");
   state_->minimum_support = shots;
 }
 
@@ -144,13 +144,13 @@ void
 DisparityFusion::setLeastGain(double share)
 {
   acmap::requireInRange("least gain", share, 0.0, 1.0, "of the pixels");
-  state_->least_gain = share;
+  state_->min_gain = share;
 }
 
 double
 DisparityFusion::getLeastGain() const
 {
-  return state_->least_gain;
+  return state_->min_gain;
 }
 
 void
@@ -186,9 +186,9 @@ DisparityFusion::addShot(const TrinocularFrame::ConstPtr& shot)
   if (!shot)
     throw BadArgumentException("the shot is null");
   acmap::requireShotOf(*state_->rig, *shot);
-  if (observation.shots() == acmap::most_shots)
+  if (observation.shots() == acmap::max_shots)
     throw BadArgumentException("an observation has at most " +
-                               std::to_string(acmap::most_shots) + " shots");
+                               std::to_string(acmap::max_shots) + " shots");
   const CameraImage& reference = shot->image(RigCamera::Reference);
   if (shot->pattern == TrinocularFrame::no_pattern) {
     acmap::withThreads(state_->threads, [&] { observation.addDark(reference); });
@@ -214,14 +214,14 @@ DisparityFusion::shots() const
 bool
 DisparityFusion::wantsAnotherShot() const
 {
-  constexpr std::size_t least_known = 3; // two shots may differ little by chance
+  constexpr std::size_t min_known = 3; // two shots may differ little by chance
   if (shots() == 0)
     return true;
-  if (shots() == acmap::most_shots)
+  if (shots() == acmap::max_shots)
     return false;
   const std::vector<double>& coverage = state_->observation->coverage();
-  return coverage.size() < least_known ||
-         coverage.back() - coverage[coverage.size() - 2] > state_->least_gain;
+  return coverage.size() < min_known ||
+         coverage.back() - coverage[coverage.size() - 2] > state_->min_gain;
 }
 
 void

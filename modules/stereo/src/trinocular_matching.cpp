@@ -25,7 +25,7 @@ Shots
 shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
              const TrinocularRig& rig)
 {
-  if (shots.empty() || shots.size() > acmap::most_shots)
+  if (shots.empty() || shots.size() > acmap::max_shots)
     acmap::refuseArgument(
         "number of shots", static_cast<double>(shots.size()), "within [1, 256]");
   Shots lit;
@@ -223,8 +223,8 @@ TrinocularMatching::matchPairs(const std::vector<const TrinocularFrame*>& shots)
       shots.size(), shots.front()->pattern != TrinocularFrame::no_pattern);
   acmap::MatchTests tests;
   tests.uniqueness = ratio_filter_;
-  tests.deviation = peak_filter_.value_or(recipe.least_deviation);
-  tests.correlation = correlation_threshold_.value_or(recipe.least_correlation);
+  tests.deviation = peak_filter_.value_or(recipe.min_deviation);
+  tests.correlation = correlation_threshold_.value_or(recipe.min_correlation);
   tests.left_right = left_right_check_;
   tests.left_right_threshold = left_right_threshold_;
   if (!memory_)

@@ -15,7 +15,7 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
 constexpr double view_angle = 36.0; // degrees
-constexpr int most_pixels = 16384;
+constexpr int max_pixels = 16384;
 
 /** Rotation of the view from the direction of the sensor, or from a horizontal
  * direction. */
@@ -108,8 +108,8 @@ turned(const Vector3d& direction, const Vector3d& up, double yaw, double pitch)
 void
 requireSound(const SceneView& view)
 {
-  requireInRange("width", view.width, 1, most_pixels, "pixels");
-  requireInRange("height", view.height, 1, most_pixels, "pixels");
+  requireInRange("width", view.width, 1, max_pixels, "pixels");
+  requireInRange("height", view.height, 1, max_pixels, "pixels");
   for (const auto* vector : {&view.from, &view.look, &view.up})
     if (*vector && !(*vector)->allFinite())
       throw BadArgumentException("a place or direction of the view is not finite");

@@ -79,11 +79,11 @@ Actors
 wayOf(const LayerMaking& making, const Trajectory& trajectory)
 {
   constexpr double axis_share = 0.03; // of the distance to the focus
-  constexpr double least_axis = 0.1;  // metres
+  constexpr double min_axis = 0.1;    // metres
   const Camera& camera = making.camera;
   return actorsOfTrajectory(
       trajectory,
-      std::max(least_axis, axis_share * (camera.focus - camera.position).norm()));
+      std::max(min_axis, axis_share * (camera.focus - camera.position).norm()));
 }
 
 bool

@@ -16,7 +16,7 @@ namespace {
 constexpr double outline_pixels = 2;
 constexpr double trajectory_pixels = 3;
 constexpr double axis_pixels = 2;
-constexpr std::size_t most_axes = 50;
+constexpr std::size_t max_axes = 50;
 
 ByteColor
 colorOf(std::size_t plane)
@@ -104,7 +104,7 @@ actorsOfTrajectory(const Trajectory& trajectory, double length)
 {
   std::vector<MapLine> axes;
   std::vector<ByteColor> colors;
-  const std::size_t step = trajectory.poses.size() / most_axes + 1;
+  const std::size_t step = trajectory.poses.size() / max_axes + 1;
   for (std::size_t i = 0; i < trajectory.poses.size(); i += step) {
     const Eigen::Isometry3d& pose = trajectory.poses[i];
     for (int axis = 0; axis < 3 && pose.matrix().allFinite(); ++axis) {

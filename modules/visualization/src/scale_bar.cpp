@@ -43,9 +43,9 @@ lengthText(double metres)
 void
 addScaleBar(const Camera& camera, const SceneView& view, vtkRenderer* renderer)
 {
-  constexpr double most_share = 0.25;                         // of the picture width
+  constexpr double max_share = 0.25;                          // of the picture width
   const double pixels = view.height / camera.parallel_height; // per metre
-  const double length = roundLength(view.width * most_share / pixels);
+  const double length = roundLength(view.width * max_share / pixels);
   const auto unit = static_cast<float>(std::max(4.0, view.height / 120.0));
   const float left = 3 * unit, bottom = 2.5F * unit;
   const auto right = left + static_cast<float>(length * pixels);

@@ -195,7 +195,7 @@ trianglesOf(const PolygonMesh& mesh)
 std::vector<std::array<Eigen::Vector3f, 2>>
 normalLines(const Scene& scene)
 {
-  constexpr std::size_t most_lines = 3000;
+  constexpr std::size_t max_lines = 3000;
   constexpr float length_share = 0.03F;
   std::vector<Eigen::Vector3f> normals(scene.points.size(), Eigen::Vector3f::Zero());
   for (const auto& [a, b, c] : scene.triangles) {
@@ -207,7 +207,7 @@ normalLines(const Scene& scene)
   const auto length =
       static_cast<float>(RobustBox(scene.points).half.norm()) * length_share;
   std::vector<std::array<Eigen::Vector3f, 2>> lines;
-  const std::size_t step = (normals.size() + most_lines - 1) / most_lines;
+  const std::size_t step = (normals.size() + max_lines - 1) / max_lines;
   for (std::size_t i = 0; i < normals.size(); i += step)
     if (const float norm = normals[i].norm(); norm > 0 && std::isfinite(norm))
       lines.push_back(

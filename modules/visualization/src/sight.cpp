@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 /** Maximum number of poses of a trajectory that are tried. */
-constexpr std::size_t most_poses = 16;
+constexpr std::size_t max_poses = 16;
 
 double
 freeWay(const std::vector<MapFaces>& faces, const Vector3d& eye, const Vector3d& ahead)
@@ -24,7 +24,7 @@ std::vector<Vector3d>
 eyesOf(const Trajectory& trajectory, const Vector3d& middle)
 {
   std::vector<Vector3d> eyes;
-  const std::size_t step = trajectory.poses.size() / most_poses + 1;
+  const std::size_t step = trajectory.poses.size() / max_poses + 1;
   for (std::size_t i = 0; i < trajectory.poses.size(); i += step)
     if (trajectory.poses[i].matrix().allFinite())
       eyes.push_back(trajectory.poses[i].translation());

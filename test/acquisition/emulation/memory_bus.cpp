@@ -8,7 +8,7 @@ namespace pcl::acmap::test {
 namespace {
 
 /** \brief Maximum memory for the frames of one camera. */
-constexpr std::size_t most_bytes = std::size_t{1} << 28;
+constexpr std::size_t max_bytes = std::size_t{1} << 28;
 
 } // namespace
 
@@ -52,7 +52,7 @@ public:
     requirePlugged();
     if (is_streaming_)
       throw CameraException(CameraFault::Failed, "it streams already");
-    if (frame_bytes == 0 || frames > most_bytes / frame_bytes)
+    if (frame_bytes == 0 || frames > max_bytes / frame_bytes)
       throw CameraException(CameraFault::Failed, "frames that cannot be");
     const std::lock_guard lock(cable_.mutex_);
     cable_.frame_bytes = frame_bytes;

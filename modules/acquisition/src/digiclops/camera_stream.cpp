@@ -15,10 +15,10 @@ constexpr std::size_t single_frames_in_flight = 2;
 
 /** Number of frames to discard when a single frame is requested from a camera without
  * one-shot: one frame is in transfer and one is being exposed. */
-constexpr int most_under_way = 2;
+constexpr int max_under_way = 2;
 
-constexpr int most_silences = 2;
-constexpr int most_faults = 10;
+constexpr int max_silences = 2;
+constexpr int max_faults = 10;
 constexpr std::size_t counter_bytes = 4;
 
 } // namespace
@@ -86,7 +86,7 @@ CameraStream::ask()
       break;
     count(&StreamCounts::early);
   }
-  under_way_ = camera_.hasOneShot() ? 0 : most_under_way;
+  under_way_ = camera_.hasOneShot() ? 0 : max_under_way;
   if (camera_.hasOneShot())
     camera_.takeOne();
 }
@@ -96,7 +96,7 @@ CameraStream::ask()
 void
 CameraStream::beginAgain()
 {
-  if (++silences_ > most_silences)
+  if (++silences_ > max_silences)
     throw CameraException(CameraFault::Silent,
                           camera_.place() + ": no frame came for " +
                               std::to_string(patience().count()) + " ms, " +
@@ -141,7 +141,7 @@ void
 CameraStream::dropBroken(const IidcFrame& frame)
 {
   count(&StreamCounts::broken);
-  if (++faults_ > most_faults)
+  if (++faults_ > max_faults)
     throw CameraException(CameraFault::Corrupt,
                           camera_.place() + ": " + std::to_string(faults_) +
                               " frames in a row were broken, the last one of " +

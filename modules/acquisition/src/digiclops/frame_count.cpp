@@ -7,7 +7,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double most_lost = 1e6; // frames at once; larger values are invalid
+constexpr double max_lost = 1e6; // frames at once; larger values are invalid
 
 } // namespace
 
@@ -49,7 +49,7 @@ FrameCount::lostByCounter(std::uint32_t counter, double periods)
   // did not fit into the buffers. Therefore the clock bounds the step only roughly, and
   // all periods that the counter is still behind are added.
   const double possible = 2.0 * std::max(periods, 0.0) + behind_ + 16;
-  if (step == 0 || step > std::min(possible, most_lost)) {
+  if (step == 0 || step > std::min(possible, max_lost)) {
     odd_ = counter;
     return std::nullopt;
   }
@@ -64,7 +64,7 @@ FrameCount::lostByTime(double periods)
 {
   int change = 0;
   if (periods > 1.5)
-    change = static_cast<int>(std::lround(std::min(periods, most_lost))) - 1;
+    change = static_cast<int>(std::lround(std::min(periods, max_lost))) - 1;
   else if (periods < 0.5 && missing_ > 0)
     change = -1;
   missing_ += change;

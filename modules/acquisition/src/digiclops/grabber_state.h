@@ -54,7 +54,7 @@ struct DigiclopsGrabber::State {
   double timeout = 0.5; // seconds
   ChannelOrder order;
   bool is_order_fixed = false;
-  int checks_left = most_order_checks; // remaining checks of order with calibration
+  int checks_left = max_order_checks; // remaining checks of order with calibration
   RigCalibration calibration;
   acmap::BayerPattern bayer = acmap::BayerPattern::None;
   std::uint64_t next_number = 0;

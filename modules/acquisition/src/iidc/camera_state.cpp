@@ -175,8 +175,8 @@ float
 CameraState::applyRate(const RegisterAccess& camera) const
 {
   const IidcFeatureState rate = readFeature(camera, IidcFeature::FrameRate);
-  constexpr float least_rate = 1e-3F; // Hz, the smallest rate that setMode accepts
-  if (!rate.physical || !rate.can_be_set || rate.physical->most < least_rate)
+  constexpr float min_rate = 1e-3F; // Hz, the smallest rate that setMode accepts
+  if (!rate.physical || !rate.can_be_set || rate.physical->most < min_rate)
     return 0;
   const float possible =
       std::clamp(wanted.rate, rate.physical->least, rate.physical->most);

@@ -12,7 +12,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::uint32_t name_of_bus = 0x31333934; // "1394"
-constexpr std::uint32_t least_bus_information = 4;
+constexpr std::uint32_t min_bus_information = 4;
 constexpr std::uint64_t address_space = 0xFFFFF0000000;
 constexpr std::uint32_t first_unit_quadlet = 0x200; // those of the bus are below it
 
@@ -145,7 +145,7 @@ Directory
 cameraUnit(Rom& rom)
 {
   const std::size_t bus_information = rom.at(0) >> 24;
-  if (bus_information < least_bus_information || rom.at(1) != name_of_bus)
+  if (bus_information < min_bus_information || rom.at(1) != name_of_bus)
     fail("it does not begin as one");
   for (const Entry& entry : rom.directory(bus_information + 1, "root directory"))
     if (entry.key == UnitKey) {

@@ -7,12 +7,12 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double nearest = 0.3;           // minimum depth, metres
-constexpr int most_beside = 2;            // px, maximum distance from the epipolar line
-constexpr float least_agreement = 0.8F;   // correlation
-constexpr float least_difference = 0.05F; // minimum lead of the best depth
-constexpr int same_place = 3;             // depths within so many steps count as one
-constexpr double least_shift = 5;         // px, minimum parallax
+constexpr double nearest = 0.3;         // minimum depth, metres
+constexpr int max_beside = 2;           // px, maximum distance from the epipolar line
+constexpr float min_agreement = 0.8F;   // correlation
+constexpr float min_difference = 0.05F; // minimum lead of the best depth
+constexpr int same_place = 3;           // depths within so many steps count as one
+constexpr double min_shift = 5;         // px, minimum parallax
 
 constexpr std::array neighbours{RigCamera::Horizontal, RigCamera::Vertical};
 
@@ -85,7 +85,7 @@ agreementAt(const SmoothImage& image,
     return best;
   const int x = static_cast<int>(std::lround(place.x()));
   const int y = static_cast<int>(std::lround(place.y()));
-  for (int off = -most_beside; off <= most_beside; ++off) {
+  for (int off = -max_beside; off <= max_beside; ++off) {
     const int u = line.isFlat() ? x : x + off;
     const int v = line.isFlat() ? y + off : y;
     if (image.hasPatch(u, v))
@@ -102,7 +102,7 @@ bool
 isAlone(const Agreements& agreements, Agreements::const_iterator best)
 {
   for (auto other = agreements.begin(); other != agreements.end(); ++other)
-    if (std::abs(other - best) > same_place && *other > *best - least_difference)
+    if (std::abs(other - best) > same_place && *other > *best - min_difference)
       return false;
   return true;
 }
@@ -126,17 +126,17 @@ isFound(const std::array<const SmoothImage*, 3>& images,
     const SmoothImage& image = *images[static_cast<std::size_t>(camera)];
     for (int step = 0; step <= steps; ++step) {
       float& joint = agreements[static_cast<std::size_t>(step)];
-      if (joint >= least_agreement - least_difference) // else it is already rejected
+      if (joint >= min_agreement - min_difference) // else it is already rejected
         joint = std::min(joint, agreementAt(image, patch, line, step));
     }
   }
   const auto best = std::max_element(agreements.cbegin(), agreements.cend());
-  if (*best < least_agreement || !isAlone(agreements, best))
+  if (*best < min_agreement || !isAlone(agreements, best))
     return false;
   const auto step = static_cast<int>(best - agreements.cbegin());
   return std::all_of(neighbours.begin(), neighbours.end(), [&](RigCamera camera) {
     const CornerLine line = lineIn(camera);
-    return (line.at(step) - line.at(0)).norm() >= least_shift;
+    return (line.at(step) - line.at(0)).norm() >= min_shift;
   });
 }
 

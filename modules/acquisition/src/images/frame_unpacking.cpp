@@ -11,12 +11,12 @@ namespace {
 void
 requireLayout(const PlaneLayout& layout, std::size_t bytes)
 {
-  const int least_side = layout.bayer == BayerPattern::None ? 1 : 3;
-  if (layout.width < least_side || layout.height < least_side)
+  const int min_side = layout.bayer == BayerPattern::None ? 1 : 3;
+  if (layout.width < min_side || layout.height < min_side)
     throw BadArgumentException("a frame of " + std::to_string(layout.width) + " x " +
                                std::to_string(layout.height) +
                                " pixels; legal are sides of at least " +
-                               std::to_string(least_side));
+                               std::to_string(min_side));
   if (layout.cameras < 1 || layout.cameras > 3)
     throw BadArgumentException("a frame of " + std::to_string(layout.cameras) +
                                " cameras; legal are 1 to 3");

@@ -9,9 +9,9 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double patch_blur = 1.0;     // standard deviation, px
-constexpr double corner_blur = 2.0;    // standard deviation, px
-constexpr double least_contrast = 2.0; // standard deviation, grey levels
+constexpr double patch_blur = 1.0;   // standard deviation, px
+constexpr double corner_blur = 2.0;  // standard deviation, px
+constexpr double min_contrast = 2.0; // standard deviation, grey levels
 
 cv::Mat
 greyOf(const CameraImage& image)
@@ -48,7 +48,7 @@ SmoothImage::SmoothImage(const CameraImage& image)
     for (int x = 0; x < grey_.cols; ++x) {
       const double sum = sum_(y, x);
       const double deviation = static_cast<double>(squares(y, x)) - sum * sum / pixels;
-      const bool has_contrast = deviation >= least_contrast * least_contrast * pixels;
+      const bool has_contrast = deviation >= min_contrast * min_contrast * pixels;
       inverse_deviation_(y, x) =
           has_contrast ? static_cast<float>(1.0 / std::sqrt(deviation)) : 0.0F;
     }
@@ -58,8 +58,8 @@ std::vector<cv::Point>
 SmoothImage::corners() const
 {
   constexpr int most = 200;
-  constexpr double least_quality = 0.01; // relative to the strongest corner
-  constexpr int most_in_a_row = 60;
+  constexpr double min_quality = 0.01; // relative to the strongest corner
+  constexpr int max_in_a_row = 60;
   constexpr int window = 5; // px
   cv::Mat smoother;
   blur(grey_, smoother, std::sqrt(corner_blur * corner_blur - patch_blur * patch_blur));
@@ -71,8 +71,8 @@ SmoothImage::corners() const
   cv::goodFeaturesToTrack(smoother,
                           corners,
                           most,
-                          least_quality,
-                          std::max(1, grey_.cols / most_in_a_row),
+                          min_quality,
+                          std::max(1, grey_.cols / max_in_a_row),
                           is_whole,
                           window);
   const auto end =

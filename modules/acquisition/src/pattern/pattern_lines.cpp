@@ -8,8 +8,8 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int least_intensity = 64;
-constexpr int most_intensity = 255;
+constexpr int min_intensity = 64;
+constexpr int max_intensity = 255;
 
 int
 uniformInteger(Random& random, int least, int most)
@@ -21,12 +21,12 @@ std::array<std::uint8_t, 3>
 sampleColor(Random& random, bool colored)
 {
   std::array<std::uint8_t, 3> color{};
-  color.fill(static_cast<std::uint8_t>(
-      uniformInteger(random, least_intensity, most_intensity)));
+  color.fill(
+      static_cast<std::uint8_t>(uniformInteger(random, min_intensity, max_intensity)));
   if (colored)
     for (std::size_t channel = 1; channel < 3; ++channel)
       color[channel] = static_cast<std::uint8_t>(
-          uniformInteger(random, least_intensity, most_intensity));
+          uniformInteger(random, min_intensity, max_intensity));
   return color;
 }
 
@@ -43,7 +43,7 @@ sampleLines(const PatternLaw& law, std::uint64_t seed)
   for (PatternLine& line : lines) {
     line.angle = random.uniform(law.minimum_angle, pi - law.minimum_angle);
     line.distance = random.uniform(-half_diagonal, half_diagonal);
-    line.width = uniformInteger(random, law.least_line_width, law.most_line_width);
+    line.width = uniformInteger(random, law.min_line_width, law.max_line_width);
     line.color = sampleColor(random, law.colored);
   }
   return lines;

@@ -11,8 +11,8 @@ struct PatternLaw {
   std::int32_t width = 1024; ///< width of the pattern, pixels
   std::int32_t height = 768;
   int lines = 200;
-  int least_line_width = 2; ///< pixels
-  int most_line_width = 6;
+  int min_line_width = 2; ///< pixels
+  int max_line_width = 6;
   bool colored = true;      ///< each channel has an intensity of its own
   double minimum_angle = 0; ///< between a line and the rows, radians
 };

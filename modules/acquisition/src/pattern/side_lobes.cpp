@@ -9,7 +9,7 @@ namespace {
 
 constexpr double main_lobe_end = 0.5;
 constexpr double gated_share = 0.99;
-constexpr std::int32_t most_lines_measured = 256;
+constexpr std::int32_t max_lines_measured = 256;
 
 /** \brief Cumulative sums of values and of their squares. */
 struct RunningSums {
@@ -73,7 +73,7 @@ template <typename ValueAt>
 SideLobes
 lobesOf(std::int32_t lines, std::int32_t length, int range, const ValueAt& valueAt)
 {
-  const std::int32_t measured = std::min(lines, most_lines_measured);
+  const std::int32_t measured = std::min(lines, max_lines_measured);
   std::vector<double> lobes;
   std::vector<int> values(static_cast<std::size_t>(length));
   for (std::int32_t i = 0; i < measured; ++i) {

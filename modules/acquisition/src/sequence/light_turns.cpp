@@ -9,9 +9,9 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_turn = 1.0; // grey levels, minimum change of the mean
+constexpr double min_turn = 1.0; // grey levels, minimum change of the mean
 constexpr double change_to_wait_for = 0.95;
-constexpr double most_unrest = 0.3; // maximum, relative to the contrast
+constexpr double max_unrest = 0.3; // maximum, relative to the contrast
 
 /** \brief Level at the end of a turn, and its fluctuation there. */
 struct TurnEnd {
@@ -55,7 +55,7 @@ findSettleTime(const std::vector<LightTurn>& turns, double tail)
     if (i > 1) // change of the ambient light
       unrest = std::max(unrest, std::abs(ends[i].level - ends[i - 2].level) / 2);
   }
-  if (contrast < least_turn || unrest > most_unrest * contrast)
+  if (contrast < min_turn || unrest > max_unrest * contrast)
     return std::nullopt;
 
   const double wanted = std::min(change_to_wait_for, 1 - 2 * unrest / contrast);

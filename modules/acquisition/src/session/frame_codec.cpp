@@ -21,7 +21,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr char magic[] = "ACFRAME\n";
 constexpr std::size_t magic_bytes = sizeof(magic) - 1;
 constexpr std::size_t checksum_bytes = sizeof(std::uint32_t);
-constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 
 std::string
 sizeText(const ImageRecord& image)
@@ -42,7 +42,7 @@ faultOfImage(const ImageRecord& image)
     return std::to_string(image.channels) + " channels, 1 or 3 are legal";
   if ((image.width == 0) != (image.height == 0))
     return "an image of " + sizeText(image);
-  if (std::uint64_t{image.width} * image.height > most_pixels)
+  if (std::uint64_t{image.width} * image.height > max_pixels)
     return sizeText(image) + ", at most 2^28 are legal";
   return "";
 }
@@ -58,7 +58,7 @@ faultOfPacking(const ImageRecord& image)
       image.packing == 0
           ? image.bytes == image.values()
           : image.bytes < image.values() &&
-                image.values() / most_values_per_packed_byte <= image.bytes;
+                image.values() / max_values_per_packed_byte <= image.bytes;
   return fits ? ""
               : std::to_string(image.bytes) + " bytes cannot hold " + sizeText(image) +
                     " of " + std::to_string(image.channels) + " channels";

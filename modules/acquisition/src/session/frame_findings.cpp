@@ -12,9 +12,9 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::uint8_t full_value = 255;
-constexpr double least_saturated = 0.1;
+constexpr double min_saturated = 0.1;
 constexpr std::uint8_t highest_black = 4;
-constexpr double least_black = 0.99;
+constexpr double min_black = 0.99;
 
 template <typename Predicate>
 double
@@ -68,14 +68,14 @@ FrameFindings::addRead(const TrinocularFrame& frame)
       remarkOn(
           frame,
           [](std::uint8_t value) { return value == full_value; },
-          least_saturated,
+          min_saturated,
           "saturated"));
   add(&TrinocularFileReport::black,
       frame.number,
       remarkOn(
           frame,
           [](std::uint8_t value) { return value <= highest_black; },
-          least_black,
+          min_black,
           "black"));
 }
 

@@ -25,6 +25,6 @@ bool
 unpackImage(const std::uint8_t* packed, std::size_t bytes, CameraImage& image);
 
 /** \brief Maximum number of values per compressed byte. */
-constexpr std::uint64_t most_values_per_packed_byte = 1032;
+constexpr std::uint64_t max_values_per_packed_byte = 1032;
 
 } // namespace pcl::acmap

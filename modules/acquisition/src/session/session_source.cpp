@@ -81,7 +81,7 @@ private:
   std::vector<std::uint64_t> numbers_;
 };
 
-constexpr std::size_t most_told = 1000;
+constexpr std::size_t max_told = 1000;
 
 using Shot = std::pair<std::int32_t, std::int32_t>; // observation, pattern
 using ShotNumbers = std::map<Shot, std::uint64_t>;
@@ -127,10 +127,10 @@ findMissing(const ShotNumbers& shots, TrinocularFileReport& report)
       const Shot shot{observation, pattern};
       if (shots.count(shot) > 0)
         continue;
-      if (report.missing.size() == most_told) {
+      if (report.missing.size() == max_told) {
         const std::size_t missing =
             observations.size() * patterns.size() - shots.size();
-        report.remarks.push_back(std::to_string(missing - most_told) +
+        report.remarks.push_back(std::to_string(missing - max_told) +
                                  " more shots are missing");
         return;
       }

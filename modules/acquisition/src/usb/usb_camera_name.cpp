@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t serial_digits = 16;
 
-/** \brief Parses a complete text as a number with 1 to most_digits digits. */
+/** \brief Parses a complete text as a number with 1 to max_digits digits. */
 std::optional<unsigned>
-numberIn(std::string_view text, int base, std::size_t most_digits)
+numberIn(std::string_view text, int base, std::size_t max_digits)
 {
   unsigned number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number, base);
-  if (text.size() > most_digits || error != std::errc() || rest != end)
+  if (text.size() > max_digits || error != std::errc() || rest != end)
     return std::nullopt;
   return number;
 }
@@ -30,13 +30,13 @@ using Pair = std::optional<std::pair<unsigned, unsigned>>;
 
 /** \brief Parses two numbers that are separated by a colon. */
 Pair
-pairIn(std::string_view text, int base, std::size_t most_digits)
+pairIn(std::string_view text, int base, std::size_t max_digits)
 {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos)
     return std::nullopt;
-  const auto first = numberIn(text.substr(0, colon), base, most_digits);
-  const auto second = numberIn(text.substr(colon + 1), base, most_digits);
+  const auto first = numberIn(text.substr(0, colon), base, max_digits);
+  const auto second = numberIn(text.substr(colon + 1), base, max_digits);
   return first && second ? Pair({*first, *second}) : std::nullopt;
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t least_transfers = 2; // one receives, one is being read
-constexpr std::size_t most_transfers = 64;
-constexpr std::size_t most_bytes = std::size_t{1} << 28; // beyond any sensor's frame
-constexpr int most_faults = 3;
+constexpr std::size_t min_transfers = 2; // one receives, one is being read
+constexpr std::size_t max_transfers = 64;
+constexpr std::size_t max_bytes = std::size_t{1} << 28; // beyond any sensor's frame
+constexpr int max_faults = 3;
 constexpr auto longest_recall = 1s;
 // A hub needs a moment to notice that a device was removed; until then transfers fail.
 constexpr auto restart_pause = 100ms;
@@ -78,7 +78,7 @@ UsbStream::UsbStream(libusb_context& context,
 , frame_bytes_(frame_bytes)
 , ended_(std::make_shared<Ended>())
 {
-  if (frame_bytes == 0 || frame_bytes > most_bytes)
+  if (frame_bytes == 0 || frame_bytes > max_bytes)
     throw CameraException(CameraFault::Failed,
                           place_ + ": frames of " + std::to_string(frame_bytes) +
                               " bytes cannot be");
@@ -101,7 +101,7 @@ UsbStream::~UsbStream()
 void
 UsbStream::start(std::size_t frames)
 {
-  const std::size_t count = std::clamp(frames, least_transfers, most_transfers);
+  const std::size_t count = std::clamp(frames, min_transfers, max_transfers);
   slots_.reserve(count);
   ended_->slots.reserve(count);
   while (slots_.size() < count) {
@@ -198,7 +198,7 @@ UsbStream::submit(Slot& slot)
   set_in_flight(false);
   if (result == LIBUSB_ERROR_NO_DEVICE)
     return false;
-  if (result != LIBUSB_ERROR_NO_MEM || slots_.size() <= least_transfers)
+  if (result != LIBUSB_ERROR_NO_MEM || slots_.size() <= min_transfers)
     failUsb(result, place_, "asking for frames");
   slots_.erase(std::find_if(slots_.begin(), slots_.end(), [&](const auto& other) {
     return other.get() == &slot;
@@ -251,7 +251,7 @@ UsbStream::halt(bool is_stall)
   restart_at_ = Clock::now();
   if (!is_stall)
     restart_at_ += restart_pause;
-  if (++faults_ == most_faults) {
+  if (++faults_ == max_faults) {
     faults_ = 0;
     throw CameraException(CameraFault::Failed,
                           place_ + (is_stall ? ": the stream stalls again and again"

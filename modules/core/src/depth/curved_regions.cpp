@@ -150,13 +150,13 @@ isCurved(const TileMoments& tiles,
          const TileRegion& region,
          std::vector<TileRole>& roles)
 {
-  constexpr double least_bend = 0.4; // standard deviations; flat regions are below
+  constexpr double min_bend = 0.4; // standard deviations; flat regions are below
   constexpr std::size_t fewest_tiles = 9;
   if (region.tiles.size() < fewest_tiles)
     return false;
   const Bend bend = bendOf(tiles, region);
   const double sigma = deviation.on(region.fit.plane);
-  if (bend.height < least_bend * sigma)
+  if (bend.height < min_bend * sigma)
     return false;
   for (const std::uint32_t tile : region.tiles)
     roles[tile] = TileRole::Inside;

@@ -61,8 +61,8 @@ areaOf(const DepthView& view, const TileRegion& region)
 double
 leastArea(const DepthView& view, const DepthPlaneSettings& settings)
 {
-  if (settings.least_area > 0)
-    return settings.least_area;
+  if (settings.min_area > 0)
+    return settings.min_area;
   double squares = 0;
   for (std::size_t pixel = 0; pixel < view.size(); ++pixel)
     if (view.inverseDepth(pixel) > 0)
@@ -78,20 +78,20 @@ leastArea(const DepthView& view, const DepthPlaneSettings& settings)
  * \return the number of removed regions */
 std::size_t
 dropSmall(const DepthView& view,
-          double least_area,
+          double min_area,
           const PixelDeviation& deviation,
           std::vector<TileRegion>& regions)
 {
-  constexpr double most_tilt = 0.15; // radians
-  constexpr double most_rms = 2.2;   // standard deviations
+  constexpr double max_tilt = 0.15; // radians
+  constexpr double max_rms = 2.2;   // standard deviations
   const std::size_t before = regions.size();
   regions.erase(std::remove_if(regions.begin(),
                                regions.end(),
                                [&](const TileRegion& region) {
-                                 return areaOf(view, region) < least_area ||
-                                        tiltOf(region, deviation) > most_tilt ||
+                                 return areaOf(view, region) < min_area ||
+                                        tiltOf(region, deviation) > max_tilt ||
                                         region.fit.rms >
-                                            most_rms * deviation.on(region.fit.plane);
+                                            max_rms * deviation.on(region.fit.plane);
                                }),
                 regions.end());
   return before - regions.size();
@@ -116,7 +116,7 @@ fitToPixels(const DepthView& view, DepthPlanes& result)
 /** Sorts by area and removes planes below the minimum area.
  * \return the number of removed planes */
 std::size_t
-sortPlanes(double least_area, DepthPlanes& result)
+sortPlanes(double min_area, DepthPlanes& result)
 {
   std::vector<std::size_t> order(result.planes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -126,7 +126,7 @@ sortPlanes(double least_area, DepthPlanes& result)
   std::vector<std::int32_t> numbers(order.size(), no_plane);
   std::vector<DepthPlane> sorted;
   for (const std::size_t p : order)
-    if (result.planes[p].area >= least_area) {
+    if (result.planes[p].area >= min_area) {
       numbers[p] = static_cast<std::int32_t>(sorted.size());
       sorted.push_back(result.planes[p]);
     }
@@ -147,7 +147,7 @@ findDepthPlanes(const DepthView& view,
 {
   using namespace depth;
   const PixelDeviation deviation(view, settings.noise.sigma());
-  const double least_area = leastArea(view, settings);
+  const double min_area = leastArea(view, settings);
   progress.tell(0.0, "tiles");
   const TileMoments tiles(view, tile_edge);
   progress.tell(0.2, "growing");
@@ -155,7 +155,7 @@ findDepthPlanes(const DepthView& view,
   std::vector<TileRegion> regions = growTileRegions(tiles, deviation);
   result.merged = mergeTileRegions(tiles, deviation, regions);
   result.curved = dropCurvedRegions(tiles, deviation, regions);
-  result.small = dropSmall(view, least_area, deviation, regions);
+  result.small = dropSmall(view, min_area, deviation, regions);
   progress.tell(0.5, "labels");
   result.labels = labelPixels(view, tiles, tile_edge, regions, deviation);
   for (const TileRegion& region : regions) {
@@ -163,7 +163,7 @@ findDepthPlanes(const DepthView& view,
     result.planes.back().inverse = region.fit.plane;
   }
   fitToPixels(view, result);
-  result.small += sortPlanes(least_area, result);
+  result.small += sortPlanes(min_area, result);
   progress.tell(1.0, "done");
   return result;
 }

@@ -81,17 +81,17 @@ isParallel(const InversePlane& a, const InversePlane& b, double tilt)
 }
 
 /** Do both regions fit a common plane?
- * \param[in] most_excess in standard deviations */
+ * \param[in] max_excess in standard deviations */
 bool
 isOnePlane(const TileRegion& a,
            const TileRegion& b,
            const PixelDeviation& deviation,
-           double most_excess)
+           double max_excess)
 {
   Moments both = a.moments;
   both += b.moments;
   const InversePlane plane = fitInverse(both).plane;
-  const double most = most_excess * deviation.on(plane);
+  const double most = max_excess * deviation.on(plane);
   return excess(a, plane) < most && excess(b, plane) < most &&
          isParallel(a.fit.plane, plane, tiltOf(a, deviation)) &&
          isParallel(b.fit.plane, plane, tiltOf(b, deviation));
@@ -108,13 +108,13 @@ isBentPart(const TileMoments& tiles,
            const PixelDeviation& deviation,
            const std::vector<std::uint8_t>& is_of_large)
 {
-  constexpr double most_share = 0.25, most_turn = 0.2; // radians
-  constexpr double most_bend = 14;                     // standard deviations
+  constexpr double max_share = 0.25, max_turn = 0.2; // radians
+  constexpr double max_bend = 14;                    // standard deviations
   const double bend = residualOf(small.moments, large.fit.plane).rms;
-  if (small.moments.count > most_share * large.moments.count ||
+  if (small.moments.count > max_share * large.moments.count ||
       large.fit.plane.normalized().dot(small.fit.plane.normalized()) <
-          std::cos(most_turn) ||
-      bend > most_bend * deviation.on(large.fit.plane))
+          std::cos(max_turn) ||
+      bend > max_bend * deviation.on(large.fit.plane))
     return false;
   Moments border;
   const std::size_t columns = tiles.columns();
@@ -157,14 +157,14 @@ mergeTileRegions(const TileMoments& tiles,
   constexpr double excess_of_neighbours = 2.2, excess_of_others = 1.2;
   constexpr double sure_tilt = 0.05; // radians
   std::size_t merged = 0;
-  const auto mergeAll = [&](const auto& may_merge, double most_excess) {
+  const auto mergeAll = [&](const auto& may_merge, double max_excess) {
     for (std::size_t before = merged + 1; before != merged;) {
       before = merged;
       for (std::size_t i = 0; i < regions.size(); ++i)
         for (std::size_t j = i + 1; j < regions.size(); ++j)
           if (!regions[i].tiles.empty() && !regions[j].tiles.empty() &&
               may_merge(i, j) &&
-              isOnePlane(regions[i], regions[j], deviation, most_excess)) {
+              isOnePlane(regions[i], regions[j], deviation, max_excess)) {
             takeIn(regions[i], regions[j]);
             adjacency.join(i, j);
             ++merged;

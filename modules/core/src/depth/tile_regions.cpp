@@ -162,8 +162,8 @@ private:
       owner_[tile] = id;
     });
     refit(region);
-    constexpr int most_rounds = 6;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 6;
+    for (int round = 0; round < max_rounds; ++round) {
       const std::size_t before = region.tiles.size();
       spread(region, id);
       if (!shed(region) && region.tiles.size() == before)

@@ -6,7 +6,7 @@
 
 namespace pcl::acmap {
 
-constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 
 /** \brief Thrown by a decoder; the caller adds the file name. */
 class DamagedImage : public std::runtime_error {

@@ -10,7 +10,7 @@ namespace pcl {
 namespace {
 
 /** \brief There is at least one bit per block of 8 x 8 pixels. */
-constexpr double most_pixels_per_byte = 512.0;
+constexpr double max_pixels_per_byte = 512.0;
 constexpr std::int32_t longest_side = 65500;
 
 struct Destroy {
@@ -72,7 +72,7 @@ decodeJpeg(const ImageBytes& bytes)
     fail(handle);
   requireImageSize(static_cast<std::uint64_t>(image.width),
                    static_cast<std::uint64_t>(image.height),
-                   most_pixels_per_byte,
+                   max_pixels_per_byte,
                    bytes.size());
   image.values.resize(3 * static_cast<std::size_t>(image.width) *
                       static_cast<std::size_t>(image.height));

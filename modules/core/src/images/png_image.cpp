@@ -11,7 +11,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr std::size_t signature_bytes = 8;
-constexpr double most_deflated = 1040.0; // maximum compression ratio of deflate
+constexpr double max_deflated = 1040.0; // maximum compression ratio of deflate
 constexpr png_uint_32 no_limit = 0x7fffffff;
 
 /** \brief A PNG that libpng reads from memory. libpng reports faults by longjmp, so the
@@ -143,7 +143,7 @@ openPng(PngReading& reading, std::size_t bytes)
                       png_get_channels(reading.png, reading.info);
   requireImageSize(png_get_image_width(reading.png, reading.info),
                    png_get_image_height(reading.png, reading.info),
-                   8.0 / bits * most_deflated,
+                   8.0 / bits * max_deflated,
                    bytes);
 }
 

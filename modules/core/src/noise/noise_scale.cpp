@@ -198,11 +198,11 @@ bool
 isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
 {
   constexpr double largest_growth = 1.8;
-  constexpr double least_share = 0.75;
+  constexpr double min_share = 0.75;
   return holdsItsNoise(fine) && isMostlyPlanar(fine) &&
          coarse.thickness <=
              std::max(largest_growth * fine.thickness, roundingOf(coarse)) &&
-         coarse.planar_share >= least_share * fine.planar_share;
+         coarse.planar_share >= min_share * fine.planar_share;
 }
 
 /** Adds scales up to the first plateau.

@@ -96,8 +96,8 @@ measureRangeNoise(const PointView& points,
       const Eigen::Vector3d ray = point - sensor->cast<double>();
       const double cosine = std::abs(ray.normalized().dot(fit.normal));
       // rays at grazing incidence contain little information about the noise along them
-      constexpr double least_cosine = 0.3;
-      if (cosine > least_cosine)
+      constexpr double min_cosine = 0.3;
+      if (cosine > min_cosine)
         bins.add(ray.norm(), std::abs((point - mean).dot(fit.normal)) / cosine);
     }
   }

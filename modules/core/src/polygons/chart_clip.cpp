@@ -67,9 +67,9 @@ cutOff(const std::vector<ChartCorner>& polygon, const Side& side)
 std::string
 faultOfFrame(const TextureChart& chart)
 {
-  constexpr double least_side = 1e-6;
-  constexpr double most_side = 1e3;
-  constexpr double least_sine = 1e-3; // limits rounding errors of texel coordinates
+  constexpr double min_side = 1e-6;
+  constexpr double max_side = 1e3;
+  constexpr double min_sine = 1e-3; // limits rounding errors of texel coordinates
   const std::int64_t width = chart.colors.width;
   const std::int64_t height = chart.colors.height;
   if (width <= 0 || height <= 0 || width * height > maximum_texels)
@@ -80,9 +80,9 @@ faultOfFrame(const TextureChart& chart)
   const double u = chart.texel_u.norm();
   const double v = chart.texel_v.norm();
   for (const double side : {u, v})
-    if (!(side >= least_side && side <= most_side))
+    if (!(side >= min_side && side <= max_side))
       return "has texels with a side that is not within 1e-6 m and 1e3 m";
-  if (!(chart.texel_u.cross(chart.texel_v).norm() > least_sine * u * v))
+  if (!(chart.texel_u.cross(chart.texel_v).norm() > min_sine * u * v))
     return "has texels without an area";
   return "";
 }

@@ -5,7 +5,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr VoxelKey no_key = ~VoxelKey{0};
-constexpr int least_bits = 4, most_bits = 12; // of the initial number of slots
+constexpr int min_bits = 4, max_bits = 12; // of the initial number of slots
 
 std::size_t
 slotOf(VoxelKey key, int shift)
@@ -57,8 +57,8 @@ toVoxelCell(const CellSums& sums, double edge)
 
 CellTable::CellTable(std::size_t most)
 {
-  int bits = least_bits;
-  while (bits < most_bits && std::size_t{1} << bits < 2 * most)
+  int bits = min_bits;
+  while (bits < max_bits && std::size_t{1} << bits < 2 * most)
     ++bits;
   slots_.assign(std::size_t{1} << bits, Slot{no_key, 0});
   shift_ = 64 - bits;

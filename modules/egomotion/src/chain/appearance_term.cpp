@@ -65,10 +65,10 @@ forPixels(const AppearanceLevel& source,
           std::size_t end,
           const Use& use)
 {
-  constexpr float least_gradient = 1; // relative to the noise
+  constexpr float min_gradient = 1; // relative to the noise
   for (std::size_t i = begin; i < end; ++i) {
     if (!source.points[i].allFinite() ||
-        source.gradients[i].norm() < least_gradient * source.noise)
+        source.gradients[i].norm() < min_gradient * source.noise)
       continue;
     const Eigen::Vector3d point = T_target_source * source.points[i].cast<double>();
     if (point.z() <= 0)

@@ -13,10 +13,10 @@ namespace {
 double
 mostDifference(const SurfaceBlock& one, const SurfaceBlock& other, double distance)
 {
-  constexpr double least = 0.02;        // relative to the depth
-  constexpr double most_deviations = 2; // standard deviations of the noise
+  constexpr double least = 0.02;       // relative to the depth
+  constexpr double max_deviations = 2; // standard deviations of the noise
   return std::max(least,
-                  most_deviations * std::sqrt(one.variance + other.variance) /
+                  max_deviations * std::sqrt(one.variance + other.variance) /
                       std::abs(distance));
 }
 

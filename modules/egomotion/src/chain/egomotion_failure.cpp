@@ -11,9 +11,9 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double most_deviation = 0.1;    // metres
-constexpr double most_turning = 0.02;     // radians
-constexpr double most_contradicted = 0.2; // share
+constexpr double max_deviation = 0.1;    // metres
+constexpr double max_turning = 0.02;     // radians
+constexpr double max_contradicted = 0.2; // share
 
 /** \brief Standard deviation in the direction in which it is largest. */
 double
@@ -31,8 +31,8 @@ openText(double length, double turn)
 {
   std::ostringstream text;
   text << "what both views show leaves a direction open: standard deviations up to "
-       << length << " m and " << turn << " rad, at most " << most_deviation << " m and "
-       << most_turning << " rad are taken";
+       << length << " m and " << turn << " rad, at most " << max_deviation << " m and "
+       << max_turning << " rad are taken";
   return text.str();
 }
 
@@ -41,8 +41,8 @@ beyondText(double moved, double turned, const EgomotionSettings& settings)
 {
   std::ostringstream text;
   text << "the matches agree on a motion of " << moved << " m and " << turned
-       << " rad, at most " << settings.most_translation << " m and "
-       << settings.most_rotation << " rad were to be expected";
+       << " rad, at most " << settings.max_translation << " m and "
+       << settings.max_rotation << " rad were to be expected";
   return text.str();
 }
 
@@ -52,7 +52,7 @@ bool
 isAgreement(std::size_t inliers, std::size_t matches)
 {
   constexpr std::size_t never_by_chance = 10;
-  return inliers >= least_features &&
+  return inliers >= min_features &&
          (inliers >= never_by_chance || 2 * inliers >= matches);
 }
 
@@ -65,11 +65,11 @@ failureOfView(const EgomotionView& view, const std::string& name)
   if (keypoints == 0)
     return EgomotionFailure{EgomotionOutcome::BlankView,
                             name + " shows nothing to recognise"};
-  if (keypoints < least_features)
+  if (keypoints < min_features)
     return EgomotionFailure{EgomotionOutcome::FewFeatures,
                             name + " has " + std::to_string(keypoints) +
-                                " keypoints, at least " +
-                                std::to_string(least_features) + " are needed"};
+                                " keypoints, at least " + std::to_string(min_features) +
+                                " are needed"};
   return std::nullopt;
 }
 
@@ -80,15 +80,15 @@ failureOfMotion(const EgomotionEstimate& estimate,
 {
   const double length = largestDeviation(estimate.covariance.topLeftCorner<3, 3>());
   const double turn = largestDeviation(estimate.covariance.bottomRightCorner<3, 3>());
-  if (!(length <= most_deviation) || !(turn <= most_turning))
+  if (!(length <= max_deviation) || !(turn <= max_turning))
     return EgomotionFailure{EgomotionOutcome::Unobservable, openText(length, turn)};
-  if (contradicted > most_contradicted)
+  if (contradicted > max_contradicted)
     return EgomotionFailure{EgomotionOutcome::Inconsistent,
                             std::to_string(std::lround(100 * contradicted)) +
                                 " % of the surfaces contradict the motion"};
   const double moved = estimate.T_target_source.translation().norm();
   const double turned = Eigen::AngleAxisd(estimate.T_target_source.linear()).angle();
-  if (moved > settings.most_translation || turned > settings.most_rotation)
+  if (moved > settings.max_translation || turned > settings.max_rotation)
     return EgomotionFailure{EgomotionOutcome::Inconsistent,
                             beyondText(moved, turned, settings)};
   return std::nullopt;

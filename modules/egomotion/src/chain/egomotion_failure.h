@@ -16,7 +16,7 @@ struct EgomotionFailure {
 };
 
 /** \brief Minimum number of matches or keypoints. */
-constexpr std::size_t least_features = 6;
+constexpr std::size_t min_features = 6;
 
 /** \brief Returns true if there are enough inliers for a motion. Among many similar
  * keypoints a few agree by chance: fewer than ten must be at least half of the matches.

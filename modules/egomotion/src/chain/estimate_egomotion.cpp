@@ -25,7 +25,7 @@ fewMatches(std::size_t matches)
 {
   return {EgomotionOutcome::FewMatches,
           std::to_string(matches) + " keypoints look alike, at least " +
-              std::to_string(least_features) + " are needed"};
+              std::to_string(min_features) + " are needed"};
 }
 
 EgomotionFailure
@@ -56,7 +56,7 @@ public:
     alike_ = alikePairs(source_, target_, settings_);
     solution.matches = pixelsOf(alike_);
     report_.matches = alike_.size();
-    if (alike_.size() < least_features)
+    if (alike_.size() < min_features)
       return fewMatches(alike_.size());
     return std::nullopt;
   }
@@ -66,7 +66,7 @@ public:
   {
     const std::vector<FeaturePair> pairs = consistentPairs(alike_, settings_.worst_out);
     report_.consistent = pairs.size();
-    if (pairs.size() < least_features)
+    if (pairs.size() < min_features)
       return noAgreement(pairs.size(), alike_.size());
     const FeatureMotion motion =
         featureMotion(pairs, settings_.model, settings_.solver);

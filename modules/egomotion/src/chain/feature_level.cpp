@@ -6,7 +6,7 @@ namespace {
 
 // Relative to the noise of a value, of which a fifth remains in patches and gradients
 // after smoothing.
-constexpr float least_gradient = 1, least_contrast = 1;
+constexpr float min_gradient = 1, min_contrast = 1;
 
 } // namespace
 
@@ -17,10 +17,10 @@ featureLevel(const ViewLevel& level,
 {
   KeypointSettings keypoint_settings = settings.keypoints;
   keypoint_settings.threads = settings.threads;
-  keypoint_settings.least_gradient = least_gradient * level.noise;
+  keypoint_settings.min_gradient = min_gradient * level.noise;
   LogPolarSettings patch_settings = settings.patches;
   patch_settings.threads = settings.threads;
-  patch_settings.least_contrast = least_contrast * level.noise;
+  patch_settings.min_contrast = min_contrast * level.noise;
   std::vector<std::uint8_t> has_place;
   has_place.reserve(level.points.size());
   for (const Eigen::Vector3f& point : level.points)

@@ -12,9 +12,8 @@ MatchGate
 gateOf(const EgomotionSettings& settings)
 {
   MatchGate gate;
-  gate.distance = static_cast<float>(settings.most_translation);
-  gate.distance_per_metre =
-      static_cast<float>(2 * std::sin(settings.most_rotation / 2));
+  gate.distance = static_cast<float>(settings.max_translation);
+  gate.distance_per_metre = static_cast<float>(2 * std::sin(settings.max_rotation / 2));
   return gate;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 /** \brief Bound of an inlier: three standard deviations, for three degrees of freedom.
  */
-constexpr double most_squared = 14.2;
+constexpr double max_squared = 14.2;
 
 /** \brief Weight of a pair. */
 double
@@ -41,14 +41,14 @@ medianMotion(const std::vector<FeaturePair>& pairs,
              MotionSolver solver)
 {
   constexpr int iterations = 10;
-  constexpr double least_distance = 0.01; // metres
+  constexpr double min_distance = 0.01; // metres
   std::vector<double> weights(pairs.size(), 1);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (int i = 0; i < iterations; ++i) {
     motion = leastSquaresMotion(pairs, weights, model, solver);
     for (std::size_t k = 0; k < pairs.size(); ++k)
       weights[k] = 1 / std::max((motion * pairs[k].source - pairs[k].target).norm(),
-                                least_distance);
+                                min_distance);
   }
   return motion;
 }
@@ -58,13 +58,13 @@ robustMotion(const std::vector<FeaturePair>& pairs,
              Eigen::Isometry3d T_target_source,
              MotionModel model)
 {
-  constexpr int most_iterations = 30;
-  constexpr double least_step = 1e-7;
-  for (int i = 0; i < most_iterations; ++i) {
+  constexpr int max_iterations = 30;
+  constexpr double min_step = 1e-7;
+  for (int i = 0; i < max_iterations; ++i) {
     const Vector6 step =
         solvedStep(featureTerm(pairs, T_target_source).equations, model);
     T_target_source = afterStep(step, T_target_source);
-    if (step.norm() < least_step)
+    if (step.norm() < min_step)
       break;
   }
   return T_target_source;
@@ -77,7 +77,7 @@ misfit(const std::vector<FeaturePair>& pairs, const Eigen::Isometry3d& T_target_
 {
   double sum = 0;
   for (const FeaturePair& pair : pairs)
-    sum += std::min(squaredDistance(pair, T_target_source), most_squared);
+    sum += std::min(squaredDistance(pair, T_target_source), max_squared);
   return sum;
 }
 
@@ -109,7 +109,7 @@ featureMotion(const std::vector<FeaturePair>& pairs,
   FeatureMotion motion;
   motion.T_target_source = bestMotion(pairs, model, solver);
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (squaredDistance(pairs[i], motion.T_target_source) < most_squared)
+    if (squaredDistance(pairs[i], motion.T_target_source) < max_squared)
       motion.inliers.push_back(i);
   return motion;
 }

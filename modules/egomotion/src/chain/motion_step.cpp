@@ -11,7 +11,7 @@ namespace {
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /** \brief Minimum information on a metre or a radian; less counts as undetermined. */
-constexpr double least_information = 1e-6;
+constexpr double min_information = 1e-6;
 
 struct Spectrum {
   Basis basis;
@@ -52,7 +52,7 @@ solvedStep(const NormalEquations& equations, MotionModel model)
       spectrum.vectors.transpose() * (spectrum.basis.transpose() * equations.gradient);
   for (Eigen::Index i = 0; i < along.size(); ++i)
     along[i] =
-        spectrum.values[i] > least_information ? -along[i] / spectrum.values[i] : 0;
+        spectrum.values[i] > min_information ? -along[i] / spectrum.values[i] : 0;
   return spectrum.basis * (spectrum.vectors * along);
 }
 
@@ -60,7 +60,7 @@ Matrix6
 covarianceOf(const NormalEquations& equations, MotionModel model)
 {
   const Spectrum spectrum = spectrumOf(equations, model);
-  if (!(spectrum.values.minCoeff() > least_information)) {
+  if (!(spectrum.values.minCoeff() > min_information)) {
     const Matrix6 open = spectrum.basis * spectrum.basis.transpose();
     return (open.array() != 0)
         .select(Matrix6::Constant(std::numeric_limits<double>::infinity()), 0.0);

@@ -63,7 +63,7 @@ std::optional<Pinhole>
 fitPinhole(const CameraView& view)
 {
   constexpr int step = 5;
-  constexpr double most_residual = 0.25; // squared pixels
+  constexpr double max_residual = 0.25; // squared pixels
   RayLine across, down;
   for (int row = 0; row < view.image.height; row += step)
     for (int column = 0; column < view.image.width; column += step) {
@@ -77,7 +77,7 @@ fitPinhole(const CameraView& view)
     }
   if (!across.isDetermined() || !down.isDetermined())
     return std::nullopt;
-  if (!(across.residual() < most_residual) || !(down.residual() < most_residual))
+  if (!(across.residual() < max_residual) || !(down.residual() < max_residual))
     return std::nullopt;
   const Pinhole pinhole{{across.focalLength(), down.focalLength()},
                         {across.center(), down.center()}};

@@ -102,14 +102,14 @@ descended(const ViewPair& pair,
           std::size_t level,
           double reach)
 {
-  constexpr int most_iterations = 5;
-  constexpr double least_step = 5e-5; // metres, radians
+  constexpr int max_iterations = 5;
+  constexpr double min_step = 5e-5; // metres, radians
   const LightChange light = pair.light(T_target_source, level);
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const Vector6 step = solvedStep(
         pair.evidence(T_target_source, level, reach, light).equations(), pair.model);
     T_target_source = afterStep(step, T_target_source);
-    if (step.norm() < least_step)
+    if (step.norm() < min_step)
       break;
   }
   return T_target_source;

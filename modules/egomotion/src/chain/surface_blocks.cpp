@@ -122,7 +122,7 @@ isFull(const Sums& block, const Sums& window)
 SurfaceBlock
 surfaceBlock(const Sums& block, const Sums& window)
 {
-  constexpr double most_roughness = 2; // relative to that of noise alone
+  constexpr double max_roughness = 2; // relative to that of noise alone
   SurfaceBlock surface;
   surface.normal.setZero();
   if (block.count == 0)
@@ -132,7 +132,7 @@ surfaceBlock(const Sums& block, const Sums& window)
     return surface;
   const Plane plane = planeThrough(window);
   const double variance = window.variance / window.count * plane.slope * plane.slope;
-  if (plane.roughness > most_roughness * std::sqrt(variance) || plane.flatness < 10)
+  if (plane.roughness > max_roughness * std::sqrt(variance) || plane.flatness < 10)
     return surface;
   surface.center = plane.center;
   surface.normal = plane.normal;

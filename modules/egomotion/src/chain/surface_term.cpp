@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_cosine = 0.9; // between normals of the same surface
+constexpr double min_cosine = 0.9; // between normals of the same surface
 
 void
 addPair(const SurfaceBlock& source,
@@ -49,7 +49,7 @@ surfaceTerm(const SurfaceBlocks& source,
         continue;
       const SurfaceBlock* other = target.at(target_pinhole.project(point));
       if (other && other->isPlane() &&
-          other->normal.dot(T_target_source.linear() * block.normal) > least_cosine)
+          other->normal.dot(T_target_source.linear() * block.normal) > min_cosine)
         addPair(block, *other, point, reach, term);
     }
     return term;

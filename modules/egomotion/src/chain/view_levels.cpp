@@ -48,7 +48,7 @@ halved(const GreyImage& image)
 Eigen::Vector3f
 pointOf(const std::vector<Eigen::Vector3f>& points, int width, int column, int row)
 {
-  constexpr float most_spread = 0.05F; // relative to the depth
+  constexpr float max_spread = 0.05F; // relative to the depth
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
   for (const int y : {2 * row, 2 * row + 1})
@@ -58,7 +58,7 @@ pointOf(const std::vector<Eigen::Vector3f>& points, int width, int column, int r
       nearest = std::min(nearest, point.z());
       farthest = std::max(farthest, point.z());
     }
-  if (!sum.allFinite() || !(farthest - nearest <= most_spread * nearest))
+  if (!sum.allFinite() || !(farthest - nearest <= max_spread * nearest))
     return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
   return sum / 4;
 }
@@ -104,14 +104,14 @@ imageNoise(const GreyImage& image)
 std::vector<ViewLevel>
 viewLevels(const CameraView& view)
 {
-  constexpr int most_levels = 4;
-  constexpr int least_side = 40;
+  constexpr int max_levels = 4;
+  constexpr int min_side = 40;
   // The weights 1 3 3 1 leave 20 / 64 of white noise, and more of halved images.
   constexpr float white_left = 20.0F / 64.0F, halved_left = 0.47F;
   std::vector<ViewLevel> levels{{view.image, view.points, imageNoise(view.image), 1}};
-  while (levels.size() < most_levels) {
+  while (levels.size() < max_levels) {
     const ViewLevel& last = levels.back();
-    if (std::min(last.image.width, last.image.height) < 2 * least_side)
+    if (std::min(last.image.width, last.image.height) < 2 * min_side)
       break;
     ViewLevel level;
     level.image = halved(last.image);

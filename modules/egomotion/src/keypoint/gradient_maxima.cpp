@@ -81,7 +81,7 @@ gradientMaxima(const GreyImage& image,
                const KeypointSettings& settings,
                KeypointCounts& counts)
 {
-  const float least = settings.least_gradient * settings.least_gradient;
+  const float least = settings.min_gradient * settings.min_gradient;
   std::vector<GradientMaximum> maxima = withThreads(
       settings.threads, [&] { return maximaOf(squaredGradient(image), least); });
   counts.maxima = maxima.size();

@@ -47,13 +47,13 @@ inTurns(const std::vector<GradientMaximum>& maxima,
 void
 dropWeak(std::vector<GradientMaximum>& maxima, std::size_t wanted)
 {
-  constexpr float least_share = 0.5F * 0.5F; // of the squared gradient
+  constexpr float min_share = 0.5F * 0.5F; // of the squared gradient
   std::vector<float> strengths;
   for (const GradientMaximum& maximum : maxima)
     strengths.push_back(maximum.squared_gradient);
   const auto last = strengths.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
   std::nth_element(strengths.begin(), last, strengths.end(), std::greater<>());
-  const float least = least_share * *last;
+  const float least = min_share * *last;
   const auto is_weak = [&](const GradientMaximum& maximum) {
     return maximum.squared_gradient < least;
   };

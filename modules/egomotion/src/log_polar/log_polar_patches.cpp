@@ -55,7 +55,7 @@ public:
   : image_(smoothedImage(image, patch_smoothing))
   , taps_(makeTaps(settings, image.width))
   , reach_(static_cast<int>(settings.outer) + 1)
-  , least_contrast_(std::max(settings.least_contrast, rounding_contrast))
+  , min_contrast_(std::max(settings.min_contrast, rounding_contrast))
   {}
 
   /** \return true if there is a patch */
@@ -76,14 +76,14 @@ public:
     }
     const float contrast = normalizeSamples(samples, taps_.size()) /
                            std::sqrt(static_cast<float>(taps_.size()));
-    return contrast >= least_contrast_;
+    return contrast >= min_contrast_;
   }
 
 private:
   GreyImage image_;
   std::vector<Tap> taps_;
   int reach_;
-  float least_contrast_;
+  float min_contrast_;
 };
 
 /** Keeps the existing patches and makes them contiguous. */

@@ -125,13 +125,13 @@ private:
   isStrong(const BestMatch& candidate) const
   {
     return candidate.target.index >= 0 &&
-           coefficientOf(candidate.target.score) >= settings_.least_score;
+           coefficientOf(candidate.target.score) >= settings_.min_score;
   }
 
   bool
   isDistinct(const BestMatch& candidate) const
   {
-    return ambiguityOf(candidate) < settings_.most_ambiguity;
+    return ambiguityOf(candidate) < settings_.max_ambiguity;
   }
 
   PlacedPatches source_, target_;

@@ -6,8 +6,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::size_t most_iterations = 100;
-constexpr double least_step = 1e-13; ///< relative to the extent of the points, radians
+constexpr std::size_t max_iterations = 100;
+constexpr double min_step = 1e-13; ///< relative to the extent of the points, radians
 constexpr double converged_step = 1e-7;
 
 void
@@ -42,12 +42,11 @@ descend(const PairMoments& moments, MotionModel model)
   MotionStep direction = MotionStep::Zero();
   MotionStep last_step = MotionStep::Zero();
   double last_square = 0;
-  for (std::size_t since_restart = 0; at.iterations < most_iterations;
-       ++at.iterations) {
+  for (std::size_t since_restart = 0; at.iterations < max_iterations; ++at.iterations) {
     const MotionStep gradient = energy.gradient(at);
     const MotionStep step = energy.preconditioned(at, gradient);
     at.has_converged = step.norm() <= converged_step;
-    if (step.norm() <= least_step) {
+    if (step.norm() <= min_step) {
       const std::optional<Eigen::Vector3d> axis = energy.ridge(at);
       if (!axis)
         break;

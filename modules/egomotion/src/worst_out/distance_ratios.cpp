@@ -30,7 +30,7 @@ ratiosOf(const float* const (&at)[6],
     const float larger = squares[0] > squares[1] ? squares[0] : squares[1];
     const float smaller = squares[0] > squares[1] ? squares[1] : squares[0];
     const float ratio = std::sqrt(larger / (smaller > floor ? smaller : floor));
-    const float capped = ratio < most_ratio ? ratio : most_ratio;
+    const float capped = ratio < max_ratio ? ratio : max_ratio;
     ratios[k] = larger <= floor ? 0.0F : capped;
   }
 }
@@ -68,7 +68,7 @@ RatioSums::distortion(std::size_t place) const
 void
 addRatios(const MatchPlaces& places,
           const float (&one)[6],
-          float least_distance,
+          float min_distance,
           int sign,
           RatioSums& sums)
 {
@@ -78,7 +78,7 @@ addRatios(const MatchPlaces& places,
     const float* at[6];
     for (int axis = 0; axis < 6; ++axis)
       at[axis] = places.coordinates[axis].data() + begin;
-    ratiosOf(at, size, one, least_distance * least_distance, ratios);
+    ratiosOf(at, size, one, min_distance * min_distance, ratios);
     double* const sum = sums.sums.data() + begin;
     std::int32_t* const count = sums.counts.data() + begin;
     for (std::size_t k = 0; k < size; ++k) {

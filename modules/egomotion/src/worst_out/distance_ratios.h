@@ -9,7 +9,7 @@
 namespace pcl::acmap {
 
 /** \brief Upper limit of the ratio of two distances. */
-constexpr float most_ratio = 1000;
+constexpr float max_ratio = 1000;
 
 /** \brief Points of the matches in both clouds, coordinate by coordinate. */
 struct MatchPlaces {
@@ -31,7 +31,7 @@ struct MatchPlaces {
   erase(std::size_t place);
 };
 
-/** \brief Sums of the ratios of each match to the others. Floats from 1 to most_ratio
+/** \brief Sums of the ratios of each match to the others. Floats from 1 to max_ratio
  * are multiples of 2^-23, so that sums of a million of them are exact in double
  * precision, in any order and after subtractions. */
 struct RatioSums {
@@ -54,7 +54,7 @@ struct RatioSums {
 void
 addRatios(const MatchPlaces& places,
           const float (&one)[6],
-          float least_distance,
+          float min_distance,
           int sign,
           RatioSums& sums);
 

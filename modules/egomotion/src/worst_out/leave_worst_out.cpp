@@ -25,7 +25,7 @@ addRatiosTo(std::size_t one,
   float at[6];
   for (int axis = 0; axis < 6; ++axis)
     at[axis] = others.coordinates[axis][one];
-  addRatios(places, at, static_cast<float>(settings.least_distance), sign, sums);
+  addRatios(places, at, static_cast<float>(settings.min_distance), sign, sums);
 }
 
 /** Eq. 1 of each match of \a places, as a mean over \a others. */
@@ -59,10 +59,10 @@ void
 clean(MatchPlaces& places, const WorstOutSettings& settings, WorstOutOutcome& outcome)
 {
   RatioSums sums = sumsOver(places, places, settings);
-  while (places.size() > 0 && places.size() >= settings.least_matches) {
+  while (places.size() > 0 && places.size() >= settings.min_matches) {
     const std::size_t worst = worstOf(sums);
     outcome.distortion = sums.distortion(worst);
-    if (outcome.distortion <= settings.most_distortion)
+    if (outcome.distortion <= settings.max_distortion)
       return;
     addRatiosTo(worst, places, places, settings, -1, sums);
     outcome.removed.push_back(places.matches[worst]);
@@ -108,7 +108,7 @@ judge(const MatchPlaces& others,
   const RatioSums sums = sumsOver(sample, others, settings);
   for (std::size_t place = 0; place < others.size(); ++place) {
     const double distortion = sums.distortion(place);
-    if (distortion <= settings.most_distortion) {
+    if (distortion <= settings.max_distortion) {
       outcome.kept.push_back(others.matches[place]);
       outcome.distortion = std::max(outcome.distortion, distortion);
     }
@@ -130,8 +130,8 @@ leaveWorstOut(const std::vector<Eigen::Vector3f>& source,
     (source[match].allFinite() && target[match].allFinite() ? finite : outcome.removed)
         .push_back(static_cast<std::int32_t>(match));
 
-  Sampled parts = sampled(
-      source, target, finite, std::max(settings.sample, settings.least_matches));
+  Sampled parts =
+      sampled(source, target, finite, std::max(settings.sample, settings.min_matches));
   clean(parts.sample, settings, outcome);
   outcome.kept = parts.sample.matches;
   judge(parts.others, parts.sample, settings, outcome);

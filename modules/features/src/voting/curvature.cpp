@@ -66,9 +66,9 @@ public:
   VotedCurvature
   principal(const Eigen::Vector3f& axis_u, const Eigen::Vector3f& axis_v) const
   {
-    constexpr double least_spread = 1e-4; // 1 / 16 for uniformly distributed directions
+    constexpr double min_spread = 1e-4; // 1 / 16 for uniformly distributed directions
     const Eigen::Matrix3d mean = sum_ / weights_;
-    if (!(mean.determinant() > least_spread))
+    if (!(mean.determinant() > min_spread))
       return unknown();
     const Eigen::Vector3d abc = mean.inverse() * right_side_ / weights_;
     Eigen::Matrix2d form;

@@ -65,8 +65,8 @@ Voter::voteWithin(std::int32_t vertex, float radius)
       front += weight * face.normal;
     }
   }
-  constexpr std::size_t least_votes = 3;
-  return ballot.votes() < least_votes ? noNormal() : ballot.count(front, settings_);
+  constexpr std::size_t min_votes = 3;
+  return ballot.votes() < min_votes ? noNormal() : ballot.count(front, settings_);
 }
 
 } // namespace pcl::acmap::voting

@@ -21,8 +21,8 @@ namespace {
 double
 automaticRadius(double mean_edge, double sigma)
 {
-  constexpr double edges = 2.5, most_edges = 8, sigmas = 8;
-  return std::clamp(sigmas * sigma, edges * mean_edge, most_edges * mean_edge);
+  constexpr double edges = 2.5, max_edges = 8, sigmas = 8;
+  return std::clamp(sigmas * sigma, edges * mean_edge, max_edges * mean_edge);
 }
 
 /** Calls vote (voter, vertex) for each vertex, with one voter per thread. The progress

@@ -22,8 +22,8 @@ bool
 needsConsolidation(const NoiseScale& scale)
 {
   // relative to the spacing; the faces then deviate by ten degrees
-  constexpr double most_noise = 0.125;
-  return scale.sigma > most_noise * scale.spacing;
+  constexpr double max_noise = 0.125;
+  return scale.sigma > max_noise * scale.spacing;
 }
 
 } // namespace pcl::acmap

@@ -40,11 +40,11 @@ ownPoints(const VoxelWindows& windows, std::size_t voxel, unsigned octants)
 Eigen::Vector3d
 reachRim(const Moments& own, const SurfaceFit& fit, const Eigen::Vector3d& place)
 {
-  constexpr double least_shift = 0.75; // of the mean of the window, in edges
+  constexpr double min_shift = 0.75; // of the mean of the window, in edges
   const Eigen::Vector3d normal = fit.normal.cast<double>();
   Eigen::Vector3d outwards = place - fit.mean.cast<double>();
   outwards -= outwards.dot(normal) * normal;
-  if (outwards.norm() < least_shift)
+  if (outwards.norm() < min_shift)
     return place;
   outwards.normalize();
   const Eigen::Vector3d mean = own.mean();

@@ -9,8 +9,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double least_distance = 0.7; // edges
-constexpr double least_distance_of_strays = 0.85;
+constexpr double min_distance = 0.7; // edges
+constexpr double min_distance_of_strays = 0.85;
 
 /** Were they seen from opposite sides of a thin wall? */
 bool
@@ -28,7 +28,7 @@ displacing(const std::vector<Candidate>& candidates,
 {
   // a point that left its voxel is only needed if there would be a hole without it
   const double radius =
-      edge * (candidate.strayed > 0 ? least_distance_of_strays : least_distance);
+      edge * (candidate.strayed > 0 ? min_distance_of_strays : min_distance);
   double least = radius * radius;
   std::int32_t found = -1;
   const Eigen::Vector3f& point = candidate.representative.point;
@@ -66,8 +66,7 @@ orderOf(const std::vector<Candidate>& candidates)
 Thinning
 thinOut(const std::vector<Candidate>& candidates, double edge)
 {
-  PointHash kept(candidates.size(),
-                 static_cast<float>(least_distance_of_strays * edge));
+  PointHash kept(candidates.size(), static_cast<float>(min_distance_of_strays * edge));
   Thinning thinning;
   std::vector<std::int32_t> displaced_by(candidates.size(), -1);
   for (const std::uint32_t candidate : orderOf(candidates)) {

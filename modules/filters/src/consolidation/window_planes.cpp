@@ -14,9 +14,9 @@ bool
 isSurface(const PlaneFit& fit)
 {
   // ratio of variances; its square is the minimum variance in edges^2
-  constexpr double least_width = 1e-3;
-  return fit.count >= 3 && fit.variances[1] > least_width * fit.variances[2] &&
-         fit.variances[1] > least_width * least_width;
+  constexpr double min_width = 1e-3;
+  return fit.count >= 3 && fit.variances[1] > min_width * fit.variances[2] &&
+         fit.variances[1] > min_width * min_width;
 }
 
 unsigned
@@ -83,8 +83,8 @@ isSamePlane(const PlaneFit& wide, const PlaneFit& inner)
 {
   if (inner.count < enough_points || !isSurface(inner))
     return true;
-  constexpr double least_cosine = 0.95;
-  if (std::abs(wide.normal.dot(inner.normal)) < least_cosine)
+  constexpr double min_cosine = 0.95;
+  if (std::abs(wide.normal.dot(inner.normal)) < min_cosine)
     return false;
   // the thickness of a few points is uncertain
   const double slack = 1.22 * (1 + 2 / std::sqrt(inner.count));
@@ -111,8 +111,8 @@ noiseOf(const VoxelMoments& voxels,
   if (!(noise.range > 0))
     return noise;
   // even at grazing incidence a part of the noise is across the plane
-  constexpr float least_slant = 0.1f;
-  noise.height = std::max(least_slant * noise.range,
+  constexpr float min_slant = 0.1f;
+  noise.height = std::max(min_slant * noise.range,
                           static_cast<float>(std::sqrt(height_square / count)));
   return noise;
 }

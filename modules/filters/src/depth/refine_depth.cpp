@@ -155,7 +155,7 @@ refineDepth(const DepthView& view,
     ++report.on_planes;
   }
   const PictureSmoothing smoothing(view, inverse_depths, noise.sigma());
-  const double most_move = 1.5 * std::max(noise.step, noise.sigma());
+  const double max_move = 1.5 * std::max(noise.step, noise.sigma());
   struct Counts {
     std::size_t smoothed = 0, withdrawn = 0;
   };
@@ -176,9 +176,9 @@ refineDepth(const DepthView& view,
             ++some.smoothed;
             set(pixel,
                 std::clamp(local.value,
-                           std::max(inverse_depths[pixel] - most_move,
+                           std::max(inverse_depths[pixel] - max_move,
                                     inverse_depths[pixel] / 2),
-                           inverse_depths[pixel] + most_move),
+                           inverse_depths[pixel] + max_move),
                 inRays(local, rayOf(pixel), view.focal()));
           }
           return some;

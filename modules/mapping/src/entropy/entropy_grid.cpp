@@ -131,10 +131,10 @@ forChunks(const std::vector<FilledRun>& runs, const Body& body)
 void
 BinRange::add(std::int64_t x, std::int64_t z)
 {
-  least_x = std::min(least_x, x);
-  most_x = std::max(most_x, x);
-  least_z = std::min(least_z, z);
-  most_z = std::max(most_z, z);
+  min_x = std::min(min_x, x);
+  max_x = std::max(max_x, x);
+  min_z = std::min(min_z, z);
+  max_z = std::max(max_z, z);
 }
 
 void
@@ -142,8 +142,8 @@ BinRange::add(const BinRange& other)
 {
   if (other.isEmpty())
     return;
-  add(other.least_x, other.least_z);
-  add(other.most_x, other.most_z);
+  add(other.min_x, other.min_z);
+  add(other.max_x, other.max_z);
 }
 
 int
@@ -170,8 +170,8 @@ double
 EntropyGrid::binsOf(const BinRange& range, const MapEntropySettings& settings)
 {
   const Margin margin(settings);
-  return static_cast<double>(range.most_x - range.least_x + 2 * margin.x + 1) *
-         static_cast<double>(range.most_z - range.least_z + 2 * margin.z + 1) *
+  return static_cast<double>(range.max_x - range.min_x + 2 * margin.x + 1) *
+         static_cast<double>(range.max_z - range.min_z + 2 * margin.z + 1) *
          layersOf(settings);
 }
 
@@ -196,10 +196,10 @@ EntropyGrid::begin(const BinRange& range)
     std::fill_n(bins_.begin() + firstOf(run), lengthOf(run), 0.0F);
   filled_.clear();
   const Margin margin(settings_);
-  first_x_ = range.least_x - margin.x;
-  first_z_ = range.least_z - margin.z;
-  width_ = range.most_x + margin.x - first_x_ + 1;
-  depth_ = wholeBlocks(range.most_z + margin.z - first_z_ + 1);
+  first_x_ = range.min_x - margin.x;
+  first_z_ = range.min_z - margin.z;
+  width_ = range.max_x + margin.x - first_x_ + 1;
+  depth_ = wholeBlocks(range.max_z + margin.z - first_z_ + 1);
   const std::int64_t bins = width_ * depth_ * layers_;
   bins_.reserve(bins, radius_ * depth_ + block);
   logarithms_.reserve(bins, block);

@@ -22,8 +22,8 @@ binOf(double place)
 /** \brief The bins that a map needs. Bin (i, j) begins at (i, j) times the edge length
  * for any map, so that entropies of different poses are comparable. */
 struct BinRange {
-  std::int64_t least_x = INT64_MAX, most_x = INT64_MIN;
-  std::int64_t least_z = INT64_MAX, most_z = INT64_MIN;
+  std::int64_t min_x = INT64_MAX, max_x = INT64_MIN;
+  std::int64_t min_z = INT64_MAX, max_z = INT64_MIN;
 
   void
   add(std::int64_t x, std::int64_t z);
@@ -34,7 +34,7 @@ struct BinRange {
   bool
   isEmpty() const
   {
-    return most_x < least_x;
+    return max_x < min_x;
   }
 };
 

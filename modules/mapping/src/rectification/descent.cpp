@@ -7,9 +7,9 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr std::size_t most_pairs = 12;
-constexpr int most_steps = 100;
-constexpr int most_tries = 12;      ///< trials of the step length
+constexpr std::size_t max_pairs = 12;
+constexpr int max_steps = 100;
+constexpr int max_tries = 12;       ///< trials of the step length
 constexpr double shortening = 0.4;  ///< factor from one trial to the next
 constexpr double first_step = 0.3;  ///< length of the first step
 constexpr double longest = 3;       ///< maximum step of a variable
@@ -25,7 +25,7 @@ public:
     if (!(curvature > 1e-10))
       return;
     pairs_.push_back({step, change, 1 / curvature});
-    if (pairs_.size() > most_pairs)
+    if (pairs_.size() > max_pairs)
       pairs_.pop_front();
   }
 
@@ -74,14 +74,14 @@ private:
 std::size_t
 descend(const Objective& objective,
         Eigen::VectorXd& u,
-        double least_fall,
+        double min_fall,
         const DescentObserver& observer)
 {
   Eigen::VectorXd gradient(u.size());
   double value = objective(u, gradient);
   std::size_t evaluations = 1;
   CurvaturePairs pairs;
-  for (int step = 0; step < most_steps;) {
+  for (int step = 0; step < max_steps;) {
     Eigen::VectorXd d = pairs.direction(gradient);
     d *= longest / std::max(longest, d.cwiseAbs().maxCoeff());
     const double slope = gradient.dot(d);
@@ -89,7 +89,7 @@ descend(const Objective& objective,
     double next = value;
     double length = 1;
     bool falls = false;
-    for (int i = 0; slope < 0 && i < most_tries && !falls; ++i, length *= shortening) {
+    for (int i = 0; slope < 0 && i < max_tries && !falls; ++i, length *= shortening) {
       next_u = u + length * d;
       next = objective(next_u, next_gradient);
       ++evaluations;
@@ -109,7 +109,7 @@ descend(const Objective& objective,
     ++step;
     if (observer)
       observer(u, value);
-    if (fall < least_fall)
+    if (fall < min_fall)
       break;
   }
   return evaluations;

@@ -16,12 +16,12 @@ using DescentObserver = std::function<void(const Eigen::VectorXd& u, double valu
 /** \brief Minimises by L-BFGS (Nocedal and Wright, algorithm 7.4) with backtracking: 12
  * pairs, at most 100 steps, and each step changes a variable by at most 3.
  * \param[in,out] u in: start; out: minimum; the value never increases
- * \param[in] least_fall stops after a step with a smaller decrease
+ * \param[in] min_fall stops after a step with a smaller decrease
  * \return number of evaluations */
 std::size_t
 descend(const Objective& objective,
         Eigen::VectorXd& u,
-        double least_fall,
+        double min_fall,
         const DescentObserver& observer = {});
 
 } // namespace pcl::acmap

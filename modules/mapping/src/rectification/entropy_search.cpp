@@ -12,8 +12,8 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double least_fall = 3e-6;        ///< of F, per observation
-constexpr double least_window_fall = 1e-5; ///< the same for windows
+constexpr double min_fall = 3e-6;        ///< of F, per observation
+constexpr double min_window_fall = 1e-5; ///< the same for windows
 
 PointView
 viewOf(const std::vector<Eigen::Vector3f>& values)
@@ -155,8 +155,8 @@ EntropySearch::descendPart(const ActionChain& chain,
     task_.report.steps.push_back(
         {*name, level.bin_size, entropy, priorOf(chain, at), value});
   };
-  return name ? descend(objective, u, least_fall * size, observer)
-              : descend(objective, u, least_window_fall * size);
+  return name ? descend(objective, u, min_fall * size, observer)
+              : descend(objective, u, min_window_fall * size);
 }
 
 void

@@ -209,9 +209,9 @@ private:
            rays.far_contradictions < contradictionsIn(usual_) + 0.16 &&
            rays.far_contradictions < 3 * rays.near_contradictions + 0.03 &&
            std::max(rays.near_contradictions, rays.far_contradictions) <
-               most_contradicted &&
-           lengthOf(map.poses) > least_length * lengthOf(given_) &&
-           strongestAction(map) < most_sigmas;
+               max_contradicted &&
+           lengthOf(map.poses) > min_length * lengthOf(given_) &&
+           strongestAction(map) < max_sigmas;
   }
 
   /** Is the map so good that no further search is needed? */
@@ -281,9 +281,9 @@ private:
     return given_;
   }
 
-  static constexpr double most_contradicted = 0.5; ///< share of rays
-  static constexpr double least_length = 2.0 / 3;  ///< against a collapse
-  static constexpr double most_sigmas = 6;         ///< maximum residual of an action
+  static constexpr double max_contradicted = 0.5; ///< share of rays
+  static constexpr double min_length = 2.0 / 3;   ///< against a collapse
+  static constexpr double max_sigmas = 6;         ///< maximum residual of an action
 
   const RectificationTask& task_;
   EntropySearch& search_;

@@ -17,7 +17,7 @@ constexpr double size = 0.4;        ///< metres, edge length of a neighbourhood
 constexpr std::size_t fewest = 10;  ///< minimum number of points of a neighbourhood
 constexpr double long_enough = 3;   ///< minimum variance of a wall, along / across
 constexpr double resolution = 1e-3; ///< metres; finer structures are not resolved
-constexpr std::size_t most_points = 1000000;
+constexpr std::size_t max_points = 1000000;
 
 struct Place {
   std::int64_t column, row;
@@ -32,7 +32,7 @@ sortedPlaces(const std::vector<LevelledPoints>& observations,
   std::size_t points = 0;
   for (const LevelledPoints& seen : observations)
     points += seen.points.size();
-  const std::size_t every = points / most_points + 1;
+  const std::size_t every = points / max_points + 1;
   std::vector<Place> places;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const PlanarMotion motion(poses[i]);

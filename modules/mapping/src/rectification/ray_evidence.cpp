@@ -14,11 +14,11 @@ namespace {
 constexpr double start = 0.3;  ///< metres from the sensor, to exclude the robot
 constexpr double margin = 0.5; ///< metres before a ray's end, to exclude its wall
 constexpr double step = 0.7;   ///< cells
-constexpr double least_cell = 0.1, most_cell = 0.2; ///< metres
-constexpr double crossing = 0.7; ///< minimum |cosine| of ray and normal
+constexpr double min_cell = 0.1, max_cell = 0.2; ///< metres
+constexpr double crossing = 0.7;                 ///< minimum |cosine| of ray and normal
 constexpr double agreeing = 0.9; ///< minimum cosine of two normals of a wall
-constexpr std::size_t most_rays = 200000;
-constexpr std::size_t least_points = 2; ///< points of others that form a wall
+constexpr std::size_t max_rays = 200000;
+constexpr std::size_t min_points = 2; ///< points of others that form a wall
 
 double
 shareOf(std::size_t part, std::size_t whole)
@@ -68,7 +68,7 @@ struct RayEvidence::Ray {
 RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,
                          double bin_size)
 : observations_(observations)
-, cell_(std::clamp(2 * bin_size, least_cell, most_cell))
+, cell_(std::clamp(2 * bin_size, min_cell, max_cell))
 {
   std::size_t points = 0;
   for (const LevelledPoints& seen : observations) {
@@ -76,7 +76,7 @@ RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,
     for (const Eigen::Vector3f& normal : seen.normals)
       has_normals_ = has_normals_ || normal.allFinite();
   }
-  every_ = points / most_rays + 1;
+  every_ = points / max_rays + 1;
 }
 
 template <typename Predicate>
@@ -119,7 +119,7 @@ RayEvidence::castRays(std::size_t observation,
       const auto crosses = [](double cosine) { return std::abs(cosine) > crossing; };
       countWalls(ray, ray.cellBefore(ray.range - t), table, way, crosses, points);
       for (const int side : {0, 1})
-        contradicted[side] = contradicted[side] || points[side] >= least_points;
+        contradicted[side] = contradicted[side] || points[side] >= min_points;
     }
     std::size_t confirming[2] = {0, 0};
     Eigen::Vector2d normal(0, 0);

@@ -15,7 +15,7 @@ const Eigen::Array3d unit_step(0.05, 0.05, 0.02); ///< m, m, rad
 constexpr double probe_spread = 0.5; ///< standard deviation of a probe, in steps
 constexpr double memory = 0.7;       ///< weight of the previous vote
 constexpr double full_effect = 0.02; ///< bits that result in a full vote
-constexpr double growth = 1.3, decay = 0.9, least_step = 0.04;
+constexpr double growth = 1.3, decay = 0.9, min_step = 0.04;
 constexpr int probes_a_round = 40;
 constexpr int evaluations_a_pose = 50; ///< for all levels
 
@@ -138,7 +138,7 @@ private:
           memory * voter.vote + (1 - memory) * strength * (effect < 0 ? d : -d) / size;
     const bool better = effect < 0;
     voter.step = better ? std::min(1.0, growth * voter.step)
-                        : std::max(least_step, decay * voter.step);
+                        : std::max(min_step, decay * voter.step);
     if (better) {
       actions_ = std::move(tried);
       energy_ = energy;

@@ -15,8 +15,8 @@ namespace {
 
 using Poses = std::vector<Eigen::Isometry3d>;
 
-constexpr double most_angle = 3;    // degrees
-constexpr double most_offset = 0.1; // metres
+constexpr double max_angle = 3;    // degrees
+constexpr double max_offset = 0.1; // metres
 constexpr double degrees = 57.29577951308232;
 
 Poses
@@ -107,12 +107,12 @@ deviationOf(const PlacedPlane& found, const TruePlane& truth)
   deviation.angle = std::atan2(normal.cross(found_normal).norm(),
                                std::abs(normal.dot(found_normal))) *
                     degrees;
-  if (!(deviation.angle <= most_angle))
+  if (!(deviation.angle <= max_angle))
     return std::nullopt;
   const PlaneOverlap overlap = overlapOf(found, truth);
   deviation.overlap = overlap.area;
   deviation.offset = std::abs(normal.dot(overlap.middle) + truth.coefficients[3]);
-  if (!(2 * overlap.area > found.area && deviation.offset <= most_offset))
+  if (!(2 * overlap.area > found.area && deviation.offset <= max_offset))
     return std::nullopt;
   return deviation;
 }

@@ -13,7 +13,7 @@ using namespace acmap;
 namespace {
 
 constexpr double farthest = 1e6; // metres
-constexpr std::size_t most_planes = 100000;
+constexpr std::size_t max_planes = 100000;
 
 template <int Rows>
 Eigen::Matrix<double, Rows, 1>
@@ -62,13 +62,13 @@ rectangleOf(const YamlNode& node)
 TruePlane
 planeOf(const YamlNode& node)
 {
-  constexpr std::size_t most_points = 1000000000000000;
-  constexpr std::size_t most_rectangles = 100000;
+  constexpr std::size_t max_points = 1000000000000000;
+  constexpr std::size_t max_rectangles = 100000;
   TruePlane plane;
   plane.name = node.at("name").text();
   plane.coefficients = coefficientsOf(node.at("coefficients"));
-  plane.points = node.at("points").count(0, most_points);
-  for (const YamlNode& rectangle : node.at("rectangles").list(1, most_rectangles))
+  plane.points = node.at("points").count(0, max_points);
+  for (const YamlNode& rectangle : node.at("rectangles").list(1, max_rectangles))
     plane.rectangles.push_back(rectangleOf(rectangle));
   return plane;
 }
@@ -101,7 +101,7 @@ acmap::readTruePlanes(const YamlNode& file)
 {
   requireFormat(file, file_formats::truth);
   std::vector<TruePlane> planes;
-  for (const YamlNode& plane : file.at("planes").list(1, most_planes))
+  for (const YamlNode& plane : file.at("planes").list(1, max_planes))
     planes.push_back(planeOf(plane));
   return planes;
 }

@@ -151,7 +151,7 @@ segmentDepthPlanes(const DepthView& view,
   StepTimer timer(report);
   DepthPlaneSettings finding;
   finding.noise = noise;
-  finding.least_area = settings.least_area;
+  finding.min_area = settings.min_area;
   DepthPlanes found = findDepthPlanes(view, finding, progress);
   timer.finish("planes");
   const std::vector<PatchSums> sums = sumPlanes(view, found);

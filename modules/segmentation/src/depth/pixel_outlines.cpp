@@ -91,14 +91,14 @@ loopsOf(const Edges& edges,
         const PixelCorners& corners,
         const outlines::PatchFrame& frame)
 {
-  constexpr double tolerance = 1.5, least_area = 25; // pixels, square pixels
+  constexpr double tolerance = 1.5, min_area = 25; // pixels, square pixels
   std::vector<outlines::Loop> loops;
   for (const std::vector<std::int32_t>& rim :
        outlines::edgeLoops(edges, corners.places())) {
     outlines::Loop in_picture;
     for (const std::int32_t corner : rim)
       in_picture.push_back(corners.places()[static_cast<std::size_t>(corner)]);
-    if (std::abs(outlines::signedArea(in_picture)) < least_area)
+    if (std::abs(outlines::signedArea(in_picture)) < min_area)
       continue;
     outlines::Loop loop;
     for (const Eigen::Vector2d& place :

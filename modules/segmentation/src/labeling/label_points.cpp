@@ -15,7 +15,7 @@ namespace {
 
 /** Is each plane large enough, after its parts are merged? */
 std::vector<std::uint8_t>
-largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_area)
+largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double min_area)
 {
   std::vector<double> areas(known.planes.size(), 0);
   for (std::size_t p = 0; p < areas.size(); ++p)
@@ -24,7 +24,7 @@ largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_are
           known.planes[p].patch.area;
   std::vector<std::uint8_t> is_large;
   for (const double area : areas)
-    is_large.push_back(area >= least_area ? 1 : 0);
+    is_large.push_back(area >= min_area ? 1 : 0);
   return is_large;
 }
 
@@ -32,11 +32,11 @@ largeEnough(const KnownPlanes& known, const Verdicts& verdicts, double least_are
  * \return for each old plane its new number, -1 for none */
 std::vector<std::int32_t>
 sift(const Verdicts& verdicts,
-     double least_area,
+     double min_area,
      KnownPlanes& known,
      PlaneClusteringReport& report)
 {
-  const std::vector<std::uint8_t> is_large = largeEnough(known, verdicts, least_area);
+  const std::vector<std::uint8_t> is_large = largeEnough(known, verdicts, min_area);
   std::vector<std::int32_t> numbers(known.planes.size(), -1);
   std::vector<KnownPlane> left;
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
@@ -130,8 +130,8 @@ settle(const LabelingLimits& limits,
        PlaneClusteringReport& report)
 {
   const auto& [grid, all, noise] = scenery;
-  constexpr std::size_t most_of_a_voxel = 24;
-  const Survey survey = all.thinned(most_of_a_voxel, grid);
+  constexpr std::size_t max_of_a_voxel = 24;
+  const Survey survey = all.thinned(max_of_a_voxel, grid);
   const Junctions junctions(known, grid);
   std::vector<std::int32_t> labels;
   std::vector<PlaneSums> sums;
@@ -152,7 +152,7 @@ settle(const LabelingLimits& limits,
   report.merged += verdicts.merged;
   report.refuted_regions = verdicts.refuted;
   const std::vector<std::int32_t> numbers =
-      sift(verdicts, limits.least_area, known, report);
+      sift(verdicts, limits.min_area, known, report);
   std::vector<Eigen::Vector3d> left(known.planes.size());
   for (std::size_t p = 0; p < numbers.size(); ++p)
     if (verdicts.kept_as[p] == static_cast<std::int32_t>(p) && numbers[p] >= 0)

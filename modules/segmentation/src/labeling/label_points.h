@@ -10,9 +10,9 @@ namespace pcl::acmap {
 
 /** Limits of \ref labelPoints. */
 struct LabelingLimits {
-  double distance = 0;   ///< metres; maximum deviation between parts of one plane
-  double cosine = 1;     ///< minimum, between normals of parts of one plane
-  double least_area = 0; ///< square metres
+  double distance = 0; ///< metres; maximum deviation between parts of one plane
+  double cosine = 1;   ///< minimum, between normals of parts of one plane
+  double min_area = 0; ///< square metres
   double stray = 0;   ///< metres; a hypothesis without a plane joins one that is nearer
   int coarseness = 1; ///< edge length of noise clusters, unit: two spacings
 };

@@ -13,8 +13,8 @@ constexpr double guess_weight = 1 / (0.0175 * 0.0175); // one degree, radians
 bool
 canBeFitted(const PlaneSums& sums)
 {
-  constexpr std::size_t least_points = 3;
-  return sums.points >= least_points && sums.best().matrix(2, 2) > 0;
+  constexpr std::size_t min_points = 3;
+  return sums.points >= min_points && sums.best().matrix(2, 2) > 0;
 }
 
 /** Adds a guessed normal as a prior of the slopes. */
@@ -31,9 +31,9 @@ addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
 bool
 needsGuess(const PlaneSums& sums, const KnownPlane& plane)
 {
-  constexpr double most_tilt =
+  constexpr double max_tilt =
       0.1; // radians; beyond it the points do not determine the tilt
-  return plane.trust == PlaneTrust::Strip || !knowsTilt(sums.best(), most_tilt);
+  return plane.trust == PlaneTrust::Strip || !knowsTilt(sums.best(), max_tilt);
 }
 
 FitSums

@@ -25,8 +25,8 @@ struct PlaneSums {
   bool
   isClean() const
   {
-    constexpr std::size_t least_points = 1000;
-    return clean_points >= least_points && 2 * clean_points >= points;
+    constexpr std::size_t min_points = 1000;
+    return clean_points >= min_points && 2 * clean_points >= points;
   }
 
   const FitSums&

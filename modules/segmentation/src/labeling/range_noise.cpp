@@ -8,8 +8,8 @@
 namespace pcl::acmap::labeling {
 namespace {
 
-constexpr std::size_t most_samples = 40000;
-constexpr std::size_t least_in_bin = 50;
+constexpr std::size_t max_samples = 40000;
+constexpr std::size_t min_in_bin = 50;
 
 /** Standard deviation of normally distributed values from the median of their absolute
  * values. */
@@ -25,7 +25,7 @@ template <typename Visit>
 void
 visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& visit)
 {
-  const std::size_t step = survey.size() / most_samples + 1;
+  const std::size_t step = survey.size() / max_samples + 1;
   for (std::size_t i = 0; i < survey.size(); i += step)
     if (survey.entry(i) >= 0 && grid[survey.entry(i)].size == 1)
       visit(survey.sight(i), static_cast<std::size_t>(grid[survey.entry(i)].planes[0]));
@@ -67,7 +67,7 @@ RangeNoise::RangeNoise(const Survey& survey,
   std::vector<double> all;
   for (std::size_t b = 0; b < bins; ++b) {
     all.insert(all.end(), offs[b].begin(), offs[b].end());
-    sigmas_[b] = offs[b].size() >= least_in_bin ? scaledMedian(offs[b]) : -1;
+    sigmas_[b] = offs[b].size() >= min_in_bin ? scaledMedian(offs[b]) : -1;
   }
   const double overall = all.empty() ? 0 : scaledMedian(all);
   const std::array<double, bins> measured = sigmas_;
@@ -99,7 +99,7 @@ measureWarps(const Survey& survey,
     expected[p].push_back(noise.variance(crossing, planes[p]));
   });
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (planes[p].trust != PlaneTrust::Sure || offs[p].size() < least_in_bin)
+    if (planes[p].trust != PlaneTrust::Sure || offs[p].size() < min_in_bin)
       continue;
     const double measured = std::pow(scaledMedian(offs[p]), 2);
     const double known = medianOf(expected[p]);

@@ -71,10 +71,10 @@ clusteredCovariance(const FitSums& sums,
                     const Eigen::Vector3d& solution,
                     const std::vector<FitSums>& clusters)
 {
-  constexpr std::size_t least_clusters = 6;
+  constexpr std::size_t min_clusters = 6;
   const Eigen::Matrix3d unknown =
       Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  if (clusters.size() < least_clusters)
+  if (clusters.size() < min_clusters)
     return unknown;
   const Eigen::Matrix3d inverse = sums.matrix.inverse();
   // This is a sum of squares, so that rounding cannot make a variance negative.

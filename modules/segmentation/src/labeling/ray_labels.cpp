@@ -38,8 +38,8 @@ RayLabels::isInFront(const Eigen::Vector3d& foot,
 std::int32_t
 RayLabels::choose(const Sight& sight, const Candidates& candidates) const
 {
-  constexpr double most_sigmas = 4.5;
-  double least = most_sigmas * most_sigmas, least_seen = least;
+  constexpr double max_sigmas = 4.5;
+  double least = max_sigmas * max_sigmas, min_seen = least;
   std::int32_t nearest = -1, seen = -1;
   for (std::size_t k = 0; k < candidates.size; ++k) {
     const auto plane = static_cast<std::size_t>(candidates.planes[k]);
@@ -50,9 +50,9 @@ RayLabels::choose(const Sight& sight, const Candidates& candidates) const
       least = square;
       nearest = candidates.planes[k];
     }
-    if (square < least_seen && candidates.size > 1 &&
+    if (square < min_seen && candidates.size > 1 &&
         isInFront(crossing.foot, plane, candidates)) {
-      least_seen = square;
+      min_seen = square;
       seen = candidates.planes[k];
     }
   }

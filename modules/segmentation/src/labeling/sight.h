@@ -37,10 +37,10 @@ struct Crossing {
   {
     const Eigen::Vector3d normal = patch.coefficients.head<3>();
     off = normal.dot(sight.point) + patch.coefficients[3];
-    constexpr double least_slant = 0.05; // grazing rays do not determine the range
+    constexpr double min_slant = 0.05; // grazing rays do not determine the range
     const double along = normal.dot(sight.ray);
     slant = std::abs(along);
-    if (slant > least_slant) {
+    if (slant > min_slant) {
       foot = sight.point - off / along * sight.ray;
       range = sight.range - off / along;
       return;

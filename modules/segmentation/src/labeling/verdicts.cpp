@@ -18,21 +18,21 @@ covarianceOf(const FitSums& sums)
 bool
 isRefuted(const PlaneSums& sums, const KnownPlane& plane)
 {
-  constexpr std::size_t least_points = 20;
-  constexpr double most_chi = 1.5;     // it is 1 if the noise is as expected
-  constexpr double most_strip_chi = 2; // its points include those of rounded edges
-  constexpr double most_tilt = 0.035;  // radians, one standard deviation
-  constexpr double least_share = 0.2;  // of the points in voxels of its hypotheses
+  constexpr std::size_t min_points = 20;
+  constexpr double max_chi = 1.5;     // it is 1 if the noise is as expected
+  constexpr double max_strip_chi = 2; // its points include those of rounded edges
+  constexpr double max_tilt = 0.035;  // radians, one standard deviation
+  constexpr double min_share = 0.2;   // of the points in voxels of its hypotheses
   if (sums.points < 3 || static_cast<double>(sums.points) <
-                             least_share * static_cast<double>(sums.points_at_home))
+                             min_share * static_cast<double>(sums.points_at_home))
     return true;
   const double chi = std::sqrt(sums.chi / static_cast<double>(sums.points));
   if (plane.trust == PlaneTrust::Sure)
-    return !(chi <= 2 * most_chi);
-  const double most = plane.trust == PlaneTrust::Strip ? most_strip_chi : most_chi;
-  if (sums.points < least_points || !(chi <= most))
+    return !(chi <= 2 * max_chi);
+  const double most = plane.trust == PlaneTrust::Strip ? max_strip_chi : max_chi;
+  if (sums.points < min_points || !(chi <= most))
     return true;
-  return plane.trust == PlaneTrust::Small && !knowsTilt(sums.best(), most_tilt);
+  return plane.trust == PlaneTrust::Small && !knowsTilt(sums.best(), max_tilt);
 }
 
 /** Standard deviation of the position of a plane at a point, along the normal,

@@ -14,14 +14,14 @@ CreaseSnap::CreaseSnap(const labeling::CandidateGrid& grid,
 , reach_(reach)
 , lines_(planes.size())
 {
-  constexpr double least_sine = 0.3; // lines of flatter junctions are too uncertain
+  constexpr double min_sine = 0.3; // lines of flatter junctions are too uncertain
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const Eigen::Vector4d& other = planes[p].patch.coefficients;
     const Eigen::Vector3d normal = other.head<3>();
     const Eigen::Vector2d flat(normal.dot(frame_.patch.axis_u),
                                normal.dot(frame_.patch.axis_v));
     const double length = flat.norm();
-    if (p == own || length < least_sine)
+    if (p == own || length < min_sine)
       continue;
     lines_[p].normal = flat / length;
     lines_[p].offset = -(normal.dot(frame_.patch.center) + other[3]) / length;

@@ -44,8 +44,8 @@ public:
     }
     merge();
     // Cuts move edges slightly, so that these may intersect others.
-    constexpr int most_rounds = 20;
-    for (int round = 0; round < most_rounds && cut(); ++round)
+    constexpr int max_rounds = 20;
+    for (int round = 0; round < max_rounds && cut(); ++round)
       merge();
   }
 

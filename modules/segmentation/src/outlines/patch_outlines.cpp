@@ -78,19 +78,19 @@ lift(const Loop& loop, const PatchFrame& frame)
 
 void
 setPolygons(const std::vector<Loop>& shaped,
-            double least_area,
+            double min_area,
             double spacing,
             PlanePatch& patch)
 {
   std::vector<Loop> large;
   for (const Loop& loop : shaped)
-    if (std::abs(signedArea(loop)) >= least_area)
+    if (std::abs(signedArea(loop)) >= min_area)
       large.push_back(loop);
   const std::vector<Loop> loops = disentangled(large, 1e-3 * spacing);
   const PatchFrame frame{patch};
   std::vector<const Loop*> rims;
   for (const Loop& loop : loops)
-    if (signedArea(loop) >= least_area)
+    if (signedArea(loop) >= min_area)
       rims.push_back(&loop);
   std::stable_sort(rims.begin(), rims.end(), [](const Loop* a, const Loop* b) {
     return signedArea(*a) > signedArea(*b);
@@ -100,7 +100,7 @@ setPolygons(const std::vector<Loop>& shaped,
     patch.area += signedArea(*rim);
   }
   for (const Loop& loop : loops) {
-    if (signedArea(loop) > -least_area)
+    if (signedArea(loop) > -min_area)
       continue;
     for (std::size_t r = rims.size(); r-- > 0;)
       // The middle of an edge is tested, because vertices may touch the rim.
@@ -178,7 +178,7 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
     return; // there may also be no spacing
   const labeling::CandidateGrid grid(known, known.spacing, 0);
   const double reach = 2 * known.spacing;
-  const double least_area = 4 * known.spacing * known.spacing;
+  const double min_area = 4 * known.spacing * known.spacing;
   std::vector<Triangles> of_planes = trianglesOfPlanes(triangles, known);
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
     PlanePatch& patch = known.planes[p].patch;
@@ -186,7 +186,7 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
     patch.area = 0; // of the outlines from here on; before, of its members
     if (known.planes[p].trust != PlaneTrust::Strip)
       setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
-                  least_area,
+                  min_area,
                   known.spacing,
                   patch);
     if (patch.polygons.empty() && !triangles.empty())

@@ -14,11 +14,11 @@ namespace outlines {
  * are artefacts of the mesh and are ignored. The loops may cross, because they were
  * moved onto lines and simplified independently.
  * \param[in] shaped in the patch's frame, metres
- * \param[in] least_area minimum area of a polygon or a hole, square metres
+ * \param[in] min_area minimum area of a polygon or a hole, square metres
  * \param[in] spacing metres; points within a thousandth of it are merged */
 void
 setPolygons(const std::vector<Loop>& shaped,
-            double least_area,
+            double min_area,
             double spacing,
             PlanePatch& patch);
 

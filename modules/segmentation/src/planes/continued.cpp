@@ -60,7 +60,7 @@ joinWhereBent(const PlaneLimits& limits, double cosine, GrownPlane& a, GrownPlan
   const PlaneFit fit = fitPlane(both);
   const Plane common = planeThrough(fit, a.plane.normal);
   const double extent = std::sqrt(12 * fit.variances[2]);
-  const double most = std::min(limits.bow * extent, limits.most_warp);
+  const double most = std::min(limits.bow * extent, limits.max_warp);
   const double off = std::max(excess(a, common), excess(b, common));
   if (off > most)
     return false;

@@ -98,13 +98,13 @@ isCurved(const CellGraph& graph,
          const PlaneRegion& region,
          double cosine)
 {
-  constexpr double least_curved = 0.35; // of the rim
+  constexpr double min_curved = 0.35; // of the rim
   const Surroundings around = surroundingsOf(graph, members, owner, region, cosine);
-  if (around.curved > least_curved)
+  if (around.curved > min_curved)
     return true; // the rest of a curved surface is too narrow to bend
   const std::vector<std::int32_t> inner = interior(graph, members, owner);
-  constexpr std::size_t least_inner = 12;
-  if (inner.size() < least_inner)
+  constexpr std::size_t min_inner = 12;
+  if (inner.size() < min_inner)
     return false;
   // A parabola that just stays within the limits has a bend of 0.45 times the limit,
   // and less if the region is only a few points wide; then more of its rim has to be

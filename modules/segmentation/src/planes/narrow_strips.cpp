@@ -40,8 +40,8 @@ longAxis(const GrownPlane& strip)
 bool
 isNarrow(const Moments& moments, double spacing)
 {
-  constexpr double least_width = 1.2; // standard deviation of three points side by side
-  return std::sqrt(fitPlane(moments).variances[1]) < least_width * spacing;
+  constexpr double min_width = 1.2; // standard deviation of three points side by side
+  return std::sqrt(fitPlane(moments).variances[1]) < min_width * spacing;
 }
 
 namespace {

@@ -16,11 +16,11 @@ using Members = std::vector<std::int32_t>;
 class NoiseDrivenGrowth {
 public:
   NoiseDrivenGrowth(const CellGraph& graph,
-                    double least_area,
+                    double min_area,
                     PlaneClusteringReport& report)
   : graph_(graph)
   , neighbours_(graph)
-  , least_area_(least_area)
+  , min_area_(min_area)
   , report_(report)
   , owner_(graph.size(), no_region)
   {}
@@ -30,7 +30,7 @@ public:
   {
     grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
       const double area = graph_.areaOf(members);
-      if (area < least_area_ || isNarrow(region.moments(), graph_.spacing))
+      if (area < min_area_ || isNarrow(region.moments(), graph_.spacing))
         return false;
       return isBent(members, region, limits) ||
              keep(members, region, area, PlaneTrust::Sure);
@@ -41,8 +41,8 @@ public:
   growRest(const std::vector<std::int32_t>& seeds, const PlaneLimits& limits)
   {
     grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
-      constexpr std::size_t least_members = 8;
-      if (members.size() < least_members) {
+      constexpr std::size_t min_members = 8;
+      if (members.size() < min_members) {
         ++report_.small_regions;
         return false;
       }
@@ -63,8 +63,7 @@ public:
   {
     constexpr double widening = 1.4142;
     is_wide_ = true;
-    while (report_.curved_regions > 0 &&
-           limits.distance * widening < limits.most_warp) {
+    while (report_.curved_regions > 0 && limits.distance * widening < limits.max_warp) {
       limits.distance *= widening;
       freeCurved();
       growLarge(seeds, limits);
@@ -118,7 +117,7 @@ private:
 
   const CellGraph& graph_;
   GraphNeighbourhood neighbours_;
-  double least_area_;
+  double min_area_;
   PlaneClusteringReport& report_;
   std::vector<std::int32_t> owner_;
   std::vector<GrownPlane> grown_;
@@ -132,10 +131,10 @@ std::vector<GrownPlane>
 growNoiseDriven(const CellGraph& graph,
                 const std::vector<std::int32_t>& seeds,
                 const PlaneLimits& limits,
-                double least_area,
+                double min_area,
                 PlaneClusteringReport& report)
 {
-  NoiseDrivenGrowth growth(graph, least_area, report);
+  NoiseDrivenGrowth growth(graph, min_area, report);
   growth.growLarge(seeds, limits);
   if (limits.bow > 0)
     growth.growWarped(seeds, limits);

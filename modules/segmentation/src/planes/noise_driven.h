@@ -11,7 +11,7 @@ std::vector<GrownPlane>
 growNoiseDriven(const CellGraph& graph,
                 const std::vector<std::int32_t>& seeds,
                 const PlaneLimits& limits,
-                double least_area,
+                double min_area,
                 PlaneClusteringReport& report);
 
 } // namespace pcl::acmap::planes

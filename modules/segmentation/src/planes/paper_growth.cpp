@@ -101,7 +101,7 @@ growAsPaper(const CellGraph& graph,
             const std::vector<std::int32_t>& seeds,
             const PlaneLimits& limits,
             double member_distance,
-            std::size_t least_support,
+            std::size_t min_support,
             const Progress& progress,
             PlaneClusteringReport& report)
 {
@@ -118,7 +118,7 @@ growAsPaper(const CellGraph& graph,
              owner,
              [&](const std::vector<std::int32_t>& members, const PlaneRegion& region) {
                pairs.close(members);
-               if (members.size() <= least_support) {
+               if (members.size() <= min_support) {
                  ++report.small_regions;
                  return false;
                }

@@ -15,7 +15,7 @@ growAsPaper(const CellGraph& graph,
             const std::vector<std::int32_t>& seeds,
             const PlaneLimits& limits,
             double member_distance,
-            std::size_t least_support,
+            std::size_t min_support,
             const Progress& progress,
             PlaneClusteringReport& report);
 

@@ -26,8 +26,8 @@ settleRegion(const Neighbours& neighbours,
              std::vector<std::int32_t>& owner,
              std::int32_t id)
 {
-  constexpr int most_rounds = 5;
-  for (int round = 0; round < most_rounds && !members.empty(); ++round) {
+  constexpr int max_rounds = 5;
+  for (int round = 0; round < max_rounds && !members.empty(); ++round) {
     region.setMembers(members);
     std::vector<std::int32_t> kept;
     for (const std::int32_t member : members)

@@ -66,18 +66,18 @@ growAll(const CellGraph& graph,
         const std::vector<std::int32_t>& seeds,
         const PlaneClusteringSettings& settings,
         const PlaneLimits& limits,
-        double least_area,
+        double min_area,
         double merge_cosine,
         const Progress& progress,
         PlaneClusteringReport& report)
 {
   std::vector<GrownPlane> grown =
-      settings.noise_driven ? growNoiseDriven(graph, seeds, limits, least_area, report)
+      settings.noise_driven ? growNoiseDriven(graph, seeds, limits, min_area, report)
                             : growAsPaper(graph,
                                           seeds,
                                           limits,
                                           settings.member_distance,
-                                          settings.least_support,
+                                          settings.min_support,
                                           progress,
                                           report);
   report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
@@ -138,12 +138,12 @@ dropUnsure(KnownPlanes& known, PlaneClusteringReport& report)
 std::size_t
 countLayers(const std::vector<PlanePatch>& patches, double spacing)
 {
-  constexpr double least_filling = 0.25;
+  constexpr double min_filling = 0.25;
   const double parallel = std::cos(0.0175);
   std::vector<Eigen::Vector3d> normals;
   for (const PlanePatch& patch : patches)
     if (static_cast<double>(patch.support) * spacing * spacing <
-        least_filling * patch.area)
+        min_filling * patch.area)
       normals.push_back(patch.coefficients.head<3>());
   constexpr std::ptrdiff_t fewest = 3;
   return static_cast<std::size_t>(
@@ -207,8 +207,8 @@ growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
   limits.refit_always = !settings.noise_driven;
   if (settings.noise_driven && !is_distance_set) {
     limits.bow = 0.004;
-    limits.most_bow = 0.01;
-    limits.most_warp = 0.025;
+    limits.max_bow = 0.01;
+    limits.max_warp = 0.025;
   }
   return limits;
 }
@@ -248,13 +248,13 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.hypotheses = seeds.size();
     timer.finish("cells");
 
-    const double least_area =
-        settings.least_area > 0 ? settings.least_area : automaticArea(graph);
+    const double min_area =
+        settings.min_area > 0 ? settings.min_area : automaticArea(graph);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     std::vector<GrownPlane> grown;
     if (graph.spacing > 0)
       grown = growAll(
-          graph, seeds, settings, limits, least_area, merge_cosine, progress, report);
+          graph, seeds, settings, limits, min_area, merge_cosine, progress, report);
     timer.finish("growing");
 
     KnownPlanes known = knownPlanes(graph, grown);
@@ -263,7 +263,7 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     LabelingLimits labeling;
     labeling.distance = limits.distance / 2;
     labeling.cosine = merge_cosine;
-    labeling.least_area = least_area;
+    labeling.min_area = min_area;
     labeling.stray = std::max(automaticDistance(graph), 0.25 * graph.spacing);
     if (settings.noise_driven && source.points.size() > 0)
       clusters.source_labels =

@@ -60,7 +60,7 @@ PlaneRegion::refit()
   plane_ = planeThrough(fit, plane_.normal);
   const double extent = std::sqrt(12 * fit.variances[2]);
   distance_ =
-      std::max(limits_.distance, std::min(limits_.bow * extent, limits_.most_bow));
+      std::max(limits_.distance, std::min(limits_.bow * extent, limits_.max_bow));
 }
 
 } // namespace pcl::acmap::planes

@@ -27,9 +27,9 @@ struct PlaneLimits {
   /** Permitted bending of real surfaces and sensor data, as a fraction of the extent,
    * and its maximum in metres. */
   double bow = 0;
-  double most_bow = 0;
+  double max_bow = 0;
 
-  double most_warp = 0; ///< deviation of a surface without a step, metres
+  double max_warp = 0; ///< deviation of a surface without a step, metres
 };
 
 /** Region of a plane: moments are updated with each member, and the plane is fitted to

@@ -10,16 +10,16 @@ namespace pcl::acmap::planes {
 namespace {
 
 constexpr double deviations = 3;
-constexpr double least_turn = 1e-4;  // radians; for covariances that are too small
-constexpr double most_turn = 0.0175; // one degree
+constexpr double min_turn = 1e-4;   // radians; for covariances that are too small
+constexpr double max_turn = 0.0175; // one degree
 
 double
 allowedTurn(const PlanePatch& patch)
 {
   const double tilt =
       std::sqrt(patch.covariance.diagonal().head<2>().maxCoeff()); // NaN: unknown
-  return std::isfinite(tilt) ? std::clamp(deviations * tilt, least_turn, most_turn)
-                             : most_turn;
+  return std::isfinite(tilt) ? std::clamp(deviations * tilt, min_turn, max_turn)
+                             : max_turn;
 }
 
 double

@@ -12,8 +12,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr float least_spacing = 8.0F; // px between adjacent corners
-constexpr double most_blur = 5.0;     // width of an edge from dark to bright, px
+constexpr float min_spacing = 8.0F; // px between adjacent corners
+constexpr double max_blur = 5.0;    // width of an edge from dark to bright, px
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -92,11 +92,11 @@ refine(const cv::Mat& grey, float spacing, Corners& corners)
 std::string
 faultOf(const cv::Mat& grey, const cv::Size& size, const Corners& corners, float least)
 {
-  if (least < least_spacing)
+  if (least < min_spacing)
     return "the board is too small: its corners are " + std::to_string(cvRound(least)) +
            " px apart";
   const double blur = cv::estimateChessboardSharpness(grey, size, corners)[0];
-  if (blur > most_blur)
+  if (blur > max_blur)
     return "blurred: its edges are " + std::to_string(cvRound(blur)) + " px wide";
   return "";
 }

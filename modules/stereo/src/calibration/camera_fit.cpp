@@ -32,10 +32,10 @@ outlierLimit(std::vector<double> errors, double floor)
 void
 requireEnough(const std::string& name, std::size_t views)
 {
-  if (views < RigCalibrator::least_boards)
+  if (views < RigCalibrator::min_boards)
     throw InitFailedException("the " + name + " camera has " + std::to_string(views) +
                               " good boards, at least " +
-                              std::to_string(RigCalibrator::least_boards) +
+                              std::to_string(RigCalibrator::min_boards) +
                               " are needed");
 }
 
@@ -80,10 +80,10 @@ fitOnce(const CalibrationBoard& board,
 bool
 isTold(const CameraFit& fit)
 {
-  constexpr double most_spread = 0.02;
+  constexpr double max_spread = 0.02;
   const double focal = std::min(fit.matrix(0, 0), fit.matrix(1, 1));
   const double spread = std::max(fit.spread.at<double>(0), fit.spread.at<double>(1));
-  return focal > 1.0 && spread < most_spread * focal && cv::checkRange(fit.matrix) &&
+  return focal > 1.0 && spread < max_spread * focal && cv::checkRange(fit.matrix) &&
          cv::checkRange(fit.distortion);
 }
 

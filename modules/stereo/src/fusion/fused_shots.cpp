@@ -27,10 +27,10 @@ class PixelFusion {
 public:
   PixelFusion(const std::vector<MatchedDisparity>& shots,
               ShotStatistic statistic,
-              std::size_t least_support)
+              std::size_t min_support)
   : shots_(shots)
   , statistic_(statistic)
-  , least_support_(least_support)
+  , min_support_(min_support)
   , samples_(shots.size())
   {}
 
@@ -43,7 +43,7 @@ public:
         samples_[found++] = {shot.disparity.values[pixel], shot.sigma[pixel]};
     if (found == 0)
       fused.outcome[pixel] = commonestOutcome(shots_, pixel);
-    else if (found >= least_support_)
+    else if (found >= min_support_)
       fuseFound(found, pixel, fused);
   }
 
@@ -58,7 +58,7 @@ private:
                                       : consistentMeanOfShots(begin, begin + found);
     if (!result.is_consistent)
       fused.outcome[pixel] = DisparityOutcome::Inconsistent;
-    else if (result.support >= least_support_) {
+    else if (result.support >= min_support_) {
       fused.disparity.values[pixel] = result.disparity;
       fused.sigma[pixel] = result.sigma;
       fused.support[pixel] = result.support;
@@ -68,7 +68,7 @@ private:
 
   const std::vector<MatchedDisparity>& shots_;
   ShotStatistic statistic_;
-  std::size_t least_support_;
+  std::size_t min_support_;
   std::vector<ShotDisparity> samples_;
 };
 
@@ -89,13 +89,13 @@ noDisparity(int width, int height, DisparityOutcome why)
 MatchedDisparity
 fuseShots(const std::vector<MatchedDisparity>& shots,
           ShotStatistic statistic,
-          std::size_t least_support)
+          std::size_t min_support)
 {
   const DisparityImage& size = shots.front().disparity;
   MatchedDisparity fused =
       noDisparity(size.width, size.height, DisparityOutcome::TooFewShots);
   parallelForChunks(fused.outcome.size(), [&](std::size_t begin, std::size_t end) {
-    PixelFusion pixels(shots, statistic, least_support);
+    PixelFusion pixels(shots, statistic, min_support);
     for (std::size_t i = begin; i < end; ++i)
       pixels.fuse(i, fused);
   });

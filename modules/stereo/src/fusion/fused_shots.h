@@ -14,11 +14,11 @@ enum class ShotStatistic { Median, ConsistentMean };
  * disparity gets the most frequent outcome of the shots, the first one in case of ties.
  * Runs in the caller's arena; O(pixels * shots).
  * \param[in] shots of one size, at least one; their support is not read
- * \param[in] least_support minimum number of shots for a disparity */
+ * \param[in] min_support minimum number of shots for a disparity */
 MatchedDisparity
 fuseShots(const std::vector<MatchedDisparity>& shots,
           ShotStatistic statistic,
-          std::size_t least_support);
+          std::size_t min_support);
 
 /** \brief Returns an image without any disparity. */
 MatchedDisparity

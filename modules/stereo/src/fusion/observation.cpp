@@ -6,8 +6,8 @@
 
 namespace pcl::acmap {
 
-static_assert(most_shots <= ShotColor::most_images);
-static_assert(most_shots <= ShotCoverage::most_shots);
+static_assert(max_shots <= ShotColor::max_images);
+static_assert(max_shots <= ShotCoverage::max_shots);
 
 Observation::Observation(const TrinocularRig& rig)
 : dark_color_(rig.width, rig.height)

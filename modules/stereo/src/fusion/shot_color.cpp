@@ -4,7 +4,7 @@
 
 namespace pcl::acmap {
 
-static_assert(ShotColor::most_images * 255 <= 65535);
+static_assert(ShotColor::max_images * 255 <= 65535);
 
 ShotColor::ShotColor(int width, int height)
 : width_(width)

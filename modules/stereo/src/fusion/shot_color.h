@@ -11,7 +11,7 @@ namespace pcl::acmap {
 class ShotColor {
 public:
   /** \brief Sums of up to this many images do not overflow. */
-  static constexpr std::size_t most_images = 257;
+  static constexpr std::size_t max_images = 257;
 
   /** \param[in] width, height of the images, px */
   ShotColor(int width, int height);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t unit = 16; // per grey level: the sum of the weights
 
-static_assert(ShotCoverage::most_shots * (255 * unit) * (255 * unit) <= 4294967295U);
+static_assert(ShotCoverage::max_shots * (255 * unit) * (255 * unit) <= 4294967295U);
 
 /** \brief Reads the grey levels of a row; the first and the last pixel are repeated
  * outside the row. */

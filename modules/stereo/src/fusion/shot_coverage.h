@@ -14,7 +14,7 @@ namespace pcl::acmap {
 class ShotCoverage {
 public:
   /** \brief Sums of up to this many shots do not overflow. */
-  static constexpr std::size_t most_shots = 257;
+  static constexpr std::size_t max_shots = 257;
 
   /** \param[in] width, height of the images, px */
   ShotCoverage(int width, int height);

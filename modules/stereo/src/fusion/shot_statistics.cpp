@@ -10,17 +10,17 @@ namespace pcl::acmap {
 namespace {
 
 constexpr float normal_deviations = 1.4826f; // per median absolute deviation
-constexpr float most_deviations = 3.0f;
-constexpr float least_limit = 1.0f;       // px
-constexpr float least_agreement = 0.6f;   // share of the shots, see isAgreed
+constexpr float max_deviations = 3.0f;
+constexpr float min_limit = 1.0f;         // px
+constexpr float min_agreement = 0.6f;     // share of the shots, see isAgreed
 constexpr float median_variance = 1.571f; // relative to that of a mean
 
 // Determined by simulation, see doc/stereo/disparity_fusion.md.
-constexpr float least_scatter = 0.05f; // px, added to the sigma of a shot in quadrature
-constexpr float test_scatter = 0.5f;   // px, the same for the chi-square test
-constexpr float prior_shots = 1.0f;    // weight of the reported variances, in shots
-constexpr float common_share = 0.2f;   // part of a shot's sigma common to all shots
-constexpr float least_sigma = 0.005f;  // px
+constexpr float min_scatter = 0.05f; // px, added to the sigma of a shot in quadrature
+constexpr float test_scatter = 0.5f; // px, the same for the chi-square test
+constexpr float prior_shots = 1.0f;  // weight of the reported variances, in shots
+constexpr float common_share = 0.2f; // part of a shot's sigma common to all shots
+constexpr float min_sigma = 0.005f;  // px
 
 constexpr float
 square(float value)
@@ -58,7 +58,7 @@ inliersOf(const ShotDisparity* begin, const ShotDisparity* end)
 {
   const float middle = begin[(end - begin - 1) / 2].disparity;
   const float limit = std::max(
-      most_deviations * normal_deviations * medianDeviation(begin, end), least_limit);
+      max_deviations * normal_deviations * medianDeviation(begin, end), min_limit);
   while (middle - begin->disparity > limit)
     ++begin;
   while (end[-1].disparity - middle > limit)
@@ -82,7 +82,7 @@ fusedSigma(const Scatter& of)
 {
   const float scale = (prior_shots + of.misfit) / (prior_shots + of.shots - 1.0f);
   return std::sqrt(scale * of.variance * (1.0f / of.worth + square(common_share)) +
-                   square(least_sigma));
+                   square(min_sigma));
 }
 
 /** \brief Returns true if most of the shots agree with this disparity. If the
@@ -92,10 +92,9 @@ bool
 isAgreed(const ShotDisparity* begin, const ShotDisparity* end, float disparity)
 {
   const auto agreed = std::count_if(begin, end, [=](const ShotDisparity& shot) {
-    return std::abs(shot.disparity - disparity) <= least_limit;
+    return std::abs(shot.disparity - disparity) <= min_limit;
   });
-  return static_cast<float>(agreed) >=
-         least_agreement * static_cast<float>(end - begin);
+  return static_cast<float>(agreed) >= min_agreement * static_cast<float>(end - begin);
 }
 
 } // namespace
@@ -115,7 +114,7 @@ medianOfShots(const ShotDisparity* begin, const ShotDisparity* end)
   const auto shots = static_cast<float>(end - begin);
   float precision = 0.0f; // the variance of a median depends on the mean of 1 / sigma
   for (const ShotDisparity* shot = begin; shot != end; ++shot)
-    precision += 1.0f / std::sqrt(varianceOf(*shot, least_scatter)) / shots;
+    precision += 1.0f / std::sqrt(varianceOf(*shot, min_scatter)) / shots;
   const float variance = 1.0f / square(precision);
   const float deviation = normal_deviations * medianDeviation(begin, end);
   return {begin[(end - begin - 1) / 2].disparity,
@@ -134,14 +133,14 @@ consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end)
   const float origin = first->disparity;
   float weights = 0.0f, offset = 0.0f;
   for (const ShotDisparity* shot = first; shot != last; ++shot) {
-    const float weight = 1.0f / varianceOf(*shot, least_scatter);
+    const float weight = 1.0f / varianceOf(*shot, min_scatter);
     weights += weight;
     offset += weight * (shot->disparity - origin);
   }
   const float mean = origin + offset / weights;
   float misfit = 0.0f, tested = 0.0f;
   for (const ShotDisparity* shot = first; shot != last; ++shot) {
-    misfit += square(shot->disparity - mean) / varianceOf(*shot, least_scatter);
+    misfit += square(shot->disparity - mean) / varianceOf(*shot, min_scatter);
     tested += square(shot->disparity - mean) / varianceOf(*shot, test_scatter);
   }
   const auto support = static_cast<std::uint16_t>(last - first);

@@ -7,7 +7,7 @@ recipeOf(std::size_t shots, bool lit)
 {
   MatchingRecipe recipe;
   if (shots >= 5) {
-    recipe.least_correlation = 0.75;
+    recipe.min_correlation = 0.75;
     return recipe;
   }
   if (shots >= 3) {
@@ -16,8 +16,8 @@ recipeOf(std::size_t shots, bool lit)
     return recipe;
   }
   recipe.centred = false;
-  recipe.least_deviation = 1.0;
-  recipe.least_correlation = 0.2;
+  recipe.min_deviation = 1.0;
+  recipe.min_correlation = 0.2;
   if (shots == 2) {
     recipe.cost = PairCost::Windows;
     recipe.radius = 2;
@@ -33,8 +33,8 @@ recipeOf(std::size_t shots, bool lit)
   if (!lit) {
     recipe.blur = 0.3;
     recipe.cost_of_bit = 15;
-    recipe.least_deviation = 0.0;
-    recipe.least_correlation = -1.0;
+    recipe.min_deviation = 0.0;
+    recipe.min_correlation = -1.0;
   }
   return recipe;
 }

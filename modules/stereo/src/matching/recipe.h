@@ -37,8 +37,8 @@ struct MatchingRecipe {
    * pixel to pixel; 0: P2 is constant. */
   int contrast = 0;
 
-  double least_deviation = 2.0; ///< grey levels
-  double least_correlation = 0.5;
+  double min_deviation = 2.0; ///< grey levels
+  double min_correlation = 0.5;
 };
 
 /** \param[in] lit true if the shots were taken under patterns. A shot without a pattern

@@ -11,7 +11,7 @@ namespace {
 
 /** \brief Cosine of 60 degrees: limits the angles between baselines, axes of the
  * cameras and viewing directions. */
-constexpr double least_cosine = 0.5;
+constexpr double min_cosine = 0.5;
 
 /** \brief Mean of one axis over all cameras, in the frame of the reference. */
 Eigen::Vector3d
@@ -35,7 +35,7 @@ along(const CameraCalibration& neighbour, const Eigen::Vector3d& axis, const cha
                                " camera stands in the reference camera's place");
   const Eigen::Vector3d direction = baseline.normalized();
   const double cosine = direction.dot(axis);
-  if (!(std::abs(cosine) > least_cosine))
+  if (!(std::abs(cosine) > min_cosine))
     throw BadArgumentException(
         std::string("the ") + name +
         " camera does not stand beside the reference in the direction of its name: the "
@@ -61,10 +61,10 @@ commonRotation(const RigCalibration& calibration)
   if (!horizontal.is_there)
     x = y.cross(forward);
   const Eigen::Vector3d across = x.cross(y);
-  if (!(std::abs(x.normalized().dot(y.normalized())) < least_cosine))
+  if (!(std::abs(x.normalized().dot(y.normalized())) < min_cosine))
     throw BadArgumentException("the two baselines are less than 60 degrees apart");
   const Eigen::Vector3d z = across.normalized();
-  if (!(z.dot(forward) > least_cosine))
+  if (!(z.dot(forward) > min_cosine))
     throw BadArgumentException("the cameras do not look across their baselines");
   // A single pair keeps its own baseline exactly.
   if (!horizontal.is_there)

@@ -73,13 +73,13 @@ followRow(const CostRow& costs,
   std::int16_t* const row_ends[2] = {after.costs[1],
                                      after.costs[1] + (costs.width + 1) * slot};
   std::memset(row_ends[0], 0, static_cast<std::size_t>(costs.stride) * 2);
-  std::int16_t least_of_row = 0;
+  std::int16_t min_of_row = 0;
   for (int n = 0; n < costs.width; ++n) {
     const int x = reversed ? costs.width - 1 - n : n;
     const std::int64_t at = x + 1;
     PathStep steps[4];
     steps[0] = {
-        row_ends[n & 1], least_of_row, penalties.beside[x], row_ends[1 - (n & 1)]};
+        row_ends[n & 1], min_of_row, penalties.beside[x], row_ends[1 - (n & 1)]};
     for (int path = 0; path < 3; ++path) {
       const std::int64_t from = at + (path - 1) * ahead;
       steps[path + 1] = {before.costs[path] + from * slot,
@@ -94,7 +94,7 @@ followRow(const CostRow& costs,
                           steps,
                           found,
                           sums + static_cast<std::int64_t>(x) * costs.stride);
-    least_of_row = found[0];
+    min_of_row = found[0];
     for (int path = 0; path < 3; ++path)
       after.least[path][at] = found[path + 1];
   }

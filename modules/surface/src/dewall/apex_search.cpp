@@ -181,7 +181,7 @@ isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& ape
   const double other = (apex.from_a - side.u).squaredNorm();
   const double longest = std::max(base * base, std::max(squared, other));
   const double limit = std::min(side.longest, size.longest(apex.index));
-  return apex.cross > least_sine * longest && apex.from_a.dot(side.outward) > 0 &&
+  return apex.cross > min_sine * longest && apex.from_a.dot(side.outward) > 0 &&
          std::max(squared, other) <= limit * limit;
 }
 

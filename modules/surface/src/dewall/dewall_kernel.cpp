@@ -131,7 +131,7 @@ triangulate(const PointView& view,
   const SizeConstraint size = settings.maximum_edge_length > 0
                                   ? SizeConstraint(tree, settings.maximum_edge_length)
                                   : SizeConstraint(tree, spacing);
-  report.least_maximum_edge = size.least();
+  report.min_maximum_edge = size.least();
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 

@@ -22,7 +22,7 @@ GrowingMesh::isOdd(const Side& side, std::int32_t apex, std::int32_t component)
 {
   const Eigen::Vector3f area = areaVector({side.b, side.a, apex});
   const float plumpness = area.norm();
-  if (plumpness < static_cast<float>(least_plumpness))
+  if (plumpness < static_cast<float>(min_plumpness))
     return true;
   const ParityUnion::Root own = parity_.find(component);
   for (const std::int32_t end : {side.a, side.b}) {

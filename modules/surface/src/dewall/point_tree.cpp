@@ -13,7 +13,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** \brief Halves with fewer points are divided without a task of their own. */
-constexpr std::int32_t least_task = 1 << 15;
+constexpr std::int32_t min_task = 1 << 15;
 
 std::size_t
 widestAxis(const SourcePoint* begin, const SourcePoint* end)
@@ -89,7 +89,7 @@ struct PointTree::Builder {
     tree.planes_[(std::size_t{1} << node.depth) +
                  static_cast<std::size_t>(node.index)] = {
         middle->position[axis], static_cast<std::uint8_t>(axis)};
-    if (end - begin >= least_task)
+    if (end - begin >= min_task)
       oneapi::tbb::parallel_invoke([&] { divide(node.left()); },
                                    [&] { divide(node.right()); });
     else {

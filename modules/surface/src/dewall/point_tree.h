@@ -164,8 +164,8 @@ private:
   std::array<std::vector<float>, 3> coordinates_;
   std::vector<std::int32_t> source_;
   std::vector<Plane> planes_; ///< planes at depth d begin at 2^d
-  std::array<std::vector<SiblingBoxes>, TreeCells::most_levels + 1> boxes_;
-  std::array<std::vector<CellBox>, TreeCells::most_levels + 1> cell_boxes_;
+  std::array<std::vector<SiblingBoxes>, TreeCells::max_levels + 1> boxes_;
+  std::array<std::vector<CellBox>, TreeCells::max_levels + 1> cell_boxes_;
 };
 
 } // namespace pcl::acmap::dewall

@@ -28,10 +28,10 @@ inline constexpr double cos_largest_turn = -0.6;
 
 /** \brief Height of a triangle relative to its longest edge below which its normal is
  * determined by noise, so that it is built only if there is no other. */
-inline constexpr double least_plumpness = 0.25;
+inline constexpr double min_plumpness = 0.25;
 
 /** \brief Sine below which three corners are considered collinear. */
-inline constexpr double least_sine = 1e-10;
+inline constexpr double min_sine = 1e-10;
 
 /** \brief Are the corners on a line, within the precision of their coordinates? */
 inline bool
@@ -42,7 +42,7 @@ isDegenerate(const Eigen::Vector3d& a,
   const Eigen::Vector3d u = b - a, v = c - a, w = c - b;
   const double longest =
       std::max(u.squaredNorm(), std::max(v.squaredNorm(), w.squaredNorm()));
-  return u.cross(v).squaredNorm() <= least_sine * least_sine * longest * longest;
+  return u.cross(v).squaredNorm() <= min_sine * min_sine * longest * longest;
 }
 
 inline Sphere

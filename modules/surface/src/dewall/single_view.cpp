@@ -7,7 +7,7 @@ namespace pcl::acmap {
 namespace {
 
 /** \brief Minimum number of triples of neighbouring pixels for a decision. */
-constexpr std::size_t least_triples = 100;
+constexpr std::size_t min_triples = 100;
 
 } // namespace
 
@@ -29,7 +29,7 @@ isSingleView(const PointView& view, std::size_t width, const Eigen::Vector3d& or
     ++triples;
     left_handed += volume < 0;
   }
-  return triples >= least_triples &&
+  return triples >= min_triples &&
          std::min(left_handed, triples - left_handed) * 100 <= triples;
 }
 

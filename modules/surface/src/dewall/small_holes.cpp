@@ -8,7 +8,7 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-constexpr std::size_t most_sides = 8;
+constexpr std::size_t max_sides = 8;
 
 /** \brief The edges of a hole; each begins where the previous one ends. */
 using Hole = std::vector<Side>;
@@ -44,7 +44,7 @@ private:
     hole.push_back(begin);
     std::int32_t corner = begin.a == first ? begin.b : begin.a;
     while (corner != first) {
-      if (hole.size() == most_sides || (isLookedAt(corner) && corner < first) ||
+      if (hole.size() == max_sides || (isLookedAt(corner) && corner < first) ||
           !isPassable(corner))
         return false;
       const std::int32_t next = mesh_.endOfFan(corner, hole.back());
@@ -64,7 +64,7 @@ private:
   bool
   isOrientable(std::int32_t first, const Hole& hole)
   {
-    std::array<ParityUnion::Root, most_sides> runs;
+    std::array<ParityUnion::Root, max_sides> runs;
     std::int32_t corner = first;
     for (std::size_t i = 0; i < hole.size(); ++i) {
       const Side& side = hole[i];

@@ -12,7 +12,7 @@ namespace pcl::acmap::dewall {
 
 namespace {
 
-constexpr std::size_t most_neighbours = 8;
+constexpr std::size_t max_neighbours = 8;
 
 /** \brief Squared distances to the nearest neighbours, ascending; there are fewer in a
  * small tree. */
@@ -21,20 +21,20 @@ nearestSquared(const PointTree& tree, std::int32_t i)
 {
   const Eigen::Vector3d centre = tree.position(i);
   std::vector<double> nearest;
-  nearest.reserve(most_neighbours + 1);
+  nearest.reserve(max_neighbours + 1);
   double radius = std::numeric_limits<double>::max();
   const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
     for (std::int32_t j = first; j < end; ++j) {
       if (j == i)
         continue;
       const double squared = (tree.position(j) - centre).squaredNorm();
-      if (nearest.size() == most_neighbours && squared >= nearest.back())
+      if (nearest.size() == max_neighbours && squared >= nearest.back())
         continue;
       nearest.insert(std::lower_bound(nearest.begin(), nearest.end(), squared),
                      squared);
-      if (nearest.size() > most_neighbours)
+      if (nearest.size() > max_neighbours)
         nearest.pop_back();
-      if (nearest.size() == most_neighbours)
+      if (nearest.size() == max_neighbours)
         radius = std::sqrt(nearest.back());
     }
   };
@@ -52,8 +52,8 @@ usableSquared(const std::vector<float>& found)
     if (std::isfinite(distance) && distance > 0)
       squared.push_back(distance);
   std::sort(squared.begin(), squared.end());
-  if (squared.size() > most_neighbours)
-    squared.resize(most_neighbours);
+  if (squared.size() > max_neighbours)
+    squared.resize(max_neighbours);
   return squared;
 }
 
@@ -97,7 +97,7 @@ measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours)
   if (neighbours) {
     const auto ask = [&](std::int32_t i) {
       std::vector<double> squared =
-          usableSquared(neighbours(tree.source(i), most_neighbours + 1));
+          usableSquared(neighbours(tree.source(i), max_neighbours + 1));
       ++spacing.asked;
       spacing.unanswered += squared.empty();
       return squared.empty() ? nearestSquared(tree, i) : squared;

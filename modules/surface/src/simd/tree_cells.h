@@ -21,14 +21,14 @@ struct CellBox {
  * and so on; the single group of the highest level may have fewer members. */
 struct TreeCells {
   static constexpr int leaf_capacity = 16;
-  static constexpr int most_levels = 10;
+  static constexpr int max_levels = 10;
 
   const float* coordinates[3] = {}; ///< in tree order, followed by zeros for a leaf
   std::int64_t points = 0;
   int depth = 0;
   int levels = 0;
-  const SiblingBoxes* boxes[most_levels + 1] = {}; ///< of each group, by level
-  const CellBox* cells[most_levels + 1] = {};      ///< of each group, by level
+  const SiblingBoxes* boxes[max_levels + 1] = {}; ///< of each group, by level
+  const CellBox* cells[max_levels + 1] = {};      ///< of each group, by level
 };
 
 static inline std::int32_t

@@ -6,7 +6,7 @@
 namespace pcl::acmap::texturing {
 namespace {
 
-using Samples = std::array<Sample, Canvas::most_samples>;
+using Samples = std::array<Sample, Canvas::max_samples>;
 
 struct Weighted {
   double value, weight;
@@ -53,14 +53,14 @@ medianOf(const Samples& samples, const std::vector<double>& gains)
 std::array<std::uint8_t, 3>
 blendedColor(const Samples& samples, const std::vector<double>& gains)
 {
-  constexpr double most_off = 30; // maximum deviation in any channel, of 255
+  constexpr double max_off = 30; // maximum deviation in any channel, of 255
   const std::array<double, 3> median = medianOf(samples, gains);
   std::array<double, 3> sums{};
   double weights = 0;
   for (const Sample& sample : samples) {
     bool agrees = sample.weight > 0;
     for (std::size_t k = 0; k < 3 && agrees; ++k)
-      agrees = std::abs(corrected(sample, k, gains) - median[k]) <= most_off;
+      agrees = std::abs(corrected(sample, k, gains) - median[k]) <= max_off;
     if (!agrees)
       continue;
     const double weight = std::sqrt(sample.weight);

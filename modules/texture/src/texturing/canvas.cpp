@@ -44,8 +44,8 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
-  constexpr double most_texels = 1 << 28;
-  if (texelsOf(grids) > most_texels)
+  constexpr double max_texels = 1 << 28;
+  if (texelsOf(grids) > max_texels)
     throw BadArgumentException("the charts have more than 2^28 texels: choose larger "
                                "ones");
   std::vector<Canvas> canvases;

@@ -17,8 +17,8 @@ struct Sample {
 
 /** A chart during texturing. */
 struct Canvas {
-  static constexpr std::size_t most_samples = 4;
-  using Samples = std::array<Sample, most_samples>;
+  static constexpr std::size_t max_samples = 4;
+  using Samples = std::array<Sample, max_samples>;
 
   TextureChart chart; ///< without colours yet
   std::vector<TexelPlace> mask;

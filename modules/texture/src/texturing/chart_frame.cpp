@@ -56,9 +56,9 @@ smallestRectangle(const PlanePatch& plane, const std::vector<Eigen::Vector3f>& o
   const Eigen::Vector3d normal = plane.coefficients.head<3>();
   Rectangle best = rectangleAlong(plane, outer, axisIn(plane));
   constexpr double clearly = 0.999;
-  constexpr std::size_t most_tries = 500; // longer outlines have edges in all
-                                          // directions
-  const std::size_t step = outer.size() / most_tries + 1;
+  constexpr std::size_t max_tries = 500; // longer outlines have edges in all
+                                         // directions
+  const std::size_t step = outer.size() / max_tries + 1;
   for (std::size_t k = 0; k < outer.size(); k += step) {
     Eigen::Vector3d edge = (outer[(k + 1) % outer.size()] - outer[k]).cast<double>();
     edge -= edge.dot(normal) * normal;
@@ -114,12 +114,12 @@ std::optional<ChartGrid>
 gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size)
 {
   const std::vector<Eigen::Vector3f>& outer = plane.polygons[polygon].outer;
-  constexpr double least_side = 1e-6; // metres
+  constexpr double min_side = 1e-6; // metres
   if (!isSound(plane, outer))
     return std::nullopt;
   const Rectangle box = upright(plane, outer, smallestRectangle(plane, outer));
   const Eigen::Vector2d size = box.most - box.least;
-  if (!(size.minCoeff() > least_side))
+  if (!(size.minCoeff() > min_side))
     return std::nullopt;
   const Eigen::Vector3d foot =
       plane.center -

@@ -33,9 +33,9 @@ tells(const Sample& sample)
 }
 
 void
-addPairs(const std::array<Sample, Canvas::most_samples>& samples, Overlaps& overlaps)
+addPairs(const std::array<Sample, Canvas::max_samples>& samples, Overlaps& overlaps)
 {
-  constexpr double most_ratio = 0.7; // a factor of two; larger ratios have other causes
+  constexpr double max_ratio = 0.7; // a factor of two; larger ratios have other causes
   for (std::size_t a = 0; a < samples.size(); ++a)
     for (std::size_t b = a + 1; b < samples.size(); ++b) {
       if (!tells(samples[a]) || !tells(samples[b]))
@@ -44,7 +44,7 @@ addPairs(const std::array<Sample, Canvas::most_samples>& samples, Overlaps& over
       const Sample& first = is_ordered ? samples[a] : samples[b];
       const Sample& second = is_ordered ? samples[b] : samples[a];
       const double ratio = std::log(brightness(first) / brightness(second));
-      if (std::abs(ratio) > most_ratio)
+      if (std::abs(ratio) > max_ratio)
         continue;
       Overlap& overlap = overlaps[{first.view, second.view}];
       ++overlap.count;

@@ -66,8 +66,8 @@ pinholeOf(const ColoredView& view)
     columns.add(point.x() / point.z(), static_cast<double>(i % width));
     rows.add(point.y() / point.z(), static_cast<double>(i / width));
   }
-  constexpr double least_points = 100, most_deviation = 1; // px
-  if (columns.count() < least_points)
+  constexpr double min_points = 100, max_deviation = 1; // px
+  if (columns.count() < min_points)
     return std::nullopt;
   Pinhole camera{columns.slope(),
                  rows.slope(),
@@ -76,8 +76,8 @@ pinholeOf(const ColoredView& view)
                  view.width,
                  static_cast<int>(view.points.size() / width)};
   const bool is_pinhole = camera.fx > 0 && camera.fy > 0 &&
-                          columns.deviation() < most_deviation &&
-                          rows.deviation() < most_deviation;
+                          columns.deviation() < max_deviation &&
+                          rows.deviation() < max_deviation;
   return is_pinhole ? std::optional<Pinhole>(camera) : std::nullopt;
 }
 

@@ -38,7 +38,7 @@ public:
         continue;
       const Eigen::Vector3d middle = middleOf(chart, column, row);
       const Eigen::Vector3d point = T_camera_map_ * middle;
-      if (!(point.z() > least_depth))
+      if (!(point.z() > min_depth))
         continue;
       const Eigen::Vector2d pixel = camera_.pixelOf(point);
       if (!isInside(pixel))
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  static constexpr double least_depth = 0.05; // metres
+  static constexpr double min_depth = 0.05; // metres
 
   bool
   isInside(const Eigen::Vector2d& pixel) const
@@ -138,7 +138,7 @@ private:
                                      column + (u + 0.5) / side - 0.5,
                                      row + (v + 0.5) / side - 0.5);
         const Eigen::Vector2d pixel = camera_.pixelOf(place);
-        if (!(place.z() > least_depth) || !isInside(pixel) || seesOthers(pixel))
+        if (!(place.z() > min_depth) || !isInside(pixel) || seesOthers(pixel))
           continue;
         sum += interpolated(pixel);
         ++count;

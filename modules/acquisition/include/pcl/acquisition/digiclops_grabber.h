@@ -75,7 +75,7 @@ public:
 
   /** \brief Maximum number of frames in which the channel order is checked. The check
    * ends earlier if one of them is conclusive. */
-  static constexpr int most_order_checks = 3;
+  static constexpr int max_order_checks = 3;
 
   /** \brief Opens a USB camera in the mode that matches the rig's size and number of
    * cameras, at 14 frames per second (the rate of the paper) or the nearest rate.

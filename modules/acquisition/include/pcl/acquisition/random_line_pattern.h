@@ -94,13 +94,13 @@ public:
   int
   getLeastLineWidth() const
   {
-    return least_line_width_;
+    return min_line_width_;
   }
 
   int
   getMostLineWidth() const
   {
-    return most_line_width_;
+    return max_line_width_;
   }
 
   /** \brief Sets whether each colour channel has its own intensity (default true, as in
@@ -174,8 +174,8 @@ private:
   int width_ = 1024;
   int height_ = 768;
   int lines_ = 200;
-  int least_line_width_ = 2;
-  int most_line_width_ = 6;
+  int min_line_width_ = 2;
+  int max_line_width_ = 6;
   bool colored_ = true;
   double minimum_angle_ = 0;
   int disparity_range_ = 64;

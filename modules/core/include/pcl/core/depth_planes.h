@@ -15,7 +15,7 @@ struct DepthPlaneSettings {
 
   /** \brief Minimum area of a plane, square metres. 0 for automatic: 0.1, or 0.3 % of
    * the visible surface if that is less. */
-  double least_area = 0;
+  double min_area = 0;
 };
 
 /** \brief A plane of a view. */

@@ -154,7 +154,7 @@ private:
               std::int32_t& offset) const
   {
     const double ticks = static_cast<double>(coordinate) * scale_ + shift_[axis];
-    const bool is_within = ticks >= least_ticks && ticks < most_ticks;
+    const bool is_within = ticks >= min_ticks && ticks < max_ticks;
     const auto whole = static_cast<std::int64_t>(is_within ? ticks : 0.0);
     place = static_cast<std::int32_t>(whole >> offset_bits);
     offset = static_cast<std::int32_t>(whole & ((1 << offset_bits) - 1)) -
@@ -164,8 +164,8 @@ private:
 
   // a margin of voxels on all sides, so that windows can extend over the boundary
   static constexpr double margin = 8;
-  static constexpr double least_ticks = margin * (1 << offset_bits);
-  static constexpr double most_ticks =
+  static constexpr double min_ticks = margin * (1 << offset_bits);
+  static constexpr double max_ticks =
       ((1 << voxel_axis_bits) - margin) * (1 << offset_bits);
 
   double edge_ = 1;

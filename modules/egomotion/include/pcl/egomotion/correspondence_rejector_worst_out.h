@@ -82,7 +82,7 @@ public:
   double
   getMaximumDistortion() const
   {
-    return settings_.most_distortion;
+    return settings_.max_distortion;
   }
 
   /** \brief Sets the minimum distance between two points (default 0.05), metres. Pairs
@@ -95,7 +95,7 @@ public:
   double
   getMinimumDistance() const
   {
-    return settings_.least_distance;
+    return settings_.min_distance;
   }
 
   /** \brief Sets the minimum number of matches that must agree (default 6).
@@ -106,7 +106,7 @@ public:
   std::size_t
   getMinimumMatches() const
   {
-    return settings_.least_matches;
+    return settings_.min_matches;
   }
 
   /** \brief Sets the maximum number of matches for the mean of Eq. 1 (default 1000).

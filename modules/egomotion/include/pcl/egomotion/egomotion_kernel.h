@@ -22,9 +22,9 @@ namespace pcl::acmap {
 struct EgomotionSettings {
   MotionModel model = MotionModel::Planar;
   MotionSolver solver = MotionSolver::ConjugateGradient;
-  double most_translation = 1;         ///< maximum between two views, metres
-  double most_rotation = 0.5235987756; ///< maximum between two views, radians
-  bool refines = true;                 ///< use surfaces and brightness as well
+  double max_translation = 1;         ///< maximum between two views, metres
+  double max_rotation = 0.5235987756; ///< maximum between two views, radians
+  bool refines = true;                ///< use surfaces and brightness as well
   KeypointSettings keypoints;
   LogPolarSettings patches;
   WorstOutSettings worst_out;

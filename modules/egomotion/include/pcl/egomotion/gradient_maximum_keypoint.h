@@ -64,7 +64,7 @@ public:
   float
   getMinimumGradient() const
   {
-    return settings_.least_gradient;
+    return settings_.min_gradient;
   }
 
   /** \brief Sets the maximum number of keypoints (default 1000).

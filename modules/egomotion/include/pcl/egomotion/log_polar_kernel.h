@@ -17,9 +17,9 @@ namespace pcl::acmap {
 struct LogPolarSettings {
   int rings = 12, sectors = 24; ///< samples of a patch
   float inner = 1, outer = 20;  ///< radius of the first and of the last ring, pixels
-  float least_contrast = 0.3F;  ///< minimum standard deviation in a patch, grey levels
-  float least_score = 0.8F;     ///< minimum Pearson coefficient of a match (strength)
-  float most_ambiguity = 0.7F;  ///< maximum, see PatchMatch (distinctiveness)
+  float min_contrast = 0.3F;    ///< minimum standard deviation in a patch, grey levels
+  float min_score = 0.8F;       ///< minimum Pearson coefficient of a match (strength)
+  float max_ambiguity = 0.7F;   ///< maximum, see PatchMatch (distinctiveness)
   float second_distance = 3;    ///< minimum distance of best and second best, pixels
   int ring_shifts = 0;          ///< scales tried in either direction
   int sector_shifts = 0;        ///< rotations tried in either direction

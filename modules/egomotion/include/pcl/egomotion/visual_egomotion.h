@@ -119,7 +119,7 @@ public:
   double
   getMaximumTranslation() const
   {
-    return settings_.most_translation;
+    return settings_.max_translation;
   }
 
   /** \brief Sets the maximum rotation between views (default pi / 6), radians.
@@ -130,7 +130,7 @@ public:
   double
   getMaximumRotation() const
   {
-    return settings_.most_rotation;
+    return settings_.max_rotation;
   }
 
   /** \brief Sets the maximum number of keypoints of a view at each of its three scales

@@ -13,10 +13,10 @@ namespace pcl::acmap {
 /** \brief Settings of \ref leaveWorstOut; see
  * registration::CorrespondenceRejectorWorstOut. */
 struct WorstOutSettings {
-  double most_distortion = 1.06; ///< maximum D_ij (Eq. 1) of a match that is kept
-  double least_distance = 0.05;  ///< metres; shorter distances are set to this
-  std::size_t least_matches = 6; ///< if fewer remain, none is kept
-  std::size_t sample = 1000;     ///< matches over which Eq. 1 is averaged, at most 1e6
+  double max_distortion = 1.06; ///< maximum D_ij (Eq. 1) of a match that is kept
+  double min_distance = 0.05;   ///< metres; shorter distances are set to this
+  std::size_t min_matches = 6;  ///< if fewer remain, none is kept
+  std::size_t sample = 1000;    ///< matches over which Eq. 1 is averaged, at most 1e6
 };
 
 /** \brief Result of \ref leaveWorstOut. */

@@ -8,8 +8,8 @@ namespace pcl::acmap {
 
 /** \brief Settings of \ref segmentDepthPlanes; see DepthPlaneSegmentation. */
 struct DepthSegmentationSettings {
-  double least_area = 0; ///< square metres; 0 is automatic
-  bool regular = false;  ///< rotate planes to be parallel or perpendicular
+  double min_area = 0;  ///< square metres; 0 is automatic
+  bool regular = false; ///< rotate planes to be parallel or perpendicular
 };
 
 /** \brief The kernel of DepthPlaneSegmentation, independent of PCL's point types.

@@ -58,7 +58,7 @@ public:
   double
   getMinArea() const
   {
-    return least_area_;
+    return min_area_;
   }
 
   /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
@@ -106,7 +106,7 @@ protected:
   using PCLBase<PointT>::indices_;
 
 private:
-  double least_area_ = 0;
+  double min_area_ = 0;
   bool regularize_ = false;
   std::vector<std::int32_t> labels_;
 };

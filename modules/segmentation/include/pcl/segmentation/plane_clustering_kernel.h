@@ -19,8 +19,8 @@ struct PlaneClusteringSettings {
   double member_distance = 0.8;     ///< W_d, metres; not used where there is a mesh
   double normal_angle = 0.39269908; ///< W_n, radians
   double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
-  std::size_t least_support = 50;   ///< W_h; unless noise-driven
-  double least_area = 0;            ///< square metres; noise-driven; 0 is automatic
+  std::size_t min_support = 50;     ///< W_h; unless noise-driven
+  double min_area = 0;              ///< square metres; noise-driven; 0 is automatic
   bool regular = false;             ///< rotate planes to be parallel or perpendicular
   unsigned threads = 0;             ///< 0: all
 };

@@ -172,13 +172,13 @@ public:
   void
   setMinClusterSize(std::size_t support)
   {
-    least_support_ = support;
+    min_support_ = support;
   }
 
   std::size_t
   getMinClusterSize() const
   {
-    return least_support_;
+    return min_support_;
   }
 
   /** \brief Sets the minimum area of a plane; used if noise-driven.
@@ -191,7 +191,7 @@ public:
   double
   getMinArea() const
   {
-    return least_area_;
+    return min_area_;
   }
 
   /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
@@ -265,8 +265,8 @@ private:
   double member_distance_ = 0.8;
   double normal_angle_ = 0.39269908169872414;
   std::optional<double> plane_distance_;
-  std::size_t least_support_ = 50;
-  double least_area_ = 0;
+  std::size_t min_support_ = 50;
+  double min_area_ = 0;
   bool regularize_ = false;
   std::vector<std::int32_t> labels_;
   std::vector<std::int32_t> source_labels_;

@@ -29,8 +29,8 @@ struct RangeSensor {
   std::size_t views_with_one_more = 0;
 
   double noise_growth = 0.0025; ///< 1/m; sigma is noise_growth * z^2 within bounds
-  double least_noise = 0.01;    ///< metres, minimum of sigma
-  double most_noise = 0.03;     ///< metres, maximum of sigma
+  double min_noise = 0.01;      ///< metres, minimum of sigma
+  double max_noise = 0.03;      ///< metres, maximum of sigma
 
   /** \brief Standard deviation along the ray, metres, at a depth z in metres. */
   ACMAP_EXPORT double

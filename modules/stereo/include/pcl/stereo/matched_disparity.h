@@ -53,7 +53,7 @@ namespace acmap {
 
 /** \brief Maximum number of shots of an observation, or matched at once.
  * \ingroup stereo */
-inline constexpr std::size_t most_shots = 256;
+inline constexpr std::size_t max_shots = 256;
 
 } // namespace acmap
 

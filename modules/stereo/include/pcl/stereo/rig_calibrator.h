@@ -33,7 +33,7 @@ namespace pcl {
 class ACMAP_EXPORT RigCalibrator {
 public:
   /** \brief Minimum number of boards per camera. */
-  static constexpr std::size_t least_boards = 5;
+  static constexpr std::size_t min_boards = 5;
 
   /** \brief The board of all shots; discards the shots that were added.
    * \throws BadArgumentException when a count is not within [3, 100], both are even or
@@ -57,7 +57,7 @@ public:
   /** \brief Computes the calibration from the shots so far.
    * \param[out] calibration the cameras that had images
    * \param[out] rig the rig after rectification
-   * \throws InitFailedException when a camera has fewer than \ref least_boards good
+   * \throws InitFailedException when a camera has fewer than \ref min_boards good
    * boards, or no neighbour has images; the report then gives the reason for each
    * excluded image
    * \throws BadArgumentException when the cameras do not form a rig, see

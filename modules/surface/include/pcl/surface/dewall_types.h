@@ -34,7 +34,7 @@ struct DeWallReport : Report {
   std::size_t refused_moebius = 0; ///< triangles rejected for orientability
   std::size_t removed_fans = 0;    ///< triangles removed for one fan per vertex
   double median_spacing = 0;       ///< metres, between neighbouring points
-  double least_maximum_edge = 0;   ///< metres, minimum of the size constraint
+  double min_maximum_edge = 0;     ///< metres, minimum of the size constraint
   double largest_maximum_edge = 0; ///< metres, maximum of the size constraint
 };
 
@@ -55,7 +55,7 @@ visitFields(const DeWallReport& report, Visitor&& visit)
   visit("refused_moebius", report.refused_moebius);
   visit("removed_fans", report.removed_fans);
   visit("median_spacing", report.median_spacing);
-  visit("least_maximum_edge", report.least_maximum_edge);
+  visit("least_maximum_edge", report.min_maximum_edge);
   visit("largest_maximum_edge", report.largest_maximum_edge);
 }
 

@@ -135,7 +135,7 @@ CorrespondenceEstimationLogPolar<PointSource, PointTarget, Scalar>::setMinimumSc
     float score)
 {
   acmap::requireInRange("minimum score", score, -1, 1, "(Pearson coefficient)");
-  settings_.least_score = score;
+  settings_.min_score = score;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -144,7 +144,7 @@ CorrespondenceEstimationLogPolar<PointSource, PointTarget, Scalar>::setMaximumAm
     float ambiguity)
 {
   acmap::requireInRange("maximum ambiguity", ambiguity, 0, 1, "(no unit)");
-  settings_.most_ambiguity = ambiguity;
+  settings_.max_ambiguity = ambiguity;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -153,7 +153,7 @@ CorrespondenceEstimationLogPolar<PointSource, PointTarget, Scalar>::setMinimumCo
     float contrast)
 {
   acmap::requireInRange("minimum contrast", contrast, 0, 128, "grey levels");
-  settings_.least_contrast = contrast;
+  settings_.min_contrast = contrast;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

@@ -14,9 +14,7 @@ namespace acmap {
 
 /** \brief Adds a remark if a run gives no keypoint. */
 inline void
-remark(const KeypointCounts& counts,
-       float least_gradient,
-       GradientMaximumReport& report)
+remark(const KeypointCounts& counts, float min_gradient, GradientMaximumReport& report)
 {
   if (report.keypoints > 0)
     return;
@@ -24,7 +22,7 @@ remark(const KeypointCounts& counts,
   if (counts.maxima > 0)
     text << "none of the " << counts.maxima << " maxima of the gradient has a place";
   else
-    text << "no maximum of the gradient reaches " << least_gradient
+    text << "no maximum of the gradient reaches " << min_gradient
          << " grey levels a pixel";
   report.remarks.push_back(text.str());
 }
@@ -43,7 +41,7 @@ GradientMaximumKeypoint<PointT>::setMinimumGradient(float gradient)
 {
   acmap::requireInRange(
       "minimum gradient", gradient, 0.0, 1000.0, "grey levels a pixel");
-  settings_.least_gradient = gradient;
+  settings_.min_gradient = gradient;
 }
 
 template <typename PointT>
@@ -92,7 +90,7 @@ GradientMaximumKeypoint<PointT>::detectKeypoints(PointCloudOut& output)
   report.maxima = counts.maxima;
   report.without_place = counts.without_place;
   report.left_out = counts.left_out;
-  acmap::remark(counts, settings_.least_gradient, report);
+  acmap::remark(counts, settings_.min_gradient, report);
   keypoints_indices_ = std::move(found);
   report_ = std::move(report);
 }

@@ -47,7 +47,7 @@ void
 VisualEgomotion<PointT>::setMaximumTranslation(double metres)
 {
   acmap::requireInRange("maximum translation", metres, 0.001, 1e6, "m");
-  settings_.most_translation = metres;
+  settings_.max_translation = metres;
 }
 
 template <typename PointT>
@@ -55,7 +55,7 @@ void
 VisualEgomotion<PointT>::setMaximumRotation(double radians)
 {
   acmap::requireInRange("maximum rotation", radians, 0, 3.1415926536, "rad");
-  settings_.most_rotation = radians;
+  settings_.max_rotation = radians;
 }
 
 template <typename PointT>

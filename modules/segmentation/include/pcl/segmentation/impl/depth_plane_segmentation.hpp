@@ -18,7 +18,7 @@ void
 DepthPlaneSegmentation<PointT>::setMinArea(double area)
 {
   acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
-  least_area_ = area;
+  min_area_ = area;
 }
 
 template <typename PointT>
@@ -60,7 +60,7 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
     clusters = acmap::segmentDepthPlanes(
         *view,
         acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
-        {least_area_, regularize_},
+        {min_area_, regularize_},
         acmap::Progress(progress_),
         report);
   else {

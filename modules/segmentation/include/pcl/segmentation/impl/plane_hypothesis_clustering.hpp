@@ -50,7 +50,7 @@ void
 PlaneHypothesisClustering<PointT>::setMinArea(double area)
 {
   acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
-  least_area_ = area;
+  min_area_ = area;
 }
 
 template <typename PointT>
@@ -106,10 +106,10 @@ PlaneHypothesisClustering<PointT>::setSourceCloud(
     return;
   const PCLPointField* const view =
       acmap::findField(*cloud, "view", PCLPointField::INT32);
-  source_sensors_ =
-      view ? acmap::SensorView(
-                 cloud->data.data() + view->offset, cloud->point_step, viewpoints)
-           : acmap::SensorView(viewpoints.front());
+  source_sensors_ = view ? acmap::SensorView(cloud->data.data() + view->offset,
+                                             cloud->point_step,
+                                             viewpoints)
+                         : acmap::SensorView(viewpoints.front());
 }
 
 template <typename PointT>
@@ -166,8 +166,8 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
   settings.member_distance = member_distance_;
   settings.normal_angle = normal_angle_;
   settings.plane_distance = getDistanceThreshold();
-  settings.least_support = least_support_;
-  settings.least_area = least_area_;
+  settings.min_support = min_support_;
+  settings.min_area = min_area_;
   settings.regular = regularize_;
   settings.threads = threads_;
   PlaneClusteringReport report;
