@@ -6,11 +6,16 @@ acmap_find_pcl(common search surface io features)
 find_package(Eigen3 3.3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(CLI11 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(PNG REQUIRED)
-find_package(X11 REQUIRED COMPONENTS Xrandr)
 find_package(ZLIB REQUIRED)
+if(NOT ACMAP_MODULES)
+  find_package(CLI11 REQUIRED)
+endif()
+acmap_if_chosen(needs_x11 acquisition visualization)
+if(needs_x11)
+  find_package(X11 REQUIRED COMPONENTS Xrandr)
+endif()
 
 # liblzf comes without a package file.
 find_path(LZF_INCLUDE_DIR liblzf/lzf.h REQUIRED)
@@ -30,29 +35,35 @@ set_target_properties(
                        INTERFACE_INCLUDE_DIRECTORIES "${TURBOJPEG_INCLUDE_DIR}")
 
 # libusb has one for pkg-config alone.
-find_path(LIBUSB_INCLUDE_DIR libusb.h PATH_SUFFIXES libusb-1.0 REQUIRED)
-find_library(LIBUSB_LIBRARY usb-1.0 REQUIRED)
-mark_as_advanced(LIBUSB_INCLUDE_DIR LIBUSB_LIBRARY)
-add_library(libusb UNKNOWN IMPORTED)
-set_target_properties(
-  libusb PROPERTIES IMPORTED_LOCATION "${LIBUSB_LIBRARY}"
-                    INTERFACE_INCLUDE_DIRECTORIES "${LIBUSB_INCLUDE_DIR}")
+acmap_if_chosen(needs_libusb acquisition)
+if(needs_libusb)
+  find_path(LIBUSB_INCLUDE_DIR libusb.h PATH_SUFFIXES libusb-1.0 REQUIRED)
+  find_library(LIBUSB_LIBRARY usb-1.0 REQUIRED)
+  mark_as_advanced(LIBUSB_INCLUDE_DIR LIBUSB_LIBRARY)
+  add_library(libusb UNKNOWN IMPORTED)
+  set_target_properties(
+    libusb PROPERTIES IMPORTED_LOCATION "${LIBUSB_LIBRARY}"
+                      INTERFACE_INCLUDE_DIRECTORIES "${LIBUSB_INCLUDE_DIR}")
+endif()
 
 # FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
 find_library(LZ4_LIBRARY lz4 REQUIRED)
 mark_as_advanced(LZ4_LIBRARY)
 
 # OpenCV's package file comes with all of OpenCV only; three parts of it are enough.
-find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4 REQUIRED)
-mark_as_advanced(OPENCV_INCLUDE_DIR)
-foreach(part IN ITEMS core imgproc calib3d)
-  find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
-  mark_as_advanced(OPENCV_${part}_LIBRARY)
-  add_library(opencv_${part} UNKNOWN IMPORTED)
-  set_target_properties(
-    opencv_${part} PROPERTIES IMPORTED_LOCATION "${OPENCV_${part}_LIBRARY}"
-                              INTERFACE_INCLUDE_DIRECTORIES "${OPENCV_INCLUDE_DIR}")
-endforeach()
+acmap_if_chosen(needs_opencv acquisition stereo)
+if(needs_opencv)
+  find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4 REQUIRED)
+  mark_as_advanced(OPENCV_INCLUDE_DIR)
+  foreach(part IN ITEMS core imgproc calib3d)
+    find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
+    mark_as_advanced(OPENCV_${part}_LIBRARY)
+    add_library(opencv_${part} UNKNOWN IMPORTED)
+    set_target_properties(
+      opencv_${part} PROPERTIES IMPORTED_LOCATION "${OPENCV_${part}_LIBRARY}"
+                                INTERFACE_INCLUDE_DIRECTORIES "${OPENCV_INCLUDE_DIR}")
+  endforeach()
+endif()
 
 # Eigen's alignment decides the layout of PCL's points: users of acmap must agree with it.
 set(CMAKE_REQUIRED_LIBRARIES Eigen3::Eigen)
