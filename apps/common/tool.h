@@ -51,7 +51,8 @@ public:
   addScale();
 
   /** \brief Adds an option whose value is a length, `auto`, or left out.
-   * \param[out] length metres, 0 for automatic; not set where the option is not given */
+   * \param[out] length metres, 0 for automatic; not set where the option is not
+   * given */
   void
   addLengthOrAuto(const std::string& name,
                   std::optional<double>& length,

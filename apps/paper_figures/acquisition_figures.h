@@ -8,10 +8,10 @@
 
 namespace pcl::acmap {
 
-/** \brief Draws fig2.png: reference images with the projector off and under three patterns,
- * the disparities of each, those of all patterns together (their median, and matched at
- * once), and the 3D model. And fig3.png: for some observations reference image, disparities
- * and 3D model.
+/** \brief Draws fig2.png: reference images with the projector off and under three
+ * patterns, the disparities of each, those of all patterns together (their median, and
+ * matched at once), and the 3D model. And fig3.png: for some observations reference
+ * image, disparities and 3D model.
  * \param[in] session folder
  * \param[in] threads 0 = all
  * \throws InputFileException for shots that are missing or cannot be read */

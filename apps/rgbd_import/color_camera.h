@@ -23,8 +23,8 @@ ColorCamera
 kinectColorCamera();
 
 /** \brief Reads a colour camera from YAML: focal_length, or focal_length_x and
- * focal_length_y, center_x, center_y (pixels); position (metres) and rotation (rows), its
- * pose in the depth camera's frame.
+ * focal_length_y, center_x, center_y (pixels); position (metres) and rotation (rows),
+ * its pose in the depth camera's frame.
  * \throws InputFileException naming file, line and fault */
 ColorCamera
 loadColorCamera(const std::string& path);

@@ -92,8 +92,8 @@ private:
   static std::array<std::vector<std::string>, 3> listed_;
 };
 
-/** \brief Writes the images of a session's first observation: its shots under a pattern,
- * then `off.png`, the reference without one.
+/** \brief Writes the images of a session's first observation: its shots under a
+ * pattern, then `off.png`, the reference without one.
  * \return the shots' paths by RigCamera */
 std::array<std::vector<std::string>, 3>
 writeImages(const std::string& session, const TemporaryFolder& folder);

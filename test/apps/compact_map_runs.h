@@ -11,7 +11,8 @@
 
 namespace pcl::acmap::test {
 
-/** \brief Runs pcl_compact_mapping, without an X server unless the environment is given. */
+/** \brief Runs pcl_compact_mapping, without an X server unless the environment is
+ * given. */
 ToolRun
 runMapping(const std::vector<std::string>& arguments, RunSettings settings = {});
 

@@ -39,8 +39,8 @@ matrixText(const Eigen::MatrixXd& matrix);
 std::string
 poseRow(double stamp, const Eigen::Isometry3d& pose);
 
-/** \brief Writes frame-000000.color.png, .depth.png and .pose.txt, frames ten apart, and
- * camera-intrinsics.txt: fx 10, fy 20, cx 3.5, cy 2.5. */
+/** \brief Writes frame-000000.color.png, .depth.png and .pose.txt, frames ten apart,
+ * and camera-intrinsics.txt: fx 10, fy 20, cx 3.5, cy 2.5. */
 void
 writeSevenScenes(const TemporaryFolder& folder, int frames);
 

@@ -12,9 +12,9 @@ namespace pcl::acmap {
 
 /** \brief Keeps files of a sequence in memory, up to a number of bytes.
  *
- * Several stages read a sequence from its beginning to its end. The files that were read
- * first are therefore kept, and later ones are not: if they replaced the first ones,
- * none would be in memory when the next stage needs it. Thread-safe. */
+ * Several stages read a sequence from its beginning to its end. The files that were
+ * read first are therefore kept, and later ones are not: if they replaced the first
+ * ones, none would be in memory when the next stage needs it. Thread-safe. */
 class ObservationCache {
 public:
   /** \brief Reads a file unless it is in memory.

@@ -24,14 +24,14 @@
 
 namespace pcl {
 
-/** \brief From what a robot saw to a compact map: the whole chain of "Active Stereo Based
- * Compact Mapping" as one object.
+/** \brief Computes a compact map from the images or observations of a robot: the whole
+ * chain of "Active Stereo Based Compact Mapping" as one object.
  *
- * Frames of a rig are fused and projected to observations (II-A), poses that are unknown
- * are estimated by visual odometry (II-B.1), the map is rectified by minimum entropy
- * (II-B.2), the merged observations are consolidated and triangulated (II-C.1), their
- * planes are found (II-C.2) and textured (II-C). Every step is an object that can be set;
- * its threads and progress are those of this object.
+ * Frames of a rig are fused and projected to observations (II-A), poses that are
+ * unknown are estimated by visual odometry (II-B.1), the map is rectified by minimum
+ * entropy (II-B.2), the merged observations are consolidated and triangulated (II-C.1),
+ * their planes are found (II-C.2) and textured (II-C). Every step is an object that can
+ * be set; its threads and progress are those of this object.
  * \code
  * pcl::CompactMapping mapping;
  * for (std::size_t i = 0; i < clouds.size (); ++i)
@@ -42,8 +42,8 @@ namespace pcl {
  * \endcode
  * The map is the frame of the poses; if these are estimated, that of the first
  * observation. Metres. The result is the same for every number of threads, and that of
- * `pcl_compact_mapping` for the same observations. Not thread-safe: observations must not be
- * added while \ref compute runs.
+ * `pcl_compact_mapping` for the same observations. Not thread-safe: observations must
+ * not be added while \ref compute runs.
  * \ingroup pipeline */
 class ACMAP_EXPORT CompactMapping : public StageControls<CompactMappingReport> {
 public:
@@ -54,8 +54,8 @@ public:
   ~CompactMapping();
 
   /** \name Input
-   * Frames, observations, or one sequence: one kind, and observations all with poses or all
-   * without, else \ref compute throws. */
+   * Only one kind of input is allowed: frames, observations, or one sequence.
+   * Observations must all have poses, or none; otherwise \ref compute throws. */
   ///@{
 
   /** \brief Sets the geometry of the rectified frames.
@@ -166,8 +166,8 @@ public:
     return odometry_;
   }
 
-  /** \brief Sets how the map is rectified. If its odometry noise is the default one, that
-   * of estimated poses is used. */
+  /** \brief Sets how the map is rectified. If its odometry noise is the default one,
+   * that of estimated poses is used. */
   void
   setRectification(const Rectification& rectification)
   {
@@ -248,8 +248,8 @@ public:
 
   /** \brief Computes the map.
    * \param[out] map no planes, with the reason in the report, if there are none
-   * \throws InitFailedException without an observation, if observations have poses only in
-   * part, or if none could be joined to another one
+   * \throws InitFailedException without an observation, if observations have poses only
+   * in part, or if none could be joined to another one
    * \throws what the steps throw
    * \throws CancelledException if the progress callback stopped it */
   void

@@ -11,7 +11,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Name of a file that belongs to an observation: begin_0000.ending and so on. */
+/** \brief Name of a file that belongs to an observation: begin_0000.ending and so
+ * on. */
 ACMAP_EXPORT std::string
 numberedName(const std::string& begin, std::size_t index, const std::string& ending);
 
@@ -37,16 +38,17 @@ observationNames(const std::string& folder);
 ACMAP_EXPORT std::vector<std::string>
 observationPaths(const std::string& folder);
 
-/** \brief Orders the names of PCD files as a sequence: observation_0000.pcd and so on by
- * their numbers, without the other files; if no file is numbered, all files by name. */
+/** \brief Orders the names of PCD files as a sequence: observation_0000.pcd and so on
+ * by their numbers, without the other files; if no file is numbered, all files by
+ * name. */
 ACMAP_EXPORT std::vector<std::string>
 inSequence(std::vector<std::string> names);
 
 /** \brief Finds the row of a trajectory for each file of a sequence.
  *
- * If there are as many rows as files, they correspond in their order, whatever numbers the
- * names skip. Otherwise the number in the name of a file is its row; files without numbers
- * take the rows in their order.
+ * If there are as many rows as files, they correspond in their order, whatever numbers
+ * the names skip. Otherwise the number in the name of a file is its row; files without
+ * numbers take the rows in their order.
  * \param[in] trajectory path, for the message
  * \param[in] names of the files
  * \param[in] rows number of rows

@@ -56,7 +56,8 @@ public:
   void
   setMaximumPoints(std::size_t points);
 
-  /** \brief Leaves out observations that cannot be read, with a remark (default false). */
+  /** \brief Leaves out observations that cannot be read, with a remark (default
+   * false). */
   void
   setSkipBroken(bool skip)
   {
@@ -70,8 +71,8 @@ public:
   }
 
   /** \brief Merges a sequence with poses.
-   * \throws InputFileException if an observation cannot be read and none may be skipped,
-   * none can be read, or all poses are the same though there are several
+   * \throws InputFileException if an observation cannot be read and none may be
+   * skipped, none can be read, or all poses are the same though there are several
    * \throws CancelledException if the progress callback stopped it
    * \throws what the cost callback throws */
   void

@@ -55,8 +55,8 @@ public:
   /** \brief Takes clouds in memory, which are named as files of a sequence are.
    * \param[in] clouds one per observation, camera frame, metres
    * \param[in] trajectory their poses; empty: those of their sensors
-   * \throws BadArgumentException if there is no cloud, one is missing, or the trajectory has
-   * another number of poses */
+   * \throws BadArgumentException if there is no cloud, one is missing, or the
+   * trajectory has another number of poses */
   explicit ObservationSequence(
       std::vector<std::shared_ptr<const PointCloudFile>> clouds,
       Trajectory trajectory = {});

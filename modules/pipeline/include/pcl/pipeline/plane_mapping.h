@@ -20,15 +20,15 @@
 
 namespace pcl {
 
-/** \brief From a cloud to its planes: the steps II-C.1 and II-C.2 of "Active Stereo Based
- * Compact Mapping" in one call.
+/** \brief Finds the planes of a cloud: the steps II-C.1 and II-C.2 of "Active Stereo
+ * Based Compact Mapping" in one call.
  *
  * A cloud in space is consolidated if its noise requires it (\ref VoxelConsolidation),
  * triangulated (\ref DeWallTriangulation), its vertices get voted normals
  * (\ref NormalVectorVoting), and the planes are clustered from them
- * (\ref PlaneHypothesisClustering); the points of the cloud judge and fit the planes. The
- * planes of one view with quantised depth are found in its picture instead
- * (\ref DepthPlaneSegmentation), and its mesh is that of the refined view
+ * (\ref PlaneHypothesisClustering); the planes are verified and fitted with the points
+ * of the cloud. The planes of one view with quantised depth are found in its picture
+ * instead (\ref DepthPlaneSegmentation), and its mesh is that of the refined view
  * (\ref DepthRefinement).
  *
  * Each step is an object that can be set; its threads and progress are those of this
@@ -54,8 +54,8 @@ public:
 
   PlaneMapping();
 
-  /** \brief Sets the cloud, with all its fields and its sensor. An int32 field `view` names
-   * the observation of each point, see \ref setViewpoints. */
+  /** \brief Sets the cloud, with all its fields and its sensor. An int32 field `view`
+   * names the observation of each point, see \ref setViewpoints. */
   void
   setInputCloud(std::shared_ptr<const PointCloudFile> cloud);
 
@@ -139,7 +139,8 @@ public:
     return consolidation_;
   }
 
-  /** \brief Sets how the mesh is made (default: \ref DeWallTriangulation with its defaults).
+  /** \brief Sets how the mesh is made (default: \ref DeWallTriangulation with its
+   * defaults).
    *
    * The maximum edge length of a DeWallTriangulation, if it is 0, becomes
    * \ref mesh_edge_in_voxels after a consolidation.
@@ -165,8 +166,9 @@ public:
     return voting_;
   }
 
-  /** \brief Sets how planes are found in space (default: driven by the noise). The points
-   * of the cloud judge and fit the planes unless it uses the paper's thresholds. */
+  /** \brief Sets how planes are found in space (default: driven by the noise). The
+   * planes are verified and fitted with the points of the cloud unless it uses the
+   * paper's thresholds. */
   void
   setClustering(const Clustering& clustering)
   {
@@ -201,8 +203,8 @@ public:
   /** \brief Finds the planes of the input cloud.
    * \param[out] result no planes, with the reason in the report, if there are none
    * \throws InitFailedException without a cloud, and as the steps do
-   * \throws UnorganizedPointCloudException if the sensor that was set requires a picture and
-   * the cloud is not one view in its sensor's frame
+   * \throws UnorganizedPointCloudException if the sensor that was set requires a
+   * picture and the cloud is not one view in its sensor's frame
    * \throws CancelledException if the progress callback stopped it
    * \throws what the cost callback throws */
   void

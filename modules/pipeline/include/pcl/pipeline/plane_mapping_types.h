@@ -45,7 +45,8 @@ struct MappedPlanes {
   PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
 };
 
-/** \brief What PlaneMapping reports of its last run; steps that did not run have no report.
+/** \brief What PlaneMapping reports of its last run; steps that did not run have no
+ * report.
  * \ingroup pipeline */
 struct PlaneMappingReport : Report {
   std::optional<NoiseScale> noise_scale; ///< of a cloud in space

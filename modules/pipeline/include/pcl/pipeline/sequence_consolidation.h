@@ -13,13 +13,15 @@
 
 namespace pcl {
 
-/** \brief Observations of a sequence, each consolidated on its own. \ingroup pipeline */
+/** \brief Observations of a sequence, each consolidated on its own.
+ * \ingroup pipeline */
 struct ConsolidatedObservations {
   /** \brief Indices in the sequence of those that could be read. */
   std::vector<std::size_t> places;
   Trajectory trajectory; ///< T_map_camera of each observation
 
-  /** \brief Consolidated points with normals (NaN if there is none); sensor frame, metres. */
+  /** \brief Consolidated points with normals (NaN if there is none); sensor frame,
+   * metres. */
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
 
   /** \brief Surface area that each of these points represents, in units of the smallest
@@ -39,13 +41,14 @@ struct SequenceConsolidationReport : Report {
 /** \brief Consolidates each observation of a sequence on its own: the input of
  * \ref EntropyRectification.
  *
- * The voxel size is that of \ref acmap::automaticVoxel, at least 5 cm: smaller ones would
- * make the rectification long and the map no straighter.
+ * The voxel size is that of \ref acmap::automaticVoxel, at least 5 cm: smaller ones
+ * would make the rectification slower, but the map not straighter.
  * \ingroup pipeline */
 class ACMAP_EXPORT SequenceConsolidation
 : public StageControls<SequenceConsolidationReport> {
 public:
-  /** \brief Leaves out observations that cannot be read, with a remark (default false). */
+  /** \brief Leaves out observations that cannot be read, with a remark (default
+   * false). */
   void
   setSkipBroken(bool skip)
   {
@@ -53,9 +56,9 @@ public:
   }
 
   /** \brief Reads and consolidates a sequence with poses.
-   * \throws InputFileException if an observation cannot be read and none may be skipped,
-   * none can be read, all poses are the same though there are several, or the points of an
-   * observation are too far apart to be in metres
+   * \throws InputFileException if an observation cannot be read and none may be
+   * skipped, none can be read, all poses are the same though there are several, or the
+   * points of an observation are too far apart to be in metres
    * \throws CancelledException if the progress callback stopped it */
   void
   compute(const ObservationSequence& sequence, ConsolidatedObservations& result);

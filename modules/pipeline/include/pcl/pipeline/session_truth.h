@@ -35,9 +35,9 @@ struct SessionTruth {
 };
 
 /** \brief Reads truth.json and trajectory.txt of a folder that pcl_simulated_rig wrote.
- * \throws InputFileException naming the file and its fault: one that is missing or cannot
- * be understood, a plane without `points`, a
- * normal that is not of unit length, corners of no rectangle, no plane that has points */
+ * \throws InputFileException naming the file and its fault: one that is missing or
+ * cannot be understood, a plane without `points`, a normal that is not of unit length,
+ * corners of no rectangle, no plane that has points */
 ACMAP_EXPORT SessionTruth
 loadSessionTruth(const std::string& folder);
 

@@ -80,16 +80,17 @@ struct VisualOdometryResult {
   trajectory(const std::vector<double>& stamps) const;
 };
 
-/** \brief Estimates the poses of a sequence from what the camera saw alone: the motions of
+/** \brief Estimates the poses of a sequence from its observations alone: the motions of
  * \ref VisualEgomotion, II-B.1 of "Active Stereo Based Compact Mapping", one after the
  * other.
  *
  * An observation that cannot be joined to the one before is tried against the two posed
- * ones before that, with a reach that grows with the gap; otherwise it is lost. The map is
- * the frame of the first observation that another one could be joined to. If the motion
- * model is planar, up to five pairs are also tried with six degrees of freedom
- * (\ref FreeMotion). Every observation is read once, and the next one while the motion of
- * the last one is estimated; three are held besides the cache of the sequence.
+ * ones before that, with search limits that grow with the gap; otherwise it is lost.
+ * The map is the frame of the first observation that another one could be joined to. If
+ * the motion model is planar, up to five pairs are also tried with six degrees of
+ * freedom (\ref FreeMotion). Every observation is read once, and the next one is read
+ * while the motion of the last one is estimated; three are kept in memory in addition
+ * to the cache of the sequence.
  * \code
  * pcl::VisualOdometry odometry;
  * const pcl::VisualOdometryResult found =
