@@ -19,6 +19,7 @@ ObservationMaker::ObservationMaker(const TrinocularRig& rig,
   fusion_.setMatching(matching);
   fusion_.setInputRig(rig);
   fusion_.setMethod(disparityFusionMethod(options.method));
+  fusion_.setPassive(options.isPassive());
   fusion_.setNumberOfThreads(threads);
   projection_.setInputRig(rig);
   projection_.setMinimumDepth(options.nearest);

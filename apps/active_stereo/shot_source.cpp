@@ -56,6 +56,7 @@ rectifierOf(const StereoOptions& options,
 ShotSource::ShotSource(const StereoOptions& options, unsigned threads)
 : grabber_(openGrabber(options))
 , skips_broken_(!options.hasLists())
+, is_passive_(options.isPassive())
 , has_cameras_(hasBuiltCameras(options.rigPath()))
 , rectifier_(rectifierOf(options, grabber_->getRig(), has_cameras_, threads))
 , broken_(grabber_->getReport().broken.size())
@@ -72,6 +73,8 @@ ShotSource::read(std::size_t index) const
 {
   TrinocularFrame::Ptr frame = grabber_->frame(index);
   rectifier_.rectify(*frame);
+  if (is_passive_)
+    frame->pattern = TrinocularFrame::no_pattern;
   return frame;
 }
 

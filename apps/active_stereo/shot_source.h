@@ -94,6 +94,7 @@ private:
 
   std::unique_ptr<TrinocularFileGrabber> grabber_;
   bool skips_broken_;
+  bool is_passive_; // the frame was not taken under a pattern
   bool has_cameras_;
   FrameRectifier rectifier_;
   std::size_t next_ = 0;

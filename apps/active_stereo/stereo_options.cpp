@@ -20,11 +20,12 @@ addLists(CLI::App& app, StereoOptions& options)
             ->default_str("")
             ->check(imageName());
       };
-  CLI::Option* const reference =
-      images("--reference",
-             options.images.reference,
-             "In place of a session: images of the reference view, one a pattern; PNG, "
-             "JPEG, PGM or PPM");
+  CLI::Option* const reference = images(
+      "--reference",
+      options.images.reference,
+      "In place of a session: images of the reference view, one per pattern; PNG, "
+      "JPEG, PGM or PPM. One image per camera is matched without a pattern "
+      "(passive stereo), unless --active is given");
   images("--horizontal",
          options.images.horizontal,
          "Of its neighbour in the row: the same shots in the same order; a neighbour "
@@ -41,6 +42,11 @@ addLists(CLI::App& app, StereoOptions& options)
          options.rectify,
          "The images are as the cameras gave them: rectify them by the cameras in "
          "RIG.yaml")
+      ->needs(reference);
+  app.add_flag("--active",
+               options.active,
+               "One image per camera: it was taken under a pattern. Several images "
+               "always are")
       ->needs(reference);
   app.add_option("--color",
                  options.color,
@@ -75,15 +81,16 @@ addThresholds(CLI::App& app, StereoOptions& options)
          "--min-correlation",
          options.correlation,
          "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
-         "shots]")
+         "shots, -1 without a pattern]")
       ->type_name("C")
       ->check(CLI::Range(-1.0, 1.0).description(""));
   app.add_option(
          "--min-texture",
          options.texture,
-         "Least standard deviation of a pixel under the patterns, grey levels, 0 "
-         "to 128: what the projector does not reach has less [default: by the "
-         "number of shots]")
+         "Least standard deviation of a pixel's grey levels over the shots, or, with "
+         "one or two shots, over the pixels around it, 0 to 128: what the projector "
+         "does not reach has less [default: by the number of shots, 0 without a "
+         "pattern]")
       ->type_name("L")
       ->check(CLI::Range(0.0, 128.0).description(""));
 }
@@ -118,7 +125,8 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
        {"median", "median"},
        {"statistical", "statistical"}},
       "how shots are fused: spacetime (all at once), median (of the shots' own "
-      "disparities, as the paper) or statistical (mean of those that agree)");
+      "disparities, as the paper) or statistical (mean of those that agree)")
+      ->each([&](const std::string&) { options.has_method = true; });
   addDepths(app, options);
   addThresholds(app, options);
 }
@@ -170,6 +178,16 @@ requireSense(const StereoOptions& options)
   requireDepthOrder(options);
   if (!options.hasLists())
     return;
+  if (options.active && !options.hasOneShot())
+    throw UsageError("--active is for one image per camera; several images per camera "
+                     "are always matched as shots under patterns");
+  if (options.has_method && options.hasOneShot())
+    throw UsageError("--method says how shots are fused; with one image per camera "
+                     "there is nothing to fuse");
+  if (!options.color.empty() && options.isPassive())
+    throw UsageError("--color is for shots under patterns; with one image per camera "
+                     "the colours are those of --reference, unless --active says that "
+                     "it was taken under a pattern");
   if (options.rig.empty())
     throw UsageError("--reference needs --rig, the rig of the images");
   if (images.horizontal.empty() && images.vertical.empty())

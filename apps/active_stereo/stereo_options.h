@@ -16,8 +16,10 @@ struct StereoOptions {
   std::string rig;      ///< of the image lists
   std::string color;    ///< image of the reference view; empty: colours of the shots
   bool rectify = false; ///< the lists
+  bool active = false;  ///< one image per camera was taken under a pattern
   std::string output;
   std::string method = "spacetime";
+  bool has_method = false;           ///< whether the method was given
   double nearest = 0.5;              ///< metres
   double farthest = 10;              ///< metres
   std::optional<double> correlation; ///< minimum ZNCC
@@ -30,6 +32,20 @@ struct StereoOptions {
   hasLists() const
   {
     return !images.reference.empty();
+  }
+
+  /** \brief Is there only one image per camera? */
+  bool
+  hasOneShot() const
+  {
+    return images.reference.size() == 1;
+  }
+
+  /** \brief Are the images matched as passive stereo? */
+  bool
+  isPassive() const
+  {
+    return hasOneShot() && !active;
   }
 
   /** \brief Path of the file of the rig. */

@@ -41,6 +41,18 @@ nearestOf(const StereoOptions& options,
   return std::max(options.nearest, depthOf(rig, range.most()));
 }
 
+/** \brief How the shots were matched. With one image per camera, which the user may have
+ * taken with or without a pattern, the other possibility is named too. */
+std::string
+methodText(const StereoOptions& options)
+{
+  if (!options.hasOneShot())
+    return options.method;
+  return options.isPassive() ? "passive stereo, one image per camera "
+                               "(--active: taken under a pattern)"
+                             : "one shot under a pattern (--active)";
+}
+
 } // namespace
 
 void
@@ -166,7 +178,7 @@ StereoResults::tell(Tool& tool,
   details = {{"input", options.hasLists() ? options.rig : options.session},
              {"output", options.output},
              {"frames", frames},
-             {"method", options.method},
+             {"method", options.isPassive() ? "passive" : options.method},
              {"least_disparity", range.least},
              {"most_disparity", range.most()},
              {"least_depth", nearest},
@@ -182,7 +194,7 @@ StereoResults::tell(Tool& tool,
   tool.tell("frames",
             std::to_string(frames_) +
                 (source.isRectifying() ? ", rectified here" : ", taken as rectified"));
-  tool.tell("method", options.method);
+  tool.tell("method", methodText(options));
   tool.tell("searched",
             std::to_string(range.least) + " to " + std::to_string(range.most()) +
                 " px, depths of " + shortNumber(nearest) + " to " +

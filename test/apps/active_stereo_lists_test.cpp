@@ -1,5 +1,7 @@
 #include "active_stereo_runs.h"
 
+#include <pcl/stereo/trinocular_matching.h>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +13,58 @@ namespace {
 using testing::HasSubstr;
 
 using ActiveStereoLists = ActiveStereoRuns;
+
+/** One image per camera. */
+class ActiveStereoPair : public ActiveStereoRuns {
+protected:
+  ActiveStereoPair()
+  {
+    for (auto& list : images_)
+      list.resize(1);
+  }
+
+  /** Runs the tool with a report, which it returns. */
+  nlohmann::json
+  reportOf(std::vector<std::string> more)
+  {
+    const std::string report = folder_.path("report.json");
+    more.insert(more.end(), {"--report", report});
+    const ToolRun run = runLists(more);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return nlohmann::json::parse(contentOf(report));
+  }
+
+  /** What TrinocularMatching finds by its defaults within the range of a report. */
+  DisparityImage
+  matchedByClass(const nlohmann::json& report, std::int32_t pattern) const
+  {
+    TrinocularFrame frame;
+    frame.pattern = pattern;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      frame.images[i] = loadCameraImage(images_[i][0]);
+    TrinocularMatching matching;
+    matching.setInputRig(loadTrinocularRig(rig_));
+    const int least = report["least_disparity"], most = report["most_disparity"];
+    matching.setXOffset(least);
+    matching.setMaxDisparity(most - least + 1);
+    MatchedDisparity matched;
+    matching.match(frame, matched);
+    return matched.disparity;
+  }
+
+  /** Checks the written disparities. */
+  void
+  expectWritten(const DisparityImage& wanted) const
+  {
+    const DisparityImage written = loadPfm(out("disparity.pfm"));
+    ASSERT_EQ(written.values.size(), wanted.values.size());
+    for (std::size_t i = 0; i < wanted.values.size(); ++i)
+      if (std::isfinite(wanted.values[i]))
+        ASSERT_EQ(written.values[i], wanted.values[i]) << i;
+      else
+        ASSERT_FALSE(std::isfinite(written.values[i])) << i;
+  }
+};
 
 void
 expectGood(const TruthFit& fit, double min_found)
@@ -77,12 +131,76 @@ TEST_F(ActiveStereoLists, TwoViewsAreEnough)
   expectGood(fit(), 0.75);
 }
 
-TEST_F(ActiveStereoLists, OnePatternWillDo)
+TEST_F(ActiveStereoPair, OnePatternWillDo)
 {
-  for (auto& list : images_)
-    list.resize(1);
-  ASSERT_EQ(runLists().exit_code, 0);
+  const auto report = reportOf({"--active"});
+  EXPECT_EQ(report["method"], "spacetime");
+  EXPECT_EQ(report["observations"][0]["shots"], 1);
   expectGood(fitOf(loadPfm(out("disparity.pfm")), session()), 0.85);
+  expectWritten(matchedByClass(report, 0));
+}
+
+TEST_F(ActiveStereoPair, IsMatchedPassivelyByTheDefaultsOfTheClass)
+{
+  const auto report = reportOf({});
+  EXPECT_EQ(report["method"], "passive");
+  EXPECT_EQ(report["observations"][0]["shots"], 0);
+  EXPECT_EQ(report["observations"][0]["off_shots"], 1);
+  const DisparityImage passive = matchedByClass(report, TrinocularFrame::no_pattern);
+  EXPECT_NE(passive.values, matchedByClass(report, 0).values);
+  expectWritten(passive);
+}
+
+TEST_F(ActiveStereoPair, SummaryTellsHowItWasMatched)
+{
+  const ToolRun passive = runLists();
+  EXPECT_THAT(passive.out,
+              HasSubstr("passive stereo, one image per camera (--active: taken under "
+                        "a pattern)\n"));
+  EXPECT_EQ(passive.err, "");
+  std::filesystem::remove_all(out_);
+  const ToolRun active = runLists({"--active"});
+  EXPECT_THAT(active.out, HasSubstr("one shot under a pattern (--active)\n"));
+  EXPECT_THAT(active.err, HasSubstr("patterns' light"));
+}
+
+TEST_F(ActiveStereoPair, HasTheColoursOfTheReference)
+{
+  ASSERT_EQ(runLists().exit_code, 0);
+  const RgbImage image = loadRgbImage(images_[0][0]);
+  const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    ASSERT_EQ(cloud[i].r, image.values[3 * i]) << i;
+    ASSERT_EQ(cloud[i].b, image.values[3 * i + 2]) << i;
+  }
+}
+
+TEST_F(ActiveStereoPair, MayHaveColoursOfItsOwnUnderAPattern)
+{
+  const std::string off = filmed_->path("off.png");
+  const auto report = reportOf({"--active", "--color", off});
+  EXPECT_EQ(report["observations"][0]["off_shots"], 1);
+  expectWritten(matchedByClass(report, 0));
+  EXPECT_EQ(loadStereo(out("observation_0000.pcd")).cloud[0].r,
+            loadRgbImage(off).values[0]);
+}
+
+TEST_F(ActiveStereoPair, ThresholdsReachTheMatcher)
+{
+  const auto matched = [&](const std::vector<std::string>& more) {
+    const auto outcomes = reportOf(more)["outcomes"];
+    std::filesystem::remove_all(out_);
+    return outcomes;
+  };
+  const auto plain = matched({});
+  EXPECT_EQ(plain["uncorrelated"], 0);
+  EXPECT_GT(matched({"--min-texture", "20"})["untextured"], plain["untextured"]);
+  EXPECT_GT(matched({"--min-correlation", "0.9"})["uncorrelated"], 0);
+  const auto active = matched({"--active"});
+  EXPECT_GT(matched({"--active", "--min-texture", "20"})["untextured"],
+            active["untextured"]);
+  EXPECT_GT(matched({"--active", "--min-correlation", "0.9"})["uncorrelated"],
+            active["uncorrelated"]);
 }
 
 TEST_F(ActiveStereoLists, DepthsThatNoImageReachesAreNotPromised)

@@ -31,6 +31,7 @@ TEST_F(ActiveStereoUgly, HelpTellsUnitsAndDefaults)
                            "--method NAME=spacetime",
                            "PNG, JPEG, PGM or PPM",
                            "--rectify",
+                           "--active",
                            "--threads",
                            "Exit codes"})
     EXPECT_THAT(help.out, HasSubstr(word));
@@ -63,6 +64,44 @@ TEST_F(ActiveStereoUgly, OptionsThatMakeNoSenseAreRefused)
   expectRefused(runLists(), 2, "vertical camera: 5 images, 6 are needed");
   images_[2].push_back(images_[1][0]);
   expectRefused(runLists(), 2, "was there before");
+}
+
+TEST_F(ActiveStereoUgly, OptionsWithoutEffectAreRefused)
+{
+  expectRefused(runSession({"--active"}), 2, "--active");
+  expectRefused(runLists({"--active"}), 2, "--active is for one image per camera");
+  for (auto& list : images_)
+    list.resize(1);
+  const std::string off = filmed_->path("off.png");
+  for (const char* method : {"spacetime", "median", "statistical"}) {
+    expectRefused(runLists({"--method", method}), 2, "nothing to fuse");
+    expectRefused(runLists({"--method", method, "--active"}), 2, "nothing to fuse");
+  }
+  expectRefused(runLists({"--color", off}), 2, "--color is for shots under patterns");
+}
+
+TEST_F(ActiveStereoUgly, OneImagePerCameraIsCheckedAsMany)
+{
+  for (auto& list : images_)
+    list.resize(1);
+  const std::string small = folder_.write("small.png", pngOf(80, 60, 90));
+  for (const std::size_t camera : {0u, 1u, 2u})
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>(), std::vector<std::string>{"--active"}}) {
+      const std::string before = std::exchange(images_[camera][0], small);
+      expectRefused(runLists(more), 3, "small.png");
+      images_[camera][0] = folder_.path("none.png");
+      expectRefused(runLists(more), 3, "none.png");
+      images_[camera][0] = before;
+    }
+  images_[1].push_back(images_[2][0]);
+  expectRefused(runLists(), 2, "horizontal camera: 2 images, 1 are needed");
+  images_[1] = images_[0];
+  expectRefused(runLists(), 2, "was there before");
+  for (std::size_t camera = 0; camera < 3; ++camera)
+    images_[camera] = {
+        folder_.write(std::to_string(camera) + ".png", pngOf(160, 120, 90))};
+  expectRefused(runLists(), 4, "untextured");
 }
 
 TEST_F(ActiveStereoUgly, ImagesThatCannotBeReadAreNamed)

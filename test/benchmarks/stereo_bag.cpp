@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<int, 2> sgbm_prefilters = {31, 63};
 
 /** Targets for a method. */
-struct BagReach {
+struct BagTargets {
   double bad = no_reach;   // %
   double error = no_reach; // px, median
   double rms = no_reach;   // px
@@ -43,7 +43,7 @@ public:
   }
 
   void
-  print(const std::string& name, std::size_t shots, const BagReach& reach = {}) const
+  print(const std::string& name, std::size_t shots, const BagTargets& reach = {}) const
   {
     constexpr int digits = 3;
     MarkdownRow()
@@ -99,7 +99,7 @@ printSgbm(const std::string& name,
 
 /** Matches groups of this number of shots, until all have been used. */
 void
-printTogether(const StereoShots& bag, std::size_t shots, const BagReach& reach)
+printTogether(const StereoShots& bag, std::size_t shots, const BagTargets& reach)
 {
   TrinocularMatching matching = bagMatching();
   matching.setInputRig(bag.rig);
@@ -118,7 +118,7 @@ void
 printFused(const std::string& name,
            const StereoShots& bag,
            DisparityFusion::Method method,
-           const BagReach& reach)
+           const BagTargets& reach)
 {
   DisparityFusion fusion;
   fusion.setMatching(bagMatching());

@@ -1,37 +1,47 @@
 #include "disparity_errors.h"
 #include "markdown_row.h"
+#include "run_tool.h"
 #include "sgbm_disparity.h"
 #include "stereo_tables.h"
+#include "temporary_folder.h"
 #include "test_data.h"
-
-#include <pcl/stereo/trinocular_matching.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double some_focal_length = 1000.0, some_baseline = 0.1; // not used
+constexpr double some_focal_length = 1000.0, some_baseline = 0.1; // the sign is used
+constexpr double nearest = 0.5; // metres, default of the tool's --min-depth
 constexpr int range_step = 16;
 
 /** An image pair with the truth, and the pixels that both cameras see. */
 struct TexturedPair {
   std::string name;
-  StereoShots shots;
+  std::string reference, neighbour; ///< files of the test data
+  StereoShots shots;                ///< the images in grey
   PixelMask visible;
 };
 
-StereoShots
-loadPair(const std::string& reference, const std::string& neighbour)
+/** Truth and mask must be added. */
+TexturedPair
+loadPair(const std::string& name,
+         const std::string& reference,
+         const std::string& neighbour)
 {
   CameraImage left = loadGreyImage(reference);
-  StereoShots shots =
-      binocularShots(left.width, left.height, some_focal_length, some_baseline);
-  shots.frames = {
+  TexturedPair pair{
+      name,
+      reference,
+      neighbour,
+      binocularShots(left.width, left.height, some_focal_length, some_baseline),
+      {}};
+  pair.shots.frames = {
       frameOf(std::move(left), loadGreyImage(neighbour), TrinocularFrame::no_pattern)};
-  return shots;
+  return pair;
 }
 
 /** The truth of the right view is the same surface; pixels without it are unknown. */
@@ -92,8 +102,7 @@ loadBothTruths(const std::string& name,
   const auto truthOf = [&](const std::string& image) {
     return loadPngDisparity(folder + "disp" + image.back() + ".png", steps);
   };
-  TexturedPair pair{
-      name, loadPair(folder + left + ".png", folder + right + ".png"), {}};
+  TexturedPair pair = loadPair(name, folder + left + ".png", folder + right + ".png");
   pair.shots.truth = truthOf(left);
   pair.visible = visibleByBothTruths(pair.shots.truth, truthOf(right));
   return pair;
@@ -103,10 +112,8 @@ TexturedPair
 loadMotorcycle()
 {
   const std::string folder = "A_stereo/motorcycle/";
-  TexturedPair pair{
-      "motorcycle",
-      loadPair(folder + "motorcycle_left.png", folder + "motorcycle_right.png"),
-      {}};
+  TexturedPair pair = loadPair(
+      "motorcycle", folder + "motorcycle_left.png", folder + "motorcycle_right.png");
   pair.shots.truth = loadPfm(test::testDataPath(folder + "disp_left.pfm").string());
   pair.visible = visibleByOneTruth(pair.shots.truth);
   return pair;
@@ -122,16 +129,36 @@ rangeOf(const DisparityImage& truth)
   return (static_cast<int>(most) / range_step + 1) * range_step;
 }
 
+/** Minimum disparity that the tool searches if the maximum is at the minimum depth. */
+int
+leastOf(int range)
+{
+  constexpr double farthest = 10.0; // metres, default of the tool's --max-depth
+  return std::max(static_cast<int>(range * nearest / farthest) - 1, 0);
+}
+
+/** Runs the tool as a user does: on the image files, with its defaults. The rig is such
+ * that the largest disparity of the range is at the minimum depth. */
 DisparityErrors
 errorsOf(const TexturedPair& pair)
 {
-  TrinocularMatching matching;
-  matching.setMaxDisparity(rangeOf(pair.shots.truth));
-  matching.setInputRig(pair.shots.rig);
-  MatchedDisparity matched;
-  matching.match(*pair.shots.frames.front(), matched);
+  const test::TemporaryFolder folder;
+  TrinocularRig rig = pair.shots.rig;
+  rig.baseline_horizontal = nearest * rangeOf(pair.shots.truth) / rig.focal_length;
+  saveTrinocularRig(folder.path("rig.yaml"), rig);
+  const test::ToolRun run = test::runTool(ACMAP_ACTIVE_STEREO,
+                                          {"--reference",
+                                           test::testDataPath(pair.reference).string(),
+                                           "--horizontal",
+                                           test::testDataPath(pair.neighbour).string(),
+                                           "--rig",
+                                           folder.path("rig.yaml"),
+                                           "-o",
+                                           folder.path("out")});
+  if (run.exit_code != 0)
+    throw std::runtime_error(run.err);
   DisparityErrors errors;
-  errors.add(matched.disparity, pair.shots.truth, pair.visible);
+  errors.add(loadPfm(folder.path("out/disparity.pfm")), pair.shots.truth, pair.visible);
   return errors;
 }
 
@@ -140,6 +167,7 @@ sgbmErrorsOf(const TexturedPair& pair, bool filters)
 {
   SgbmSetting setting;
   setting.disparities = rangeOf(pair.shots.truth);
+  setting.least = leastOf(setting.disparities);
   setting.filters = filters;
   DisparityErrors errors;
   errors.add(sgbmDisparity(*pair.shots.frames.front(), pair.shots.rig, setting),

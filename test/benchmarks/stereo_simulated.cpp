@@ -14,7 +14,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 /** Targets for a method on pixels that can be matched. */
-struct SimulatedReach {
+struct SimulatedTargets {
   double bad = no_reach;     // %
   double error = no_reach;   // px, median
   double locking = no_reach; // px
@@ -144,20 +144,20 @@ sgbmMedian(const StereoShots& shots)
 struct NamedFigures {
   std::string name;
   MethodFigures figures;
-  SimulatedReach reach;
+  SimulatedTargets reach;
 };
 
 std::vector<NamedFigures>
 measureMethods(const std::vector<SimulatedShots>& views)
 {
   const auto spacetime = fusedBy(DisparityFusion::Method::SpaceTime);
-  const SimulatedReach of_two{0.3, 0.02, 0.01, 5.0};
-  const SimulatedReach of_three{0.2, 0.015, 0.01, 5.0};
+  const SimulatedTargets of_two{0.3, 0.02, 0.01, 5.0};
+  const SimulatedTargets of_three{0.2, 0.015, 0.01, 5.0};
   std::vector<NamedFigures> all;
   const auto add = [&](const std::string& name,
                        bool three_views,
                        const Method& method,
-                       const SimulatedReach& reach = {}) {
+                       const SimulatedTargets& reach = {}) {
     all.push_back({name, figuresOf(views, three_views, method), reach});
   };
   add("OpenCV SGBM, one pattern, two views", false, sgbmOne);

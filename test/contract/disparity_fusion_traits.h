@@ -137,8 +137,9 @@ struct DisparityFusionTraits {
   {
     std::ostringstream words;
     words << "method " << static_cast<int>(object.getMethod()) << ", support "
-          << object.getMinimumSupport() << ", gain " << object.getLeastGain()
-          << ", threads " << object.getNumberOfThreads() << ", disparities "
+          << object.getMinimumSupport() << ", passive " << object.getPassive()
+          << ", gain " << object.getLeastGain() << ", threads "
+          << object.getNumberOfThreads() << ", disparities "
           << object.getMatching().getMaxDisparity() << ", focal length "
           << object.getMatching().getInputRig().focal_length;
     return words.str();

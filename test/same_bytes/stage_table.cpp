@@ -35,6 +35,7 @@ rectifyingArguments()
           "--rig",
           "<rig_calibration/rig.yaml",
           "--rectify",
+          "--active",
           "--min-depth",
           "2",
           "-o",

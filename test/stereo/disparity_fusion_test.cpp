@@ -1,12 +1,7 @@
+#include "tiny_fusion.h"
+
 #include <pcl/core/exceptions.h>
-#include <pcl/core/random.h>
-#include <pcl/stereo/disparity_fusion.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 
 namespace pcl::acmap::test {
@@ -14,99 +9,9 @@ namespace {
 
 using Method = DisparityFusion::Method;
 
-constexpr std::array<Method, 3> methods = {
-    Method::Median, Method::Statistical, Method::SpaceTime};
-
-TrinocularRig
-tinyRig()
-{
-  TrinocularRig rig;
-  rig.width = 48;
-  rig.height = 36;
-  rig.focal_length = 40;
-  rig.center_x = 23.5;
-  rig.center_y = 17.5;
-  return rig;
-}
-
-CameraImage
-flatImage(std::uint8_t value, int channels = 1)
-{
-  return {
-      48,
-      36,
-      channels,
-      std::vector<std::uint8_t>(static_cast<std::size_t>(48 * 36 * channels), value)};
-}
-
-/** The same image for all cameras: a wall at infinity. */
-TrinocularFrame::Ptr
-shotOf(const CameraImage& image, int pattern)
-{
-  auto shot = std::make_shared<TrinocularFrame>();
-  shot->pattern = pattern;
-  shot->images.fill(image);
-  return shot;
-}
-
-TrinocularFrame::Ptr
-noiseShot(int pattern)
-{
-  Random random(static_cast<std::uint64_t>(pattern) + 7);
-  CameraImage image = flatImage(0);
-  for (std::uint8_t& value : image.values)
-    value = static_cast<std::uint8_t>(random.bits());
-  return shotOf(image, pattern);
-}
-
-DisparityFusion
-fusionBy(Method method)
-{
-  DisparityFusion fusion;
-  TrinocularMatching matching;
-  matching.setMaxDisparity(8);
-  fusion.setMatching(matching);
-  fusion.setMethod(method);
-  fusion.setInputRig(tinyRig());
-  return fusion;
-}
-
-/** A fusion with some shots; all of them are used. */
-DisparityFusion
-fusionOf(Method method, int shots)
-{
-  DisparityFusion fusion = fusionBy(method);
-  for (int i = 0; i < shots; ++i)
-    fusion.addShot(noiseShot(i));
-  return fusion;
-}
-
-MatchedDisparity
-fused(DisparityFusion& fusion)
-{
-  MatchedDisparity result;
-  fusion.fuse(result);
-  return result;
-}
-
-void
-expectSame(const MatchedDisparity& a, const MatchedDisparity& b)
-{
-  const auto isSame = [](float x, float y) {
-    return x == y || (std::isnan(x) && std::isnan(y));
-  };
-  const auto areSame = [&](const std::vector<float>& x, const std::vector<float>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), isSame);
-  };
-  EXPECT_TRUE(areSame(a.disparity.values, b.disparity.values));
-  EXPECT_TRUE(areSame(a.sigma, b.sigma));
-  EXPECT_EQ(a.support, b.support);
-  EXPECT_EQ(a.outcome, b.outcome);
-}
-
 TEST(DisparityFusion, EachMethodFindsAFarWall)
 {
-  for (const Method method : methods) {
+  for (const Method method : fusion_methods) {
     DisparityFusion fusion = fusionOf(method, 4);
     EXPECT_EQ(fusion.shots(), 4u);
     const MatchedDisparity result = fused(fusion);
@@ -126,7 +31,7 @@ TEST(DisparityFusion, EachMethodFindsAFarWall)
 
 TEST(DisparityFusion, MoreShotsMayFollow)
 {
-  for (const Method method : methods) {
+  for (const Method method : fusion_methods) {
     DisparityFusion fusion = fusionOf(method, 3);
     const MatchedDisparity before = fused(fusion);
     expectSame(fused(fusion), before);
@@ -152,7 +57,7 @@ TEST(DisparityFusion, SpaceTimeIsMatchingOfAllShots)
 
 TEST(DisparityFusion, WithoutAPatternThereIsNoDisparity)
 {
-  for (const Method method : methods) {
+  for (const Method method : fusion_methods) {
     DisparityFusion fusion = fusionBy(method);
     for (int shots = 0; shots < 2; ++shots) {
       const MatchedDisparity result = fused(fusion);
@@ -204,7 +109,7 @@ TEST(DisparityFusion, RefusedShotLeavesThoseSoFar)
       broken([](TrinocularFrame& shot) { shot.images[1].width = 36; }),
       broken([](TrinocularFrame& shot) { shot.images[1].values.pop_back(); }),
       broken([](TrinocularFrame& shot) { shot.images[0].channels = 2; })};
-  for (const Method method : methods) {
+  for (const Method method : fusion_methods) {
     DisparityFusion fusion = fusionOf(method, 3);
     const MatchedDisparity wanted = fused(fusion);
     const CameraImage color = fusion.getColor();
@@ -219,7 +124,7 @@ TEST(DisparityFusion, RefusedShotLeavesThoseSoFar)
 
 TEST(DisparityFusion, CancelledCallsLeaveEverything)
 {
-  for (const Method method : methods) {
+  for (const Method method : fusion_methods) {
     DisparityFusion fusion = fusionOf(method, 3);
     MatchedDisparity result = fused(fusion);
     const MatchedDisparity wanted = result;
@@ -251,6 +156,7 @@ TEST(DisparityFusion, NewObservationOrRigOrMatchingForgetsTheShots)
             0u);
   EXPECT_EQ(shotsAfter([](auto& fusion) { fusion.setMethod(Method::Median); }), 2u);
   EXPECT_EQ(shotsAfter([](auto& fusion) { fusion.setMinimumSupport(1); }), 2u);
+  EXPECT_EQ(shotsAfter([](auto& fusion) { fusion.setPassive(true); }), 2u);
 }
 
 TEST(DisparityFusion, TakesOfMatchingOnlyHowShotsAreMatched)

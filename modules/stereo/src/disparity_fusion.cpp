@@ -19,6 +19,7 @@ struct DisparityFusion::State {
   TrinocularMatching matching;
   Method method = Method::SpaceTime;
   int minimum_support = 3;
+  bool passive = false;
   double min_gain = 0.005;
   unsigned threads = 0;
   ProgressCallback progress;
@@ -55,6 +56,21 @@ struct DisparityFusion::State {
     matching.match(observation->frames, fused);
     told = matching.getReport();
     return fused;
+  }
+
+  /** Matches the first shot without a pattern; the others would add no information. */
+  MatchedDisparity
+  matchPassively(DisparityFusionReport& told)
+  {
+    MatchedDisparity matched;
+    matching.match(*observation->first_dark, matched);
+    static_cast<Report&>(told) = matching.getReport();
+    told.is_passive = true;
+    if (told.off_shots > 1)
+      told.remarks.push_back("there is no shot with a pattern: of " +
+                             std::to_string(told.off_shots) +
+                             " shots without one, only the first was matched");
+    return matched;
   }
 
   MatchedDisparity
@@ -141,6 +157,18 @@ DisparityFusion::getMinimumSupport() const
 }
 
 void
+DisparityFusion::setPassive(bool passive)
+{
+  state_->passive = passive;
+}
+
+bool
+DisparityFusion::getPassive() const
+{
+  return state_->passive;
+}
+
+void
 DisparityFusion::setLeastGain(double share)
 {
   acmap::requireInRange("least gain", share, 0.0, 1.0, "of the pixels");
@@ -191,7 +219,7 @@ DisparityFusion::addShot(const TrinocularFrame::ConstPtr& shot)
                                std::to_string(acmap::max_shots) + " shots");
   const CameraImage& reference = shot->image(RigCamera::Reference);
   if (shot->pattern == TrinocularFrame::no_pattern) {
-    acmap::withThreads(state_->threads, [&] { observation.addDark(reference); });
+    acmap::withThreads(state_->threads, [&] { observation.addDark(shot); });
     return;
   }
   if (state_->method == Method::SpaceTime)
@@ -232,7 +260,9 @@ DisparityFusion::fuse(MatchedDisparity& fused)
   report.shots = from.litShots();
   report.off_shots = from.darkShots();
   MatchedDisparity result;
-  if (report.shots == 0) {
+  if (report.shots == 0 && report.off_shots > 0 && state_->passive)
+    result = state_->matchPassively(report);
+  else if (report.shots == 0) {
     result = acmap::noDisparity(
         state_->rig->width, state_->rig->height, DisparityOutcome::TooFewShots);
     report.remarks.emplace_back("there is no shot with a pattern: no disparities");

@@ -16,10 +16,13 @@ Observation::Observation(const TrinocularRig& rig)
 {}
 
 void
-Observation::addDark(const CameraImage& reference)
+Observation::addDark(const TrinocularFrame::ConstPtr& shot)
 {
+  const CameraImage& reference = shot->image(RigCamera::Reference);
   dark_color_.add(reference);
   coverage_.setDark(reference);
+  if (!first_dark)
+    first_dark = shot;
 }
 
 void

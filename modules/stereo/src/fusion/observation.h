@@ -19,10 +19,10 @@ class Observation {
 public:
   explicit Observation(const TrinocularRig& rig);
 
-  /** \brief Adds the reference image of a shot without a pattern. This function and the
-   * next one run in the caller's arena. */
+  /** \brief Adds a shot without a pattern. This function and the next one run in the
+   * caller's arena. */
   void
-  addDark(const CameraImage& reference);
+  addDark(const TrinocularFrame::ConstPtr& shot);
 
   /** \brief Adds the reference image of a shot with a pattern.
    * \param[in] deviation minimum standard deviation of a covered pixel, grey levels */
@@ -65,6 +65,7 @@ public:
   }
 
   std::vector<TrinocularFrame::ConstPtr> frames;
+  TrinocularFrame::ConstPtr first_dark; ///< null without a shot without a pattern
   std::vector<MatchedDisparity> matched;
   double matching_seconds = 0; ///< of the shots that were matched separately
 

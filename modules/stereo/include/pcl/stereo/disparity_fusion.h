@@ -18,6 +18,10 @@ struct DisparityFusionReport : Report {
   std::size_t shots = 0;     ///< with a pattern
   std::size_t off_shots = 0; ///< without a pattern, used for the colour
 
+  /** \brief True if there was no pattern and a shot without one was matched, see
+   * \ref DisparityFusion::setPassive. */
+  bool is_passive = false;
+
   /** \brief Number of pixels per \ref DisparityOutcome. */
   std::array<std::size_t, disparity_outcomes> outcomes{};
 
@@ -37,6 +41,9 @@ struct DisparityFusionReport : Report {
  *   inconsistent. This is the future work (i) of the paper.
  * - SpaceTime: all shots are matched at once, see \ref TrinocularMatching. This is the
  *   default, because it is the most accurate and the fastest method.
+ *
+ * An observation without a pattern has no disparities, unless \ref setPassive allows
+ * passive stereo.
  *
  * The colour is the mean of the shots without a pattern; if there are none, the mean of
  * all shots. Disparities are in pixels; only the rig is in metres. Time
@@ -91,6 +98,17 @@ public:
   int
   getMinimumSupport() const;
 
+  /** \brief If true, an observation without a pattern is matched as passive stereo: its
+   * first shot, with the defaults of \ref TrinocularMatching for one shot without a
+   * pattern; the method has no effect then. The default is false, because an observation
+   * whose shots under patterns are missing would get much worse disparities without
+   * notice. Observations with a pattern are not affected. */
+  void
+  setPassive(bool passive);
+
+  bool
+  getPassive() const;
+
   /** \brief Minimum gain in coverage of the last shot for which \ref wantsAnotherShot
    * returns true (default 0.005 of the pixels).
    * \throws BadArgumentException unless within [0, 1] */
@@ -135,7 +153,7 @@ public:
 
   /** \brief Fuses the shots so far; more shots may follow.
    * \param[out] fused unchanged after an exception; without a shot with a pattern all
-   * pixels are \ref DisparityOutcome::TooFewShots
+   * pixels are \ref DisparityOutcome::TooFewShots, unless \ref setPassive is true
    * \throws InitFailedException without a rig
    * \throws CancelledException when the progress callback cancels */
   void
