@@ -49,8 +49,7 @@ saveLabels(const std::string& path,
 void
 saveNormals(const std::string& path, const MappedPlanes& found)
 {
-  saveTriangleMesh(
-      path, withLabels(withVotes(found), found.vertex_labels), found.mesh);
+  saveTriangleMesh(path, withLabels(withVotes(found), found.vertex_labels), found.mesh);
 }
 
 SceneView

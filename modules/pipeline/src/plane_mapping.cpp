@@ -17,6 +17,8 @@ namespace {
 using Vertex = PlaneMapping::Vertex;
 using VertexCloud = PointCloud<Vertex>;
 
+constexpr double max_voxel = 1e9; // metres, of VoxelConsolidation::setVoxelSize
+
 std::shared_ptr<const PCLPointCloud2>
 rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
 {
@@ -212,8 +214,9 @@ private:
       timer_.finish("noise scale");
       if (!needsConsolidation(*report_.noise_scale))
         return false;
-      if (consolidation.getVoxelSize() == 0)
-        consolidation.setVoxelSize(automaticVoxel(*report_.noise_scale));
+      const double automatic = automaticVoxel(*report_.noise_scale);
+      if (consolidation.getVoxelSize() == 0 && automatic <= max_voxel)
+        consolidation.setVoxelSize(automatic); // else the class measures it again
     }
     consolidation.setInputCloud(rowsOfFile(cloud));
     if (names_views)

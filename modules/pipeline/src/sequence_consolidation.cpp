@@ -38,13 +38,15 @@ count(const ConsolidationReport& consolidation, SequenceConsolidationReport& rep
       report.min_voxel_size > 0 ? std::min(report.min_voxel_size, voxel) : voxel;
 }
 
+/** \throws InputFileException if the voxels of a file are larger than any scene */
 float
 weightOf(const std::string& path, double voxel_size)
 {
-  const double edges = voxel_size / min_voxel;
-  const auto weight = static_cast<float>(edges * edges);
-  if (std::isfinite(weight))
-    return weight;
+  constexpr double max_voxel = 1e9; // metres
+  if (voxel_size <= max_voxel) {
+    const double edges = voxel_size / min_voxel;
+    return static_cast<float>(edges * edges);
+  }
   std::ostringstream text;
   text.precision(3);
   text << path << ": its points are " << voxel_size
@@ -82,19 +84,18 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
       const PointCloud<PointNormal>::Ptr points = finitePoints(seen.file->points());
       if (points->empty())
         report.remarks.push_back(sequence.path(i) + ": has no point");
+      const double voxel_size = std::max(min_voxel,
+                                         acmap::automaticVoxel(acmap::measureNoiseScale(
+                                             seen.file->points(),
+                                             acmap::SensorView(Eigen::Vector3f::Zero()),
+                                             threads_)));
+      const float weight = weightOf(sequence.path(i), voxel_size);
       VoxelConsolidation<PointNormal> consolidation;
       consolidation.setInputCloud(points);
       consolidation.setNumberOfThreads(threads_);
-      consolidation.setVoxelSize(
-          std::max(min_voxel,
-                   acmap::automaticVoxel(acmap::measureNoiseScale(
-                       seen.file->points(),
-                       acmap::SensorView(Eigen::Vector3f::Zero()),
-                       threads_))));
+      consolidation.setVoxelSize(voxel_size);
       const PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
       consolidation.filter(*cloud);
-      const float weight =
-          weightOf(sequence.path(i), consolidation.getReport().voxel_size);
       found.weights.emplace_back(cloud->size(), weight);
       found.clouds.push_back(cloud);
       found.places.push_back(i);

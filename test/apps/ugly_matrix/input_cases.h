@@ -47,7 +47,7 @@ sequenceCases(
     const std::map<std::string, UglyOutcome>& outcomes,
     const CaseList::Prepare& others = [](const TemporaryFolder&) {});
 
-/** \brief Results of most tools for \ref sessionCases: a lost frame is reported, all
+/** \brief Results of most tools for \ref sessionCases, a lost frame is reported, all
  * other cases fail. */
 std::map<std::string, UglyOutcome>
 sessionOutcomes();

@@ -18,7 +18,7 @@ constexpr double open_part = 1e-12;
 Eigen::Quaterniond
 closedFormRotation(const PairMoments& moments, MotionModel model);
 
-/** \brief Result of \ref descend: a motion about the centroids. */
+/** \brief Result of \ref descend, a motion about the centroids. */
 struct Descent {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< in units of the moments' scale

@@ -52,7 +52,7 @@ struct TrinocularFileReport : Report {
   std::vector<std::uint64_t> black;
 };
 
-/** \brief Image files, which are read by \ref loadRgbImage: one observation, one entry
+/** \brief Image files, which are read by \ref loadRgbImage, one observation, one entry
  * per pattern. \ingroup acquisition */
 struct TrinocularImageLists {
   std::vector<std::string> reference;

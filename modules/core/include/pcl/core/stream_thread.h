@@ -13,7 +13,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Implementation of the stream of a \ref TrinocularGrabber: calls a step
+/** \brief Implementation of the stream of a \ref TrinocularGrabber, calls a step
  * function in its own thread, for the requested number of frames, at a given rate. All
  * members may be called from any thread, also from the step and end functions. */
 class ACMAP_EXPORT StreamThread {

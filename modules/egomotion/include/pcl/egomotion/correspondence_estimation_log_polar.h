@@ -159,7 +159,7 @@ public:
       Correspondences& correspondences,
       double max_distance = std::numeric_limits<double>::max()) override;
 
-  /** \brief Same as \ref determineCorrespondences: matches are mutual in any case. */
+  /** \brief Same as \ref determineCorrespondences, matches are mutual in any case. */
   void
   determineReciprocalCorrespondences(
       Correspondences& correspondences,

@@ -89,8 +89,7 @@ private:
  * \ingroup filters */
 template <>
 class ACMAP_EXPORT DepthRefinement<PCLPointCloud2>
-: public Filter<PCLPointCloud2>,
-  public StageControls<DepthRefinementReport> {
+: public Filter<PCLPointCloud2>, public StageControls<DepthRefinementReport> {
 public:
   using Ptr = shared_ptr<DepthRefinement<PCLPointCloud2>>;
   using ConstPtr = shared_ptr<const DepthRefinement<PCLPointCloud2>>;

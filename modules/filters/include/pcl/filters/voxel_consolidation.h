@@ -162,8 +162,7 @@ private:
  * residual noise. \ingroup filters */
 template <>
 class ACMAP_EXPORT VoxelConsolidation<PCLPointCloud2>
-: public Filter<PCLPointCloud2>,
-  public StageControls<ConsolidationReport> {
+: public Filter<PCLPointCloud2>, public StageControls<ConsolidationReport> {
 public:
   using Ptr = shared_ptr<VoxelConsolidation<PCLPointCloud2>>;
   using ConstPtr = shared_ptr<const VoxelConsolidation<PCLPointCloud2>>;

@@ -25,7 +25,7 @@ enum class DepthSensor {
 
 namespace acmap {
 
-/** \brief The sensor of a merged cloud for \ref PlaneMapping: several views are no picture.
+/** \brief The sensor of a merged cloud for \ref PlaneMapping, several views are no picture.
  * \param[in] sensor that measured the views */
 inline DepthSensor
 sensorOfMerged(DepthSensor sensor, std::size_t views)

@@ -68,7 +68,7 @@ struct VisualOdometryResult {
   ACMAP_EXPORT std::string
   reasonOf(std::size_t lost, const std::vector<std::string>& names) const;
 
-  /** \brief Odometry noise for \ref EntropyRectification: the medians of the standard
+  /** \brief Odometry noise for \ref EntropyRectification, the medians of the standard
    * deviations of the motions.
    * \return the default noise if no motion was found */
   ACMAP_EXPORT OdometryNoise

@@ -23,8 +23,8 @@ enum class SceneLayer {
   Trajectory = 6 ///< a line, and the axes of the camera at up to 50 poses
 };
 
-/** \brief Everything that is known of a building; any part may be empty. \ingroup
- * visualization */
+/** \brief Everything that is known of a building; any part may be empty.
+ * \ingroup visualization */
 struct LayeredScene {
   PCLPointCloud2 points;
   PCLPointCloud2 vertices;
@@ -60,8 +60,8 @@ ACMAP_EXPORT std::set<SceneLayer>
 layersOf(const LayeredScene& scene);
 
 /** \brief The layers that can be shown as before rectification: the trajectory if there
- * is an earlier pose for each pose, and points with a `view` field. \ingroup
- * visualization */
+ * is an earlier pose for each pose, and points with a `view` field.
+ * \ingroup visualization */
 ACMAP_EXPORT std::set<SceneLayer>
 layersBefore(const LayeredScene& scene);
 

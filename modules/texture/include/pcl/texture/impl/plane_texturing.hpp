@@ -32,8 +32,8 @@ ColoredView
 viewOfCloud(const PointCloud<PointT>& cloud, const Eigen::Isometry3d& T_map_camera)
 {
   ColoredView view;
-  view.points =
-      PointView(cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
+  view.points = PointView(
+      cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
   view.colors = colorsOf(cloud);
   view.width = cloud.height > 1 ? static_cast<int>(cloud.width) : 0;
   view.has_eye = cloud.height > 1;
