@@ -38,6 +38,15 @@ namesOf(const ObservationSequence& sequence, const std::vector<std::size_t>& pla
   return names;
 }
 
+/** A pose as it is read from a trajectory file, so that the map has the same bytes whether
+ * steps pass poses in memory or in files. */
+Eigen::Isometry3d
+asInFiles(Eigen::Isometry3d pose)
+{
+  pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  return pose;
+}
+
 /** Connects a callback that adds clouds of a point type.
  * \return nothing if the grabber does not deliver them */
 template <typename PointT>
@@ -198,7 +207,10 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
       report.remarks.push_back("lost: " + sequence.name(i) + ": " +
                                found.reasonOf(i, sequence.names()));
   }
-  return sequence.withPoses(namesOf(sequence, places), found.trajectory(stamps));
+  Trajectory trajectory = found.trajectory(stamps);
+  for (Eigen::Isometry3d& pose : trajectory.poses)
+    pose = asInFiles(pose);
+  return sequence.withPoses(namesOf(sequence, places), trajectory);
 }
 
 ObservationSequence
@@ -229,7 +241,7 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   addRemarks(*report.rectification, report);
   Trajectory rectified = observations.trajectory;
   for (std::size_t i = 0; i < rectified.poses.size(); ++i)
-    rectified.poses[i] = rectification.getPose(i);
+    rectified.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
   return sequence.withPoses(namesOf(sequence, observations.places), rectified);
 }

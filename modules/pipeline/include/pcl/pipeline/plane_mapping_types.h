@@ -21,7 +21,7 @@
 
 namespace pcl {
 
-/** \brief Which clouds \ref PlaneMapping consolidates. \ingroup pipeline */
+/** \brief Which clouds PlaneMapping consolidates. \ingroup pipeline */
 enum class ConsolidationPolicy {
   WhereNoisy, ///< those whose noise is large compared with their spacing
   Always      ///< all, also organized views
