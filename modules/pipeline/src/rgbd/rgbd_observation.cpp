@@ -1,15 +1,47 @@
-#include "rgbd_observation.h"
-
+#include <pcl/core/arguments.h>
 #include <pcl/core/cloud_fields.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/pipeline/depth_sensor.h>
+#include <pcl/pipeline/rgbd_observation.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
 
-namespace pcl::acmap {
+namespace pcl {
 
 namespace {
+
+template <typename Image>
+ImageSize
+sizeOf(const Image& image)
+{
+  return {image.width, image.height};
+}
+
+/** \param[in] channels numbers per pixel */
+template <typename Image>
+void
+requireComplete(const Image& image, std::size_t channels)
+{
+  const bool is_sound = image.width > 0 && image.height > 0;
+  if (!is_sound || image.values.size() != channels *
+                                              static_cast<std::size_t>(image.width) *
+                                              static_cast<std::size_t>(image.height))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "an image of " << acmap::sizeText(sizeOf(image)) << " has "
+                                       << image.values.size() << " values");
+}
+
+void
+requireCamera(const Pinhole& camera)
+{
+  if (!(camera.fx > 0 && camera.fy > 0))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "the focal length of a camera is "
+                            << camera.fx << ", " << camera.fy << ": it must exceed 0");
+}
 
 /** A row of the cloud. */
 struct Pixel {
@@ -55,19 +87,46 @@ PCLPointCloud2
 cloudOf(const std::vector<Pixel>& pixels, std::int32_t width, std::int32_t height)
 {
   constexpr auto real = PCLPointField::FLOAT32;
-  PCLPointCloud2 cloud = layoutWith(
+  PCLPointCloud2 cloud = acmap::layoutWith(
       {}, {{"x", real}, {"y", real}, {"z", real}, {"rgb", real}, {"sigma", real}});
   cloud.width = static_cast<uindex_t>(width);
   cloud.height = static_cast<uindex_t>(height);
   cloud.row_step = cloud.width * cloud.point_step;
-  cloud.data.resize(rowsOf(cloud) * cloud.point_step);
+  cloud.data.resize(acmap::rowsOf(cloud) * cloud.point_step);
   bool is_dense = true;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     is_dense = is_dense && pixels[i].z > 0.0F;
-    setValue(cloud, i, 0, pixels[i]);
+    acmap::setValue(cloud, i, 0, pixels[i]);
   }
   cloud.is_dense = is_dense ? 1 : 0;
   return cloud;
+}
+
+/** \param[in] needed 0 x 0 for any size */
+void
+requireSize(const std::string& path, const ImageSize& size, const ImageSize& needed)
+{
+  if (needed.width > 0 && (size.width != needed.width || size.height != needed.height))
+    throw InputFileException(path + ": has " + acmap::sizeText(size) +
+                             ", the images before have " + acmap::sizeText(needed));
+}
+
+struct FrameImages {
+  RgbImage color;
+  GrayImage16 depth;
+};
+
+FrameImages
+loadImages(const RgbdFrame& frame,
+           const RgbdCameras& cameras,
+           const RgbdImageSizes& sizes)
+{
+  FrameImages images{loadRgbImage(frame.color), loadGrayImage16(frame.depth)};
+  requireSize(frame.color, sizeOf(images.color), sizes.color);
+  requireSize(frame.depth,
+              sizeOf(images.depth),
+              cameras.color ? sizes.depth : sizeOf(images.color));
+  return images;
 }
 
 } // namespace
@@ -77,6 +136,10 @@ measuredPoints(const GrayImage16& depth,
                const Pinhole& camera,
                const DepthMeaning& meaning)
 {
+  requireComplete(depth, 1);
+  requireCamera(camera);
+  if (!(meaning.scale > 0))
+    acmap::refuseArgument("scale of a depth image", meaning.scale, "above 0");
   const Eigen::Vector3f nothing =
       Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
   std::vector<Eigen::Vector3f> points(depth.values.size(), nothing);
@@ -96,6 +159,11 @@ measuredPoints(const GrayImage16& depth,
 PCLPointCloud2
 observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points)
 {
+  requireComplete(color, 3);
+  if (3 * points.size() != color.values.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << points.size() << " points for an image of "
+                                     << acmap::sizeText(sizeOf(color)));
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
   for (std::size_t i = 0; i < pixels.size(); ++i)
     if (points[i].z() > 0)
@@ -108,6 +176,8 @@ registeredCloud(const RgbImage& color,
                 const std::vector<Eigen::Vector3f>& points,
                 const ColorCamera& color_camera)
 {
+  requireComplete(color, 3);
+  requireCamera(color_camera.pinhole);
   const Pinhole& seen = color_camera.pinhole;
   const Eigen::Isometry3d T_color_depth = color_camera.T_depth_color.inverse();
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
@@ -129,4 +199,44 @@ registeredCloud(const RgbImage& color,
   return cloudOf(pixels, color.width, color.height);
 }
 
-} // namespace pcl::acmap
+RgbdObservation
+loadRgbdObservation(const RgbdFrame& frame,
+                    const RgbdCameras& cameras,
+                    const RgbdImageSizes& sizes,
+                    unsigned threads)
+{
+  const FrameImages images = loadImages(frame, cameras, sizes);
+  RgbdObservation observation;
+  observation.sizes = {sizeOf(images.color), sizeOf(images.depth)};
+  std::vector<Eigen::Vector3f> points =
+      measuredPoints(images.depth, cameras.depth, cameras.meaning);
+  PointCloud<PointXYZ> view;
+  for (const Eigen::Vector3f& point : points)
+    view.push_back(PointXYZ(point.x(), point.y(), point.z()));
+  view.width = static_cast<std::uint32_t>(images.depth.width);
+  view.height = static_cast<std::uint32_t>(images.depth.height);
+  if (refineQuantisedDepth(view, cameras.sensor, threads)) {
+    observation.is_refined = true;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = view[i].getVector3fMap();
+  }
+  observation.cloud = cameras.color
+                          ? registeredCloud(images.color, points, *cameras.color)
+                          : observationCloud(images.color, points);
+  return observation;
+}
+
+Eigen::Isometry3d
+loadPose(const RgbdFrame& frame, const RgbdCameras& cameras)
+{
+  const Eigen::Isometry3d T_world_depth = loadPose(frame);
+  return cameras.color ? T_world_depth * cameras.color->T_depth_color : T_world_depth;
+}
+
+std::string
+acmap::sizeText(const ImageSize& size)
+{
+  return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+}
+
+} // namespace pcl
