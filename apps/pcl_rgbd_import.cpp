@@ -17,8 +17,8 @@ constexpr std::size_t max_named = 5;
 void
 importFrames(Tool& tool,
              const ImportOptions& options,
-             const std::vector<RgbdFrame>& frames,
-             const RgbdCameras& cameras,
+             const std::vector<pcl::RgbdFrame>& frames,
+             const pcl::RgbdCameras& cameras,
              const OutputFolder& folder,
              RgbdImport& import)
 {
@@ -43,8 +43,8 @@ importFrames(Tool& tool,
 void
 warnOfCenter(Tool& tool,
              const std::string& name,
-             const Pinhole& camera,
-             const ImageSize& size,
+             const pcl::Pinhole& camera,
+             const pcl::ImageSize& size,
              const std::string& option)
 {
   if (std::abs(2 * camera.cx - size.width) > 0.5 * size.width ||
@@ -57,16 +57,19 @@ warnOfCenter(Tool& tool,
 void
 warnOfCameras(Tool& tool,
               const ImportOptions& options,
-              const RgbdSequence& sequence,
-              const RgbdCameras& cameras,
+              const pcl::RgbdSequence& sequence,
+              const pcl::RgbdCameras& cameras,
               const RgbdImport& import)
 {
   for (const std::string& remark : sequence.remarks)
     tool.warn(remark);
-  warnOfCenter(tool, "camera", cameras.depth, import.depth, "--intrinsics");
+  warnOfCenter(tool, "camera", cameras.depth, import.sizes.depth, "--intrinsics");
   if (cameras.color)
-    warnOfCenter(
-        tool, "colour camera", cameras.color->pinhole, import.color, "--color-camera");
+    warnOfCenter(tool,
+                 "colour camera",
+                 cameras.color->pinhole,
+                 import.sizes.color,
+                 "--color-camera");
   else if (!sequence.is_registered && !options.is_registered)
     tool.warn("the camera of the colours is not known: took them pixel by pixel as the "
               "depths; --color-camera names it, --registered says that this is right");
@@ -75,7 +78,7 @@ warnOfCameras(Tool& tool,
 /** Warns of lengths that exceed rooms, since the unit of the numbers is then probably
  * wrong. */
 void
-warnOfLengths(Tool& tool, const RgbdCameras& cameras, const RgbdImport& import)
+warnOfLengths(Tool& tool, const pcl::RgbdCameras& cameras, const RgbdImport& import)
 {
   constexpr double farthest_depth = 100, farthest_pose = 1000;
   const double depth = import.medianDepth() / cameras.meaning.scale;
@@ -92,7 +95,7 @@ warnOfLengths(Tool& tool, const RgbdCameras& cameras, const RgbdImport& import)
 }
 
 void
-warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
+warnOfFrames(Tool& tool, const pcl::RgbdSequence& sequence, const RgbdImport& import)
 {
   const auto count = [&](std::size_t frames, const std::string& fault) {
     if (frames > 0)
@@ -111,7 +114,7 @@ warnOfFrames(Tool& tool, const RgbdSequence& sequence, const RgbdImport& import)
 
 /** \brief Source of the colour camera's parameters. */
 std::string
-colorCameraText(const ImportOptions& options, const RgbdCameras& cameras)
+colorCameraText(const ImportOptions& options, const pcl::RgbdCameras& cameras)
 {
   if (!cameras.color)
     return "none";
@@ -121,14 +124,14 @@ colorCameraText(const ImportOptions& options, const RgbdCameras& cameras)
 void
 tellResults(Tool& tool,
             const ImportOptions& options,
-            const RgbdSequence& sequence,
-            const RgbdCameras& cameras,
+            const pcl::RgbdSequence& sequence,
+            const pcl::RgbdCameras& cameras,
             const RgbdImport& import)
 {
   const std::size_t observations = import.trajectory.poses.size();
   const std::uint64_t points = import.points();
-  const double pixels =
-      static_cast<double>(observations) * import.color.width * import.color.height;
+  const double pixels = static_cast<double>(observations) * import.sizes.color.width *
+                        import.sizes.color.height;
   const double share = static_cast<double>(points) / pixels;
   const double median = import.medianDepth() / cameras.meaning.scale;
   const std::string colors = colorCameraText(options, cameras);
@@ -136,8 +139,8 @@ tellResults(Tool& tool,
                     {"output", options.output},
                     {"layout", sequence.layout},
                     {"observations", observations},
-                    {"width", import.color.width},
-                    {"height", import.color.height},
+                    {"width", import.sizes.color.width},
+                    {"height", import.sizes.color.height},
                     {"color_camera", colors},
                     {"points", points},
                     {"refined", import.refined},
@@ -166,8 +169,9 @@ void
 convert(Tool& tool, const ImportOptions& options)
 {
   StepTimer timer(tool.report());
-  const RgbdSequence sequence = openSequence(options.input, settingsOf(options));
-  const RgbdCameras cameras{
+  const pcl::RgbdSequence sequence =
+      pcl::openRgbdSequence(options.input, settingsOf(options));
+  const pcl::RgbdCameras cameras{
       cameraOf(options, sequence),
       colorCameraOf(options, sequence),
       {options.depth_scale.value_or(sequence.depth_scale), options.max_depth},

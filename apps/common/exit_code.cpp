@@ -54,6 +54,9 @@ failureOf(const std::exception_ptr& error)
   catch (const NothingFound& e) {
     return {exit_nothing_found, oneLine(e.what())};
   }
+  catch (const EmptyInputException& e) {
+    return {exit_nothing_found, oneLine(e.what())};
+  }
   catch (const UsageError& e) {
     return {exit_usage, oneLine(e.what())};
   }

@@ -3,6 +3,7 @@
 #include "output_target.h"
 
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/rgbd_sequence.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -34,20 +35,6 @@ namesIn(const fs::path& folder)
   return names;
 }
 
-/** \brief Do the names have the layout of TUM, 7-Scenes or Open3D? */
-bool
-isRgbdFolder(const std::set<std::string>& names)
-{
-  const auto has = [&](const char* name) { return names.count(name) > 0; };
-  const bool is_tum = has("rgb.txt") || has("depth.txt");
-  const bool is_open3d = has("depth") && (has("color") || has("image") || has("rgb"));
-  return is_tum || is_open3d ||
-         std::any_of(names.begin(), names.end(), [](const std::string& name) {
-           return begins(name, "frame-") && (name.find(".color.") != name.npos ||
-                                             name.find(".depth.") != name.npos);
-         });
-}
-
 InputKind
 kindOfFolder(const fs::path& folder)
 {
@@ -67,7 +54,7 @@ kindOfFolder(const fs::path& folder)
     return InputKind::CompactMap;
   if (has("map.pcd"))
     return has(trajectory_name) ? InputKind::MergedMap : InputKind::Observations;
-  if (isRgbdFolder(names))
+  if (isRgbdFolder(folder.string()))
     return InputKind::RgbdFolder;
   return count(".png") + count(".jpg") + count(".jpeg") + count(".pgm") +
                      count(".ppm") >

@@ -1,40 +1,20 @@
 #pragma once
 
-#include "rgbd_observation.h"
-#include "rgbd_sequence.h"
-
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory.h>
-#include <pcl/pipeline/depth_sensor.h>
+#include <pcl/pipeline/rgbd_observation.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief Size of an image in pixels. */
-struct ImageSize {
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-};
-
-/** \brief The cameras of all frames. */
-struct RgbdCameras {
-  Pinhole depth;
-  /** \brief None: colours have the pixels of the depth camera. */
-  std::optional<ColorCamera> color;
-  DepthMeaning meaning;
-  DepthSensor sensor = DepthSensor::Automatic;
-};
-
 /** \brief Results so far. */
 struct RgbdImport {
   pcl::Trajectory trajectory; ///< T_first_camera; identity without poses
   Eigen::Isometry3d T_first_world;
-  ImageSize color; ///< size of all colour images, and therefore of the observations
-  ImageSize depth; ///< size of all depth images
+  RgbdImageSizes sizes;    ///< of the images of all frames
   std::size_t empty = 0;   ///< observations without a point
   std::size_t refined = 0; ///< observations whose depth was quantised
   /** \brief Histogram of the numbers in the depth images over all points. */
@@ -48,10 +28,6 @@ struct RgbdImport {
   std::uint16_t
   medianDepth() const;
 };
-
-/** \brief A size as text, with its unit. */
-std::string
-sizeText(const ImageSize& size);
 
 /** \brief Converts a frame to an observation in the folder. All of the frame is read
  * and checked before anything is counted or written.

@@ -103,10 +103,10 @@ addOptions(Tool& tool, ImportOptions& options)
               "Seconds between what TUM's lists have of one moment, at most");
 }
 
-SequenceSettings
+RgbdSequenceSettings
 settingsOf(const ImportOptions& options)
 {
-  SequenceSettings settings;
+  RgbdSequenceSettings settings;
   settings.has_poses = !options.no_poses;
   settings.max_stamp_gap = options.max_stamp_gap;
   settings.has_camera =

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "rgbd_sequence.h"
 #include "sensor_option.h"
 #include "tool.h"
+
+#include <pcl/pipeline/rgbd_sequence.h>
 
 #include <optional>
 #include <string>
@@ -31,7 +32,7 @@ void
 addOptions(Tool& tool, ImportOptions& options);
 
 /** \brief Settings for reading the folder. */
-SequenceSettings
+RgbdSequenceSettings
 settingsOf(const ImportOptions& options);
 
 /** \brief The camera of the user, otherwise that of the folder.

@@ -1,11 +1,11 @@
 #include "egomotion_input.h"
 
-#include "rgbd_import/rgbd_observation.h"
-#include "rgbd_import/rgbd_sequence.h"
 #include "test_data.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/pipeline/rgbd_observation.h>
+#include <pcl/pipeline/rgbd_sequence.h>
 
 #include <iostream>
 
@@ -19,7 +19,7 @@ loadKitchen()
     std::cout << "\nkitchen: left out, no " << folder << "\n";
     return std::nullopt;
   }
-  const RgbdSequence recorded = openSequence(test::testDataPath(folder).string(), {});
+  const RgbdSequence recorded = openRgbdSequence(test::testDataPath(folder).string());
   const ColorCamera& camera = recorded.color_camera.value();
   EgomotionSequence kitchen;
   kitchen.name = "redkitchen";
@@ -35,7 +35,7 @@ loadKitchen()
             camera),
         *cloud);
     kitchen.clouds.push_back(cloud);
-    kitchen.truth.push_back(poseOf(frame) * camera.T_depth_color);
+    kitchen.truth.push_back(loadPose(frame, recorded.cameras()));
   }
   return kitchen;
 }

@@ -1,11 +1,11 @@
-#include "rgbd_import/rgbd_observation.h"
-#include "rgbd_import/rgbd_sequence.h"
 #include "room_views.h"
 #include "test_data.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
 #include <pcl/egomotion/visual_egomotion.h>
+#include <pcl/pipeline/rgbd_observation.h>
+#include <pcl/pipeline/rgbd_sequence.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ observationOf(const RgbdSequence& sequence, int number)
           measuredPoints(loadGrayImage16(frame->depth), sequence.camera, {}),
           camera),
       *observation.cloud);
-  observation.T_world_camera = poseOf(*frame) * camera.T_depth_color;
+  observation.T_world_camera = loadPose(*frame, sequence.cameras());
   return observation;
 }
 
@@ -47,7 +47,7 @@ TEST(VisualEgomotionReal, neighboursOfAKitchenAreNearTheirPoses)
 {
   if (!hasTestData(folder + "/frame-000000.depth.png"))
     GTEST_SKIP() << "needs redkitchen of the test data";
-  const RgbdSequence sequence = openSequence(testDataPath(folder).string(), {});
+  const RgbdSequence sequence = openRgbdSequence(testDataPath(folder).string());
   for (const int first : {0, 100, 250, 400}) {
     const Observation before = observationOf(sequence, first);
     const Observation now = observationOf(sequence, first + 10);

@@ -1,6 +1,5 @@
 #include "compact_mapping/stage_folder.h"
 #include "paper_figures/figure_plan.h"
-#include "rgbd_import/color_camera.h"
 #include "temporary_folder.h"
 
 #include <pcl/acquisition/frame_file.h>
@@ -10,6 +9,7 @@
 #include <pcl/core/map_file.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/core/trinocular_rig.h>
+#include <pcl/pipeline/rgbd_cameras.h>
 #include <pcl/pipeline/session_truth.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/texture/compact_map_folder.h>

@@ -1,6 +1,8 @@
 #include "checks.h"
-#include "rgbd_import/color_camera.h"
-#include "rgbd_import/text_rows.h"
+#include "rgbd/text_rows.h"
+
+#include <pcl/core/yaml_node.h>
+#include <pcl/pipeline/rgbd_cameras.h>
 
 using namespace pcl::acmap;
 

@@ -1,5 +1,5 @@
 #include "checks.h"
-#include "rgbd_import/text_rows.h"
+#include "rgbd/text_rows.h"
 
 #include <cmath>
 #include <sstream>

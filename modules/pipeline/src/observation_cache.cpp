@@ -1,7 +1,5 @@
 #include "observation_cache.h"
 
-#include <pcl/core/scaled_cloud.h>
-
 namespace pcl::acmap {
 
 std::shared_ptr<const PointCloudFile>
@@ -15,11 +13,11 @@ ObservationCache::find(const std::string& path) const
 }
 
 std::shared_ptr<const PointCloudFile>
-ObservationCache::load(const std::string& path, double scale)
+ObservationCache::load(const std::string& path)
 {
   if (std::shared_ptr<const PointCloudFile> kept = find(path))
     return kept;
-  auto file = std::make_shared<const PointCloudFile>(loadScaledCloud(path, scale));
+  auto file = std::make_shared<const PointCloudFile>(reader_(path));
   const std::lock_guard lock(mutex_);
   ++reads_;
   const std::size_t bytes = file->cloud.data.size();

@@ -3,10 +3,12 @@
 #include <pcl/core/point_cloud_file.h>
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -17,11 +19,17 @@ namespace pcl::acmap {
  * ones, none would be in memory when the next stage needs it. Thread-safe. */
 class ObservationCache {
 public:
-  /** \brief Reads a file unless it is in memory.
-   * \param[in] scale metres in a unit of the file
-   * \throws InputFileException as \ref pcl::loadPointCloud */
+  /** \brief Function that reads an observation from its path. Must be thread-safe. */
+  using Reader = std::function<PointCloudFile(const std::string& path)>;
+
+  /** \param[in] reader may be empty if all clouds are given to \ref hold */
+  explicit ObservationCache(Reader reader = {})
+  : reader_(std::move(reader))
+  {}
+
+  /** \brief Reads an observation unless it is in memory; throws as the reader. */
   std::shared_ptr<const PointCloudFile>
-  load(const std::string& path, double scale);
+  load(const std::string& path);
 
   /** \brief Keeps a cloud that has no file; it does not count for the limit. */
   void
@@ -38,6 +46,7 @@ private:
   std::shared_ptr<const PointCloudFile>
   find(const std::string& path) const;
 
+  Reader reader_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const PointCloudFile>> files_, held_;
   std::size_t limit_ = std::size_t{512} << 20;

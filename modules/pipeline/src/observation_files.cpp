@@ -1,10 +1,11 @@
+#include "file_ending.h"
+
 #include <pcl/core/exceptions.h>
 #include <pcl/core/folder_entries.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <numeric>
@@ -17,16 +18,6 @@ namespace pcl::acmap {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool
-isPcd(const fs::path& path)
-{
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return ending == ".pcd";
-}
 
 /** A map.pcd next to a map.json or a trajectory is a merged map. */
 bool
@@ -46,7 +37,7 @@ pcdNames(const std::string& folder)
     throw InputFileException(folder + ": is no folder");
   std::vector<std::string> names;
   for (const fs::path& entry : folderEntries(folder))
-    if (isPcd(entry))
+    if (endingOf(entry) == ".pcd")
       names.push_back(entry.filename().string());
   if (names.empty())
     throw InputFileException(folder + ": holds no .pcd file");

@@ -1,5 +1,7 @@
 #include "observation_cache.h"
+#include "rgbd/rgbd_reader.h"
 
+#include <pcl/core/scaled_cloud.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
 
@@ -40,12 +42,18 @@ shortText(double value)
   return text.str();
 }
 
+std::shared_ptr<acmap::ObservationCache>
+cacheOfFiles(double scale)
+{
+  return std::make_shared<acmap::ObservationCache>(
+      [scale](const std::string& path) { return acmap::loadScaledCloud(path, scale); });
+}
+
 } // namespace
 
 ObservationSequence::ObservationSequence(const std::string& folder, double scale)
 : source_(folder)
-, scale_(scale)
-, cache_(std::make_shared<acmap::ObservationCache>())
+, cache_(cacheOfFiles(scale))
 {
   paths_ = acmap::observationPaths(folder);
   const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
@@ -59,9 +67,8 @@ ObservationSequence::ObservationSequence(const std::string& folder, double scale
 }
 
 ObservationSequence::ObservationSequence(std::vector<std::string> files, double scale)
-: scale_(scale)
-, paths_(std::move(files))
-, cache_(std::make_shared<acmap::ObservationCache>())
+: paths_(std::move(files))
+, cache_(cacheOfFiles(scale))
 {
   if (paths_.empty())
     PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no files");
@@ -71,7 +78,6 @@ ObservationSequence::ObservationSequence(std::vector<std::string> files, double 
 ObservationSequence::ObservationSequence(
     std::vector<std::shared_ptr<const PointCloudFile>> clouds, Trajectory trajectory)
 : source_("the sequence in memory")
-, scale_(1)
 , trajectory_(std::move(trajectory))
 , is_given_(true)
 , cache_(std::make_shared<acmap::ObservationCache>())
@@ -89,6 +95,25 @@ ObservationSequence::ObservationSequence(
     cache_->hold(paths_.back(), std::move(clouds[i]));
     rows_.push_back(i);
   }
+}
+
+ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
+                                         const RgbdCameras& cameras,
+                                         unsigned threads)
+: source_(recorded.folder)
+, is_given_(true)
+{
+  if (recorded.frames.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no frames");
+  trajectory_ = acmap::rgbdTrajectory(recorded, cameras);
+  for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
+    paths_.push_back(acmap::observationName(i));
+    rows_.push_back(i);
+  }
+  const auto reader =
+      std::make_shared<acmap::RgbdReader>(recorded, cameras, trajectory_, threads);
+  cache_ = std::make_shared<acmap::ObservationCache>(
+      [reader](const std::string& name) { return reader->read(name); });
 }
 
 ObservationSequence
@@ -141,14 +166,16 @@ ObservationSequence::names() const
 double
 ObservationSequence::stamp(std::size_t i) const
 {
-  return hasTrajectory() ? trajectory_.stamps[rows_[i]] : static_cast<double>(i);
+  const std::size_t row = i < rows_.size() ? rows_[i] : i;
+  return row < trajectory_.stamps.size() ? trajectory_.stamps[row]
+                                         : static_cast<double>(i);
 }
 
 PosedObservation
 ObservationSequence::load(std::size_t i) const
 {
   PosedObservation observation;
-  observation.file = cache_->load(paths_[i], scale_);
+  observation.file = cache_->load(paths_[i]);
   const Eigen::Isometry3d viewpoint = viewpointOf(*observation.file);
   if (!hasTrajectory()) {
     observation.T_map_camera = viewpoint;

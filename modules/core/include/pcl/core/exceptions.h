@@ -12,6 +12,13 @@ public:
   using IOException::IOException;
 };
 
+/** \brief Thrown for an input that is valid, but contains nothing of what is needed. The
+ * message names the input and what it lacks. \ingroup core */
+class ACMAP_EXPORT EmptyInputException : public PCLException {
+public:
+  using PCLException::PCLException;
+};
+
 /** \brief Thrown for a file that could not be written completely. An existing file of
  * that name is not changed. \ingroup core */
 class ACMAP_EXPORT OutputFileException : public IOException {

@@ -13,6 +13,9 @@
 
 namespace pcl {
 
+struct RgbdCameras;
+struct RgbdSequence;
+
 namespace acmap {
 class ObservationCache;
 }
@@ -26,10 +29,11 @@ struct PosedObservation {
 
 /** \brief The observations of a trajectory, read when they are needed.
  *
- * An observation is a PCD file in the frame of its camera. Its pose is the row of
- * `trajectory.txt` that \ref acmap::trajectoryRows finds, or else the VIEWPOINT of the
- * file. Files that were read stay in memory up to a limit (\ref setCacheSize), so that
- * several stages read them once; copies of a sequence share them.
+ * An observation is a PCD file in the frame of its camera, a cloud in memory, or a frame
+ * of an RGB-D folder. The pose of a file is the row of `trajectory.txt` that
+ * \ref acmap::trajectoryRows finds, or else its VIEWPOINT. What was read stays in memory
+ * up to a limit (\ref setCacheSize), so that several stages read it once; copies of a
+ * sequence share it.
  * \code
  * const pcl::ObservationSequence sequence ("observations");
  * for (std::size_t i = 0; i < sequence.size (); ++i) {
@@ -61,6 +65,22 @@ public:
       std::vector<std::shared_ptr<const PointCloudFile>> clouds,
       Trajectory trajectory = {});
 
+  /** \brief Takes the frames of an RGB-D folder, which are converted to observations
+   * when they are needed (\ref loadRgbdObservation), and are named as files of a sequence
+   * are. Their poses are read at once; the map is the frame of the first observation's
+   * camera.
+   *
+   * All images must have the sizes of the frame that is loaded first: \ref load throws
+   * InputFileException for another size, as for a file that is missing or malformed.
+   * \param[in] recorded from \ref openRgbdSequence; without poses if has_poses is false
+   * \param[in] cameras such as those of the folder, \ref RgbdSequence::cameras
+   * \param[in] threads 0 for all
+   * \throws BadArgumentException if there is no frame
+   * \throws InputFileException if a pose cannot be read */
+  ObservationSequence(const RgbdSequence& recorded,
+                      const RgbdCameras& cameras,
+                      unsigned threads = 0);
+
   /** \brief Selects observations whose poses were estimated elsewhere, and gives them
    * these poses.
    *
@@ -83,7 +103,7 @@ public:
   std::string
   folder() const;
 
-  /** \brief Path of the file of an observation. */
+  /** \brief Path of the file of an observation; its name if it has no file. */
   const std::string&
   path(std::size_t i) const
   {
@@ -110,12 +130,14 @@ public:
     return !trajectory_.poses.empty();
   }
 
-  /** \brief Time of an observation in seconds; its index if there is no trajectory. */
+  /** \brief Time of an observation in seconds; its index if the sequence has neither a
+   * trajectory nor times. */
   double
   stamp(std::size_t i) const;
 
   /** \brief Reads an observation, unless it is in memory.
-   * \throws InputFileException as pcl::loadPointCloud */
+   * \throws InputFileException as pcl::loadPointCloud, for a frame of an RGB-D folder as
+   * \ref loadRgbdObservation */
   PosedObservation
   load(std::size_t i) const;
 
@@ -133,13 +155,13 @@ public:
   void
   setCacheSize(std::size_t bytes);
 
-  /** \brief Number of times that a file was read, by all copies of this sequence. */
+  /** \brief Number of times that a file or a frame was read, by all copies of this
+   * sequence. */
   std::size_t
   getNumberOfReads() const;
 
 private:
   std::string source_; ///< folder, or first file, for messages
-  double scale_;
   std::vector<std::string> paths_;
   std::vector<std::size_t> rows_; ///< row in the trajectory, one per observation
   Trajectory trajectory_;

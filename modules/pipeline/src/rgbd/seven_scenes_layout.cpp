@@ -1,4 +1,4 @@
-#include "rgbd_sequence.h"
+#include "rgbd/layouts.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/folder_entries.h>
@@ -110,7 +110,7 @@ isSevenScenesSequence(const std::string& folder)
 }
 
 RgbdSequence
-openSevenScenesSequence(const std::string& folder, const SequenceSettings& settings)
+openSevenScenesSequence(const std::string& folder, const RgbdSequenceSettings& settings)
 {
   RgbdSequence sequence;
   sequence.layout = "7-Scenes";

@@ -1,4 +1,4 @@
-#include "text_rows.h"
+#include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
 

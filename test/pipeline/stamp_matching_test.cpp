@@ -1,7 +1,8 @@
+#include "rgbd/stamp_matching.h"
+
 #include <pcl/core/random.h>
 
 #include <gtest/gtest.h>
-#include <rgbd_import/stamp_matching.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,17 @@
-#include "color_camera.h"
-
-#include "text_rows.h"
+#include "file_ending.h"
+#include "rgbd/text_rows.h"
 
 #include <pcl/core/file_format.h>
+#include <pcl/core/trinocular_rig.h>
+#include <pcl/core/yaml_node.h>
+#include <pcl/pipeline/rgbd_cameras.h>
 
-namespace pcl::acmap {
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+
+namespace acmap {
 
 namespace {
 
@@ -55,24 +62,6 @@ poseOf(const YamlNode& camera)
 } // namespace
 
 ColorCamera
-kinectColorCamera()
-{
-  Eigen::Matrix3d rotation;
-  rotation << 0.99996518, 0.00267651, -0.00790410, //
-      -0.00274093, 0.99996303, -0.00815045,        //
-      0.00788199, 0.00817183, 0.99993554;
-  Eigen::Isometry3d T_color_depth(Eigen::Quaterniond(rotation).normalized());
-  T_color_depth.translation() << -0.025559, 0.000101, 0.002032;
-  return {{525.0, 525.0, 320.0, 240.0}, T_color_depth.inverse()};
-}
-
-ColorCamera
-loadColorCamera(const std::string& path)
-{
-  return readColorCamera(loadYaml(path));
-}
-
-ColorCamera
 readColorCamera(const YamlNode& camera)
 {
   requireFormat(camera, file_formats::camera);
@@ -87,4 +76,43 @@ readColorCamera(const YamlNode& camera)
   return {pinholeOf(camera), poseOf(camera)};
 }
 
-} // namespace pcl::acmap
+} // namespace acmap
+
+Pinhole
+loadPinhole(const std::string& path)
+{
+  const std::string ending = acmap::endingOf(path);
+  if (ending == ".yaml" || ending == ".yml") {
+    const TrinocularRig rig = loadTrinocularRig(path);
+    return {rig.focal_length, rig.focal_length, rig.center_x, rig.center_y};
+  }
+  constexpr double least = 1e-6;
+  constexpr double most = 1e6;
+  const std::vector<double> m = acmap::loadSquareMatrix(path, 3);
+  const bool is_sound = std::min(m[0], m[4]) >= least && std::max(m[0], m[4]) <= most &&
+                        std::max(std::abs(m[2]), std::abs(m[5])) <= most;
+  if (!is_sound || m[1] != 0 || m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1)
+    throw InputFileException(
+        path + ": is no matrix of a camera: fx 0 cx, 0 fy cy, 0 0 1 is needed");
+  return {m[0], m[4], m[2], m[5]};
+}
+
+ColorCamera
+kinectColorCamera()
+{
+  Eigen::Matrix3d rotation;
+  rotation << 0.99996518, 0.00267651, -0.00790410, //
+      -0.00274093, 0.99996303, -0.00815045,        //
+      0.00788199, 0.00817183, 0.99993554;
+  Eigen::Isometry3d T_color_depth(Eigen::Quaterniond(rotation).normalized());
+  T_color_depth.translation() << -0.025559, 0.000101, 0.002032;
+  return {{525.0, 525.0, 320.0, 240.0}, T_color_depth.inverse()};
+}
+
+ColorCamera
+loadColorCamera(const std::string& path)
+{
+  return acmap::readColorCamera(acmap::loadYaml(path));
+}
+
+} // namespace pcl

@@ -1,4 +1,4 @@
-#include "stamp_matching.h"
+#include "rgbd/stamp_matching.h"
 
 #include <algorithm>
 #include <queue>

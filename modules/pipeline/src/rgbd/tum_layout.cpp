@@ -1,7 +1,6 @@
-#include "exit_code.h"
-#include "rgbd_sequence.h"
-#include "stamp_matching.h"
-#include "text_rows.h"
+#include "rgbd/layouts.h"
+#include "rgbd/stamp_matching.h"
+#include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/trajectory.h>
@@ -152,7 +151,7 @@ isTumSequence(const std::string& folder)
 }
 
 RgbdSequence
-openTumSequence(const std::string& folder, const SequenceSettings& settings)
+openTumSequence(const std::string& folder, const RgbdSequenceSettings& settings)
 {
   const ImageList colors = loadImageList(folder, color_list);
   const ImageList depths = loadImageList(folder, depth_list);
@@ -171,11 +170,12 @@ openTumSequence(const std::string& folder, const SequenceSettings& settings)
   }
   sequence.unmatched = depths.paths.size() - sequence.frames.size();
   if (sequence.frames.empty())
-    throw NothingFound(folder + ": no colour image was taken near a depth image");
+    throw EmptyInputException(folder +
+                              ": no colour image was taken near a depth image");
   if (settings.has_poses)
     findPoses(folder, settings.max_stamp_gap, sequence);
   if (sequence.frames.empty())
-    throw NothingFound(folder + ": " + pose_list + " has no pose near an image");
+    throw EmptyInputException(folder + ": " + pose_list + " has no pose near an image");
   if (!settings.has_camera)
     sequence.remarks.push_back(
         "the folder does not tell its camera: took TUM's fx = fy = 525, cx = 319.5, "

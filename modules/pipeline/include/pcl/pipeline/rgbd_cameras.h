@@ -1,0 +1,84 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/pipeline/depth_sensor.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace pcl {
+
+/** \brief A camera without distortion: the ray of pixel (column, row) is ((column - cx)
+ * / fx, (row - cy) / fy, 1). \ingroup pipeline */
+struct Pinhole {
+  double fx = 0; ///< pixels
+  double fy = 0;
+  double cx = 0;
+  double cy = 0;
+};
+
+/** \brief Reads a pinhole camera from a 3 x 3 matrix in text, or from a `rig.yaml`.
+ * \param[in] path ends in .yaml or .yml for a rig
+ * \throws InputFileException when it is missing or has no pinhole camera
+ * \ingroup pipeline */
+ACMAP_EXPORT Pinhole
+loadPinhole(const std::string& path);
+
+/** \brief A colour camera next to the depth camera. \ingroup pipeline */
+struct ColorCamera {
+  Pinhole pinhole;
+  Eigen::Isometry3d T_depth_color; ///< its pose in the depth camera's frame, metres
+};
+
+/** \brief Default colour camera for a Kinect as used for 7-Scenes, whose calibration
+ * was never published: the usual focal length, and the pose that was measured for
+ * another Kinect (see doc/tools/pcl_rgbd_import.md for its accuracy).
+ * \ingroup pipeline */
+ACMAP_EXPORT ColorCamera
+kinectColorCamera();
+
+/** \brief Reads a colour camera from YAML: focal_length, or focal_length_x and
+ * focal_length_y, center_x, center_y (pixels); position (metres) and rotation (rows),
+ * its pose in the depth camera's frame.
+ * \throws InputFileException naming file, line and fault \ingroup pipeline */
+ACMAP_EXPORT ColorCamera
+loadColorCamera(const std::string& path);
+
+/** \brief Conversion of the numbers of a depth image to metres. \ingroup pipeline */
+struct DepthMeaning {
+  double scale = 1000.0;  ///< number that is one metre
+  double max_depth = 0.0; ///< metres; points beyond are left out; 0 for no limit
+
+  /** \brief Converts a number to metres; 0 if nothing was measured. */
+  double
+  metres(std::uint16_t number) const
+  {
+    constexpr std::uint16_t saturated = 65535;
+    const double z = number == saturated ? 0.0 : number / scale;
+    return max_depth > 0.0 && z > max_depth ? 0.0 : z;
+  }
+};
+
+/** \brief The cameras of all frames of an RGB-D sequence. \ingroup pipeline */
+struct RgbdCameras {
+  Pinhole depth;
+  /** \brief None: colours have the pixels of the depth camera. */
+  std::optional<ColorCamera> color;
+  DepthMeaning meaning;
+  DepthSensor sensor = DepthSensor::Automatic;
+};
+
+namespace acmap {
+
+class YamlNode;
+
+/** \brief Reads a colour camera from a YAML node. */
+ACMAP_EXPORT ColorCamera
+readColorCamera(const YamlNode& camera);
+
+} // namespace acmap
+
+} // namespace pcl

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/export.h>
+#include <pcl/core/image_file.h>
+#include <pcl/pipeline/rgbd_cameras.h>
+#include <pcl/pipeline/rgbd_sequence.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Standard deviation of a depth measured by a Kinect, along z, metres: axial
+ * noise of surfaces that are not slanted, from Nguyen, Izadi, Lovell: Modeling Kinect
+ * Sensor Noise for Improved 3D Reconstruction and Tracking, 3DIMPVT 2012.
+ * \ingroup pipeline */
+inline double
+kinectDepthSigma(double z)
+{
+  return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);
+}
+
+/** \brief The points of a depth image, one per pixel, metres; NaN if nothing was
+ * measured. \ingroup pipeline */
+ACMAP_EXPORT std::vector<Eigen::Vector3f>
+measuredPoints(const GrayImage16& depth,
+               const Pinhole& camera,
+               const DepthMeaning& meaning);
+
+/** \brief An organized cloud of x y z rgb sigma in the camera's frame, one point per
+ * pixel.
+ *
+ * x y z and sigma are NaN if nothing was measured; rgb is valid at every pixel. sigma
+ * is along the ray, which is longer than z for pixels off the centre.
+ * \param[in] color one pixel per point \ingroup pipeline */
+ACMAP_EXPORT PCLPointCloud2
+observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points);
+
+/** \brief The same in the frame and the pixels of a separate colour camera.
+ *
+ * A point keeps its measured position, which is up to half a pixel from the centre of
+ * its pixel; of several points in a pixel the nearest is used. Pixels without a point
+ * have only rgb. sigma is along the ray of the depth camera.
+ * \param[in] color of any size
+ * \param[in] points of the depth camera. O(n) \ingroup pipeline */
+ACMAP_EXPORT PCLPointCloud2
+registeredCloud(const RgbImage& color,
+                const std::vector<Eigen::Vector3f>& points,
+                const ColorCamera& color_camera);
+
+/** \brief Size of an image in pixels. \ingroup pipeline */
+struct ImageSize {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+};
+
+/** \brief Sizes of the images of a frame; 0 x 0 if they are not known.
+ * \ingroup pipeline */
+struct RgbdImageSizes {
+  ImageSize color; ///< also that of the observation
+  ImageSize depth;
+};
+
+/** \brief A frame of an RGB-D sequence as an observation. \ingroup pipeline */
+struct RgbdObservation {
+  /** \brief Organized x y z rgb sigma, metres, in the frame and the pixels of the colour
+   * camera, or of the depth camera if there is no separate one. */
+  PCLPointCloud2 cloud;
+  RgbdImageSizes sizes;
+  bool is_refined = false; ///< Was the depth quantised?
+};
+
+/** \brief Reads the images of a frame and converts them to an observation. The steps of
+ * quantised depth are removed first (\ref refineQuantisedDepth), in the pixels of the
+ * depth camera.
+ * \param[in] sizes of the other frames, which this one must have too; 0 x 0 for any
+ * \param[in] threads 0 for all
+ * \throws InputFileException when an image is missing, malformed, or of another size; or
+ * when there is no colour camera and the images of the frame differ in size
+ * \throws UnorganizedPointCloudException as \ref refineQuantisedDepth
+ * \ingroup pipeline */
+ACMAP_EXPORT RgbdObservation
+loadRgbdObservation(const RgbdFrame& frame,
+                    const RgbdCameras& cameras,
+                    const RgbdImageSizes& sizes = {},
+                    unsigned threads = 0);
+
+/** \brief Pose of the camera whose frame the observation has, T_world_camera.
+ * \throws InputFileException as \ref loadPose(const RgbdFrame&) \ingroup pipeline */
+ACMAP_EXPORT Eigen::Isometry3d
+loadPose(const RgbdFrame& frame, const RgbdCameras& cameras);
+
+namespace acmap {
+
+/** \brief A size as text, with its unit. */
+ACMAP_EXPORT std::string
+sizeText(const ImageSize& size);
+
+} // namespace acmap
+
+} // namespace pcl

@@ -1,0 +1,242 @@
+#include <pcl/core/arguments.h>
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/pipeline/depth_sensor.h>
+#include <pcl/pipeline/rgbd_observation.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+
+namespace {
+
+template <typename Image>
+ImageSize
+sizeOf(const Image& image)
+{
+  return {image.width, image.height};
+}
+
+/** \param[in] channels numbers per pixel */
+template <typename Image>
+void
+requireComplete(const Image& image, std::size_t channels)
+{
+  const bool is_sound = image.width > 0 && image.height > 0;
+  if (!is_sound || image.values.size() != channels *
+                                              static_cast<std::size_t>(image.width) *
+                                              static_cast<std::size_t>(image.height))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "an image of " << acmap::sizeText(sizeOf(image)) << " has "
+                                       << image.values.size() << " values");
+}
+
+void
+requireCamera(const Pinhole& camera)
+{
+  if (!(camera.fx > 0 && camera.fy > 0))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "the focal length of a camera is "
+                            << camera.fx << ", " << camera.fy << ": it must exceed 0");
+}
+
+/** A row of the cloud. */
+struct Pixel {
+  float x, y, z;
+  std::uint32_t rgb;
+  float sigma;
+};
+
+/** \brief All pixels with their colours, without points. */
+std::vector<Pixel>
+pixelsWithoutPoint(const RgbImage& color)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<Pixel> pixels;
+  pixels.reserve(color.values.size() / 3);
+  for (std::size_t i = 0; i + 2 < color.values.size(); i += 3)
+    pixels.push_back({nan,
+                      nan,
+                      nan,
+                      std::uint32_t{color.values[i]} << 16 |
+                          std::uint32_t{color.values[i + 1]} << 8 | color.values[i + 2],
+                      nan});
+  return pixels;
+}
+
+void
+setPoint(Pixel& pixel, const Eigen::Vector3f& point, float sigma)
+{
+  pixel.x = point.x();
+  pixel.y = point.y();
+  pixel.z = point.z();
+  pixel.sigma = sigma;
+}
+
+/** Standard deviation along the ray. */
+float
+sigmaOf(const Eigen::Vector3d& point)
+{
+  return static_cast<float>(kinectDepthSigma(point.z()) * point.norm() / point.z());
+}
+
+PCLPointCloud2
+cloudOf(const std::vector<Pixel>& pixels, std::int32_t width, std::int32_t height)
+{
+  constexpr auto real = PCLPointField::FLOAT32;
+  PCLPointCloud2 cloud = acmap::layoutWith(
+      {}, {{"x", real}, {"y", real}, {"z", real}, {"rgb", real}, {"sigma", real}});
+  cloud.width = static_cast<uindex_t>(width);
+  cloud.height = static_cast<uindex_t>(height);
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.data.resize(acmap::rowsOf(cloud) * cloud.point_step);
+  bool is_dense = true;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    is_dense = is_dense && pixels[i].z > 0.0F;
+    acmap::setValue(cloud, i, 0, pixels[i]);
+  }
+  cloud.is_dense = is_dense ? 1 : 0;
+  return cloud;
+}
+
+/** \param[in] needed 0 x 0 for any size */
+void
+requireSize(const std::string& path, const ImageSize& size, const ImageSize& needed)
+{
+  if (needed.width > 0 && (size.width != needed.width || size.height != needed.height))
+    throw InputFileException(path + ": has " + acmap::sizeText(size) +
+                             ", the images before have " + acmap::sizeText(needed));
+}
+
+struct FrameImages {
+  RgbImage color;
+  GrayImage16 depth;
+};
+
+FrameImages
+loadImages(const RgbdFrame& frame,
+           const RgbdCameras& cameras,
+           const RgbdImageSizes& sizes)
+{
+  FrameImages images{loadRgbImage(frame.color), loadGrayImage16(frame.depth)};
+  requireSize(frame.color, sizeOf(images.color), sizes.color);
+  requireSize(frame.depth,
+              sizeOf(images.depth),
+              cameras.color ? sizes.depth : sizeOf(images.color));
+  return images;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3f>
+measuredPoints(const GrayImage16& depth,
+               const Pinhole& camera,
+               const DepthMeaning& meaning)
+{
+  requireComplete(depth, 1);
+  requireCamera(camera);
+  if (!(meaning.scale > 0))
+    acmap::refuseArgument("scale of a depth image", meaning.scale, "above 0");
+  const Eigen::Vector3f nothing =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  std::vector<Eigen::Vector3f> points(depth.values.size(), nothing);
+  std::size_t index = 0;
+  for (std::int32_t row = 0; row < depth.height; ++row)
+    for (std::int32_t column = 0; column < depth.width; ++column, ++index) {
+      const double z = meaning.metres(depth.values[index]);
+      if (z > 0.0)
+        points[index] = (z * Eigen::Vector3d((column - camera.cx) / camera.fx,
+                                             (row - camera.cy) / camera.fy,
+                                             1.0))
+                            .cast<float>();
+    }
+  return points;
+}
+
+PCLPointCloud2
+observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points)
+{
+  requireComplete(color, 3);
+  if (3 * points.size() != color.values.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << points.size() << " points for an image of "
+                                     << acmap::sizeText(sizeOf(color)));
+  std::vector<Pixel> pixels = pixelsWithoutPoint(color);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (points[i].z() > 0)
+      setPoint(pixels[i], points[i], sigmaOf(points[i].cast<double>()));
+  return cloudOf(pixels, color.width, color.height);
+}
+
+PCLPointCloud2
+registeredCloud(const RgbImage& color,
+                const std::vector<Eigen::Vector3f>& points,
+                const ColorCamera& color_camera)
+{
+  requireComplete(color, 3);
+  requireCamera(color_camera.pinhole);
+  const Pinhole& seen = color_camera.pinhole;
+  const Eigen::Isometry3d T_color_depth = color_camera.T_depth_color.inverse();
+  std::vector<Pixel> pixels = pixelsWithoutPoint(color);
+  for (const Eigen::Vector3f& measured : points) {
+    const Eigen::Vector3d point = T_color_depth * measured.cast<double>();
+    if (!(point.z() > 0.0)) // also true for NaN
+      continue;
+    const double column = std::round(seen.fx * point.x() / point.z() + seen.cx);
+    const double row = std::round(seen.fy * point.y() / point.z() + seen.cy);
+    if (!(column >= 0 && column < color.width && row >= 0 && row < color.height))
+      continue;
+    Pixel& pixel =
+        pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(color.width) +
+               static_cast<std::size_t>(column)];
+    const Eigen::Vector3f place = point.cast<float>();
+    if (!(pixel.z <= place.z())) // also true for NaN, if the pixel has no point yet
+      setPoint(pixel, place, sigmaOf(measured.cast<double>()));
+  }
+  return cloudOf(pixels, color.width, color.height);
+}
+
+RgbdObservation
+loadRgbdObservation(const RgbdFrame& frame,
+                    const RgbdCameras& cameras,
+                    const RgbdImageSizes& sizes,
+                    unsigned threads)
+{
+  const FrameImages images = loadImages(frame, cameras, sizes);
+  RgbdObservation observation;
+  observation.sizes = {sizeOf(images.color), sizeOf(images.depth)};
+  std::vector<Eigen::Vector3f> points =
+      measuredPoints(images.depth, cameras.depth, cameras.meaning);
+  PointCloud<PointXYZ> view;
+  for (const Eigen::Vector3f& point : points)
+    view.push_back(PointXYZ(point.x(), point.y(), point.z()));
+  view.width = static_cast<std::uint32_t>(images.depth.width);
+  view.height = static_cast<std::uint32_t>(images.depth.height);
+  if (refineQuantisedDepth(view, cameras.sensor, threads)) {
+    observation.is_refined = true;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = view[i].getVector3fMap();
+  }
+  observation.cloud = cameras.color
+                          ? registeredCloud(images.color, points, *cameras.color)
+                          : observationCloud(images.color, points);
+  return observation;
+}
+
+Eigen::Isometry3d
+loadPose(const RgbdFrame& frame, const RgbdCameras& cameras)
+{
+  const Eigen::Isometry3d T_world_depth = loadPose(frame);
+  return cameras.color ? T_world_depth * cameras.color->T_depth_color : T_world_depth;
+}
+
+std::string
+acmap::sizeText(const ImageSize& size)
+{
+  return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+}
+
+} // namespace pcl

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/trajectory.h>
+#include <pcl/pipeline/rgbd_cameras.h>
+#include <pcl/pipeline/rgbd_observation.h>
+#include <pcl/pipeline/rgbd_sequence.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief Times and poses of the observations of an RGB-D sequence. The map is the
+ * frame of the first observation's camera. There are no poses if the sequence has none.
+ * \throws InputFileException as \ref pcl::loadPose */
+Trajectory
+rgbdTrajectory(const RgbdSequence& sequence, const RgbdCameras& cameras);
+
+/** \brief Reads frames of an RGB-D sequence as if they were PCD files of a sequence of
+ * observations. Thread-safe. */
+class RgbdReader {
+public:
+  /** \param[in] trajectory of \ref rgbdTrajectory
+   * \param[in] threads 0 for all */
+  RgbdReader(const RgbdSequence& sequence,
+             RgbdCameras cameras,
+             const Trajectory& trajectory,
+             unsigned threads);
+
+  /** \brief Reads a frame.
+   * \param[in] name of its observation, as \ref observationName
+   * \throws InputFileException as \ref pcl::loadRgbdObservation; all frames must have
+   * the sizes of the first one that was read */
+  PointCloudFile
+  read(const std::string& name);
+
+private:
+  struct PosedFrame {
+    RgbdFrame frame;
+    Eigen::Isometry3d T_map_camera;
+  };
+
+  std::map<std::string, PosedFrame> frames_;
+  RgbdCameras cameras_;
+  unsigned threads_;
+  std::mutex mutex_;
+  RgbdImageSizes sizes_; ///< guarded by mutex_
+};
+
+} // namespace pcl::acmap

@@ -1,0 +1,150 @@
+#include "file_ending.h"
+#include "rgbd/layouts.h"
+#include "rgbd/text_rows.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/pipeline/rgbd_sequence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+namespace pcl {
+
+namespace acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double farthest_camera = 1e9; // metres
+
+void
+requireRigid(const Eigen::Matrix4d& matrix, const std::string& path)
+{
+  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+  const Eigen::RowVector4d last_row(0, 0, 0, 1);
+  if (!isRotation(rotation) || !matrix.row(3).isApprox(last_row, text_slack))
+    throw InputFileException(path + ": is no rigid motion: rotation and translation, "
+                                    "0 0 0 1 below them, are needed");
+}
+
+bool
+begins(const std::string& text, const std::string& with)
+{
+  return text.rfind(with, 0) == 0;
+}
+
+std::set<std::string>
+namesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    names.insert(entry->path().filename().string());
+  return names;
+}
+
+/** \brief Do the names have the layout of TUM, 7-Scenes or Open3D? */
+bool
+areRgbdNames(const std::set<std::string>& names)
+{
+  const auto has = [&](const char* name) { return names.count(name) > 0; };
+  const bool is_tum = has("rgb.txt") || has("depth.txt");
+  const bool is_open3d = has("depth") && (has("color") || has("image") || has("rgb"));
+  return is_tum || is_open3d ||
+         std::any_of(names.begin(), names.end(), [](const std::string& name) {
+           return begins(name, "frame-") && (name.find(".color.") != name.npos ||
+                                             name.find(".depth.") != name.npos);
+         });
+}
+
+/** \brief Is it an RGB-D folder, and no session, map or folder of point clouds? */
+bool
+holdsOnlyRgbd(const std::string& folder)
+{
+  const std::set<std::string> names = namesIn(folder);
+  return areRgbdNames(names) &&
+         std::none_of(names.begin(), names.end(), [](const std::string& name) {
+           const std::string ending = endingOf(name);
+           return name == "session.yaml" || name == "map.json" || ending == ".acf" ||
+                  ending == ".pcd";
+         });
+}
+
+RgbdSequence
+openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
+{
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw InputFileException(folder + ": is no folder");
+  if (isTumSequence(folder))
+    return openTumSequence(folder, settings);
+  if (isSevenScenesSequence(folder))
+    return openSevenScenesSequence(folder, settings);
+  if (holdsOnlyRgbd(folder))
+    throw InputFileException(
+        folder +
+        ": is no RGB-D folder of a known layout, its images are not listed; "
+        "write rgb.txt and depth.txt into it, with a row of number and file for "
+        "each image, such as: 0 depth/000000.png");
+  throw InputFileException(
+      folder + ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), and for "
+               "frame-000000.color.jpg or .png with frame-000000.depth.png (7-Scenes)");
+}
+
+std::string
+metresText(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+} // namespace
+
+} // namespace acmap
+
+RgbdSequence
+openRgbdSequence(const std::string& folder, const RgbdSequenceSettings& settings)
+{
+  RgbdSequence sequence = acmap::openKnownLayout(folder, settings);
+  sequence.folder = folder;
+  sequence.has_poses = settings.has_poses;
+  return sequence;
+}
+
+bool
+isRgbdFolder(const std::string& folder)
+{
+  return acmap::areRgbdNames(acmap::namesIn(folder));
+}
+
+Eigen::Isometry3d
+loadPose(const RgbdFrame& frame)
+{
+  Eigen::Isometry3d pose;
+  if (frame.T_world_camera) {
+    pose = *frame.T_world_camera;
+  }
+  else {
+    const std::vector<double> values = acmap::loadSquareMatrix(frame.pose_file, 4);
+    const Eigen::Matrix4d matrix =
+        Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
+    acmap::requireRigid(matrix, frame.pose_file);
+    const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+    pose = Eigen::Quaterniond(rotation).normalized();
+    pose.translation() = matrix.topRightCorner<3, 1>();
+  }
+  if (!(pose.translation().cwiseAbs().maxCoeff() < acmap::farthest_camera))
+    throw InputFileException(frame.depth + ": its camera is " +
+                             acmap::metresText(pose.translation().norm()) +
+                             " m away from the origin");
+  return pose;
+}
+
+} // namespace pcl
