@@ -1,6 +1,6 @@
 #include "observation_cache.h"
 
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 
 namespace pcl::acmap {
 
