@@ -9,7 +9,7 @@
 
 #include <pcl/conversions.h>
 #include <pcl/core/mesh_file.h>
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/picture.h>

@@ -8,7 +8,7 @@
 
 #include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/visualization/display_connection.h>
 
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include <pcl/core/map_file.h>
 #include <pcl/core/output_folder.h>
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <CLI/CLI.hpp>

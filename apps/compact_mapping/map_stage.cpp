@@ -9,8 +9,8 @@
 
 #include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_up.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
-#include <pcl/core/scaled_cloud.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_merging.h>

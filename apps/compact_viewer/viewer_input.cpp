@@ -6,7 +6,7 @@
 
 #include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_file.h>
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/visualization/scene_file.h>
 

@@ -1,4 +1,4 @@
-#include "pattern/line_raster.h"
+#include "pattern/pattern_lines.h"
 
 #include <pcl/core/random.h>
 

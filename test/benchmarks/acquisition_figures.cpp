@@ -1,7 +1,7 @@
 #include "frame_ways.h"
 #include "markdown_row.h"
 #include "sections.h"
-#include "session/disk_sync.h"
+#include "session/session_folder.h"
 #include "temporary_folder.h"
 #include "timing.h"
 

@@ -1,7 +1,7 @@
-#include "light/pixel_noise.h"
 #include "light/rig_simulation.h"
 #include "markdown_row.h"
 #include "peak_memory.h"
+#include "random_streams.h"
 #include "sections.h"
 #include "shot_picture.h"
 #include "timing.h"

@@ -8,10 +8,7 @@
 #include "voted_hypotheses.h"
 #include "voted_mesh.h"
 
-#include "texturing/blend.h"
-#include "texturing/exposure.h"
-#include "texturing/nearest_plane.h"
-#include "texturing/pinhole_painter.h"
+#include "texturing/canvas_painting.h"
 
 #include <pcl/core/random.h>
 

@@ -1,6 +1,6 @@
 #include <pcl/conversions.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_types.h>
-#include <pcl/core/scaled_cloud.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gzip_text.h"
+#include "carmen_reader.h"
 #include "source_checks.h"
 
 using namespace pcl::acmap;

@@ -1,5 +1,5 @@
 #include "fuzzed_reader.h"
-#include "obj_faces.h"
+#include "mesh_codecs.h"
 #include "point_cloud_readers.h"
 #include "source_checks.h"
 

@@ -1,4 +1,4 @@
-#include "pfm_codec.h"
+#include "images/image_codecs.h"
 #include "source_checks.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "light/pixel_noise.h"
 #include "light/rig_simulation.h"
 #include "lit_scenes.h"
+#include "random_streams.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "points_before.h"
+#include "layer_actors.h"
 #include "viewed_room.h"
 
 #include <pcl/conversions.h>

@@ -1,5 +1,6 @@
 #include "iidc/camera_state.h"
 
+#include <pcl/acquisition/iidc_bus.h>
 #include <pcl/acquisition/iidc_camera.h>
 #include <pcl/core/arguments.h>
 
@@ -233,5 +234,7 @@ IidcCamera::cancel() noexcept
   catch (...) { // the camera is closed
   }
 }
+
+IidcBus::~IidcBus() = default;
 
 } // namespace pcl

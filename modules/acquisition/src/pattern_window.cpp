@@ -1,13 +1,15 @@
 #include "pattern/image_fit.h"
 #include "pattern/x_connection.h"
-#include "pattern/x_monitors.h"
 #include "pattern/x_pixels.h"
 
 #include <pcl/acquisition/pattern_window.h>
 
+#include <pcl/acquisition/pattern_projector.h>
+
 #include <X11/Xlib.h>
 
 namespace pcl {
+
 namespace {
 
 Cursor
@@ -137,5 +139,7 @@ PatternWindow::showNothing()
 {
   canvas_->clear();
 }
+
+PatternProjector::~PatternProjector() = default;
 
 } // namespace pcl

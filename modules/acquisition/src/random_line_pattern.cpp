@@ -1,4 +1,4 @@
-#include "pattern/line_raster.h"
+#include "pattern/pattern_lines.h"
 #include "pattern/side_lobes.h"
 
 #include <pcl/acquisition/random_line_pattern.h>

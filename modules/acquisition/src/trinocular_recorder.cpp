@@ -1,4 +1,3 @@
-#include "session/disk_sync.h"
 #include "session/fault_text.h"
 #include "session/session_folder.h"
 #include "session/waiting_frames.h"

@@ -1,7 +1,6 @@
 #include <pcl/acquisition/usb_camera.h>
 
 #include "usb/usb_device.h"
-#include "usb/usb_error.h"
 
 #include <atomic>
 #include <deque>

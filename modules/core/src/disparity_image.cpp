@@ -2,7 +2,6 @@
 
 #include "byte_source.h"
 #include "images/image_codecs.h"
-#include "pfm_codec.h"
 #include "text_number.h"
 
 #include <pcl/core/output_file.h>

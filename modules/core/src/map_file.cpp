@@ -1,7 +1,6 @@
 #include <pcl/core/map_file.h>
 
 #include "map_format.h"
-#include "map_text.h"
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>

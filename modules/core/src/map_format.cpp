@@ -1,6 +1,6 @@
 #include "map_format.h"
 
-#include "trajectory_checks.h"
+#include "trajectory_text.h"
 
 #include <pcl/core/chart_clip.h>
 #include <pcl/exceptions.h>

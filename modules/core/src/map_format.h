@@ -3,10 +3,13 @@
 #include <pcl/core/compact_map.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
+
+class ByteSource;
 
 /** \brief Describes what is wrong with the equation of a plane, as a continuation of
  * the name of its coefficients; empty if it is valid. */
@@ -31,5 +34,18 @@ faultOfImageName(const std::string& name);
  * \throws BadArgumentException for invalid planes, charts, observations or poses */
 void
 requireConsistent(const CompactMap& map);
+
+/** \brief Implementation of \ref loadMapFile.
+ * \param[in] name file name in messages
+ * \param[in] source the contents of the file
+ * \throws InputFileException naming file and fault */
+CompactMap
+readMap(const std::string& name, ByteSource& source);
+
+/** \brief Passes the output of \ref saveMapFile to a function in several pieces, so
+ * that there is no second copy of the whole map in memory.
+ * \throws BadArgumentException as \ref saveMapFile */
+void
+writeMap(const CompactMap& map, const std::function<void(const std::string&)>& write);
 
 } // namespace pcl::acmap

@@ -1,7 +1,6 @@
 #include "byte_source.h"
 #include "json_cursor.h"
 #include "map_format.h"
-#include "map_text.h"
 
 #include <pcl/core/chart_clip.h>
 #include <pcl/core/file_format.h>

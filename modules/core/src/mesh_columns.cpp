@@ -1,4 +1,4 @@
-#include "mesh_columns.h"
+#include "mesh_codecs.h"
 
 #include "record_moves.h"
 

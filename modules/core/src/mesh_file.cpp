@@ -1,10 +1,8 @@
 #include <pcl/core/mesh_file.h>
 
 #include "byte_source.h"
-#include "file_ending.h"
-#include "mesh_writers.h"
-#include "obj_faces.h"
-#include "ply_faces.h"
+#include "mesh_codecs.h"
+#include "text_number.h"
 
 #include <pcl/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "obj_faces.h"
+#include "mesh_codecs.h"
 
 #include "byte_source.h"
 #include "text_number.h"

@@ -1,7 +1,7 @@
 #include "byte_source.h"
+#include "field_layout.h"
 #include "pcd_header.h"
 #include "point_cloud_readers.h"
-#include "record_reader.h"
 #include "text_fields.h"
 
 #include <liblzf/lzf.h>

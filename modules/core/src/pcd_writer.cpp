@@ -1,7 +1,6 @@
-#include "file_ending.h"
-#include "number_text.h"
 #include "record_moves.h"
 #include "record_writer.h"
+#include "text_number.h"
 
 #include <pcl/core/point_cloud_writer.h>
 

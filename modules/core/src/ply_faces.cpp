@@ -1,4 +1,4 @@
-#include "ply_faces.h"
+#include "mesh_codecs.h"
 
 #include "byte_source.h"
 #include "ply_header.h"

@@ -1,4 +1,4 @@
-#include "mesh_writers.h"
+#include "mesh_codecs.h"
 #include "record_moves.h"
 #include "record_writer.h"
 

@@ -1,6 +1,5 @@
-#include "number_text.h"
-#include "rig_limits.h"
 #include "rig_text.h"
+#include "text_number.h"
 
 #include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>

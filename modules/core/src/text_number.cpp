@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <system_error>
 
@@ -151,6 +152,16 @@ inQuotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
   return "'" + inPrint(word, longest) + "'";
+}
+
+std::string
+lowerEnding(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return ending;
 }
 
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -85,5 +86,20 @@ inPrint(std::string_view text, std::size_t longest);
  */
 std::string
 inQuotes(std::string_view word);
+
+/** \brief Returns the shortest text from which the same number is read back,
+ * independent of the locale. */
+template <typename Real>
+std::string
+textOf(Real value)
+{
+  std::array<char, 40> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+/** \brief Returns the extension of a file name with its dot, in lower case. */
+std::string
+lowerEnding(const std::string& path);
 
 } // namespace pcl::acmap

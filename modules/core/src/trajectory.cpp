@@ -1,9 +1,7 @@
 #include <pcl/core/trajectory.h>
 
 #include "byte_source.h"
-#include "number_text.h"
 #include "text_number.h"
-#include "trajectory_checks.h"
 #include "trajectory_text.h"
 
 #include <pcl/core/output_file.h>

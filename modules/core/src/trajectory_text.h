@@ -18,4 +18,10 @@ readTrajectory(ByteSource& source);
 std::string
 trajectoryText(const Trajectory& trajectory);
 
+/** \brief Checks that a trajectory can be written.
+ * \throws BadArgumentException if the numbers of stamps and poses differ, a value is
+ * not finite or a pose is not a rigid motion */
+void
+requireTrajectory(const Trajectory& trajectory);
+
 } // namespace pcl::acmap

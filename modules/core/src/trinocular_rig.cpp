@@ -1,12 +1,16 @@
 #include <pcl/core/trinocular_rig.h>
 
-#include "number_text.h"
 #include "rig_text.h"
+#include "text_number.h"
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/image_file.h>
 #include <pcl/core/output_file.h>
+#include <pcl/core/trinocular_frame.h>
+#include <pcl/core/trinocular_grabber.h>
 
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -98,5 +102,14 @@ saveTrinocularRig(const std::string& path, const TrinocularRig& rig)
   file.write(text.data(), text.size());
   file.commit();
 }
+
+CameraImage
+loadCameraImage(const std::string& path)
+{
+  RgbImage image = loadRgbImage(path);
+  return {image.width, image.height, 3, std::move(image.values)};
+}
+
+TrinocularGrabber::~TrinocularGrabber() noexcept = default;
 
 } // namespace pcl

@@ -1,6 +1,6 @@
 #include <pcl/simulation/simulated_rig_grabber.h>
 
-#include "light/shot_sequence.h"
+#include "light/rig_simulation.h"
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/parallel.h>

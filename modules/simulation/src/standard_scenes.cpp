@@ -1,7 +1,6 @@
 #include <pcl/simulation/standard_scenes.h>
 
 #include "scene_text.h"
-#include "standard_scene_texts.h"
 
 #include <pcl/exceptions.h>
 

@@ -1,6 +1,6 @@
 #include <pcl/simulation/surface_color.h>
 
-#include "mixed_bits.h"
+#include "random_streams.h"
 
 #include <algorithm>
 #include <cmath>

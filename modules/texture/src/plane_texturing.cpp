@@ -1,4 +1,26 @@
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/texture/impl/plane_texturing.hpp>
+#include <pcl/texture/texturing_kernel.h>
+
+namespace pcl::acmap {
+
+ColoredView
+viewOfObservation(const TexturedObservation& observation)
+{
+  ColoredView view;
+  view.points = requirePoints(observation.cloud);
+  const PCLPointCloud2& cloud = *observation.cloud;
+  const PCLPointField* const color = findColor(cloud);
+  if (color && view.points.size() > 0)
+    view.colors = {&cloud.data[color->offset], cloud.point_step};
+  const bool is_picture = observation.has_sensor && cloud.height > 1;
+  view.width = is_picture ? static_cast<int>(cloud.width) : 0;
+  view.has_eye = observation.has_sensor;
+  view.T_map_camera = observation.T_map_camera;
+  return view;
+}
+
+} // namespace pcl::acmap
 
 PCL_INSTANTIATE(PlaneTexturing, ACMAP_MAP_POINT_TYPES)

@@ -2,8 +2,11 @@
 
 #include "map_drawing.h"
 #include "scene.h"
+#include "scene_renderer.h"
 
 #include <pcl/visualization/layered_scene.h>
+
+#include <string>
 
 namespace pcl::acmap {
 
@@ -33,5 +36,28 @@ actorsBefore(const LayerMaking& making, SceneLayer layer);
 /** \brief The layer of the mesh at a step of the walls. */
 Actors
 actorsOfStep(const LayerMaking& making, std::size_t step);
+
+/** \brief Do the points have an int32 field `view`, the number of their observation? */
+bool
+hasViews(const PCLPointCloud2& cloud);
+
+/** \brief The points under the poses before rectification: those of view i are moved by
+ * T_before_i * T_after_i^-1; points without a valid view become NaN.
+ * \param[in] scene has an earlier pose for each pose, and points with view and x y z
+ * \throws BadArgumentException when the fields are missing or not inside the cloud */
+PCLPointCloud2
+pointsBefore(const LayeredScene& scene);
+
+/** \brief The triangles that were constructed by the walls up to a step: those of this
+ * step in the full colour of their depth, those of earlier steps in a pale one; at the
+ * last step all others in grey. The points of the mesh are shown faintly.
+ * \param[in] scene with wall depths
+ * \param[in] steps of the whole mesh */
+Actors
+actorsOfWalls(const Scene& scene, std::size_t step, std::size_t steps, bool hide_backs);
+
+/** \brief Describes a step in one line. */
+std::string
+describeWalls(const TriangleMesh& mesh, std::size_t step);
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #include "layer_keys.h"
 
-#include "wall_actors.h"
+#include "layer_actors.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/visualization/plane_card.h>

@@ -1,11 +1,11 @@
 #include "layer_stage.h"
 
-#include "assembly.h"
 #include "flight.h"
 #include "layer_actors.h"
-#include "ray.h"
-#include "scale_bar.h"
-#include "stage.h"
+#include "map_drawing.h"
+#include "map_faces.h"
+#include "picture.h"
+#include "scene_renderer.h"
 
 #include <pcl/exceptions.h>
 

@@ -1,6 +1,6 @@
 #include "map_actors.h"
 
-#include "surface_colors.h"
+#include "vtk_pieces.h"
 
 #include <pcl/common/colors.h>
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "camera.h"
 #include "map_actors.h"
 #include "map_camera.h"
 
 #include <pcl/visualization/map_snapshot.h>
 
 #include <vtkRenderer.h>
+
+#include <string>
 
 namespace pcl::acmap {
 
@@ -70,5 +73,18 @@ private:
   MapFrame frame_;
   Camera camera_;
 };
+
+/** \brief The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
+double
+roundLength(double most);
+
+/** \brief A length as text: "5 m", "20 cm", "2 km". */
+std::string
+lengthText(double metres);
+
+/** \brief Adds a scale bar of a round length with its text at the lower left.
+ * \param[in] camera an orthographic one */
+void
+addScaleBar(const Camera& camera, const SceneView& view, vtkRenderer* renderer);
 
 } // namespace pcl::acmap

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -34,5 +36,18 @@ cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces);
  * \throws InitFailedException when there is no face */
 std::vector<Eigen::Vector3f>
 samplesOf(const std::vector<MapFaces>& faces);
+
+/** \brief First intersection of a ray with a plane. */
+struct RayHit {
+  std::size_t plane;
+  double distance; ///< as a multiple of the direction
+};
+
+/** \param[in] fronts_only ignores faces that face away from the eye */
+std::optional<RayHit>
+firstHit(const std::vector<MapFaces>& faces,
+         const Eigen::Vector3d& eye,
+         const Eigen::Vector3d& direction,
+         bool fronts_only);
 
 } // namespace pcl::acmap

@@ -1,7 +1,7 @@
 #include <pcl/visualization/map_layers.h>
 
-#include "assembly.h"
 #include "map_actors.h"
+#include "scene_renderer.h"
 
 #include <pcl/core/arguments.h>
 

@@ -3,7 +3,6 @@
 
 #include "map_drawing.h"
 #include "picture.h"
-#include "stage.h"
 
 namespace pcl {
 namespace {

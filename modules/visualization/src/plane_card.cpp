@@ -1,6 +1,6 @@
 #include <pcl/visualization/plane_card.h>
 
-#include "ray.h"
+#include "map_faces.h"
 
 #include <pcl/exceptions.h>
 

@@ -1,7 +1,6 @@
 #include "scene_renderer.h"
 
-#include "stage.h"
-#include "surface_colors.h"
+#include "picture.h"
 #include "vtk_pieces.h"
 
 #include <vtkNew.h>
@@ -11,6 +10,7 @@
 #include <algorithm>
 
 namespace pcl::acmap {
+
 namespace {
 
 constexpr Color boundary_color = {0.85, 0.20, 0.10};
@@ -145,6 +145,15 @@ makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view)
   if (view.show_boundary)
     renderer->AddActor(actorOfBoundary(scene));
   return renderer;
+}
+
+vtkSmartPointer<vtkAssembly>
+assemblyOf(const Actors& actors)
+{
+  auto assembly = vtkSmartPointer<vtkAssembly>::New();
+  for (const auto& actor : actors)
+    assembly->AddPart(actor);
+  return assembly;
 }
 
 } // namespace pcl::acmap

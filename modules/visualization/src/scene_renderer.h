@@ -6,6 +6,7 @@
 #include <pcl/visualization/mesh_snapshot.h>
 
 #include <vtkActor.h>
+#include <vtkAssembly.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -38,5 +39,12 @@ actorOfNormals(const Scene& scene);
 /** \brief Creates a renderer with the scene, lights and the camera. */
 vtkSmartPointer<vtkRenderer>
 makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view);
+
+/** Opacity of planes that are shown together with other layers. */
+constexpr double layer_opacity = 0.35;
+
+/** \brief Combines actors to one prop that is shown and hidden as a whole. */
+vtkSmartPointer<vtkAssembly>
+assemblyOf(const Actors& actors);
 
 } // namespace pcl::acmap

@@ -1,5 +1,5 @@
 #include "map_actors.h"
-#include "surface_colors.h"
+#include "vtk_pieces.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>

@@ -48,4 +48,8 @@ actorOf(vtkPolyData* data, const Color& color, bool use_point_colors);
 vtkSmartPointer<vtkActor>
 linesOf(vtkPolyData* data, const Color& color, bool use_point_colors, double pixels);
 
+/** Front and back colour of surfaces without colours. */
+constexpr std::array<double, 3> front_color = {0.80, 0.80, 0.78};
+constexpr std::array<double, 3> back_color = {0.55, 0.62, 0.78};
+
 } // namespace pcl::acmap

@@ -1,6 +1,5 @@
-#include "wall_actors.h"
+#include "layer_actors.h"
 
-#include "surface_colors.h"
 #include "vtk_pieces.h"
 
 #include <pcl/visualization/layered_scene.h>
@@ -54,7 +53,7 @@ constexpr std::array<ByteColor, 8> wall_colors = {{{214, 39, 40},
                                                    {227, 119, 194},
                                                    {140, 86, 75}}};
 constexpr ByteColor rest_color = {200, 200, 204};
-constexpr Color point_color = {0.66, 0.68, 0.70};
+constexpr Color wall_point_color = {0.66, 0.68, 0.70};
 
 /** Saturation of the colours of walls of earlier steps. */
 constexpr double kept = 0.45;
@@ -86,7 +85,7 @@ faintPoints(const Scene& scene)
   vtkNew<vtkPolyData> data;
   data->SetPoints(pointsOf(scene.points));
   data->SetVerts(singlePoints(scene.points.size()));
-  auto actor = actorOf(data, point_color, false);
+  auto actor = actorOf(data, wall_point_color, false);
   actor->GetProperty()->SetPointSize(1);
   actor->GetProperty()->LightingOff();
   return actor;

@@ -1,5 +1,5 @@
 #include "camera_state.h"
-#include "mode_list.h"
+#include "camera_modes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "camera_modes.h"
 #include "config_rom.h"
 #include "feature_registers.h"
-#include "mode_setting.h"
 
 #include <pcl/acquisition/iidc_bus.h>
 #include <pcl/acquisition/iidc_types.h>

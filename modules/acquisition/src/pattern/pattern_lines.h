@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/image_file.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -32,5 +34,18 @@ struct PatternLine {
  * pattern, near its corners. */
 std::vector<PatternLine>
 sampleLines(const PatternLaw& law, std::uint64_t seed);
+
+/** \brief Paints a line over an image; each pixel either belongs to the line or not. */
+void
+paintLine(const PatternLine& line, RgbImage& image);
+
+/** \brief Creates a black image and paints the lines in order, later ones over earlier
+ * ones. */
+RgbImage
+paintLines(const PatternLaw& law, const std::vector<PatternLine>& lines);
+
+/** \brief Fraction of the pixels that are not black. */
+double
+coverageOf(const RgbImage& image);
 
 } // namespace pcl::acmap

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/acquisition/pattern_window.h>
+
 #include <functional>
 #include <string>
 
@@ -45,5 +47,14 @@ private:
   _XDisplay* display_ = nullptr;
   bool is_lost_ = false;
 };
+
+/** \brief The active monitors in the server's order; if the server cannot list them,
+ * the whole screen as one monitor. \throws IOException when the display fails */
+std::vector<MonitorPlace>
+findMonitors(XConnection& connection);
+
+/** \throws BadArgumentException when there is no such monitor */
+MonitorPlace
+chooseMonitor(XConnection& connection, std::size_t index);
 
 } // namespace pcl::acmap

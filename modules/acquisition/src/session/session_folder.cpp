@@ -1,14 +1,19 @@
 #include "session_folder.h"
 
-#include "disk_sync.h"
-
+#include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/folder_entries.h>
+#include <pcl/core/hidden_folder.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -49,6 +54,19 @@ readCameras(const YamlNode& list)
     cameras[camera] = true;
   }
   return cameras;
+}
+
+void
+sync(const std::string& path, int flags)
+{
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags);
+  const int fault = file >= 0 && ::fsync(file) == 0 ? 0 : errno;
+  if (file >= 0)
+    ::close(file);
+  // Special files do not support fsync; some writable folders cannot be opened for
+  // reading.
+  if (fault != 0 && fault != EINVAL && fault != EACCES)
+    throw OutputFileException(shownPath(path) + ": " + std::strerror(fault));
 }
 
 } // namespace
@@ -170,6 +188,14 @@ faultUnderRig(const FrameHeader& header, const TrinocularRig& rig)
       return std::string(nameOf(camera)) + " camera: " + fault;
   }
   return "";
+}
+
+void
+syncToDisk(const std::string& path)
+{
+  sync(path, 0);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  sync(folder.empty() ? "." : folder, O_DIRECTORY);
 }
 
 } // namespace pcl::acmap

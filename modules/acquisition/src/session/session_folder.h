@@ -70,4 +70,10 @@ faultOfSize(const ImageRecord& image, const TrinocularRig& rig);
 std::string
 faultUnderRig(const FrameHeader& header, const TrinocularRig& rig);
 
+/** \brief Waits until a file and its entry in its folder are on the disk, so that they
+ * survive a power failure.
+ * \throws OutputFileException when writing to the disk failed */
+void
+syncToDisk(const std::string& path);
+
 } // namespace pcl::acmap

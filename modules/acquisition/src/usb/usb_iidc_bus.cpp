@@ -1,6 +1,6 @@
 #include "usb_iidc_bus.h"
 
-#include "usb_error.h"
+#include "usb_device.h"
 
 #include <algorithm>
 

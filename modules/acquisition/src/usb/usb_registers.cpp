@@ -1,7 +1,7 @@
 #include "usb_registers.h"
 
 #include "session/little_endian.h"
-#include "usb_error.h"
+#include "usb_device.h"
 
 #include <libusb.h>
 

@@ -1,7 +1,6 @@
 #include "usb_stream.h"
 
 #include "usb_device.h"
-#include "usb_error.h"
 
 #include <algorithm>
 #include <mutex>

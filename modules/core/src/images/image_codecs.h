@@ -1,10 +1,15 @@
 #pragma once
 
+#include <pcl/core/disparity_image.h>
 #include <pcl/core/image_file.h>
 
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 namespace pcl::acmap {
+
+class ByteSource;
 
 constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 
@@ -64,5 +69,15 @@ requireImageValues(std::int32_t width,
 /** \throws BadArgumentException as above */
 void
 requireWholeImage(const RgbImage& image);
+
+/** \brief Implementation of \ref loadPfm.
+ * \throws InputFileException naming the fault */
+DisparityImage
+readPfm(ByteSource& source);
+
+/** \brief Returns the bytes that \ref savePfm writes.
+ * \throws BadArgumentException as \ref savePfm */
+std::vector<std::uint8_t>
+encodePfm(const DisparityImage& image);
 
 } // namespace pcl::acmap

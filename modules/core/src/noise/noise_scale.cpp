@@ -1,16 +1,238 @@
-#include "noise/base_edge.h"
-#include "noise/depth_step_noise.h"
-#include "noise/range_noise.h"
+#include "noise/point_sample.h"
 
+#include <pcl/core/depth_view.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/parallel.h>
+#include <pcl/core/point_view.h>
+#include <pcl/core/voxel_moments.h>
 #include <pcl/core/voxel_windows.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
 
 namespace pcl::acmap {
 
 namespace {
+
+std::vector<Eigen::Vector3f>
+sampleOf(const PointView& points)
+{
+  constexpr std::size_t wanted = 1 << 12;
+  const PointSample chosen(points.size(), wanted);
+  std::vector<Eigen::Vector3f> sample;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite() && chosen.holds(points[i]))
+      sample.push_back(points[i]);
+  return sample;
+}
+
+double
+extentOf(const std::vector<Eigen::Vector3f>& sample)
+{
+  double extent = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values;
+    for (const Eigen::Vector3f& point : sample)
+      values.push_back(point[axis]);
+    const auto tenth = static_cast<std::ptrdiff_t>(values.size() / 10);
+    std::nth_element(values.begin(), values.begin() + tenth, values.end());
+    const double least = values[static_cast<std::size_t>(tenth)];
+    std::nth_element(values.begin(), values.end() - 1 - tenth, values.end());
+    extent = std::max(extent, *(values.end() - 1 - tenth) - least);
+  }
+  return extent;
+}
+
+/** \brief Estimates the edge in metres at which the occupied voxels of a cloud contain
+ * the given number of points on average. It counts the voxels of a sample. Returns 0 if
+ * the cloud has no extent. */
+double
+edgeForOccupancy(const PointView& points, double occupancy)
+{
+  const std::vector<Eigen::Vector3f> sample = sampleOf(points);
+  if (sample.empty())
+    return 0;
+  double edge = extentOf(sample);
+  if (!(edge > 0))
+    return 0;
+  const PointView view(sample.data(), sizeof(Eigen::Vector3f), sample.size());
+  // If a voxel contains four points of the sample, the voxels are occupied as by a
+  // surface.
+  constexpr double filled = 4;
+  double held = 0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const std::size_t cells = sumVoxels(view, SensorView(), edge, 1).cells.size();
+    held = static_cast<double>(sample.size()) /
+           static_cast<double>(std::max<std::size_t>(cells, 1));
+    if (held <= filled)
+      break;
+    edge /= 2;
+  }
+  const double all =
+      held * static_cast<double>(points.size()) / static_cast<double>(sample.size());
+  return edge * std::sqrt(occupancy / all);
+}
+
+/** Noise if the pixels are unknown: that of the quantisation, assuming that the step of
+ * a sensor is about twice its own noise. */
+NoiseScale::InverseDepth
+noiseOfStep(double step)
+{
+  NoiseScale::InverseDepth noise;
+  noise.step = step;
+  noise.independent = step / std::sqrt(12.0);
+  noise.correlated = step / 2;
+  return noise;
+}
+
+/** Counts points in bins of a factor of sqrt (2), as for other clouds. */
+std::map<int, std::size_t>
+countRanges(const PointView& points, std::vector<double>& depths)
+{
+  std::map<int, std::size_t> bins;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f point = points[i];
+    if (!point.allFinite() || !(point.z() > 0))
+      continue;
+    const double depth = static_cast<double>(point.z());
+    depths.push_back(depth);
+    ++bins[static_cast<int>(std::floor(2 * std::log2(depth)))];
+  }
+  return bins;
+}
+
+/** Sets the noise of a view whose depth is quantised; does not change that of other
+ * clouds.
+ * \param[in] points metres, in the frame of the sensor
+ * \param[in] width pixels per row, 0 if the points are not organized
+ * \param[in,out] scale the noise of the cloud */
+void
+applyDepthSteps(const PointView& points, std::size_t width, NoiseScale& scale)
+{
+  const double step = measureDepthStep(points);
+  if (step == 0)
+    return;
+  NoiseScale::InverseDepth noise = noiseOfStep(step);
+  if (width > 0)
+    if (const std::optional<DepthView> view = DepthView::recognize(points, width))
+      noise = measureInverseDepthNoise(*view, step);
+  std::vector<double> depths;
+  const std::map<int, std::size_t> bins = countRanges(points, depths);
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  scale.inverse_depth = noise;
+  scale.sigma = std::max(scale.sigma, noise.sigma() * *middle * *middle);
+  constexpr std::size_t enough = 100;
+  scale.ranges.clear();
+  for (const auto& [bin, number] : bins) {
+    const double distance = std::exp2((bin + 0.5) / 2);
+    if (number >= enough)
+      scale.ranges.push_back({distance, noise.sigma() * distance * distance, number});
+  }
+  scale.remarks.clear(); // quantisation steps look like shapes
+  char text[96];
+  std::snprintf(text,
+                sizeof text,
+                "the depth is quantised: steps of %.2g mm at 1 m, %.3g mm at 4 m",
+                1000 * step,
+                16000 * step);
+  scale.remarks.emplace_back(text);
+}
+
+/** A point with its voxel, used to group the points by voxel. */
+struct Sample {
+  VoxelKey voxel;
+  std::uint32_t point;
+};
+
+std::vector<Sample>
+samplesByVoxel(const PointView& points, const VoxelLattice& lattice)
+{
+  constexpr std::size_t enough = 1 << 14;
+  const PointSample chosen(points.size(), enough);
+  std::vector<Sample> samples;
+  VoxelHit hit;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (chosen.holds(points[i]) && lattice.locate(points[i], hit))
+      samples.push_back({voxelKey(hit.place), static_cast<std::uint32_t>(i)});
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
+    return a.voxel != b.voxel ? a.voxel < b.voxel : a.point < b.point;
+  });
+  return samples;
+}
+
+class RangeBins {
+public:
+  void
+  add(double distance, double deviation)
+  {
+    bins_[static_cast<int>(std::floor(2 * std::log2(distance)))].push_back(deviation);
+  }
+
+  std::vector<NoiseScale::Range>
+  finish()
+  {
+    constexpr std::size_t enough = 100;
+    constexpr double median_of_normal = 0.6745;
+    std::vector<NoiseScale::Range> ranges;
+    for (auto& [bin, values] : bins_) {
+      if (values.size() < enough)
+        continue;
+      const auto middle =
+          values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), middle, values.end());
+      ranges.push_back(
+          {std::exp2((bin + 0.5) / 2), *middle / median_of_normal, values.size()});
+    }
+    return ranges;
+  }
+
+private:
+  std::map<int, std::vector<double>> bins_;
+};
+
+/** \brief Noise along the ray in bins of distance: the distances of the points to the
+ * plane of their window, divided by the cosine of the angle of incidence. */
+std::vector<NoiseScale::Range>
+measureRangeNoise(const PointView& points,
+                  const SensorView& sensors,
+                  const VoxelMoments& voxels)
+{
+  const VoxelWindows windows(voxels);
+  const std::vector<Sample> samples = samplesByVoxel(points, voxels.lattice);
+  RangeBins bins;
+  VoxelWindows::Cursor cursor(windows, 1);
+  std::size_t next = 0;
+  for (std::size_t v = 0; v < windows.size() && next < samples.size(); ++v) {
+    const VoxelKey voxel = voxelOf(voxels.cells[windows.firstCell(v)].key);
+    while (next < samples.size() && samples[next].voxel < voxel)
+      ++next;
+    if (next == samples.size() || samples[next].voxel != voxel)
+      continue;
+    const PlaneFit fit = fitPlane(
+        sumParts(voxels, cursor.moveTo(v), [](const WindowPart&) { return true; }));
+    if (!fit.isPlanar())
+      continue;
+    const Eigen::Vector3d mean =
+        voxels.lattice.center(placeOf(voxel)) + fit.mean * voxels.lattice.edge();
+    for (; next < samples.size() && samples[next].voxel == voxel; ++next) {
+      const Eigen::Vector3f* sensor = sensors[samples[next].point];
+      if (!sensor)
+        continue;
+      const Eigen::Vector3d point = points[samples[next].point].cast<double>();
+      const Eigen::Vector3d ray = point - sensor->cast<double>();
+      const double cosine = std::abs(ray.normalized().dot(fit.normal));
+      // rays at grazing incidence contain little information about the noise along them
+      constexpr double min_cosine = 0.3;
+      if (cosine > min_cosine)
+        bins.add(ray.norm(), std::abs((point - mean).dot(fit.normal)) / cosine);
+    }
+  }
+  return bins.finish();
+}
 
 /** Results of the windows of one scale. Metres. */
 struct ScaleLevel {

@@ -1,6 +1,6 @@
 #include "rig_simulation.h"
 
-#include "../mixed_bits.h"
+#include "../random_streams.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/parallel.h>
@@ -104,6 +104,23 @@ RigSimulation::shoot(const LitViews& views,
                                  shot == 0 ? nullptr : &patterns_[shot - 1],
                                  light_,
                                  mixedBits(stream, i));
+  return frame;
+}
+
+TrinocularFrame::Ptr
+ShotSequence::next()
+{
+  if (observation_ == settings_.observations)
+    return {};
+  const TrinocularFrame::Ptr frame = withThreads(settings_.threads, [&] {
+    if (shot_ == 0)
+      views_ = simulation_.cast(observation_);
+    return simulation_.shoot(views_, observation_, shot_, settings_.seed);
+  });
+  if (++shot_ == simulation_.shotsOfObservation()) {
+    shot_ = 0;
+    ++observation_;
+  }
   return frame;
 }
 

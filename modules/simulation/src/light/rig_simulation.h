@@ -1,14 +1,30 @@
 #pragma once
 
-#include "shot_shading.h"
+#include "light_pattern.h"
+#include "lit_view.h"
 
+#include <pcl/core/trinocular_frame.h>
 #include <pcl/simulation/simulated_scene.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::acmap {
+
+/** \brief Shades a view that was cast: light, blur, noise, conversion to 8 bits. Each
+ * row has its own random stream. Runs in all threads of the caller's arena, with the
+ * same result for any number of threads.
+ * \param[in] view that was cast
+ * \param[in] pattern on the projector, nullptr when it is off
+ * \param[in] light and camera model
+ * \param[in] stream seed of the noise of this image */
+CameraImage
+shadeShot(const LitView& view,
+          const LightPattern* pattern,
+          const SimulatedLight& light,
+          std::uint64_t stream);
 
 /** \brief Views of all cameras at one pose, indexed by \ref RigCamera. */
 using LitViews = std::array<LitView, 3>;
@@ -68,6 +84,33 @@ private:
   SimulatedLight light_;
   RigRays cameras_;
   std::vector<LightPattern> patterns_;
+};
+
+/** \brief Settings of a sequence of shots. */
+struct SequenceSettings {
+  std::uint64_t seed = 1;
+  std::size_t observations = 0;
+  unsigned threads = 0; ///< 0 = all
+};
+
+/** \brief A sequence of shots; keeps the views of one observation at a time. */
+class ShotSequence {
+public:
+  ShotSequence(const RigSimulation& simulation, const SequenceSettings& settings)
+  : simulation_(simulation)
+  , settings_(settings)
+  {}
+
+  /** \brief The next shot; null when there is none left. */
+  TrinocularFrame::Ptr
+  next();
+
+private:
+  const RigSimulation& simulation_;
+  SequenceSettings settings_;
+  std::size_t observation_ = 0;
+  std::size_t shot_ = 0;
+  LitViews views_; // of the current observation, after its first shot
 };
 
 } // namespace pcl::acmap

@@ -1,8 +1,7 @@
-#include "shot_shading.h"
+#include "rig_simulation.h"
 
-#include "../mixed_bits.h"
+#include "../random_streams.h"
 #include "gaussian_weights.h"
-#include "pixel_noise.h"
 
 #include <pcl/core/parallel.h>
 

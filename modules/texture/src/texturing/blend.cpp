@@ -1,4 +1,4 @@
-#include "texturing/blend.h"
+#include "texturing/canvas_painting.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,11 @@
 
 #include <pcl/core/exceptions.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap::texturing {
+
 namespace {
 
 using Grids = std::vector<std::optional<ChartGrid>>;
@@ -25,6 +29,47 @@ texelsOf(const Grids& grids)
   for (const std::optional<ChartGrid>& grid : grids)
     texels += grid ? grid->columns * grid->rows : 0;
   return texels;
+}
+
+/** Positions at which the centre line of each row crosses the loops. */
+using Crossings = std::vector<std::vector<double>>;
+
+void
+addLoop(const TextureChart& chart,
+        const std::vector<Eigen::Vector3f>& loop,
+        Crossings& crossings)
+{
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    Eigen::Vector2d a = placeOn(chart, loop[k].cast<double>());
+    Eigen::Vector2d b = placeOn(chart, loop[(k + 1) % loop.size()].cast<double>());
+    if (a.y() > b.y())
+      std::swap(a, b);
+    // rows whose centre is in [a, b), so that a corner is counted once
+    const double rows = static_cast<double>(crossings.size());
+    const double first = std::clamp(std::ceil(a.y() - 0.5), 0.0, rows);
+    const double end = std::clamp(std::ceil(b.y() - 0.5), 0.0, rows);
+    for (double row = first; row < end; ++row) {
+      const double share = (row + 0.5 - a.y()) / (b.y() - a.y());
+      crossings[static_cast<std::size_t>(row)].push_back(a.x() +
+                                                         share * (b.x() - a.x()));
+    }
+  }
+}
+
+void
+addRim(std::size_t width, std::size_t height, std::vector<TexelPlace>& mask)
+{
+  for (std::size_t row = 0; row < height; ++row)
+    for (std::size_t column = 0; column < width; ++column) {
+      if (mask[row * width + column] != TexelPlace::Inside)
+        continue;
+      const std::size_t top = row > 0 ? row - 1 : 0;
+      const std::size_t left = column > 0 ? column - 1 : 0;
+      for (std::size_t r = top; r <= std::min(row + 1, height - 1); ++r)
+        for (std::size_t c = left; c <= std::min(column + 1, width - 1); ++c)
+          if (mask[r * width + c] == TexelPlace::Outside)
+            mask[r * width + c] = TexelPlace::Rim;
+    }
 }
 
 } // namespace
@@ -63,6 +108,31 @@ canvasesOf(const std::vector<PlanePatch>& planes,
     canvas.samples.resize(canvas.mask.size());
   }
   return canvases;
+}
+
+std::vector<TexelPlace>
+maskOf(const TextureChart& chart, const PlanePolygon& polygon)
+{
+  const auto width = static_cast<std::size_t>(chart.colors.width);
+  const auto height = static_cast<std::size_t>(chart.colors.height);
+  Crossings crossings(height);
+  addLoop(chart, polygon.outer, crossings);
+  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+    addLoop(chart, hole, crossings);
+  std::vector<TexelPlace> mask(width * height, TexelPlace::Outside);
+  for (std::size_t row = 0; row < height; ++row) {
+    std::vector<double>& cuts = crossings[row];
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); k += 2) {
+      const double columns = static_cast<double>(width);
+      const double first = std::clamp(std::ceil(cuts[k] - 0.5), 0.0, columns);
+      const double end = std::clamp(std::ceil(cuts[k + 1] - 0.5), 0.0, columns);
+      for (double column = first; column < end; ++column)
+        mask[row * width + static_cast<std::size_t>(column)] = TexelPlace::Inside;
+    }
+  }
+  addRim(width, height, mask);
+  return mask;
 }
 
 } // namespace pcl::acmap::texturing

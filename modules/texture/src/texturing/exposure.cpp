@@ -1,4 +1,4 @@
-#include "texturing/exposure.h"
+#include "texturing/canvas_painting.h"
 
 #include <Eigen/Sparse>
 

@@ -1,4 +1,4 @@
-#include "texturing/nearest_plane.h"
+#include "texturing/canvas_painting.h"
 
 #include <pcl/core/parallel.h>
 

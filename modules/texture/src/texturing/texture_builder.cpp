@@ -1,8 +1,4 @@
-#include "texturing/blend.h"
-#include "texturing/exposure.h"
-#include "texturing/nearest_plane.h"
-#include "texturing/pinhole_painter.h"
-#include "texturing/splatter.h"
+#include "texturing/canvas_painting.h"
 
 #include <pcl/core/parallel.h>
 #include <pcl/texture/texturing_kernel.h>

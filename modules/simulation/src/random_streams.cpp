@@ -1,4 +1,4 @@
-#include "pixel_noise.h"
+#include "random_streams.h"
 
 #include <pcl/core/random.h>
 

@@ -1,9 +1,19 @@
 #pragma once
 
+#include <pcl/core/random.h>
+
 #include <cstddef>
 #include <cstdint>
 
 namespace pcl::acmap {
+
+/** \brief Pseudo-random bits that depend on both arguments, for random streams that are
+ * identified by a number. */
+inline std::uint64_t
+mixedBits(std::uint64_t seed, std::uint64_t number)
+{
+  return Random(Random(seed).bits() + number).bits();
+}
 
 /** \brief Fast generator of normal random numbers, mean 0 and variance 1. Each number
  * is one of 4096 equally probable values, of 12 random bits; therefore its magnitude is

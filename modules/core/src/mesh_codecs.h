@@ -1,6 +1,8 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/core/output_file.h>
+#include <pcl/core/triangle_mesh.h>
 
 #include <array>
 #include <cstddef>
@@ -9,6 +11,8 @@
 #include <vector>
 
 namespace pcl::acmap {
+
+class ByteSource;
 
 /** \brief A value per point that a mesh file stores with its own name. */
 struct ScalarColumn {
@@ -33,5 +37,29 @@ struct MeshColumns {
  * outside the data */
 MeshColumns
 sortColumns(const PCLPointCloud2& cloud);
+
+/** \brief Implementations of \ref saveTriangleMesh; the mesh has been checked before.
+ */
+void
+writePly(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const MeshColumns& columns,
+         const TriangleMesh& mesh);
+void
+writeVtk(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const MeshColumns& columns,
+         const TriangleMesh& mesh);
+
+/** \brief Reads the faces of an OBJ for \ref loadTriangleMesh. Corners may contain
+ * indices of texture and normal, and may be relative to the last vertex (negative).
+ * \throws InputFileException when a corner is not a number, or out of range */
+TriangleMesh
+readObjFaces(ByteSource& source);
+
+/** \brief Reads the faces of a PLY for \ref loadTriangleMesh.
+ * \throws InputFileException when the data do not match their header */
+TriangleMesh
+readPlyFaces(ByteSource& source);
 
 } // namespace pcl::acmap

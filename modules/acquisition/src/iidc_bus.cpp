@@ -1,7 +1,0 @@
-#include <pcl/acquisition/iidc_bus.h>
-
-namespace pcl {
-
-IidcBus::~IidcBus() = default;
-
-} // namespace pcl

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "texturing/canvas.h"
+#include "texturing/pinhole.h"
+
+#include <pcl/texture/texturing_kernel.h>
+
+#include <vector>
+
+namespace pcl::acmap::texturing {
+
+/** For each point of a view, the canvas that it colours, or -1: the canvas of the
+ * closest plane that faces the sensor and whose polygon contains the projection of the
+ * point (the last step of the paper). */
+std::vector<std::int32_t>
+nearestCanvases(const ColoredView& view,
+                const std::vector<PlanePatch>& planes,
+                const std::vector<Canvas>& canvases,
+                double maximum_distance);
+
+/** Offers the colours of a pinhole view to the texels that it sees.
+ *
+ * A texel is visible if the depth around its pixel belongs to its plane only; it is
+ * not visible at depth edges. Frontal and near views get larger weights than others
+ * (by the area of a pixel on the plane), and the centre of an image gets larger
+ * weights than its border, so that views blend into each other.
+ * \param[in] nearest canvas of each pixel, from \ref nearestCanvases */
+void
+paintPinhole(const ColoredView& view,
+             const Pinhole& camera,
+             std::int32_t number,
+             const std::vector<std::int32_t>& nearest,
+             const std::vector<PlanePatch>& planes,
+             std::vector<Canvas>& canvases);
+
+/** Colours each texel with the mean of the points that fall into it; for clouds whose
+ * camera is unknown. */
+void
+splat(const ColoredView& view,
+      std::int32_t number,
+      const std::vector<std::int32_t>& nearest,
+      std::vector<Canvas>& canvases);
+
+/** Exposure gains, one per view, for which the views agree on the texels that they
+ * share: the least-squares solution in the logarithms of the brightness, with a prior
+ * that keeps the gains near 1; views without shared texels get 1. Clipped samples are
+ * ignored. */
+std::vector<double>
+exposureGains(const std::vector<Canvas>& canvases, std::size_t views);
+
+/** Colours the chart of a canvas. The samples of each texel are brought to a common
+ * exposure; the colour is the mean of those that agree with the weighted median. So an
+ * object that is visible in one view only leaves no trace where other views saw the
+ * wall. */
+void
+blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart);
+
+/** Colours texels without a sample from their neighbours, ring by ring from the border
+ * of the observed texels: at most \a distance texels, and the rim of the polygon one
+ * texel further. */
+void
+fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart);
+
+} // namespace pcl::acmap::texturing
