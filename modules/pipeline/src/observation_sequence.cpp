@@ -1,7 +1,7 @@
 #include "observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
-#include <pcl/core/scaled_cloud.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
 
