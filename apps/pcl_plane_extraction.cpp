@@ -1,4 +1,4 @@
-#include "cloud_sensors.h"
+#include "cloud_labels.h"
 #include "length_check.h"
 #include "output_group.h"
 #include "output_target.h"
@@ -36,10 +36,9 @@ writeOutputs(const Tool& tool,
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
   write(options.picture, [&](const std::string& place) { savePicture(place, found); });
-  write(options.labels,
-        [&](const std::string& place) {
-          saveLabels(place, std::move(file), found.labels);
-        });
+  write(options.labels, [&](const std::string& place) {
+    saveLabels(place, std::move(file), found.labels);
+  });
   tool.stopIfInterrupted();
   outputs.commit();
 }
@@ -88,8 +87,8 @@ run(Tool& tool, const PlaneOptions& options)
   timer.finish("read");
   tool.stopIfInterrupted();
 
-  const pcl::MappedPlanes found = extractPlanes(
-      tool, options, file, std::move(viewpoints), std::move(triangles));
+  const pcl::MappedPlanes found =
+      extractPlanes(tool, options, file, std::move(viewpoints), std::move(triangles));
   for (const std::string& remark : file->remarks)
     tool.warn(remark);
   for (const std::string& remark :

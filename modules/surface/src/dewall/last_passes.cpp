@@ -1,4 +1,3 @@
-
 #include "mesh_steps.h"
 
 namespace pcl::acmap::dewall {
