@@ -1,4 +1,4 @@
-#include "active_stereo/stereo_run.h"
+#include "active_stereo/stereo_options.h"
 
 int
 main(int argc, char** argv)

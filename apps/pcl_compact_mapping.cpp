@@ -1,7 +1,6 @@
 #include "compact_mapping/chain.h"
 #include "compact_mapping/chain_report.h"
 #include "compact_mapping/map_stage.h"
-#include "compact_mapping/truth_stage.h"
 #include "output_target.h"
 
 #include <pcl/visualization/display_connection.h>

@@ -1,7 +1,6 @@
 #include "cloud_labels.h"
 #include "compact_viewer/viewer_input.h"
 #include "compact_viewer/viewer_options.h"
-#include "interruption.h"
 #include "memory.h"
 #include "output_target.h"
 #include "tool.h"

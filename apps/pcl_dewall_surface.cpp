@@ -1,4 +1,4 @@
-#include "cloud_sensors.h"
+#include "cloud_labels.h"
 #include "command_line.h"
 #include "length_check.h"
 #include "memory.h"

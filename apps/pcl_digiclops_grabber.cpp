@@ -1,4 +1,3 @@
-#include "digiclops_grabber/grab_report.h"
 #include "digiclops_grabber/grab_run.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "entropy_rectification/rectification_run.h"
+#include "entropy_rectification/rectification_options.h"
 
 int
 main(int argc, char** argv)

@@ -1,8 +1,5 @@
-#include "paper_figures/acquisition_figures.h"
 #include "paper_figures/figure_table.h"
-#include "paper_figures/map_plans.h"
-#include "paper_figures/mesh_figures.h"
-#include "paper_figures/plane_figures.h"
+#include "paper_figures/figures.h"
 #include "tool.h"
 
 #include <pcl/core/output_file.h>

@@ -1,4 +1,4 @@
-#include "cloud_sensors.h"
+#include "cloud_labels.h"
 #include "length_check.h"
 #include "output_group.h"
 #include "output_target.h"

@@ -1,4 +1,4 @@
-#include "visual_egomotion/pose_estimation.h"
+#include "visual_egomotion/egomotion_options.h"
 
 int
 main(int argc, char** argv)

@@ -1,4 +1,4 @@
-#include "stereo_run.h"
+#include "stereo_options.h"
 
 #include "json_file.h"
 #include "known_poses.h"

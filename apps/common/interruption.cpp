@@ -1,4 +1,4 @@
-#include "interruption.h"
+#include "tool.h"
 
 #include <csignal>
 

@@ -2,10 +2,8 @@
 
 #include "command_line.h"
 #include "input_kind.h"
-#include "interruption.h"
 #include "memory.h"
 #include "output_target.h"
-#include "printable.h"
 
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>

@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace CLI {
+
 class App;
 }
 
@@ -197,5 +198,24 @@ private:
 /** \brief Formats a number with a few significant digits, for the summary. */
 std::string
 shortNumber(double value);
+
+/** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
+ * recorded, so that the tool can stop cleanly; the second one ends it at once. */
+void
+noteInterruptions();
+
+/** \brief From now on, an interruption ends the tool at once, as usual. */
+void
+obeyInterruptions();
+
+/** \brief Was there an interruption? */
+bool
+interrupted();
+
+/** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
+ * text can be printed on a terminal. Messages quote files, which may contain
+ * anything. */
+std::string
+printable(const std::string& text);
 
 } // namespace pcl::acmap

@@ -1,8 +1,8 @@
 #include "chain.h"
 
-#include "active_stereo/stereo_run.h"
-#include "entropy_rectification/rectification_run.h"
-#include "visual_egomotion/pose_estimation.h"
+#include "active_stereo/stereo_options.h"
+#include "entropy_rectification/rectification_options.h"
+#include "visual_egomotion/egomotion_options.h"
 
 #include <pcl/pipeline/observation_files.h>
 

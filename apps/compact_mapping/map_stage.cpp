@@ -1,8 +1,7 @@
 #include "map_stage.h"
 
-#include "cloud_sensors.h"
+#include "cloud_labels.h"
 #include "length_check.h"
-#include "map_pictures.h"
 #include "memory.h"
 #include "plane_extraction/plane_outputs.h"
 #include "plane_extraction/plane_reports.h"
@@ -14,14 +13,40 @@
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_merging.h>
+#include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/visualization/map_snapshot.h>
+#include <pcl/visualization/mesh_snapshot.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace pcl::acmap {
 
 namespace {
+
+/** \brief Draws mesh.png, planes.png, outside.png, inside.png and floor_plan.png.
+ * \throws OutputFileException when one could not be written */
+void
+savePictures(const OutputFolder& folder,
+             const MappedPlanes& found,
+             const CompactMap& map)
+{
+  const UnlimitedMemory while_drawing;
+  saveSnapshot(
+      folder.path("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
+  savePicture(folder.path("planes.png"), found);
+  const std::pair<const char*, MapView::Place> places[] = {
+      {"outside.png", MapView::Place::Outside},
+      {"inside.png", MapView::Place::Inside},
+      {"floor_plan.png", MapView::Place::Plan}};
+  for (const auto& [name, place] : places) {
+    MapView map_view;
+    map_view.place = place;
+    saveMapSnapshot(folder.path(name), map, map_view);
+  }
+}
 
 namespace fs = std::filesystem;
 

@@ -1,4 +1,4 @@
-#include "page_energy.h"
+#include "report_page.h"
 
 #include "drawing.h"
 #include "entropy_rectification/energy_curve.h"

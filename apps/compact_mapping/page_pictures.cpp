@@ -1,4 +1,4 @@
-#include "page_pictures.h"
+#include "report_page.h"
 
 #include "page_text.h"
 

@@ -1,4 +1,4 @@
-#include "page_result.h"
+#include "report_page.h"
 
 #include "page_seconds.h"
 #include "page_text.h"

@@ -1,4 +1,4 @@
-#include "page_style.h"
+#include "report_page.h"
 
 namespace pcl::acmap {
 

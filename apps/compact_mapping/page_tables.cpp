@@ -1,4 +1,4 @@
-#include "page_tables.h"
+#include "report_page.h"
 
 #include "page_text.h"
 #include "page_values.h"

@@ -1,11 +1,6 @@
 #include "report_page.h"
 
-#include "page_energy.h"
-#include "page_pictures.h"
-#include "page_result.h"
 #include "page_seconds.h"
-#include "page_style.h"
-#include "page_tables.h"
 #include "page_text.h"
 #include "page_values.h"
 

@@ -1,4 +1,4 @@
-#include "truth_stage.h"
+#include "map_stage.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/pipeline/observation_files.h>

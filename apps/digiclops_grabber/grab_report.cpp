@@ -1,4 +1,4 @@
-#include "grab_report.h"
+#include "grab_run.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "grab_run.h"
 
-#include "interruption.h"
+#include "tool.h"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device.h"
 #include "frame_queue.h"
 #include "grab_outputs.h"
 #include "live_window.h"
@@ -97,5 +98,15 @@ private:
   std::size_t shots_ = 0;  // of the current observation
   std::size_t wanted_ = 0; // number of observations, 0: all
 };
+
+/** \brief Writes lines of summary and report about device and projector.
+ * \param[in] projection null if there is none
+ * \param[in] frames number of received frames */
+void
+tellDevice(Tool& tool,
+           const GrabberOptions& options,
+           const Device& device,
+           const Projection* projection,
+           std::size_t frames);
 
 } // namespace pcl::acmap

@@ -1,7 +1,7 @@
 #include "grabber_options.h"
 
-#include "camera_settings.h"
 #include "command_line.h"
+#include "device.h"
 
 #include <CLI/CLI.hpp>
 

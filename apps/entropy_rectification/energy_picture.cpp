@@ -1,5 +1,3 @@
-#include "energy_picture.h"
-
 #include "energy_curve.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "level_check.h"
+#include "map_observations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <pcl/point_types.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,11 @@ readObservations(Tool& tool, const ObservationSequence& sequence, bool skip_brok
  * \throws InputFileException as loadCarmenLog */
 MapObservations
 readScans(Tool& tool, const std::string& log, std::size_t every);
+
+/** \brief The normal of floors and ceilings in the map, with y > 0: the most frequent
+ * direction among the normals within 45 degrees of y. Nothing if only few points have
+ * such a normal. */
+std::optional<Eigen::Vector3d>
+floorNormalOf(const MapObservations& observations);
 
 } // namespace pcl::acmap

@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/pipeline/observation_sequence.h>
 
 #include <cstdint>
 #include <optional>
@@ -57,5 +58,14 @@ requireInput(const RectificationOptions& options);
 /** \brief Name of a mode on the command line. */
 const char*
 nameOf(RectificationMode mode);
+
+/** \brief Rectifies a map and writes it into a folder: the complete work of
+ * pcl_entropy_rectification.
+ * \param[in] posed the observations; none: the scans of the options' log
+ * \throws according to the exit codes of its documentation page */
+void
+rectifyPoses(Tool& tool,
+             const RectificationOptions& options,
+             const std::optional<ObservationSequence>& posed);
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #include "rectification_outputs.h"
 
-#include "energy_picture.h"
+#include "energy_curve.h"
 #include "memory.h"
 #include "plan_picture.h"
 

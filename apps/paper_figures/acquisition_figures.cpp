@@ -1,4 +1,4 @@
-#include "acquisition_figures.h"
+#include "figures.h"
 
 #include "active_stereo/observation_maker.h"
 #include "figure_sheet.h"

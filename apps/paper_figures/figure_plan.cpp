@@ -1,7 +1,5 @@
 #include "figure_plan.h"
 
-#include "standard_figures.h"
-
 #include <pcl/core/file_format.h>
 
 #include <initializer_list>

@@ -56,4 +56,8 @@ struct FigurePlan {
 FigurePlan
 loadFigurePlan(const std::string& path);
 
+/** \brief The text of share/paper_figures.yaml. */
+const char*
+standardFiguresText();
+
 } // namespace pcl::acmap

@@ -1,4 +1,4 @@
-#include "map_plans.h"
+#include "figures.h"
 
 #include "entropy_rectification/plan_picture.h"
 #include "figure_sheet.h"

@@ -1,4 +1,4 @@
-#include "mesh_figures.h"
+#include "figures.h"
 
 #include "exit_code.h"
 #include "figure_sheet.h"

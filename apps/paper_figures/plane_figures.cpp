@@ -1,4 +1,4 @@
-#include "plane_figures.h"
+#include "figures.h"
 
 #include "drawing.h"
 #include "figure_sheet.h"

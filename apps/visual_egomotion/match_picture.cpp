@@ -1,4 +1,4 @@
-#include "match_picture.h"
+#include "egomotion_pictures.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "way_picture.h"
+#include "egomotion_pictures.h"
 
 #include <algorithm>
 #include <cmath>

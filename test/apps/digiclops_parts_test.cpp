@@ -1,4 +1,4 @@
-#include "digiclops_grabber/camera_settings.h"
+#include "digiclops_grabber/device.h"
 #include "digiclops_grabber/frame_queue.h"
 #include "digiclops_grabber/pacing.h"
 #include "digiclops_grabber/status_line.h"

@@ -1,8 +1,6 @@
-#include "compact_mapping/page_energy.h"
-#include "compact_mapping/page_result.h"
 #include "compact_mapping/page_seconds.h"
-#include "compact_mapping/page_tables.h"
 #include "compact_mapping/page_text.h"
+#include "compact_mapping/report_page.h"
 #include "html_checker.h"
 
 #include <gmock/gmock.h>

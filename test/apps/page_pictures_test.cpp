@@ -1,4 +1,4 @@
-#include "compact_mapping/page_pictures.h"
+#include "compact_mapping/report_page.h"
 #include "html_checker.h"
 #include "temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "printable.h"
+#include "tool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "entropy_rectification/energy_picture.h"
-#include "entropy_rectification/level_check.h"
+#include "entropy_rectification/energy_curve.h"
+#include "entropy_rectification/map_observations.h"
 #include "entropy_rectification/plan_picture.h"
 
 #include <pcl/core/random.h>

@@ -1,5 +1,4 @@
-#include "visual_egomotion/match_picture.h"
-#include "visual_egomotion/way_picture.h"
+#include "visual_egomotion/egomotion_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "egomotion_runs.h"
 #include "egomotion_tables.h"
-#include "visual_egomotion/match_picture.h"
-#include "visual_egomotion/way_picture.h"
+#include "visual_egomotion/egomotion_pictures.h"
 
 #include <pcl/egomotion/visual_egomotion.h>
 

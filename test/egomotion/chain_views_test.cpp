@@ -1,4 +1,4 @@
-#include "chain/contradiction.h"
+#include "chain/egomotion_failure.h"
 #include "chain/pinhole.h"
 #include "chain/surface_blocks.h"
 #include "chain/view_levels.h"

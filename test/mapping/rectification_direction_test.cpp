@@ -1,4 +1,4 @@
-#include "rectification/building_direction.h"
+#include "rectification/rectification_steps.h"
 #include "rectification_kernels.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "outlines/loop_crossings.h"
+#include "outlines/loop.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "naive_growth.h"
 
-#include "planes/paper_growth.h"
+#include "planes/plane_growth.h"
 
 #include <pcl/core/random.h>
 

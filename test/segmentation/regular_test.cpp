@@ -1,5 +1,5 @@
 #include "axes.h"
-#include "planes/regular.h"
+#include "planes/known_planes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

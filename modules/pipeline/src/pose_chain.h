@@ -1,14 +1,25 @@
 #pragma once
 
-#include "odometry_view.h"
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_types.h>
+#include <pcl/point_cloud.h>
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace pcl::acmap {
+
+/** \brief An observation of a sequence as input of pcl::VisualEgomotion. */
+struct OdometryView {
+  std::size_t index = 0;                      ///< index in the sequence
+  std::shared_ptr<const PointCloudFile> file; ///< camera frame, metres
+  PointCloud<PointXYZRGBSigma>::ConstPtr cloud;
+};
 
 /** \brief Joins views to the last ones that have a pose, one after the other.
  *

@@ -1,6 +1,5 @@
 #include <pcl/stereo/rig_calibrator.h>
 
-#include "calibration/board_corners.h"
 #include "calibration/board_views.h"
 
 #include <pcl/core/arguments.h>

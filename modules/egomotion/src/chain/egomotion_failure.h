@@ -4,6 +4,8 @@
 
 #include <pcl/egomotion/egomotion_types.h>
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <string>
 
@@ -37,5 +39,14 @@ std::optional<EgomotionFailure>
 failureOfMotion(const EgomotionEstimate& estimate,
                 double contradicted,
                 const EgomotionSettings& settings);
+
+/** \brief Share of the surface blocks of one view that contradict the other, among
+ * those that can be compared: blocks that would be clearly in front of what the other
+ * view saw there. Returns the larger of both shares; for a correct motion it is almost
+ * 0. */
+double
+contradictedShare(const EgomotionView& source,
+                  const EgomotionView& target,
+                  const Eigen::Isometry3d& T_target_source);
 
 } // namespace pcl::acmap

@@ -1,16 +1,26 @@
 #pragma once
 
 #include "chain/appearance_level.h"
-#include "chain/feature_level.h"
 #include "chain/pinhole.h"
 #include "chain/surface_blocks.h"
+#include "chain/view_levels.h"
 
 #include <pcl/egomotion/egomotion_kernel.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace pcl::acmap {
+
+/** \brief Features of a view at one level. */
+struct FeatureLevel {
+  int scale = 1;                       ///< size of a pixel in pixels of the view
+  std::vector<std::int32_t> pixels;    ///< pixels of the keypoints in the view
+  std::vector<Eigen::Vector3f> places; ///< metres
+  std::vector<float> sigmas;           ///< metres along the ray
+  LogPolarPatches patches;
+};
 
 struct EgomotionView {
   std::size_t points = 0;         ///< number of valid points

@@ -1,4 +1,4 @@
-#include "voting/faces.h"
+#include "voting/vertex_rings.h"
 
 #include <pcl/core/parallel.h>
 

@@ -1,4 +1,4 @@
-#include "building_direction.h"
+#include "rectification_steps.h"
 
 #include <cmath>
 

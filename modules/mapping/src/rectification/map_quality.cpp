@@ -1,4 +1,4 @@
-#include "map_quality.h"
+#include "rectification_steps.h"
 
 #include "../entropy/planar_motion.h"
 

@@ -1,7 +1,7 @@
 #include "ray_evidence.h"
 
 #include "../entropy/planar_motion.h"
-#include "rectification_task.h"
+#include "entropy_search.h"
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,7 +1,4 @@
-#include "building_direction.h"
-#include "guarded_search.h"
-#include "map_quality.h"
-#include "voting_search.h"
+#include "rectification_steps.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/mapping/rectification_kernel.h>

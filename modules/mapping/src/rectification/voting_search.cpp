@@ -1,6 +1,5 @@
-#include "voting_search.h"
+#include "rectification_steps.h"
 
-#include "map_quality.h"
 #include "ray_evidence.h"
 
 #include <pcl/core/random.h>

@@ -1,9 +1,11 @@
 #include "labeling/label_points.h"
 
-#include "labeling/plane_fits.h"
+#include "labeling/candidate_grid.h"
+#include "labeling/plane_sums.h"
 #include "labeling/ray_labels.h"
-#include "labeling/stragglers.h"
 #include "labeling/verdicts.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,145 @@ namespace pcl::acmap {
 
 namespace labeling {
 namespace {
+
+/** Assigns hypotheses without a plane to the nearest plane within a distance. Such
+ * hypotheses are often at creases, where normals are mixed.
+ * \param[in] distance metres */
+void
+gatherStragglers(double distance, const CandidateGrid& grid, KnownPlanes& known)
+{
+  for (std::size_t i = 0; i < known.labels.size(); ++i) {
+    VoxelHit hit;
+    const Eigen::Vector3f point = known.points[i];
+    if (known.labels[i] >= 0 || !grid.lattice().locate(point, hit))
+      continue;
+    const std::int32_t entry = grid.find(voxelKey(hit.place));
+    double least = distance;
+    for (std::size_t k = 0; entry >= 0 && k < grid[entry].size; ++k) {
+      const std::int32_t plane = grid[entry].planes[k];
+      const Eigen::Vector4d& its =
+          known.planes[static_cast<std::size_t>(plane)].patch.coefficients;
+      const double off = std::abs(its.head<3>().dot(point.cast<double>()) + its[3]);
+      if (off < least) {
+        least = off;
+        known.labels[i] = plane;
+      }
+    }
+  }
+}
+
+constexpr double guess_weight = 1 / (0.0175 * 0.0175); // one degree, radians
+
+/** Are there enough points for a fit? All of them may be outside of the gate. */
+bool
+canBeFitted(const PlaneSums& sums)
+{
+  constexpr std::size_t min_points = 3;
+  return sums.points >= min_points && sums.best().matrix(2, 2) > 0;
+}
+
+/** Adds a guessed normal as a prior of the slopes. */
+void
+addGuess(const Eigen::Vector3d& guess, const PlanePatch& patch, FitSums& sums)
+{
+  const double along = guess.dot(patch.coefficients.head<3>());
+  const Eigen::Vector2d slopes(-guess.dot(patch.axis_u) / along,
+                               -guess.dot(patch.axis_v) / along);
+  sums.matrix.topLeftCorner<2, 2>() += guess_weight * Eigen::Matrix2d::Identity();
+  sums.right.head<2>() += guess_weight * slopes;
+}
+
+bool
+needsGuess(const PlaneSums& sums, const KnownPlane& plane)
+{
+  constexpr double max_tilt =
+      0.1; // radians; beyond it the points do not determine the tilt
+  return plane.trust == PlaneTrust::Strip || !knowsTilt(sums.best(), max_tilt);
+}
+
+FitSums
+withGuess(const PlaneSums& sums, const KnownPlane& plane, const Eigen::Vector3d& guess)
+{
+  FitSums fit = sums.best();
+  if (needsGuess(sums, plane))
+    addGuess(guess, plane.patch, fit);
+  return fit;
+}
+
+/** Half sides of a rectangle with the variances of the points: a half side h has the
+ * variance h^2 / 3. */
+Eigen::Vector2d
+halfSize(const FitSums& sums)
+{
+  const Eigen::Matrix3d mean = sums.matrix / sums.matrix(2, 2);
+  const Eigen::Array2d variances =
+      mean.diagonal().head<2>().array() - mean.col(2).head<2>().array().square();
+  return (3 * variances.max(0.0)).sqrt();
+}
+
+/** Number of independent points that would determine the offset equally well; for
+ * points without noise it is their number. */
+double
+effectiveSupport(const PlanePatch& patch, double count)
+{
+  const double square = patch.rms * patch.rms;
+  const double variance = patch.covariance(2, 2);
+  return count * variance <= square ? count : square / variance;
+}
+
+/** Fits each plane to its points and updates its frame. Strips, and planes whose points
+ * are on one line, keep their guessed tilt unless the points determine it better. */
+void
+fitPlanes(const std::vector<PlaneSums>& sums,
+          const std::vector<Eigen::Vector3d>& guesses,
+          std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (!canBeFitted(sums[p]))
+      continue;
+    const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
+    moveToFit(fit, planes[p].patch);
+    setFrame(sums[p].best(), planes[p].patch);
+  }
+}
+
+/** Moves the frame of each plane to its points and transforms the sums accordingly. */
+void
+centerFrames(std::vector<PlaneSums>& sums, std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (!canBeFitted(sums[p]))
+      continue;
+    const PlanePatch before = planes[p].patch;
+    setFrame(sums[p].best(), planes[p].patch);
+    for (FitSums* fit : {&sums[p].fit, &sums[p].clean})
+      *fit = movedSums(*fit, before, planes[p].patch);
+  }
+}
+
+/** Same as \ref fitPlanes, but sets support, rms and covariance instead of the
+ * frames. */
+void
+finishPlanes(const std::vector<PlaneSums>& sums,
+             const std::vector<Eigen::Vector3d>& guesses,
+             std::vector<KnownPlane>& planes)
+{
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    PlanePatch& patch = planes[p].patch;
+    patch.support = sums[p].points;
+    patch.covariance.setConstant(std::nan(""));
+    if (!canBeFitted(sums[p]))
+      continue;
+    const FitSums fit = withGuess(sums[p], planes[p], guesses[p]);
+    const double guess = needsGuess(sums[p], planes[p]) ? guess_weight : 0;
+    const double count = static_cast<double>(sums[p].points);
+    planes[p].half_size = halfSize(sums[p].fit);
+    const Eigen::Vector3d solution = moveToFit(fit, patch);
+    patch.covariance = clusteredCovariance(fit, guess, solution, sums[p].clusters);
+    patch.rms = std::sqrt(sums[p].squares / count);
+    patch.effective_support = effectiveSupport(patch, count);
+  }
+}
 
 /** Is each plane large enough, after its parts are merged? */
 std::vector<std::uint8_t>

@@ -2,7 +2,7 @@
 
 #include "outlines/crease_snap.h"
 #include "outlines/face_loops.h"
-#include "outlines/loop_crossings.h"
+#include "outlines/loop.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "planes/continued.h"
+#include "planes/plane_merge.h"
 
 #include <algorithm>
 #include <cmath>

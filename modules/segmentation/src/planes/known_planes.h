@@ -2,6 +2,7 @@
 
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_view.h>
+#include <pcl/segmentation/plane_clustering_kernel.h>
 
 #include <vector>
 
@@ -35,5 +36,24 @@ struct KnownPlanes {
   double spacing = 0;               ///< metres, between neighbours
   std::vector<KnownPlane> planes;
 };
+
+namespace planes {
+
+/** Result of \ref makeRegular. */
+struct Regularity {
+  std::size_t turned = 0;
+  double largest_turn = 0; ///< radians
+};
+
+/** Rotates planes about their centres to be exactly parallel or perpendicular to larger
+ * ones, by at most three standard deviations of their tilt and at most one degree. */
+Regularity
+makeRegular(std::vector<KnownPlane>& planes);
+
+/** Sorts the patches by decreasing area and updates the labels. */
+void
+sortByArea(PlaneClusters& clusters);
+
+} // namespace planes
 
 } // namespace pcl::acmap

@@ -1,4 +1,4 @@
-#include "planes/narrow_strips.h"
+#include "planes/plane_growth.h"
 
 #include "planes/plane_merge.h"
 

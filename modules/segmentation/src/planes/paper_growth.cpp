@@ -1,4 +1,4 @@
-#include "planes/paper_growth.h"
+#include "planes/plane_growth.h"
 
 #include "planes/neighbourhoods.h"
 

@@ -1,4 +1,4 @@
-#include "planes/patch_order.h"
+#include "planes/known_planes.h"
 
 #include <algorithm>
 #include <numeric>

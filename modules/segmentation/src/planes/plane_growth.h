@@ -82,4 +82,46 @@ growPlanes(const CellGraph& graph,
   }
 }
 
+/** Grows planes as in the paper (II-C.2): a point supports a plane if it is within W_d
+ * of one of its points, within W_n of its normal and within W_t of the plane, which is
+ * fitted again after every supporter, from the twelfth on. A plane with more than W_h
+ * supporters is accepted.
+ * \param[in] progress reported from 0 to 0.85 from time to time
+ * \throws CancelledException when the progress callback requested to stop */
+std::vector<GrownPlane>
+growAsPaper(const CellGraph& graph,
+            const std::vector<std::int32_t>& seeds,
+            const PlaneLimits& limits,
+            double member_distance,
+            std::size_t min_support,
+            const Progress& progress,
+            PlaneClusteringReport& report);
+
+/** Grows regions over the mesh within the noise. First the large planes are grown; then
+ * the remaining hypotheses are grown again and kept as small regions and strips, which
+ * have to be verified with the points. Curved surfaces are removed and counted. */
+std::vector<GrownPlane>
+growNoiseDriven(const CellGraph& graph,
+                const std::vector<std::int32_t>& seeds,
+                const PlaneLimits& limits,
+                double min_area,
+                PlaneClusteringReport& report);
+
+/** Is a region so narrow that its hypotheses may only be two rounded edges? */
+bool
+isNarrow(const Moments& moments, double spacing);
+
+/** Guesses the planes of narrow strips between larger ones, such as the reveal of a
+ * door: along the strip and perpendicular to its largest neighbour. The hypotheses of a
+ * strip determine its direction only; whether the guess is right is verified with the
+ * points later. */
+void
+raiseStrips(const CellGraph& graph, std::vector<GrownPlane>& planes);
+
+/** Assigns points to an adjacent plane in the mesh if they are on it but their normals
+ * are mixed or missing: two rings of them.
+ * \param[in] distance metres */
+void
+widenRims(const CellGraph& graph, double distance, std::vector<GrownPlane>& planes);
+
 } // namespace pcl::acmap::planes

@@ -1,13 +1,8 @@
 #include "labeling/label_points.h"
 #include "outlines/patch_outlines.h"
-#include "planes/continued.h"
-#include "planes/narrow_strips.h"
-#include "planes/noise_driven.h"
-#include "planes/paper_growth.h"
-#include "planes/patch_order.h"
+#include "planes/known_planes.h"
+#include "planes/plane_growth.h"
 #include "planes/plane_merge.h"
-#include "planes/regular.h"
-#include "planes/rims.h"
 
 #include <pcl/core/parallel.h>
 #include <pcl/segmentation/plane_clustering_kernel.h>

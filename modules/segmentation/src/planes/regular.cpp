@@ -1,4 +1,4 @@
-#include "planes/regular.h"
+#include "planes/known_planes.h"
 
 #include <Eigen/Geometry>
 

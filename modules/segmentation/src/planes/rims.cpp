@@ -1,4 +1,4 @@
-#include "planes/rims.h"
+#include "planes/plane_growth.h"
 
 #include <cmath>
 

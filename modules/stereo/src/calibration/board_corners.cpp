@@ -1,4 +1,4 @@
-#include "board_corners.h"
+#include "board_views.h"
 
 #include "opencv_values.h"
 

@@ -1,7 +1,6 @@
 #include "pair_costs.h"
 
 #include "census.h"
-#include "row_blocks.h"
 #include "window_sums.h"
 
 #include <oneapi/tbb/parallel_for.h>

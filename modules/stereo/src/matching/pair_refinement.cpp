@@ -1,7 +1,7 @@
 #include "pair_refinement.h"
 
+#include "pair_costs.h"
 #include "quarter_sums.h"
-#include "row_blocks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "clusters.h"
+#include "mesh_steps.h"
 
 #include "ball_visit.h"
 #include "disjoint_sets.h"

@@ -1,9 +1,5 @@
-#include "clusters.h"
-#include "distinct_points.h"
 #include "facing.h"
-#include "joined_parts.h"
-#include "last_passes.h"
-#include "oriented_mesh.h"
+#include "mesh_steps.h"
 #include "spacing.h"
 #include "triangle_builder.h"
 

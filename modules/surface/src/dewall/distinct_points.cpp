@@ -1,4 +1,4 @@
-#include "distinct_points.h"
+#include "mesh_steps.h"
 
 #include <cstring>
 

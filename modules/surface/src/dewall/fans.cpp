@@ -1,4 +1,4 @@
-#include "fans.h"
+#include "mesh_steps.h"
 
 #include <pcl/core/parallel.h>
 

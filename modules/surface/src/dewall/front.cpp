@@ -1,6 +1,6 @@
 #include "front.h"
 
-#include "seed_test.h"
+#include "third_point.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "joined_parts.h"
+#include "mesh_steps.h"
 
 #include <pcl/core/parallel.h>
 

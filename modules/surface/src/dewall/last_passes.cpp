@@ -1,7 +1,4 @@
-#include "last_passes.h"
-
-#include "fans.h"
-#include "small_holes.h"
+#include "mesh_steps.h"
 
 namespace pcl::acmap::dewall {
 

@@ -1,4 +1,4 @@
-#include "oriented_mesh.h"
+#include "mesh_steps.h"
 
 #include "disjoint_sets.h"
 

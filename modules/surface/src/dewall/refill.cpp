@@ -1,7 +1,7 @@
 #include "refill.h"
 
 #include "ball_visit.h"
-#include "seed_test.h"
+#include "third_point.h"
 
 namespace pcl::acmap::dewall {
 

@@ -1,4 +1,4 @@
-#include "seed_test.h"
+#include "third_point.h"
 
 #include "apex_search.h"
 #include "ball_visit.h"

@@ -1,4 +1,4 @@
-#include "small_holes.h"
+#include "mesh_steps.h"
 
 #include "predicates.h"
 

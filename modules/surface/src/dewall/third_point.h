@@ -4,6 +4,7 @@
 #include "predicates.h"
 #include "size_constraint.h"
 
+#include <array>
 #include <limits>
 
 namespace pcl::acmap::dewall {
@@ -45,5 +46,14 @@ findThirdPoint(const PointTree& tree,
   visitBall(tree, p1, 0.5 * (a + b), reach, visit);
   return best;
 }
+
+/** \brief Can three unused points be the first triangle of a component? Its smallest
+ * sphere has to be empty, and for cocircular points it has to belong to the
+ * triangulation that results from \ref isNearerApex; otherwise triangles from two seeds
+ * could intersect. */
+bool
+isFirstTriangle(const PointTree& tree,
+                const SizeConstraint& size,
+                const std::array<std::int32_t, 3>& corners);
 
 } // namespace pcl::acmap::dewall

@@ -1,8 +1,7 @@
 #include "triangle_builder.h"
 
-#include "fans.h"
+#include "mesh_steps.h"
 #include "nearest.h"
-#include "small_holes.h"
 
 #include <oneapi/tbb/parallel_invoke.h>
 

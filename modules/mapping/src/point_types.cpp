@@ -1,4 +1,6 @@
 #include <pcl/core/compiled_point_types.h>
 #include <pcl/mapping/impl/entropy_rectification.hpp>
+#include <pcl/mapping/impl/map_entropy.hpp>
 
+PCL_INSTANTIATE(MapEntropy, ACMAP_MAP_POINT_TYPES)
 PCL_INSTANTIATE(EntropyRectification, ACMAP_MAP_POINT_TYPES)

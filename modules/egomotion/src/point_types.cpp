@@ -1,0 +1,37 @@
+#include <pcl/core/compiled_point_types.h>
+#include <pcl/egomotion/impl/correspondence_estimation_log_polar.hpp>
+#include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
+#include <pcl/egomotion/impl/transformation_estimation_planar.hpp>
+#include <pcl/egomotion/impl/visual_egomotion.hpp>
+
+// PCL provides no search trees for PointXYZRGBSigma, but the base classes call them.
+#include <pcl/kdtree/impl/kdtree_flann.hpp>
+#include <pcl/search/impl/kdtree.hpp>
+#include <pcl/search/impl/organized.hpp>
+#include <pcl/search/impl/search.hpp>
+
+template class ACMAP_EXPORT pcl::search::KdTree<pcl::PointXYZRGBSigma>;
+template class pcl::Keypoint<pcl::PointXYZRGBSigma, pcl::PointXYZRGBSigma>;
+
+PCL_INSTANTIATE(CorrespondenceEstimationLogPolar, ACMAP_VIEW_POINT_TYPES)
+PCL_INSTANTIATE(GradientMaximumKeypoint, ACMAP_VIEW_POINT_TYPES)
+PCL_INSTANTIATE(VisualEgomotion, ACMAP_VIEW_POINT_TYPES)
+
+namespace pcl::registration {
+
+template class ACMAP_EXPORT TransformationEstimationPlanar<PointXYZ, PointXYZ, double>;
+
+#define ACMAP_INSTANTIATE(PointT) \
+  template class ACMAP_EXPORT TransformationEstimationPlanar<PointT, PointT, float>;
+
+ACMAP_INSTANTIATE(PointXYZ)
+ACMAP_INSTANTIATE(PointXYZRGBSigma)
+#ifndef ACMAP_FEW_POINT_TYPES
+ACMAP_INSTANTIATE(PointXYZI)
+ACMAP_INSTANTIATE(PointXYZRGB)
+ACMAP_INSTANTIATE(PointXYZRGBA)
+ACMAP_INSTANTIATE(PointNormal)
+ACMAP_INSTANTIATE(PointXYZRGBNormal)
+#endif
+
+} // namespace pcl::registration

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "growing_mesh.h"
+#include "point_tree.h"
+#include "range.h"
+#include "size_constraint.h"
+#include "triangle_builder.h"
+
+#include <pcl/core/point_view.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/dewall_types.h>
+
+namespace pcl::acmap::dewall {
+
+/** \brief Returns the finite points of a view without repetitions: the first of equal
+ * points is kept. The report's counts of skipped points are set. */
+std::vector<SourcePoint>
+distinctPoints(const PointView& view, DeWallReport& report);
+
+/** \brief Removes the triangles that are not in the largest fan of a pinched vertex,
+ * and repeats this for vertices that are pinched by the removal.
+ *
+ * \param[in] lists all triangles at the tested vertices; the removed ones are erased
+ * from them
+ * \param[in] are_walls_known if false, vertices that are used by walls are skipped
+ * \return the removed triangles */
+std::vector<GrownTriangle>
+keepLargestFans(GrowingMesh& mesh,
+                const std::vector<std::vector<GrownTriangle>*>& lists,
+                bool are_walls_known);
+
+/** \brief Closes holes with few edges by the triangles with the smallest turns, under
+ * the guard and the size constraint; a hole that needs too large a turn remains open.
+ *
+ * In the range of all points, only holes at vertices of walls are considered, as the
+ * parts have closed the others. */
+void
+closeSmallHoles(const SizeConstraint& size, GrowingMesh& mesh, const Range& range);
+
+/** \brief Numbers the components of all parts consecutively, in their triangles and in
+ * the arrays, and joins them with their orientations.
+ *
+ * Two halves together may form a Moebius strip, which none of them can detect. Then the
+ * triangles that contradict previous ones, in the order of the parts, are removed.
+ * \param[out] removed these triangles
+ * \return the mesh of all points, for the last passes; the triangles remain in the
+ * parts */
+GrowingMesh
+joinParts(MeshArrays& arrays,
+          std::vector<Part>& parts,
+          std::vector<GrownTriangle>& removed);
+
+/** \brief Completes what the parts left open, in one thread: edges whose apex is
+ * outside of their half, fans at the walls, and the surroundings of such changes.
+ *
+ * \param[in] mesh of all points
+ * \param[in] removed triangles that were removed before
+ * \return number of triangles removed to keep one fan per vertex */
+std::size_t
+finishMesh(GrowingMesh& mesh,
+           const SizeConstraint& size,
+           DeWallRule rule,
+           std::vector<Part>& parts,
+           std::vector<GrownTriangle> removed,
+           const std::function<void()>& tick);
+
+/** \brief Returns the number of connected clusters of at least three points ([P]
+ * II-C.1): two points are connected if there is a chain of edges between them that
+ * satisfies the size constraint. No triangle connects two clusters. The front is seeded
+ * again in each cluster, so the clusters need not be known before, and counting starts
+ * from the points that are connected by triangles. */
+std::size_t
+countClusters(const PointTree& tree,
+              const SizeConstraint& size,
+              const std::vector<TriangleList>& lists);
+
+/** \brief Converts the grown triangles to a mesh of source indices. Each component is
+ * oriented as a whole, by the facing directions if known, otherwise towards the sensor
+ * (by projected area). The report's counts of the mesh are set. */
+TriangleMesh
+orientedMesh(GrowingMesh& grown,
+             const std::vector<TriangleList>& lists,
+             const Eigen::Vector3d& sensor_origin,
+             bool compute_wall_depth,
+             DeWallReport& report);
+
+} // namespace pcl::acmap::dewall
