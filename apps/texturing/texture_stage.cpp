@@ -136,7 +136,7 @@ paintPlanes(Tool& tool,
     }
   };
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    texturing.addObservation([&load, i] { return load(i); });
+    texturing.addObservationLoader([&load, i] { return load(i); });
   CompactMap map = paint(tool, texturing);
   const std::vector<std::string> told = tool.warnings(); // those of the merging
   for (const std::string& remark : remarks)
@@ -156,7 +156,7 @@ paintPlanes(Tool& tool,
             const TextureOptions& options)
 {
   Texturing texturing = texturingOf(tool, planes, options);
-  texturing.addObservation([&]() -> std::optional<TexturedObservation> {
+  texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
     return TexturedObservation{
         rowsOfFile(cloud), Eigen::Isometry3d::Identity(), 0, false};
   });

@@ -1,5 +1,6 @@
 #include "painted_maps.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
 
 #include <gmock/gmock.h>
@@ -85,6 +86,33 @@ TEST(PlaneTexturingUgly, CloudsWithoutColourLeaveAllGrey)
   for (const TextureChart& chart : map.charts)
     for (const std::uint8_t value : chart.colors.values)
       ASSERT_EQ(value, 128);
+}
+
+TEST(PlaneTexturingUgly, LoadersMayLeaveObservationsOut)
+{
+  const View view = lookAt(wallAndFloor());
+  const auto cloud = std::make_shared<PCLPointCloud2>();
+  toPCLPointCloud2(*view.cloud, *cloud);
+  const auto load = [&](bool has_sensor) {
+    return [&, has_sensor]() -> std::optional<TexturedObservation> {
+      return TexturedObservation{cloud, view.T_map_camera, 7, has_sensor};
+    };
+  };
+  Texturing texturing;
+  texturing.setPlanes(planesOfWallAndFloor());
+  EXPECT_THROW(texturing.addObservationLoader({}), BadArgumentException);
+  texturing.addObservationLoader([] { return std::optional<TexturedObservation>(); });
+  texturing.addObservationLoader(load(true));
+  const CompactMap loaded = painted(texturing);
+  expectSame(loaded, painted(texturingOf(planesOfWallAndFloor(), {view})));
+  EXPECT_EQ(loaded.trajectory.stamps, std::vector<double>{7});
+  texturing.clearObservations();
+  texturing.addObservationLoader(load(false));
+  const CompactMap unposed = painted(texturing);
+  EXPECT_TRUE(unposed.trajectory.poses.empty());
+  EXPECT_GT(countOf(unposed, TexelKind::Seen), 0u);
+  cloud->fields.clear();
+  EXPECT_THROW(painted(texturing), InitFailedException);
 }
 
 TEST(PlaneTexturingUgly, WithoutObservationsOrPlanes)

@@ -268,7 +268,7 @@ CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport&
   texturing.setPlanes(mapped_.planes);
   texturing.clearObservations();
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    texturing.addObservation([this, &sequence, i] { return load(sequence, i); });
+    texturing.addObservationLoader([this, &sequence, i] { return load(sequence, i); });
   texturing.setNumberOfThreads(threads_);
   texturing.setProgressCallback(partOf(progress_, 0.8, 1));
   CompactMap map;

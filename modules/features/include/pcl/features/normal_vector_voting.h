@@ -18,11 +18,11 @@ namespace pcl {
 /** \brief Estimates the normals at the vertices of a triangle mesh by votes of the
  * surrounding triangles, and detects the creases between walls.
  *
- * This is the normal vector voting of Page et al., the step of "Active Stereo Based
- * Compact Mapping" from the mesh to plane hypotheses (II-C.2). A triangle i with normal
- * n_i and centre c_i, within the geodesic distance g_max of vertex v, votes for the
- * normal of the circular arc through v and c_i, N_i = n_i - 2 (n_i u) u,
- * u = (c_i - v) / |c_i - v|. The votes are summed as V_v = sum w_i N_i N_i^T,
+ * This is the normal vector voting of Page et al., the step of
+ * "Active Stereo Based Compact Mapping" from the mesh to plane hypotheses (II-C.2). A
+ * triangle i with normal n_i and centre c_i, within the geodesic distance g_max of
+ * vertex v, votes for the normal of the circular arc through v and c_i,
+ * N_i = n_i - 2 (n_i u) u, u = (c_i - v) / |c_i - v|, summed as V_v = sum w_i N_i N_i^T,
  * w_i = A_i exp (-g_i / (g_max / 3)) (1 - (n_i u)^2); the eigenvector e1 of the largest
  * eigenvalue is the normal. With the eigenvalues l1 >= l2 >= l3, the largest of l1 - l2
  * (surface), eps (l2 - l3) (crease) and eps eta l3 (corner) gives the class of the

@@ -15,8 +15,8 @@
 namespace pcl {
 
 /** \brief Rectifies a map: finds the poses of observations under which their points
- * fit together best, without correspondences, as in II-B.2 of "Active Stereo Based
- * Compact Mapping". The interface is similar to PCL's registration::LUM.
+ * fit together best, without correspondences. Section II-B.2 of
+ * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM.
  *
  * Guarded mode (default) minimises F = kappa N (E - E_wide) + |u|^2 / 2. E is the
  * direction-aware entropy of \ref MapEntropy, E_wide is the same in bins four times as

@@ -84,7 +84,7 @@ public:
    * \param[in] load called once by each \ref texture, which passes on what it throws
    * \throws BadArgumentException without a loader */
   void
-  addObservation(TexturedObservationLoader load);
+  addObservationLoader(TexturedObservationLoader load);
 
   void
   clearObservations()

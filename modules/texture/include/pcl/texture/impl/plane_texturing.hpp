@@ -55,7 +55,7 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
 
 template <typename PointT>
 void
-PlaneTexturing<PointT>::addObservation(TexturedObservationLoader load)
+PlaneTexturing<PointT>::addObservationLoader(TexturedObservationLoader load)
 {
   if (!load)
     throw BadArgumentException("an observation needs a loader");
