@@ -60,13 +60,20 @@ pictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
 
 } // namespace acmap
 
+namespace {
+
+/** Calls move (index, refined point) for each point of a view that has a pixel.
+ * \return false if the view is not to be refined */
+template <typename Move>
 bool
-refineQuantisedDepth(PointCloud<PointXYZ>& view, DepthSensor sensor, unsigned threads)
+refineView(const acmap::PointView& points,
+           std::size_t width,
+           DepthSensor sensor,
+           unsigned threads,
+           const Move& move)
 {
-  if (view.empty())
-    return false;
-  const std::optional<acmap::Picture> picture = acmap::pictureOf(
-      {&view.front().x, sizeof(PointXYZ), view.size()}, view.width, sensor);
+  const std::optional<acmap::Picture> picture =
+      points.size() > 0 ? acmap::pictureOf(points, width, sensor) : std::nullopt;
   if (!picture)
     return false;
   DepthRefinement<PointXYZ> refinement;
@@ -74,15 +81,27 @@ refineQuantisedDepth(PointCloud<PointXYZ>& view, DepthSensor sensor, unsigned th
   refinement.setNumberOfThreads(threads);
   PointCloud<PointXYZ> refined;
   refinement.filter(refined);
-  if (!picture->order)
-    view.points = std::move(refined.points);
-  else
-    for (std::size_t i = 0; i < view.size(); ++i)
-      if (const std::size_t pixel = picture->order->pixels[i];
-          pixel != acmap::PictureOrder::nowhere)
-        view[i] = refined[pixel];
-  view.is_dense = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t pixel = picture->order ? picture->order->pixels[i] : i;
+    if (pixel != acmap::PictureOrder::nowhere)
+      move(i, refined[pixel]);
+  }
   return true;
+}
+
+} // namespace
+
+bool
+refineQuantisedDepth(PointCloud<PointXYZ>& view, DepthSensor sensor, unsigned threads)
+{
+  const acmap::PointView points(
+      view.empty() ? nullptr : &view.front().x, sizeof(PointXYZ), view.size());
+  const bool is_refined = refineView(
+      points, view.width, sensor, threads, [&](std::size_t i, const PointXYZ& point) {
+        view[i] = point;
+      });
+  view.is_dense = view.is_dense && !is_refined;
+  return is_refined;
 }
 
 std::shared_ptr<const PointCloudFile>
@@ -92,20 +111,21 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
 {
   if (!observation)
     throw BadArgumentException("the observation is a null pointer");
-  const acmap::PointView points = observation->points();
-  if (points.size() == 0)
-    return observation;
-  PointCloud<PointXYZ>::Ptr view = acmap::organized(points, observation->cloud.width);
-  if (!refineQuantisedDepth(*view, sensor, threads))
-    return observation;
-  auto refined = std::make_shared<PointCloudFile>(*observation);
-  PCLPointCloud2& cloud = refined->cloud;
-  const std::size_t position = acmap::findField(cloud, "x")->offset;
-  for (std::size_t i = 0; i < view->size(); ++i)
-    std::memcpy(&cloud.data[i * cloud.point_step + position],
-                (*view)[i].data,
+  std::shared_ptr<PointCloudFile> refined; // copied only if there is something to move
+  std::size_t position = 0;
+  const auto move = [&](std::size_t i, const PointXYZ& point) {
+    if (!refined) {
+      refined = std::make_shared<PointCloudFile>(*observation);
+      refined->cloud.is_dense = 0;
+      position = acmap::findField(refined->cloud, "x")->offset;
+    }
+    std::memcpy(&refined->cloud.data[i * refined->cloud.point_step + position],
+                point.data,
                 3 * sizeof(float));
-  cloud.is_dense = 0;
+  };
+  if (!refineView(
+          observation->points(), observation->cloud.width, sensor, threads, move))
+    return observation;
   return refined;
 }
 

@@ -36,7 +36,7 @@ bestElsewhere(const std::int32_t* scores,
 void
 ColumnBests::add(std::int32_t row, const std::int32_t* scores)
 {
-  // Of equal scores the lower row is kept, independently of the order.
+  // If scores are equal, the lower row is kept, independently of the order.
   for (std::size_t j = 0; j < scores_.size(); ++j) {
     const int better = scores[j] > scores_[j];
     const int sooner = int(scores[j] == scores_[j]) & int(row < rows_[j]);

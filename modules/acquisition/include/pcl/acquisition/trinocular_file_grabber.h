@@ -24,7 +24,7 @@ operator==(const TrinocularShot& a, const TrinocularShot& b)
   return a.observation == b.observation && a.pattern == b.pattern;
 }
 
-/** \brief What a \ref TrinocularFileGrabber found when the session was opened and in
+/** \brief Findings of a \ref TrinocularFileGrabber at the opening of the session and in
  * the frames that were read since then. There is also a remark for each finding. Frames
  * are identified by their numbers.
  * \ingroup acquisition */

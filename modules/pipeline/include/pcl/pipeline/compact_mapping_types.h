@@ -12,7 +12,7 @@
 
 namespace pcl {
 
-/** \brief What CompactMapping reports of its last run; steps that did not run have no
+/** \brief Report of CompactMapping on its last run; steps that did not run have no
  * report. Its seconds are those of the steps, its remarks those of all steps.
  * \ingroup pipeline */
 struct CompactMappingReport : Report {

@@ -22,7 +22,7 @@ struct MergedCloud {
   std::vector<Eigen::Vector3f> viewpoints;
 };
 
-/** \brief What ObservationMerging reports of its last run. \ingroup pipeline */
+/** \brief Report of ObservationMerging on its last run. \ingroup pipeline */
 struct MergingReport : Report {
   std::size_t observations = 0; ///< that were read
   std::size_t refined = 0;      ///< of these, those with quantised depth

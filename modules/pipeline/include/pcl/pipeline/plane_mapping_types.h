@@ -45,7 +45,7 @@ struct MappedPlanes {
   PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
 };
 
-/** \brief What PlaneMapping reports of its last run; steps that did not run have no
+/** \brief Report of PlaneMapping on its last run; steps that did not run have no
  * report.
  * \ingroup pipeline */
 struct PlaneMappingReport : Report {

@@ -29,7 +29,7 @@ struct ConsolidatedObservations {
   std::vector<std::vector<float>> weights;
 };
 
-/** \brief What SequenceConsolidation reports of its last run. \ingroup pipeline */
+/** \brief Report of SequenceConsolidation on its last run. \ingroup pipeline */
 struct SequenceConsolidationReport : Report {
   std::size_t points = 0;          ///< finite points of all observations
   std::size_t representatives = 0; ///< points of all consolidated clouds
