@@ -1,5 +1,7 @@
 #include "tool.h"
 
+#include <pcl/core/exceptions.h>
+
 #include <csignal>
 
 namespace pcl::acmap {
@@ -47,6 +49,13 @@ bool
 interrupted()
 {
   return noted != 0;
+}
+
+void
+stopIfInterrupted()
+{
+  if (interrupted())
+    throw CancelledException("interrupted");
 }
 
 } // namespace pcl::acmap

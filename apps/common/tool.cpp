@@ -142,7 +142,7 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     Failure failure = failureOf(std::current_exception());
     // warnings about the input often explain the failure
     if (failure.code == exit_memory)
-      for (const std::string& remark : told_.report.remarks)
+      for (const std::string& remark : log_.report.remarks)
         failure.line += "; " + remark;
     if (failure.code == exit_usage)
       failure.line += " (see --help)";
@@ -218,17 +218,33 @@ Tool::withProgress(const std::function<void(const ProgressCallback&)>& work)
   });
 }
 
+RunControls
+Tool::controls()
+{
+  const auto progress =
+      [bar = std::shared_ptr<ProgressBar>(), last = 2.0, quiet = quiet_](
+          double fraction, const std::string& step) mutable {
+        if (fraction < last) {
+          bar.reset(); // clears the line of the one before
+          bar = std::make_shared<ProgressBar>(!quiet);
+        }
+        last = fraction;
+        bar->show(fraction, step);
+        return !interrupted();
+      };
+  return {threads_, scale_, progress, quiet_};
+}
+
 void
 Tool::stopIfInterrupted() const
 {
-  if (interrupted())
-    throw CancelledException("interrupted");
+  acmap::stopIfInterrupted();
 }
 
 void
 Tool::warn(const std::string& remark)
 {
-  told_.report.remarks.push_back(remark);
+  log_.warn(remark);
 }
 
 void
@@ -241,31 +257,29 @@ Tool::warnAtOnce(const std::string& remark) const
 void
 Tool::tell(const std::string& name, const std::string& value)
 {
-  told_.lines.emplace_back(name, value);
+  log_.tell(name, value);
 }
 
-Told
+StageLog
 Tool::apart(const std::function<void()>& stage)
 {
-  Told outer;
-  std::swap(outer, told_);
+  StageLog outer;
+  std::swap(outer, log_);
   stage();
-  std::swap(outer, told_);
+  std::swap(outer, log_);
   return outer;
 }
 
 void
 Tool::tellSeconds()
 {
-  tell("seconds", shortNumber(totalSeconds(told_)));
+  log_.tellSeconds();
 }
 
 void
 Tool::failWithNothing(std::string reason) const
 {
-  for (const std::string& remark : told_.report.remarks)
-    reason += "; " + remark;
-  throw NothingFound(reason);
+  log_.failWithNothing(std::move(reason));
 }
 
 nlohmann::ordered_json
@@ -275,11 +289,11 @@ Tool::fullReport() const
                                  {"version", ACMAP_VERSION},
                                  {"format", file_formats::report},
                                  {"command_line", command_line_}};
-  json.update(told_.details);
-  for (const auto& [step, seconds] : told_.report.seconds)
+  json.update(log_.details);
+  for (const auto& [step, seconds] : log_.report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peakMemory();
-  json["remarks"] = told_.report.remarks;
+  json["remarks"] = log_.report.remarks;
   return json;
 }
 
@@ -302,10 +316,10 @@ Tool::flushSummary() const
 {
   if (quiet_)
     return;
-  for (const std::string& remark : told_.report.remarks)
+  for (const std::string& remark : log_.report.remarks)
     complain("warning: " + remark);
   std::string summary;
-  for (const auto& [name, value] : told_.lines)
+  for (const auto& [name, value] : log_.lines)
     summary += summaryLine(name, value);
   print(summary);
 }
@@ -323,15 +337,6 @@ void
 Tool::complain(const std::string& line) const
 {
   std::cerr << name_ + ": " + printable(line) + "\n";
-}
-
-std::string
-shortNumber(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
 }
 
 } // namespace pcl::acmap

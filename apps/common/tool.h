@@ -2,7 +2,7 @@
 
 #include "exit_code.h"
 #include "progress_bar.h"
-#include "told.h"
+#include "stage_log.h"
 
 #include <pcl/core/progress.h>
 
@@ -98,6 +98,18 @@ public:
       report_path_ = path;
   }
 
+  /** \brief Options of the run that all tools share. Its callback draws one progress bar
+   * at a time and reports interruptions. */
+  RunControls
+  controls();
+
+  /** \brief What this run reports. */
+  StageLog&
+  log()
+  {
+    return log_;
+  }
+
   /** \brief Calls the work with a callback that draws the progress bar and reports
    * interruptions. */
   void
@@ -120,7 +132,7 @@ public:
   const std::vector<std::string>&
   warnings() const
   {
-    return told_.report.remarks;
+    return log_.report.remarks;
   }
 
   /** \brief Ends the run because there is no result. The warnings so far are appended
@@ -141,14 +153,14 @@ public:
   nlohmann::ordered_json&
   details()
   {
-    return told_.details;
+    return log_.details;
   }
 
   /** \brief Seconds of each step; they are added to the JSON report. */
   Report&
   report()
   {
-    return told_.report;
+    return log_.report;
   }
 
   /** \brief The complete report so far. */
@@ -158,7 +170,7 @@ public:
   /** \brief Runs a stage and separates its report from that of the tool.
    * \param[in] stage reports, and adds seconds, as the tool of that stage would
    * \return the report of the stage */
-  Told
+  StageLog
   apart(const std::function<void()>& stage);
 
 private:
@@ -192,12 +204,8 @@ private:
   std::size_t memory_limit_ = 0; // bytes; 0: none
   std::vector<std::string> command_line_;
   void (*pipe_action_)(int) = nullptr; // original action of SIGPIPE
-  Told told_;
+  StageLog log_;
 };
-
-/** \brief Formats a number with a few significant digits, for the summary. */
-std::string
-shortNumber(double value);
 
 /** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
  * recorded, so that the tool can stop cleanly; the second one ends it at once. */
@@ -211,6 +219,10 @@ obeyInterruptions();
 /** \brief Was there an interruption? */
 bool
 interrupted();
+
+/** \throws CancelledException when there was an interruption */
+void
+stopIfInterrupted();
 
 /** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
  * text can be printed on a terminal. Messages quote files, which may contain

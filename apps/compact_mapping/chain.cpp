@@ -67,7 +67,7 @@ Chain::isFinished(const std::string& name,
   return StageFolder(folderOf(name), made_of, result_folder).finished().has_value();
 }
 
-const Told&
+const StageLog&
 Chain::run(const std::string& name,
            Json made_of,
            const std::function<std::vector<std::string>()>& work,
@@ -76,13 +76,13 @@ Chain::run(const std::string& name,
   made_of["stages_before"] = made_of_;
   const StageFolder folder(folderOf(name), made_of, result_folder);
   made_of_ = fingerprint(made_of);
-  if (std::optional<Told> told = folder.finished()) {
+  if (std::optional<StageLog> told = folder.finished()) {
     stages_.push_back({name, std::move(*told), true, {}});
     return stages_.back().told;
   }
   folder.begin();
   std::vector<std::string> results;
-  Told told;
+  StageLog told;
   try {
     told = tool_.apart([&] { results = work(); });
   }
@@ -160,14 +160,14 @@ Chain::findPoses(const std::string& observations, double scale)
   egomotion.inputs = {observations};
   egomotion.output = folderOf("egomotion");
   egomotion.writes_observations = false;
-  const Told& told = run("egomotion",
-                         {{"files", sequenceState(observations)},
-                          {"scale", scale},
-                          {"options", valuesIn(tool_, egomotion_group)}},
-                         [&] {
-                           estimatePoses(tool_, egomotion, sequence);
-                           return std::vector<std::string>();
-                         });
+  const StageLog& told = run("egomotion",
+                             {{"files", sequenceState(observations)},
+                              {"scale", scale},
+                              {"options", valuesIn(tool_, egomotion_group)}},
+                             [&] {
+                               estimatePoses(tool_, egomotion, sequence);
+                               return std::vector<std::string>();
+                             });
   return sequence.withPoses(
       namesIn(told.details),
       loadTrajectory((fs::path(egomotion.output) / trajectory_name).string()));
@@ -186,16 +186,16 @@ Chain::rectify(const std::string& observations,
   const bool has_egomotion = !stages_.empty() && stages_.back().name == "egomotion";
   if (has_egomotion && !rectification.has_odometry_noise)
     rectification.odometry = noiseOf(stages_.back().told.details);
-  const Told& told = run("rectification",
-                         {{"observations", observations},
-                          {"skips_broken", rectification.skip_broken},
-                          {"files", sequenceState(observations)},
-                          {"scale", scale},
-                          {"options", valuesIn(tool_, rectification_group)}},
-                         [&] {
-                           rectifyPoses(tool_, rectification, posed);
-                           return std::vector<std::string>();
-                         });
+  const StageLog& told = run("rectification",
+                             {{"observations", observations},
+                              {"skips_broken", rectification.skip_broken},
+                              {"files", sequenceState(observations)},
+                              {"scale", scale},
+                              {"options", valuesIn(tool_, rectification_group)}},
+                             [&] {
+                               rectifyPoses(tool_, rectification, posed);
+                               return std::vector<std::string>();
+                             });
   return posed.withPoses(
       namesIn(told.details),
       loadTrajectory((fs::path(rectification.output) / trajectory_name).string()));

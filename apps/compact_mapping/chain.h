@@ -21,7 +21,7 @@ struct Sequence {
 /** \brief A stage of this run. */
 struct RunStage {
   std::string name;
-  Told told;
+  StageLog told;
   bool is_reused = false;
   /** \brief Results of an earlier run that this run does not have. */
   std::vector<std::string> removed;
@@ -45,7 +45,7 @@ public:
    * \param[in] work computes the results, and returns their names; none: all files of
    * the stage's folder
    * \param[in] result_folder of the results; empty: the stage's folder */
-  const Told&
+  const StageLog&
   run(const std::string& name,
       nlohmann::ordered_json made_of,
       const std::function<std::vector<std::string>()>& work,

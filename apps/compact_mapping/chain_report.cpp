@@ -64,7 +64,7 @@ isForChain(const std::string& line)
 void
 tellStage(Tool& tool, const RunStage& stage)
 {
-  const Told& told = stage.told;
+  const StageLog& told = stage.told;
   tool.tell(stage.name,
             stage.is_reused ? "as it was finished before"
                             : shortNumber(totalSeconds(told)) + " s");

@@ -63,7 +63,7 @@ StageFolder::StageFolder(std::string path, Json made_of, std::string result_fold
   made_of_["version"] = ACMAP_VERSION;
 }
 
-std::optional<Told>
+std::optional<StageLog>
 StageFolder::finished() const
 {
   try {
@@ -76,7 +76,7 @@ StageFolder::finished() const
       names.push_back(result.at(0).get<std::string>());
     if (asWritten(results(names)) != state.at("results"))
       return std::nullopt;
-    return toldIn(state.at("told"));
+    return stageLogIn(state.at("told"));
   }
   catch (const nlohmann::json::exception&) {
     return std::nullopt; // damaged, or written by another version
@@ -199,7 +199,7 @@ StageFolder::removeStale(const std::vector<std::string>& names) const
 }
 
 std::vector<std::string>
-StageFolder::finish(const Told& told, const std::vector<std::string>& names) const
+StageFolder::finish(const StageLog& told, const std::vector<std::string>& names) const
 {
   std::vector<std::string> removed = removeStale(names);
   write({{"format", file_formats::stage},
@@ -211,7 +211,7 @@ StageFolder::finish(const Told& told, const std::vector<std::string>& names) con
 }
 
 std::vector<std::string>
-StageFolder::finish(const Told& told) const
+StageFolder::finish(const StageLog& told) const
 {
   std::vector<std::string> names = filesIn(path_);
   names.erase(std::remove(names.begin(), names.end(), state_name), names.end());

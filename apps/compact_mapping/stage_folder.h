@@ -1,6 +1,6 @@
 #pragma once
 
-#include "told.h"
+#include "stage_log.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ public:
               std::string result_folder = {});
 
   /** \brief The report of the stage if it is finished; nothing if it has to be run. */
-  std::optional<Told>
+  std::optional<StageLog>
   finished() const;
 
   /** \brief Prepares the folder for a run: empties it, except for results from which an
@@ -43,11 +43,11 @@ public:
    * \return names of the removed files
    * \throws OutputFileException */
   std::vector<std::string>
-  finish(const Told& told, const std::vector<std::string>& names) const;
+  finish(const StageLog& told, const std::vector<std::string>& names) const;
 
   /** \brief The same for all files of the folder. */
   std::vector<std::string>
-  finish(const Told& told) const;
+  finish(const StageLog& told) const;
 
   /** \brief Removes the folder, and its parent if that is then empty. The folder is
    * kept if it records results of earlier runs in another folder. */

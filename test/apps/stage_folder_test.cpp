@@ -29,10 +29,10 @@ protected:
     return {folder_.path("stages/a"), made_of, folder_.path("")};
   }
 
-  Told
+  StageLog
   told() const
   {
-    Told told;
+    StageLog told;
     told.lines = {{"points", "7"}};
     return told;
   }

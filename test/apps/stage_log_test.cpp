@@ -1,4 +1,4 @@
-#include "told.h"
+#include "stage_log.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Told
+StageLog
 sample()
 {
-  Told told;
+  StageLog told;
   told.lines = {{"planes", "3"}, {"planes", "again"}};
   told.details = {{"a", {1, 2.5, nullptr}}};
   told.report.seconds = {{"read", 0.25}, {"match", 1.5}};
@@ -18,28 +18,28 @@ sample()
   return told;
 }
 
-TEST(Told, ComesBackFromAReport)
+TEST(StageLog, ComesBackFromAReport)
 {
-  const Told there = sample();
-  const Told back = toldIn(Json::parse(jsonOf(there).dump()));
+  const StageLog there = sample();
+  const StageLog back = stageLogIn(Json::parse(jsonOf(there).dump()));
   EXPECT_EQ(back.lines, there.lines);
   EXPECT_EQ(back.details, there.details);
   EXPECT_EQ(back.report.seconds, there.report.seconds);
   EXPECT_EQ(back.report.remarks, there.report.remarks);
 }
 
-TEST(Told, SumsTheSeconds)
+TEST(StageLog, SumsTheSeconds)
 {
   EXPECT_EQ(totalSeconds(sample()), 1.75);
-  EXPECT_EQ(totalSeconds(Told()), 0);
+  EXPECT_EQ(totalSeconds(StageLog()), 0);
 }
 
-TEST(Told, OtherThingsAreRefused)
+TEST(StageLog, OtherThingsAreRefused)
 {
   for (const char* name : {"seconds", "summary", "warnings", "details"}) {
     Json json = jsonOf(sample());
     json.erase(name);
-    EXPECT_THROW(toldIn(json), nlohmann::json::exception) << name;
+    EXPECT_THROW(stageLogIn(json), nlohmann::json::exception) << name;
   }
   for (const auto& [name, value] :
        {std::pair<const char*, Json>{"seconds", {{"a", "b"}}},
@@ -48,10 +48,10 @@ TEST(Told, OtherThingsAreRefused)
         {"details", "none"}}) {
     Json json = jsonOf(sample());
     json[name] = value;
-    EXPECT_THROW(toldIn(json), nlohmann::json::exception) << name;
+    EXPECT_THROW(stageLogIn(json), nlohmann::json::exception) << name;
   }
-  EXPECT_THROW(toldIn(Json()), nlohmann::json::exception);
-  EXPECT_THROW(toldIn(Json::array()), nlohmann::json::exception);
+  EXPECT_THROW(stageLogIn(Json()), nlohmann::json::exception);
+  EXPECT_THROW(stageLogIn(Json::array()), nlohmann::json::exception);
 }
 
 } // namespace

@@ -1,0 +1,83 @@
+#include "stage_log.h"
+
+#include "exit_code.h"
+
+#include <sstream>
+
+namespace pcl::acmap {
+
+using Json = nlohmann::ordered_json;
+
+Json
+jsonOf(const StageLog& log)
+{
+  Json seconds = Json::object(), summary = Json::array();
+  for (const auto& [step, time] : log.report.seconds)
+    seconds[step] = time;
+  for (const auto& [name, value] : log.lines)
+    summary.push_back({name, value});
+  return {{"seconds", seconds},
+          {"summary", summary},
+          {"warnings", log.report.remarks},
+          {"details", log.details}};
+}
+
+StageLog
+stageLogIn(const Json& json)
+{
+  StageLog log;
+  for (const auto& [step, time] : json.at("seconds").items())
+    log.report.seconds.emplace_back(step, time.get<double>());
+  for (const Json& line : json.at("summary"))
+    log.lines.emplace_back(line.at(0).get<std::string>(),
+                           line.at(1).get<std::string>());
+  log.report.remarks = json.at("warnings").get<std::vector<std::string>>();
+  log.details = json.at("details").get_ref<const Json::object_t&>();
+  return log;
+}
+
+double
+totalSeconds(const StageLog& log)
+{
+  double sum = 0;
+  for (const auto& step : log.report.seconds)
+    sum += step.second;
+  return sum;
+}
+
+std::string
+shortNumber(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+void
+StageLog::tell(const std::string& name, const std::string& value)
+{
+  lines.emplace_back(name, value);
+}
+
+void
+StageLog::tellSeconds()
+{
+  tell("seconds", shortNumber(totalSeconds(*this)));
+}
+
+void
+StageLog::warn(const std::string& remark)
+{
+  report.remarks.push_back(remark);
+}
+
+void
+StageLog::failWithNothing(std::string reason) const
+{
+  for (const std::string& remark : report.remarks)
+    reason += "; " + remark;
+  throw NothingFound(reason);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <pcl/core/progress.h>
+#include <pcl/core/report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What a stage reports: lines of the summary, details of the JSON report,
+ * seconds and warnings. */
+struct StageLog {
+  std::vector<std::pair<std::string, std::string>> lines; ///< of the summary
+  nlohmann::ordered_json details = nlohmann::ordered_json::object();
+  Report report; ///< seconds of each step, warnings
+
+  /** \brief Adds a line to the summary. */
+  void
+  tell(const std::string& name, const std::string& value);
+
+  /** \brief Adds a line with the seconds of all steps so far to the summary. */
+  void
+  tellSeconds();
+
+  /** \brief Adds a warning; warnings are printed once the run has succeeded. */
+  void
+  warn(const std::string& remark);
+
+  /** \brief Ends the run because there is no result. The warnings so far are appended
+   * to the reason.
+   * \throws NothingFound always */
+  [[noreturn]] void
+  failWithNothing(std::string reason) const;
+};
+
+/** \brief How a stage runs: the options that all tools share. */
+struct RunControls {
+  unsigned threads = 0; ///< 0: all cores
+  double scale = 1;     ///< metres in a unit of the input
+  /** \brief Draws the progress bar; stops the run after an interruption. A bar begins
+   * anew when the fraction falls. */
+  ProgressCallback progress;
+  bool is_quiet = false; ///< only errors are printed
+};
+
+/** \brief Report as JSON: "seconds", "summary", "warnings", "details". */
+nlohmann::ordered_json
+jsonOf(const StageLog& log);
+
+/** \brief Reads the output of \ref jsonOf.
+ * \throws nlohmann::json::exception when it has another form */
+StageLog
+stageLogIn(const nlohmann::ordered_json& json);
+
+/** \brief Sum over all steps. */
+double
+totalSeconds(const StageLog& log);
+
+/** \brief Formats a number with a few significant digits, for the summary. */
+std::string
+shortNumber(double value);
+
+} // namespace pcl::acmap
