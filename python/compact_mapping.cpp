@@ -30,7 +30,8 @@ struct MappingSettings {
   double voxel_size; ///< metres; 0: automatic
   double min_area;   ///< square metres; 0: automatic
   bool regular;
-  double texel_size; ///< metres
+  double texel_size;  ///< metres
+  std::string folder; ///< of poses; empty: none
   unsigned threads;
 };
 
@@ -102,6 +103,8 @@ prepare(CompactMapping& mapping, const MappingInput& input)
   mapping.setMerging(merging);
   mapping.setPlaneMapping(planeMappingOf(settings));
   mapping.setTexturing(texturing);
+  if (!settings.folder.empty())
+    mapping.setFolder(settings.folder);
   mapping.setNumberOfThreads(settings.threads);
   for (const GivenObservation& given : input.observations)
     mapping.addObservation(given.cloud, given.T_map_camera);
@@ -135,6 +138,8 @@ min_area   square metres, of a plane; 0: automatic
 regular    turns planes to be parallel or upright to larger ones, where their uncertainty
            allows
 texel_size metres, the edge of a texel of the textures
+folder     keeps the poses that were found, so that a later run with the same observations
+           goes on from them; empty: none
 threads    0: all; the result is the same bytes for every number)";
 
 constexpr const char* about_observation =
@@ -167,6 +172,7 @@ bindCompactMapping(py::module_& module)
                        double min_area,
                        bool regular,
                        double texel_size,
+                       const std::string& folder,
                        unsigned threads) {
              const MappingSettings settings = {rectify,
                                                chosen("sensor", sensor, depth_sensors),
@@ -174,6 +180,7 @@ bindCompactMapping(py::module_& module)
                                                min_area,
                                                regular,
                                                texel_size,
+                                               folder,
                                                threads};
              requireLegal(settings);
              return MappingInput{settings, {}};
@@ -185,6 +192,7 @@ bindCompactMapping(py::module_& module)
            "min_area"_a = clustering.getMinArea(),
            "regular"_a = clustering.getRegularize(),
            "texel_size"_a = defaults.getTexturing().getTexelSize(),
+           "folder"_a = "",
            "threads"_a = defaults.getNumberOfThreads())
       .def("add_observation",
            &addObservation,

@@ -190,7 +190,8 @@ TEST(Formats, EachHasItsRowInThePage)
       {"figures", file_formats::figures},
       {"camera", file_formats::camera},
       {"stage", file_formats::stage},
-      {"report", file_formats::report}};
+      {"report", file_formats::report},
+      {"poses", file_formats::poses}};
   for (const auto& [name, newest] : known)
     EXPECT_THAT(page, HasSubstr("| `" + name + "` | " + std::to_string(newest) + " |"));
 }

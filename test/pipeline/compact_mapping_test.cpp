@@ -12,6 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 constexpr std::size_t views = 3;
@@ -134,6 +135,33 @@ TEST_F(OfficeViews, findTheirPoses)
   const Eigen::Isometry3d found =
       map.trajectory.poses[0].inverse() * map.trajectory.poses[1];
   EXPECT_LT((found.translation() - truth.translation()).norm(), 0.05);
+}
+
+TEST_F(OfficeViews, goOnFromTheFolderOfAnEarlierRun)
+{
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& settings, bool changed) {
+    CompactMapping mapping;
+    mapping.setFolder(folder.path("poses"), settings);
+    for (std::size_t i = 0; i < views; ++i)
+      mapping.addObservation(clouds_[changed ? views - 1 - i : i]);
+    std::pair<CompactMap, CompactMappingReport> result;
+    mapping.compute(result.first);
+    result.second = mapping.getReport();
+    EXPECT_EQ(mapping.getOdometryTrajectory().poses.size(),
+              result.first.trajectory.poses.size());
+    return result;
+  };
+  const auto [first, first_report] = run("", false);
+  EXPECT_TRUE(first_report.odometry);
+  EXPECT_TRUE(first_report.rectification);
+  const auto [second, second_report] = run("", false);
+  EXPECT_FALSE(second_report.odometry);
+  EXPECT_FALSE(second_report.rectification);
+  EXPECT_THAT(second_report.remarks, Contains(HasSubstr("poses of an earlier run")));
+  expectSame(first, second);
+  EXPECT_TRUE(run("other settings", false).second.odometry);
+  EXPECT_TRUE(run("other settings", true).second.odometry) << "other observations";
 }
 
 TEST_F(OfficeViews, haveAllTheirPosesOrNone)

@@ -7,6 +7,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <filesystem>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -92,7 +95,7 @@ TEST_F(Observations, AreReadOnceByAllCopies)
 {
   const ObservationSequence sequence(folder_.path(""));
   const ObservationSequence posed =
-      sequence.withPoses(sequence.names(), {{0, 1, 2}, std::vector(3, poseAt(5))});
+      sequence.withPoses({0, 1, 2}, {{0, 1, 2}, std::vector(3, poseAt(5))});
   for (int round = 0; round < 3; ++round)
     for (std::size_t i = 0; i < sequence.size(); ++i) {
       EXPECT_EQ(placeOf(sequence.load(i)), static_cast<double>(i));
@@ -119,8 +122,7 @@ TEST_F(Observations, WithPosesOfSomeAreThese)
 {
   const ObservationSequence sequence(folder_.path(""));
   const ObservationSequence some =
-      sequence.withPoses({"observation_0000.pcd", "observation_0002.pcd"},
-                         {{3, 4}, {poseAt(8), poseAt(9)}});
+      sequence.withPoses({0, 2}, {{3, 4}, {poseAt(8), poseAt(9)}});
   EXPECT_THAT(some.names(),
               ElementsAre("observation_0000.pcd", "observation_0002.pcd"));
   const PosedObservation last = some.load(1);
@@ -128,9 +130,36 @@ TEST_F(Observations, WithPosesOfSomeAreThese)
   EXPECT_EQ(last.file->points()[0].x(), 2);
   EXPECT_THAT(last.remarks, IsEmpty()) << "its VIEWPOINT does not count";
   EXPECT_EQ(some.stamp(1), 4);
-  EXPECT_THROW(sequence.withPoses({"other.pcd"}, {{0}, {poseAt(0)}}),
-               InputFileException);
-  EXPECT_THROW(sequence.withPoses({"observation_0000.pcd"}, {}), InputFileException);
+  const Trajectory two = {{3, 4}, {poseAt(8), poseAt(9)}};
+  EXPECT_THROW(sequence.withPoses({0, 3}, two), BadArgumentException);
+  EXPECT_THROW(sequence.withPoses({2, 0}, two), BadArgumentException);
+  EXPECT_THROW(sequence.withPoses({1, 1}, two), BadArgumentException);
+  EXPECT_THROW(sequence.withPoses({0}, {}), BadArgumentException);
+}
+
+TEST_F(Observations, HaveAFingerprintOfTheirFilesAndPoses)
+{
+  const std::string before = ObservationSequence(folder_.path("")).fingerprint();
+  EXPECT_EQ(ObservationSequence(folder_.path("")).fingerprint(), before);
+  const ObservationSequence posed =
+      ObservationSequence(folder_.path(""))
+          .withPoses({0, 1, 2}, {{0, 1, 2}, std::vector(3, poseAt(5))});
+  EXPECT_NE(posed.fingerprint(), before);
+  const std::filesystem::path first = folder_.path("observation_0000.pcd");
+  std::filesystem::last_write_time(
+      first, std::filesystem::last_write_time(first) + std::chrono::seconds(1));
+  EXPECT_NE(ObservationSequence(folder_.path("")).fingerprint(), before);
+}
+
+TEST(ObservationsInMemory, HaveAFingerprintOfTheirBytes)
+{
+  const auto cloud = std::make_shared<PointCloudFile>();
+  cloud->cloud.data = {1, 2, 3};
+  const std::string before = ObservationSequence({cloud}).fingerprint();
+  const auto other = std::make_shared<PointCloudFile>(*cloud);
+  EXPECT_EQ(ObservationSequence({other}).fingerprint(), before);
+  other->cloud.data[1] = 7;
+  EXPECT_NE(ObservationSequence({other}).fingerprint(), before);
 }
 
 TEST_F(Observations, ThatAllHaveOnePoseHaveNone)

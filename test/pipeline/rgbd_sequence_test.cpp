@@ -187,9 +187,8 @@ TEST_F(RgbdObservations, OfAColorCameraAreInItsFrame)
 TEST_F(RgbdObservations, AreReadOnceByAllCopies)
 {
   ObservationSequence observations = sequence();
-  const ObservationSequence posed =
-      observations.withPoses({"observation_0001.pcd", "observation_0002.pcd"},
-                             {{5, 6}, {Eigen::Isometry3d::Identity(), posedAt(1)}});
+  const ObservationSequence posed = observations.withPoses(
+      {1, 2}, {{5, 6}, {Eigen::Isometry3d::Identity(), posedAt(1)}});
   for (int round = 0; round < 2; ++round)
     for (std::size_t i = 0; i < observations.size(); ++i)
       observations.load(i);

@@ -110,6 +110,14 @@ class Room(MapTest):
         for word in ("outcome=None", "merging=", "planes=", "texture=", "seconds="):
             self.assertIn(word, str(report))
 
+    def test_a_later_run_goes_on_from_the_poses_in_a_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first, second = (mapping_of_room(folder=folder).compute() for run in range(2))
+        self.assertIsNotNone(first.report.rectification)
+        self.assertIsNone(second.report.rectification)
+        self.assertIn("poses of an earlier run", " ".join(second.report.remarks))
+        self.expect_equal(first, second)
+
     def test_threads_do_not_matter(self):
         self.expect_equal(mapping_of_room(rectify=False, threads=2).compute(), self.map)
 

@@ -3,13 +3,17 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
+#include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace pcl {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 using acmap::partOf;
 using acmap::StepTimer;
@@ -27,15 +31,6 @@ isDefault(const OdometryNoise& noise)
   return noise.length == usual.length &&
          noise.length_per_metre == usual.length_per_metre && noise.turn == usual.turn &&
          noise.turn_per_radian == usual.turn_per_radian;
-}
-
-std::vector<std::string>
-namesOf(const ObservationSequence& sequence, const std::vector<std::size_t>& places)
-{
-  std::vector<std::string> names;
-  for (const std::size_t place : places)
-    names.push_back(sequence.name(place));
-  return names;
 }
 
 /** A pose as it is read from a trajectory file, so that the map has the same bytes whether
@@ -107,12 +102,9 @@ void
 CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
                     const std::optional<Eigen::Isometry3d>& T_map_camera)
 {
-  constexpr double rounding = 1e-4;
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  if (T_map_camera && (!T_map_camera->matrix().allFinite() ||
-                       !T_map_camera->linear().isUnitary(rounding) ||
-                       T_map_camera->linear().determinant() < 0))
+  if (T_map_camera && !isRigid(*T_map_camera))
     throw BadArgumentException("the pose of an observation is no rigid motion");
   clouds_.push_back(std::move(cloud));
   poses_.push_back(T_map_camera);
@@ -198,19 +190,20 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
                         "no observation could be joined to another one; the first one "
                             << found.reasonOf(0, sequence.names()));
   std::vector<double> stamps;
-  std::vector<std::size_t> places;
+  estimated_ = EstimatedPoses();
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     stamps.push_back(sequence.stamp(i));
     if (found.poses[i])
-      places.push_back(i);
+      estimated_.places.push_back(i);
     else
       report.remarks.push_back("lost: " + sequence.name(i) + ": " +
                                found.reasonOf(i, sequence.names()));
   }
-  Trajectory trajectory = found.trajectory(stamps);
-  for (Eigen::Isometry3d& pose : trajectory.poses)
+  estimated_.trajectory = found.trajectory(stamps);
+  for (Eigen::Isometry3d& pose : estimated_.trajectory.poses)
     pose = asInFiles(pose);
-  return sequence.withPoses(namesOf(sequence, places), trajectory);
+  estimated_.noise = found.noise();
+  return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
 ObservationSequence
@@ -227,8 +220,8 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   addRemarks(*report.consolidation, report);
 
   Rectification rectification = rectification_;
-  if (report.odometry && isDefault(rectification.getOdometryNoise()))
-    rectification.setOdometryNoise(report.odometry->noise());
+  if (estimated_.noise && isDefault(rectification.getOdometryNoise()))
+    rectification.setOdometryNoise(*estimated_.noise);
   rectification.setNumberOfThreads(threads_);
   rectification.setProgressCallback(partOf(progress_, 0.3, 0.5));
   rectification.clear();
@@ -239,11 +232,46 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   rectification.compute();
   report.rectification = rectification.getReport();
   addRemarks(*report.rectification, report);
-  Trajectory rectified = observations.trajectory;
-  for (std::size_t i = 0; i < rectified.poses.size(); ++i)
-    rectified.poses[i] = asInFiles(rectification.getPose(i));
+  estimated_ = {observations.places, observations.trajectory, std::nullopt};
+  for (std::size_t i = 0; i < estimated_.places.size(); ++i)
+    estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
-  return sequence.withPoses(namesOf(sequence, observations.places), rectified);
+  return sequence.withPoses(estimated_.places, estimated_.trajectory);
+}
+
+/** Takes the poses of a step from the folder if they are there; otherwise runs it. */
+ObservationSequence
+CompactMapping::goOnFrom(const std::string& step,
+                         const ObservationSequence& sequence,
+                         PoseStep run,
+                         CompactMappingReport& report)
+{
+  if (folder_.empty())
+    return (this->*run)(sequence, report);
+  const std::string folder = (fs::path(folder_) / step).string();
+  const std::string before = (fs::path(folder) / "trajectory_before.txt").string();
+  acmap::Fingerprint hash;
+  hash.add(sequence.fingerprint());
+  hash.add(settings_);
+  hash.add(skip_broken_ ? "skips broken" : "");
+  const std::string made_of = hash.text();
+  if (auto kept = loadEstimatedPoses(folder, made_of)) {
+    estimated_ = std::move(*kept);
+    std::error_code error;
+    if (fs::exists(before, error))
+      before_ = loadTrajectory(before);
+    report.remarks.push_back(step + ": poses of an earlier run, from " + folder);
+    return sequence.withPoses(estimated_.places, estimated_.trajectory);
+  }
+  ObservationSequence posed = (this->*run)(sequence, report);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw OutputFileException(folder + ": " + error.message());
+  if (!before_.poses.empty())
+    saveTrajectory(before, before_);
+  saveEstimatedPoses(folder, estimated_, made_of);
+  return posed;
 }
 
 std::optional<TexturedObservation>
@@ -289,14 +317,15 @@ CompactMapping::compute(CompactMap& map)
   CompactMappingReport report;
   StepTimer timer(report);
   before_ = Trajectory();
+  estimated_ = EstimatedPoses();
   ObservationSequence sequence = sequence_ ? *sequence_ : collected();
   const bool has_poses = sequence_ ? has_poses_ : poses_.front().has_value();
   if (!has_poses && sequence.size() > 1) {
-    sequence = estimatePoses(sequence, report);
+    sequence = goOnFrom("odometry", sequence, &CompactMapping::estimatePoses, report);
     timer.finish("odometry");
   }
   if (rectify_ && sequence.size() > 1) {
-    sequence = rectify(sequence, report);
+    sequence = goOnFrom("rectification", sequence, &CompactMapping::rectify, report);
     timer.finish("rectification");
   }
 

@@ -2,6 +2,7 @@
 #include "rgbd/rgbd_reader.h"
 
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
 
@@ -117,29 +118,54 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
 }
 
 ObservationSequence
-ObservationSequence::withPoses(const std::vector<std::string>& names,
+ObservationSequence::withPoses(const std::vector<std::size_t>& places,
                                Trajectory trajectory) const
 {
-  if (trajectory.poses.size() != names.size())
-    throw InputFileException(source_ + ": has " + std::to_string(names.size()) +
-                             " observations, the trajectory " +
-                             std::to_string(trajectory.poses.size()) + " poses");
+  if (trajectory.poses.size() != places.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << trajectory.poses.size() << " poses for "
+                                     << places.size() << " observations");
   ObservationSequence posed = *this;
   posed.paths_.clear();
-  auto from = paths_.begin();
-  for (const std::string& name : names) {
-    from = std::find_if(from, paths_.end(), [&](const std::string& path) {
-      return fs::path(path).filename() == name;
-    });
-    if (from == paths_.end())
-      throw InputFileException(source_ + ": has no observation " + name);
-    posed.paths_.push_back(*from++);
+  std::size_t next = 0;
+  for (const std::size_t place : places) {
+    if (place < next || place >= size())
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "observation " << place << " is none of " << source_
+                                         << ", or out of order");
+    posed.paths_.push_back(paths_[place]);
+    next = place + 1;
   }
-  posed.rows_.resize(names.size());
+  posed.rows_.resize(places.size());
   std::iota(posed.rows_.begin(), posed.rows_.end(), std::size_t{0});
   posed.trajectory_ = std::move(trajectory);
   posed.is_given_ = true;
   return posed;
+}
+
+std::string
+ObservationSequence::fingerprint() const
+{
+  acmap::Fingerprint hash;
+  for (std::size_t i = 0; i < size(); ++i) {
+    hash.add(paths_[i]);
+    std::error_code error;
+    const auto bytes = fs::file_size(paths_[i], error);
+    if (error) {
+      const std::shared_ptr<const PointCloudFile> file = cache_->load(paths_[i]);
+      for (const PCLPointField& field : file->cloud.fields)
+        hash.add(field.name + ":" + std::to_string(field.datatype));
+      hash.add(file->cloud.data.data(), file->cloud.data.size());
+      hash.add(viewpointOf(*file).matrix());
+    }
+    else
+      hash.add(std::to_string(bytes) + " " +
+               std::to_string(
+                   fs::last_write_time(paths_[i], error).time_since_epoch().count()));
+    if (hasTrajectory())
+      hash.add(trajectory_.poses[rows_[i]].matrix());
+  }
+  return hash.text();
 }
 
 std::string

@@ -8,6 +8,7 @@
 #include <pcl/io/grabber.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/pipeline/compact_mapping_types.h>
+#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping.h>
@@ -207,6 +208,19 @@ public:
     return skip_broken_;
   }
 
+  /** \brief Keeps the poses of odometry and rectification in a folder, so that a later
+   * run goes on from them; it then has no report of these steps (default: none).
+   * \param[in] folder is created; its folders `odometry` and `rectification` hold the
+   * files of \ref saveEstimatedPoses
+   * \param[in] settings names the settings of both steps: poses are only taken from the
+   * folder if the observations and this text are the same as when they were written */
+  void
+  setFolder(const std::string& folder, const std::string& settings = {})
+  {
+    folder_ = folder;
+    settings_ = settings;
+  }
+
   /** \brief Sets how observations are merged; whether broken ones are skipped is decided
    * by this object. */
   void
@@ -250,7 +264,7 @@ public:
    * \param[out] map no planes, with the reason in the report, if there are none
    * \throws InitFailedException without an observation, if observations have poses only
    * in part, or if none could be joined to another one
-   * \throws what the steps throw
+   * \throws what the steps throw; OutputFileException if the folder cannot be written
    * \throws CancelledException if the progress callback stopped it */
   void
   compute(CompactMap& map);
@@ -291,6 +305,15 @@ private:
   ObservationSequence
   rectify(const ObservationSequence& sequence, CompactMappingReport& report);
 
+  using PoseStep = ObservationSequence (CompactMapping::*)(const ObservationSequence&,
+                                                           CompactMappingReport&);
+
+  ObservationSequence
+  goOnFrom(const std::string& step,
+           const ObservationSequence& sequence,
+           PoseStep run,
+           CompactMappingReport& report);
+
   std::optional<TexturedObservation>
   load(const ObservationSequence& sequence, std::size_t i) const;
 
@@ -309,6 +332,9 @@ private:
   Rectification rectification_;
   bool rectify_ = true;
   bool skip_broken_ = false;
+  std::string folder_;       ///< of poses for later runs; empty: none
+  std::string settings_;     ///< of the steps that estimate poses
+  EstimatedPoses estimated_; ///< by the last of these steps
   ObservationMerging merging_;
   PlaneMapping planes_;
   Texturing texturing_;

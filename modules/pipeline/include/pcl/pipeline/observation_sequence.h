@@ -85,12 +85,17 @@ public:
    * these poses.
    *
    * Files of the result share memory with those of this sequence.
-   * \param[in] names of the observations, a subset of those of this sequence, in the
-   * same order
-   * \param[in] trajectory one pose per name, metres
-   * \throws InputFileException if they differ in number, or a name is unknown */
+   * \param[in] places indices of the observations, increasing
+   * \param[in] trajectory their poses, metres
+   * \throws BadArgumentException if they differ in number, or a place is none of this
+   * sequence */
   ObservationSequence
-  withPoses(const std::vector<std::string>& names, Trajectory trajectory) const;
+  withPoses(const std::vector<std::size_t>& places, Trajectory trajectory) const;
+
+  /** \brief A short hash that changes with the observations: the names, sizes and times
+   * of files, the bytes of clouds that are not files, and the poses. */
+  std::string
+  fingerprint() const;
 
   /** \brief Number of observations. */
   std::size_t

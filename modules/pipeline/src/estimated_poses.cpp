@@ -1,0 +1,99 @@
+#include <pcl/core/file_format.h>
+#include <pcl/core/output_file.h>
+#include <pcl/core/yaml_node.h>
+#include <pcl/pipeline/estimated_poses.h>
+
+#include <filesystem>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace pcl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* poses_name = "poses.yaml";
+
+std::string
+textOf(const EstimatedPoses& poses, const std::string& made_of)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "format: " << acmap::file_formats::poses << '\n';
+  if (!made_of.empty())
+    text << "made_of: \"" << made_of << "\"\n";
+  if (poses.noise)
+    text << "odometry_noise: [" << poses.noise->length << ", "
+         << poses.noise->length_per_metre << ", " << poses.noise->turn << ", "
+         << poses.noise->turn_per_radian << "]\n";
+  text << "observations:\n";
+  for (const std::size_t place : poses.places)
+    text << "  - " << place << '\n';
+  return text.str();
+}
+
+OdometryNoise
+noiseIn(const acmap::YamlNode& node)
+{
+  constexpr double most = 1e6;
+  const std::vector<acmap::YamlNode>& values = node.list(4, 4);
+  return {values[0].number(0, most),
+          values[1].number(0, most),
+          values[2].number(0, most),
+          values[3].number(0, most)};
+}
+
+} // namespace
+
+void
+saveEstimatedPoses(const std::string& folder,
+                   const EstimatedPoses& poses,
+                   const std::string& made_of)
+{
+  if (poses.places.size() != poses.trajectory.poses.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << poses.trajectory.poses.size() << " poses for "
+                                     << poses.places.size() << " observations");
+  const std::string text = textOf(poses, made_of);
+  saveTrajectory((fs::path(folder) / acmap::trajectory_name).string(),
+                 poses.trajectory);
+  acmap::OutputFile file((fs::path(folder) / poses_name).string());
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+std::optional<EstimatedPoses>
+loadEstimatedPoses(const std::string& folder, const std::string& made_of)
+{
+  const std::string path = (fs::path(folder) / poses_name).string();
+  std::error_code error;
+  if (!fs::exists(path, error))
+    return std::nullopt;
+  const acmap::YamlNode document = acmap::loadYaml(path);
+  acmap::requireFormat(document, acmap::file_formats::poses);
+  document.requireKeys({"format", "made_of", "odometry_noise", "observations"});
+  const acmap::YamlNode* const made = document.find("made_of");
+  if ((made != nullptr ? made->text() : std::string()) != made_of)
+    return std::nullopt;
+  EstimatedPoses poses;
+  constexpr std::size_t most = 10000000;
+  std::size_t next = 0;
+  for (const acmap::YamlNode& place : document.at("observations").list(1, most)) {
+    poses.places.push_back(place.count(next, most));
+    next = poses.places.back() + 1;
+  }
+  if (const acmap::YamlNode* noise = document.find("odometry_noise"))
+    poses.noise = noiseIn(*noise);
+  const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
+  poses.trajectory = loadTrajectory(trajectory.string());
+  if (poses.trajectory.poses.size() != poses.places.size())
+    throw InputFileException(path + ": names " + std::to_string(poses.places.size()) +
+                             " observations, " + acmap::trajectory_name + " has " +
+                             std::to_string(poses.trajectory.poses.size()) + " poses");
+  return poses;
+}
+
+} // namespace pcl
