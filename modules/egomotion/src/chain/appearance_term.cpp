@@ -126,7 +126,8 @@ appearanceTerm(const AppearanceLevel& source,
                const LightChange& light)
 {
   constexpr double misplacement = 0.2; // position error of compared pixels, pixels
-  const Eigen::Vector2d focal_length = target_pinhole.focal_length / target.scale;
+  const Eigen::Vector2d focal_length =
+      Eigen::Vector2d(target_pinhole.fx, target_pinhole.fy) / target.scale;
   const double noise = source.noise * source.noise +
                        light.gain * light.gain * target.noise * target.noise;
   const auto ofChunk = [&](std::size_t begin, std::size_t end) {

@@ -3,6 +3,7 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
 #include <pcl/core/noise_scale.h>
+#include <pcl/core/pinhole.h>
 #include <pcl/core/point_view.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ namespace pcl::acmap {
 class DepthView {
 public:
   /** \brief Estimates the pinhole camera of an organized cloud in the frame of its
-   * sensor: x/z is linear in the column, y/z in the row.
+   * sensor (\ref fitPinhole).
    * \param[in] points metres, row by row; not finite or z <= 0 for pixels without a
    * measurement
    * \param[in] width pixels per row; points.size () is a multiple of it
@@ -68,28 +69,24 @@ public:
   Eigen::Vector3d
   ray(double column, double row) const
   {
-    return {(column - center_.x()) / focal_.x(), (row - center_.y()) / focal_.y(), 1.0};
+    return {(column - camera_.cx) / camera_.fx, (row - camera_.cy) / camera_.fy, 1.0};
   }
 
   /** \brief Focal lengths in pixels; negative for an axis in the opposite direction. */
-  const Eigen::Vector2d&
+  Eigen::Vector2d
   focal() const
   {
-    return focal_;
+    return {camera_.fx, camera_.fy};
   }
 
 private:
   DepthView(std::size_t width, std::vector<float> inverse_depths);
 
-  bool
-  fitPinhole(const PointView& points);
-
   std::size_t width_;
   std::size_t height_;
   std::size_t measured_;
   std::vector<float> inverse_depths_;
-  Eigen::Vector2d focal_ = Eigen::Vector2d::Ones();
-  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();
+  Pinhole camera_;
 };
 
 /** \brief Image positions of the points of a view. */
