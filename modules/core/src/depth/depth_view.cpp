@@ -108,4 +108,15 @@ measureDepthStep(const PointView& points)
              : 0;
 }
 
+std::optional<MeasuredDepthView>
+measureDepthView(const PointView& points, std::size_t width)
+{
+  std::optional<DepthView> view = DepthView::recognize(points, width);
+  if (!view)
+    return std::nullopt;
+  const NoiseScale::InverseDepth noise =
+      measureInverseDepthNoise(*view, measureDepthStep(points));
+  return MeasuredDepthView{std::move(*view), noise};
+}
+
 } // namespace pcl::acmap

@@ -119,6 +119,51 @@ struct PictureOrder {
 ACMAP_EXPORT std::optional<PictureOrder>
 findPictureOrder(const PointView& points);
 
+/** \brief The points of a view in the order of its image: those of an organized cloud as
+ * they are, others restored by \ref findPictureOrder. Valid as long as the points are
+ * unchanged. */
+class PictureView {
+public:
+  /** \param[in] points metres, in the frame of their sensor
+   * \param[in] width pixels per row; the number of all points if they are not organized
+   * \return nothing if the order of points that are not organized cannot be restored */
+  ACMAP_EXPORT static std::optional<PictureView>
+  find(const PointView& points, std::size_t width);
+
+  /** \brief Points row by row, NaN for pixels without a point. */
+  PointView
+  points() const
+  {
+    return order_ ? PointView(arranged_.data(), sizeof arranged_[0], arranged_.size())
+                  : points_;
+  }
+
+  /** \brief Pixels per row. */
+  std::size_t
+  width() const
+  {
+    return width_;
+  }
+
+  /** \brief Set if the points were not organized. */
+  const std::optional<PictureOrder>&
+  order() const
+  {
+    return order_;
+  }
+
+private:
+  PictureView(const PointView& points, std::size_t width)
+  : points_(points)
+  , width_(width)
+  {}
+
+  PointView points_;
+  std::size_t width_;
+  std::optional<PictureOrder> order_;
+  std::vector<Eigen::Vector3f> arranged_;
+};
+
 /** \brief Finds the uniform step of inverse depth of points in the frame of their
  * sensor. The depth of a cloud is quantised if the number of distinct depths is small
  * compared with the number of points and the middle half of the steps between
@@ -132,5 +177,20 @@ measureDepthStep(const PointView& points);
  * \param[in] step see \ref measureDepthStep; 0 if the depth is not quantised */
 ACMAP_EXPORT NoiseScale::InverseDepth
 measureInverseDepthNoise(const DepthView& view, double step);
+
+/** \brief A depth view and its noise. */
+struct MeasuredDepthView {
+  DepthView view;
+  NoiseScale::InverseDepth noise;
+};
+
+/** \brief Recognizes a view (\ref DepthView::recognize) and measures its noise. */
+ACMAP_EXPORT std::optional<MeasuredDepthView>
+measureDepthView(const PointView& points, std::size_t width);
+
+/** \brief Reason why there is no view, for the remarks of a report. */
+inline constexpr const char* no_depth_view =
+    "fewer than 1000 pixels are measured, or no pinhole camera fits them: the view is "
+    "not in its sensor's frame";
 
 } // namespace pcl::acmap
