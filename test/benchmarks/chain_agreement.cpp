@@ -126,7 +126,7 @@ overlapsOf(const std::vector<PlanePatch>& reference,
 {
   constexpr double reach = 0.05, max_angle = 5; // metres, degrees
   const PlanePlaces here = placesOn(reference), there = placesOn(planes);
-  const test::PointTree tree(there.places);
+  const test::ReferenceTree tree(there.places);
   Overlaps overlaps;
   overlaps.shared.resize(reference.size());
   for (std::size_t i = 0; i < here.places.size(); ++i) {

@@ -145,7 +145,7 @@ redraw(const SimulatedScene& scene,
   for (std::size_t v = 0; v < trajectory.poses.size(); v += step, ++views) {
     const SimulatedObservation seen =
         observeWith(scene, v, exposures[v] * painted.gains[v]);
-    const MapView drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
+    const RaycastImage drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
     std::vector<std::uint8_t> rgb;
     for (const ObservationPixel& pixel : seen.pixels)
       for (const int shift : {16, 8, 0})

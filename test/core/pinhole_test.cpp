@@ -15,7 +15,7 @@ const Eigen::Isometry3d here = poseOf({-0.3, 0, -0.5}, 0.1);
 constexpr std::size_t width = 320;
 
 std::vector<Eigen::Vector3f>
-seenFrom(const Eigen::Isometry3d& T_room_camera, const Camera& camera = {})
+seenFrom(const Eigen::Isometry3d& T_room_camera, const RoomCamera& camera = {})
 {
   std::vector<Eigen::Vector3f> points;
   for (const PointXYZRGBSigma& point : *viewOf(Room(), T_room_camera, camera))
@@ -48,7 +48,7 @@ TEST(Pinhole, isFoundExactly)
 
 TEST(Pinhole, ofHolesAndNoiseIsTheSame)
 {
-  Camera noisy;
+  RoomCamera noisy;
   noisy.noise = 1;
   std::vector<Eigen::Vector3f> points = seenFrom(here, noisy);
   Random random(5);
@@ -64,7 +64,7 @@ TEST(Pinhole, ofHolesAndNoiseIsTheSame)
  * regressed on rays, nor do a few points of other rays make a view unknown. */
 TEST(Pinhole, isNotShortenedByNoiseAcrossTheRays)
 {
-  Camera small;
+  RoomCamera small;
   small.width = 24;
   small.height = 18;
   small.focal_length = 20;

@@ -172,7 +172,7 @@ TEST(ChainOracle, appearanceGradientIsNearTheCostsDerivative)
 TEST(ChainOracle, lightIsMeasured)
 {
   const Eigen::Isometry3d pose = poseOf({0, 0, 0}, 0);
-  Camera dim;
+  RoomCamera dim;
   dim.gain = 0.6;
   dim.offset = 30;
   const CameraView before = chainView(Room(), pose);

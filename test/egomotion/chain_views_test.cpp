@@ -134,7 +134,7 @@ TEST(ViewLevels, noiseIsMeasuredAndHalvedWithTheImage)
 TEST(SurfaceBlocks, sigmaOfNoisyPlanesIsEstimated)
 {
   for (const double sigma : {0.0005, 0.001, 0.003}) {
-    Camera noisy;
+    RoomCamera noisy;
     noisy.noise = 1;
     noisy.sigma = sigma;
     const CameraView view = chainView(Room(), here, noisy);
@@ -148,7 +148,7 @@ TEST(SurfaceBlocks, sigmaOfNoisyPlanesIsEstimated)
 
 TEST(SurfaceBlocks, arePlanesOfTheRoom)
 {
-  Camera noisy;
+  RoomCamera noisy;
   noisy.noise = 1;
   const Room room = wallAt(2.5);
   const SurfaceBlocks surfaces =

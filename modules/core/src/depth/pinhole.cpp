@@ -54,11 +54,11 @@ public:
   }
 
 private:
-  struct Sample {
+  struct RaySample {
     double pixel, ray;
   };
 
-  std::vector<Sample> samples_;
+  std::vector<RaySample> samples_;
 };
 
 } // namespace
