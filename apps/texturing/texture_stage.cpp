@@ -39,12 +39,6 @@ texturingOf(const Tool& tool,
   return texturing;
 }
 
-std::shared_ptr<const PCLPointCloud2>
-rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
-{
-  return {file, &file->cloud};
-}
-
 CompactMap
 paint(Tool& tool, Texturing& texturing)
 {
@@ -126,7 +120,7 @@ paintPlanes(Tool& tool,
       if (i == 0 && tool.warnings().empty())
         warnOfLengths(tool, *seen.file);
       return TexturedObservation{
-          rowsOfFile(seen.file), seen.T_map_camera, sequence.stamp(i), true};
+          sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
     }
     catch (const InputFileException& error) {
       if (!options.skip_broken)
@@ -158,7 +152,7 @@ paintPlanes(Tool& tool,
   Texturing texturing = texturingOf(tool, planes, options);
   texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
     return TexturedObservation{
-        rowsOfFile(cloud), Eigen::Isometry3d::Identity(), 0, false};
+        sharedCloud(cloud), Eigen::Isometry3d::Identity(), 0, false};
   });
   CompactMap map = paint(tool, texturing);
   tellTexture(tool, texturing.getReport());

@@ -57,7 +57,7 @@ refusal(const Call& call)
   return "";
 }
 
-class Window : public testing::Test {
+class ShownPattern : public testing::Test {
 protected:
   void
   SetUp() override
@@ -69,7 +69,7 @@ protected:
   VirtualDisplay display_{"320x240x24"};
 };
 
-TEST_F(Window, ShowsEveryPixelOfAnImageOfItsSize)
+TEST_F(ShownPattern, ShowsEveryPixelOfAnImageOfItsSize)
 {
   PatternWindow window(0);
   EXPECT_EQ(window.getMonitor().width, 320);
@@ -83,7 +83,7 @@ TEST_F(Window, ShowsEveryPixelOfAnImageOfItsSize)
   EXPECT_EQ(differencesAt(shootScreen(), black(320, 240), 0, 0), 0);
 }
 
-TEST_F(Window, OpensBlackOverWhatIsThere)
+TEST_F(ShownPattern, OpensBlackOverWhatIsThere)
 {
   PatternWindow below(0);
   below.show(noise(320, 240, 1));
@@ -91,7 +91,7 @@ TEST_F(Window, OpensBlackOverWhatIsThere)
   EXPECT_EQ(differencesAt(shootScreen(), black(320, 240), 0, 0), 0);
 }
 
-TEST_F(Window, ComesToTheTopAndBackWithoutHelpOfItsOwner)
+TEST_F(ShownPattern, ComesToTheTopAndBackWithoutHelpOfItsOwner)
 {
   const RgbImage first = noise(320, 240, 1);
   const RgbImage second = noise(320, 240, 2);
@@ -109,7 +109,7 @@ TEST_F(Window, ComesToTheTopAndBackWithoutHelpOfItsOwner)
   EXPECT_EQ(differencesAt(shootScreen(), first, 0, 0), 0);
 }
 
-TEST_F(Window, ScalesOtherSizesWithoutMixingPixels)
+TEST_F(ShownPattern, ScalesOtherSizesWithoutMixingPixels)
 {
   PatternWindow window(0);
   const RgbImage small = noise(160, 120, 3);
@@ -133,7 +133,7 @@ TEST_F(Window, ScalesOtherSizesWithoutMixingPixels)
   EXPECT_EQ(differencesAt(again, black(110, 240), 210, 0), 0);
 }
 
-TEST_F(Window, CoversItsOwnMonitorOnly)
+TEST_F(ShownPattern, CoversItsOwnMonitorOnly)
 {
   divideScreen({{"left", 0, 0, 120, 240, false}, {"right", 120, 40, 200, 150, true}});
   const std::vector<MonitorPlace> places = PatternWindow::monitors();
@@ -166,7 +166,7 @@ TEST_F(Window, CoversItsOwnMonitorOnly)
   EXPECT_EQ(shootScreen().values, before.values);
 }
 
-TEST_F(Window, RefusesMonitorsAndImagesThatAreNot)
+TEST_F(ShownPattern, RefusesMonitorsAndImagesThatAreNot)
 {
   const std::string message =
       refusal<BadArgumentException>([] { PatternWindow window(1); });
@@ -184,7 +184,7 @@ TEST_F(Window, RefusesMonitorsAndImagesThatAreNot)
   EXPECT_EQ(differencesAt(shootScreen(), image, 0, 0), 0);
 }
 
-TEST_F(Window, WhatTheServerRefusesIsAnException)
+TEST_F(ShownPattern, WhatTheServerRefusesIsAnException)
 {
   divideScreen({{"too wide", 0, 0, 40000, 10, true}}); // pixmaps are limited to 32767
   PatternWindow window(0);
@@ -196,7 +196,7 @@ TEST_F(Window, WhatTheServerRefusesIsAnException)
   EXPECT_EQ(differencesAt(shootScreen(), black(320, 10), 0, 0), 0);
 }
 
-TEST_F(Window, ALostServerIsAnExceptionAndNotTheEnd)
+TEST_F(ShownPattern, ALostServerIsAnExceptionAndNotTheEnd)
 {
   PatternWindow window(0);
   window.show(noise(320, 240, 1));

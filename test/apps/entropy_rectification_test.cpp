@@ -20,7 +20,7 @@
 namespace pcl::acmap::test {
 
 /** \brief A row of a map. */
-struct MapPoint {
+struct PointOfMap {
   PCL_ADD_POINT4D
   PCL_ADD_RGB
   std::int32_t view;
@@ -30,7 +30,7 @@ struct MapPoint {
 } // namespace pcl::acmap::test
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(
-    pcl::acmap::test::MapPoint,
+    pcl::acmap::test::PointOfMap,
     (float, x, x)(float, y, y)(float, z, z)(float, rgb, rgb)(std::int32_t, view, view))
 
 namespace pcl::acmap::test {
@@ -87,7 +87,7 @@ void
 expectMap(const std::string& session, const std::string& output)
 {
   const Trajectory trajectory = loadTrajectory(output + "/trajectory.txt");
-  PointCloud<MapPoint> map;
+  PointCloud<PointOfMap> map;
   ASSERT_EQ(io::loadPCDFile(output + "/map.pcd", map), 0);
   std::size_t row = 0;
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
@@ -97,7 +97,7 @@ expectMap(const std::string& session, const std::string& output)
       if (!point.getVector3fMap().allFinite())
         continue;
       ASSERT_LT(row, map.size());
-      const MapPoint& in_map = map[row++];
+      const PointOfMap& in_map = map[row++];
       const Eigen::Vector3d place =
           trajectory.poses[i] * point.getVector3fMap().cast<double>();
       ASSERT_LT((in_map.getVector3fMap().cast<double>() - place).norm(), 1e-5);

@@ -58,7 +58,7 @@ protected:
   TemporaryFolder results_;
 };
 
-struct Camera {
+struct ImportedCamera {
   double fx, fy, cx, cy, scale;
 };
 
@@ -75,7 +75,7 @@ sigmaOf(const PCLPointCloud2& cloud, std::size_t point)
 /** Reads an observation with PCL and compares each pixel with the content of the
  * frame. */
 void
-expectObservation(const std::string& path, int frame, const Camera& camera)
+expectObservation(const std::string& path, int frame, const ImportedCamera& camera)
 {
   SCOPED_TRACE(path);
   PCLPointCloud2 raw;

@@ -13,7 +13,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-struct Source {
+struct CloudSource {
   const char* name;
   const char* path;
   MarkedPoints (*read)(const std::string& path);
@@ -25,7 +25,7 @@ struct Source {
   double tolerance;
 };
 
-constexpr Source sources[] = {
+constexpr CloudSource sources[] = {
     {"synpeb test_100", "F_planes/synpeb/test_100.pcd", readSynpeb, true, 0.0026},
     {"mosd learn0", "F_planes/mosd/learn0.pcd", readTable, true, 0.01},
     {"mosd learn5", "F_planes/mosd/learn5.pcd", readTable, true, 0.01},
@@ -38,7 +38,7 @@ constexpr Source sources[] = {
 };
 
 /** Consecutive numbers from 0 in the order in which planes appear. */
-class Numbering {
+class LabelNumbering {
 public:
   std::int32_t
   operator()(std::int32_t plane)
@@ -60,12 +60,12 @@ private:
 };
 
 AnnotatedCloud
-makeCloud(const Source& source, const MarkedPoints& marked)
+makeCloud(const CloudSource& source, const MarkedPoints& marked)
 {
   AnnotatedCloud cloud;
   cloud.name = source.name;
   const auto points = std::make_shared<PointCloud<PointXYZ>>();
-  Numbering numbers;
+  LabelNumbering numbers;
   for (const MarkedPoint& point : marked)
     if (point.place.allFinite()) {
       points->emplace_back(point.place.x(), point.place.y(), point.place.z());
@@ -91,7 +91,7 @@ makeCloud(const Source& source, const MarkedPoints& marked)
 void
 forEachAnnotatedCloud(const std::function<void(const AnnotatedCloud&)>& use)
 {
-  for (const Source& source : sources) {
+  for (const CloudSource& source : sources) {
     if (!test::hasTestData(source.path)) {
       std::cerr << "left out: no " << source.path << " in ACMAP_TEST_DATA\n";
       continue;

@@ -4,8 +4,7 @@
 #include "statistics.h"
 
 #include <pcl/core/polygon_triangles.h>
-
-#include <Eigen/SVD>
+#include <pcl/core/rigid_alignment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +30,8 @@ bestMotion(const Points& from, const Points& to)
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < from.size(); ++i)
     products += (to[i] - to_mean) * (from[i] - from_mean).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> solver(
-      products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = solver.matrixU();
-  if (u.determinant() * solver.matrixV().determinant() < 0)
-    u.col(2) *= -1;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = u * solver.matrixV().transpose();
+  motion.linear() = alignmentRotation<3>(products);
   motion.translation() = to_mean - motion.linear() * from_mean;
   return motion;
 }
@@ -132,7 +126,7 @@ overlapsOf(const std::vector<PlanePatch>& reference,
 {
   constexpr double reach = 0.05, max_angle = 5; // metres, degrees
   const PlanePlaces here = placesOn(reference), there = placesOn(planes);
-  const test::PointTree tree(there.places);
+  const test::ReferenceTree tree(there.places);
   Overlaps overlaps;
   overlaps.shared.resize(reference.size());
   for (std::size_t i = 0; i < here.places.size(); ++i) {

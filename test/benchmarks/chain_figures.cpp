@@ -16,6 +16,7 @@ int
 main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
-  constexpr Part parts[] = {{"size", printChainSize}, {"kitchen", printChainKitchen}};
+  constexpr TableSection parts[] = {{"size", printChainSize},
+                                    {"kitchen", printChainKitchen}};
   return printParts(argc, argv, parts, usage);
 }

@@ -21,13 +21,13 @@ deviation(double measured, double truth)
 }
 
 /** A measured cloud of the corridor. */
-struct Measured {
+struct MeasuredNoise {
   std::string name;
   NoiseScale scale;
   NoiseTruth truth;
 };
 
-Measured
+MeasuredNoise
 measure(const SimulatedCloud& cloud, double visible_area)
 {
   return {cloud.name,
@@ -35,10 +35,10 @@ measure(const SimulatedCloud& cloud, double visible_area)
           measureTruth(cloud, visible_area)};
 }
 
-std::vector<Measured>
+std::vector<MeasuredNoise>
 measureCorridor(SceneData& corridor)
 {
-  std::vector<Measured> all;
+  std::vector<MeasuredNoise> all;
   for (const std::size_t view : {0, 40, 53})
     all.push_back(measure(makeViewCloud(corridor.scene(), view),
                           corridor.truthOfView(view).visibleArea()));
@@ -50,7 +50,7 @@ measureCorridor(SceneData& corridor)
 }
 
 void
-printScales(const std::vector<Measured>& all)
+printScales(const std::vector<MeasuredNoise>& all)
 {
   printHead({"cloud",
              "sigma, true mm",
@@ -60,7 +60,7 @@ printScales(const std::vector<Measured>& all)
              "measured",
              "off by %",
              "confidence"});
-  for (const Measured& one : all)
+  for (const MeasuredNoise& one : all)
     MarkdownRow()
         .text(one.name)
         .number(1000 * one.truth.sigma, 2)
@@ -74,10 +74,10 @@ printScales(const std::vector<Measured>& all)
 }
 
 void
-printRanges(const std::vector<Measured>& all)
+printRanges(const std::vector<MeasuredNoise>& all)
 {
   printHead({"cloud", "distance, m", "along the ray, true mm", "measured", "off by %"});
-  for (const Measured& one : all)
+  for (const MeasuredNoise& one : all)
     for (const NoiseScale::Range& range : one.scale.ranges) {
       const double truth = one.truth.ranges.at(rangeBin(range.distance));
       MarkdownRow()
@@ -156,7 +156,7 @@ void
 printNoise(SceneData& corridor)
 {
   std::cout << "\n### Noise and spacing\n";
-  const std::vector<Measured> all = measureCorridor(corridor);
+  const std::vector<MeasuredNoise> all = measureCorridor(corridor);
   printScales(all);
   printRanges(all);
   printReal();

@@ -9,7 +9,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 /** Scatter of the points of one wall. */
-class Spread {
+class BowSpread {
 public:
   void
   add(const Eigen::Vector2d& place)
@@ -56,7 +56,7 @@ directionOf(const RectificationMap& map,
             std::size_t begin,
             std::size_t end)
 {
-  std::array<Spread, 2> walls;
+  std::array<BowSpread, 2> walls;
   for (std::size_t i = begin; i < end; ++i) {
     const Eigen::Isometry3d truth = isometryOf(map.truth[i]);
     const Eigen::Isometry3d pose = isometryOf(poses[i]);

@@ -4,7 +4,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 using test::Points;
-using test::PointTree;
+using test::ReferenceTree;
 
 double
 shareOf(double part, double whole)
@@ -32,7 +32,7 @@ chosen(const Points& vertices, const std::vector<bool>& is_crease)
 }
 
 std::size_t
-countNear(const Points& points, const PointTree& others, double reach)
+countNear(const Points& points, const ReferenceTree& others, double reach)
 {
   std::size_t count = 0;
   for (const Eigen::Vector3d& point : points)
@@ -56,7 +56,7 @@ scoreCreases(const SceneTruth& truth,
     if (isSeen(truth, piece, voxel))
       seen.push_back(piece);
   const Points creases = chosen(vertices, is_crease);
-  const PointTree crease_tree(creases), edge_tree(placesOf(pieces)),
+  const ReferenceTree crease_tree(creases), edge_tree(placesOf(pieces)),
       seen_tree(placesOf(seen));
 
   CreaseScores scores;

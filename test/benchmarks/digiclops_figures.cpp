@@ -15,7 +15,7 @@ int
 main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
-  constexpr Part parts[] = {
+  constexpr TableSection parts[] = {
       {"conversion", printConversion}, {"order", printOrder}, {"stream", printStream}};
   return printParts(argc, argv, parts, usage);
 }

@@ -24,11 +24,11 @@ main(int argc, char** argv)
     saveEgomotionPictures(argv[2]);
     return 0;
   }
-  constexpr Part parts[] = {{"simulated", printEgomotionSimulated},
-                            {"kitchen", printEgomotionKitchen},
-                            {"outliers", printEgomotionOutliers},
-                            {"time", printEgomotionTimes},
-                            {"rectification", printEgomotionRectification},
-                            {"rejection", printEgomotionRejection}};
+  constexpr TableSection parts[] = {{"simulated", printEgomotionSimulated},
+                                    {"kitchen", printEgomotionKitchen},
+                                    {"outliers", printEgomotionOutliers},
+                                    {"time", printEgomotionTimes},
+                                    {"rectification", printEgomotionRectification},
+                                    {"rejection", printEgomotionRejection}};
   return printParts(argc, argv, parts, usage);
 }

@@ -11,9 +11,9 @@ namespace pcl::acmap::bench {
 namespace {
 
 /** Motions and their errors. */
-class Tally {
+class RunTally {
 public:
-  Tally(const EgomotionMethod& method, const EgomotionSequence& sequence)
+  RunTally(const EgomotionMethod& method, const EgomotionSequence& sequence)
   : method_(method)
   , sequence_(sequence)
   {
@@ -85,7 +85,7 @@ isWrong(const MotionError& error)
 EgomotionRun
 runChain(const EgomotionMethod& method, const EgomotionSequence& sequence)
 {
-  Tally tally(method, sequence);
+  RunTally tally(method, sequence);
   std::vector<Eigen::Isometry3d> poses{sequence.truth.front()};
   for (std::size_t i = 1; i < sequence.clouds.size(); ++i)
     poses.push_back(poses.back() * tally.add(i - 1, i));
@@ -101,7 +101,7 @@ runApart(const EgomotionMethod& method,
          std::size_t step)
 {
   constexpr std::size_t max_pairs = 25;
-  Tally tally(method, sequence);
+  RunTally tally(method, sequence);
   const std::size_t pairs = sequence.clouds.size() - step;
   const std::size_t every = (pairs + max_pairs - 1) / max_pairs;
   for (std::size_t i = 0; i < pairs; i += every)

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t seed = 1;
 
 /** A wall segment along one axis (0: x, 1: z). */
-struct Wall {
+struct EntropyWall {
   int along;
   double at, begin, end; ///< metres
 };
@@ -21,10 +21,10 @@ struct Wall {
 constexpr double building = 30, room = 6, door = 1.2;
 
 /** Rows of rooms with a door in the middle of each inner wall. */
-std::vector<Wall>
+std::vector<EntropyWall>
 wallsOfRooms()
 {
-  std::vector<Wall> walls;
+  std::vector<EntropyWall> walls;
   for (const int along : {0, 1})
     for (double at = 0; at <= building; at += room)
       for (double begin = 0; begin < building; begin += room) {
@@ -40,18 +40,18 @@ wallsOfRooms()
 }
 
 /** First intersection of a beam. */
-struct Hit {
+struct WallRayHit {
   double range = 1e9;
   int along = 0; ///< axis of the wall
 };
 
-Hit
-cast(const std::vector<Wall>& walls,
+WallRayHit
+cast(const std::vector<EntropyWall>& walls,
      const Eigen::Vector2d& from,
      const Eigen::Vector2d& way)
 {
-  Hit hit;
-  for (const Wall& wall : walls) {
+  WallRayHit hit;
+  for (const EntropyWall& wall : walls) {
     const int across = 1 - wall.along;
     const double range = (wall.at - from[across]) / way[across];
     const double place = from[wall.along] + range * way[wall.along];
@@ -62,7 +62,7 @@ cast(const std::vector<Wall>& walls,
 }
 
 void
-addScan(const std::vector<Wall>& walls, Random& random, EntropyMap& map)
+addScan(const std::vector<EntropyWall>& walls, Random& random, EntropyMap& map)
 {
   constexpr int beams = 180;
   constexpr double noise = 0.01, min_slant = 0.15;
@@ -75,7 +75,7 @@ addScan(const std::vector<Wall>& walls, Random& random, EntropyMap& map)
     const Eigen::Vector2d local(std::cos(angle), std::sin(angle));
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     const Eigen::Vector2d way(c * local[0] + s * local[1], c * local[1] - s * local[0]);
-    const Hit hit = cast(walls, {pose.x, pose.z}, way);
+    const WallRayHit hit = cast(walls, {pose.x, pose.z}, way);
     const double range = hit.range + noise * random.normal();
     const double slant = std::abs(way[1 - hit.along]);
     points.emplace_back((range * Eigen::Vector3d(local[0], 0, local[1])).cast<float>());
@@ -144,7 +144,7 @@ makeLaserMap()
   constexpr int scans = 200;
   EntropyMap map;
   map.name = "rooms";
-  const std::vector<Wall> walls = wallsOfRooms();
+  const std::vector<EntropyWall> walls = wallsOfRooms();
   Random random(seed);
   for (int scan = 0; scan < scans; ++scan) {
     const int cell = scan % 25;

@@ -35,7 +35,7 @@ countForeignHoles(const test::Points& points,
       return (points[i] - points[j]).norm() <= reach;
     });
   };
-  test::DisjointSets loops(points.size());
+  test::FaceSets loops(points.size());
   std::set<std::int32_t> corners;
   for (const auto& [a, b] : boundaryEdges(mesh)) {
     loops.unite(a, b);

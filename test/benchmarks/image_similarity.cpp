@@ -12,12 +12,12 @@ brightness(const std::vector<std::uint8_t>& image, std::size_t pixel)
          0.114 * image[3 * pixel + 2];
 }
 
-struct Sums {
+struct ImageSums {
   double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
 };
 
 double
-ssim(const Sums& sums)
+ssim(const ImageSums& sums)
 {
   constexpr double count = side * side;
   constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
@@ -41,7 +41,7 @@ structuralSimilarity(const std::vector<std::uint8_t>& a,
   Similarity similarity;
   for (std::size_t top = 0; top + side <= height; top += stride)
     for (std::size_t left = 0; left + side <= width; left += stride) {
-      Sums sums;
+      ImageSums sums;
       bool is_whole = true;
       for (std::size_t row = top; row < top + side && is_whole; ++row)
         for (std::size_t column = left; column < left + side; ++column) {

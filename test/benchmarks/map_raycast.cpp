@@ -9,17 +9,17 @@ namespace pcl::acmap::bench {
 namespace {
 
 /** Intersection of a ray with a chart, in texels; NaN if there is none. */
-struct Meeting {
+struct ChartHit {
   double distance = std::numeric_limits<double>::infinity();
   Eigen::Vector2d texel;
 };
 
-Meeting
+ChartHit
 meet(const TextureChart& chart, const Eigen::Vector3d& eye, const Eigen::Vector3d& ray)
 {
   const Eigen::Vector3d normal = chart.texel_v.cross(chart.texel_u);
   const double along = normal.dot(ray);
-  Meeting meeting;
+  ChartHit meeting;
   if (!(along < 0)) // the back side
     return meeting;
   const double distance = normal.dot(chart.origin - eye) / along;
@@ -62,20 +62,20 @@ colorAt(const TextureChart& chart, const Eigen::Vector2d& texel)
 
 } // namespace
 
-MapView
+RaycastImage
 castMap(const CompactMap& map,
         const TrinocularRig& rig,
         const Eigen::Isometry3d& T_map_camera)
 {
-  MapView view;
+  RaycastImage view;
   const Eigen::Vector3d eye = T_map_camera.translation();
   for (int row = 0; row < rig.height; ++row)
     for (int column = 0; column < rig.width; ++column) {
       const Eigen::Vector3d ray = T_map_camera.linear() * pixelRay(rig, column, row);
-      Meeting nearest;
+      ChartHit nearest;
       const TextureChart* hit = nullptr;
       for (const TextureChart& chart : map.charts) {
-        const Meeting next = meet(chart, eye, ray);
+        const ChartHit next = meet(chart, eye, ray);
         if (next.distance < nearest.distance) {
           nearest = next;
           hit = &chart;

@@ -11,12 +11,12 @@ namespace pcl::acmap::bench {
 
 /** \brief A view of a compact map: for each pixel the colour of the first chart that
  * its ray intersects. */
-struct MapView {
+struct RaycastImage {
   std::vector<std::uint8_t> rgb;      ///< 3 per pixel, in row-major order from the top
   std::vector<std::uint8_t> is_known; ///< one per pixel: a texel with colour was hit
 };
 
-MapView
+RaycastImage
 castMap(const CompactMap& map,
         const TrinocularRig& rig,
         const Eigen::Isometry3d& T_map_camera);

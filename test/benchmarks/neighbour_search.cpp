@@ -24,17 +24,17 @@ namespace {
 
 constexpr int neighbours = 16; // the point itself included
 
-struct Timed {
+struct TimedSearch {
   double build = 0, search = 0; ///< CPU microseconds per point
   double sum = 0;               ///< of all squared distances, to compare the results
 };
 
 /** \brief Runs the steps of a tree. \return times per point */
 template <typename Build, typename Search>
-Timed
+TimedSearch
 timed(std::size_t points, const Build& build, const Search& search)
 {
-  Timed result;
+  TimedSearch result;
   const double micro = 1e6 / static_cast<double>(points);
   double begin = threadSeconds();
   build();
@@ -46,7 +46,7 @@ timed(std::size_t points, const Build& build, const Search& search)
   return result;
 }
 
-Timed
+TimedSearch
 byFlann(const test::Cloud& cloud)
 {
   KdTreeFLANN<PointXYZ> tree(false);
@@ -88,7 +88,7 @@ struct Adaptor {
   }
 };
 
-Timed
+TimedSearch
 byNanoflann(const test::Cloud& cloud)
 {
   using Tree =
@@ -145,7 +145,7 @@ nearestOf(const dewall::PointTree& tree, std::int32_t i)
   return sum;
 }
 
-Timed
+TimedSearch
 byOurs(const test::Cloud& cloud)
 {
   std::unique_ptr<dewall::PointTree> tree;
@@ -182,10 +182,11 @@ bool
 print(const FigureCloud& figure)
 {
   const test::Cloud cloud = distinct(figure.cloud);
-  const Timed flann = byFlann(cloud), nano = byNanoflann(cloud), ours = byOurs(cloud);
+  const TimedSearch flann = byFlann(cloud), nano = byNanoflann(cloud),
+                    ours = byOurs(cloud);
   MarkdownRow row;
   row.text(figure.name).count(cloud.size());
-  for (const Timed& tree : {flann, nano, ours})
+  for (const TimedSearch& tree : {flann, nano, ours})
     row.number(tree.build, 2).number(tree.search, 2);
   row.text(timesOf(flann.build + flann.search, ours.build + ours.search)).print();
   const bool are_same = std::abs(flann.sum - ours.sum) < 1e-3 * flann.sum &&

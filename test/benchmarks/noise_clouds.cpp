@@ -14,14 +14,14 @@
 namespace pcl::acmap::bench {
 namespace {
 
-struct Source {
+struct NoiseSource {
   const char* name;
   const char* path;
   bool is_view;
   bool is_exact;
 };
 
-constexpr Source sources[] = {
+constexpr NoiseSource sources[] = {
     {"table_scene_mug", "E_meshing/table_scene_mug_stereo_textured.pcd", true, false},
     {"office1", "E_meshing/office1.pcd", true, false},
     {"capture0001", "E_meshing/capture0001.pcd", true, false},
@@ -72,7 +72,7 @@ loadMaybePacked(const std::string& path)
 void
 forEachNoiseCloud(const std::function<void(const NoiseCloud&)>& use)
 {
-  for (const Source& source : sources) {
+  for (const NoiseSource& source : sources) {
     if (!test::hasTestData(source.path)) {
       std::cerr << "left out: no " << source.path << " in ACMAP_TEST_DATA\n";
       continue;

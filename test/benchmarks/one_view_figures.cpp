@@ -21,9 +21,9 @@ main(int argc, char** argv)
   // The last sample consensus finds nothing in the remaining points and prints an
   // error.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  const Part parts[] = {{"real", printRealViews},
-                        {"tables", printTableViews},
-                        {"simulated", printSimulatedViews},
-                        {"meshes", printViewMeshes}};
+  const TableSection parts[] = {{"real", printRealViews},
+                                {"tables", printTableViews},
+                                {"simulated", printSimulatedViews},
+                                {"meshes", printViewMeshes}};
   return printParts(argc, argv, parts, usage);
 }

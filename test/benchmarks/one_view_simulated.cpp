@@ -14,7 +14,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::size_t main_pixels = 2000;      // minimum for a main plane
-constexpr PlaneLimits found_limits{5.0, 0.05}; // degrees, metres
+constexpr MatchLimits found_limits{5.0, 0.05}; // degrees, metres
 
 /** \brief Sums over several views. */
 struct ViewScores {

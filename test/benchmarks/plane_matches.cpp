@@ -6,7 +6,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-PlaneDeviation
+MatchDeviation
 deviationOf(const Eigen::Vector4d& found,
             const Eigen::Vector4d& truth,
             const Eigen::Vector3d& centroid)
@@ -40,7 +40,7 @@ PlaneMatches
 matchPlanes(const PlaneCase& plane_case,
             const FoundPlanes& found,
             const PlaneOverlaps& overlaps,
-            const PlaneLimits& limits)
+            const MatchLimits& limits)
 {
   const std::vector<TruthPlane>& planes = plane_case.truth.planes;
   const std::vector<Eigen::Vector3d> centroids = centroidsOf(plane_case, overlaps);
@@ -49,7 +49,7 @@ matchPlanes(const PlaneCase& plane_case,
   matches.deviation.resize(planes.size());
   for (std::size_t f = 0; f < found.planes.size(); ++f) {
     const auto t = static_cast<std::size_t>(std::max(overlaps.majority(f), 0));
-    const PlaneDeviation deviation =
+    const MatchDeviation deviation =
         deviationOf(found.planes[f], planes[t].coefficients, centroids[t]);
     const bool is_of_truth =
         2 * overlaps.common(f, t) >= std::max<std::size_t>(overlaps.foundSize(f), 1);

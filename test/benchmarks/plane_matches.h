@@ -11,13 +11,13 @@
 namespace pcl::acmap::bench {
 
 /** \brief Maximum deviations of a detected plane from its true plane. */
-struct PlaneLimits {
+struct MatchLimits {
   double angle = 2;     ///< degrees
   double offset = 0.02; ///< metres, at the centroid of the true plane's points
 };
 
 /** \brief Deviation of a detected plane from the true one. */
-struct PlaneDeviation {
+struct MatchDeviation {
   double angle = 0;  ///< degrees, independent of the signs of the normals
   double offset = 0; ///< metres, at the centroid of the true plane's points
 };
@@ -26,7 +26,7 @@ struct PlaneDeviation {
 struct PlaneMatches {
   std::vector<std::int32_t> finder;      ///< detected plane of each true plane, -1 for
                                          ///< none
-  std::vector<PlaneDeviation> deviation; ///< of these pairs
+  std::vector<MatchDeviation> deviation; ///< of these pairs
   std::size_t spurious = 0;   ///< less than half from one true plane, or too large a
                               ///< deviation
   std::size_t astray = 0;     ///< of these, those with only too large a deviation
@@ -37,6 +37,6 @@ PlaneMatches
 matchPlanes(const PlaneCase& plane_case,
             const FoundPlanes& found,
             const PlaneOverlaps& overlaps,
-            const PlaneLimits& limits = {});
+            const MatchLimits& limits = {});
 
 } // namespace pcl::acmap::bench

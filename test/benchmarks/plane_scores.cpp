@@ -54,14 +54,14 @@ private:
     if (matches.finder[t] < 0)
       return;
     ++share.found;
-    const PlaneDeviation& deviation = matches.deviation[t];
+    const MatchDeviation& deviation = matches.deviation[t];
     largest_.angle = std::max(largest_.angle, deviation.angle);
     largest_.offset = std::max(largest_.offset, deviation.offset);
     sum_.angle += deviation.angle;
     sum_.offset += deviation.offset;
   }
 
-  PlaneDeviation largest_, sum_;
+  MatchDeviation largest_, sum_;
   std::size_t points_ = 0;
   std::size_t right_ = 0;
 };

@@ -23,7 +23,7 @@ struct PlaneErrors {
 };
 
 /** \brief Quality of a plane detection. A true plane counts as found if a detected
- * plane has most of its points from it, and deviates by less than \ref PlaneLimits. */
+ * plane has most of its points from it, and deviates by less than \ref MatchLimits. */
 struct PlaneScores {
   FoundShare main;  ///< floor, ceiling, walls, ends
   FoundShare doors; ///< planes of doors

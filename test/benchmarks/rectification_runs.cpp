@@ -8,23 +8,25 @@
 
 namespace pcl::acmap::bench {
 
-Drift
+DriftModel
 robotDrift(double level)
 {
   return {0.002 * level, 0.02 * level, 0.004 * level, 0.01 * level, 0.0015 * level};
 }
 
-Drift
+DriftModel
 cameraDrift()
 {
-  Drift drift;
+  DriftModel drift;
   drift.length_per_metre = 0.01;
   drift.turn = 0.2 * M_PI / 180;
   return drift;
 }
 
 std::vector<PlanarPose>
-drifted(const std::vector<PlanarPose>& truth, const Drift& drift, std::uint64_t seed)
+drifted(const std::vector<PlanarPose>& truth,
+        const DriftModel& drift,
+        std::uint64_t seed)
 {
   Random random(seed);
   std::vector<PlanarPose> poses{truth.front()};

@@ -14,7 +14,7 @@ namespace pcl::acmap::bench {
 
 /** \brief Odometry noise: standard deviations for an action of length l and turn
  * dtheta. */
-struct Drift {
+struct DriftModel {
   double length = 0;           ///< metres, of dx and dz, for any action
   double length_per_metre = 0; ///< added per metre of l
   double turn = 0;             ///< radians, for any action
@@ -23,16 +23,18 @@ struct Drift {
 };
 
 /** \brief Noise of a wheeled robot; level 1 is typical, other levels are factors. */
-Drift
+DriftModel
 robotDrift(double level);
 
 /** \brief Noise of a camera: 1 % of the length and 0.2 degrees from view to view. */
-Drift
+DriftModel
 cameraDrift();
 
 /** \brief Poses from simulated odometry, starting with the true first pose. */
 std::vector<PlanarPose>
-drifted(const std::vector<PlanarPose>& truth, const Drift& drift, std::uint64_t seed);
+drifted(const std::vector<PlanarPose>& truth,
+        const DriftModel& drift,
+        std::uint64_t seed);
 
 /** \brief Result of rectifying a map. */
 struct RectificationRun {

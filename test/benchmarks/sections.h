@@ -40,7 +40,7 @@ private:
 };
 
 /** \brief A section that prints tables. */
-struct Part {
+struct TableSection {
   const char* name;
   void (*print)();
 };
@@ -52,12 +52,12 @@ int
 printParts(int argc, char** argv, const Parts& parts, const char* usage)
 {
   std::set<std::string> names;
-  for (const Part& part : parts)
+  for (const TableSection& part : parts)
     names.insert(part.name);
   Sections sections;
   if (const auto exit_code = Sections::read(argc, argv, names, usage, sections))
     return *exit_code;
-  for (const Part& part : parts)
+  for (const TableSection& part : parts)
     if (sections.isWanted(part.name))
       part.print();
   return 0;

@@ -23,12 +23,12 @@ main(int argc, char** argv)
     saveStereoPictures(argv[2]);
     return 0;
   }
-  constexpr Part parts[] = {{"bag", printBag},
-                            {"noise", printNoise},
-                            {"simulated", printSimulated},
-                            {"subpixel", printSubpixel},
-                            {"middlebury", printMiddlebury},
-                            {"realsense", printRealsense},
-                            {"time", printStereoTimes}};
+  constexpr TableSection parts[] = {{"bag", printBag},
+                                    {"noise", printNoise},
+                                    {"simulated", printSimulated},
+                                    {"subpixel", printSubpixel},
+                                    {"middlebury", printMiddlebury},
+                                    {"realsense", printRealsense},
+                                    {"time", printStereoTimes}};
   return printParts(argc, argv, parts, usage);
 }

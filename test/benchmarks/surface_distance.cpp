@@ -11,7 +11,7 @@ namespace pcl::acmap::bench {
 namespace {
 
 using test::Points;
-using test::PointTree;
+using test::ReferenceTree;
 using test::Triangle;
 using test::Triangles;
 
@@ -70,7 +70,7 @@ private:
 
   const Points& points_;
   const Triangles& triangles_;
-  PointTree tree_;
+  ReferenceTree tree_;
   double reach_ = 0; ///< maximum radius of a triangle about its centre
 };
 

@@ -105,16 +105,18 @@ paint(const SimulatedScene& scene,
   for (std::size_t v = 0; v < trajectory.poses.size(); ++v) {
     const SimulatedObservation seen = observeWith(scene, v, exposures[v]);
     const ColoredView view = viewOf(seen, trajectory.poses[v]);
-    painted.seconds += measureCost([&] {
-                         const auto nearest = texturing::nearestCanvases(
-                             view, planes, painted.canvases, settings.maximum_distance);
-                         texturing::paintPinhole(view,
-                                                 *texturing::pinholeOf(view),
-                                                 static_cast<std::int32_t>(v),
-                                                 nearest,
-                                                 planes,
-                                                 painted.canvases);
-                       }).cpu;
+    painted.seconds +=
+        measureCost([&] {
+          const auto nearest = texturing::nearestCanvases(
+              view, planes, painted.canvases, settings.maximum_distance);
+          texturing::paintPinhole(
+              view,
+              *fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)),
+              static_cast<std::int32_t>(v),
+              nearest,
+              planes,
+              painted.canvases);
+        }).cpu;
   }
   painted.seconds +=
       measureCost([&] {
@@ -143,7 +145,7 @@ redraw(const SimulatedScene& scene,
   for (std::size_t v = 0; v < trajectory.poses.size(); v += step, ++views) {
     const SimulatedObservation seen =
         observeWith(scene, v, exposures[v] * painted.gains[v]);
-    const MapView drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
+    const RaycastImage drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
     std::vector<std::uint8_t> rgb;
     for (const ObservationPixel& pixel : seen.pixels)
       for (const int shift : {16, 8, 0})

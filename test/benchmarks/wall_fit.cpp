@@ -13,15 +13,15 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-struct Plane {
+struct FittedWall {
   Point middle = Point::Zero();
   Point normal = Point::UnitZ(); // pointing away from the camera
 };
 
-Plane
+FittedWall
 fitPlane(const std::vector<Point>& points)
 {
-  Plane plane;
+  FittedWall plane;
   for (const Point& point : points)
     plane.middle += point / static_cast<double>(points.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -65,8 +65,8 @@ fitWall(const MatchedDisparity& found,
     points.push_back(pointOf(rig, pixel, found.disparity.values[pixel]));
     exact.push_back(pointOf(rig, pixel, truth.horizontal.values[pixel]));
   }
-  const Plane plane = fitPlane(points);
-  const Plane true_plane = fitPlane(exact);
+  const FittedWall plane = fitPlane(points);
+  const FittedWall true_plane = fitPlane(exact);
   WallFit fit;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const double off = plane.normal.dot(points[i] - plane.middle);

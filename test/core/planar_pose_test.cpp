@@ -123,6 +123,9 @@ TEST(RigidMotion, isNoMirrorNoScaleNoShear)
   EXPECT_FALSE(isRigid(altered(0, 1, 0.01))) << "shear";
   EXPECT_FALSE(isRigid(altered(2, 2, 0))) << "flat";
   EXPECT_TRUE(isRigid(altered(0, 0, 1 + 1e-8))) << "rounding";
+  EXPECT_FALSE(isRigid(altered(0, 0, 1 + 1e-5)));
+  EXPECT_TRUE(isRigid(altered(0, 0, 1 + 1e-5), float_pose_tolerance));
+  EXPECT_FALSE(isRigid(altered(0, 0, 1 + 1e-3), float_pose_tolerance));
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::nan(""), infinity, -infinity}) {
     EXPECT_FALSE(isRigid(altered(0, 3, bad)));

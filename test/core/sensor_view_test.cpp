@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-struct Seen {
+struct SeenSensors {
   float place[3];
   std::int32_t view;
 };
@@ -33,9 +33,9 @@ TEST(SensorView, oneSensorSawAllPoints)
 
 TEST(SensorView, pointsNameTheirObservation)
 {
-  const std::vector<Seen> points = {
+  const std::vector<SeenSensors> points = {
       {{}, 1}, {{}, 0}, {{}, -1}, {{}, 2}, {{}, 1}, {{}, -2147483647 - 1}};
-  const SensorView sensors(&points[0].view, sizeof(Seen), stations);
+  const SensorView sensors(&points[0].view, sizeof(SeenSensors), stations);
   EXPECT_TRUE(sensors.isKnown());
   EXPECT_EQ(*sensors[0], stations[1]);
   EXPECT_EQ(*sensors[1], stations[0]);
@@ -47,9 +47,10 @@ TEST(SensorView, pointsNameTheirObservation)
 
 TEST(SensorView, indicesChooseThePoints)
 {
-  const std::vector<Seen> points = {{{}, 1}, {{}, 0}, {{}, -1}};
+  const std::vector<SeenSensors> points = {{{}, 1}, {{}, 0}, {{}, -1}};
   const std::vector<std::int32_t> indices = {2, 1, 1, 0};
-  const SensorView sensors(&points[0].view, sizeof(Seen), stations, indices.data());
+  const SensorView sensors(
+      &points[0].view, sizeof(SeenSensors), stations, indices.data());
   EXPECT_EQ(sensors[0], nullptr);
   EXPECT_EQ(*sensors[1], stations[0]);
   EXPECT_EQ(*sensors[2], stations[0]);
@@ -58,10 +59,10 @@ TEST(SensorView, indicesChooseThePoints)
 
 TEST(SensorView, copiesKeepTheirOwnPlaces)
 {
-  const std::vector<Seen> points = {{{}, 1}};
+  const std::vector<SeenSensors> points = {{{}, 1}};
   SensorView copy;
   {
-    const SensorView sensors(&points[0].view, sizeof(Seen), stations);
+    const SensorView sensors(&points[0].view, sizeof(SeenSensors), stations);
     copy = sensors;
   }
   EXPECT_EQ(*copy[0], stations[1]);
@@ -69,8 +70,8 @@ TEST(SensorView, copiesKeepTheirOwnPlaces)
 
 TEST(SensorView, viewsWithoutViewpointsAreUnknown)
 {
-  const std::vector<Seen> points = {{{}, 0}};
-  const SensorView sensors(&points[0].view, sizeof(Seen), {});
+  const std::vector<SeenSensors> points = {{{}, 0}};
+  const SensorView sensors(&points[0].view, sizeof(SeenSensors), {});
   EXPECT_FALSE(sensors.isKnown());
   EXPECT_EQ(sensors[0], nullptr);
 }

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 /** An invalid file, and a part of the error message. */
-struct Refusal {
+struct UglyRefusal {
   const char* name; // of the test
   const char* ending;
   std::string content;
@@ -24,12 +24,12 @@ struct Refusal {
 };
 
 void
-PrintTo(const Refusal& refusal, std::ostream* stream)
+PrintTo(const UglyRefusal& refusal, std::ostream* stream)
 {
   *stream << refusal.name;
 }
 
-class UglyInput : public testing::TestWithParam<Refusal> {};
+class UglyInput : public testing::TestWithParam<UglyRefusal> {};
 
 TEST_P(UglyInput, isRefusedWithItsFault)
 {
@@ -99,7 +99,7 @@ const std::string compressed = "binary_compressed";
 const std::string little = "binary_little_endian";
 const std::string faces = "element face 4000000000\nproperty list uchar int corners\n";
 
-const Refusal any_format[] = {
+const UglyRefusal any_format[] = {
     {"emptyPcd", ".pcd", "", "is empty"},
     {"emptyPly", ".ply", "", "is empty"},
     {"unknownEnding", ".las", "1 2 3\n", "ending '.las' is not known"},
@@ -110,7 +110,7 @@ const Refusal any_format[] = {
     {"garbageXyz", ".xyz", garbage(3000), "is not a number"},
     {"noLineEnd", ".pcd", std::string(600000, '#'), "is too long for a line of text"}};
 
-const Refusal pcd_header[] = {
+const UglyRefusal pcd_header[] = {
     {"headerOnlyBegun", ".pcd", "FIELDS x y z\nPOINTS 3\n", "before the DATA line"},
     {"noFields", ".pcd", "POINTS 1\nDATA ascii\n1 2 3\n", "has no FIELDS"},
     {"noCounts",
@@ -158,7 +158,7 @@ const Refusal pcd_header[] = {
      pcd("POINTS 99999999999999999999", "binary", ""),
      "is not a count"}};
 
-const Refusal pcd_data[] = {
+const UglyRefusal pcd_data[] = {
     {"fourBillionBinary",
      ".pcd",
      pcd("POINTS 4294967295", "binary", std::string(812, 'a')),
@@ -205,7 +205,7 @@ const Refusal pcd_data[] = {
          rawBytes(20U) + rawBytes(24U) + std::string(20, '\xff')),
      "compressed block is damaged"}};
 
-const Refusal ply_files[] = {
+const UglyRefusal ply_files[] = {
     {"plyWithoutEnd", ".ply", "ply\nformat ascii 1.0\n", "before the end_header line"},
     {"plyWithoutFormat",
      ".ply",
@@ -271,7 +271,7 @@ const Refusal ply_files[] = {
          "\xff"),
      "'corners' has a negative length"}};
 
-const Refusal text_files[] = {
+const UglyRefusal text_files[] = {
     {"xyzWithoutRows", ".xyz", "# nothing\n", "no row of three numbers"},
     {"xyzTwoColumns", ".xyz", "1 2 3\n4 5\n", "line 2: has fewer than three numbers"},
     {"xyzWord", ".xyz", "1 2 3\n4 five 6\n", "line 2: 'five' is not a number"},
@@ -282,7 +282,7 @@ const Refusal text_files[] = {
     {"objWord", ".obj", "v 1 2 3\nv 1 b 3\n", "line 2: 'b' is not a number"}};
 
 std::string
-nameOf(const testing::TestParamInfo<Refusal>& info)
+nameOf(const testing::TestParamInfo<UglyRefusal>& info)
 {
   return info.param.name;
 }

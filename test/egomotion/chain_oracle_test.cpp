@@ -34,6 +34,15 @@ numericalGradient(const std::function<double(const Eigen::Isometry3d&)>& cost)
   return gradient;
 }
 
+Pinhole
+pinholeOf(const CameraView& view)
+{
+  return fitUprightPinhole(
+             {view.points.data(), sizeof view.points[0], view.points.size()},
+             static_cast<std::size_t>(view.image.width))
+      .value();
+}
+
 void
 expectNear(const Vector6& found, const Vector6& wanted, double share)
 {
@@ -123,7 +132,7 @@ TEST(ChainOracle, surfaceGradientIsTheCostsDerivative)
   const CameraView now = chainView(Room(), poseOf({0, 0, 0}, 0));
   const CameraView before = chainView(Room(), poseOf({0, 0, 0}, 0) * T_target_source);
   const SurfaceBlocks source = surfaceBlocks(now), target = surfaceBlocks(before);
-  const Pinhole pinhole = *fitPinhole(before);
+  const Pinhole pinhole = pinholeOf(before);
   const SurfaceTerm term = surfaceTerm(source, target, pinhole, T_target_source, 0.3);
   ASSERT_GT(term.evidence.count, 300u);
   const auto cost = [&](const Eigen::Isometry3d& motion) {
@@ -147,7 +156,7 @@ TEST(ChainOracle, appearanceGradientIsNearTheCostsDerivative)
       now.points[i].setConstant(std::numeric_limits<float>::quiet_NaN());
   const AppearanceLevel source = appearanceLevel(viewLevels(now).at(1));
   const AppearanceLevel target = appearanceLevel(viewLevels(before).at(1));
-  const Pinhole pinhole = *fitPinhole(before);
+  const Pinhole pinhole = pinholeOf(before);
   const LightChange light{1.1, -7};
   const Evidence evidence =
       appearanceTerm(source, target, pinhole, T_target_source, light);
@@ -163,14 +172,14 @@ TEST(ChainOracle, appearanceGradientIsNearTheCostsDerivative)
 TEST(ChainOracle, lightIsMeasured)
 {
   const Eigen::Isometry3d pose = poseOf({0, 0, 0}, 0);
-  Camera dim;
+  RoomCamera dim;
   dim.gain = 0.6;
   dim.offset = 30;
   const CameraView before = chainView(Room(), pose);
   const LightChange light =
       lightChange(appearanceLevel(viewLevels(chainView(Room(), pose, dim)).at(1)),
                   appearanceLevel(viewLevels(before).at(1)),
-                  *fitPinhole(before),
+                  pinholeOf(before),
                   Eigen::Isometry3d::Identity());
   EXPECT_NEAR(light.gain, 0.6, 0.005);
   EXPECT_NEAR(light.offset, 30, 0.5);

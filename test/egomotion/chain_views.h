@@ -11,7 +11,7 @@ namespace pcl::acmap::test {
 inline CameraView
 chainView(const Room& room,
           const Eigen::Isometry3d& T_room_camera,
-          const Camera& camera = {})
+          const RoomCamera& camera = {})
 {
   return cameraViewOf(*viewOf(room, T_room_camera, camera));
 }

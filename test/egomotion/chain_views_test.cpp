@@ -1,5 +1,4 @@
 #include "chain/egomotion_failure.h"
-#include "chain/pinhole.h"
 #include "chain/surface_blocks.h"
 #include "chain/view_levels.h"
 #include "chain_views.h"
@@ -42,49 +41,13 @@ median(std::vector<double> values)
 
 } // namespace
 
-TEST(Pinhole, isFoundExactly)
+TEST(EgomotionView, hasNoPinholeIfPointsLieOnNoCamerasRays)
 {
-  const auto pinhole = fitPinhole(chainView(Room(), here));
-  ASSERT_TRUE(pinhole);
-  EXPECT_NEAR(pinhole->focal_length.x(), 260, 1e-3);
-  EXPECT_NEAR(pinhole->focal_length.y(), 260, 1e-3);
-  EXPECT_NEAR(pinhole->center.x(), 159.5, 1e-3);
-  EXPECT_NEAR(pinhole->center.y(), 119.5, 1e-3);
-}
-
-TEST(Pinhole, ofHolesAndNoiseIsTheSame)
-{
-  Camera noisy;
-  noisy.noise = 1;
-  CameraView view = chainView(Room(), here, noisy);
-  Random random(5);
-  for (Eigen::Vector3f& point : view.points)
-    if (random.uniform() < 0.5)
-      point.setConstant(nan);
-  const auto pinhole = fitPinhole(view);
-  ASSERT_TRUE(pinhole);
-  EXPECT_NEAR(pinhole->focal_length.x(), 260, 1e-3); // noise is along the rays
-}
-
-TEST(Pinhole, isNoneWherePointsLieOnNoCamerasRays)
-{
-  CameraView panorama = chainView(Room(), here);
-  for (std::size_t i = 0; i < panorama.points.size(); ++i) {
-    const double angle = (static_cast<double>(i % 320) - 159.5) / 120;
-    const auto row = static_cast<double>(i / 320);
-    panorama.points[i] =
-        Eigen::Vector3d(2 * std::sin(angle), (row - 119.5) / 120, 2 * std::cos(angle))
-            .cast<float>();
-  }
-  EXPECT_FALSE(fitPinhole(panorama));
+  EXPECT_TRUE(prepared(Room(), here)->pinhole);
   CameraView mirrored = chainView(Room(), here);
   for (Eigen::Vector3f& point : mirrored.points)
     point.x() = -point.x();
-  EXPECT_FALSE(fitPinhole(mirrored));
-  CameraView empty = chainView(Room(), here);
-  for (Eigen::Vector3f& point : empty.points)
-    point.setConstant(nan);
-  EXPECT_FALSE(fitPinhole(empty));
+  EXPECT_FALSE(prepareView(mirrored, {})->pinhole);
 }
 
 TEST(ViewLevels, halveByTheirWeights)
@@ -171,7 +134,7 @@ TEST(ViewLevels, noiseIsMeasuredAndHalvedWithTheImage)
 TEST(SurfaceBlocks, sigmaOfNoisyPlanesIsEstimated)
 {
   for (const double sigma : {0.0005, 0.001, 0.003}) {
-    Camera noisy;
+    RoomCamera noisy;
     noisy.noise = 1;
     noisy.sigma = sigma;
     const CameraView view = chainView(Room(), here, noisy);
@@ -185,7 +148,7 @@ TEST(SurfaceBlocks, sigmaOfNoisyPlanesIsEstimated)
 
 TEST(SurfaceBlocks, arePlanesOfTheRoom)
 {
-  Camera noisy;
+  RoomCamera noisy;
   noisy.noise = 1;
   const Room room = wallAt(2.5);
   const SurfaceBlocks surfaces =

@@ -18,7 +18,7 @@ using Cloud = PointCloud<PointXYZRGB>;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-class GradientMaximum : public testing::Test {
+class GradientMaximumClass : public testing::Test {
 protected:
   Indices
   indicesOf(const Cloud::ConstPtr& cloud)
@@ -33,7 +33,7 @@ protected:
   const Cloud::Ptr cloud_ = wallOf(paint(Wallpaper(2)));
 };
 
-TEST_F(GradientMaximum, givesThePointsOfItsIndices)
+TEST_F(GradientMaximumClass, givesThePointsOfItsIndices)
 {
   cloud_->header.stamp = 77;
   const Indices indices = indicesOf(cloud_);
@@ -49,7 +49,7 @@ TEST_F(GradientMaximum, givesThePointsOfItsIndices)
   }
 }
 
-TEST_F(GradientMaximum, gainAndOffsetOfLightChangeNothing)
+TEST_F(GradientMaximumClass, gainAndOffsetOfLightChangeNothing)
 {
   // integral grey levels, to avoid effects of rounding
   Cloud::Ptr dim = wallOf(paint(Wallpaper(2, 12)));
@@ -60,7 +60,7 @@ TEST_F(GradientMaximum, gainAndOffsetOfLightChangeNothing)
   EXPECT_EQ(indicesOf(dim), wanted);
 }
 
-TEST_F(GradientMaximum, throughItsBaseItDoesTheSame)
+TEST_F(GradientMaximumClass, throughItsBaseItDoesTheSame)
 {
   const Indices wanted = indicesOf(cloud_);
   Detector other;
@@ -72,7 +72,7 @@ TEST_F(GradientMaximum, throughItsBaseItDoesTheSame)
   EXPECT_EQ(keypoints.size(), wanted.size());
 }
 
-TEST_F(GradientMaximum, onlyIndicesCanBeKeypoints)
+TEST_F(GradientMaximumClass, onlyIndicesCanBeKeypoints)
 {
   const Indices all = indicesOf(cloud_);
   IndicesPtr half(new Indices(cloud_->size() / 2));
@@ -88,7 +88,7 @@ TEST_F(GradientMaximum, onlyIndicesCanBeKeypoints)
   EXPECT_EQ(detector_.getReport().without_place, all.size() - wanted.size());
 }
 
-TEST_F(GradientMaximum, colourCountsWherePlacesAreMissing)
+TEST_F(GradientMaximumClass, colourCountsWherePlacesAreMissing)
 {
   // every other column has no positions: the remaining keypoints do not move
   const Indices all = indicesOf(cloud_);
@@ -101,7 +101,7 @@ TEST_F(GradientMaximum, colourCountsWherePlacesAreMissing)
   EXPECT_EQ(indicesOf(cloud_), wanted);
 }
 
-TEST_F(GradientMaximum, uglyCloudsGiveNothingAndSayWhy)
+TEST_F(GradientMaximumClass, uglyCloudsGiveNothingAndSayWhy)
 {
   Cloud::Ptr black(new Cloud(40, 30));
   Cloud::Ptr empty(new Cloud);
@@ -118,7 +118,7 @@ TEST_F(GradientMaximum, uglyCloudsGiveNothingAndSayWhy)
   EXPECT_GT(detector_.getReport().without_place, 100u);
 }
 
-TEST_F(GradientMaximum, whatIsNoImageIsRefused)
+TEST_F(GradientMaximumClass, whatIsNoImageIsRefused)
 {
   const auto refuse = [&](const Cloud::ConstPtr& cloud) {
     keypoints_.resize(3);

@@ -36,7 +36,7 @@ pearson(const Samples& a, const Samples& b)
 }
 
 /** An image with its keypoints. */
-struct Side {
+struct PatchSide {
   std::vector<std::int32_t> pixels;
   std::vector<Eigen::Vector3f> points;
   LogPolarPatches patches;
@@ -52,7 +52,7 @@ public:
 
   /** Pairs of keypoints, sorted by source. */
   std::vector<std::pair<int, int>>
-  match(const Side& source, const Side& target) const
+  match(const PatchSide& source, const PatchSide& target) const
   {
     const std::size_t n = source.patches.pixels.size();
     const std::size_t m = target.patches.pixels.size();
@@ -95,7 +95,7 @@ private:
   }
 
   double
-  score(const Side& a, std::size_t i, const Side& b, std::size_t j) const
+  score(const PatchSide& a, std::size_t i, const PatchSide& b, std::size_t j) const
   {
     const int pixel_a = a.patches.pixels[i], pixel_b = b.patches.pixels[j];
     const int width = a.patches.width;
@@ -149,11 +149,11 @@ private:
 
 class LogPolarOracle : public testing::Test {
 protected:
-  Side
+  PatchSide
   sideOf(const ViewChange& change) const
   {
     const GreyImage image = paint(paper_, change);
-    Side side;
+    PatchSide side;
     side.pixels = keypointsOf(image, 150);
     const auto wall = wallOf(image);
     for (const std::int32_t pixel : side.pixels)
@@ -166,7 +166,7 @@ protected:
   std::size_t
   compare(const MatchGate& gate = {}) const
   {
-    const Side source = sideOf({0.1, 1.1, {6, -4}}), target = sideOf({});
+    const PatchSide source = sideOf({0.1, 1.1, {6, -4}}), target = sideOf({});
     MatchCounts counts;
     std::vector<std::pair<int, int>> pairs;
     for (const PatchMatch& match : matchPatches(source.patches,

@@ -71,7 +71,9 @@ Room::Room(std::uint64_t seed)
 {}
 
 PointCloud<PointXYZRGBSigma>::Ptr
-viewOf(const Room& room, const Eigen::Isometry3d& T_room_camera, const Camera& camera)
+viewOf(const Room& room,
+       const Eigen::Isometry3d& T_room_camera,
+       const RoomCamera& camera)
 {
   PointCloud<PointXYZRGBSigma>::Ptr cloud(
       new PointCloud<PointXYZRGBSigma>(static_cast<std::uint32_t>(camera.width),

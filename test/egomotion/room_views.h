@@ -47,7 +47,7 @@ struct Room {
 };
 
 /** \brief Parameters of a view. The principal point is the centre of the image. */
-struct Camera {
+struct RoomCamera {
   int width = 320, height = 240; ///< pixels
   double focal_length = 260;     ///< pixels
   double sigma = 0.002;          ///< metres along the ray at 1 m, proportional to the
@@ -61,7 +61,7 @@ struct Camera {
 PointCloud<PointXYZRGBSigma>::Ptr
 viewOf(const Room& room,
        const Eigen::Isometry3d& T_room_camera,
-       const Camera& camera = {});
+       const RoomCamera& camera = {});
 
 /** \brief Rotation about y (turn), then x (tilt), then z (roll); radians and metres. */
 Eigen::Isometry3d

@@ -138,7 +138,7 @@ TEST(VisualEgomotion, lightChangesNothing)
     const auto before = viewOf(Room(), motion.before);
     const auto plain =
         egomotionOf(motion.model, viewOf(Room(), motion.now), before).compute();
-    Camera dim;
+    RoomCamera dim;
     dim.gain = 0.7;
     dim.offset = 25;
     const auto dimmed =

@@ -18,12 +18,12 @@ const std::string folder = "C_sequence/redkitchen_000_495";
 
 /** \brief A frame registered as by pcl_rgbd_import: in the frame of the colour
  * camera. */
-struct Observation {
+struct RecordedView {
   PointCloud<PointXYZRGBSigma>::Ptr cloud{new PointCloud<PointXYZRGBSigma>};
   Eigen::Isometry3d T_world_camera;
 };
 
-Observation
+RecordedView
 observationOf(const RgbdSequence& sequence, int number)
 {
   const auto frame = std::find_if(
@@ -31,7 +31,7 @@ observationOf(const RgbdSequence& sequence, int number)
         return static_cast<int>(other.stamp) == number;
       });
   const ColorCamera& camera = sequence.color_camera.value();
-  Observation observation;
+  RecordedView observation;
   fromPCLPointCloud2(
       registeredCloud(
           loadRgbImage(frame->color),
@@ -49,8 +49,8 @@ TEST(VisualEgomotionReal, neighboursOfAKitchenAreNearTheirPoses)
     GTEST_SKIP() << "needs redkitchen of the test data";
   const RgbdSequence sequence = openRgbdSequence(testDataPath(folder).string());
   for (const int first : {0, 100, 250, 400}) {
-    const Observation before = observationOf(sequence, first);
-    const Observation now = observationOf(sequence, first + 10);
+    const RecordedView before = observationOf(sequence, first);
+    const RecordedView now = observationOf(sequence, first + 10);
     VisualEgomotion<PointXYZRGBSigma> egomotion;
     egomotion.setMotionModel(MotionModel::Rigid);
     egomotion.setInputTarget(before.cloud);

@@ -15,12 +15,12 @@ using Egomotion = VisualEgomotion<PointXYZRGBSigma>;
 using Cloud = PointCloud<PointXYZRGBSigma>;
 
 /** \brief Two views of a room with noise, and the motion between them. */
-struct Pair {
+struct RoomViewPair {
   Cloud::ConstPtr source, target;
   Eigen::Isometry3d truth;
 };
 
-Pair
+RoomViewPair
 randomPair(std::uint64_t seed, MotionModel model, const Room& now, const Room& before)
 {
   Random random(seed);
@@ -31,7 +31,7 @@ randomPair(std::uint64_t seed, MotionModel model, const Room& now, const Room& b
     motion = motion * poseOf({0, value(0.1), 0}, 0, value(0.06), value(0.06));
   const Eigen::Isometry3d pose =
       poseOf({value(1), value(0.2), value(1) - 0.5}, value(0.5));
-  Camera camera;
+  RoomCamera camera;
   camera.width = 240;
   camera.height = 180;
   camera.focal_length = 200;
@@ -42,14 +42,14 @@ randomPair(std::uint64_t seed, MotionModel model, const Room& now, const Room& b
   return {viewOf(now, pose * motion, camera), target, motion};
 }
 
-Pair
+RoomViewPair
 randomPair(std::uint64_t seed, MotionModel model)
 {
   return randomPair(seed, model, Room(seed), Room(seed));
 }
 
 std::optional<EgomotionEstimate>
-estimateOf(Egomotion& egomotion, const Pair& pair, MotionModel model)
+estimateOf(Egomotion& egomotion, const RoomViewPair& pair, MotionModel model)
 {
   egomotion.setMotionModel(model);
   egomotion.setInputSource(pair.source);
@@ -65,7 +65,7 @@ meanSquaredDeviation(MotionModel model, bool refines)
   const Eigen::Index freedom = model == MotionModel::Rigid ? 6 : 3;
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const Pair pair = randomPair(seed, model);
+    const RoomViewPair pair = randomPair(seed, model);
     Egomotion egomotion;
     egomotion.setRefinement(refines);
     const auto estimate = estimateOf(egomotion, pair, model);
@@ -87,7 +87,7 @@ TEST(VisualEgomotionRefinement, actsOnlyWhereAllFitsBetter)
   std::size_t refined = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const MotionModel model = seed % 2 ? MotionModel::Planar : MotionModel::Rigid;
-    const Pair pair = randomPair(seed, model);
+    const RoomViewPair pair = randomPair(seed, model);
     Egomotion with, without;
     without.setRefinement(false);
     const auto estimate = estimateOf(with, pair, model);
@@ -112,7 +112,7 @@ TEST(VisualEgomotionRefinement, isNearerToTheTruth)
 {
   double with_error = 0, without_error = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Pair pair = randomPair(seed, MotionModel::Rigid);
+    const RoomViewPair pair = randomPair(seed, MotionModel::Rigid);
     Egomotion with, without;
     without.setRefinement(false);
     const auto estimate = estimateOf(with, pair, MotionModel::Rigid);
@@ -162,7 +162,7 @@ TEST(VisualEgomotionRefinement, whatMovesAloneDoesNotSpoilIt)
             };
         return room;
       };
-      Camera camera;
+      RoomCamera camera;
       camera.noise = 1;
       const Cloud::ConstPtr target = viewOf(roomOf(-0.5), before, camera);
       camera.seed = 2;

@@ -67,7 +67,7 @@ std::vector<Cloud::ConstPtr>
 walk(std::size_t steps)
 {
   std::vector<Cloud::ConstPtr> views;
-  Camera noisy;
+  RoomCamera noisy;
   noisy.noise = 1;
   Eigen::Isometry3d pose = poseOf({-0.3, 0, -0.5}, 0.1);
   for (std::size_t i = 0; i < steps; ++i) {

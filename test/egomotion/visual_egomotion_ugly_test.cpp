@@ -86,7 +86,7 @@ TYPED_TEST(VisualEgomotionPoints, giveTheMotion)
 {
   typename PointCloud<TypeParam>::Ptr source(new PointCloud<TypeParam>),
       target(new PointCloud<TypeParam>);
-  Camera noisy;
+  RoomCamera noisy;
   noisy.noise = 0.2;
   copyPointCloud(*viewOf(Room(), now, noisy), *source);
   noisy.seed = 2;
@@ -134,12 +134,12 @@ TEST(VisualEgomotionUgly, imagesOfAnySizeGiveNoMotionAtWorst)
 
 TEST(VisualEgomotionUgly, viewsOfDifferentSizesGiveTheMotion)
 {
-  Camera wide;
+  RoomCamera wide;
   wide.width = 400;
   wide.height = 200;
   expectRight(
       estimateOf<PointXYZRGBSigma>(viewOf(Room(), now, wide), viewOf(Room(), before)));
-  Camera small;
+  RoomCamera small;
   small.width = 161;
   small.height = 121;
   expectRight(estimateOf<PointXYZRGBSigma>(viewOf(Room(), now, small),

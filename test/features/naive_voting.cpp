@@ -29,7 +29,7 @@ nextVertex(const std::vector<double>& lengths, const std::vector<bool>& is_done)
 }
 
 VertexClass
-classOf(const Eigen::Vector3d& rising, const NaiveSettings& settings)
+classOf(const Eigen::Vector3d& rising, const NaiveVotingSettings& settings)
 {
   const double surface = rising[2] - rising[1];
   const double crease = settings.crease_weight * (rising[1] - rising[0]);
@@ -65,7 +65,9 @@ pathLengths(const VotingMesh& mesh, std::size_t vertex)
 }
 
 NaiveVote
-voteNaively(const VotingMesh& mesh, std::size_t vertex, const NaiveSettings& settings)
+voteNaively(const VotingMesh& mesh,
+            std::size_t vertex,
+            const NaiveVotingSettings& settings)
 {
   const std::vector<double> lengths = pathLengths(mesh, vertex);
   const Eigen::Vector3d v = placeOf(mesh, static_cast<std::int32_t>(vertex));

@@ -14,7 +14,7 @@ struct NaiveVote {
   VertexClass vertex_class = VertexClass::Unknown;
 };
 
-struct NaiveSettings {
+struct NaiveVotingSettings {
   double radius = 1;
   double nearest = 0; ///< metres; closer triangles do not vote
   double crease_weight = 12;
@@ -29,6 +29,8 @@ pathLengths(const VotingMesh& mesh, std::size_t vertex);
  * corners' path lengths as the distance of a triangle: each triangle votes for each
  * vertex. */
 NaiveVote
-voteNaively(const VotingMesh& mesh, std::size_t vertex, const NaiveSettings& settings);
+voteNaively(const VotingMesh& mesh,
+            std::size_t vertex,
+            const NaiveVotingSettings& settings);
 
 } // namespace pcl::acmap::test

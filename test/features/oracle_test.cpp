@@ -62,7 +62,7 @@ expectSame(const VotedNormal& found,
 
 /** If there are too few votes, votes again with twice the radius. */
 NaiveVote
-voteTwice(const VotingMesh& mesh, std::size_t vertex, NaiveSettings settings)
+voteTwice(const VotingMesh& mesh, std::size_t vertex, NaiveVotingSettings settings)
 {
   const NaiveVote vote = voteNaively(mesh, vertex, settings);
   settings.radius *= 2;
@@ -75,7 +75,7 @@ compareWithNaive(const VotingMesh& mesh, const VotingSettings& settings)
 {
   VotingReport report;
   const VotedNormals found = voteByKernel(mesh, settings, report);
-  NaiveSettings naive;
+  NaiveVotingSettings naive;
   naive.radius = report.radius;
   naive.nearest = std::min(2 * report.sigma, report.radius / 3);
   naive.crease_weight = settings.crease_weight;

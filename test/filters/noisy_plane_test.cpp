@@ -11,7 +11,7 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double noise = 0.01;
 
-struct PlaneCase {
+struct NoisyPlaneCase {
   double inclination;
   double density;
   double voxel;
@@ -19,7 +19,7 @@ struct PlaneCase {
 
 /** A square of 2 m with noise of 1 cm, observed from (0.3, -0.2, 5) or from below
  * it. */
-class NoisyPlane : public testing::TestWithParam<PlaneCase> {
+class NoisyPlane : public testing::TestWithParam<NoisyPlaneCase> {
 protected:
   NoisyPlane()
   {
@@ -100,11 +100,11 @@ TEST_P(NoisyPlane, curvatureIsTheShareOfTheNoise)
 
 INSTANTIATE_TEST_SUITE_P(Consolidation,
                          NoisyPlane,
-                         testing::Values(PlaneCase{0, 10000, 0.1},
-                                         PlaneCase{0, 3000, 0.06},
-                                         PlaneCase{0.35, 10000, 0.05},
-                                         PlaneCase{0.6, 3000, 0.08},
-                                         PlaneCase{0.785, 30000, 0.05}));
+                         testing::Values(NoisyPlaneCase{0, 10000, 0.1},
+                                         NoisyPlaneCase{0, 3000, 0.06},
+                                         NoisyPlaneCase{0.35, 10000, 0.05},
+                                         NoisyPlaneCase{0.6, 3000, 0.08},
+                                         NoisyPlaneCase{0.785, 30000, 0.05}));
 
 TEST(NoisyPlaneTail, leavesHardlyASpike)
 {

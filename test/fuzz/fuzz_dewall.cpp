@@ -125,7 +125,7 @@ requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& 
       !task.is_moderate || !sensor.allFinite())
     return;
   Eigen::VectorXd front = Eigen::VectorXd::Zero(points.size()), whole = front;
-  DisjointSets components(points.size());
+  FaceSets components(points.size());
   for (const Triangle& face : mesh.triangles) {
     components.unite(face[0], face[1]);
     components.unite(face[0], face[2]);

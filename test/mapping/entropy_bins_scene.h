@@ -10,16 +10,16 @@
 namespace pcl::acmap::test {
 
 /** \brief The kernels for one instruction set. */
-struct Variant {
+struct BinsVariant {
   std::string name;
   const EntropyBins* loops;
 };
 
 /** \brief The variants that this processor supports. */
-inline std::vector<Variant>
+inline std::vector<BinsVariant>
 variants()
 {
-  std::vector<Variant> all{{"base", &entropy_bins_base}};
+  std::vector<BinsVariant> all{{"base", &entropy_bins_base}};
 #ifdef ACMAP_SIMD_AVX2
   if (__builtin_cpu_supports("avx2"))
     all.push_back({"avx2", &entropy_bins_avx2});
@@ -28,14 +28,14 @@ variants()
 }
 
 /** \brief A grid of 40 x 40 bins with nine layers and cells in its centre. */
-struct Scene {
+struct BinsScene {
   static constexpr std::int64_t row = 40, rows = 40, layers = 9;
 
   std::vector<float> bins = std::vector<float>(row * rows * layers + 4, 0);
   std::vector<std::uint8_t> marks = std::vector<std::uint8_t>(bins.size() / 4, 0);
   std::vector<float> x, z, weight, direction;
 
-  Scene(std::uint64_t seed, std::size_t cells)
+  BinsScene(std::uint64_t seed, std::size_t cells)
   {
     Random random(seed);
     for (std::size_t i = 0; i < cells; ++i) {

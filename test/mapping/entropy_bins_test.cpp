@@ -24,7 +24,7 @@ splineAt(double t)
 
 /** Weight of bin (i, j) of layer k for a cell, by the definition. */
 double
-shareOf(const Scene& scene, std::size_t cell, int i, int j, int k, bool directed)
+shareOf(const BinsScene& scene, std::size_t cell, int i, int j, int k, bool directed)
 {
   const double x = scene.x[cell], z = scene.z[cell];
   const double u = motion.x0 + motion.cosine * x + motion.sine * z;
@@ -38,10 +38,10 @@ shareOf(const Scene& scene, std::size_t cell, int i, int j, int k, bool directed
 
 TEST(EntropyBins, areFilledBySplines)
 {
-  for (const Variant& variant : variants())
+  for (const BinsVariant& variant : variants())
     for (const bool directed : {false, true}) {
       SCOPED_TRACE(variant.name);
-      Scene scene(1, 12);
+      BinsScene scene(1, 12);
       const auto fill = directed ? variant.loops->fillDirected : variant.loops->fill;
       fill(scene.cells(), motion, scene.grid());
       for (int k = 0; k < 9; ++k)
@@ -65,9 +65,12 @@ TEST(EntropyBins, areFilledBySplines)
 
 /** Energy of a field: sum over the bins of weight times field value. */
 double
-energyOf(const Scene& scene, const Variant& variant, CellMotion moved, bool directed)
+energyOf(const BinsScene& scene,
+         const BinsVariant& variant,
+         CellMotion moved,
+         bool directed)
 {
-  Scene filled(scene);
+  BinsScene filled(scene);
   std::fill(filled.bins.begin(), filled.bins.end(), 0);
   (directed ? variant.loops->fillDirected
             : variant.loops->fill)(filled.cells(), moved, filled.grid());
@@ -79,10 +82,10 @@ energyOf(const Scene& scene, const Variant& variant, CellMotion moved, bool dire
 
 TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
 {
-  for (const Variant& variant : variants())
+  for (const BinsVariant& variant : variants())
     for (const bool directed : {false, true}) {
       SCOPED_TRACE(variant.name);
-      Scene scene(2, 20);
+      BinsScene scene(2, 20);
       Random random(3);
       for (float& bin : scene.bins)
         bin = static_cast<float>(random.uniform(-1, 1));
@@ -162,7 +165,7 @@ TEST(EntropyBins, logarithmsAreExactToRounding)
   const auto doubles = numbersFrom<double>(1e-300);
   const auto floats = numbersFrom<float>(0x1p-100);
   const float one = 1;
-  for (const Variant& variant : variants()) {
+  for (const BinsVariant& variant : variants()) {
     SCOPED_TRACE(variant.name);
     expectLogarithms(doubles, 1e-14, [&](auto* from, auto size, auto* out) {
       std::copy_n(from, size, out);
@@ -185,7 +188,7 @@ TEST(EntropyBins, sumsOfMillionsStayExact)
     wanted += value > 0 ? value * std::log2(value) : 0;
   }
   const float one = 1;
-  for (const Variant& variant : variants())
+  for (const BinsVariant& variant : variants())
     EXPECT_NEAR(variant.loops->takeLogarithms(
                     values.data(), {&one, 0}, 4000000, logarithms.data()),
                 wanted,
@@ -194,7 +197,7 @@ TEST(EntropyBins, sumsOfMillionsStayExact)
 
 TEST(EntropyBins, smoothingIsConvolution)
 {
-  Scene scene(6, 100);
+  BinsScene scene(6, 100);
   entropyBins().fill(scene.cells(), motion, scene.grid());
   constexpr std::int64_t radius = 3, row = 22;
   const std::vector<float> kernel{0.4F, 0.2F, 0.08F, 0.02F};

@@ -15,7 +15,7 @@ struct Bytes {
 
   explicit Bytes(const EntropyBins& loops)
   {
-    Scene scene(5, 400);
+    BinsScene scene(5, 400);
     loops.fill(scene.cells(), motion, scene.grid());
     loops.fillDirected(scene.cells(), motion, scene.grid());
     keep(scene.bins);
@@ -41,7 +41,7 @@ struct Bytes {
   }
 
   void
-  smooth(const EntropyBins& loops, const Scene& scene, std::int64_t radius)
+  smooth(const EntropyBins& loops, const BinsScene& scene, std::int64_t radius)
   {
     std::vector<float> weights, across(80, 0), out(40, 7);
     const std::vector<float> levels(40, 0.3F);
@@ -63,7 +63,7 @@ struct Bytes {
 TEST(EntropyBins, allVariantsGiveTheSameBytes)
 {
   const Bytes wanted(entropy_bins_base);
-  for (const Variant& variant : variants()) {
+  for (const BinsVariant& variant : variants()) {
     const Bytes found(*variant.loops);
     ASSERT_EQ(found.values.size(), wanted.values.size());
     EXPECT_EQ(std::memcmp(found.values.data(),
@@ -132,7 +132,7 @@ TEST(EntropyBins, allVariantsGiveTheSameBytesOfEdgesAndSizes)
   for (std::int64_t size = 0; size <= 40; size += 4)
     for (const std::int64_t radius : {0, 1, 3, 13}) {
       const auto wanted = edgeValues(entropy_bins_base, size, radius);
-      for (const Variant& variant : variants()) {
+      for (const BinsVariant& variant : variants()) {
         const auto found = edgeValues(*variant.loops, size, radius);
         ASSERT_EQ(
             std::memcmp(found.data(), wanted.data(), wanted.size() * sizeof(double)), 0)
@@ -145,7 +145,7 @@ TEST(EntropyBins, allVariantsGiveTheSameBytesOfAnyNumberOfCells)
 {
   for (std::size_t cells = 4; cells <= 40; cells += 4) {
     const auto valuesOf = [&](const EntropyBins& loops) {
-      Scene scene(cells, cells);
+      BinsScene scene(cells, cells);
       scene.weight[1] = 1e-39F;
       scene.weight[2] = 0;
       scene.x[3] = std::numeric_limits<float>::denorm_min();
@@ -160,7 +160,7 @@ TEST(EntropyBins, allVariantsGiveTheSameBytesOfAnyNumberOfCells)
       return all;
     };
     const auto wanted = valuesOf(entropy_bins_base);
-    for (const Variant& variant : variants()) {
+    for (const BinsVariant& variant : variants()) {
       const auto found = valuesOf(*variant.loops);
       EXPECT_EQ(
           std::memcmp(found.data(), wanted.data(), wanted.size() * sizeof(double)), 0)

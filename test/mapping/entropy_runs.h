@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 
 inline MapEntropy<PointNormal>
-entropyOf(const PosedClouds& map, const NaiveSettings& settings)
+entropyOf(const PosedClouds& map, const NaiveEntropySettings& settings)
 {
   MapEntropy<PointNormal> entropy;
   entropy.setBinSize(settings.bin);

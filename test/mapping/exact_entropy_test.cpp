@@ -39,7 +39,7 @@ TEST(ExactEntropy, isTheNaiveOne)
   const PosedClouds map = makeRoomViews(3, 700, 5);
   for (const bool directions : {false, true})
     for (const double sigma : {0.0, 0.05, 0.1, 0.23}) {
-      NaiveSettings settings;
+      NaiveEntropySettings settings;
       settings.sigma = sigma;
       settings.mu = 0.7;
       settings.directions = directions;
@@ -77,7 +77,7 @@ oneACell(PosedClouds map, double bin)
 TEST(FastEntropy, isTheNaiveSplineWhereEachCellHasOnePoint)
 {
   for (const bool directions : {false, true}) {
-    NaiveSettings settings;
+    NaiveEntropySettings settings;
     settings.directions = directions;
     settings.splines = true;
     const PosedClouds map = oneACell(makeRoomViews(3, 400, 6), settings.bin);
@@ -89,7 +89,7 @@ TEST(FastEntropy, isTheNaiveSplineWhereEachCellHasOnePoint)
 TEST(FastEntropy, isNearTheNaiveSplineWithCellsOfManyPoints)
 {
   for (const bool directions : {false, true}) {
-    NaiveSettings settings;
+    NaiveEntropySettings settings;
     settings.directions = directions;
     settings.splines = true;
     const PosedClouds map = makeRoomViews(4, 5000, 7);
@@ -101,7 +101,7 @@ TEST(FastEntropy, isNearTheNaiveSplineWithCellsOfManyPoints)
 
 /** The error bound documented by the class. */
 double
-boundOf(const NaiveSettings& settings)
+boundOf(const NaiveEntropySettings& settings)
 {
   return (2 + 2 * settings.mu) * std::log2(7.0) +
          (settings.directions ? std::log2(5.0) : 0);
@@ -113,7 +113,7 @@ TEST(FastEntropy, staysWithinItsBoundOfTheExactOne)
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     for (const bool directions : {false, true})
       for (const double sigma : {0.0, 0.1}) {
-        NaiveSettings settings;
+        NaiveEntropySettings settings;
         settings.sigma = sigma;
         settings.directions = directions;
         auto entropy = entropyOf(makeRoomViews(3, 2000, seed), settings);
@@ -130,7 +130,7 @@ TEST(FastEntropy, staysWithinItsBoundOfTheExactOne)
 TEST(FastEntropy, staysWithinItsBoundForOnePoint)
 {
   for (const double x : {0.0, 0.05, 0.0999, 0.3}) {
-    NaiveSettings settings;
+    NaiveEntropySettings settings;
     settings.sigma = 0;
     MapEntropy<PointNormal> entropy =
         entropyOf({{cloudAt({{x, x}})}, {{0, 0, 0}}}, settings);

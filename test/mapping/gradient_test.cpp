@@ -21,7 +21,7 @@ differenceOf(MapEntropy<PointNormal>& entropy,
 }
 
 void
-expectGradientIsThatOfDifferences(const NaiveSettings& settings)
+expectGradientIsThatOfDifferences(const NaiveEntropySettings& settings)
 {
   PosedClouds map = makeRoomViews(3, 3000, 11);
   const auto [x, z, theta] = map.poses[1];
@@ -49,7 +49,7 @@ TEST(Gradient, isThatOfFiniteDifferences)
       for (const double sigma : {0.0, 0.1, 0.23}) {
         SCOPED_TRACE(testing::Message() << "directions " << directions << ", mu " << mu
                                         << ", sigma " << sigma);
-        NaiveSettings settings;
+        NaiveEntropySettings settings;
         settings.directions = directions;
         settings.mu = mu;
         settings.sigma = sigma;
@@ -59,7 +59,7 @@ TEST(Gradient, isThatOfFiniteDifferences)
 
 TEST(Gradient, isContinuousWhereACellEntersANewBin)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.bin = 0.125;
   settings.sigma = 0.125;
   const PosedClouds map{{cloudAt({{0.5, 0.5}, {0.75, 0.5}}), cloudAt({{0.5, 0.5}})},
@@ -81,7 +81,7 @@ TEST(Gradient, isContinuousWhereACellEntersANewBin)
 
 TEST(Gradient, leadsBackToTheTruth)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.mu = 0;
   for (const bool directions : {false, true}) {
     settings.directions = directions;
@@ -99,7 +99,7 @@ TEST(Gradient, leadsBackToTheTruth)
 
 TEST(Gradient, twoSidesOfAWallAttractEachOtherOnlyWithoutDirections)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.mu = 0;
   auto entropy = entropyOf(makeThinWall(0.2), settings);
   std::vector<Eigen::Vector3d> gradient;

@@ -61,7 +61,7 @@ void
 add(Histogram& q,
     const Eigen::Vector3d& place,
     const Eigen::Vector3d& normal,
-    const NaiveSettings& s)
+    const NaiveEntropySettings& s)
 {
   const double u = place[0] / s.bin;
   const double v = place[2] / s.bin;
@@ -85,7 +85,7 @@ add(Histogram& q,
 } // namespace
 
 MapEntropyTerms
-naiveEntropy(const PosedClouds& map, const NaiveSettings& settings)
+naiveEntropy(const PosedClouds& map, const NaiveEntropySettings& settings)
 {
   Histogram q;
   MapEntropyTerms terms;

@@ -19,7 +19,7 @@ struct PosedClouds {
 };
 
 /** \brief Parameters of the naive entropy. */
-struct NaiveSettings {
+struct NaiveEntropySettings {
   double bin = 0.1;
   double sigma = 0.1;
   double mu = 0.5;
@@ -31,7 +31,7 @@ struct NaiveSettings {
 /** \brief Eq. 3 with maps and plain loops over all points; shares no code with the
  * library. */
 MapEntropyTerms
-naiveEntropy(const PosedClouds& map, const NaiveSettings& settings);
+naiveEntropy(const PosedClouds& map, const NaiveEntropySettings& settings);
 
 /** \brief Views of a room of 6 x 4 m with a box, from poses along a curve; points with
  * normals towards the sensor, 5 mm noise, some of them on the floor.

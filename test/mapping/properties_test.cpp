@@ -9,10 +9,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-NaiveSettings
+NaiveEntropySettings
 settingsFor(bool directions)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.directions = directions;
   return settings;
 }
@@ -64,7 +64,7 @@ makeExactMap()
 
 TEST(MapEntropyProperties, translationByWholeBinsChangesNothing)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.bin = 0.125;
   PosedClouds map = makeExactMap();
   const MapEntropyTerms exact = entropyOf(map, settings).computeExact();
@@ -142,7 +142,7 @@ TEST(MapEntropyProperties, keptCellsAreThoseOfAFreshObject)
 
 TEST(MapEntropyProperties, wallsAlongAnAxisHaveTheLeastProjections)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   PosedClouds map = makeThinWall(0);
   for (auto& pose : map.poses)
     pose = {};

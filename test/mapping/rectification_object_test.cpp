@@ -10,8 +10,8 @@ namespace pcl::acmap::test {
 namespace {
 
 /** A room with drifting poses that is rectified in a fraction of a second. */
-struct DriftedRoom {
-  explicit DriftedRoom(std::uint64_t seed)
+struct RoomWithDrift {
+  explicit RoomWithDrift(std::uint64_t seed)
   : world(makeRoomWorld(seed))
   , odometry(drifted(world.truth.poses, drift, seed))
   {}
@@ -40,7 +40,7 @@ heldAt(std::size_t i)
 
 /** The room seen by a hand-held camera, with arbitrary 3D poses. */
 Rectification
-heldInSpace(const DriftedRoom& room)
+heldInSpace(const RoomWithDrift& room)
 {
   Rectification rectification;
   for (std::size_t i = 0; i < room.odometry.size(); ++i) {
@@ -57,7 +57,7 @@ heldInSpace(const DriftedRoom& room)
 
 TEST(EntropyRectification, heightsAndTiltsStay)
 {
-  const DriftedRoom room(21);
+  const RoomWithDrift room(21);
   Rectification rectification = heldInSpace(room);
   std::vector<Eigen::Isometry3d> given;
   for (std::size_t i = 0; i < room.odometry.size(); ++i)
@@ -77,7 +77,7 @@ TEST(EntropyRectification, heightsAndTiltsStay)
 
 TEST(EntropyRectification, movesAndTurnsAreThoseOfThePoses)
 {
-  const DriftedRoom room(22);
+  const RoomWithDrift room(22);
   Rectification rectification = room.rectification();
   rectification.compute();
   const auto poses = planarPosesOf(rectification);
@@ -95,7 +95,7 @@ TEST(EntropyRectification, movesAndTurnsAreThoseOfThePoses)
 
 TEST(EntropyRectification, cloudsAreWhereThePosesSay)
 {
-  const DriftedRoom room(23);
+  const RoomWithDrift room(23);
   Rectification rectification = room.rectification();
   rectification.compute();
   std::size_t next = 0;
@@ -123,7 +123,7 @@ TEST(EntropyRectification, cloudsAreWhereThePosesSay)
 
 TEST(EntropyRectification, setPoseStartsAgain)
 {
-  const DriftedRoom room(24);
+  const RoomWithDrift room(24);
   Rectification fresh = room.rectification();
   fresh.compute();
   Rectification rectification =
@@ -138,7 +138,7 @@ TEST(EntropyRectification, setPoseStartsAgain)
 
 TEST(EntropyRectification, neitherRunsNorObjectsDifferInAByte)
 {
-  const DriftedRoom room(25);
+  const RoomWithDrift room(25);
   for (const RectificationMode mode :
        {RectificationMode::Guarded, RectificationMode::Paper}) {
     Rectification wanted = room.rectification();
@@ -165,7 +165,7 @@ TEST(EntropyRectification, neitherRunsNorObjectsDifferInAByte)
 TEST(EntropyRectification, whereTheMapLiesDoesNotMatter)
 {
   constexpr double rounding = 1e-5; // metres, radians: bins are floats
-  const DriftedRoom room(26);
+  const RoomWithDrift room(26);
   Rectification here = room.rectification();
   here.compute();
   ASSERT_EQ(here.getReport().outcome, RectificationOutcome::Rectified);
@@ -183,7 +183,7 @@ TEST(EntropyRectification, whereTheMapLiesDoesNotMatter)
 
 TEST(EntropyRectification, weightsOfOneAreNone)
 {
-  const DriftedRoom room(27);
+  const RoomWithDrift room(27);
   Rectification plain = room.rectification(), weighted, other;
   for (std::size_t i = 0; i < room.odometry.size(); ++i) {
     const auto& cloud = room.world.truth.clouds[i];
@@ -201,7 +201,7 @@ TEST(EntropyRectification, weightsOfOneAreNone)
 
 TEST(EntropyRectification, cancelledHalfWayChangesNothing)
 {
-  const DriftedRoom room(28);
+  const RoomWithDrift room(28);
   for (const RectificationMode mode :
        {RectificationMode::Guarded, RectificationMode::Paper}) {
     Rectification fresh = room.rectification();
@@ -233,7 +233,7 @@ TEST(EntropyRectification, cancelledHalfWayChangesNothing)
 
 TEST(EntropyRectification, clearBeginsAnew)
 {
-  const DriftedRoom room(29);
+  const RoomWithDrift room(29);
   Rectification fresh = room.rectification();
   fresh.compute();
   Rectification rectification =

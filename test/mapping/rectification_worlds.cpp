@@ -21,15 +21,15 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 }
 
 /** Distance along a ray to the nearest wall, and this wall. */
-struct Hit {
+struct WallHit {
   double range = std::numeric_limits<double>::infinity();
   const PlanWall* wall = nullptr;
 };
 
-Hit
+WallHit
 cast(const FloorPlan& plan, const Eigen::Vector2d& from, const Eigen::Vector2d& way)
 {
-  Hit hit;
+  WallHit hit;
   for (const PlanWall& wall : plan) {
     const Eigen::Vector2d along = wall.to - wall.from;
     const double slope = cross(way, along);
@@ -54,7 +54,7 @@ scanFrom(const FloorPlan& plan,
   for (int i = 0; i < laser.beams; ++i) {
     const double angle = 2 * M_PI * (i + 0.5) / laser.beams;
     const Eigen::Vector2d way(std::sin(angle), std::cos(angle));
-    const Hit hit = cast(plan, placeOf(pose), way);
+    const WallHit hit = cast(plan, placeOf(pose), way);
     if (!(hit.range < laser.reach))
       continue;
     const Eigen::Vector2d place =

@@ -71,7 +71,7 @@ TEST(MapEntropyUgly, noFinitePoint)
 TEST(MapEntropyUgly, pointsThatAreNotFiniteDoNotCount)
 {
   for (const bool directions : {false, true}) {
-    NaiveSettings settings;
+    NaiveEntropySettings settings;
     settings.directions = directions;
     PosedClouds map = makeRoomViews(2, 800, 2);
     const MapEntropyTerms wanted = entropyOf(map, settings).compute();
@@ -155,7 +155,7 @@ TEST(MapEntropyUgly, withoutNormalsDirectionsPlayNoRole)
   for (auto& cloud : map.clouds)
     for (PointNormal& point : *cloud)
       point.getNormalVector3fMap().setConstant(std::nanf(""));
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   const MapEntropyTerms wanted = entropyOf(map, settings).compute();
   settings.directions = true;
   auto entropy = entropyOf(map, settings);
@@ -166,7 +166,7 @@ TEST(MapEntropyUgly, withoutNormalsDirectionsPlayNoRole)
 
 TEST(MapEntropyUgly, pointsWithoutExtentAreNamed)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   auto place = entropyOf(
       {{cloudAt({{1, 2}, {1, 2}}), cloudAt({{1, 2}})}, {{0, 0, 0}, {0, 0, 0}}},
       settings);

@@ -29,7 +29,7 @@ smallWeights(const PosedClouds& map)
 MapEntropy<PointNormal>
 weighted(const PosedClouds& map, const Weights& weights, bool directions)
 {
-  NaiveSettings settings;
+  NaiveEntropySettings settings;
   settings.directions = directions;
   auto entropy = entropyOf({}, settings);
   for (std::size_t i = 0; i < map.clouds.size(); ++i)
@@ -65,7 +65,7 @@ TEST(MapEntropyWeights, pointsCountAsOftenAsTheyWeigh)
   const PosedClouds map = makeRoomViews(3, 1500, 32);
   const Weights weights = smallWeights(map);
   for (const bool directions : {false, true}) {
-    NaiveSettings settings;
+    NaiveEntropySettings settings;
     settings.directions = directions;
     auto plain = entropyOf(repeated(map, weights), settings);
     auto entropy = weighted(map, weights, directions);

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 /** A walk through a painted room, as a folder. */
-class Walk : public testing::Test {
+class CameraWalk : public testing::Test {
 protected:
   static constexpr std::size_t views = 4;
 
@@ -24,7 +24,7 @@ protected:
     return poseOf({-0.3 + 0.05 * step, 0, -0.5 + 0.1 * step}, 0.1 + 0.03 * step);
   }
 
-  Walk()
+  CameraWalk()
   {
     const Room room;
     for (std::size_t i = 0; i < views; ++i)
@@ -43,7 +43,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-TEST_F(Walk, isFollowed)
+TEST_F(CameraWalk, isFollowed)
 {
   VisualOdometry odometry;
   std::vector<std::size_t> kept;
@@ -63,7 +63,7 @@ TEST_F(Walk, isFollowed)
   EXPECT_EQ(sequence.getNumberOfReads(), views);
 }
 
-TEST_F(Walk, isFollowedPastABlankView)
+TEST_F(CameraWalk, isFollowedPastABlankView)
 {
   PointCloud<PointXYZRGBSigma> blank = *viewOf(Room(), poseAt(2));
   for (PointXYZRGBSigma& point : blank)
@@ -82,7 +82,7 @@ TEST_F(Walk, isFollowedPastABlankView)
   EXPECT_EQ(tried, found.pairs.size());
 }
 
-TEST_F(Walk, refusesViewsOfAnotherSize)
+TEST_F(CameraWalk, refusesViewsOfAnotherSize)
 {
   write(1, PointCloud<PointXYZRGBSigma>(8, 8));
   VisualOdometry odometry;
@@ -90,7 +90,7 @@ TEST_F(Walk, refusesViewsOfAnotherSize)
                InputFileException);
 }
 
-TEST_F(Walk, canBeCancelled)
+TEST_F(CameraWalk, canBeCancelled)
 {
   VisualOdometry odometry;
   odometry.setProgressCallback(

@@ -66,14 +66,14 @@ fusionFor(const Session& session, Method method)
 }
 
 /** Errors at pixels that are lit and seen by a neighbour. */
-struct Errors {
+struct FusionErrors {
   double kept = 0;         // fraction with a disparity
   double bad = 0;          // fraction of these with an error of more than 1 px
   double rms = 0;          // px, of the other ones
   double rms_in_sigma = 0; // of the other ones, in units of sigma
 };
 
-Errors
+FusionErrors
 errorsOf(const MatchedDisparity& found, const SimulatedTruth& truth)
 {
   double pixels = 0, kept = 0, bad = 0, squares = 0, in_sigma = 0;
@@ -100,7 +100,7 @@ errorsOf(const MatchedDisparity& found, const SimulatedTruth& truth)
       kept / pixels, bad / kept, std::sqrt(squares / good), std::sqrt(in_sigma / good)};
 }
 
-Errors
+FusionErrors
 errorsBy(Method method, std::size_t patterns)
 {
   DisparityFusion fusion = fusionFor(corridor(), method);
@@ -117,7 +117,7 @@ TEST(DisparityFusionSimulated, FindsLitWallsAndKnowsHowWell)
     for (const std::size_t patterns : {5, 10}) {
       SCOPED_TRACE(std::to_string(patterns) + " patterns, method " +
                    std::to_string(static_cast<int>(method)));
-      const Errors errors = errorsBy(method, patterns);
+      const FusionErrors errors = errorsBy(method, patterns);
       EXPECT_GT(errors.kept, 0.95);
       EXPECT_LT(errors.bad, 0.003);
       EXPECT_LT(errors.rms, 0.08);
@@ -128,15 +128,15 @@ TEST(DisparityFusionSimulated, FindsLitWallsAndKnowsHowWell)
 
 TEST(DisparityFusionSimulated, MoreShotsAreBetterThanOne)
 {
-  const Errors one = errorsBy(Method::Median, 1);
+  const FusionErrors one = errorsBy(Method::Median, 1);
   for (const Method method : {Method::Median, Method::Statistical, Method::SpaceTime})
     EXPECT_LT(errorsBy(method, 10).rms, 0.5 * one.rms);
 }
 
 TEST(DisparityFusionSimulated, ConsistentShotsAreHardlyFewerThanTheMedians)
 {
-  const Errors median = errorsBy(Method::Median, 10);
-  const Errors statistical = errorsBy(Method::Statistical, 10);
+  const FusionErrors median = errorsBy(Method::Median, 10);
+  const FusionErrors statistical = errorsBy(Method::Statistical, 10);
   EXPECT_GT(statistical.kept, median.kept - 0.005);
   EXPECT_LT(statistical.rms, median.rms);
 }

@@ -56,13 +56,13 @@ covers(const SyntheticSheet& sheet, double x, double y)
 }
 
 /** The sheet and the position on it that a camera sees at a pixel. */
-struct Seen {
+struct ShotPixel {
   std::size_t sheet;
   double x;
   double y;
 };
 
-Seen
+ShotPixel
 seenAt(const SyntheticScene& scene, RigCamera camera, double column, double row)
 {
   const auto [u, v] = motionIn(camera, scene.rig);
@@ -85,7 +85,7 @@ imageOf(const SyntheticScene& scene, RigCamera camera, int shot)
   CameraImage image{scene.rig.width, scene.rig.height, 1, {}};
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column) {
-      const Seen seen = seenAt(scene, camera, column, row);
+      const ShotPixel seen = seenAt(scene, camera, column, row);
       const double level = scene.sheets[seen.sheet].level(shot, seen.x, seen.y);
       image.values.push_back(
           static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, 255.0))));
@@ -152,7 +152,7 @@ shotsOf(const SyntheticScene& scene, int shots)
 bool
 isSeenBy(RigCamera neighbour, const SyntheticScene& scene, int column, int row)
 {
-  const Seen here = seenAt(scene, RigCamera::Reference, column, row);
+  const ShotPixel here = seenAt(scene, RigCamera::Reference, column, row);
   const auto [u, v] = motionIn(neighbour, scene.rig);
   const double disparity = scene.sheets[here.sheet].disparity(here.x, here.y);
   const double x = column + u * disparity, y = row + v * disparity;
@@ -168,7 +168,7 @@ trueDisparities(const SyntheticScene& scene,
   DisparityImage truth{scene.rig.width, scene.rig.height, {}};
   for (int row = 0; row < truth.height; ++row)
     for (int column = 0; column < truth.width; ++column) {
-      const Seen seen = seenAt(scene, RigCamera::Reference, column, row);
+      const ShotPixel seen = seenAt(scene, RigCamera::Reference, column, row);
       const double disparity = scene.sheets[seen.sheet].disparity(column, row);
       truth.values.push_back(asked(column, row)
                                  ? static_cast<float>(disparity)

@@ -114,7 +114,7 @@ TEST(Clouds, circleIsExact)
 TEST(Clouds, gradedPlaneGrowsItsSpacing)
 {
   const SheetCloud sheet = makeGradedPlane({40, 60, 0.01, 0.2, 0, 1}, 10);
-  const PointTree tree(toPoints(sheet.cloud));
+  const ReferenceTree tree(toPoints(sheet.cloud));
   const auto spacing = [&](const PointXYZ& p) {
     return std::sqrt(tree.nearest(p.getVector3fMap().cast<double>(), 2).back().first);
   };

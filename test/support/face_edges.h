@@ -40,9 +40,9 @@ edgesOf(const Triangles& faces)
 }
 
 /** \brief Union-find. The root of a set is its smallest member. */
-class DisjointSets {
+class FaceSets {
 public:
-  explicit DisjointSets(std::size_t size)
+  explicit FaceSets(std::size_t size)
   : parents_(size)
   {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
@@ -85,7 +85,7 @@ countFans(const Triangles& faces,
           const std::vector<std::size_t>& around,
           std::int32_t vertex)
 {
-  DisjointSets fans(around.size());
+  FaceSets fans(around.size());
   std::map<std::int32_t, std::size_t> first_at;
   for (std::size_t i = 0; i < around.size(); ++i)
     for (const std::int32_t corner : faces[around[i]])

@@ -84,11 +84,11 @@ checkVertices(const Triangles& faces,
 
 bool
 isOccupied(const Points& points,
-           const PointTree& tree,
+           const ReferenceTree& tree,
            const Triangle& face,
            double tolerance)
 {
-  const Sphere sphere =
+  const SmallestSphere sphere =
       smallestCircumsphere(points[face[0]], points[face[1]], points[face[2]]);
   return !std::isfinite(sphere.radius) ||
          tree.findWithin(sphere.center, sphere.radius * (1 - tolerance)) >= 0;
@@ -142,7 +142,7 @@ checkMesh(const Points& points, const Triangles& faces, const MeshDemands& deman
   checkEdges(usable, demands, faults, is_torn);
   checkVertices(usable, faults, is_torn);
   if (demands.empty_spheres) {
-    const PointTree tree(points);
+    const ReferenceTree tree(points);
     faults.occupied_spheres = static_cast<std::size_t>(
         std::count_if(usable.begin(), usable.end(), [&](const Triangle& face) {
           return isOccupied(points, tree, face, demands.sphere_tolerance);
@@ -165,8 +165,8 @@ countMesh(const Points& points, const Triangles& faces)
       static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
 
   const auto edges = edgesOf(usable);
-  DisjointSets components(usable.size());
-  DisjointSets loops(points.size());
+  FaceSets components(usable.size());
+  FaceSets loops(points.size());
   std::vector<char> on_boundary(points.size(), 0);
   for (const auto& [edge, uses] : edges) {
     for (const EdgeUse& use : uses)
@@ -185,7 +185,7 @@ countMesh(const Points& points, const Triangles& faces)
   return counts;
 }
 
-Sphere
+SmallestSphere
 smallestCircumsphere(const Eigen::Vector3d& a,
                      const Eigen::Vector3d& b,
                      const Eigen::Vector3d& c)

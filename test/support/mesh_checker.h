@@ -72,12 +72,12 @@ countMesh(const Points& points, const Triangles& faces);
 
 /** \brief Smallest sphere through three points; infinite radius if they are
  * collinear. */
-struct Sphere {
+struct SmallestSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = std::numeric_limits<double>::infinity();
 };
 
-Sphere
+SmallestSphere
 smallestCircumsphere(const Eigen::Vector3d& a,
                      const Eigen::Vector3d& b,
                      const Eigen::Vector3d& c);

@@ -104,7 +104,7 @@ TEST(MeshChecker, findsOccupiedSpheres)
 TEST(MeshChecker, treeFindsWhatBruteForceFinds)
 {
   const Points points = toPoints(makeRandomBox(500, 7));
-  const PointTree tree(points);
+  const ReferenceTree tree(points);
   const Points queries = toPoints(makeRandomBox(200, 8));
   std::size_t occupied = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -128,7 +128,7 @@ TEST(MeshChecker, circumsphereHoldsItsCornersInItsPlane)
 {
   const Points p = toPoints(makeRandomBox(300, 3));
   for (std::size_t i = 0; i + 2 < p.size(); i += 3) {
-    const Sphere sphere = smallestCircumsphere(p[i], p[i + 1], p[i + 2]);
+    const SmallestSphere sphere = smallestCircumsphere(p[i], p[i + 1], p[i + 2]);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR((p[i + k] - sphere.center).norm() / sphere.radius, 1, 1e-9);
     const Eigen::Vector3d normal =

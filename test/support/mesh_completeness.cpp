@@ -62,7 +62,7 @@ public:
   bool
   hasEmptySphere(const Triangle& t) const
   {
-    const Sphere sphere =
+    const SmallestSphere sphere =
         smallestCircumsphere(points_[t[0]], points_[t[1]], points_[t[2]]);
     const double limit = sphere.radius * (1 - rule_.sphere_slack);
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -130,7 +130,7 @@ private:
   Triangles mesh_;
   EdgeMap edges_;
   std::vector<std::vector<std::size_t>> around_;
-  DisjointSets components_;
+  FaceSets components_;
   std::set<Triangle> faces_;
 };
 

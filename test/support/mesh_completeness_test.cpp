@@ -10,12 +10,12 @@ constexpr double degree = M_PI / 180;
 
 /** A grid of five columns and four rows of points, slightly distorted, and all its
  * triangles. */
-struct Patch {
+struct MeshPatch {
   Points points;
   Triangles mesh;
   CompletenessRule rule;
 
-  Patch()
+  MeshPatch()
   {
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 5; ++column)
@@ -33,7 +33,7 @@ struct Patch {
 
 TEST(MeshCompleteness, acceptsACompleteMesh)
 {
-  const Patch patch;
+  const MeshPatch patch;
   MeshDemands demands;
   demands.empty_spheres = true;
   EXPECT_EQ(checkMesh(patch.points, patch.mesh, demands).total(), 0U);
@@ -43,7 +43,7 @@ TEST(MeshCompleteness, acceptsACompleteMesh)
 
 TEST(MeshCompleteness, findsEachTriangleThatIsTakenAway)
 {
-  const Patch patch;
+  const MeshPatch patch;
   for (std::size_t face = 0; face < patch.mesh.size(); ++face) {
     Triangles mesh = patch.mesh;
     mesh.erase(mesh.begin() + static_cast<std::ptrdiff_t>(face));
@@ -54,7 +54,7 @@ TEST(MeshCompleteness, findsEachTriangleThatIsTakenAway)
 
 TEST(MeshCompleteness, findsASeedAmongUnusedPoints)
 {
-  const Patch patch;
+  const MeshPatch patch;
   EXPECT_EQ(missingUnderPaperRule(patch.points, {}, patch.rule).size(),
             patch.mesh.size());
   EXPECT_EQ(missingUnderDenseRule(patch.points, {}, patch.rule).size(),
@@ -63,7 +63,7 @@ TEST(MeshCompleteness, findsASeedAmongUnusedPoints)
 
 TEST(MeshCompleteness, sizeConstraintExcusesGaps)
 {
-  Patch patch;
+  MeshPatch patch;
   patch.rule.edge_allowed = noLongerThan(patch.points, 0.9);
   EXPECT_TRUE(missingUnderPaperRule(patch.points, {}, patch.rule).empty());
 }

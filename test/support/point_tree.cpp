@@ -4,7 +4,7 @@
 
 namespace pcl::acmap::test {
 
-PointTree::PointTree(Points points)
+ReferenceTree::ReferenceTree(Points points)
 : points_(std::move(points))
 {
   for (std::size_t i = 0; i < points_.size(); ++i)
@@ -15,7 +15,7 @@ PointTree::PointTree(Points points)
 }
 
 void
-PointTree::build(std::size_t begin, std::size_t end)
+ReferenceTree::build(std::size_t begin, std::size_t end)
 {
   if (end - begin <= leaf_size)
     return;
@@ -40,16 +40,16 @@ PointTree::build(std::size_t begin, std::size_t end)
 }
 
 std::int32_t
-PointTree::findWithin(const Eigen::Vector3d& center, double radius) const
+ReferenceTree::findWithin(const Eigen::Vector3d& center, double radius) const
 {
   return radius > 0 ? findWithin(0, order_.size(), center, radius * radius) : -1;
 }
 
 std::int32_t
-PointTree::findWithin(std::size_t begin,
-                      std::size_t end,
-                      const Eigen::Vector3d& center,
-                      double squared) const
+ReferenceTree::findWithin(std::size_t begin,
+                          std::size_t end,
+                          const Eigen::Vector3d& center,
+                          double squared) const
 {
   if (end - begin <= leaf_size) {
     for (std::size_t i = begin; i < end; ++i)
@@ -72,7 +72,7 @@ PointTree::findWithin(std::size_t begin,
 }
 
 std::vector<std::int32_t>
-PointTree::within(const Eigen::Vector3d& center, double radius) const
+ReferenceTree::within(const Eigen::Vector3d& center, double radius) const
 {
   std::vector<std::int32_t> found;
   within(0, order_.size(), center, radius * radius, found);
@@ -80,11 +80,11 @@ PointTree::within(const Eigen::Vector3d& center, double radius) const
 }
 
 void
-PointTree::within(std::size_t begin,
-                  std::size_t end,
-                  const Eigen::Vector3d& center,
-                  double squared,
-                  std::vector<std::int32_t>& found) const
+ReferenceTree::within(std::size_t begin,
+                      std::size_t end,
+                      const Eigen::Vector3d& center,
+                      double squared,
+                      std::vector<std::int32_t>& found) const
 {
   const auto offer = [&](std::int32_t index) {
     if ((points_[index] - center).squaredNorm() <= squared)
@@ -105,7 +105,7 @@ PointTree::within(std::size_t begin,
 }
 
 std::vector<std::pair<double, std::int32_t>>
-PointTree::nearest(const Eigen::Vector3d& query, std::size_t count) const
+ReferenceTree::nearest(const Eigen::Vector3d& query, std::size_t count) const
 {
   Heap heap;
   if (count > 0)
@@ -115,11 +115,11 @@ PointTree::nearest(const Eigen::Vector3d& query, std::size_t count) const
 }
 
 void
-PointTree::nearest(std::size_t begin,
-                   std::size_t end,
-                   const Eigen::Vector3d& query,
-                   std::size_t count,
-                   Heap& heap) const
+ReferenceTree::nearest(std::size_t begin,
+                       std::size_t end,
+                       const Eigen::Vector3d& query,
+                       std::size_t count,
+                       Heap& heap) const
 {
   const auto offer = [&](std::int32_t index) {
     heap.emplace_back((points_[index] - query).squaredNorm(), index);
@@ -147,7 +147,7 @@ PointTree::nearest(std::size_t begin,
 double
 medianSpacing(const Points& points)
 {
-  const PointTree tree(points);
+  const ReferenceTree tree(points);
   std::vector<double> spacings;
   for (const Eigen::Vector3d& point : points) {
     if (!point.allFinite())

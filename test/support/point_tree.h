@@ -13,9 +13,9 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /** \brief k-d tree in double precision, independent of the kernels that are checked
  * with it. Points that are not finite are ignored. */
-class PointTree {
+class ReferenceTree {
 public:
-  explicit PointTree(Points points);
+  explicit ReferenceTree(Points points);
 
   /** \brief Index of a point closer to \a center than \a radius, or -1. */
   std::int32_t

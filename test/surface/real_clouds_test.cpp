@@ -9,7 +9,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-struct RealCloud {
+struct MeshedCloud {
   std::string name;
   std::string path;
   double min_used;     ///< fraction of the valid, distinct points that have triangles
@@ -17,12 +17,12 @@ struct RealCloud {
 };
 
 void
-PrintTo(const RealCloud& cloud, std::ostream* stream)
+PrintTo(const MeshedCloud& cloud, std::ostream* stream)
 {
   *stream << cloud.path;
 }
 
-class DeWallOnRealCloud : public testing::TestWithParam<RealCloud> {
+class DeWallOnRealCloud : public testing::TestWithParam<MeshedCloud> {
 protected:
   void
   SetUp() override
@@ -66,12 +66,13 @@ INSTANTIATE_TEST_SUITE_P(
     Data,
     DeWallOnRealCloud,
     testing::Values(
-        RealCloud{"mug", "E_meshing/table_scene_mug_stereo_textured.pcd", 0.99, 0.025},
-        RealCloud{"office", "E_meshing/office1.pcd", 0.99, 0.13},
-        RealCloud{"capture", "E_meshing/capture0001.pcd", 0.99, 0.14},
-        RealCloud{"bun0", "E_meshing/bun0.pcd", 0.9, 0.3},
-        RealCloud{"bunny", "E_meshing/stanford-bunny.obj", 0.99, 0.03},
-        RealCloud{"room_scan", "C_sequence/pcl_room_scans/room_scan1.pcd", 0.5, 0.5}),
+        MeshedCloud{
+            "mug", "E_meshing/table_scene_mug_stereo_textured.pcd", 0.99, 0.025},
+        MeshedCloud{"office", "E_meshing/office1.pcd", 0.99, 0.13},
+        MeshedCloud{"capture", "E_meshing/capture0001.pcd", 0.99, 0.14},
+        MeshedCloud{"bun0", "E_meshing/bun0.pcd", 0.9, 0.3},
+        MeshedCloud{"bunny", "E_meshing/stanford-bunny.obj", 0.99, 0.03},
+        MeshedCloud{"room_scan", "C_sequence/pcl_room_scans/room_scan1.pcd", 0.5, 0.5}),
     [](const auto& info) { return info.param.name; });
 
 } // namespace

@@ -17,16 +17,16 @@ namespace {
 
 using namespace dewall;
 
-struct Variant {
+struct SearchVariant {
   std::string name;
   const TreeSearch* search;
 };
 
 /** The variants that this processor supports. */
-std::vector<Variant>
+std::vector<SearchVariant>
 variants()
 {
-  std::vector<Variant> all{{"base", &tree_search_base}};
+  std::vector<SearchVariant> all{{"base", &tree_search_base}};
 #ifdef ACMAP_SIMD_AVX2
   if (__builtin_cpu_supports("avx2"))
     all.push_back({"avx2", &tree_search_avx2});
@@ -135,7 +135,7 @@ TEST(TreeSearch, everyVariantKnowsWhatLiesInABall)
         is_empty &= i == corners[0] || i == corners[1] || i == corners[2] ||
                     (tree->position(i) - sphere.centre).norm() >= inside;
       const BallQuery query = ballQuery(*tree, corners, sphere);
-      for (const Variant& variant : variants()) {
+      for (const SearchVariant& variant : variants()) {
         SearchHits hits;
         const bool is_occupied = variant.search->ball(tree->cells(), query, hits);
         bool holds = is_occupied;
@@ -165,7 +165,7 @@ TEST(TreeSearch, variantsFindTheSameApexes)
       SearchHits base;
       const ApexQuery query = apexQuery(*tree, size, side, {});
       tree_search_base.apexes(tree->cells(), query, base);
-      for (const Variant& variant : variants()) {
+      for (const SearchVariant& variant : variants()) {
         SearchHits hits;
         variant.search->apexes(tree->cells(), query, hits);
         ASSERT_EQ(hits.count, base.count) << variant.name;
@@ -217,7 +217,7 @@ TEST(TreeSearch, variantsFindTheSameInCloudsOfAnySizeAndScale)
         const std::array<std::int32_t, 3> corners{a, a + 1, a + 2};
         const BallQuery ball = ballQuery(*tree, corners, sphereOf(*tree, corners));
         const std::string wanted = searched(tree_search_base, *tree, apex, ball);
-        for (const Variant& variant : variants())
+        for (const SearchVariant& variant : variants())
           ASSERT_EQ(searched(*variant.search, *tree, apex, ball), wanted)
               << variant.name << ", " << points << " points, scale " << scale;
       }

@@ -12,9 +12,9 @@ namespace {
 const std::string fence = "```";
 
 /** \brief A page, line by line. */
-class Reader {
+class PageReader {
 public:
-  explicit Reader(const std::string& markdown)
+  explicit PageReader(const std::string& markdown)
   : text_(markdown)
   {}
 
@@ -100,7 +100,7 @@ private:
 TutorialPage
 parseTutorial(const std::string& markdown)
 {
-  return Reader(markdown).read();
+  return PageReader(markdown).read();
 }
 
 } // namespace pcl::acmap::test

@@ -12,7 +12,7 @@ constexpr double texel = 0.05; // metres
 
 /** \brief A rectangle seen from its front: corner at the upper left, width to the
  * right, height down. */
-struct Sheet {
+struct RoomSheet {
   Vector3d corner, right, down;
   double width, height;
 
@@ -24,7 +24,7 @@ struct Sheet {
 };
 
 PlanePatch
-planeOf(const Sheet& sheet)
+planeOf(const RoomSheet& sheet)
 {
   PlanePatch plane;
   const Vector3d normal = sheet.down.cross(sheet.right);
@@ -46,7 +46,7 @@ planeOf(const Sheet& sheet)
 }
 
 TextureChart
-chartOf(const Sheet& sheet, std::size_t plane, const Color& color, bool marked)
+chartOf(const RoomSheet& sheet, std::size_t plane, const Color& color, bool marked)
 {
   TextureChart chart;
   chart.plane = plane;
@@ -75,12 +75,12 @@ CompactMap
 makeRoomMap()
 {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  const Sheet sheets[] = {{{-3, -1.3, 2}, x, y, 6, 2.5},
-                          {{3, -1.3, 2}, -z, y, 4, 2.5},
-                          {{3, -1.3, -2}, -x, y, 6, 2.5},
-                          {{-3, -1.3, -2}, z, y, 4, 2.5},
-                          {{-3, 1.2, 2}, x, -z, 6, 4},
-                          {{-3, -1.3, -2}, x, z, 6, 4}};
+  const RoomSheet sheets[] = {{{-3, -1.3, 2}, x, y, 6, 2.5},
+                              {{3, -1.3, 2}, -z, y, 4, 2.5},
+                              {{3, -1.3, -2}, -x, y, 6, 2.5},
+                              {{-3, -1.3, -2}, z, y, 4, 2.5},
+                              {{-3, 1.2, 2}, x, -z, 6, 4},
+                              {{-3, -1.3, -2}, x, z, 6, 4}};
   const Color colors[] = {{230, 40, 40},
                           {40, 200, 40},
                           {50, 80, 240},
@@ -93,7 +93,7 @@ makeRoomMap()
     if (i != 4)
       map.charts.push_back(chartOf(sheets[i], i, colors[i], i < 4));
   }
-  const Sheet& front = sheets[0];
+  const RoomSheet& front = sheets[0];
   map.planes[0].polygons[0].outer = {front.at(0, 0),
                                      front.at(0, 2.5),
                                      front.at(4, 2.5),
@@ -102,10 +102,10 @@ makeRoomMap()
                                      front.at(5, 2.5),
                                      front.at(6, 2.5),
                                      front.at(6, 0)};
-  const Sheet& left = sheets[3];
+  const RoomSheet& left = sheets[3];
   map.planes[3].polygons[0].holes.push_back(
       {left.at(1, 0.5), left.at(3, 0.5), left.at(3, 1.5), left.at(1, 1.5)});
-  Sheet tile = sheets[4];
+  RoomSheet tile = sheets[4];
   tile.width = 3;
   map.charts.push_back(chartOf(tile, 4, {220, 220, 220}, false));
   tile.corner += 3 * tile.right;

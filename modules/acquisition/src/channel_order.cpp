@@ -51,9 +51,9 @@ requireOrder(const ChannelOrder& order)
 }
 
 /** The images by their byte in a pixel. */
-class Planes {
+class ChannelImages {
 public:
-  Planes(const TrinocularFrame& frame, const ChannelOrder& order)
+  ChannelImages(const TrinocularFrame& frame, const ChannelOrder& order)
   {
     for (std::size_t k = 0; k < order.size(); ++k) {
       images_[k].emplace(frame.image(order[k]));
@@ -95,7 +95,7 @@ checkChannelOrder(const TrinocularFrame& frame,
 {
   requireImages(frame, calibration);
   requireOrder(assumed);
-  const Planes planes(frame, assumed);
+  const ChannelImages planes(frame, assumed);
   ChannelOrder best_order = assumed;
   acmap::CornerVotes best = planes.votesUnder(assumed, calibration);
   acmap::CornerVotes other;

@@ -15,7 +15,7 @@ namespace {
 constexpr int max_redraws = 16;
 
 /** \brief A generated pattern and its rating. */
-struct Candidate {
+struct LineCandidate {
   RgbImage image;
   acmap::SideLobes rows;
   acmap::SideLobes columns;
@@ -32,10 +32,10 @@ seedOf(std::uint64_t seed, std::uint32_t index, int attempt)
   return acmap::Random(of_attempt).bits();
 }
 
-Candidate
+LineCandidate
 drawCandidate(const acmap::PatternLaw& law, int range, std::uint64_t seed)
 {
-  Candidate candidate;
+  LineCandidate candidate;
   candidate.image = acmap::paintLines(law, acmap::sampleLines(law, seed));
   candidate.rows = acmap::rowSideLobes(candidate.image, range);
   candidate.columns = acmap::columnSideLobes(candidate.image, range);
@@ -99,10 +99,10 @@ RandomLinePattern::generate(std::uint32_t index)
                               max_line_width_,
                               colored_,
                               minimum_angle_};
-  Candidate best;
+  LineCandidate best;
   int attempt = 0;
   do {
-    Candidate next =
+    LineCandidate next =
         drawCandidate(law, disparity_range_, seedOf(seed_, index, attempt));
     if (next.judged < best.judged)
       best = std::move(next);

@@ -138,4 +138,28 @@ requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices)
           indices->data()};
 }
 
+SensorView
+sensorsOf(const PCLPointCloud2& cloud,
+          const std::vector<Eigen::Vector3f>& viewpoints,
+          const std::optional<Eigen::Vector3f>& origin,
+          const Indices* indices)
+{
+  const PCLPointField* const view = findField(cloud, "view", PCLPointField::INT32);
+  if (view && !cloud.data.empty())
+    return SensorView(cloud.data.data() + view->offset,
+                      cloud.point_step,
+                      viewpoints,
+                      indices ? indices->data() : nullptr);
+  return origin ? SensorView(*origin) : SensorView();
+}
+
+ColorView
+colorsOf(const PCLPointCloud2& cloud)
+{
+  const PCLPointField* const color = findColor(cloud);
+  if (!color || cloud.data.empty())
+    return {};
+  return {cloud.data.data() + color->offset, cloud.point_step};
+}
+
 } // namespace pcl::acmap

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr double degree = 3.14159265358979323846 / 180;
 
 /** \brief Orientation and area of a plane, used to estimate the up direction. */
-struct Facing {
+struct FacedPlane {
   Vector3d normal;
   double area;
 };
@@ -32,10 +32,10 @@ upOfCameras(const Trajectory& trajectory)
 }
 
 /** \brief The planes with a positive area, in descending order of area. */
-std::vector<Facing>
+std::vector<FacedPlane>
 facingsOf(const CompactMap& map)
 {
-  std::vector<Facing> facings;
+  std::vector<FacedPlane> facings;
   for (const PlanePatch& plane : map.planes) {
     const Vector3d normal = plane.coefficients.head<3>();
     if (normal.allFinite() && normal.norm() > 0 && std::isfinite(plane.area) &&
@@ -72,24 +72,24 @@ spreadOf(const CompactMap& map)
 
 /** \brief Area of the planes whose normal is along an axis. */
 double
-areaAlong(const std::vector<Facing>& facings, int axis)
+areaAlong(const std::vector<FacedPlane>& facings, int axis)
 {
   constexpr double nearly = 0.97;
   double area = 0;
-  for (const Facing& facing : facings)
+  for (const FacedPlane& facing : facings)
     if (std::abs(facing.normal[axis]) > nearly)
       area += facing.area;
   return area;
 }
 
 bool
-isLevel(const Facing& facing, const Vector3d& up)
+isLevel(const FacedPlane& facing, const Vector3d& up)
 {
   return std::abs(facing.normal.dot(up)) > std::cos(5 * degree);
 }
 
 bool
-isUpright(const Facing& facing, const Vector3d& up)
+isUpright(const FacedPlane& facing, const Vector3d& up)
 {
   return std::abs(facing.normal.dot(up)) < std::sin(5 * degree);
 }
@@ -97,7 +97,7 @@ isUpright(const Facing& facing, const Vector3d& up)
 /** \brief Directions with respect to which the largest planes are horizontal or
  * vertical. */
 std::vector<Vector3d>
-candidatesFor(const std::vector<Facing>& facings, const Vector3d& expected)
+candidatesFor(const std::vector<FacedPlane>& facings, const Vector3d& expected)
 {
   constexpr std::size_t most = 30;
   const std::size_t count = std::min(facings.size(), most);
@@ -120,11 +120,11 @@ candidatesFor(const std::vector<Facing>& facings, const Vector3d& expected)
 /** \brief Refines an up direction by least squares, using the planes that are nearly
  * horizontal or vertical with respect to it. */
 Vector3d
-refined(const std::vector<Facing>& facings, const Vector3d& up)
+refined(const std::vector<FacedPlane>& facings, const Vector3d& up)
 {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   double area = 0;
-  for (const Facing& facing : facings) {
+  for (const FacedPlane& facing : facings) {
     const double sign = isUpright(facing, up) ? 1 : isLevel(facing, up) ? -1 : 0;
     squares += sign * facing.area * facing.normal * facing.normal.transpose();
     area += facing.area;
@@ -146,7 +146,7 @@ upAxis(const CompactMap& map)
   if (cameras.cwiseAbs().maxCoeff(&axis) > 0)
     return std::copysign(1.0, cameras[axis]) * Vector3d::Unit(axis);
   const Eigen::Array3d spread = spreadOf(map);
-  const std::vector<Facing> facings = facingsOf(map);
+  const std::vector<FacedPlane> facings = facingsOf(map);
   const bool z_is_level =
       spread.z() < spread.y() && areaAlong(facings, 2) > areaAlong(facings, 1);
   return z_is_level ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY());
@@ -159,15 +159,15 @@ upDirection(const CompactMap& map)
   const Vector3d axis = upAxis(map);
   const Vector3d cameras = upOfCameras(map.trajectory);
   const Vector3d expected = cameras.norm() > 0.1 ? cameras.normalized() : axis;
-  const std::vector<Facing> facings = facingsOf(map);
+  const std::vector<FacedPlane> facings = facingsOf(map);
   double area = 0;
-  for (const Facing& facing : facings)
+  for (const FacedPlane& facing : facings)
     area += facing.area;
   double best_merit = 0, best_share = 0;
   Vector3d best = axis;
   for (const Vector3d& up : candidatesFor(facings, expected)) {
     double agreeing = 0;
-    for (const Facing& facing : facings)
+    for (const FacedPlane& facing : facings)
       agreeing += isLevel(facing, up) || isUpright(facing, up) ? facing.area : 0;
     const double nearness = up.dot(expected);
     const double merit = nearness < std::cos(60 * degree) ? 0 : nearness * agreeing;

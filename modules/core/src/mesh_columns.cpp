@@ -2,6 +2,7 @@
 
 #include "record_moves.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -27,23 +28,14 @@ requireInside(const PCLPointCloud2& cloud)
   }
 }
 
-const PCLPointField*
-findSingle(const PCLPointCloud2& cloud, const char* name, std::size_t bytes)
-{
-  for (const PCLPointField& field : cloud.fields)
-    if (field.name == name && field.count == 1 && sizeOfType(field.datatype) == bytes)
-      return &field;
-  return nullptr;
-}
-
 /** \return the offsets of three float fields, or nothing unless all of them exist */
 std::vector<std::size_t>
 findFloats(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
 {
   std::vector<std::size_t> offsets;
   for (const char* name : names) {
-    const PCLPointField* const field = findSingle(cloud, name, sizeof(float));
-    if (!field || field->datatype != PCLPointField::FLOAT32)
+    const PCLPointField* const field = findField(cloud, name, PCLPointField::FLOAT32);
+    if (!field)
       return {};
     offsets.push_back(field->offset);
   }
@@ -54,11 +46,14 @@ findFloats(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
 std::vector<std::size_t>
 findColour(const PCLPointCloud2& cloud)
 {
-  if (const PCLPointField* const rgb = findSingle(cloud, "rgb", 4))
-    return {rgb->offset + 2U, rgb->offset + 1U, rgb->offset};
-  if (const PCLPointField* const rgba = findSingle(cloud, "rgba", 4))
-    return {rgba->offset + 2U, rgba->offset + 1U, rgba->offset, rgba->offset + 3U};
-  return {};
+  const PCLPointField* const color = findColor(cloud);
+  if (!color)
+    return {};
+  std::vector<std::size_t> offsets = {
+      color->offset + 2U, color->offset + 1U, color->offset};
+  if (color->name == "rgba")
+    offsets.push_back(color->offset + 3U);
+  return offsets;
 }
 
 bool

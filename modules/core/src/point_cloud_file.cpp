@@ -6,7 +6,6 @@
 
 #include <pcl/core/cloud_fields.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace pcl {
@@ -14,14 +13,10 @@ namespace pcl {
 acmap::PointView
 PointCloudFile::points() const
 {
-  const auto x = std::find_if(cloud.fields.begin(),
-                              cloud.fields.end(),
-                              [](const auto& field) { return field.name == "x"; });
-  if (x == cloud.fields.end() || cloud.data.empty())
+  const PCLPointField* const x = acmap::findField(cloud, "x");
+  if (!x || cloud.data.empty())
     return {};
-  return {cloud.data.data() + x->offset,
-          cloud.point_step,
-          std::size_t{cloud.width} * cloud.height};
+  return {cloud.data.data() + x->offset, cloud.point_step, acmap::rowsOf(cloud)};
 }
 
 PointCloudFile

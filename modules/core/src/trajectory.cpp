@@ -14,7 +14,6 @@ namespace pcl {
 namespace {
 
 constexpr double rotation_slack = 0.01; // tolerance of a length that should be 1
-constexpr double motion_slack = 1e-6;
 
 using Row = std::array<double, 8>; // stamp tx ty tz qx qy qz qw
 
@@ -74,10 +73,10 @@ textOfRow(double stamp, const Eigen::Isometry3d& pose)
 } // namespace
 
 bool
-isRigid(const Eigen::Isometry3d& pose)
+acmap::isRigid(const Eigen::Isometry3d& pose, double tolerance)
 {
   const Eigen::Matrix3d rotation = pose.linear();
-  return pose.matrix().allFinite() && rotation.isUnitary(motion_slack) &&
+  return pose.matrix().allFinite() && rotation.isUnitary(tolerance) &&
          rotation.determinant() > 0.0;
 }
 

@@ -1,9 +1,8 @@
 #include <pcl/core/trajectory_error.h>
 
+#include <pcl/core/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/exceptions.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -75,22 +74,6 @@ rootMeanSquare(const Places<Dimension>& differences)
   return std::sqrt(differences.colwise().squaredNorm().mean());
 }
 
-/** The rotation that aligns centred positions with others in the least-squares sense
- * (Kabsch, Umeyama). */
-template <int Dimension>
-Eigen::Matrix<double, Dimension, Dimension>
-bestTurn(const Places<Dimension>& from, const Places<Dimension>& to)
-{
-  using Square = Eigen::Matrix<double, Dimension, Dimension>;
-  const Square products = to * from.transpose();
-  const Eigen::JacobiSVD<Square> solver(products,
-                                        Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Square turn = solver.matrixU();
-  if (turn.determinant() * solver.matrixV().determinant() < 0) // no reflection
-    turn.col(Dimension - 1) *= -1;
-  return turn * solver.matrixV().transpose();
-}
-
 template <int Dimension>
 AbsoluteTrajectoryError
 trajectoryErrorOf(const Places<Dimension>& found, const Places<Dimension>& truth)
@@ -100,7 +83,8 @@ trajectoryErrorOf(const Places<Dimension>& found, const Places<Dimension>& truth
   const Places<Dimension> from = found.colwise() - found.rowwise().mean();
   const Places<Dimension> to = truth.colwise() - truth.rowwise().mean();
   return {rootMeanSquare<Dimension>(found - truth),
-          rootMeanSquare<Dimension>(bestTurn<Dimension>(from, to) * from - to)};
+          rootMeanSquare<Dimension>(
+              acmap::alignmentRotation<Dimension>(to * from.transpose()) * from - to)};
 }
 
 Places<3>

@@ -1,5 +1,6 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/arguments.h>
+#include <pcl/core/cloud_fields.h>
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
 #include <pcl/exceptions.h>
 
@@ -19,19 +20,17 @@ namespace {
 std::size_t
 offsetOf(const PCLPointCloud2& cloud, const std::string& name)
 {
-  for (const PCLPointField& field : cloud.fields) {
-    if (field.name != name)
-      continue;
-    // A count of 0 means 1, as in old files.
-    if (field.datatype != PCLPointField::FLOAT32 || field.count > 1)
-      throw BadArgumentException("the field " + name +
-                                 " is refused: it must be one 32 bit float");
-    if (field.offset + sizeof(float) > cloud.point_step)
-      throw BadArgumentException("the field " + name +
-                                 " is refused: it must lie inside of a point");
-    return field.offset;
-  }
-  throw BadArgumentException("a cloud has no field " + name);
+  const PCLPointField* const field = findField(cloud, name);
+  if (!field)
+    throw BadArgumentException("a cloud has no field " + name);
+  // A count of 0 means 1, as in old files.
+  if (field->datatype != PCLPointField::FLOAT32 || field->count > 1)
+    throw BadArgumentException("the field " + name +
+                               " is refused: it must be one 32 bit float");
+  if (field->offset + sizeof(float) > cloud.point_step)
+    throw BadArgumentException("the field " + name +
+                               " is refused: it must lie inside of a point");
+  return field->offset;
 }
 
 void

@@ -99,21 +99,17 @@ DepthRefinement<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   const acmap::PointView points = acmap::requirePoints(result);
   DepthRefinementReport report;
   report.points = report.invalid_points = rows;
-  const std::optional<acmap::DepthView> view =
-      rows > 0 ? acmap::DepthView::recognize(points, result->width) : std::nullopt;
-  if (view)
-    setPoints(acmap::refineDepth(*view,
-                                 acmap::measureInverseDepthNoise(
-                                     *view, acmap::measureDepthStep(points)),
+  if (const auto seen = acmap::measureDepthView(points, result->width))
+    setPoints(acmap::refineDepth(seen->view,
+                                 seen->noise,
                                  planes_.labels.empty() ? nullptr : &planes_,
                                  threads_,
                                  acmap::Progress(progress_),
                                  report),
               *result);
   else
-    report.remarks.emplace_back("nothing was refined: fewer than 1000 pixels are "
-                                "measured, or no pinhole camera "
-                                "fits them: the view is not in its sensor's frame");
+    report.remarks.push_back(std::string("nothing was refined: ") +
+                             acmap::no_depth_view);
   result->is_dense = 0;
   output = std::move(*result);
   report_ = std::move(report);

@@ -13,15 +13,6 @@ namespace {
 using acmap::FieldWish;
 using acmap::Representative;
 
-acmap::ColorView
-colorsOfCloud(const PCLPointCloud2& cloud)
-{
-  const PCLPointField* const color = acmap::findColor(cloud);
-  if (!color || cloud.data.empty())
-    return {};
-  return {cloud.data.data() + color->offset, cloud.point_step};
-}
-
 /** The fields of the input, and those of a normal if they are missing. */
 PCLPointCloud2
 emptyResult(const PCLPointCloud2& cloud, std::size_t size)
@@ -70,22 +61,6 @@ private:
   std::size_t normal_[3] = {};
 };
 
-acmap::SensorView
-sensorsOfCloud(const PCLPointCloud2& cloud,
-               const Indices* indices,
-               const std::vector<Eigen::Vector3f>& viewpoints,
-               const std::optional<Eigen::Vector3f>& origin)
-{
-  const PCLPointField* const view =
-      acmap::findField(cloud, "view", PCLPointField::INT32);
-  if (view && !cloud.data.empty())
-    return acmap::SensorView(cloud.data.data() + view->offset,
-                             cloud.point_step,
-                             viewpoints,
-                             indices ? indices->data() : nullptr);
-  return origin ? acmap::SensorView(*origin) : acmap::SensorView();
-}
-
 } // namespace
 
 VoxelConsolidation<PCLPointCloud2>::VoxelConsolidation()
@@ -133,8 +108,8 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   ConsolidationReport report;
   const acmap::Consolidation consolidation = acmap::consolidatePoints(
       points,
-      sensorsOfCloud(*input_, wanted, viewpoints_, sensor_origin_),
-      colorsOfCloud(*input_),
+      acmap::sensorsOf(*input_, viewpoints_, sensor_origin_, wanted),
+      acmap::colorsOf(*input_),
       settings,
       acmap::Progress(progress_),
       report);

@@ -22,12 +22,6 @@ organized(const PointView& points, std::size_t width)
   return cloud;
 }
 
-PointView
-viewOf(const std::vector<Eigen::Vector3f>& points)
-{
-  return {points.data(), sizeof(Eigen::Vector3f), points.size()};
-}
-
 } // namespace
 
 std::optional<Picture>
@@ -38,17 +32,9 @@ pictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
   const bool is_automatic = sensor == DepthSensor::Automatic;
   if (is_automatic && measureDepthStep(points) == 0)
     return std::nullopt;
-  Picture picture;
-  if (width > 0 && width < points.size())
-    picture.points = organized(points, width);
-  else if ((picture.order = findPictureOrder(points)))
-    picture.points =
-        organized(viewOf(picture.order->arrange(points)), picture.order->width);
-  if (picture.points &&
-      DepthView::recognize(
-          {&picture.points->front().x, sizeof(PointXYZ), picture.points->size()},
-          picture.points->width))
-    return picture;
+  const std::optional<PictureView> view = PictureView::find(points, width);
+  if (view && DepthView::recognize(view->points(), view->width()))
+    return Picture{organized(view->points(), view->width()), view->order()};
   if (is_automatic)
     return std::nullopt;
   PCL_THROW_EXCEPTION(

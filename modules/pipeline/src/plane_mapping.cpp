@@ -19,12 +19,6 @@ using VertexCloud = PointCloud<Vertex>;
 
 constexpr double max_voxel = 1e9; // metres, of VoxelConsolidation::setVoxelSize
 
-std::shared_ptr<const PCLPointCloud2>
-rowsOfFile(const std::shared_ptr<const PointCloudFile>& file)
-{
-  return {file, &file->cloud};
-}
-
 /** Copies the value of a field if the cloud has that field. */
 class FieldCopy {
 public:
@@ -133,7 +127,7 @@ public:
     vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
     cluster(vertices,
-            rowsOfFile(cloud),
+            sharedCloud(cloud),
             sensors_fit ? sensors : std::vector<Eigen::Vector3f>(),
             result);
     if (!mapping_.getClustering().getNoiseDriven())
@@ -200,14 +194,9 @@ private:
   {
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
-      const PCLPointField* const view =
-          names_views ? findField(cloud->cloud, "view") : nullptr;
       report_.noise_scale =
           measureNoiseScale(cloud->points(),
-                            view ? SensorView(cloud->cloud.data.data() + view->offset,
-                                              cloud->cloud.point_step,
-                                              sensors)
-                                 : SensorView(cloud->sensor_origin),
+                            sensorsOf(cloud->cloud, sensors, cloud->sensor_origin),
                             mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
@@ -218,7 +207,7 @@ private:
       if (consolidation.getVoxelSize() == 0 && automatic <= max_voxel)
         consolidation.setVoxelSize(automatic); // else the class measures it again
     }
-    consolidation.setInputCloud(rowsOfFile(cloud));
+    consolidation.setInputCloud(sharedCloud(cloud));
     if (names_views)
       consolidation.setViewpoints(sensors);
     else
@@ -245,7 +234,7 @@ private:
     PlaneMapping::Refinement refinement;
     refinement.setInputCloud(
         order ? std::make_shared<const PCLPointCloud2>(order->arrange(cloud->cloud))
-              : rowsOfFile(cloud));
+              : sharedCloud(cloud));
     refinement.setPlanes(result.planes, labels);
     prepare(refinement, 0.4, 0.5);
     refinement.filter(result.vertices.cloud);
@@ -389,7 +378,7 @@ PlaneMapping::compute(MappedPlanes& result)
 {
   if (!input_)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  requirePoints(rowsOfFile(input_));
+  requirePoints(sharedCloud(input_));
   PlaneMappingReport report;
   MappedPlanes found;
   PlaneMappingRun run(*this, cost_callback_, progress_, report);

@@ -85,11 +85,11 @@ squareAround(const Eigen::Vector3d& center,
 
 /** \brief Transforms a shape to the camera frame and determines the pixels that it
  * covers. */
-class Camera {
+class TargetCamera {
 public:
-  Camera(const TrinocularRig& rig,
-         const Eigen::Isometry3d& T_camera_scene,
-         const DepthRange& range)
+  TargetCamera(const TrinocularRig& rig,
+               const Eigen::Isometry3d& T_camera_scene,
+               const DepthRange& range)
   : rig_(rig)
   , T_camera_scene_(T_camera_scene)
   , range_(range)
@@ -165,7 +165,7 @@ targetOf(const SimulatedSurface& surface,
          const Eigen::Isometry3d& T_camera_scene,
          const DepthRange& range)
 {
-  auto target = std::visit(Camera(rig, T_camera_scene, range), surface.shape);
+  auto target = std::visit(TargetCamera(rig, T_camera_scene, range), surface.shape);
   if (target)
     target->surface = index;
   return target;

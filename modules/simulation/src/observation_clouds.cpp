@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(ObservationPixel) == 24 &&
               std::is_trivially_copyable_v<ObservationPixel>);
 
-struct MapPoint {
+struct MergedPoint {
   float x, y, z;
   std::uint32_t rgb;
   std::int32_t view;
@@ -94,16 +94,17 @@ cloudOf(const SimulatedObservation& observation)
 PCLPointCloud2
 cloudOf(const MergedObservations& merged)
 {
-  auto cloud = emptyCloud<MapPoint>(merged.points.size(), 1);
-  cloud.fields.push_back(field("view", offsetof(MapPoint, view), PCLPointField::INT32));
+  auto cloud = emptyCloud<MergedPoint>(merged.points.size(), 1);
   cloud.fields.push_back(
-      field("label", offsetof(MapPoint, label), PCLPointField::UINT32));
+      field("view", offsetof(MergedPoint, view), PCLPointField::INT32));
+  cloud.fields.push_back(
+      field("label", offsetof(MergedPoint, label), PCLPointField::UINT32));
   cloud.is_dense = 1;
-  cloud.data.resize(merged.points.size() * sizeof(MapPoint));
+  cloud.data.resize(merged.points.size() * sizeof(MergedPoint));
   std::uint8_t* to = cloud.data.data();
-  for (std::size_t i = 0; i < merged.points.size(); ++i, to += sizeof(MapPoint)) {
+  for (std::size_t i = 0; i < merged.points.size(); ++i, to += sizeof(MergedPoint)) {
     const Eigen::Vector3f& p = merged.points[i];
-    const MapPoint point{
+    const MergedPoint point{
         p.x(), p.y(), p.z(), merged.rgb[i], merged.view[i], merged.label[i]};
     std::memcpy(to, &point, sizeof(point));
   }

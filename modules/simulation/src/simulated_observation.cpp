@@ -33,7 +33,7 @@ ramp(double value, double begin, double end)
 }
 
 /** \brief The window around a pixel, clipped at the image border. */
-struct Window {
+struct PixelWindow {
   int first_row, last_row;
   int first_column, last_column;
 
@@ -192,7 +192,7 @@ private:
     std::vector<double> along_rows(white.size());
     forEachRow([&](int row) {
       for (int column = 0; column < image_.width; ++column) {
-        const Window window = windowAt(row, column);
+        const PixelWindow window = windowAt(row, column);
         double sum = 0.0;
         for (int c = window.first_column; c <= window.last_column; ++c)
           sum += white[indexOf(row, c)];
@@ -201,7 +201,7 @@ private:
     });
     forEachRow([&](int row) {
       for (int column = 0; column < image_.width; ++column) {
-        const Window window = windowAt(row, column);
+        const PixelWindow window = windowAt(row, column);
         double sum = 0.0;
         for (int r = window.first_row; r <= window.last_row; ++r)
           sum += along_rows[indexOf(r, column)];
@@ -211,7 +211,7 @@ private:
     return white;
   }
 
-  Window
+  PixelWindow
   windowAt(int row, int column) const
   {
     return {std::max(row - half_, 0),
@@ -225,7 +225,7 @@ private:
   Match
   match(int row, int column) const
   {
-    const Window window = windowAt(row, column);
+    const PixelWindow window = windowAt(row, column);
     std::vector<std::pair<double, std::size_t>> lit;
     lit.reserve(static_cast<std::size_t>(window.size()));
     for (int r = window.first_row; r <= window.last_row; ++r)

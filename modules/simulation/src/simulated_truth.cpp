@@ -14,11 +14,11 @@ namespace {
 using acmap::PinholeScene;
 
 /** \brief A neighbour of the reference camera. */
-class Neighbour {
+class NeighbourCamera {
 public:
-  Neighbour(const SimulatedScene& scene,
-            const Eigen::Isometry3d& T_scene_reference,
-            const Eigen::Vector3d& place)
+  NeighbourCamera(const SimulatedScene& scene,
+                  const Eigen::Isometry3d& T_scene_reference,
+                  const Eigen::Vector3d& place)
   : rig_(scene.rig)
   , place_(place)
   , seen_(scene.geometry,
@@ -75,7 +75,7 @@ fillNeighbour(const SimulatedScene& scene,
   if (place.isZero())
     return;
   disparities = emptyImage(scene.rig);
-  const Neighbour neighbour(scene, T_scene_reference, place);
+  const NeighbourCamera neighbour(scene, T_scene_reference, place);
   const auto width = static_cast<std::size_t>(image.width);
   acmap::parallelForChunks(visible.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -11,9 +11,7 @@ viewOfObservation(const TexturedObservation& observation)
   ColoredView view;
   view.points = requirePoints(observation.cloud);
   const PCLPointCloud2& cloud = *observation.cloud;
-  const PCLPointField* const color = findColor(cloud);
-  if (color && view.points.size() > 0)
-    view.colors = {&cloud.data[color->offset], cloud.point_step};
+  view.colors = colorsOf(cloud);
   const bool is_picture = observation.has_sensor && cloud.height > 1;
   view.width = is_picture ? static_cast<int>(cloud.width) : 0;
   view.has_eye = observation.has_sensor;

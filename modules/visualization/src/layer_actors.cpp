@@ -5,6 +5,7 @@
 #include "scene.h"
 #include "scene_renderer.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -176,7 +177,7 @@ namespace {
 const PCLPointField*
 viewField(const PCLPointCloud2& cloud)
 {
-  const PCLPointField* const field = acmap::fieldNamed(cloud, "view");
+  const PCLPointField* const field = acmap::findField(cloud, "view");
   return field && field->datatype == PCLPointField::INT32 ? field : nullptr;
 }
 
@@ -228,7 +229,7 @@ pointsBefore(const LayeredScene& scene)
   const PCLPointField* fields[4] = {};
   const char* const names[] = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    fields[axis] = fieldNamed(scene.points, names[axis]);
+    fields[axis] = findField(scene.points, names[axis]);
   fields[3] = viewField(scene.points);
   for (const PCLPointField* const field : fields) {
     if (!field)

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Points = std::vector<Eigen::Vector3f>;
 
 /** \brief Position of an eye and a horizontal direction. */
-struct Sight {
+struct EyeDirection {
   Eigen::Vector3d eye;
   Eigen::Vector3d direction;
 };
@@ -47,7 +47,7 @@ eyesOf(const Trajectory& trajectory, const Vector3d& middle)
 /** \brief Selects the pose and the direction along the walls of a map with the longest
  * view.
  * \param[in] middle position that is used if there is no pose */
-Sight
+EyeDirection
 longestSight(const Trajectory& trajectory,
              const std::vector<MapFaces>& faces,
              const Vector3d& middle,
@@ -55,7 +55,7 @@ longestSight(const Trajectory& trajectory,
 {
   const Vector3d across = frame.up.cross(frame.along);
   const std::vector<Vector3d> eyes = eyesOf(trajectory, middle);
-  Sight best = {eyes[0], frame.along};
+  EyeDirection best = {eyes[0], frame.along};
   double farthest = 0;
   for (const Vector3d& eye : eyes)
     for (const Vector3d& ahead :
@@ -122,7 +122,7 @@ insideCamera(const CompactMap& map,
              const MapFrame& frame,
              const MapView& view)
 {
-  const Sight sight =
+  const EyeDirection sight =
       longestSight(map.trajectory, faces, RobustBox(samples).middle, frame);
   SceneView there = view;
   if (!there.from)

@@ -2,6 +2,7 @@
 
 #include "camera_fit.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>
@@ -24,15 +25,15 @@ public:
   {
     const char* const names[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-      const PCLPointField* const field = fieldNamed(cloud, names[axis]);
+      const PCLPointField* const field = findField(cloud, names[axis]);
       if (!field || field->datatype != PCLPointField::FLOAT32)
         throw BadArgumentException(std::string("the cloud has no float32 field ") +
                                    names[axis]);
       place_[axis] = requireInside(*field);
     }
-    const PCLPointField* color = fieldNamed(cloud, "rgb");
+    const PCLPointField* color = findField(cloud, "rgb");
     if (!color)
-      color = fieldNamed(cloud, "rgba");
+      color = findField(cloud, "rgba");
     has_color_ = color != nullptr;
     if (has_color_)
       color_ = requireInside(*color);
@@ -123,15 +124,6 @@ allBlack(const Scene& scene)
 }
 
 } // namespace
-
-const PCLPointField*
-fieldNamed(const PCLPointCloud2& cloud, const std::string& name)
-{
-  for (const PCLPointField& field : cloud.fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
-}
 
 Scene
 makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh)

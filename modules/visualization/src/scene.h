@@ -28,10 +28,6 @@ struct Scene {
   }
 };
 
-/** \return nullptr if there is no field with this name */
-const PCLPointField*
-fieldNamed(const PCLPointCloud2& cloud, const std::string& name);
-
 /** \throws BadArgumentException when the mesh has an index outside the cloud, the
  * number of wall depths differs from that of the triangles, or the cloud has no x y z
  * \throws InitFailedException when nothing can be drawn */

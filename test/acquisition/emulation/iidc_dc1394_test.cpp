@@ -29,7 +29,7 @@ bytesOf(const Exposure& exposure)
   return bytes;
 }
 
-struct Free {
+struct FreeDc1394 {
   void
   operator()(dc1394_t* context) const
   {
@@ -57,7 +57,7 @@ protected:
     context_.reset(dc1394_new());
     dc1394camera_list_t* list = nullptr;
     ASSERT_EQ(dc1394_camera_enumerate(context_.get(), &list), DC1394_SUCCESS);
-    const std::unique_ptr<dc1394camera_list_t, Free> found(list);
+    const std::unique_ptr<dc1394camera_list_t, FreeDc1394> found(list);
     ASSERT_EQ(found->num, 1U);
     EXPECT_EQ(found->ids[0].guid, CameraIdentity{}.guid);
     camera_.reset(dc1394_camera_new(context_.get(), found->ids[0].guid));
@@ -107,8 +107,8 @@ protected:
   UsbTestbed testbed_;
   EmulatedUsbCamera cable_{testbed_, emulated_};
   VideoSetting setting_;
-  std::unique_ptr<dc1394_t, Free> context_;
-  std::unique_ptr<dc1394camera_t, Free> camera_;
+  std::unique_ptr<dc1394_t, FreeDc1394> context_;
+  std::unique_ptr<dc1394camera_t, FreeDc1394> camera_;
 };
 
 TEST_F(IidcDc1394, KnowsTheCamera)

@@ -12,12 +12,12 @@ using namespace std::chrono_literals;
 
 constexpr std::uint64_t rate = iidc::commands + iidc::current_rate;
 
-class UsbRegisters : public UsbCameraFixture {
+class UsbRegisterAccess : public UsbCameraFixture {
 protected:
   std::unique_ptr<IidcBus> bus_ = openUsbBus();
 };
 
-TEST_F(UsbRegisters, AreReadAndWritten)
+TEST_F(UsbRegisterAccess, AreReadAndWritten)
 {
   EXPECT_EQ(0x31333934u, bus_->readQuadlet(iidc::config_rom + 4)) << "not upside down";
   for (const std::uint32_t value : {1u << 29, 4u << 29}) {
@@ -26,7 +26,7 @@ TEST_F(UsbRegisters, AreReadAndWritten)
   }
 }
 
-TEST_F(UsbRegisters, AreNotEverywhere)
+TEST_F(UsbRegisterAccess, AreNotEverywhere)
 {
   std::string message;
   for (const std::uint64_t address :
@@ -42,13 +42,13 @@ TEST_F(UsbRegisters, AreNotEverywhere)
   EXPECT_EQ(3u << 29, bus_->readQuadlet(rate)) << "the next one is answered again";
 }
 
-TEST_F(UsbRegisters, AreAskedAgainWhenTheyAreSilent)
+TEST_F(UsbRegisterAccess, AreAskedAgainWhenTheyAreSilent)
 {
   camera_.faults().failControl(ControlFault::TimeOut, 2);
   EXPECT_EQ(3u << 29, bus_->readQuadlet(rate));
 }
 
-TEST_F(UsbRegisters, AreNotAskedForEver)
+TEST_F(UsbRegisterAccess, AreNotAskedForEver)
 {
   camera_.faults().failControl(ControlFault::TimeOut, 1000);
   const auto time = timeOf([&] {
@@ -59,7 +59,7 @@ TEST_F(UsbRegisters, AreNotAskedForEver)
   EXPECT_EQ(3u << 29, bus_->readQuadlet(rate));
 }
 
-TEST_F(UsbRegisters, AreAskedAgainAfterNoiseOnTheCable)
+TEST_F(UsbRegisterAccess, AreAskedAgainAfterNoiseOnTheCable)
 {
   camera_.faults().failControl(ControlFault::Error, 2);
   EXPECT_EQ(3u << 29, bus_->readQuadlet(rate));
@@ -67,7 +67,7 @@ TEST_F(UsbRegisters, AreAskedAgainAfterNoiseOnTheCable)
   EXPECT_EQ(CameraFault::Failed, faultOf([&] { bus_->readQuadlet(rate); }));
 }
 
-TEST_F(UsbRegisters, AreGoneWithTheCamera)
+TEST_F(UsbRegisterAccess, AreGoneWithTheCamera)
 {
   cable_.unplug();
   const auto time = timeOf([&] {
@@ -78,7 +78,7 @@ TEST_F(UsbRegisters, AreGoneWithTheCamera)
   EXPECT_LT(time, 1s);
 }
 
-TEST_F(UsbRegisters, AreGoneWhileTheyAreAsked)
+TEST_F(UsbRegisterAccess, AreGoneWhileTheyAreAsked)
 {
   camera_.faults().failControl(ControlFault::TimeOut, 1000);
   std::thread hand([&] {
@@ -92,7 +92,7 @@ TEST_F(UsbRegisters, AreGoneWhileTheyAreAsked)
   EXPECT_LT(time, 1100ms);
 }
 
-TEST_F(UsbRegisters, AnswerManyThreads)
+TEST_F(UsbRegisterAccess, AnswerManyThreads)
 {
   const auto ask = [&](std::uint64_t address, std::uint32_t answer) {
     for (int i = 0; i < 100; ++i)

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class UsbStream : public UsbCameraFixture {
+class UsbStreaming : public UsbCameraFixture {
 protected:
   /** \brief Receives frames, which must be complete, equal to the source, and
    * consecutive. */
@@ -46,7 +46,7 @@ protected:
   IidcFrame frame_;
 };
 
-TEST_F(UsbStream, BringsFramesWholeAndInOrder)
+TEST_F(UsbStreaming, BringsFramesWholeAndInOrder)
 {
   const auto before = std::chrono::system_clock::now().time_since_epoch();
   startRunning();
@@ -57,14 +57,14 @@ TEST_F(UsbStream, BringsFramesWholeAndInOrder)
   EXPECT_LE(frame_.stamp, after / 1us);
 }
 
-TEST_F(UsbStream, KeepsFramesThatWait)
+TEST_F(UsbStreaming, KeepsFramesThatWait)
 {
   startRunning(4);
   std::this_thread::sleep_for(400ms); // the camera has exposed about twelve frames
   expectFrames(*bus_, 4, 0);
 }
 
-TEST_F(UsbStream, IsNotThereUnlessStarted)
+TEST_F(UsbStreaming, IsNotThereUnlessStarted)
 {
   EXPECT_EQ(CameraFault::Failed, faultOf([&] { bus_->nextFrame(frame_, 1ms); }));
   bus_->stopStream();
@@ -75,7 +75,7 @@ TEST_F(UsbStream, IsNotThereUnlessStarted)
   EXPECT_EQ(CameraFault::Failed, faultOf([&] { bus_->nextFrame(frame_, 1ms); }));
 }
 
-TEST_F(UsbStream, RefusesFramesThatCannotBe)
+TEST_F(UsbStreaming, RefusesFramesThatCannotBe)
 {
   for (const std::size_t bytes :
        {std::size_t{0}, std::size_t{1} << 31, ~std::size_t{0}})
@@ -84,7 +84,7 @@ TEST_F(UsbStream, RefusesFramesThatCannotBe)
   expectFrames(*bus_, 3, 0);
 }
 
-TEST_F(UsbStream, TellsOfShortFramesAndGoesOn)
+TEST_F(UsbStreaming, TellsOfShortFramesAndGoesOn)
 {
   camera_.faults().failFrame(FrameFault::Short, 1);
   startRunning();
@@ -95,7 +95,7 @@ TEST_F(UsbStream, TellsOfShortFramesAndGoesOn)
   expectFrames(*bus_, 3, 2);
 }
 
-TEST_F(UsbStream, TellsOfFramesLongerThanAskedFor)
+TEST_F(UsbStreaming, TellsOfFramesLongerThanAskedFor)
 {
   bus_->startStream(frame_bytes - 100, 4); // by less than a packet too short
   run(*bus_);
@@ -104,7 +104,7 @@ TEST_F(UsbStream, TellsOfFramesLongerThanAskedFor)
   EXPECT_EQ(frame_bytes, frame_.bytes.size());
 }
 
-TEST_F(UsbStream, TimesOutInSilence)
+TEST_F(UsbStreaming, TimesOutInSilence)
 {
   camera_.faults().setSilent(true);
   startRunning();
@@ -119,7 +119,7 @@ TEST_F(UsbStream, TimesOutInSilence)
   EXPECT_TRUE(frame_.is_whole);
 }
 
-TEST_F(UsbStream, IsCancelledFromAnotherThread)
+TEST_F(UsbStreaming, IsCancelledFromAnotherThread)
 {
   bus_->startStream(frame_bytes, 4);
   std::chrono::steady_clock::time_point cancelled;
@@ -136,7 +136,7 @@ TEST_F(UsbStream, IsCancelledFromAnotherThread)
   EXPECT_EQ(IidcWait::TimedOut, bus_->nextFrame(frame_, 1ms)) << "once is once";
 }
 
-TEST_F(UsbStream, IsCancelledBeforeItWaits)
+TEST_F(UsbStreaming, IsCancelledBeforeItWaits)
 {
   bus_->startStream(frame_bytes, 4);
   bus_->cancel();
@@ -147,7 +147,7 @@ TEST_F(UsbStream, IsCancelledBeforeItWaits)
   expectFrames(*bus_, 2, 0);
 }
 
-TEST_F(UsbStream, GoesOnAfterAStall)
+TEST_F(UsbStreaming, GoesOnAfterAStall)
 {
   camera_.faults().failFrame(FrameFault::Stall, 2);
   startRunning();
@@ -158,7 +158,7 @@ TEST_F(UsbStream, GoesOnAfterAStall)
   expectFrames(*bus_, 3, 4);
 }
 
-TEST_F(UsbStream, FailsWhenItStallsForEver)
+TEST_F(UsbStreaming, FailsWhenItStallsForEver)
 {
   camera_.faults().failFramesFrom(FrameFault::Stall, 1);
   startRunning();
@@ -171,7 +171,7 @@ TEST_F(UsbStream, FailsWhenItStallsForEver)
   EXPECT_EQ(IidcWait::Frame, bus_->nextFrame(frame_, patience));
 }
 
-TEST_F(UsbStream, GoesOnAfterNoiseOnTheCable)
+TEST_F(UsbStreaming, GoesOnAfterNoiseOnTheCable)
 {
   camera_.faults().failFrame(FrameFault::Error, 1);
   startRunning();
@@ -180,7 +180,7 @@ TEST_F(UsbStream, GoesOnAfterNoiseOnTheCable)
   EXPECT_TRUE(frame_.is_whole);
 }
 
-TEST_F(UsbStream, FailsWhenThereIsNothingButNoise)
+TEST_F(UsbStreaming, FailsWhenThereIsNothingButNoise)
 {
   camera_.faults().failFramesFrom(FrameFault::Error, 1);
   startRunning();
@@ -189,14 +189,14 @@ TEST_F(UsbStream, FailsWhenThereIsNothingButNoise)
             patience);
 }
 
-TEST_F(UsbStream, TakesNoEmptyPacketForAFrame)
+TEST_F(UsbStreaming, TakesNoEmptyPacketForAFrame)
 {
   camera_.faults().failFramesFrom(FrameFault::EmptyEnd, 0);
   startRunning();
   expectFrames(*bus_, 6, 0);
 }
 
-TEST_F(UsbStream, TakesLessWhereMemoryIsShort)
+TEST_F(UsbStreaming, TakesLessWhereMemoryIsShort)
 {
   bus_.reset();
   cable_.unplug();
@@ -219,7 +219,7 @@ TEST_F(UsbStream, TakesLessWhereMemoryIsShort)
   bus_.reset(); // before the cable is destroyed
 }
 
-TEST_F(UsbStream, EndsWhenTheCableGoesWithinAFrame)
+TEST_F(UsbStreaming, EndsWhenTheCableGoesWithinAFrame)
 {
   camera_.faults().failFrame(FrameFault::Unplug, 3);
   startRunning();
@@ -234,7 +234,7 @@ TEST_F(UsbStream, EndsWhenTheCableGoesWithinAFrame)
   EXPECT_LT(timeOf([&] { bus_.reset(); }), patience);
 }
 
-TEST_F(UsbStream, GivesTheFramesThatCameBeforeTheCableWent)
+TEST_F(UsbStreaming, GivesTheFramesThatCameBeforeTheCableWent)
 {
   camera_.faults().failFrame(FrameFault::Unplug, 3);
   startRunning(4);
@@ -244,7 +244,7 @@ TEST_F(UsbStream, GivesTheFramesThatCameBeforeTheCableWent)
   EXPECT_EQ(CameraFault::Unplugged, faultOfWaiting());
 }
 
-TEST_F(UsbStream, EndsWhenTheCableGoesAfterSomeNoise)
+TEST_F(UsbStreaming, EndsWhenTheCableGoesAfterSomeNoise)
 {
   camera_.faults().failFramesFrom(FrameFault::Error, 1);
   startRunning();
@@ -255,7 +255,7 @@ TEST_F(UsbStream, EndsWhenTheCableGoesAfterSomeNoise)
   EXPECT_EQ(CameraFault::Unplugged, faultOfWaiting());
 }
 
-TEST_F(UsbStream, EndsWhenTheCableGoesInSilence)
+TEST_F(UsbStreaming, EndsWhenTheCableGoesInSilence)
 {
   bus_->startStream(frame_bytes, 4);
   std::thread hand([&] {
@@ -268,7 +268,7 @@ TEST_F(UsbStream, EndsWhenTheCableGoesInSilence)
   EXPECT_LT(timeOf([&] { bus_.reset(); }), patience); // while it is streaming
 }
 
-TEST_F(UsbStream, ComesAgainWithTheCable)
+TEST_F(UsbStreaming, ComesAgainWithTheCable)
 {
   for (int i = 0; i < 3; ++i) {
     startRunning();
@@ -282,7 +282,7 @@ TEST_F(UsbStream, ComesAgainWithTheCable)
   }
 }
 
-TEST_F(UsbStream, StartsAndStopsAHundredTimes)
+TEST_F(UsbStreaming, StartsAndStopsAHundredTimes)
 {
   for (int i = 0; i < 100; ++i) {
     startRunning();
@@ -299,7 +299,7 @@ TEST_F(UsbStream, StartsAndStopsAHundredTimes)
   EXPECT_TRUE(frame_.is_whole);
 }
 
-TEST_F(UsbStream, GoesOnWhileRegistersAreUsed)
+TEST_F(UsbStreaming, GoesOnWhileRegistersAreUsed)
 {
   startRunning();
   std::atomic<bool> is_over{false};
@@ -312,7 +312,7 @@ TEST_F(UsbStream, GoesOnWhileRegistersAreUsed)
   other.join();
 }
 
-TEST_F(UsbStream, TakesAFrameThatEndsWithinAPacket)
+TEST_F(UsbStreaming, TakesAFrameThatEndsWithinAPacket)
 {
   // 328 x 200 bytes in camera packets of 1000 bytes and USB packets of 512 bytes
   const std::uint64_t mode = iidc::commands + iidc::format7_base;
@@ -340,7 +340,7 @@ TEST_F(UsbStream, TakesAFrameThatEndsWithinAPacket)
   }
 }
 
-TEST_F(UsbStream, IsTheSameOnAnySystem)
+TEST_F(UsbStreaming, IsTheSameOnAnySystem)
 {
   bus_.reset();
   cable_.unplug();

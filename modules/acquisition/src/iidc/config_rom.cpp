@@ -34,13 +34,13 @@ fail(const std::string& what)
 }
 
 /** \brief An entry of a directory: a number, or the offset of another block. */
-struct Entry {
+struct RomEntry {
   std::size_t index;
   std::uint32_t key;
   std::uint32_t value;
 };
 
-using Directory = std::vector<Entry>;
+using Directory = std::vector<RomEntry>;
 
 class Rom {
 public:
@@ -92,10 +92,10 @@ private:
   std::array<std::optional<std::uint32_t>, config_rom_quadlets> quadlets_;
 };
 
-const Entry*
+const RomEntry*
 find(const Directory& directory, std::uint32_t key)
 {
-  for (const Entry& entry : directory)
+  for (const RomEntry& entry : directory)
     if (entry.key == key)
       return &entry;
   return nullptr;
@@ -104,7 +104,7 @@ find(const Directory& directory, std::uint32_t key)
 /** \brief Index of the block to which an entry points. All offsets are positive,
  * therefore reading cannot end in a cycle. */
 std::size_t
-targetOf(const Entry& entry, const std::string& name)
+targetOf(const RomEntry& entry, const std::string& name)
 {
   if (entry.value == 0)
     fail(name + " is in itself");
@@ -115,7 +115,7 @@ targetOf(const Entry& entry, const std::string& name)
 std::string
 textOf(Rom& rom, const Directory& directory, std::uint32_t key, const std::string& name)
 {
-  const Entry* entry = find(directory, key);
+  const RomEntry* entry = find(directory, key);
   if (!entry)
     return "";
   const std::size_t leaf = targetOf(*entry, name);
@@ -136,7 +136,7 @@ textOf(Rom& rom, const Directory& directory, std::uint32_t key, const std::strin
 bool
 isCamera(const Directory& unit)
 {
-  const Entry* specification = find(unit, SpecificationKey);
+  const RomEntry* specification = find(unit, SpecificationKey);
   return specification && (specification->value == specified_by_trade ||
                            specification->value == specified_by_point_grey);
 }
@@ -147,7 +147,7 @@ cameraUnit(Rom& rom)
   const std::size_t bus_information = rom.at(0) >> 24;
   if (bus_information < min_bus_information || rom.at(1) != name_of_bus)
     fail("it does not begin as one");
-  for (const Entry& entry : rom.directory(bus_information + 1, "root directory"))
+  for (const RomEntry& entry : rom.directory(bus_information + 1, "root directory"))
     if (entry.key == UnitKey) {
       Directory unit = rom.directory(targetOf(entry, "unit"), "unit");
       if (isCamera(unit))
@@ -166,20 +166,20 @@ readConfigRom(const RomQuadlet& read)
   ConfigRom result;
   result.guid = std::uint64_t{rom.at(3)} << 32 | rom.at(4);
   result.specification = find(unit, SpecificationKey)->value;
-  if (const Entry* version = find(unit, VersionKey))
+  if (const RomEntry* version = find(unit, VersionKey))
     result.version = version->value;
 
-  const Entry* details = find(unit, UnitDependentKey);
+  const RomEntry* details = find(unit, UnitDependentKey);
   if (!details)
     fail("the unit does not say where its registers are");
   const Directory own = rom.directory(targetOf(*details, "details"), "details");
-  const Entry* registers = find(own, RegistersKey);
+  const RomEntry* registers = find(own, RegistersKey);
   if (!registers)
     fail("the unit does not say where its registers are");
   if (registers->value < first_unit_quadlet)
     fail("the unit's registers are among those of the bus");
   result.registers = address_space + std::uint64_t{registers->value} * 4;
-  if (const Entry* sub_version = find(own, SubVersionKey))
+  if (const RomEntry* sub_version = find(own, SubVersionKey))
     result.sub_version = sub_version->value;
   result.maker = textOf(rom, own, MakerKey, "name of the maker");
   result.model = textOf(rom, own, ModelKey, "name of the model");

@@ -1,7 +1,6 @@
 #include <pcl/core/depth_view.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl::acmap {
@@ -16,47 +15,6 @@ isMeasured(const Eigen::Vector3f& point)
   return point.allFinite() && point.z() > 0;
 }
 
-/** Regression of one coordinate of the rays against the pixel coordinate. */
-class PinholeAxis {
-public:
-  void
-  add(double pixel, double ray)
-  {
-    samples_.push_back({pixel, ray});
-  }
-
-  /** \return false if the rays are not linear in the pixels */
-  bool
-  fit(double& focal, double& center) const
-  {
-    double pixel_mean = 0, ray_mean = 0;
-    for (const auto& [pixel, ray] : samples_) {
-      pixel_mean += pixel;
-      ray_mean += ray;
-    }
-    const double count = static_cast<double>(samples_.size());
-    pixel_mean /= count;
-    ray_mean /= count;
-    double covariance = 0, variance = 0;
-    for (const auto& [pixel, ray] : samples_) {
-      covariance += (pixel - pixel_mean) * (ray - ray_mean);
-      variance += (pixel - pixel_mean) * (pixel - pixel_mean);
-    }
-    const double slope = covariance / variance;
-    if (!(std::abs(slope) > 1e-9 && std::abs(slope) < 1))
-      return false;
-    focal = 1 / slope;
-    center = pixel_mean - ray_mean * focal;
-    std::size_t outliers = 0;
-    for (const auto& [pixel, ray] : samples_)
-      outliers += !(std::abs(ray * focal + center - pixel) < 1) ? 1 : 0;
-    return 20 * outliers < samples_.size();
-  }
-
-private:
-  std::vector<std::array<double, 2>> samples_;
-};
-
 } // namespace
 
 DepthView::DepthView(std::size_t width, std::vector<float> inverse_depths)
@@ -68,23 +26,6 @@ DepthView::DepthView(std::size_t width, std::vector<float> inverse_depths)
                     [](float inverse) { return inverse > 0; })))
 , inverse_depths_(std::move(inverse_depths))
 {}
-
-bool
-DepthView::fitPinhole(const PointView& points)
-{
-  constexpr std::size_t wanted = 4096;
-  const std::size_t step = measured_ / wanted + 1;
-  PinholeAxis columns, rows;
-  std::size_t seen = 0;
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (!(inverse_depths_[i] > 0) || seen++ % step != 0)
-      continue;
-    const Eigen::Vector3d point = points[i].cast<double>();
-    columns.add(static_cast<double>(i % width_), point.x() / point.z());
-    rows.add(static_cast<double>(i / width_), point.y() / point.z());
-  }
-  return columns.fit(focal_.x(), center_.x()) && rows.fit(focal_.y(), center_.y());
-}
 
 std::optional<DepthView>
 DepthView::recognize(const PointView& points, std::size_t width)
@@ -99,8 +40,12 @@ DepthView::recognize(const PointView& points, std::size_t width)
       inverse_depths[i] = inverse;
   }
   DepthView view(width, std::move(inverse_depths));
-  if (view.measured() < enough_pixels || !view.fitPinhole(points))
+  if (view.measured() < enough_pixels)
     return std::nullopt;
+  const std::optional<Pinhole> camera = fitPinhole(points, width);
+  if (!camera)
+    return std::nullopt;
+  view.camera_ = *camera;
   return view;
 }
 
@@ -161,6 +106,17 @@ measureDepthStep(const PointView& points)
   return of_inverse.spread < even && of_inverse.spread < of_depth.spread + 0.05
              ? of_inverse.median
              : 0;
+}
+
+std::optional<MeasuredDepthView>
+measureDepthView(const PointView& points, std::size_t width)
+{
+  std::optional<DepthView> view = DepthView::recognize(points, width);
+  if (!view)
+    return std::nullopt;
+  const NoiseScale::InverseDepth noise =
+      measureInverseDepthNoise(*view, measureDepthStep(points));
+  return MeasuredDepthView{std::move(*view), noise};
 }
 
 } // namespace pcl::acmap

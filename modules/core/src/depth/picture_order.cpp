@@ -171,4 +171,18 @@ findPictureOrder(const PointView& points)
   return order;
 }
 
+std::optional<PictureView>
+PictureView::find(const PointView& points, std::size_t width)
+{
+  PictureView picture(points, width);
+  if (points.size() == 0 || (width > 0 && width < points.size()))
+    return picture;
+  picture.order_ = findPictureOrder(points);
+  if (!picture.order_)
+    return std::nullopt;
+  picture.arranged_ = picture.order_->arrange(points);
+  picture.width_ = picture.order_->width;
+  return picture;
+}
+
 } // namespace pcl::acmap

@@ -143,24 +143,25 @@ applyDepthSteps(const PointView& points, std::size_t width, NoiseScale& scale)
 }
 
 /** A point with its voxel, used to group the points by voxel. */
-struct Sample {
+struct VoxelPoint {
   VoxelKey voxel;
   std::uint32_t point;
 };
 
-std::vector<Sample>
+std::vector<VoxelPoint>
 samplesByVoxel(const PointView& points, const VoxelLattice& lattice)
 {
   constexpr std::size_t enough = 1 << 14;
   const PointSample chosen(points.size(), enough);
-  std::vector<Sample> samples;
+  std::vector<VoxelPoint> samples;
   VoxelHit hit;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (chosen.holds(points[i]) && lattice.locate(points[i], hit))
       samples.push_back({voxelKey(hit.place), static_cast<std::uint32_t>(i)});
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
-    return a.voxel != b.voxel ? a.voxel < b.voxel : a.point < b.point;
-  });
+  std::sort(
+      samples.begin(), samples.end(), [](const VoxelPoint& a, const VoxelPoint& b) {
+        return a.voxel != b.voxel ? a.voxel < b.voxel : a.point < b.point;
+      });
   return samples;
 }
 
@@ -202,7 +203,7 @@ measureRangeNoise(const PointView& points,
                   const VoxelMoments& voxels)
 {
   const VoxelWindows windows(voxels);
-  const std::vector<Sample> samples = samplesByVoxel(points, voxels.lattice);
+  const std::vector<VoxelPoint> samples = samplesByVoxel(points, voxels.lattice);
   RangeBins bins;
   VoxelWindows::Cursor cursor(windows, 1);
   std::size_t next = 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double slack = 0.01;
 
 /** One of the four sides. Points inside have sign * (place[axis] - limit) <= 0. */
-struct Side {
+struct TextureBorder {
   int axis;
   double sign;
   double limit;
@@ -29,7 +29,7 @@ struct Side {
 /** Intersection of an edge with a side; it is identical for both triangles that share
  * the edge. */
 ChartCorner
-meeting(ChartCorner a, ChartCorner b, const Side& side)
+meeting(ChartCorner a, ChartCorner b, const TextureBorder& side)
 {
   const auto& p = a.point;
   const auto& q = b.point;
@@ -43,7 +43,7 @@ meeting(ChartCorner a, ChartCorner b, const Side& side)
 }
 
 std::vector<ChartCorner>
-cutOff(const std::vector<ChartCorner>& polygon, const Side& side)
+cutOff(const std::vector<ChartCorner>& polygon, const TextureBorder& side)
 {
   if (std::none_of(polygon.begin(), polygon.end(), [&](const ChartCorner& corner) {
         return side.excess(corner) > slack;
@@ -102,8 +102,10 @@ ChartClip::clipped(const std::array<Eigen::Vector3d, 3>& triangle) const
   std::vector<ChartCorner> polygon;
   for (const Eigen::Vector3d& point : triangle)
     polygon.push_back({point, to_place_ * (point - origin_)});
-  for (const Side& side :
-       {Side{0, -1, 0}, Side{0, 1, size_.x()}, Side{1, -1, 0}, Side{1, 1, size_.y()}})
+  for (const TextureBorder& side : {TextureBorder{0, -1, 0},
+                                    TextureBorder{0, 1, size_.x()},
+                                    TextureBorder{1, -1, 0},
+                                    TextureBorder{1, 1, size_.y()}})
     polygon = cutOff(polygon, side);
   for (ChartCorner& corner : polygon)
     corner.place = corner.place.cwiseMax(0).cwiseMin(size_);

@@ -10,13 +10,13 @@ namespace pcl::acmap {
 namespace {
 
 /** \brief Interpolated value and gradient of the target. */
-struct Sample {
+struct BrightnessSample {
   float value = 0;
   Eigen::Vector2f gradient;
 };
 
 /** \brief Bilinear interpolation; returns none next to the border. */
-std::optional<Sample>
+std::optional<BrightnessSample>
 sampleAt(const AppearanceLevel& level, const Eigen::Vector2d& pixel)
 {
   if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < level.width - 2 &&
@@ -34,7 +34,7 @@ sampleAt(const AppearanceLevel& level, const Eigen::Vector2d& pixel)
     return ((1 - t) * ((1 - s) * values[at] + s * values[at + 1]) +
             t * ((1 - s) * values[below] + s * values[below + 1]));
   };
-  Sample sample;
+  BrightnessSample sample;
   sample.value = mean(level.values);
   sample.gradient = Eigen::Vector2f(mean(level.gradients));
   return sample;
@@ -74,7 +74,7 @@ forPixels(const AppearanceLevel& source,
     if (point.z() <= 0)
       continue;
     const Eigen::Vector2d pixel = target.fromView(pinhole.project(point));
-    const std::optional<Sample> sample = sampleAt(target, pixel);
+    const std::optional<BrightnessSample> sample = sampleAt(target, pixel);
     if (sample && !isOtherSurface(target, pixel, point.z()))
       use(i, point, *sample);
   }
@@ -126,7 +126,8 @@ appearanceTerm(const AppearanceLevel& source,
                const LightChange& light)
 {
   constexpr double misplacement = 0.2; // position error of compared pixels, pixels
-  const Eigen::Vector2d focal_length = target_pinhole.focal_length / target.scale;
+  const Eigen::Vector2d focal_length =
+      Eigen::Vector2d(target_pinhole.fx, target_pinhole.fy) / target.scale;
   const double noise = source.noise * source.noise +
                        light.gain * light.gain * target.noise * target.noise;
   const auto ofChunk = [&](std::size_t begin, std::size_t end) {
@@ -137,7 +138,9 @@ appearanceTerm(const AppearanceLevel& source,
               T_target_source,
               begin,
               end,
-              [&](std::size_t i, const Eigen::Vector3d& point, const Sample& sample) {
+              [&](std::size_t i,
+                  const Eigen::Vector3d& point,
+                  const BrightnessSample& sample) {
                 const double residual =
                     light.gain * sample.value + light.offset - source.values[i];
                 const double variance = noise + misplacement * misplacement *
@@ -172,7 +175,7 @@ lightChange(const AppearanceLevel& source,
             T_target_source,
             0,
             source.values.size(),
-            [&](std::size_t i, const Eigen::Vector3d&, const Sample& sample) {
+            [&](std::size_t i, const Eigen::Vector3d&, const BrightnessSample& sample) {
               now.add(source.values[i]);
               before.add(sample.value);
             });

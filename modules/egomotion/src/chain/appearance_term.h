@@ -2,7 +2,8 @@
 
 #include "chain/appearance_level.h"
 #include "chain/evidence.h"
-#include "chain/pinhole.h"
+
+#include <pcl/core/pinhole.h>
 
 #include <Eigen/Geometry>
 

@@ -86,7 +86,9 @@ prepareView(CameraView view, const EgomotionSettings& settings)
     return prepared;
   for (const Eigen::Vector3f& point : view.points)
     prepared->points += isPlace(point);
-  prepared->pinhole = fitPinhole(view);
+  prepared->pinhole =
+      fitUprightPinhole({view.points.data(), sizeof view.points[0], view.points.size()},
+                        static_cast<std::size_t>(view.image.width));
   prepared->unknown_sigmas = completeSigmas(view);
   const std::vector<ViewLevel> levels = viewLevels(view);
   for (std::size_t i = 0; i < std::min(levels.size(), feature_levels); ++i)

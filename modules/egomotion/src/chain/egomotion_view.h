@@ -1,10 +1,10 @@
 #pragma once
 
 #include "chain/appearance_level.h"
-#include "chain/pinhole.h"
 #include "chain/surface_blocks.h"
 #include "chain/view_levels.h"
 
+#include <pcl/core/pinhole.h>
 #include <pcl/egomotion/egomotion_kernel.h>
 
 #include <cstdint>

@@ -152,12 +152,12 @@ noAgreement(std::size_t agreeing, std::size_t matches)
 
 /** \brief The steps of II-B.1. Each returns a failure if the next one is not possible.
  */
-class Chain {
+class EgomotionSteps {
 public:
-  Chain(const EgomotionView& source,
-        const EgomotionView& target,
-        const EgomotionSettings& settings,
-        EgomotionReport& report)
+  EgomotionSteps(const EgomotionView& source,
+                 const EgomotionView& target,
+                 const EgomotionSettings& settings,
+                 EgomotionReport& report)
   : source_(source)
   , target_(target)
   , settings_(settings)
@@ -271,7 +271,7 @@ run(const EgomotionView& source,
     if (failure)
       return failure;
   StepTimer timer(report);
-  Chain chain(source, target, settings, report);
+  EgomotionSteps chain(source, target, settings, report);
   if (const auto failure = chain.match(solution))
     return failure;
   timer.finish("match");

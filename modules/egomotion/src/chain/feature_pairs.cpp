@@ -19,7 +19,7 @@ placeCovariance(const EgomotionView& view, std::size_t level, std::int32_t keypo
       features.places[static_cast<std::size_t>(keypoint)].cast<double>();
   const double along = features.sigmas[static_cast<std::size_t>(keypoint)];
   const double focal_length =
-      view.pinhole ? view.pinhole->focal_length.mean() : usual_focal_length;
+      view.pinhole ? (view.pinhole->fx + view.pinhole->fy) / 2 : usual_focal_length;
   const double across = across_pixels * features.scale * place.norm() / focal_length;
   const Eigen::Vector3d ray = place.normalized();
   return across * across * Eigen::Matrix3d::Identity() +

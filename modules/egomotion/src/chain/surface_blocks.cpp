@@ -14,7 +14,7 @@ namespace {
 
 /** \brief Sums over points. Single precision would not be sufficient far from the
  * camera. */
-struct Sums {
+struct PointSums {
   double count = 0, variance = 0; ///< variance: m^2, along the rays
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
@@ -29,7 +29,7 @@ struct Sums {
   }
 
   void
-  add(const Sums& other)
+  add(const PointSums& other)
   {
     count += other.count;
     variance += other.variance;
@@ -39,17 +39,17 @@ struct Sums {
 };
 
 /** \brief Plane fitted to summed points. */
-struct Plane {
+struct BlockPlane {
   Eigen::Vector3d center, normal;
   double roughness = 0; ///< RMS distance of the points, metres
   double slope = 0;     ///< |cosine| between the ray and the normal
   double flatness = 0;  ///< ratio of the second to the smallest variance
 };
 
-Plane
-planeThrough(const Sums& sums)
+BlockPlane
+planeThrough(const PointSums& sums)
 {
-  Plane plane;
+  BlockPlane plane;
   plane.center = sums.first / sums.count;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(sums.second / sums.count -
@@ -64,11 +64,11 @@ planeThrough(const Sums& sums)
   return plane;
 }
 
-Sums
+PointSums
 sumsOfBlock(const CameraView& view, int column, int row)
 {
   constexpr int size = SurfaceBlocks::size;
-  Sums sums;
+  PointSums sums;
   const int right = std::min((column + 1) * size, view.image.width);
   const int bottom = std::min((row + 1) * size, view.image.height);
   for (int y = row * size; y < bottom; ++y)
@@ -84,7 +84,7 @@ sumsOfBlock(const CameraView& view, int column, int row)
 /** \brief Sums of all blocks, row by row. */
 struct BlockSums {
   int width = 0, height = 0;
-  std::vector<Sums> blocks;
+  std::vector<PointSums> blocks;
 
   explicit BlockSums(const CameraView& view)
   : width((view.image.width + SurfaceBlocks::size - 1) / SurfaceBlocks::size)
@@ -99,10 +99,10 @@ struct BlockSums {
   }
 
   /** \brief Sums of the block and its neighbours. */
-  Sums
+  PointSums
   window(int column, int row) const
   {
-    Sums sums;
+    PointSums sums;
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y)
       for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
         sums.add(blocks[static_cast<std::size_t>(y * width + x)]);
@@ -114,13 +114,13 @@ constexpr double block_pixels = SurfaceBlocks::size * SurfaceBlocks::size;
 
 /** \brief Returns true if there are enough points on all sides of a plane. */
 bool
-isFull(const Sums& block, const Sums& window)
+isFull(const PointSums& block, const PointSums& window)
 {
   return block.count >= 0.5 * block_pixels && window.count >= 6 * block_pixels;
 }
 
 SurfaceBlock
-surfaceBlock(const Sums& block, const Sums& window)
+surfaceBlock(const PointSums& block, const PointSums& window)
 {
   constexpr double max_roughness = 2; // relative to that of noise alone
   SurfaceBlock surface;
@@ -130,7 +130,7 @@ surfaceBlock(const Sums& block, const Sums& window)
   surface.point = block.first / block.count;
   if (!isFull(block, window))
     return surface;
-  const Plane plane = planeThrough(window);
+  const BlockPlane plane = planeThrough(window);
   const double variance = window.variance / window.count * plane.slope * plane.slope;
   if (plane.roughness > max_roughness * std::sqrt(variance) || plane.flatness < 10)
     return surface;
@@ -168,11 +168,11 @@ estimatedSigmas(const CameraView& view)
   std::vector<double> growths;
   for (int row = 0; row < sums.height; ++row)
     for (int column = 0; column < sums.width; ++column) {
-      const Sums window = sums.window(column, row);
+      const PointSums window = sums.window(column, row);
       if (!isFull(sums.blocks[static_cast<std::size_t>(row * sums.width + column)],
                   window))
         continue;
-      const Plane plane = planeThrough(window);
+      const BlockPlane plane = planeThrough(window);
       if (plane.flatness > 30 && plane.slope > 0.3)
         growths.push_back(plane.roughness / plane.slope / plane.center.z() /
                           plane.center.z());

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "chain/pinhole.h"
-
 #include <Eigen/Core>
 
 #include <vector>

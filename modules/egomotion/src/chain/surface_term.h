@@ -3,6 +3,8 @@
 #include "chain/evidence.h"
 #include "chain/surface_blocks.h"
 
+#include <pcl/core/pinhole.h>
+
 #include <Eigen/Geometry>
 
 namespace pcl::acmap {

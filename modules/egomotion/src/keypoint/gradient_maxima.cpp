@@ -17,25 +17,25 @@ struct GradientMaximum {
   float squared_gradient = 0;
 };
 
-struct Candidate {
+struct KeypointCandidate {
   std::int32_t turn = 0; ///< index of the cell, later the rank within the cell
   GradientMaximum maximum;
 
   bool
-  operator<(const Candidate& other) const
+  operator<(const KeypointCandidate& other) const
   {
     return std::tuple(turn, -maximum.squared_gradient, maximum.pixel) <
            std::tuple(other.turn, -other.maximum.squared_gradient, other.maximum.pixel);
   }
 };
 
-std::vector<Candidate>
+std::vector<KeypointCandidate>
 inTurns(const std::vector<GradientMaximum>& maxima,
         int width,
         const KeypointSettings& settings)
 {
   const int cells = width / settings.cell_width + 1;
-  std::vector<Candidate> candidates;
+  std::vector<KeypointCandidate> candidates;
   for (const GradientMaximum& maximum : maxima) {
     const int column = maximum.pixel % width / settings.cell_width;
     const int row = maximum.pixel / width / settings.cell_height;
@@ -43,7 +43,7 @@ inTurns(const std::vector<GradientMaximum>& maxima,
   }
   std::sort(candidates.begin(), candidates.end());
   std::int32_t cell = -1, turn = 0;
-  for (Candidate& candidate : candidates) {
+  for (KeypointCandidate& candidate : candidates) {
     turn = candidate.turn == cell ? turn + 1 : 0;
     cell = candidate.turn;
     candidate.turn = turn;
@@ -84,7 +84,7 @@ spreadChoice(std::vector<GradientMaximum> maxima,
     return pixels;
   }
   dropWeak(maxima, settings.most);
-  std::vector<Candidate> candidates = inTurns(maxima, width, settings);
+  std::vector<KeypointCandidate> candidates = inTurns(maxima, width, settings);
   const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(settings.most);
   std::nth_element(candidates.begin(), end, candidates.end());
   for (std::size_t k = 0; k < settings.most; ++k)

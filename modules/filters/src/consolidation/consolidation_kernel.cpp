@@ -17,13 +17,13 @@ namespace {
 
 /** A propagation step of the sign from one normal to another. The flattest steps come
  * first, then they are sorted by index. */
-struct Step {
+struct SignPropagation {
   float bend; ///< 0 between normals of one plane or one arc, 1 if they are unrelated
   std::uint32_t to;
   std::uint32_t from;
 
   bool
-  operator<(const Step& other) const // the queue returns the largest
+  operator<(const SignPropagation& other) const // the queue returns the largest
   {
     return std::tie(bend, to, from) > std::tie(other.bend, other.to, other.from);
   }
@@ -72,10 +72,10 @@ private:
   {
     std::vector<std::uint32_t> component;
     std::size_t flipped = 0;
-    std::priority_queue<Step> steps;
+    std::priority_queue<SignPropagation> steps;
     steps.push({0, seed, seed});
     while (!steps.empty()) {
-      const Step step = steps.top();
+      const SignPropagation step = steps.top();
       steps.pop();
       if (is_done_[step.to])
         continue;
@@ -93,7 +93,7 @@ private:
   }
 
   void
-  pushSteps(std::uint32_t from, std::priority_queue<Step>& steps) const
+  pushSteps(std::uint32_t from, std::priority_queue<SignPropagation>& steps) const
   {
     hash_.visitNear(all_[from].point, [&](std::uint32_t to) {
       if (!is_done_[to] &&

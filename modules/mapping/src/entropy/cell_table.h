@@ -8,7 +8,7 @@ namespace pcl::acmap {
 
 /** \brief Sums over the points of a cell, as integers, so that they do not depend on
  * the order. */
-struct CellSums {
+struct EntropyCellSums {
   std::int64_t column, row; ///< key of the cell
   std::uint64_t weight = 0;
   std::uint64_t x = 0, z = 0;              ///< weight times position
@@ -16,18 +16,18 @@ struct CellSums {
 };
 
 /** \brief Hash table of cells by their keys. */
-class CellTable {
+class EntropyCellTable {
 public:
-  CellTable()
+  EntropyCellTable()
   : places_(4096, none)
   {}
 
-  CellSums&
+  EntropyCellSums&
   at(std::int64_t column, std::int64_t row)
   {
     std::size_t place = placeOf(column, row);
     while (places_[place] != none) {
-      CellSums& cell = cells_[places_[place]];
+      EntropyCellSums& cell = cells_[places_[place]];
       if (cell.column == column && cell.row == row)
         return cell;
       place = (place + 1) & (places_.size() - 1);
@@ -40,7 +40,7 @@ public:
   }
 
   /** \brief All cells in the order of their insertion. */
-  std::vector<CellSums>&
+  std::vector<EntropyCellSums>&
   cells()
   {
     return cells_;
@@ -72,7 +72,7 @@ private:
   }
 
   std::vector<std::uint32_t> places_; ///< open addressing; the size is a power of two
-  std::vector<CellSums> cells_;
+  std::vector<EntropyCellSums> cells_;
 };
 
 } // namespace pcl::acmap

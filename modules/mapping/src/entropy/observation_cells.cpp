@@ -17,12 +17,12 @@ namespace {
 constexpr double steps = 1 << 15;
 
 /** A coordinate of a point in bins. */
-struct Step {
+struct BinCoordinate {
   std::int64_t bin;
   std::uint64_t place; ///< position in the bin
   int half;            ///< half of the bin, 0 or 1
 
-  Step(float coordinate, double bin_size)
+  BinCoordinate(float coordinate, double bin_size)
   {
     const double at = static_cast<double>(coordinate) / bin_size;
     bin = binOf(at);
@@ -36,27 +36,30 @@ struct Step {
  * bin's x; then the bin's z, the sector, and the quarter of the bin. */
 constexpr std::int64_t quarters = 4, sectors = 64;
 
-CellSums&
-cellOf(CellTable& table, const Step& x, const Step& z, const WallDirection& normal)
+EntropyCellSums&
+cellOf(EntropyCellTable& table,
+       const BinCoordinate& x,
+       const BinCoordinate& z,
+       const WallDirection& normal)
 {
   const std::int64_t sector = normal.isDirected() ? 1 + normal.sector() : 0;
   return table.at(x.bin, (z.bin * sectors + sector) * quarters + 2 * x.half + z.half);
 }
 
 bool
-isBefore(const CellSums& a, const CellSums& b)
+isBefore(const EntropyCellSums& a, const EntropyCellSums& b)
 {
   return a.column != b.column ? a.column < b.column : a.row < b.row;
 }
 
 bool
-areOfOneBin(const CellSums& a, const CellSums& b)
+areOfOneBin(const EntropyCellSums& a, const EntropyCellSums& b)
 {
   return a.column == b.column && (a.row & ~(quarters - 1)) == (b.row & ~(quarters - 1));
 }
 
 EntropyCell
-toCell(const CellSums& sums, double bin_size, double unit)
+toCell(const EntropyCellSums& sums, double bin_size, double unit)
 {
   const auto weight = static_cast<double>(sums.weight);
   const double share = 1 / (2 * steps * weight);
@@ -77,12 +80,15 @@ toCell(const CellSums& sums, double bin_size, double unit)
 /** Adds cells [first, last), which are the quarters of one bin: they are merged to one
  * cell if none of them contains half of the weight. */
 void
-addCells(
-    CellSums* first, CellSums* last, double bin_size, double unit, EntropyCells& to)
+addCells(EntropyCellSums* first,
+         EntropyCellSums* last,
+         double bin_size,
+         double unit,
+         EntropyCells& to)
 {
-  CellSums all = *first;
+  EntropyCellSums all = *first;
   std::uint64_t most = first->weight;
-  for (const CellSums* quarter = first + 1; quarter < last; ++quarter) {
+  for (const EntropyCellSums* quarter = first + 1; quarter < last; ++quarter) {
     most = std::max(most, quarter->weight);
     all.weight += quarter->weight;
     all.x += quarter->x;
@@ -94,7 +100,7 @@ addCells(
     to.cells.push_back(toCell(all, bin_size, unit));
     return;
   }
-  for (const CellSums* quarter = first; quarter < last; ++quarter)
+  for (const EntropyCellSums* quarter = first; quarter < last; ++quarter)
     to.cells.push_back(toCell(*quarter, bin_size, unit));
 }
 
@@ -109,7 +115,7 @@ aggregateCells(const PointView& points,
   const PointWeights integers(weights, largestWeight(weights, points.size()));
   EntropyCells result;
   result.points = points.size();
-  CellTable table;
+  EntropyCellTable table;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
     if (!point.allFinite()) {
@@ -126,9 +132,9 @@ aggregateCells(const PointView& points,
     const std::uint64_t weight = integers[i];
     if (weight == 0)
       continue;
-    const Step x(point[0], settings.bin_size);
-    const Step z(point[2], settings.bin_size);
-    CellSums& cell = cellOf(table, x, z, normal);
+    const BinCoordinate x(point[0], settings.bin_size);
+    const BinCoordinate z(point[2], settings.bin_size);
+    EntropyCellSums& cell = cellOf(table, x, z, normal);
     cell.weight += weight;
     cell.x += weight * x.place;
     cell.z += weight * z.place;
@@ -138,11 +144,11 @@ aggregateCells(const PointView& points,
     cell.normal_x += static_cast<std::int64_t>(factor * normal.x);
     cell.normal_z += static_cast<std::int64_t>(factor * normal.z);
   }
-  std::vector<CellSums>& cells = table.cells();
+  std::vector<EntropyCellSums>& cells = table.cells();
   std::sort(cells.begin(), cells.end(), isBefore);
-  CellSums* const end = cells.data() + cells.size();
-  for (CellSums* first = cells.data(); first != end;) {
-    CellSums* last = first;
+  EntropyCellSums* const end = cells.data() + cells.size();
+  for (EntropyCellSums* first = cells.data(); first != end;) {
+    EntropyCellSums* last = first;
     while (last != end && areOfOneBin(*first, *last))
       ++last;
     addCells(first, last, settings.bin_size, integers.unit(), result);

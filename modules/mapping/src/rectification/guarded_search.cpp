@@ -25,7 +25,7 @@ const Plan gradual{
     "gradual", true, false, {2 * neighbours, 4 * neighbours, 8 * neighbours}};
 
 /** A candidate for the rectified map. */
-struct Candidate {
+struct MapCandidate {
   const char* name = "";
   double scale = 1; ///< factor of the odometry noise
   Eigen::VectorXd u;
@@ -52,7 +52,7 @@ confirmedShares(const MapEvidence& rays)
 }
 
 double
-strongestAction(const Candidate& map)
+strongestAction(const MapCandidate& map)
 {
   return map.u.head(map.u.size() - 1).cwiseAbs().maxCoeff();
 }
@@ -152,7 +152,7 @@ private:
   fitWindows()
   {
     for (const double scale : {1.0, 2.0, 4.0}) {
-      Candidate local;
+      MapCandidate local;
       local.scale = scale;
       const ActionChain chain = chain_.widened(scale);
       local.u = Eigen::VectorXd::Zero(chain.variables());
@@ -180,7 +180,7 @@ private:
   void
   consider(const Plan& plan, std::size_t local)
   {
-    Candidate found;
+    MapCandidate found;
     found.name = plan.name;
     found.scale = locals_[local].scale;
     found.u = locals_[local].u;
@@ -201,7 +201,7 @@ private:
    * little more is permitted for walls that are seen again at another time and from
    * another side. */
   bool
-  isGood(const Candidate& map) const
+  isGood(const MapCandidate& map) const
   {
     const MapEvidence& rays = map.evidence;
     return rays.near_contradictions < contradictionsIn(usual_) + 0.08 &&
@@ -215,7 +215,7 @@ private:
 
   /** Is the map so good that no further search is needed? */
   bool
-  isConvincing(const Candidate& map) const
+  isConvincing(const MapCandidate& map) const
   {
     const MapEvidence& rays = map.evidence;
     return isGood(map) &&
@@ -225,24 +225,25 @@ private:
   /** Returns the candidate with the best balance of confirmed and contradicted rays.
    * The first candidate, which is the most accurate one if several are correct, is
    * preferred unless another one is clearly better. */
-  const Candidate&
+  const MapCandidate&
   best() const
   {
-    const auto merit = [this](const Candidate& map) {
+    const auto merit = [this](const MapCandidate& map) {
       return (isGood(map) ? 1 : 0) + balanceOf(map.evidence) +
              (&map == candidates_.data() ? 0.04 : 0.0);
     };
-    return *std::max_element(
-        candidates_.begin(),
-        candidates_.end(),
-        [&](const Candidate& a, const Candidate& b) { return merit(a) < merit(b); });
+    return *std::max_element(candidates_.begin(),
+                             candidates_.end(),
+                             [&](const MapCandidate& a, const MapCandidate& b) {
+                               return merit(a) < merit(b);
+                             });
   }
 
   std::vector<PlanarPose>
   decide()
   {
-    const Candidate& map = best();
-    for (const Candidate& other : candidates_)
+    const MapCandidate& map = best();
+    for (const MapCandidate& other : candidates_)
       if (&other != &map && (report_.disagreement == 0 || isGood(other)))
         report_.disagreement = distanceBetween(map.poses, other.poses);
     report_.after = map.evidence;
@@ -290,9 +291,9 @@ private:
   ActionChain chain_;
   const std::vector<PlanarPose>& given_;
   EntropyRectificationReport& report_;
-  std::vector<Candidate> locals_; ///< results of windows only, by scale
-  std::size_t usual_ = 0;         ///< index of the usual scale
-  std::vector<Candidate> candidates_;
+  std::vector<MapCandidate> locals_; ///< results of windows only, by scale
+  std::size_t usual_ = 0;            ///< index of the usual scale
+  std::vector<MapCandidate> candidates_;
 };
 
 } // namespace

@@ -19,13 +19,13 @@ constexpr double long_enough = 3;   ///< minimum variance of a wall, along / acr
 constexpr double resolution = 1e-3; ///< metres; finer structures are not resolved
 constexpr std::size_t max_points = 1000000;
 
-struct Place {
+struct BinnedPoint {
   std::int64_t column, row;
   Eigen::Vector2d at;
 };
 
 /** Points of the map, grouped by neighbourhoods. */
-std::vector<Place>
+std::vector<BinnedPoint>
 sortedPlaces(const std::vector<LevelledPoints>& observations,
              const std::vector<PlanarPose>& poses)
 {
@@ -33,7 +33,7 @@ sortedPlaces(const std::vector<LevelledPoints>& observations,
   for (const LevelledPoints& seen : observations)
     points += seen.points.size();
   const std::size_t every = points / max_points + 1;
-  std::vector<Place> places;
+  std::vector<BinnedPoint> places;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const PlanarMotion motion(poses[i]);
     const std::vector<Eigen::Vector3f>& seen = observations[i].points;
@@ -46,9 +46,10 @@ sortedPlaces(const std::vector<LevelledPoints>& observations,
                         at});
     }
   }
-  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return std::tie(a.column, a.row) < std::tie(b.column, b.row);
-  });
+  std::stable_sort(
+      places.begin(), places.end(), [](const BinnedPoint& a, const BinnedPoint& b) {
+        return std::tie(a.column, a.row) < std::tie(b.column, b.row);
+      });
   return places;
 }
 
@@ -59,14 +60,14 @@ struct Neighbourhood {
 };
 
 Neighbourhood
-neighbourhoodOf(const Place* first, const Place* last)
+neighbourhoodOf(const BinnedPoint* first, const BinnedPoint* last)
 {
   const auto points = static_cast<double>(last - first);
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Place* place = first; place != last; ++place)
+  for (const BinnedPoint* place = first; place != last; ++place)
     mean += (place->at - first->at) / points;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  for (const Place* place = first; place != last; ++place) {
+  for (const BinnedPoint* place = first; place != last; ++place) {
     const Eigen::Vector2d way = place->at - first->at - mean;
     covariance += way * way.transpose() / points;
   }
@@ -80,12 +81,12 @@ neighbourhoodOf(const Place* first, const Place* last)
 }
 
 std::vector<Neighbourhood>
-neighbourhoodsOf(const std::vector<Place>& places)
+neighbourhoodsOf(const std::vector<BinnedPoint>& places)
 {
   std::vector<Neighbourhood> all;
-  const Place* const end = places.data() + places.size();
-  for (const Place* first = places.data(); first != end;) {
-    const Place* last = first;
+  const BinnedPoint* const end = places.data() + places.size();
+  for (const BinnedPoint* first = places.data(); first != end;) {
+    const BinnedPoint* last = first;
     while (last != end && last->column == first->column && last->row == first->row)
       ++last;
     if (static_cast<std::size_t>(last - first) >= fewest)

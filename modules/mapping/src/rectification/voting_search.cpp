@@ -19,7 +19,7 @@ constexpr int probes_a_round = 40;
 constexpr int evaluations_a_pose = 50; ///< for all levels
 
 /** State of the search for one action. */
-struct Voter {
+struct ActionVotes {
   Eigen::Array3d vote = Eigen::Array3d::Zero(); ///< in [-1, 1], towards lower energy
   double step = 1;
 };
@@ -45,7 +45,7 @@ public:
   run(MapEntropyEvaluator& evaluator, double bin_size, std::size_t evaluations)
   {
     evaluator_ = &evaluator;
-    std::fill(voters_.begin(), voters_.end(), Voter());
+    std::fill(voters_.begin(), voters_.end(), ActionVotes());
     energy_ = energyOf(actions_);
     if (std::isinf(energy_))
       return;
@@ -120,7 +120,7 @@ private:
   {
     const auto t = static_cast<std::size_t>(
         random_.uniform(0, static_cast<double>(actions_.size())));
-    Voter& voter = voters_[t];
+    ActionVotes& voter = voters_[t];
     Eigen::Array3d d;
     for (double& part : d)
       part = probe_spread * random_.normal();
@@ -169,7 +169,7 @@ private:
 
   PlanarAction start_;
   Actions actions_; ///< the first one is the first pose: it turns the map
-  std::vector<Voter> voters_;
+  std::vector<ActionVotes> voters_;
   Random random_;
   const Progress& progress_;
   EntropyRectificationReport& report_;

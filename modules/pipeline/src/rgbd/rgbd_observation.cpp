@@ -185,8 +185,8 @@ registeredCloud(const RgbImage& color,
     const Eigen::Vector3d point = T_color_depth * measured.cast<double>();
     if (!(point.z() > 0.0)) // also true for NaN
       continue;
-    const double column = std::round(seen.fx * point.x() / point.z() + seen.cx);
-    const double row = std::round(seen.fy * point.y() / point.z() + seen.cy);
+    const Eigen::Vector2d projected = seen.project(point);
+    const double column = std::round(projected.x()), row = std::round(projected.y());
     if (!(column >= 0 && column < color.width && row >= 0 && row < color.height))
       continue;
     Pixel& pixel =

@@ -1,6 +1,7 @@
 #include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/trajectory.h>
 
 #include <Eigen/LU>
 
@@ -133,7 +134,7 @@ loadSquareMatrix(const std::string& path, std::size_t size)
 bool
 isRotation(const Eigen::Matrix3d& matrix)
 {
-  return matrix.isUnitary(text_slack) && matrix.determinant() > 0;
+  return isRigid(Eigen::Isometry3d(matrix), text_slack);
 }
 
 } // namespace pcl::acmap

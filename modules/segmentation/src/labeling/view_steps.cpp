@@ -52,14 +52,14 @@ groupOf(const Moments& m, const Eigen::Vector3d& origin, const PlanePatch& frame
 }
 
 /** A measured height with its variance. */
-struct Step {
+struct MeasuredStep {
   double height;
   double variance;
 };
 
 /** The step between two parallel planes by least squares (analysis of covariance). Both
  * have the same tilt, which is the pose error of the observation. */
-std::optional<Step>
+std::optional<MeasuredStep>
 stepBetween(const Group& part, const Group& whole)
 {
   const Eigen::Matrix3d scatter = part.scatter + whole.scatter;
@@ -75,23 +75,23 @@ stepBetween(const Group& part, const Group& whole)
     return std::nullopt;
   const Eigen::Vector2d tilt = covariance * scatter.block<2, 1>(0, 2) / noise;
   const Eigen::Vector3d way = part.mean - whole.mean;
-  return Step{way.z() - tilt.dot(way.head<2>()),
-              noise * (1 / std::min(part.count, max_independent) +
-                       1 / std::min(whole.count, max_independent)) +
-                  way.head<2>().dot(covariance * way.head<2>())};
+  return MeasuredStep{way.z() - tilt.dot(way.head<2>()),
+                      noise * (1 / std::min(part.count, max_independent) +
+                               1 / std::min(whole.count, max_independent)) +
+                          way.head<2>().dot(covariance * way.head<2>())};
 }
 
 /** The weighted mean; its variance also includes the differences between the steps. */
-Step
-meanOf(const std::vector<Step>& steps)
+MeasuredStep
+meanOf(const std::vector<MeasuredStep>& steps)
 {
   double weights = 0, sum = 0, squares = 0;
-  for (const Step& step : steps) {
+  for (const MeasuredStep& step : steps) {
     weights += 1 / step.variance;
     sum += step.height / step.variance;
   }
   const double mean = sum / weights;
-  for (const Step& step : steps)
+  for (const MeasuredStep& step : steps)
     squares += (step.height - mean) * (step.height - mean) / step.variance;
   const double others = static_cast<double>(steps.size()) - 1;
   const double spread = others > 0 ? squares / others : 1;
@@ -143,21 +143,21 @@ ViewSteps::ruleOut(double gap,
 {
   const PlanePatch& frame = planes_[whole].patch;
   const Eigen::Vector3d& origin = planes_[part].patch.center;
-  std::vector<Step> steps;
+  std::vector<MeasuredStep> steps;
   auto other = seen_[whole].begin();
   for (const Seen& seen : seen_[part]) {
     while (other != seen_[whole].end() && other->observation < seen.observation)
       ++other;
     if (other == seen_[whole].end() || other->observation != seen.observation)
       continue;
-    if (const std::optional<Step> step =
+    if (const std::optional<MeasuredStep> step =
             stepBetween(groupOf(seen.moments, origin, frame),
                         groupOf(other->moments, frame.center, frame)))
       steps.push_back(*step);
   }
   if (steps.empty())
     return false;
-  const Step mean = meanOf(steps);
+  const MeasuredStep mean = meanOf(steps);
   const double height = std::abs(mean.height);
   return height < std::min(gap / 2, tolerance) &&
          height + 2 * std::sqrt(mean.variance) < gap;

@@ -11,7 +11,7 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-struct Edge {
+struct LoopEdge {
   std::int32_t from, to;
   std::size_t loop;
 };
@@ -65,7 +65,7 @@ public:
       bool is_met = false;
     };
     std::map<std::pair<std::int32_t, std::int32_t>, Net> nets;
-    for (const Edge& edge : edges_) {
+    for (const LoopEdge& edge : edges_) {
       Net& net = nets[std::minmax(edge.from, edge.to)];
       net.count += edge.from < edge.to ? 1 : -1;
       net.is_met = net.is_met || isMet(edge.loop);
@@ -98,7 +98,7 @@ private:
   }
 
   void
-  meet(const Edge& a, const Edge& b)
+  meet(const LoopEdge& a, const LoopEdge& b)
   {
     is_met_[a.loop] = is_met_[b.loop] = 1;
   }
@@ -126,25 +126,25 @@ private:
           other = order[i];
       }
     }
-    for (Edge& edge : edges_) {
+    for (LoopEdge& edge : edges_) {
       edge.from = same[static_cast<std::size_t>(edge.from)];
       edge.to = same[static_cast<std::size_t>(edge.to)];
     }
     // If a place is passed twice, a loop touches itself or another one there.
-    std::vector<const Edge*> passing(places_.size(), nullptr);
-    for (const Edge& edge : edges_) {
+    std::vector<const LoopEdge*> passing(places_.size(), nullptr);
+    for (const LoopEdge& edge : edges_) {
       if (edge.from == edge.to) {
         meet(edge, edge);
         continue;
       }
-      const Edge*& passed = passing[static_cast<std::size_t>(edge.from)];
+      const LoopEdge*& passed = passing[static_cast<std::size_t>(edge.from)];
       if (passed)
         meet(*passed, edge);
       passed = &edge;
     }
     edges_.erase(std::remove_if(edges_.begin(),
                                 edges_.end(),
-                                [](const Edge& e) { return e.from == e.to; }),
+                                [](const LoopEdge& e) { return e.from == e.to; }),
                  edges_.end());
   }
 
@@ -152,7 +152,7 @@ private:
    * between places by more than a factor of sqrt(2), so that among three places at most
    * one is near the edge between the others; otherwise the cuts would never end. */
   bool
-  isNear(const Edge& edge, std::int32_t place) const
+  isNear(const LoopEdge& edge, std::int32_t place) const
   {
     if (place == edge.from || place == edge.to)
       return false;
@@ -165,7 +165,7 @@ private:
 
   /** Intersection in the interior of both edges, -1 for none. */
   std::int32_t
-  crossing(const Edge& e, const Edge& f)
+  crossing(const LoopEdge& e, const LoopEdge& f)
   {
     const Place way = at(f.to) - at(f.from);
     const double from = cross(at(e.to) - at(e.from), at(f.from) - at(e.from));
@@ -182,7 +182,7 @@ private:
   void
   cutPair(std::size_t i, std::size_t k, std::vector<std::vector<std::int32_t>>& cuts)
   {
-    const Edge e = edges_[i], f = edges_[k];
+    const LoopEdge e = edges_[i], f = edges_[k];
     const std::size_t before = cuts[i].size() + cuts[k].size();
     for (const std::int32_t place : {f.from, f.to})
       if (isNear(e, place))
@@ -209,10 +209,10 @@ private:
   cut()
   {
     std::vector<std::vector<std::int32_t>> cuts(edges_.size());
-    const auto least = [&](const Edge& e, int axis) {
+    const auto least = [&](const LoopEdge& e, int axis) {
       return std::min(at(e.from)[axis], at(e.to)[axis]) - distance_;
     };
-    const auto most = [&](const Edge& e, int axis) {
+    const auto most = [&](const LoopEdge& e, int axis) {
       return std::max(at(e.from)[axis], at(e.to)[axis]);
     };
     std::vector<std::size_t> order(edges_.size());
@@ -223,13 +223,13 @@ private:
     });
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = i + 1; k < order.size(); ++k) {
-        const Edge &e = edges_[order[i]], &f = edges_[order[k]];
+        const LoopEdge &e = edges_[order[i]], &f = edges_[order[k]];
         if (least(f, 0) > most(e, 0))
           break;
         if (least(f, 1) <= most(e, 1) && least(e, 1) <= most(f, 1))
           cutPair(order[i], order[k], cuts);
       }
-    std::vector<Edge> pieces;
+    std::vector<LoopEdge> pieces;
     for (std::size_t i = 0; i < edges_.size(); ++i)
       appendPieces(edges_[i], cuts[i], pieces);
     const bool is_cut = pieces.size() > edges_.size();
@@ -238,9 +238,9 @@ private:
   }
 
   void
-  appendPieces(const Edge& edge,
+  appendPieces(const LoopEdge& edge,
                std::vector<std::int32_t>& cuts,
-               std::vector<Edge>& pieces) const
+               std::vector<LoopEdge>& pieces) const
   {
     const Place way = at(edge.to) - at(edge.from);
     std::stable_sort(cuts.begin(), cuts.end(), [&](std::int32_t a, std::int32_t b) {
@@ -267,7 +267,7 @@ private:
     };
     const Place middle = seen((at(way.first) + at(way.second)) / 2);
     int windings = 0;
-    for (const Edge& edge : edges_) {
+    for (const LoopEdge& edge : edges_) {
       if (std::minmax(edge.from, edge.to) == std::minmax(way.first, way.second))
         continue;
       const Place a = seen(at(edge.from)), b = seen(at(edge.to));
@@ -283,7 +283,7 @@ private:
 
   double distance_;
   std::vector<Place> places_;
-  std::vector<Edge> edges_;
+  std::vector<LoopEdge> edges_;
   std::vector<std::uint8_t> is_met_;
 };
 

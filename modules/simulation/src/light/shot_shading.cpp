@@ -19,12 +19,12 @@ using RowView = Eigen::Map<Row>;
 using ConstRowView = Eigen::Map<const Row>;
 
 /** \brief Shading of one image. */
-class Shot {
+class ShadedShot {
 public:
-  Shot(const LitView& view,
-       const LightPattern* pattern,
-       const SimulatedLight& light,
-       std::uint64_t stream)
+  ShadedShot(const LitView& view,
+             const LightPattern* pattern,
+             const SimulatedLight& light,
+             std::uint64_t stream)
   : view_(view)
   , pattern_(pattern)
   , light_(light)
@@ -134,7 +134,8 @@ shadeShot(const LitView& view,
           const SimulatedLight& light,
           std::uint64_t stream)
 {
-  return view.width == 0 ? CameraImage{} : Shot(view, pattern, light, stream).take();
+  return view.width == 0 ? CameraImage{}
+                         : ShadedShot(view, pattern, light, stream).take();
 }
 
 } // namespace pcl::acmap

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 namespace {
 
 /** \brief A shot that both cameras saw. */
-struct Pair {
+struct BoardPair {
   const BoardView* reference;
   const BoardView* neighbour;
 
@@ -22,10 +22,10 @@ struct Pair {
   }
 };
 
-std::vector<Pair>
+std::vector<BoardPair>
 pairsOf(const std::vector<BoardView>& reference, const std::vector<BoardView>& views)
 {
-  std::vector<Pair> pairs;
+  std::vector<BoardPair> pairs;
   for (const BoardView& view : views)
     for (const BoardView& other : reference)
       if (other.shot == view.shot)
@@ -36,7 +36,7 @@ pairsOf(const std::vector<BoardView>& reference, const std::vector<BoardView>& v
 /** \brief RMS error of the neighbour's corners for the given pose of the neighbour, px.
  */
 double
-errorOf(const Pair& pair,
+errorOf(const BoardPair& pair,
         const std::vector<cv::Point3f>& points,
         const CameraCalibration& neighbour,
         const Eigen::Isometry3d& T_neighbour_reference)
@@ -55,13 +55,13 @@ errorOf(const Pair& pair,
 }
 
 std::vector<double>
-errorsOf(const std::vector<Pair>& pairs,
+errorsOf(const std::vector<BoardPair>& pairs,
          const std::vector<cv::Point3f>& points,
          const CameraCalibration& neighbour,
          const Eigen::Isometry3d& T_neighbour_reference)
 {
   std::vector<double> errors;
-  for (const Pair& pair : pairs)
+  for (const BoardPair& pair : pairs)
     errors.push_back(errorOf(pair, points, neighbour, T_neighbour_reference));
   return errors;
 }
@@ -69,13 +69,13 @@ errorsOf(const std::vector<Pair>& pairs,
 /** \brief The errors for the relative pose from that single shot which fits the others
  * best; shots that were mixed up do not affect it. */
 std::vector<double>
-errorsOfBestShot(const std::vector<Pair>& pairs,
+errorsOfBestShot(const std::vector<BoardPair>& pairs,
                  const std::vector<cv::Point3f>& points,
                  const CameraCalibration& neighbour)
 {
   std::vector<double> best;
   double least = std::numeric_limits<double>::max();
-  for (const Pair& pair : pairs) {
+  for (const BoardPair& pair : pairs) {
     std::vector<double> errors =
         errorsOf(pairs, points, neighbour, pair.T_reference_neighbour().inverse());
     const double limit = outlierLimit(errors, 0.0);
@@ -91,7 +91,7 @@ errorsOfBestShot(const std::vector<Pair>& pairs,
  */
 bool
 leaveOutAbove(double limit,
-              const std::vector<Pair>& pairs,
+              const std::vector<BoardPair>& pairs,
               const std::vector<double>& errors,
               std::vector<BoardView>& views,
               const LeaveOut& leave_out)
@@ -114,7 +114,7 @@ leaveOutAbove(double limit,
 
 /** \brief The pose fitted to all corners of all pairs. */
 Eigen::Isometry3d
-placeOf(const std::vector<Pair>& pairs,
+placeOf(const std::vector<BoardPair>& pairs,
         const std::vector<cv::Point3f>& points,
         const cv::Size& size,
         const CameraCalibration& reference,
@@ -122,7 +122,7 @@ placeOf(const std::vector<Pair>& pairs,
 {
   std::vector<std::vector<cv::Point2f>> corners_reference;
   std::vector<std::vector<cv::Point2f>> corners_neighbour;
-  for (const Pair& pair : pairs) {
+  for (const BoardPair& pair : pairs) {
     corners_reference.push_back(pair.reference->corners);
     corners_neighbour.push_back(pair.neighbour->corners);
   }
@@ -167,7 +167,7 @@ fitPlace(const CalibrationBoard& board,
   // The error of the board's pose in the reference exceeds the noise of a corner.
   constexpr double floor = 1.0; // px
   const std::vector<cv::Point3f> points = boardPoints(board);
-  std::vector<Pair> pairs = pairsOf(reference_views, views);
+  std::vector<BoardPair> pairs = pairsOf(reference_views, views);
   requireEnough(name, pairs.size());
   std::vector<double> errors = errorsOfBestShot(pairs, points, neighbour);
   while (leaveOutAbove(outlierLimit(errors, floor), pairs, errors, views, leave_out)) {

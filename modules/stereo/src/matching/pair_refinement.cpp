@@ -24,9 +24,9 @@ constexpr float quarter = 0.25F; ///< px
 constexpr float independent_share = 0.34F;
 
 /** Sums over a window. */
-class Window {
+class RefinementWindow {
 public:
-  explicit Window(bool centred)
+  explicit RefinementWindow(bool centred)
   : centred_(centred)
   {}
 
@@ -121,10 +121,10 @@ public:
       row(y).fill(reference_, target_, winners_, range_, y);
   }
 
-  Window
+  RefinementWindow
   windowAt(int x, int y, bool centred)
   {
-    Window window(centred);
+    RefinementWindow window(centred);
     const int begin = std::max(x - reach, 0), end = std::min(x + reach + 1, width());
     const int winner = row(y).winners()[x];
     for (int j = std::max(y - reach, 0); j <= std::min(y + reach, height() - 1); ++j)
@@ -186,7 +186,7 @@ struct Peak {
 };
 
 Peak
-peakOf(const Window& window)
+peakOf(const RefinementWindow& window)
 {
   std::array<float, places> correlations{};
   correlations.fill(std::numeric_limits<float>::quiet_NaN());
@@ -257,7 +257,7 @@ refineWinners(const ShotStack& reference,
       refined.sigma[at] = 1.0F;
       return;
     }
-    const Window window = sums.windowAt(x, y, centred);
+    const RefinementWindow window = sums.windowAt(x, y, centred);
     const Peak peak = peakOf(window);
     refined.disparity[at] =
         static_cast<float>(range.first + winners.index[at]) + peak.offset;

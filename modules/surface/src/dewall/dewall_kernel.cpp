@@ -11,10 +11,6 @@
 #include <sstream>
 #include <thread>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace pcl::acmap {
 
 namespace dewall {
@@ -66,16 +62,6 @@ whyEmpty(const SizeConstraint& size)
   reason << "no triangle: no three points within the maximum edge length ("
          << size.least() << " to " << size.largest() << " m) that are not on a line";
   return reason.str();
-}
-
-/** \brief Requests the C library to return freed small blocks, which otherwise remain
- * with the process. */
-void
-returnFreeMemory()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
 }
 
 void
@@ -148,7 +134,6 @@ triangulate(const PointView& view,
   const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
   timer.finish("last passes");
   arrays.edges.clear(); // only the triangles are needed from here on
-  returnFreeMemory();
   report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(

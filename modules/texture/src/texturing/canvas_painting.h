@@ -1,8 +1,8 @@
 #pragma once
 
 #include "texturing/canvas.h"
-#include "texturing/pinhole.h"
 
+#include <pcl/core/pinhole.h>
 #include <pcl/texture/texturing_kernel.h>
 
 #include <vector>

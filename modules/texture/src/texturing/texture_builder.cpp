@@ -50,7 +50,8 @@ TextureBuilder::add(const ColoredView& view)
   withThreads(state.settings.threads, [&] {
     const std::vector<std::int32_t> nearest = nearestCanvases(
         view, state.planes, state.canvases, state.settings.maximum_distance);
-    if (const std::optional<Pinhole> camera = pinholeOf(view)) {
+    if (const std::optional<Pinhole> camera =
+            fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
       ++state.pinholes;
       paintPinhole(view, *camera, number, nearest, state.planes, state.canvases);
     }

@@ -43,6 +43,7 @@ public:
   , nearest_(nearest)
   , plane_(plane)
   , canvas_(canvas)
+  , height_(static_cast<int>(view.points.size()) / view.width)
   , T_camera_map_(view.T_map_camera.inverse())
   {}
 
@@ -58,7 +59,7 @@ public:
       const Eigen::Vector3d point = T_camera_map_ * middle;
       if (!(point.z() > min_depth))
         continue;
-      const Eigen::Vector2d pixel = camera_.pixelOf(point);
+      const Eigen::Vector2d pixel = camera_.project(point);
       if (!isInside(pixel))
         continue;
       const double visible = visibility(pixel);
@@ -76,16 +77,16 @@ private:
   bool
   isInside(const Eigen::Vector2d& pixel) const
   {
-    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera_.width - 1 &&
-           pixel.y() <= camera_.height - 1;
+    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= view_.width - 1 &&
+           pixel.y() <= height_ - 1;
   }
 
   std::size_t
   pixelAt(int column, int row) const
   {
-    const int c = std::clamp(column, 0, camera_.width - 1);
-    const int r = std::clamp(row, 0, camera_.height - 1);
-    return static_cast<std::size_t>(r) * static_cast<std::size_t>(camera_.width) +
+    const int c = std::clamp(column, 0, view_.width - 1);
+    const int r = std::clamp(row, 0, height_ - 1);
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(view_.width) +
            static_cast<std::size_t>(c);
   }
 
@@ -131,11 +132,9 @@ private:
     const double range = ray.norm();
     const double slant = std::abs(plane_.coefficients.head<3>().dot(ray)) / range;
     constexpr double fade = 0.1; // fraction of the image width
-    const double from_rim = std::min({pixel.x(),
-                                      pixel.y(),
-                                      camera_.width - 1 - pixel.x(),
-                                      camera_.height - 1 - pixel.y()});
-    const double rim = std::clamp(from_rim / (fade * camera_.width), 0.01, 1.0);
+    const double from_rim = std::min(
+        {pixel.x(), pixel.y(), view_.width - 1 - pixel.x(), height_ - 1 - pixel.y()});
+    const double rim = std::clamp(from_rim / (fade * view_.width), 0.01, 1.0);
     return slant * rim / (point.z() * point.z());
   }
 
@@ -155,7 +154,7 @@ private:
             T_camera_map_ * middleOf(canvas_.chart,
                                      column + (u + 0.5) / side - 0.5,
                                      row + (v + 0.5) / side - 0.5);
-        const Eigen::Vector2d pixel = camera_.pixelOf(place);
+        const Eigen::Vector2d pixel = camera_.project(place);
         if (!(place.z() > min_depth) || !isInside(pixel) || seesOthers(pixel))
           continue;
         sum += interpolated(pixel);
@@ -164,7 +163,7 @@ private:
     if (count > 0)
       sum /= count;
     else
-      sum = interpolated(camera_.pixelOf(point));
+      sum = interpolated(camera_.project(point));
     Rgb color;
     for (int k = 0; k < 3; ++k)
       color[static_cast<std::size_t>(k)] =
@@ -208,6 +207,7 @@ private:
   const std::vector<std::int32_t>& nearest_;
   const PlanePatch& plane_;
   Canvas& canvas_;
+  int height_; ///< pixels
   Eigen::Isometry3d T_camera_map_;
 };
 

@@ -3,11 +3,14 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_view.h>
+#include <pcl/core/sensor_view.h>
+#include <pcl/core/voxel_moments.h>
 #include <pcl/types.h>
 
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,22 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows);
  * side by side or fewer bytes than it states, or if an index is outside of it */
 ACMAP_EXPORT PointView
 requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices = nullptr);
+
+/** \brief Returns the sensor positions of the points of a cloud, valid as long as the
+ * cloud is unchanged: the viewpoint given by their int32 field `view`, or, if there is
+ * no such field, the same position for all points; unknown if there is none.
+ * \param[in] origin the position for clouds without a field `view`
+ * \param[in] indices of rows, nullptr for all of them */
+ACMAP_EXPORT SensorView
+sensorsOf(const PCLPointCloud2& cloud,
+          const std::vector<Eigen::Vector3f>& viewpoints,
+          const std::optional<Eigen::Vector3f>& origin,
+          const Indices* indices = nullptr);
+
+/** \brief Returns the colours of a cloud, valid as long as it is unchanged; empty if it
+ * has none. */
+ACMAP_EXPORT ColorView
+colorsOf(const PCLPointCloud2& cloud);
 
 inline std::size_t
 rowsOf(const PCLPointCloud2& cloud)

@@ -3,6 +3,7 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
 #include <pcl/core/noise_scale.h>
+#include <pcl/core/pinhole.h>
 #include <pcl/core/point_view.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ namespace pcl::acmap {
 class DepthView {
 public:
   /** \brief Estimates the pinhole camera of an organized cloud in the frame of its
-   * sensor: x/z is linear in the column, y/z in the row.
+   * sensor (\ref fitPinhole).
    * \param[in] points metres, row by row; not finite or z <= 0 for pixels without a
    * measurement
    * \param[in] width pixels per row; points.size () is a multiple of it
@@ -68,28 +69,24 @@ public:
   Eigen::Vector3d
   ray(double column, double row) const
   {
-    return {(column - center_.x()) / focal_.x(), (row - center_.y()) / focal_.y(), 1.0};
+    return {(column - camera_.cx) / camera_.fx, (row - camera_.cy) / camera_.fy, 1.0};
   }
 
   /** \brief Focal lengths in pixels; negative for an axis in the opposite direction. */
-  const Eigen::Vector2d&
+  Eigen::Vector2d
   focal() const
   {
-    return focal_;
+    return {camera_.fx, camera_.fy};
   }
 
 private:
   DepthView(std::size_t width, std::vector<float> inverse_depths);
 
-  bool
-  fitPinhole(const PointView& points);
-
   std::size_t width_;
   std::size_t height_;
   std::size_t measured_;
   std::vector<float> inverse_depths_;
-  Eigen::Vector2d focal_ = Eigen::Vector2d::Ones();
-  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();
+  Pinhole camera_;
 };
 
 /** \brief Image positions of the points of a view. */
@@ -122,6 +119,51 @@ struct PictureOrder {
 ACMAP_EXPORT std::optional<PictureOrder>
 findPictureOrder(const PointView& points);
 
+/** \brief The points of a view in the order of its image: those of an organized cloud as
+ * they are, others restored by \ref findPictureOrder. Valid as long as the points are
+ * unchanged. */
+class PictureView {
+public:
+  /** \param[in] points metres, in the frame of their sensor
+   * \param[in] width pixels per row; the number of all points if they are not organized
+   * \return nothing if the order of points that are not organized cannot be restored */
+  ACMAP_EXPORT static std::optional<PictureView>
+  find(const PointView& points, std::size_t width);
+
+  /** \brief Points row by row, NaN for pixels without a point. */
+  PointView
+  points() const
+  {
+    return order_ ? PointView(arranged_.data(), sizeof arranged_[0], arranged_.size())
+                  : points_;
+  }
+
+  /** \brief Pixels per row. */
+  std::size_t
+  width() const
+  {
+    return width_;
+  }
+
+  /** \brief Set if the points were not organized. */
+  const std::optional<PictureOrder>&
+  order() const
+  {
+    return order_;
+  }
+
+private:
+  PictureView(const PointView& points, std::size_t width)
+  : points_(points)
+  , width_(width)
+  {}
+
+  PointView points_;
+  std::size_t width_;
+  std::optional<PictureOrder> order_;
+  std::vector<Eigen::Vector3f> arranged_;
+};
+
 /** \brief Finds the uniform step of inverse depth of points in the frame of their
  * sensor. The depth of a cloud is quantised if the number of distinct depths is small
  * compared with the number of points and the middle half of the steps between
@@ -135,5 +177,20 @@ measureDepthStep(const PointView& points);
  * \param[in] step see \ref measureDepthStep; 0 if the depth is not quantised */
 ACMAP_EXPORT NoiseScale::InverseDepth
 measureInverseDepthNoise(const DepthView& view, double step);
+
+/** \brief A depth view and its noise. */
+struct MeasuredDepthView {
+  DepthView view;
+  NoiseScale::InverseDepth noise;
+};
+
+/** \brief Recognizes a view (\ref DepthView::recognize) and measures its noise. */
+ACMAP_EXPORT std::optional<MeasuredDepthView>
+measureDepthView(const PointView& points, std::size_t width);
+
+/** \brief Reason why there is no view, for the remarks of a report. */
+inline constexpr const char* no_depth_view =
+    "fewer than 1000 pixels are measured, or no pinhole camera fits them: the view is "
+    "not in its sensor's frame";
 
 } // namespace pcl::acmap

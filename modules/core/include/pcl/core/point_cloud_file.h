@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,13 @@ loadPointCloud(const std::string& path);
 } // namespace pcl
 
 namespace pcl::acmap {
+
+/** \brief Returns the cloud of a file, which keeps the file alive. */
+inline std::shared_ptr<const PCLPointCloud2>
+sharedCloud(const std::shared_ptr<const PointCloudFile>& file)
+{
+  return {file, &file->cloud};
+}
 
 /** \brief Reads a cloud and multiplies its lengths by a factor.
  * \param[in] path the file

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/pinhole.h>
 #include <pcl/pipeline/depth_sensor.h>
 
 #include <Eigen/Geometry>
@@ -10,15 +11,6 @@
 #include <string>
 
 namespace pcl {
-
-/** \brief A camera without distortion: the ray of pixel (column, row) is ((column - cx)
- * / fx, (row - cy) / fy, 1). \ingroup pipeline */
-struct Pinhole {
-  double fx = 0; ///< pixels
-  double fy = 0;
-  double cx = 0;
-  double cy = 0;
-};
 
 /** \brief Reads a pinhole camera from a 3 x 3 matrix in text, or from a `rig.yaml`.
  * \param[in] path ends in .yaml or .yml for a rig

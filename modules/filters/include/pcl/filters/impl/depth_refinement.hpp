@@ -68,25 +68,22 @@ DepthRefinement<PointT>::applyFilter(PointCloud& output)
       result.empty() ? nullptr : &result.front().x, sizeof(PointT), result.size());
   DepthRefinementReport report;
   report.points = report.invalid_points = result.size();
-  const std::optional<acmap::DepthView> view =
-      acmap::DepthView::recognize(points, result.width);
-  if (view) {
-    const acmap::RefinedDepth refined = acmap::refineDepth(
-        *view,
-        acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
-        planes_.labels.empty() ? nullptr : &planes_,
-        threads_,
-        acmap::Progress(progress_),
-        report);
+  if (const auto seen = acmap::measureDepthView(points, result.width)) {
+    const acmap::RefinedDepth refined =
+        acmap::refineDepth(seen->view,
+                           seen->noise,
+                           planes_.labels.empty() ? nullptr : &planes_,
+                           threads_,
+                           acmap::Progress(progress_),
+                           report);
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i].getVector3fMap() = refined.points[i];
       acmap::setNormal(result[i], refined.normals[i], 0);
     }
   }
   else
-    report.remarks.emplace_back("nothing was refined: fewer than 1000 pixels are "
-                                "measured, or no pinhole camera "
-                                "fits them: the view is not in its sensor's frame");
+    report.remarks.push_back(std::string("nothing was refined: ") +
+                             acmap::no_depth_view);
   result.is_dense = false;
   output = std::move(result);
   report_ = std::move(report);

@@ -34,42 +34,31 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
     for (const index_t index : *wanted)
       chosen[static_cast<std::size_t>(index)] = (*input_)[index].getVector3fMap();
   }
-  acmap::PointView points =
+  const acmap::PointView points =
       chosen.empty() ? acmap::PointView(input_->empty() ? nullptr : &input_->front().x,
                                         sizeof(PointT),
                                         input_->size())
                      : acmap::PointView(chosen.data(), sizeof chosen[0], chosen.size());
-  std::size_t width = input_->width;
-  std::optional<acmap::PictureOrder> order;
-  std::vector<Eigen::Vector3f> arranged;
-  if (!input_->empty() && !input_->isOrganized()) {
-    order = acmap::findPictureOrder(points);
-    if (!order)
-      PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                          "the cloud is not organized, and its points are not those of "
-                          "one picture in its sensor's frame");
-    arranged = order->arrange(points);
-    points = acmap::PointView(arranged.data(), sizeof arranged[0], arranged.size());
-    width = order->width;
-  }
+  const std::optional<acmap::PictureView> picture = acmap::PictureView::find(
+      points, input_->isOrganized() ? input_->width : points.size());
+  if (!picture)
+    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                        "the cloud is not organized, and its points are not those of "
+                        "one picture in its sensor's frame");
   DepthPlaneReport report;
   acmap::PlaneClusters clusters;
-  const std::optional<acmap::DepthView> view =
-      acmap::DepthView::recognize(points, width);
-  if (view)
-    clusters = acmap::segmentDepthPlanes(
-        *view,
-        acmap::measureInverseDepthNoise(*view, acmap::measureDepthStep(points)),
-        {min_area_, regularize_},
-        acmap::Progress(progress_),
-        report);
+  if (const auto seen = acmap::measureDepthView(picture->points(), picture->width()))
+    clusters = acmap::segmentDepthPlanes(seen->view,
+                                         seen->noise,
+                                         {min_area_, regularize_},
+                                         acmap::Progress(progress_),
+                                         report);
   else {
-    clusters.labels.assign(points.size(), -1);
+    clusters.labels.assign(picture->points().size(), -1);
     report.points = report.invalid_points = input_->size();
-    report.remarks.emplace_back(
-        "no planes: fewer than 1000 pixels are measured, or no pinhole camera fits "
-        "them: the view is not in its sensor's frame");
+    report.remarks.push_back(std::string("no planes: ") + acmap::no_depth_view);
   }
+  const std::optional<acmap::PictureOrder>& order = picture->order();
   patches = std::move(clusters.patches);
   labels_ = order ? order->labelsOfPoints(clusters.labels) : std::move(clusters.labels);
   if (order) {

@@ -101,15 +101,9 @@ PlaneHypothesisClustering<PointT>::setSourceCloud(
   acmap::requireViewpoints(viewpoints);
   source_ = cloud;
   source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
-  source_sensors_ = acmap::SensorView();
-  if (!cloud || viewpoints.empty())
-    return;
-  const PCLPointField* const view =
-      acmap::findField(*cloud, "view", PCLPointField::INT32);
-  source_sensors_ = view ? acmap::SensorView(cloud->data.data() + view->offset,
-                                             cloud->point_step,
-                                             viewpoints)
-                         : acmap::SensorView(viewpoints.front());
+  source_sensors_ = cloud && !viewpoints.empty()
+                        ? acmap::sensorsOf(*cloud, viewpoints, viewpoints.front())
+                        : acmap::SensorView();
 }
 
 template <typename PointT>

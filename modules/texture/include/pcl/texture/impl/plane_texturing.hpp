@@ -2,6 +2,7 @@
 
 #include <pcl/core/arguments.h>
 #include <pcl/core/point_fields.h>
+#include <pcl/core/trajectory.h>
 #include <pcl/texture/plane_texturing.h>
 #include <pcl/texture/texturing_kernel.h>
 
@@ -14,10 +15,7 @@ namespace acmap {
 inline Eigen::Isometry3d
 requireRigid(const Eigen::Isometry3d& T_map_camera)
 {
-  constexpr double rounding = 1e-4;
-  if (!T_map_camera.matrix().allFinite() ||
-      !T_map_camera.linear().isUnitary(rounding) ||
-      T_map_camera.linear().determinant() < 0)
+  if (!isRigid(T_map_camera, float_pose_tolerance))
     throw BadArgumentException("the pose of an observation is no rigid motion");
   if (T_map_camera.linear().isUnitary(1e-9))
     return T_map_camera;
