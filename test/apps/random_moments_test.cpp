@@ -1,4 +1,5 @@
 #include "every_tool.h"
+#include "repetitions.h"
 
 #include <gmock/gmock.h>
 
