@@ -67,7 +67,7 @@ blurred(const std::vector<double>& values, int length, int stride, double sigma)
 } // namespace
 
 RigCalibration
-builtRig()
+builtRig(double scale)
 {
   RigCalibration rig;
   rig.camera(RigCamera::Reference) = builtCamera(520, 323, 236, -0.25);
@@ -78,6 +78,14 @@ builtRig()
   horizontal.T_reference_camera.translation() << -0.1, 0.0008, -0.0006;
   vertical.T_reference_camera.linear() = turned(-1.4, 1.1, -1.3);
   vertical.T_reference_camera.translation() << -0.000803, -0.1, 0.0005;
+  rig.width = static_cast<int>(std::lround(scale * rig.width));
+  rig.height = static_cast<int>(std::lround(scale * rig.height));
+  for (CameraCalibration& camera : rig.cameras) {
+    for (double* const focal : {&camera.focal_x, &camera.focal_y})
+      *focal *= scale;
+    for (double* const center : {&camera.center_x, &camera.center_y})
+      *center = scale * (*center + 0.5) - 0.5;
+  }
   return rig;
 }
 

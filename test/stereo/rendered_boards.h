@@ -8,9 +8,10 @@
 namespace pcl::acmap::test {
 
 /** \brief A realistic rig: strong distortion, cameras rotated by one or two degrees,
- * baselines that are perpendicular, but not parallel to the axes of the reference. */
+ * baselines that are perpendicular, but not parallel to the axes of the reference.
+ * \param[in] scale of its images; 1 for 640 x 480 pixels */
 RigCalibration
-builtRig();
+builtRig(double scale = 1);
 
 /** \brief Grey level, 0 to 255, of a point (x, y, 0) on a plane, metres in the frame of
  * the plane. */
