@@ -1,11 +1,18 @@
 # acmap_add_test (<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...]
-#                 [OPTIMIZED])
+#                 [OPTIMIZED] [PRODUCT_CASES <filter>] [THREAD_CASES <filter>])
 #
 # One GoogleTest program, one ctest entry; a program that skips every test it has counts as
 # skipped. Target tests_<label> builds all programs of a label. CI runs each test once
 # (test/README.md): those of tools, pictures and real data as users get them (label product),
 # the others under AddressSanitizer (label sanitized), but for those of USB threads, which
 # run under ThreadSanitizer (label threads), and those with label long not at all.
+#
+# PRODUCT_CASES are those of a sanitized program that compute much with kernels which its
+# other cases run, too: they run as users get them, in test <name>_product. THREAD_CASES are
+# those of a program with label threads that run under ThreadSanitizer in CI, in test
+# <name>_threads. Both are filters of GoogleTest; a filter of PRODUCT_CASES that begins with
+# a minus names the other cases. The long run has all cases in all presets (all_threads).
+#
 # Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
 # along: there would be two of them.
 function(acmap_add_test name)
@@ -22,12 +29,33 @@ function(acmap_add_test name)
       list(APPEND arg_LABELS sanitized)
     endif()
   endif()
-  add_test(NAME ${name} COMMAND ${name}_test)
-  set_tests_properties(
-    ${name} PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "ACMAP_TEST_DATA=${ACMAP_TEST_DATA}"
-                       SKIP_RETURN_CODE 77)
-  foreach(label IN LISTS arg_LABELS)
-    acmap_join(tests_${label} ${name}_test)
+  set(others)
+  set(product_labels ${arg_LABELS} product)
+  list(REMOVE_ITEM product_labels sanitized)
+  list(TRANSFORM product_labels REPLACE "^threads$" all_threads)
+  if(arg_THREAD_CASES)
+    list(TRANSFORM arg_LABELS REPLACE "^threads$" all_threads)
+    acmap_add_cases(${name} ${name}_threads "${arg_THREAD_CASES}" threads)
+  endif()
+  if(arg_PRODUCT_CASES)
+    acmap_add_cases(${name} ${name}_product "${arg_PRODUCT_CASES}" ${product_labels})
+    string(REGEX REPLACE "^--" "" others "-${arg_PRODUCT_CASES}")
+  endif()
+  acmap_add_cases(${name} ${name} "${others}" ${arg_LABELS})
+endfunction()
+
+# acmap_add_cases (<program> <name> <filter> <label>...): a ctest entry for some cases of a
+# test program, or for all if the filter is empty.
+function(acmap_add_cases program name filter)
+  set(environment "ACMAP_TEST_DATA=${ACMAP_TEST_DATA}")
+  if(filter)
+    list(APPEND environment "GTEST_FILTER=${filter}")
+  endif()
+  add_test(NAME ${name} COMMAND ${program}_test)
+  set_tests_properties(${name} PROPERTIES LABELS "${ARGN}" ENVIRONMENT "${environment}"
+                                          SKIP_RETURN_CODE 77)
+  foreach(label IN LISTS ARGN)
+    acmap_join(tests_${label} ${program}_test)
   endforeach()
 endfunction()
 

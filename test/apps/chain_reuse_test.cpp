@@ -120,7 +120,7 @@ TEST_F(ChainReuse, WhatTheNewMapHasNotIsRemoved)
 
 TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
 {
-  const VirtualDisplay display;
+  const VirtualDisplay& display = VirtualDisplay::shared();
   if (!display.exists())
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
   // as in the first run, but with pictures

@@ -1,7 +1,6 @@
 #include "chain_runs.h"
 
 #include "plane_runs.h"
-#include "small_session.h"
 
 #include <gmock/gmock.h>
 
@@ -11,6 +10,16 @@ namespace pcl::acmap::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/** \brief Three views of a corridor by a camera with few pixels. */
+constexpr const char* scene = R"(name: short_drive
+rig: {width: 320, height: 240, focal_length: 260, center_x: 159.5, center_y: 119.5,
+      baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.13}
+sensor: {reach: 6, points: 34663}
+building: corridor
+path:
+  - line: {from: [0, 0, 0.05], to: [0, 0, 0.85], views: 3, yaw: [0, 5, 0]}
+)";
 
 /** \brief Also copies the times of the files, by which stages detect changes. */
 void
@@ -26,7 +35,14 @@ class Kept {
 public:
   Kept()
   {
-    filmSmallSession(session());
+    const std::vector<std::string> filming = {"-o",
+                                              session(),
+                                              "--scene",
+                                              folder_.write("scene.yaml", scene),
+                                              "--patterns",
+                                              "3"};
+    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG, filming);
+    EXPECT_EQ(rig.exit_code, 0) << rig.err;
     const ToolRun chain = runSessionChain(session(), map(), {"--threads", "2"});
     EXPECT_EQ(chain.exit_code, 0) << chain.err;
     // with three views, noise may look like curved surfaces; there is no other warning

@@ -77,7 +77,7 @@ TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
 {
   const std::string out = folder_.path("thin");
   const std::size_t all = jsonOfFile(map_ + "/report.json").at("finite_points");
-  constexpr std::size_t most = 60000;
+  constexpr std::size_t most = 30000;
   ASSERT_GT(all, 2 * most);
   const ToolRun run =
       runChain(posedObservations(), out, {"--max-points", std::to_string(most)});

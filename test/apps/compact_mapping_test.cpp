@@ -85,7 +85,7 @@ TEST(CompactMapping, TellsHowCompactItIs)
 
 TEST(CompactMapping, PicturesNeedAnXServer)
 {
-  const VirtualDisplay display;
+  const VirtualDisplay& display = VirtualDisplay::shared();
   if (!display.exists())
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
   const TemporaryFolder folder;

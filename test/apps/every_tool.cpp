@@ -16,8 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// images of a board, the minimum for a calibration
-constexpr std::size_t shot_count = 7;
+// Images of a board that are enough for a calibration, and about the smallest ones in
+// which the boards are found.
+constexpr std::size_t shot_count = 6;
+constexpr double board_scale = 0.65;
 
 /** \brief The smallest building that gives a map. */
 constexpr const char* scene = R"(name: corridor_bit
@@ -53,7 +55,7 @@ runOrThrow(const std::string& tool, const std::vector<std::string>& arguments)
 void
 writeBoards(const TemporaryFolder& folder)
 {
-  const std::vector<TrinocularFrame> shots = boardShots(builtRig(), shot_count);
+  const std::vector<TrinocularFrame> shots = boardShots(builtRig(board_scale), shot_count);
   for (std::size_t shot = 0; shot < shots.size(); ++shot)
     for (std::size_t i = 0; i < 3; ++i) {
       const CameraImage& image = shots[shot].images[i];

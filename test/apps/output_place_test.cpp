@@ -1,4 +1,5 @@
 #include "every_tool.h"
+#include "repetitions.h"
 #include "small_disk.h"
 
 #include <gmock/gmock.h>
@@ -103,11 +104,15 @@ TEST_F(OutputPlace, ThatIsFullKeepsWhatWasThere)
     }
 }
 
+/** In CI, only the first output of each tool, which is its main result, has a disk that
+ * becomes full. */
 TEST_F(OutputPlace, ThatIsFullBeforeLongLeavesAllOrNothing)
 {
   for (const ToolRow& row : everyTool())
     for (const std::string& output :
          isWorthwhile(row) ? outputsOf(row) : std::vector<std::string>()) {
+      if (output != outputsOf(row).front() && repetitions(1, 2) == 1)
+        continue;
       SCOPED_TRACE(row.tool + " " + output);
       const SmallDisk disk(folder_.path("bad"), 1 << 16);
       writeOld(output);

@@ -24,7 +24,7 @@ TEST(PlanePicture, NeedsAnXServerAndSaysSoAtOnce)
 
 TEST(PlanePicture, ShowsThePlanesAsTheViewerDoes)
 {
-  const VirtualDisplay display;
+  const VirtualDisplay& display = VirtualDisplay::shared();
   if (!display.exists())
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
   const TemporaryFolder folder;

@@ -1,4 +1,5 @@
 #include "every_tool.h"
+#include "repetitions.h"
 
 #include <gmock/gmock.h>
 
@@ -180,8 +181,9 @@ killAtRandom(const ToolRow& row, int moments)
   }
 }
 
+/** \brief Interrupts a tool repeatedly, by SIGINT and SIGTERM in turn. */
 void
-interruptAtRandom(const ToolRow& row, int moments)
+interruptAtRandom(const ToolRow& row, int moments, bool is_first_terminated)
 {
   if (!isWorthwhile(row))
     return;
@@ -192,7 +194,8 @@ interruptAtRandom(const ToolRow& row, int moments)
   for (int i = 0; tally.isWanted(moments); ++i) {
     SCOPED_TRACE(i);
     const TemporaryFolder folder;
-    const ToolRun run = stopping.stop(i % 2 == 0 ? SIGINT : SIGTERM, folder);
+    const ToolRun run =
+        stopping.stop((i % 2 == 0) != is_first_terminated ? SIGINT : SIGTERM, folder);
     EXPECT_THAT(hiddenBelow(folder.path("")), IsEmpty());
     bool any = false;
     stopping.expectWhole(folder, any);
@@ -232,17 +235,19 @@ rowOf(const std::string& tool)
 
 TEST(RandomMoments, AKilledChainGoesOn)
 {
-  killAtRandom(rowOf("pcl_compact_mapping"), wantedMoments().value_or(5));
+  killAtRandom(rowOf("pcl_compact_mapping"),
+               wantedMoments().value_or(repetitions(2, 5)));
 }
 
 TEST(RandomMoments, AKilledStereoRunBeginsAnew)
 {
-  killAtRandom(rowOf("pcl_active_stereo"), wantedMoments().value_or(2));
+  killAtRandom(rowOf("pcl_active_stereo"), wantedMoments().value_or(repetitions(1, 2)));
 }
 
 TEST(RandomMoments, AKilledRecorderLeavesWholeFrames)
 {
-  killAtRandom(rowOf("pcl_digiclops_grabber"), wantedMoments().value_or(5));
+  killAtRandom(rowOf("pcl_digiclops_grabber"),
+               wantedMoments().value_or(repetitions(2, 5)));
 }
 
 TEST(RandomMoments, AKilledRecordingIsReadToItsLastFrame)
@@ -269,8 +274,12 @@ TEST(RandomMoments, AKilledRecordingIsReadToItsLastFrame)
 
 TEST(RandomMoments, AnInterruptedToolSaysSoAndCleansUp)
 {
-  for (const ToolRow& row : everyTool())
-    interruptAtRandom(row, wantedMoments().value_or(2));
+  bool is_first_terminated = false; // tools alternate if each is stopped only once
+  for (const ToolRow& row : everyTool()) {
+    interruptAtRandom(
+        row, wantedMoments().value_or(repetitions(1, 2)), is_first_terminated);
+    is_first_terminated = !is_first_terminated;
+  }
 }
 
 } // namespace

@@ -78,15 +78,13 @@ public:
     constexpr int tries = 40;
     constexpr double farthest = 2.0; // px
     double best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = -tries; i <= tries; ++i) {
-      const double at = farthest * i / tries;
-      const double off = difference(column, row, at);
-      if (off < least) {
-        least = off;
-        best = at;
-      }
-    }
+    double least = difference(column, row, 0, std::numeric_limits<double>::infinity());
+    for (int i = 1; i <= tries; ++i)
+      for (const double at : {farthest * i / tries, -farthest * i / tries})
+        if (const double off = difference(column, row, at, least); off < least) {
+          least = off;
+          best = at;
+        }
     return best;
   }
 
@@ -105,12 +103,13 @@ public:
 private:
   static constexpr int reach = 6; // px
 
+  /** \param[in] most at which the sum over the window may end */
   double
-  difference(int column, int row, double offset) const
+  difference(int column, int row, double offset, double most) const
   {
     const Eigen::Vector2d shift = offset * step_.normalized();
     double sum = 0;
-    for (int y = row - reach; y <= row + reach; ++y)
+    for (int y = row - reach; y <= row + reach && sum < most; ++y)
       for (int x = column - reach; x <= column + reach; ++x) {
         const Eigen::Vector2d there =
             Eigen::Vector2d(x, y) + double(disparities_.at(x, y)) * step_ + shift;
@@ -175,15 +174,22 @@ protected:
     return runTool(ACMAP_SIMULATED_RIG, all);
   }
 
-  /** \brief Films the room with the unrectified cameras, without noise. */
+  /** \brief Links the room, filmed with the unrectified cameras without noise; once for
+   * all tests, which only read it. */
   void
   filmRaw() const
   {
-    std::vector<std::string> all = noiseless;
-    all.insert(all.end(), {"--cameras", built_rig});
-    const ToolRun run = film(painted_room, "raw", all);
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    ASSERT_EQ(run.err, "");
+    static const TemporaryFolder kept;
+    const std::string session = kept.path("raw");
+    if (!std::filesystem::exists(session)) {
+      std::vector<std::string> all = noiseless;
+      all.insert(all.end(), {"--cameras", built_rig});
+      const ToolRun run = film(painted_room, "filmed", all);
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      ASSERT_EQ(run.err, "");
+      std::filesystem::rename(folder_.path("filmed"), session);
+    }
+    std::filesystem::create_directory_symlink(session, folder_.path("raw"));
   }
 
   std::vector<TrinocularFrame>

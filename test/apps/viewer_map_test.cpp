@@ -77,7 +77,7 @@ protected:
     EXPECT_FALSE(fs::exists(picture_));
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string room_ = folder_.path("room");
   std::string picture_ = folder_.path("out.png");

@@ -30,7 +30,7 @@ protected:
     return png;
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string cloud_ = folder_.write("in.pcd", planePcd());
   std::string picture_ = folder_.path("out.png");

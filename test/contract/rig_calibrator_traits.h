@@ -10,8 +10,8 @@
 namespace pcl::acmap::test {
 
 /** \brief Constructed with the shots of the first input, so that its parameters can be
- * compared. Uses a pair with few boards, because detecting boards takes most of the
- * time of these tests. */
+ * compared. Uses a pair with few boards in small images, because detecting boards
+ * takes most of the time of these tests. */
 struct RigCalibratorTraits {
   using Class = RigCalibrator;
 
@@ -35,7 +35,7 @@ struct RigCalibratorTraits {
   shots()
   {
     static const std::vector<TrinocularFrame> all = [] {
-      RigCalibration pair = builtRig();
+      RigCalibration pair = builtRig(0.65);
       pair.camera(RigCamera::Vertical).is_there = false;
       return boardShots(pair, 2 * shots_of_input);
     }();

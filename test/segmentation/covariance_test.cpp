@@ -1,3 +1,4 @@
+#include "repetitions.h"
 #include "room_planes.h"
 
 #include <pcl/core/random.h>
@@ -12,7 +13,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr int seeds = 50;
+const int seeds = repetitions(20, 50);
 
 /** Uses two thirds of the pixels, so that a hundred views only take some seconds. */
 SimulatedScene

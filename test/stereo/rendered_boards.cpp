@@ -53,9 +53,7 @@ blurred(const std::vector<double>& values, int length, int stride, double sigma)
     const int at = static_cast<int>(i) / stride % length;
     double sum = 0;
     double total = 0;
-    for (int d = -reach; d <= reach; ++d) {
-      if (at + d < 0 || at + d >= length)
-        continue;
+    for (int d = std::max(-reach, -at); d <= std::min(reach, length - 1 - at); ++d) {
       const double weight = weights[static_cast<std::size_t>(d + reach)];
       sum +=
           weight * values[static_cast<std::size_t>(static_cast<int>(i) + d * stride)];
@@ -69,7 +67,7 @@ blurred(const std::vector<double>& values, int length, int stride, double sigma)
 } // namespace
 
 RigCalibration
-builtRig()
+builtRig(double scale)
 {
   RigCalibration rig;
   rig.camera(RigCamera::Reference) = builtCamera(520, 323, 236, -0.25);
@@ -80,6 +78,14 @@ builtRig()
   horizontal.T_reference_camera.translation() << -0.1, 0.0008, -0.0006;
   vertical.T_reference_camera.linear() = turned(-1.4, 1.1, -1.3);
   vertical.T_reference_camera.translation() << -0.000803, -0.1, 0.0005;
+  rig.width = static_cast<int>(std::lround(scale * rig.width));
+  rig.height = static_cast<int>(std::lround(scale * rig.height));
+  for (CameraCalibration& camera : rig.cameras) {
+    for (double* const focal : {&camera.focal_x, &camera.focal_y})
+      *focal *= scale;
+    for (double* const center : {&camera.center_x, &camera.center_y})
+      *center = scale * (*center + 0.5) - 0.5;
+  }
   return rig;
 }
 
@@ -114,19 +120,24 @@ RigRenderer::imageOf(RigCamera camera,
   image.width = rig_.width;
   image.height = rig_.height;
   image.values.resize(width * static_cast<std::size_t>(rig_.height));
+  const Eigen::Matrix3d turn = T_plane_camera.linear();
   parallelForChunks(image.values.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t corner = i / width * (width + 1) + i % width;
-      const Eigen::Vector2d across = rays[corner + 1] - rays[corner];
-      const Eigen::Vector2d down = rays[corner + width + 1] - rays[corner];
+      // directions of rays in the frame of the plane, linear within a pixel
+      const Eigen::Vector3d first = turn * rays[corner].homogeneous();
+      const Eigen::Vector3d across =
+          turn.leftCols<2>() * (rays[corner + 1] - rays[corner]) / side;
+      const Eigen::Vector3d down =
+          turn.leftCols<2>() * (rays[corner + width + 1] - rays[corner]) / side;
       double sum = 0;
       for (int k = 0; k < side * side; ++k) {
-        const Eigen::Vector2d ray = rays[corner] + (k % side + 0.5) / side * across +
-                                    (k / side + 0.5) / side * down;
-        const Eigen::Vector3d direction =
-            T_plane_camera.linear() * Eigen::Vector3d(ray.x(), ray.y(), 1.0);
-        const double depth = -from.z() / direction.z();
-        sum += depth > 0 ? brightness(from + depth * direction) : 0.0;
+        const double u = k % side + 0.5, v = k / side + 0.5;
+        const double depth = -from.z() / (first.z() + u * across.z() + v * down.z());
+        if (depth > 0)
+          sum += brightness(
+              from.x() + depth * (first.x() + u * across.x() + v * down.x()),
+              from.y() + depth * (first.y() + u * across.y() + v * down.y()));
       }
       image.values[i] = grey(sum / (side * side));
     }
@@ -150,13 +161,13 @@ RigRenderer::frameOf(const Eigen::Isometry3d& T_reference_plane,
 }
 
 double
-boardBrightness(const Eigen::Vector3d& point)
+boardBrightness(double x, double y)
 {
-  const double column = point.x() / 0.03;
-  const double row = point.y() / 0.03;
+  const double column = x / 0.03;
+  const double row = y / 0.03;
   const bool is_on_paper = column > -1.6 && column < 9.6 && row > -1.6 && row < 6.6;
   if (!is_on_paper)
-    return 120 + 40 * point.x() - 30 * point.y();
+    return 120 + 40 * x - 30 * y;
   const bool has_square = column > -1 && column < 9 && row > -1 && row < 6;
   const auto square = static_cast<int>(std::floor(column) + std::floor(row) + 4);
   return has_square && square % 2 == 0 ? 30 : 215;

@@ -8,13 +8,14 @@
 namespace pcl::acmap::test {
 
 /** \brief A realistic rig: strong distortion, cameras rotated by one or two degrees,
- * baselines that are perpendicular, but not parallel to the axes of the reference. */
+ * baselines that are perpendicular, but not parallel to the axes of the reference.
+ * \param[in] scale of its images; 1 for 640 x 480 pixels */
 RigCalibration
-builtRig();
+builtRig(double scale = 1);
 
-/** \brief Grey level, 0 to 255, of a point on a plane, metres in the frame of the
- * plane. */
-using Brightness = double (*)(const Eigen::Vector3d& point);
+/** \brief Grey level, 0 to 255, of a point (x, y, 0) on a plane, metres in the frame of
+ * the plane. */
+using Brightness = double (*)(double x, double y);
 
 /** \brief Renders planes as seen by the cameras of a rig, with sixteen rays per
  * pixel. */
@@ -40,9 +41,9 @@ private:
 
 /** \brief A board of 9 x 6 corners and 30 mm squares with a white margin on a grey
  * wall.
- * \param[in] point relative to the first corner; x along a row, y down */
+ * \param[in] x,y relative to the first corner; x along a row, y down */
 double
-boardBrightness(const Eigen::Vector3d& point);
+boardBrightness(double x, double y);
 
 /** \brief Realistic poses of a hand-held board in front of a rig: all over the image,
  * near and far, tilted and rotated. */

@@ -15,7 +15,7 @@ namespace {
 becomeServer(int number_to, const std::string& screen)
 {
   // a crashing test must not leave a server behind, which would keep ctest's pipe open
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -57,6 +57,14 @@ VirtualDisplay::VirtualDisplay()
 VirtualDisplay::VirtualDisplay(const std::string& screen)
 {
   start(screen);
+}
+
+const VirtualDisplay&
+VirtualDisplay::shared()
+{
+  // never destroyed: libraries may still talk to it when the program ends, and then it ends
+  static const auto* const display = new VirtualDisplay;
+  return *display;
 }
 
 VirtualDisplay::~VirtualDisplay()

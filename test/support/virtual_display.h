@@ -16,6 +16,10 @@ public:
    * \param[in] screen width, height and depth, as 1280x960x24 */
   explicit VirtualDisplay(const std::string& screen);
 
+  /** \brief One that all tests of a program share until it ends. */
+  static const VirtualDisplay&
+  shared();
+
   ~VirtualDisplay();
 
   VirtualDisplay(const VirtualDisplay&) = delete;

@@ -86,7 +86,7 @@ protected:
     return Eigen::Vector3d(stage_->renderer()->GetActiveCamera()->GetPosition());
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string path_ = folder_.path("out.png");
   LayeredScene scene_ = makeViewedRoom();

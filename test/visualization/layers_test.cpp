@@ -61,7 +61,7 @@ protected:
     return ShownPicture(path_);
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string path_ = folder_.path("out.png");
   LayeredScene scene_ = makeScene();

@@ -72,7 +72,7 @@ protected:
     return ShownPicture(path_);
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string path_ = folder_.path("out.png");
   CompactMap map_ = makeRoomMap();

@@ -33,7 +33,7 @@ protected:
       }
   }
 
-  VirtualDisplay display_;
+  const VirtualDisplay& display_ = VirtualDisplay::shared();
   TemporaryFolder folder_;
   std::string path_ = folder_.path("out.png");
   PCLPointCloud2 cloud_;

@@ -12,7 +12,7 @@ namespace {
 
 TEST(Visualizer, TakesLayers)
 {
-  const VirtualDisplay display;
+  const VirtualDisplay& display = VirtualDisplay::shared();
   if (!display.exists())
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
   visualization::PCLVisualizer viewer("layers", false);

@@ -161,7 +161,7 @@ class NewUser : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(NewUser, GetsWhatThePageTells)
 {
-  const VirtualDisplay display;
+  const VirtualDisplay& display = VirtualDisplay::shared();
   const TemporaryFolder folder;
   fs::copy(belongings().path(""), folder.path("home"), fs::copy_options::recursive);
   const std::string place = "TOOL";
