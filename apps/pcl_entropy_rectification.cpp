@@ -10,11 +10,16 @@ main(int argc, char** argv)
   RectificationOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
-    requireInput(options);
-    std::optional<pcl::ObservationSequence> posed;
+    if (options.input().empty())
+      throw UsageError("POSED_DIR or --carmen LOG is needed");
+    tool.requireReportWritable({options.input()});
     if (options.log.empty())
-      posed.emplace(options.folder, tool.scale());
-    rectifyPoses(tool, options, posed);
+      rectifyPoses(options,
+                   pcl::ObservationSequence(options.folder, tool.scale()),
+                   tool.controls(),
+                   tool.log());
+    else
+      rectifyScans(options, tool.controls(), tool.log());
     tool.setReportPlace(options.output + "/report.json");
   });
 }

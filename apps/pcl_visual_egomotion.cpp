@@ -9,7 +9,9 @@ main(int argc, char** argv)
   EgomotionOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
-    estimatePoses(tool, options);
+    const pcl::ObservationSequence sequence = observationsOf(options, tool.scale());
+    tool.requireReportWritable(sequence.paths());
+    estimatePoses(options, sequence, tool.controls(), tool.log());
     tool.setReportPlace(options.output + "/report.json");
   });
 }

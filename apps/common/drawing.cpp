@@ -1,138 +1,108 @@
 #include "drawing.h"
 
-#include <pcl/core/image_file.h>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <sstream>
 
 namespace pcl::acmap {
 
 namespace {
 
-// Glyphs of 5 rows of 3 pixels; the upper left pixel is the highest bit. They are drawn
-// in double size.
-constexpr int glyph_rows = 5, glyph_columns = 3, glyph_scale = 2;
-constexpr std::array<std::uint16_t, 10> digits = {
-    075557, 026227, 071747, 071717, 055711, 074717, 074757, 071111, 075757, 075717};
-constexpr std::array<std::uint16_t, 26> letters = {
-    075755, 065656, 074447, 065556, 074647, 074644, 074557, 055755, 072227,
-    011157, 055655, 044447, 057755, 065555, 075557, 075744, 075571, 075655,
-    074717, 072222, 055557, 055552, 055775, 055255, 055222, 071247};
+// lengths of a plot, pixels
+constexpr int left_margin = 85, right_margin = 30, top_margin = 34, bottom_margin = 50;
+constexpr int tick = 5;
+constexpr int title_row = top_margin / 2; ///< of the legend, too
 
-std::uint16_t
-glyphOf(char letter)
+const Color grid_color(228, 228, 228);
+
+constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
+constexpr double font_scale = 0.45;
+
+// bits for parts of a pixel
+constexpr int shift = 4;
+
+cv::Point2l
+fixedPoint(const Eigen::Vector2d& pixel)
 {
-  const auto code = static_cast<unsigned char>(letter);
-  if (std::isdigit(code))
-    return digits[static_cast<std::size_t>(letter - '0')];
-  if (std::isalpha(code))
-    return letters[static_cast<std::size_t>(std::toupper(code) - 'A')];
-  switch (letter) {
-  case '.':
-    return 000002;
-  case '-':
-    return 000700;
-  case '+':
-    return 002720;
-  case '/':
-    return 011244;
-  default:
-    return 0;
-  }
-}
-
-void
-mix(std::uint8_t* pixel, const Color& color, double share)
-{
-  for (std::size_t c = 0; c < color.size(); ++c)
-    pixel[c] = static_cast<std::uint8_t>(
-        std::lround(pixel[c] + share * (color[c] - pixel[c])));
-}
-
-double
-distanceToSegment(const Eigen::Vector2d& point,
-                  const Eigen::Vector2d& from,
-                  const Eigen::Vector2d& to)
-{
-  const Eigen::Vector2d along = to - from;
-  const double squared = along.squaredNorm();
-  const double t =
-      squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (point - from - t * along).norm();
-}
-
-/** \brief Range of pixels, limited to an image side of that length. */
-struct Span {
-  int first, last;
-};
-
-Span
-spanOf(double a, double b, double reach, int pixels)
-{
-  const double most = pixels - 1;
-  return {static_cast<int>(std::clamp(std::min(a, b) - reach, 0.0, most + 1)),
-          static_cast<int>(std::clamp(std::ceil(std::max(a, b) + reach), -1.0, most))};
+  // beyond any picture, and the products of such numbers are still integers
+  constexpr double farthest = 1e8;
+  const Eigen::Vector2d scaled =
+      (1 << shift) * pixel.cwiseMax(-farthest).cwiseMin(farthest);
+  return {std::lround(scaled.x()), std::lround(scaled.y())};
 }
 
 } // namespace
 
-RgbImage
-whiteImage(int width, int height)
+cv::Mat3b
+matOf(RgbImage& image)
 {
-  RgbImage image;
-  image.width = width;
-  image.height = height;
-  image.values.assign(
-      3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+  return {image.height, image.width, reinterpret_cast<Color*>(image.values.data())};
+}
+
+RgbImage
+rgbImageOf(const cv::Mat3b& matrix)
+{
+  RgbImage image{matrix.cols, matrix.rows, {}};
+  image.values.resize(3 * matrix.total());
+  matrix.copyTo(matOf(image));
   return image;
 }
 
 void
-drawLine(RgbImage& image,
+drawLine(cv::Mat3b& image,
          const Eigen::Vector2d& from,
          const Eigen::Vector2d& to,
-         double width,
+         int width,
          const Color& color)
 {
   if (!from.allFinite() || !to.allFinite())
     return;
-  const double reach = 0.5 * width + 0.5;
-  const Span columns = spanOf(from.x(), to.x(), reach, image.width);
-  const Span rows = spanOf(from.y(), to.y(), reach, image.height);
-  for (int row = rows.first; row <= rows.last; ++row)
-    for (int column = columns.first; column <= columns.last; ++column) {
-      const double distance = distanceToSegment({column, row}, from, to);
-      const double share = std::clamp(reach - distance, 0.0, 1.0);
-      if (share > 0)
-        mix(image.at(column, row), color, share);
-    }
+  cv::Point2l begin = fixedPoint(from), end = fixedPoint(to);
+  const cv::Size2l size(std::int64_t{image.cols} << shift,
+                        std::int64_t{image.rows} << shift);
+  if (!cv::clipLine(size, begin, end))
+    return;
+  const bool is_sharp = width == 1 && (begin.x == end.x || begin.y == end.y);
+  cv::line(image,
+           cv::Point(begin),
+           cv::Point(end),
+           color,
+           width,
+           is_sharp ? cv::LINE_8 : cv::LINE_AA,
+           shift);
 }
 
 void
-drawText(
-    RgbImage& image, int column, int row, const std::string& text, const Color& color)
+drawDot(cv::Mat3b& image, const Eigen::Vector2d& at, int radius, const Color& color)
 {
-  for (const char letter : text) {
-    const std::uint16_t glyph = glyphOf(letter);
-    for (int y = 0; y < glyph_scale * glyph_rows; ++y)
-      for (int x = 0; x < glyph_scale * glyph_columns; ++x) {
-        const int bit =
-            y / glyph_scale * glyph_columns + x / glyph_scale; // from the upper left
-        const bool inside = column + x >= 0 && column + x < image.width &&
-                            row + y >= 0 && row + y < image.height;
-        if (inside && (glyph >> (glyph_rows * glyph_columns - 1 - bit) & 1) != 0)
-          std::copy(color.begin(), color.end(), image.at(column + x, row + y));
-      }
-    column += text_advance;
-  }
+  const cv::Rect2d rectangle(0, 0, image.cols, image.rows);
+  if (rectangle.contains(cv::Point2d(at.x(), at.y())))
+    cv::circle(image,
+               cv::Point(fixedPoint(at)),
+               radius << shift,
+               color,
+               cv::FILLED,
+               cv::LINE_AA,
+               shift);
 }
 
-void
-paste(const RgbImage& from, int column, int row, RgbImage& to)
+int
+drawText(cv::Mat3b& image,
+         const Eigen::Vector2d& at,
+         const std::string& text,
+         const Color& color,
+         double share)
 {
-  for (int y = 0; y < from.height; ++y)
-    std::copy_n(from.at(0, y), 3 * from.width, to.at(column, row + y));
+  int baseline = 0;
+  const cv::Size size = cv::getTextSize(text, font, font_scale, 1, &baseline);
+  const cv::Point begin(cvRound(at.x() - share * size.width),
+                        cvRound(at.y() + 0.5 * size.height));
+  constexpr int border = 3;
+  cv::putText(image, text, begin, font, font_scale, white, border, cv::LINE_AA);
+  cv::putText(image, text, begin, font, font_scale, color, 1, cv::LINE_AA);
+  return size.width;
 }
 
 double
@@ -143,6 +113,80 @@ roundLength(double most)
     if (factor * power <= most)
       return factor * power;
   return power;
+}
+
+Plot::Plot(const cv::Size& size,
+           const Eigen::AlignedBox2d& shown,
+           const std::string& x_name,
+           const std::string& y_name)
+: shown_(shown)
+, whole_(top_margin + size.height + bottom_margin,
+         left_margin + size.width + right_margin,
+         white)
+, inside_(whole_(cv::Rect({left_margin, top_margin}, size)))
+, legend_column_(left_margin)
+{
+  for (const int axis : {0, 1})
+    drawTicks(axis);
+  cv::rectangle(whole_,
+                {left_margin - 1, top_margin - 1},
+                {left_margin + size.width, top_margin + size.height},
+                black);
+  drawText(whole_,
+           {left_margin + 0.5 * size.width, whole_.rows - bottom_margin * 0.25},
+           x_name,
+           black,
+           0.5);
+  addToLegend(y_name, black);
+}
+
+Eigen::Vector2d
+Plot::pixelOf(double x, double y) const
+{
+  const Eigen::Array2d share =
+      (Eigen::Vector2d(x, y) - shown_.min()).array() / shown_.sizes().array();
+  return {share.x() * (inside_.cols - 1), (1 - share.y()) * (inside_.rows - 1)};
+}
+
+void
+Plot::drawTicks(int axis)
+{
+  const bool is_x = axis == 0;
+  // at most so many pixels from one number to the next
+  const double share = is_x ? 200.0 / inside_.cols : 140.0 / inside_.rows;
+  const double step = roundLength(share * shown_.sizes()[axis]);
+  const Eigen::Vector2d across = is_x ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(-1, 0);
+  for (double i = std::ceil(shown_.min()[axis] / step); i * step <= shown_.max()[axis];
+       ++i) {
+    const double value = i * step + 0.0; // without a negative zero
+    Eigen::Vector2d at = is_x ? pixelOf(value, 0) : pixelOf(0, value);
+    at[1 - axis] = is_x ? inside_.rows : -1; // on the axis
+    Eigen::Vector2d opposite = at;
+    opposite[1 - axis] = is_x ? 0 : inside_.cols;
+    drawLine(inside_, at, opposite, 1, grid_color);
+    const Eigen::Vector2d on_axis = at + Eigen::Vector2d(left_margin, top_margin);
+    drawLine(whole_, on_axis, on_axis + tick * across, 1, black);
+    std::ostringstream number;
+    number << value;
+    drawText(whole_,
+             on_axis + (is_x ? 3 : 2) * tick * across,
+             number.str(),
+             black,
+             is_x ? 0.5 : 1);
+  }
+}
+
+void
+Plot::addToLegend(const std::string& text, const Color& color)
+{
+  constexpr int gap = 24; // pixels
+  legend_column_ += drawText(whole_, {legend_column_, title_row}, text, color) + gap;
+}
+
+RgbImage
+Plot::picture()
+{
+  return rgbImageOf(whole_);
 }
 
 } // namespace pcl::acmap

@@ -2,53 +2,100 @@
 
 #include <pcl/core/image_file.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
 
-using Color = std::array<std::uint8_t, 3>; ///< red, green, blue
+using Color = cv::Vec3b; ///< red, green, blue
 
-constexpr Color black = {0, 0, 0};
-constexpr Color gray = {150, 150, 150};
-constexpr Color red = {200, 30, 40};
-constexpr Color blue = {25, 90, 190};
+inline const Color white(255, 255, 255);
+inline const Color black(0, 0, 0);
+inline const Color gray(150, 150, 150);
+inline const Color red(200, 30, 40);
+inline const Color blue(25, 90, 190);
 
-/** \brief Height of a letter and distance between letters for \ref drawText, pixels. */
-constexpr int text_height = 10;
-constexpr int text_advance = 8;
+/** \brief The pixels of a picture as a matrix of OpenCV, without a copy. */
+cv::Mat3b
+matOf(RgbImage& image);
 
-/** \brief Creates a white picture. */
+/** \brief Copies a matrix with the channels red, green, blue. */
 RgbImage
-whiteImage(int width, int height);
+rgbImageOf(const cv::Mat3b& matrix);
 
-/** \brief Draws an anti-aliased line; parts outside of the image are clipped. A line
- * with an end that is not finite is not drawn.
+/** \brief Draws a line; parts outside of the image are clipped. A line with an end that
+ * is not finite is not drawn.
+ *
+ * Slanted and thick lines are anti-aliased.
  * \param[in] width pixels */
 void
-drawLine(RgbImage& image,
+drawLine(cv::Mat3b& image,
          const Eigen::Vector2d& from,
          const Eigen::Vector2d& to,
-         double width,
+         int width,
          const Color& color);
 
-/** \brief Draws letters, digits and `. - + /`; lower case letters are drawn as upper
- * case, other characters as blanks.
- * \param[in] column,row of the upper left pixel */
+/** \brief Draws a filled circle. */
 void
-drawText(
-    RgbImage& image, int column, int row, const std::string& text, const Color& color);
+drawDot(cv::Mat3b& image, const Eigen::Vector2d& at, int radius, const Color& color);
 
-/** \brief Copies a picture into a larger one; it must fit. */
-void
-paste(const RgbImage& from, int column, int row, RgbImage& to);
+/** \brief Draws ASCII text with a thin white border, so that it is legible on lines.
+ * \param[in] at a point at half the height of the text
+ * \param[in] share fraction of the text that is left of this point
+ * \return width of the text in pixels */
+int
+drawText(cv::Mat3b& image,
+         const Eigen::Vector2d& at,
+         const std::string& text,
+         const Color& color,
+         double share = 0);
 
 /** \brief A round length for ticks and scale bars: the maximum of 1, 2 and 5 times
  * powers of ten that is not above \a most, which is finite and above 0. */
 double
 roundLength(double most);
+
+/** \brief A plot with axes, ticks and a grid: x to the right and y upwards. */
+class Plot {
+public:
+  /** \param[in] size of the part within the axes, pixels
+   * \param[in] shown range of x and y, not empty
+   * \param[in] x_name,y_name titles of the axes, with their units */
+  Plot(const cv::Size& size,
+       const Eigen::AlignedBox2d& shown,
+       const std::string& x_name,
+       const std::string& y_name);
+
+  /** \brief Position within \ref inside. */
+  Eigen::Vector2d
+  pixelOf(double x, double y) const;
+
+  /** \brief The part within the axes: what is drawn into it is clipped to it. */
+  cv::Mat3b&
+  inside()
+  {
+    return inside_;
+  }
+
+  /** \brief Adds an entry to the legend, from left to right. */
+  void
+  addToLegend(const std::string& text, const Color& color);
+
+  /** \brief The complete picture. */
+  RgbImage
+  picture();
+
+private:
+  /** \brief Draws grid lines and numbers along x (0) or y (1). */
+  void
+  drawTicks(int axis);
+
+  Eigen::AlignedBox2d shown_;
+  cv::Mat3b whole_, inside_; // inside_ is a part of whole_
+  int legend_column_;        // of the next entry
+};
 
 } // namespace pcl::acmap

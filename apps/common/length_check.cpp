@@ -139,8 +139,14 @@ lengthRemarks(const PointView& points, double median_spacing, double scale)
 void
 warnOfLengths(Tool& tool, const PointCloudFile& file)
 {
-  for (const std::string& remark : lengthRemarks(file.points(), 0, tool.scale()))
-    tool.warn(remark);
+  warnOfLengths(file, tool.controls(), tool.log());
+}
+
+void
+warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log)
+{
+  for (const std::string& remark : lengthRemarks(file.points(), 0, controls.scale))
+    log.warn(remark);
 }
 
 void

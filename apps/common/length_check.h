@@ -9,6 +9,8 @@
 namespace pcl::acmap {
 
 class Tool;
+struct RunControls;
+struct StageLog;
 
 /** \brief Extent of most points of a cloud, robust against outliers. */
 struct CloudExtent {
@@ -40,6 +42,9 @@ lengthRemarks(const PointView& points, double median_spacing, double scale);
  * \param[in] file in metres, by the tool's scale */
 void
 warnOfLengths(Tool& tool, const PointCloudFile& file);
+
+void
+warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log);
 
 /** \brief Compares a length that the user gave in metres with the extent of the cloud
  * that it divides: warns if only few parts are left.

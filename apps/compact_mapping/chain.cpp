@@ -165,7 +165,7 @@ Chain::findPoses(const std::string& observations, double scale)
                               {"scale", scale},
                               {"options", valuesIn(tool_, egomotion_group)}},
                              [&] {
-                               estimatePoses(tool_, egomotion, sequence);
+                               estimatePoses(egomotion, sequence, tool_.controls(), tool_.log());
                                return std::vector<std::string>();
                              });
   return sequence.withPoses(
@@ -193,7 +193,7 @@ Chain::rectify(const std::string& observations,
                               {"scale", scale},
                               {"options", valuesIn(tool_, rectification_group)}},
                              [&] {
-                               rectifyPoses(tool_, rectification, posed);
+                               rectifyPoses(rectification, posed, tool_.controls(), tool_.log());
                                return std::vector<std::string>();
                              });
   return posed.withPoses(

@@ -1,6 +1,7 @@
 #include "energy_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -8,6 +9,17 @@
 #include <utility>
 
 namespace pcl::acmap {
+
+namespace {
+
+const std::array<Color, 6> palette = {blue,
+                                      red,
+                                      Color(30, 140, 60),
+                                      Color(190, 120, 0),
+                                      Color(120, 60, 170),
+                                      Color(0, 140, 150)};
+
+} // namespace
 
 bool
 areComparable(const RectificationStep& a, const RectificationStep& b)
@@ -47,6 +59,40 @@ shownRange(std::vector<double> heights)
   const double most = heights[heights.size() - 1 - left_out];
   const double spare = std::max(0.05 * most, 1e-6);
   return {-0.5 * spare, most + spare};
+}
+
+RgbImage
+energyPicture(const std::vector<RectificationStep>& steps)
+{
+  constexpr int width = 885, height = 476; // pixels
+  const auto last = static_cast<double>(std::max<std::size_t>(steps.size(), 2) - 1);
+  const std::vector<double> heights = energiesAboveLowest(steps);
+  const EnergyRange range = shownRange(heights);
+  Plot plot({width, height},
+            {Eigen::Vector2d(0, range.least), Eigen::Vector2d(last, range.most)},
+            "steps of the search",
+            "energy above the lowest");
+  std::vector<std::string> searches;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const RectificationStep& step = steps[i];
+    const auto found = std::find(searches.begin(), searches.end(), step.search);
+    const auto number = static_cast<std::size_t>(found - searches.begin());
+    const Color& color = palette[number % palette.size()];
+    if (found == searches.end()) {
+      searches.push_back(step.search);
+      plot.addToLegend(step.search, color);
+    }
+    const Eigen::Vector2d to = plot.pixelOf(static_cast<double>(i), heights[i]);
+    if (i > 0 && areComparable(steps[i - 1], step))
+      drawLine(plot.inside(),
+               plot.pixelOf(static_cast<double>(i - 1), heights[i - 1]),
+               to,
+               2,
+               color);
+    else
+      drawDot(plot.inside(), to, 3, color);
+  }
+  return plot.picture();
 }
 
 } // namespace pcl::acmap

@@ -92,17 +92,4 @@ addOptions(Tool& tool, RectificationOptions& options)
   tool.addThreads();
 }
 
-void
-requireInput(const RectificationOptions& options)
-{
-  if (options.input().empty())
-    throw UsageError("POSED_DIR or --carmen LOG is needed");
-}
-
-const char*
-nameOf(RectificationMode mode)
-{
-  return mode == RectificationMode::Guarded ? "guarded" : "paper";
-}
-
 } // namespace pcl::acmap

@@ -50,22 +50,20 @@ addOptions(Tool& tool, RectificationOptions& options);
 void
 addRectificationChoices(Tool& tool, RectificationOptions& options);
 
-/** \brief Checks that there is an input.
- * \throws UsageError when there is none */
-void
-requireInput(const RectificationOptions& options);
-
-/** \brief Name of a mode on the command line. */
-const char*
-nameOf(RectificationMode mode);
-
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.
- * \param[in] posed the observations; none: the scans of the options' log
+ * \param[in] posed the observations of the options' folder
  * \throws according to the exit codes of its documentation page */
 void
-rectifyPoses(Tool& tool,
-             const RectificationOptions& options,
-             const std::optional<ObservationSequence>& posed);
+rectifyPoses(const RectificationOptions& options,
+             const ObservationSequence& posed,
+             const RunControls& controls,
+             StageLog& log);
+
+/** \brief The same for the scans of the options' log. */
+void
+rectifyScans(const RectificationOptions& options,
+             const RunControls& controls,
+             StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,11 +1,17 @@
 #include "rectification_options.h"
 
+#include "energy_curve.h"
 #include "map_observations.h"
+#include "memory.h"
 #include "output_target.h"
-#include "rectification_outputs.h"
+#include "plan_picture.h"
 #include "stage_reports.h"
 
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/output_folder.h>
+#include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
@@ -15,79 +21,66 @@ namespace pcl::acmap {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+using Poses = std::vector<Eigen::Isometry3d>;
+using Rectification = EntropyRectification<PointNormal>;
+
 constexpr double degrees = 180 / 3.14159265358979323846;
 
 const char*
 outcomeName(RectificationOutcome outcome)
 {
-  switch (outcome) {
-  case RectificationOutcome::Rectified:
-    return "rectified";
-  case RectificationOutcome::Kept:
-    return "kept";
-  case RectificationOutcome::Refused:
-    return "refused";
-  default:
-    return "undetermined";
-  }
+  constexpr const char* names[] = {"rectified", "kept", "refused", "undetermined"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
-nlohmann::ordered_json
-jsonOf(const MapEvidence& evidence)
+Json
+evidenceIn(const MapEvidence& evidence)
 {
-  return {{"rays", evidence.rays},
-          {"near_contradictions", evidence.near_contradictions},
-          {"far_contradictions", evidence.far_contradictions},
-          {"near_rays", evidence.near_rays},
-          {"far_rays", evidence.far_rays},
-          {"mean_map_entropy", evidence.mean_map_entropy},
-          {"orthogonal_variance", evidence.orthogonal_variance}};
+  Json json;
+  visitFields(evidence,
+              [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
 }
 
 /** The steps as columns, since there may be thousands of them. */
-nlohmann::ordered_json
-jsonOf(const std::vector<RectificationStep>& steps)
+Json
+columnsOf(const std::vector<RectificationStep>& steps)
 {
-  nlohmann::ordered_json columns = {{"search", nlohmann::ordered_json::array()},
-                                    {"bin_size", nlohmann::ordered_json::array()},
-                                    {"entropy", nlohmann::ordered_json::array()},
-                                    {"prior", nlohmann::ordered_json::array()},
-                                    {"energy", nlohmann::ordered_json::array()}};
-  for (const RectificationStep& step : steps) {
-    columns["search"].push_back(step.search);
-    columns["bin_size"].push_back(step.bin_size);
-    columns["entropy"].push_back(step.entropy);
-    columns["prior"].push_back(step.prior);
-    columns["energy"].push_back(step.energy);
-  }
+  Json columns;
+  visitFields(RectificationStep(),
+              [&](const char* name, const auto&) { columns[name] = Json::array(); });
+  for (const RectificationStep& step : steps)
+    visitFields(step, [&](const char* name, const auto& value) {
+      columns[name].push_back(value);
+    });
   return columns;
 }
 
-void
-addDetails(Tool& tool,
-           const RectificationOptions& options,
-           const EntropyRectificationReport& report)
+Json
+detailsOf(const RectificationOptions& options, const EntropyRectificationReport& report)
 {
-  tool.details().update({{"input", options.input()},
-                         {"output", options.output},
-                         {"mode", nameOf(options.mode)},
-                         {"bin_size", options.binSize()},
-                         {"seed", options.seed},
-                         {"observations", report.observations},
-                         {"points", report.points},
-                         {"invalid_points", report.invalid_points},
-                         {"outcome", outcomeName(report.outcome)},
-                         {outcomeName(report.outcome), report.reason},
-                         {"evaluations", report.evaluations},
-                         {"odometry_scale", report.odometry_scale},
-                         {"strongest_action", report.strongest_action},
-                         {"disagreement", report.disagreement},
-                         {"before", jsonOf(report.before)},
-                         {"after", jsonOf(report.after)},
-                         {"moved", report.moved},
-                         {"turned", report.turned},
-                         {"steps", jsonOf(report.steps)},
-                         {"rectification_seconds", secondsOf(report)}});
+  const bool is_guarded = options.mode == RectificationMode::Guarded;
+  return {{"input", options.input()},
+          {"output", options.output},
+          {"mode", is_guarded ? "guarded" : "paper"},
+          {"bin_size", options.binSize()},
+          {"seed", options.seed},
+          {"observations", report.observations},
+          {"points", report.points},
+          {"invalid_points", report.invalid_points},
+          {"outcome", outcomeName(report.outcome)},
+          {outcomeName(report.outcome), report.reason},
+          {"evaluations", report.evaluations},
+          {"odometry_scale", report.odometry_scale},
+          {"strongest_action", report.strongest_action},
+          {"disagreement", report.disagreement},
+          {"before", evidenceIn(report.before)},
+          {"after", evidenceIn(report.after)},
+          {"moved", report.moved},
+          {"turned", report.turned},
+          {"steps", columnsOf(report.steps)},
+          {"rectification_seconds", secondsOf(report)}};
 }
 
 double
@@ -96,96 +89,54 @@ largestOf(const std::vector<double>& values)
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/** Fraction of rays before and after, in %. */
-std::string
-change(double before, double after, bool is_new)
-{
-  return shortNumber(100 * before) + (is_new ? " % before, " : " % (best candidate ") +
-         shortNumber(100 * after) + (is_new ? " % after" : " %)");
-}
-
 void
-tellEvidence(Tool& tool, const EntropyRectificationReport& report)
+tellEvidence(const EntropyRectificationReport& report, StageLog& log)
 {
   const bool is_new = report.outcome == RectificationOutcome::Rectified;
-  const MapEvidence& before = report.before;
-  const MapEvidence& after = report.after;
-  const auto near_confirmed = [](const MapEvidence& rays) {
-    return rays.near_rays * (1 - rays.near_contradictions);
+  // fraction of rays before and after
+  const auto change = [&](const auto& fraction) {
+    return shortNumber(100 * fraction(report.before)) +
+           (is_new ? " % before, " : " % (best candidate ") +
+           shortNumber(100 * fraction(report.after)) + (is_new ? " % after" : " %)");
   };
-  const auto far_confirmed = [](const MapEvidence& rays) {
-    return rays.far_rays * (1 - rays.far_contradictions);
-  };
-  tool.tell("contradicted",
-            "of the rays that near observations tell about " +
-                change(before.near_contradictions, after.near_contradictions, is_new) +
-                "; of those that far ones do " +
-                change(before.far_contradictions, after.far_contradictions, is_new));
-  tool.tell("confirmed",
-            "of all rays by near observations " +
-                change(near_confirmed(before), near_confirmed(after), is_new) +
-                "; by far ones " +
-                change(far_confirmed(before), far_confirmed(after), is_new));
+  using Evidence = const MapEvidence&;
+  log.tell("contradicted",
+           "of the rays that near observations tell about " + change([](Evidence rays) {
+             return rays.near_contradictions;
+           }) + "; of those that far ones do " +
+               change([](Evidence rays) { return rays.far_contradictions; }));
+  log.tell("confirmed",
+           "of all rays by near observations " + change([](Evidence rays) {
+             return rays.near_rays * (1 - rays.near_contradictions);
+           }) + "; by far ones " +
+               change([](Evidence rays) {
+                 return rays.far_rays * (1 - rays.far_contradictions);
+               }));
 }
 
-/** \brief Reports the outcome as lines of the summary, in the JSON report and, if it is
- * Refused or Undetermined, as a warning. */
+/** Reports the outcome as lines of the summary and, if it is Refused or Undetermined, as
+ * a warning. */
 void
-tellOutcome(Tool& tool,
-            const RectificationOptions& options,
-            const EntropyRectificationReport& report)
+tellOutcome(const EntropyRectificationReport& report, StageLog& log)
 {
   for (const std::string& remark : report.remarks)
     if (remark != report.reason)
-      tool.warn(remark);
-  tool.tell(outcomeName(report.outcome), report.reason);
+      log.warn(remark);
+  log.tell(outcomeName(report.outcome), report.reason);
   if (report.outcome == RectificationOutcome::Refused ||
       report.outcome == RectificationOutcome::Undetermined)
-    tool.warn("the poses are as they came: " + report.reason);
+    log.warn("the poses are as they came: " + report.reason);
   if (report.before.rays > 0)
-    tellEvidence(tool, report);
-  tool.tell("moved",
-            "at most " + shortNumber(largestOf(report.moved)) + " m and " +
-                shortNumber(degrees * largestOf(report.turned)) + " degrees");
-  addDetails(tool, options, report);
+    tellEvidence(report, log);
+  log.tell("moved",
+           "at most " + shortNumber(largestOf(report.moved)) + " m and " +
+               shortNumber(degrees * largestOf(report.turned)) + " degrees");
 }
 
-using Rectification = pcl::EntropyRectification<pcl::PointNormal>;
-
-void
-rectify(Tool& tool,
-        const RectificationOptions& options,
-        const MapObservations& observations,
-        Rectification& rectification)
-{
-  rectification.setMode(options.mode);
-  rectification.setBinSize(options.binSize());
-  rectification.setSeed(options.seed);
-  rectification.setOdometryNoise(options.odometry);
-  rectification.setNumberOfThreads(tool.threads());
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(observations.clouds[i],
-                                observations.trajectory.poses[i],
-                                observations.weights[i]);
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    rectification.setProgressCallback(progress);
-    rectification.compute();
-  });
-}
-
-std::vector<Eigen::Isometry3d>
-posesOf(const Rectification& rectification)
-{
-  std::vector<Eigen::Isometry3d> poses;
-  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
-    poses.push_back(rectification.getPose(i));
-  return poses;
-}
-
-/** \brief Do all poses have the same height, and rotate about y only, as for motions on
- * a floor? */
+/** Do all poses have the same height, and rotate about y only, as for motions on a
+ * floor? */
 bool
-areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
+areOnAFloor(const Poses& poses)
 {
   constexpr double level = 1 - 1e-8, height = 1e-4; // cosine, metres
   return poses.size() > 1 &&
@@ -195,19 +146,18 @@ areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
          });
 }
 
-/** \brief Warns of a map that is not level.
+/** Warns of a map that is not level.
  * \return the normal of its floor; y of a level map */
 Eigen::Vector3d
-checkLevel(Tool& tool, const MapObservations& observations)
+checkLevel(const MapObservations& observations, StageLog& log)
 {
   constexpr double most = 10; // degrees
-  constexpr double degrees = 180 / 3.14159265358979323846;
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d floor = floorNormalOf(observations).value_or(y);
   const double tilt = degrees * std::acos(std::min(1.0, floor.y()));
   if (tilt <= most)
     return y;
-  tool.warn(
+  log.warn(
       "floors and ceilings lie " + std::to_string(std::lround(tilt)) +
       " degrees off the xz plane: the map is not level, and is rectified about its "
       "y axis all the same; plans are drawn along the floor" +
@@ -219,42 +169,163 @@ checkLevel(Tool& tool, const MapObservations& observations)
   return floor;
 }
 
-} // namespace
-
-void
-rectifyPoses(Tool& tool,
-             const RectificationOptions& options,
-             const std::optional<ObservationSequence>& posed)
+Rectification
+rectify(const RectificationOptions& options,
+        const MapObservations& observations,
+        const RunControls& controls)
 {
-  StepTimer timer(tool.report());
+  Rectification rectification;
+  rectification.setMode(options.mode);
+  rectification.setBinSize(options.binSize());
+  rectification.setSeed(options.seed);
+  rectification.setOdometryNoise(options.odometry);
+  rectification.setNumberOfThreads(controls.threads);
+  rectification.setProgressCallback(controls.progress);
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(observations.clouds[i],
+                                observations.trajectory.poses[i],
+                                observations.weights[i]);
+  rectification.compute();
+  rectification.setProgressCallback({});
+  return rectification;
+}
+
+/** Transforms the poses to a frame whose xz plane is the floor. */
+Poses
+alongFloor(const Eigen::Vector3d& floor, Poses poses)
+{
+  const Eigen::Isometry3d turn(
+      Eigen::Quaterniond::FromTwoVectors(floor, Eigen::Vector3d::UnitY()));
+  for (Eigen::Isometry3d& pose : poses)
+    pose = turn * pose;
+  return poses;
+}
+
+/** Extent of all poses and points, before and after. */
+PlanExtent
+extentOf(const MapObservations& observations, const Poses& before, const Poses& after)
+{
+  PlanContents contents;
+  for (const Poses* all : {&before, &after})
+    for (std::size_t i = 0; i < all->size(); ++i) {
+      const Eigen::Isometry3d& T_plan_camera = (*all)[i];
+      contents.addPlace(T_plan_camera.translation());
+      for (const PointNormal& point : *observations.clouds[i])
+        contents.addPoint(T_plan_camera * point.getVector3fMap().cast<double>());
+    }
+  return contents.extent();
+}
+
+/** Writes trajectories, plans, and if they are wanted the map and the observations.
+ * \param[in] poses rectified, T_map_camera
+ * \param[in] floor its normal, y > 0: plans are drawn along it */
+void
+writeOutputs(const RectificationOptions& options,
+             const MapObservations& observations,
+             const Poses& poses,
+             const Eigen::Vector3d& floor,
+             const OutputFolder& folder,
+             const RunControls& controls)
+{
+  MapRows map(options.write_map ? observations.points : 0,
+              observations.colored,
+              [](const std::string& work, std::size_t bytes, double) {
+                requireMemory(bytes, work);
+              });
+  const Poses plan_before = alongFloor(floor, observations.trajectory.poses);
+  const Poses plan_after = alongFloor(floor, poses);
+  const PlanExtent extent = extentOf(observations, plan_before, plan_after);
+  PlanPicture before(extent), after(extent);
+  const Progress progress(controls.progress);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    progress.tell(static_cast<double>(i) / static_cast<double>(poses.size()),
+                  "writing");
+    const std::shared_ptr<const PointCloudFile> observation = observations.load(i);
+    if (options.write_map)
+      map.append(*observation, poses[i], static_cast<std::int32_t>(i));
+    const PointView points = observation->points();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Eigen::Vector3d in_camera = points[k].cast<double>();
+      before.add(plan_before[i] * in_camera);
+      after.add(plan_after[i] * in_camera);
+    }
+    if (options.write_observations) {
+      PCLPointCloud2 cloud = observation->cloud;
+      dropUnwritableFields(cloud);
+      saveObservation(folder.path(observationName(i)), cloud, poses[i]);
+    }
+  }
+  if (options.write_map)
+    savePointCloud(folder.path("map.pcd"), map.finish());
+  saveTrajectory(folder.path(trajectory_name), {observations.trajectory.stamps, poses});
+  saveTrajectory(folder.path("trajectory_before.txt"), observations.trajectory);
+  const RgbImage image_before = before.draw(plan_before, red);
+  const RgbImage image_after = after.draw(plan_after, blue);
+  savePng(folder.path("plan_before.png"), image_before);
+  savePng(folder.path("plan_after.png"), image_after);
+  savePng(folder.path("plan.png"), beside(image_before, image_after));
+}
+
+/** Rectifies the map of the observations that a function reads. */
+void
+rectifyMap(const RectificationOptions& options,
+           const std::function<MapObservations()>& read,
+           const RunControls& controls,
+           StageLog& log)
+{
+  StepTimer timer(log.report);
   OutputFolder folder(options.output);
   if (folder.holds(options.input()) || folder.holds(options.input() + "/any"))
     throw UsageError(options.output + ": holds the input; name another folder");
   requireNoSequence(folder);
-  tool.requireReportWritable({options.input()});
-  const MapObservations observations =
-      posed ? readObservations(tool, *posed, options.skip_broken)
-            : readScans(tool, options.log, options.every);
+  const MapObservations observations = read();
   if (observations.points == 0)
     throw NothingFound(options.input() + ": has no point");
+  const bool is_level = observations.files.empty(); // the scans of a log
   const Eigen::Vector3d floor =
-      posed ? checkLevel(tool, observations) : Eigen::Vector3d::UnitY();
+      is_level ? Eigen::Vector3d::UnitY() : checkLevel(observations, log);
   timer.finish("read");
 
-  Rectification rectification;
-  rectify(tool, options, observations, rectification);
+  const Rectification rectification = rectify(options, observations, controls);
   timer.finish("rectify");
 
+  Poses poses;
+  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
+    poses.push_back(rectification.getPose(i));
   const EntropyRectificationReport& report = rectification.getReport();
-  writeOutputs(
-      tool, options, observations, posesOf(rectification), floor, report.steps, folder);
-  tool.stopIfInterrupted();
+  writeOutputs(options, observations, poses, floor, folder, controls);
+  savePng(folder.path("energy.png"), energyPicture(report.steps));
+  stopIfInterrupted();
   folder.commit();
   timer.finish("write");
-  tellOutcome(tool, options, report);
-  tool.details()["posed_files"] = observations.files;
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
+  tellOutcome(report, log);
+  log.details.update(detailsOf(options, report));
+  log.details["posed_files"] = observations.files;
+  log.tellSeconds();
+  log.tell("folder", options.output);
+}
+
+} // namespace
+
+void
+rectifyPoses(const RectificationOptions& options,
+             const ObservationSequence& posed,
+             const RunControls& controls,
+             StageLog& log)
+{
+  const auto read = [&] {
+    return readObservations(posed, options.skip_broken, controls, log);
+  };
+  rectifyMap(options, read, controls, log);
+}
+
+void
+rectifyScans(const RectificationOptions& options,
+             const RunControls& controls,
+             StageLog& log)
+{
+  const auto read = [&] { return readScans(options.log, options.every, log); };
+  rectifyMap(options, read, controls, log);
 }
 
 } // namespace pcl::acmap

@@ -1,10 +1,31 @@
 #include "egomotion_options.h"
 
 #include "command_line.h"
+#include "output_target.h"
+
+#include <pcl/pipeline/observation_files.h>
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+
 namespace pcl::acmap {
+
+bool
+EgomotionOptions::hasFolder() const
+{
+  std::error_code error;
+  return inputs.size() == 1 && (std::filesystem::is_directory(inputs.front(), error) ||
+                                endingOf(inputs.front()) != ".pcd");
+}
+
+ObservationSequence
+observationsOf(const EgomotionOptions& options, double scale)
+{
+  return ObservationSequence(
+      options.hasFolder() ? observationPaths(options.inputs.front()) : options.inputs,
+      scale);
+}
 
 void
 addMotionChoices(CLI::App& app, EgomotionOptions& options)

@@ -4,7 +4,6 @@
 
 #include <pcl/pipeline/observation_sequence.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +21,10 @@ struct EgomotionOptions {
   bool writes_observations = true; ///< write copies of the input with poses
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none
+
+  /** \brief Is the input one folder? A path that is no PCD is refused as a folder. */
+  bool
+  hasFolder() const;
 };
 
 /** \brief Adds the options to the command line. */
@@ -32,13 +35,20 @@ addOptions(Tool& tool, EgomotionOptions& options);
 void
 addMotionChoices(CLI::App& app, EgomotionOptions& options);
 
+/** \brief Opens the inputs, without poses.
+ * \param[in] scale metres in a unit of the clouds
+ * \throws InputFileException if it is no folder, or holds no PCD file */
+ObservationSequence
+observationsOf(const EgomotionOptions& options, double scale);
+
 /** \brief Estimates the poses of a sequence and writes them into a folder: the complete
  * work of pcl_visual_egomotion.
- * \param[in] opened files of the inputs, if they are already open
+ * \param[in] sequence the observations of the options' inputs
  * \throws according to the exit codes of its documentation page */
 void
-estimatePoses(Tool& tool,
-              const EgomotionOptions& options,
-              const std::optional<ObservationSequence>& opened = {});
+estimatePoses(const EgomotionOptions& options,
+              const ObservationSequence& sequence,
+              const RunControls& controls,
+              StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "drawing.h"
-#include "plan_extent.h"
-
+#include <pcl/core/image_file.h>
 #include <pcl/core/point_types.h>
 #include <pcl/correspondence.h>
 #include <pcl/point_cloud.h>
+
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <vector>
@@ -23,13 +23,13 @@ matchPicture(const PointCloud<PointXYZRGBSigma>& now,
              const Correspondences& matches,
              const Correspondences& kept);
 
-/** \brief Draws the trajectory of the camera from above, x to the right and z upwards:
- * a line that starts at a dot, strokes for the directions of view, dashed red lines
- * with one cross per lost observation, a grid in metres, and a scale bar.
+/** \brief Draws the trajectory of the camera from above, x to the right and z upwards,
+ * with axes in metres: a line that starts at a dot, strokes for the directions of view,
+ * dashed red lines with one cross per lost observation.
  * \param[in] poses T_map_camera of each observation; nothing if it is lost
  * \param[in] truth the true poses of all observations, drawn in grey; may be empty */
 RgbImage
-wayPicture(const std::vector<std::optional<Eigen::Isometry3d>>& poses,
-           const std::vector<Eigen::Isometry3d>& truth);
+trajectoryPicture(const std::vector<std::optional<Eigen::Isometry3d>>& poses,
+                  const std::vector<Eigen::Isometry3d>& truth);
 
 } // namespace pcl::acmap

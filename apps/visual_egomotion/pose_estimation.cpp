@@ -2,39 +2,199 @@
 
 #include "egomotion_pictures.h"
 #include "length_check.h"
-#include "truth_comparison.h"
+#include "output_target.h"
 
 #include <pcl/core/cloud_fields.h>
+#include <pcl/core/output_folder.h>
+#include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/visual_odometry.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 
 namespace pcl::acmap {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Poses = std::vector<Eigen::Isometry3d>;
 
 constexpr double degrees = 180 / 3.14159265358979323846;
+
+/** The observations whose poses are to be estimated, in their order. */
+struct ObservationList {
+  const ObservationSequence& sequence;
+  std::vector<std::string> names;   ///< without their folders
+  std::vector<std::string> outputs; ///< output names of observations with a pose
+  std::vector<double> stamps;       ///< seconds, or indices in the sequence
+};
+
+/** Takes the stamps of a trajectory, if it has a row for each file. Poses of the input
+ * are not used, so that invalid ones are no error. */
+void
+takeStamps(const std::string& folder, ObservationList& list, StageLog& log)
+{
+  const std::string path = (std::filesystem::path(folder) / trajectory_name).string();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    return;
+  try {
+    const Trajectory trajectory = loadTrajectory(path);
+    const std::vector<std::size_t> rows =
+        trajectoryRows(path, list.names, trajectory.stamps.size());
+    std::transform(rows.begin(), rows.end(), list.stamps.begin(), [&](std::size_t row) {
+      return trajectory.stamps[row];
+    });
+  }
+  catch (const InputFileException&) {
+    log.warn("stamps are numbers, as those of the input cannot be used: " +
+             failureOf(std::current_exception()).line);
+  }
+}
+
+bool
+comeBackInOrder(const std::vector<std::string>& names)
+{
+  return inSequence(names) == names &&
+         std::adjacent_find(names.begin(), names.end()) == names.end() &&
+         std::all_of(names.begin(), names.end(), [](const std::string& name) {
+           return endingOf(name) == ".pcd";
+         });
+}
+
+/** Posed files keep their names; if names would be read back in another order, or are
+ * given twice, they become observation_0000.pcd and so on, with a warning. */
+ObservationList
+listObservations(const EgomotionOptions& options,
+                 const ObservationSequence& sequence,
+                 StageLog& log)
+{
+  ObservationList list{sequence, sequence.names(), sequence.names(), {}};
+  list.stamps.resize(list.names.size());
+  std::iota(list.stamps.begin(), list.stamps.end(), 0.0);
+  if (options.hasFolder())
+    takeStamps(options.inputs.front(), list, log);
+  if (!comeBackInOrder(list.names)) {
+    for (std::size_t i = 0; i < list.outputs.size(); ++i)
+      list.outputs[i] = observationName(i);
+    log.warn("the observations are named anew, since a folder would have them in "
+             "another order than the one given");
+  }
+  return list;
+}
+
+/** Checks that the results would neither replace nor mix with other files. */
+void
+requireFit(const OutputFolder& folder, const ObservationSequence& sequence)
+{
+  for (const std::string& path : sequence.paths())
+    if (folder.holds(path))
+      throw UsageError(folder.name() + ": holds the input; name another folder");
+  requireNoneIn(folder, [](const std::string& name) {
+    // replacing a report would leave the map without its own
+    return isSequenceName(name) || endingOf(name) == ".pcd" || name == "plan.png" ||
+           name == "report.json" || name.rfind("map.", 0) == 0 ||
+           name.rfind("matches_", 0) == 0;
+  });
+}
+
+/** Length of a trajectory, metres. */
+double
+lengthOf(const Poses& poses)
+{
+  double length = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    length += (poses[i].translation() - poses[i - 1].translation()).norm();
+  return length;
+}
+
+std::vector<PlanarPose>
+planarPartsOf(const Poses& poses)
+{
+  std::vector<PlanarPose> parts(poses.size());
+  std::transform(poses.begin(), poses.end(), parts.begin(), planarPartOf);
+  return parts;
+}
+
+/** Reads one true pose per observation, metres. If the number of rows differs from that
+ * of the observations, rows are selected by the numbers in the file names, with a
+ * warning: rows that are only in the same order might belong to other observations. */
+Poses
+loadTruth(const std::string& path,
+          const std::vector<std::string>& names,
+          double scale,
+          StageLog& log)
+{
+  const Poses rows = loadTrajectory(path).poses;
+  if (rows.size() != names.size()) {
+    const std::string counts = path + ": has " + std::to_string(rows.size()) +
+                               " poses for " + std::to_string(names.size()) +
+                               " observations";
+    for (const std::string& name : names)
+      if (!isNumbered(name))
+        throw InputFileException(counts + ", and " + name +
+                                 " has no number that would tell which is its own");
+    log.warn(counts + "; the numbers in their names tell which");
+  }
+  Poses truth;
+  for (const std::size_t row : trajectoryRows(path, names, rows.size())) {
+    truth.push_back(rows[row]);
+    truth.back().translation() *= scale;
+  }
+  return truth;
+}
+
+/** Deviation of a run from the truth. */
+struct TruthComparison {
+  Poses truth;                      ///< of all observations, in the map of the run
+  RelativePoseError relative;       ///< from each posed observation to the next
+  AbsoluteTrajectoryError absolute; ///< of the posed observations
+  /** Does the truth move, so that errors can be relative to its length? */
+  bool is_moving = true;
+};
+
+/** \param[in] truth in any map
+ * \param[in] run with at least one pose
+ * \param[in] is_rigid true if the camera moved freely; otherwise positions are compared
+ * on the floor */
+TruthComparison
+compare(Poses truth, const VisualOdometryResult& run, bool is_rigid)
+{
+  const auto first = std::find_if(run.poses.begin(),
+                                  run.poses.end(),
+                                  [](const auto& pose) { return pose.has_value(); });
+  const Eigen::Isometry3d T_map_world =
+      **first * truth[static_cast<std::size_t>(first - run.poses.begin())].inverse();
+  Poses found, true_of_found;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    truth[i] = T_map_world * truth[i];
+    if (!run.poses[i])
+      continue;
+    found.push_back(*run.poses[i]);
+    true_of_found.push_back(truth[i]);
+  }
+  constexpr double min_length = 0.001; // metres
+  return {std::move(truth),
+          relativePoseError(found, true_of_found),
+          is_rigid ? absoluteTrajectoryError(found, true_of_found)
+                   : absoluteTrajectoryError(planarPartsOf(found),
+                                             planarPartsOf(true_of_found)),
+          lengthOf(true_of_found) >= min_length};
+}
 
 const char*
 nameOf(EgomotionOutcome outcome)
 {
-  switch (outcome) {
-  case EgomotionOutcome::Estimated:
-    return "estimated";
-  case EgomotionOutcome::BlankView:
-    return "blank view";
-  case EgomotionOutcome::FewFeatures:
-    return "few features";
-  case EgomotionOutcome::FewMatches:
-    return "few matches";
-  case EgomotionOutcome::Inconsistent:
-    return "inconsistent";
-  default:
-    return "unobservable";
-  }
+  constexpr const char* names[] = {"estimated",
+                                   "blank view",
+                                   "few features",
+                                   "few matches",
+                                   "inconsistent",
+                                   "unobservable"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 /** Standard deviations of all degrees of freedom of the model, metres and radians. */
@@ -44,7 +204,7 @@ deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
   const char* const names[] = {"x", "y", "z", "about_x", "about_y", "about_z"};
   Json deviations = Json::object();
   for (int i = 0; i < 6; ++i)
-    if (is_rigid || i == 0 || i == 2 || i == 4)
+    if (is_rigid || i % 2 == 0)
       deviations[names[i]] = std::sqrt(estimate.covariance(i, i));
   return deviations;
 }
@@ -66,15 +226,6 @@ jsonOf(const EgomotionEstimate& estimate, bool is_rigid)
   return json;
 }
 
-double
-secondsOf(const EgomotionReport& report)
-{
-  double seconds = 0;
-  for (const auto& step : report.seconds)
-    seconds += step.second;
-  return seconds;
-}
-
 Json
 jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
 {
@@ -87,6 +238,9 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
     json.update(jsonOf(*pair.estimate, is_rigid));
   else
     json["reason"] = pair.reason(list.names);
+  double seconds = 0;
+  for (const auto& step : report.seconds)
+    seconds += step.second;
   json.update({{"keypoints", report.source_keypoints},
                {"keypoints_before", report.target_keypoints},
                {"matches", report.matches},
@@ -100,7 +254,7 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
                {"surface_after", report.surface_after},
                {"contradicted", report.contradicted},
                {"remarks", report.remarks},
-               {"seconds", secondsOf(report)}});
+               {"seconds", seconds}});
   return json;
 }
 
@@ -116,21 +270,9 @@ jsonOf(const TruthComparison& comparison)
                {"rotation_worst", relative.rotation_worst},
                {"trajectory_error", comparison.absolute.unaligned},
                {"trajectory_error_aligned", comparison.absolute.aligned}};
-  if (comparison.is_way)
+  if (comparison.is_moving)
     json["translation_per_metre"] = relative.translation_per_metre;
   return json;
-}
-
-/** Length in metres, over the positions that are known. */
-double
-lengthOf(const Trajectory& trajectory)
-{
-  double length = 0;
-  for (std::size_t i = 1; i < trajectory.poses.size(); ++i)
-    length +=
-        (trajectory.poses[i].translation() - trajectory.poses[i - 1].translation())
-            .norm();
-  return length;
 }
 
 /** Median of a function over all pairs with a motion. */
@@ -147,116 +289,104 @@ medianOf(const VisualOdometryResult& run, const Function& function)
   return *middle;
 }
 
-/** Medians of the estimated standard deviations of the motions, in the xz plane and
- * about y: metres, radians. */
-Json
-medianDeviations(const VisualOdometryResult& run)
+/** Median of the estimated standard deviations of the motions along some axes.
+ * \param[in] first,count of the rows of the covariance: metres, radians */
+double
+medianDeviation(const VisualOdometryResult& run, int first, int count)
 {
-  const auto deviation = [&](int i) {
-    return medianOf(run, [i](const OdometryPair& pair) {
-      return std::sqrt(pair.estimate->covariance(i, i));
-    });
-  };
-  return {{"x", deviation(0)}, {"z", deviation(2)}, {"about_y", deviation(4)}};
+  return medianOf(run, [&](const OdometryPair& pair) {
+    return std::sqrt(pair.estimate->covariance.diagonal().segment(first, count).sum());
+  });
 }
 
-constexpr std::size_t max_named = 20; ///< number of warnings of each kind on stderr
-
+/** Warns of observations by name, and of the number of those beyond the first 20. */
 void
-warnOfLost(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
+warnOfEach(const std::vector<std::string>& remarks,
+           const std::string& others,
+           StageLog& log)
 {
-  std::size_t lost = 0;
-  for (std::size_t i = 0; i < list.sequence.size(); ++i)
-    if (!run.poses[i] && ++lost <= max_named)
-      tool.warn("lost: " + list.sequence.path(i) + ": " + run.reasonOf(i, list.names));
-  if (lost > max_named)
-    tool.warn(std::to_string(lost - max_named) +
-              " further observations are lost, the report names them");
+  constexpr std::size_t max_named = 20;
+  for (std::size_t i = 0; i < std::min(max_named, remarks.size()); ++i)
+    log.warn(remarks[i]);
+  if (remarks.size() > max_named)
+    log.warn(std::to_string(remarks.size() - max_named) + " further observations " +
+             others);
 }
 
-/** A single observation lost at the end is already reported in another line. */
+/** Warns of lost observations, and of those that were joined past others: views that
+ * are farther apart have less in common. */
 void
-warnOfEnd(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
+warnOfGaps(const ObservationList& list, const VisualOdometryResult& run, StageLog& log)
 {
-  std::size_t end = list.sequence.size();
-  while (end > 0 && !run.poses[end - 1])
-    --end;
-  if (list.sequence.size() - end > 1)
-    tool.warn("nothing was joined from " + list.sequence.path(end) + " on: the last " +
-              std::to_string(list.sequence.size() - end) + " observations are lost");
-}
-
-/** Views that are farther apart have less in common. */
-void
-warnOfSkips(Tool& tool, const ObservationList& list, const VisualOdometryResult& run)
-{
-  std::size_t skips = 0;
+  const std::size_t size = list.names.size();
+  std::vector<std::string> lost, skips;
+  std::size_t end = 0; // of the posed observations
+  for (std::size_t i = 0; i < size; ++i)
+    if (run.poses[i])
+      end = i + 1;
+    else
+      lost.push_back("lost: " + list.sequence.path(i) + ": " +
+                     run.reasonOf(i, list.names));
+  warnOfEach(lost, "are lost, the report names them", log);
+  // a single observation lost at the end is already reported in another line
+  if (size - end > 1)
+    log.warn("nothing was joined from " + list.sequence.path(end) + " on: the last " +
+             std::to_string(size - end) + " observations are lost");
   for (const OdometryPair& pair : run.pairs)
-    if (pair.estimate && pair.skipped() > 0 && ++skips <= max_named)
-      tool.warn("skipped: " + list.sequence.path(pair.now) + ": was joined to " +
-                list.names[pair.before] + ", past " + std::to_string(pair.skipped()) +
-                " others, by " + std::to_string(pair.report.inliers) + " matches");
-  if (skips > max_named)
-    tool.warn(std::to_string(skips - max_named) +
-              " further observations were joined past others, the report tells which");
+    if (pair.estimate && pair.skipped() > 0)
+      skips.push_back("skipped: " + list.sequence.path(pair.now) + ": was joined to " +
+                      list.names[pair.before] + ", past " +
+                      std::to_string(pair.skipped()) + " others, by " +
+                      std::to_string(pair.report.inliers) + " matches");
+  warnOfEach(skips, "were joined past others, the report tells which", log);
 }
 
-Json
-jsonOf(const FreeMotion& free)
-{
-  return {{"pairs", free.pairs},
-          {"free", free.free},
-          {"tilt", free.tilt},
-          {"rise", free.rise}};
-}
-
+/** Adds the lines of the summary. */
 void
-tellMotions(Tool& tool, const VisualOdometryResult& run)
+tellRun(const VisualOdometryResult& run,
+        double length,
+        const std::optional<TruthComparison>& comparison,
+        StageLog& log)
 {
-  const auto deviation = [](int row) {
-    return [row](const OdometryPair& pair) {
-      return std::sqrt(pair.estimate->covariance.diagonal().segment<3>(row).sum());
-    };
-  };
-  tool.tell(
+  log.tell("posed",
+           std::to_string(run.posed()) + " of " + std::to_string(run.poses.size()) +
+               " observations, along " + shortNumber(length) + " m");
+  log.tell(
       "matches",
       shortNumber(medianOf(run, [](auto& pair) { return pair.report.matches; })) +
           " a pair, of which " +
           shortNumber(medianOf(run, [](auto& pair) { return pair.report.inliers; })) +
           " agree (medians)");
-  tool.tell("deviation",
-            shortNumber(1000 * medianOf(run, deviation(0))) + " mm and " +
-                shortNumber(degrees * medianOf(run, deviation(3))) +
-                " degrees a pair (medians, as estimated)");
+  log.tell("deviation",
+           shortNumber(1000 * medianDeviation(run, 0, 3)) + " mm and " +
+               shortNumber(degrees * medianDeviation(run, 3, 3)) +
+               " degrees a pair (medians, as estimated)");
+  if (!comparison)
+    return;
+  const RelativePoseError& relative = comparison->relative;
+  log.tell("error",
+           (comparison->is_moving
+                ? shortNumber(100 * relative.translation_per_metre) + " % of the way, "
+                : std::string()) +
+               shortNumber(degrees * relative.rotation_median) +
+               " degrees a pair (median)");
+  log.tell("RPE",
+           shortNumber(relative.translation_rms) + " m, " +
+               shortNumber(degrees * relative.rotation_rms) + " degrees (rms)");
+  log.tell("ATE",
+           shortNumber(comparison->absolute.aligned) + " m aligned, " +
+               shortNumber(comparison->absolute.unaligned) + " m from the first on");
 }
 
-void
-tellErrors(Tool& tool, const TruthComparison& comparison)
-{
-  const RelativePoseError& relative = comparison.relative;
-  tool.tell("error",
-            (comparison.is_way
-                 ? shortNumber(100 * relative.translation_per_metre) + " % of the way, "
-                 : std::string()) +
-                shortNumber(degrees * relative.rotation_median) +
-                " degrees a pair (median)");
-  tool.tell("RPE",
-            shortNumber(relative.translation_rms) + " m, " +
-                shortNumber(degrees * relative.rotation_rms) + " degrees (rms)");
-  tool.tell("ATE",
-            shortNumber(comparison.absolute.aligned) + " m aligned, " +
-                shortNumber(comparison.absolute.unaligned) + " m from the first on");
-}
-
-void
-addDetails(Tool& tool,
-           const EgomotionOptions& options,
-           const ObservationList& list,
-           const VisualOdometryResult& run,
-           const std::optional<TruthComparison>& comparison)
+Json
+detailsOf(const EgomotionOptions& options,
+          const ObservationList& list,
+          const VisualOdometryResult& run,
+          double length,
+          const std::optional<TruthComparison>& comparison)
 {
   Json lost = Json::array(), pairs = Json::array(), posed_files = Json::array();
-  for (std::size_t i = 0; i < list.sequence.size(); ++i)
+  for (std::size_t i = 0; i < list.names.size(); ++i)
     if (run.poses[i])
       posed_files.push_back(list.names[i]);
     else
@@ -264,89 +394,60 @@ addDetails(Tool& tool,
                       {"reason", run.reasonOf(i, list.names)}});
   for (const OdometryPair& pair : run.pairs)
     pairs.push_back(jsonOf(pair, list, options.is_rigid));
-  tool.details() = {{"inputs", options.inputs},
-                    {"output", options.output},
-                    {"model", options.is_rigid ? "rigid" : "planar"},
-                    {"max_translation", options.max_translation},
-                    {"max_rotation", options.max_rotation / degrees},
-                    {"keypoints", options.keypoints},
-                    {"refinement", options.refines},
-                    {"observations", list.sequence.size()},
-                    {"posed", run.posed()},
-                    {"length", lengthOf(run.trajectory(list.stamps))},
-                    {"posed_files", posed_files},
-                    {"lost", lost},
-                    {"median_deviations", medianDeviations(run)},
-                    {"free_motion", jsonOf(run.free)},
-                    {"pairs", pairs}};
+  Json details = {{"inputs", options.inputs},
+                  {"output", options.output},
+                  {"model", options.is_rigid ? "rigid" : "planar"},
+                  {"max_translation", options.max_translation},
+                  {"max_rotation", options.max_rotation / degrees},
+                  {"keypoints", options.keypoints},
+                  {"refinement", options.refines},
+                  {"observations", list.names.size()},
+                  {"posed", run.posed()},
+                  {"length", length},
+                  {"posed_files", posed_files},
+                  {"lost", lost},
+                  {"median_deviations",
+                   {{"x", medianDeviation(run, 0, 1)},
+                    {"z", medianDeviation(run, 2, 1)},
+                    {"about_y", medianDeviation(run, 4, 1)}}},
+                  {"free_motion",
+                   {{"pairs", run.free.pairs},
+                    {"free", run.free.free},
+                    {"tilt", run.free.tilt},
+                    {"rise", run.free.rise}}},
+                  {"pairs", pairs}};
   if (comparison)
-    tool.details()["truth"] = jsonOf(*comparison);
+    details["truth"] = jsonOf(*comparison);
+  return details;
 }
 
-/** \brief Warns if the motion model was planar, but the camera left the floor. */
+/** Warns if the motion model was planar, but the camera left the floor. */
 void
-warnOfFreeMotion(Tool& tool, const VisualOdometryResult& run)
+warnOfFreeMotion(const FreeMotion& free, StageLog& log)
 {
-  const FreeMotion& free = run.free;
   if (2 * free.free <= free.pairs)
     return;
-  tool.warn("the camera does not move level: from one observation to the next it tilts "
-            "by " +
-            shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
-            shortNumber(1000 * free.rise) + " mm (medians of " +
-            std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
-            "), which motions on a floor cannot follow: run again with --6dof");
-}
-
-/** \brief Reports the result for a sequence on stdout and in the report, and warns of
- * lost observations by name.
- * \param[in] comparison nothing if the truth is not known */
-void
-tellRun(Tool& tool,
-        const EgomotionOptions& options,
-        const ObservationList& list,
-        const VisualOdometryResult& run,
-        const std::optional<TruthComparison>& comparison)
-{
-  warnOfLost(tool, list, run);
-  warnOfEnd(tool, list, run);
-  warnOfSkips(tool, list, run);
-  tool.tell("posed",
-            std::to_string(run.posed()) + " of " +
-                std::to_string(list.sequence.size()) + " observations, along " +
-                shortNumber(lengthOf(run.trajectory(list.stamps))) + " m");
-  tellMotions(tool, run);
-  if (comparison)
-    tellErrors(tool, *comparison);
-  addDetails(tool, options, list, run, comparison);
+  log.warn("the camera does not move level: from one observation to the next it tilts "
+           "by " +
+           shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
+           shortNumber(1000 * free.rise) + " mm (medians of " +
+           std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
+           "), which motions on a floor cannot follow: run again with --6dof");
 }
 
 /** Throws if there is no motion, and therefore no trajectory to write. */
 void
-requireMotion(const Tool& tool,
-              const ObservationList& list,
-              const VisualOdometryResult& run)
+requireMotion(const ObservationList& list,
+              const VisualOdometryResult& run,
+              const StageLog& log)
 {
   const std::string& first = list.sequence.path(0);
-  if (list.sequence.size() < 2)
-    tool.failWithNothing(first +
-                         ": is the only observation; two are needed for a motion");
+  if (list.names.size() < 2)
+    log.failWithNothing(first +
+                        ": is the only observation; two are needed for a motion");
   if (run.posed() == 0)
-    tool.failWithNothing("no observation could be joined to another; " + first + " " +
-                         run.reasonOf(0, list.names));
-}
-
-VisualOdometry::Egomotion
-egomotionOf(const EgomotionOptions& options)
-{
-  constexpr double pi = 3.14159265358979323846;
-  VisualOdometry::Egomotion egomotion;
-  egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
-  egomotion.setMaximumKeypoints(options.keypoints);
-  egomotion.setRefinement(options.refines);
-  egomotion.setMaximumTranslation(options.max_translation);
-  egomotion.setMaximumRotation(options.max_rotation * pi / 180);
-  return egomotion;
+    log.failWithNothing("no observation could be joined to another; " + first + " " +
+                        run.reasonOf(0, list.names));
 }
 
 /** Draws the matches of each observation with the one that it was joined to; for a lost
@@ -368,14 +469,22 @@ matchDrawer(const OutputFolder& folder)
 }
 
 VisualOdometryResult
-run(Tool& tool,
-    const EgomotionOptions& options,
+run(const EgomotionOptions& options,
     const ObservationList& list,
-    const OutputFolder& folder)
+    const OutputFolder& folder,
+    const RunControls& controls,
+    StageLog& log)
 {
+  VisualOdometry::Egomotion egomotion;
+  egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
+  egomotion.setMaximumKeypoints(options.keypoints);
+  egomotion.setRefinement(options.refines);
+  egomotion.setMaximumTranslation(options.max_translation);
+  egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
   VisualOdometry odometry;
-  odometry.setEgomotion(egomotionOf(options));
-  odometry.setNumberOfThreads(tool.threads());
+  odometry.setEgomotion(egomotion);
+  odometry.setNumberOfThreads(controls.threads);
+  odometry.setProgressCallback(controls.progress);
   if (options.pictures)
     odometry.setPairCallback(matchDrawer(folder));
   if (options.writes_observations)
@@ -386,51 +495,50 @@ run(Tool& tool,
       dropUnwritableFields(cloud);
       saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
     });
-  warnOfLengths(tool, *list.sequence.load(0).file);
-  VisualOdometryResult found;
-  tool.withProgress([&](const ProgressCallback& progress) {
-    odometry.setProgressCallback(progress);
-    found = odometry.compute(list.sequence);
-  });
-  return found;
+  warnOfLengths(*list.sequence.load(0).file, controls, log);
+  return odometry.compute(list.sequence);
 }
 
 } // namespace
 
 void
-estimatePoses(Tool& tool,
-              const EgomotionOptions& options,
-              const std::optional<ObservationSequence>& opened)
+estimatePoses(const EgomotionOptions& options,
+              const ObservationSequence& sequence,
+              const RunControls& controls,
+              StageLog& log)
 {
-  StepTimer timer(tool.report());
-  const ObservationList list = listObservations(tool, options.inputs, opened);
-  const std::vector<Eigen::Isometry3d> truth = loadTruth(tool, options.truth, list);
+  StepTimer timer(log.report);
+  const ObservationList list = listObservations(options, sequence, log);
+  Poses truth;
+  if (!options.truth.empty())
+    truth = loadTruth(options.truth, list.names, controls.scale, log);
   OutputFolder folder(options.output);
-  requireFit(folder, list.sequence);
-  tool.requireReportWritable(list.sequence.paths());
+  requireFit(folder, sequence);
   timer.finish("list");
 
-  const VisualOdometryResult found = run(tool, options, list, folder);
-  warnOfFreeMotion(tool, found);
-  requireMotion(tool, list, found);
+  const VisualOdometryResult found = run(options, list, folder, controls, log);
+  warnOfFreeMotion(found.free, log);
+  requireMotion(list, found, log);
   timer.finish("estimate");
 
   std::optional<TruthComparison> comparison;
   if (!truth.empty())
     comparison = compare(truth, found, options.is_rigid);
-  pcl::saveTrajectory(folder.path(trajectory_name), found.trajectory(list.stamps));
-  savePng(
-      folder.path("plan.png"),
-      wayPicture(found.poses,
-                 comparison ? comparison->truth : std::vector<Eigen::Isometry3d>()));
-  tool.stopIfInterrupted();
+  const Trajectory trajectory = found.trajectory(list.stamps);
+  saveTrajectory(folder.path(trajectory_name), trajectory);
+  savePng(folder.path("plan.png"),
+          trajectoryPicture(found.poses, comparison ? comparison->truth : Poses()));
+  stopIfInterrupted();
   // another run may have written into the folder meanwhile
-  requireFit(folder, list.sequence);
+  requireFit(folder, sequence);
   folder.commit();
   timer.finish("write");
-  tellRun(tool, options, list, found, comparison);
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
+  warnOfGaps(list, found, log);
+  const double length = lengthOf(trajectory.poses);
+  tellRun(found, length, comparison, log);
+  log.details = detailsOf(options, list, found, length, comparison);
+  log.tellSeconds();
+  log.tell("folder", options.output);
 }
 
 } // namespace pcl::acmap

@@ -1,6 +1,6 @@
 #include "entropy_rectification/energy_curve.h"
 #include "entropy_rectification/map_observations.h"
-#include "entropy_rectification/plan_picture.h"
+#include "plan_picture.h"
 
 #include <pcl/core/random.h>
 
@@ -139,15 +139,19 @@ TEST(PlanPicture, TwoStandBesideEachOther)
 
 TEST(Drawing, LinesThatLeaveThePictureAreCut)
 {
-  RgbImage image = whiteImage(20, 10);
-  drawLine(image, {-1e6, 5}, {1e6, 5}, 1, red);
+  RgbImage image{20, 10, std::vector<std::uint8_t>(600, 255)};
+  cv::Mat3b matrix = matOf(image);
+  drawLine(matrix, {-1e6, 5}, {1e6, 5}, 1, red);
   EXPECT_EQ(countOf(image, red), 20U);
-  drawLine(image, {5, std::numeric_limits<double>::infinity()}, {5, 0}, 1, blue);
-  drawLine(image, {-50, -50}, {-60, 300}, 3, blue);
-  drawLine(image, {50, -50}, {60, 300}, 3, blue);
-  drawText(image, -3, -7, "left", blue);
+  drawLine(matrix, {5, std::numeric_limits<double>::infinity()}, {5, 0}, 1, blue);
+  drawLine(matrix, {-50, -50}, {-60, 300}, 3, blue);
+  drawLine(matrix, {50, -50}, {60, 300}, 3, blue);
+  drawDot(matrix, {1e300, 5}, 3, blue);
+  drawText(matrix, {-3, -12}, "left", blue);
   EXPECT_EQ(countOf(image, red), 20U);
-  drawText(image, 18, 8, "right", black);
+  drawLine(matrix, {3, 1e300}, {3, -1e300}, 2, blue);
+  EXPECT_GE(countOf(image, blue), 20U);
+  drawText(matrix, {18, 8}, "right", black);
   EXPECT_LE(countOf(image, black), 4U);
 }
 

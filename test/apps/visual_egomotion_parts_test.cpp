@@ -1,3 +1,4 @@
+#include "drawing.h"
 #include "visual_egomotion/egomotion_pictures.h"
 
 #include <gtest/gtest.h>
@@ -44,31 +45,31 @@ wayAlongX(std::size_t poses)
   return way;
 }
 
-TEST(WayPicture, ShowsGapsInRedAndTheTruthInGrey)
+TEST(TrajectoryPicture, ShowsGapsInRedAndTheTruthInGrey)
 {
   auto way = wayAlongX(11);
-  const RgbImage whole = wayPicture(way, {});
+  const RgbImage whole = trajectoryPicture(way, {});
   EXPECT_EQ(countOf(whole, red), 0U);
   const std::size_t blue_of_whole = countOf(whole, blue);
   EXPECT_GT(blue_of_whole, 900U);
   way[5].reset();
-  const RgbImage torn = wayPicture(way, {});
+  const RgbImage torn = trajectoryPicture(way, {});
   EXPECT_GT(countOf(torn, red), 50U);
   EXPECT_NEAR(static_cast<double>(countOf(torn, blue)), 0.8 * blue_of_whole, 100);
   std::vector<Eigen::Isometry3d> truth(2, Eigen::Isometry3d::Identity());
   truth[1].translation() << 10, 0, 1;
-  EXPECT_GT(countOf(wayPicture(wayAlongX(11), truth), gray),
+  EXPECT_GT(countOf(trajectoryPicture(wayAlongX(11), truth), gray),
             800 + countOf(whole, gray));
 }
 
-TEST(WayPicture, DirectionsPointWhereTheCameraLooks)
+TEST(TrajectoryPicture, DirectionsPointWhereTheCameraLooks)
 {
   // a single pose in the centre, looking along x, then along -z
   for (const auto& [yaw, side] :
        {std::pair{1.5707963, Eigen::Vector2d(8, 0)}, {3.1415927, {0, 8}}}) {
     auto way = wayAlongX(1);
     way[0]->rotate(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()));
-    const RgbImage image = wayPicture(way, {});
+    const RgbImage image = trajectoryPicture(way, {});
     const Eigen::Vector2d at = middleOf(image, blue); // centre of the start dot
     const auto isDark = [&](const Eigen::Vector2d& place) {
       for (int dx = -1; dx <= 1; ++dx)
@@ -83,12 +84,12 @@ TEST(WayPicture, DirectionsPointWhereTheCameraLooks)
   }
 }
 
-TEST(WayPicture, OfWildPlacesCanBeDrawn)
+TEST(TrajectoryPicture, OfWildPlacesCanBeDrawn)
 {
   auto way = wayAlongX(3);
   way[1]->translation() << 1e12, std::numeric_limits<double>::quiet_NaN(), -1e300;
-  EXPECT_GT(countOf(wayPicture(way, {}), blue), 40U); // the start dot
-  EXPECT_GT(countOf(wayPicture({}, {}), black), 50U); // the scale bar, the count
+  EXPECT_GT(countOf(trajectoryPicture(way, {}), blue), 40U); // the start dot
+  EXPECT_GT(countOf(trajectoryPicture({}, {}), black), 50U); // the scale bar, the count
 }
 
 TEST(MatchPicture, LinesGoFromViewToView)

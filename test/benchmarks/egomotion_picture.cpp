@@ -34,7 +34,7 @@ saveEgomotionPictures(const std::string& folder)
   savePng((place / "drive_matches.png").string(), picturePair(sequence, pair));
   const EgomotionRun run = runChain(oursMethod(true), sequence);
   savePng((place / "drive_path.png").string(),
-          wayPicture({run.poses.begin(), run.poses.end()}, sequence.truth));
+          trajectoryPicture({run.poses.begin(), run.poses.end()}, sequence.truth));
 }
 
 } // namespace pcl::acmap::bench

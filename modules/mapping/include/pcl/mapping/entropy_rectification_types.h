@@ -43,6 +43,18 @@ struct RectificationStep {
   double energy = 0;   ///< minimised value: weighted sum of both
 };
 
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const RectificationStep& step, Visitor&& visit)
+{
+  visit("search", step.search);
+  visit("bin_size", step.bin_size);
+  visit("entropy", step.entropy);
+  visit("prior", step.prior);
+  visit("energy", step.energy);
+}
+
 /** \brief Evidence from the rays and points of a map, which the search does not use.
  *
  * A ray is contradicted if it passes through a wall that another observation has seen,
@@ -61,6 +73,20 @@ struct MapEvidence {
   /** Mean variance across walls along the two main directions of the building, m^2. */
   double orthogonal_variance = 0;
 };
+
+/** \brief Calls visit (name, value) for each field, under its name in files. */
+template <typename Visitor>
+void
+visitFields(const MapEvidence& evidence, Visitor&& visit)
+{
+  visit("rays", evidence.rays);
+  visit("near_contradictions", evidence.near_contradictions);
+  visit("far_contradictions", evidence.far_contradictions);
+  visit("near_rays", evidence.near_rays);
+  visit("far_rays", evidence.far_rays);
+  visit("mean_map_entropy", evidence.mean_map_entropy);
+  visit("orthogonal_variance", evidence.orthogonal_variance);
+}
 
 /** \brief Report of the last run of EntropyRectification. \ingroup mapping */
 struct EntropyRectificationReport : Report {

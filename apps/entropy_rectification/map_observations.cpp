@@ -1,0 +1,135 @@
+#include "map_observations.h"
+
+#include "length_check.h"
+
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/core/carmen_log.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+
+MapObservations
+readObservations(const ObservationSequence& sequence,
+                 bool skip_broken,
+                 const RunControls& controls,
+                 StageLog& log)
+{
+  SequenceConsolidation consolidation;
+  consolidation.setSkipBroken(skip_broken);
+  consolidation.setNumberOfThreads(controls.threads);
+  consolidation.setProgressCallback(controls.progress);
+  MapObservations observations;
+  consolidation.compute(sequence, observations);
+  const SequenceConsolidationReport& report = consolidation.getReport();
+  if (observations.places.front() == 0)
+    warnOfLengths(*sequence.load(0).file, controls, log);
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.tell("read",
+           std::to_string(observations.places.size()) + " observations, " +
+               std::to_string(report.points) + " points");
+  log.tell("consolidated",
+           "to " + std::to_string(report.representatives) + ", voxels of " +
+               shortNumber(report.min_voxel_size) + " to " +
+               shortNumber(report.max_voxel_size) + " m");
+  log.details["consolidation"] = {{"representatives", report.representatives},
+                                  {"least_voxel", report.min_voxel_size},
+                                  {"largest_voxel", report.max_voxel_size}};
+  for (const std::size_t place : observations.places)
+    observations.files.push_back(sequence.name(place));
+  observations.load = [sequence, places = observations.places](std::size_t i) {
+    return sequence.load(places[i]).file;
+  };
+  observations.points = report.points;
+  observations.colored = report.colored;
+  return observations;
+}
+
+MapObservations
+readScans(const std::string& path, std::size_t every, StageLog& log)
+{
+  const CarmenLog carmen = loadCarmenLog(path);
+  MapObservations observations;
+  std::vector<double>& stamps = observations.trajectory.stamps;
+  std::size_t beams = 0;
+  for (std::size_t i = 0; i < carmen.scans.size(); i += every) {
+    const PlanarScan& scan = carmen.scans[i];
+    PlanarScanPoints echoes = pointsOf(scan);
+    beams += scan.ranges.size();
+    observations.points += echoes.cloud->size();
+    stamps.push_back(scan.stamp);
+    observations.trajectory.poses.push_back(isometryOf(scan.pose));
+    observations.clouds.push_back(std::move(echoes.cloud));
+    observations.weights.push_back(std::move(echoes.weights));
+  }
+  // some logs have the same stamp for all scans
+  if (std::adjacent_find(stamps.begin(), stamps.end(), std::greater_equal<>()) !=
+      stamps.end()) {
+    for (std::size_t i = 0; i < stamps.size(); ++i)
+      stamps[i] = static_cast<double>(i * every);
+    log.warn("the stamps of the log do not grow; the trajectory has the numbers of the "
+             "scans instead");
+  }
+  const std::size_t missing = beams - observations.points;
+  log.tell("read",
+           std::to_string(observations.clouds.size()) + " of " +
+               std::to_string(carmen.scans.size()) + " scans, " +
+               std::to_string(observations.points) + " echoes, " +
+               std::to_string(missing) + " beams without");
+  log.details["missing_beams"] = missing;
+  observations.load = [clouds = observations.clouds](std::size_t i) {
+    PointCloud<PointXYZ> echoes;
+    copyPointCloud(*clouds[i], echoes);
+    auto file = std::make_shared<PointCloudFile>();
+    toPCLPointCloud2(echoes, file->cloud);
+    return file;
+  };
+  return observations;
+}
+
+std::optional<Eigen::Vector3d>
+floorNormalOf(const MapObservations& observations)
+{
+  constexpr double steepest = 0.7071; // cosine of 45 degrees
+  constexpr double alike = 0.9962;    // cosine of 5 degrees
+  // minimum fraction of the points that are on floors
+  constexpr double min_share = 0.02;
+  constexpr std::size_t max_tried = 300;
+  std::size_t points = 0;
+  std::vector<Eigen::Vector3f> normals; // of possible floors or ceilings, y > 0
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i) {
+    const Eigen::Matrix3f rotation =
+        observations.trajectory.poses[i].linear().cast<float>();
+    points += observations.clouds[i]->size();
+    for (const PointNormal& point : *observations.clouds[i]) {
+      const Eigen::Vector3f normal = rotation * point.getNormalVector3fMap();
+      if (std::abs(normal.y()) > steepest)
+        normals.emplace_back(normal.y() > 0 ? normal : Eigen::Vector3f(-normal));
+    }
+  }
+  std::size_t best_count = 0;
+  Eigen::Vector3f best_sum = Eigen::Vector3f::UnitY();
+  const std::size_t step = 1 + normals.size() / max_tried;
+  for (std::size_t i = 0; i < normals.size(); i += step) {
+    std::size_t count = 0;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const Eigen::Vector3f& normal : normals)
+      if (normal.dot(normals[i]) > alike) {
+        ++count;
+        sum += normal;
+      }
+    if (count > best_count) {
+      best_count = count;
+      best_sum = sum;
+    }
+  }
+  if (static_cast<double>(best_count) < min_share * static_cast<double>(points) ||
+      best_count == 0)
+    return std::nullopt;
+  return best_sum.cast<double>().normalized();
+}
+
+} // namespace pcl::acmap
