@@ -16,25 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/** \brief Odometry noise as estimated by the egomotion. */
-OdometryNoise
-noiseOf(const Json& egomotion)
-{
-  const Json& deviations = egomotion.at("median_deviations");
-  const double length =
-      std::max(deviations.at("x").get<double>(), deviations.at("z").get<double>());
-  const auto turn = deviations.at("about_y").get<double>();
-  if (!(length > 0) || !(turn > 0))
-    return {};
-  return {length, 0, turn, 0};
-}
-
-std::vector<std::string>
-namesIn(const Json& stage)
-{
-  return stage.at("posed_files").get<std::vector<std::string>>();
-}
-
 /** \brief The properties of the input by which stages detect a change. */
 Json
 sequenceState(const std::string& folder)
@@ -160,17 +141,15 @@ Chain::findPoses(const std::string& observations, double scale)
   egomotion.inputs = {observations};
   egomotion.output = folderOf("egomotion");
   egomotion.writes_observations = false;
-  const StageLog& told = run("egomotion",
-                             {{"files", sequenceState(observations)},
-                              {"scale", scale},
-                              {"options", valuesIn(tool_, egomotion_group)}},
-                             [&] {
-                               estimatePoses(egomotion, sequence, tool_.controls(), tool_.log());
-                               return std::vector<std::string>();
-                             });
-  return sequence.withPoses(
-      namesIn(told.details),
-      loadTrajectory((fs::path(egomotion.output) / trajectory_name).string()));
+  return runPoses("egomotion",
+                  {{"files", sequenceState(observations)},
+                   {"scale", scale},
+                   {"options", valuesIn(tool_, egomotion_group)}},
+                  sequence,
+                  [&] {
+                    return estimatePoses(
+                        egomotion, sequence, tool_.controls(), tool_.log());
+                  });
 }
 
 ObservationSequence
@@ -183,22 +162,37 @@ Chain::rectify(const std::string& observations,
   rectification.output = folderOf("rectification");
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
-  const bool has_egomotion = !stages_.empty() && stages_.back().name == "egomotion";
-  if (has_egomotion && !rectification.has_odometry_noise)
-    rectification.odometry = noiseOf(stages_.back().told.details);
-  const StageLog& told = run("rectification",
-                             {{"observations", observations},
-                              {"skips_broken", rectification.skip_broken},
-                              {"files", sequenceState(observations)},
-                              {"scale", scale},
-                              {"options", valuesIn(tool_, rectification_group)}},
-                             [&] {
-                               rectifyPoses(rectification, posed, tool_.controls(), tool_.log());
-                               return std::vector<std::string>();
-                             });
-  return posed.withPoses(
-      namesIn(told.details),
-      loadTrajectory((fs::path(rectification.output) / trajectory_name).string()));
+  if (odometry_noise_ && !rectification.has_odometry_noise)
+    rectification.odometry = *odometry_noise_;
+  return runPoses("rectification",
+                  {{"observations", observations},
+                   {"skips_broken", rectification.skip_broken},
+                   {"files", sequenceState(observations)},
+                   {"scale", scale},
+                   {"options", valuesIn(tool_, rectification_group)}},
+                  posed,
+                  [&] {
+                    return rectifyPoses(
+                        rectification, posed, tool_.controls(), tool_.log());
+                  });
+}
+
+ObservationSequence
+Chain::runPoses(const std::string& name,
+                Json made_of,
+                const ObservationSequence& sequence,
+                const std::function<EstimatedPoses()>& work)
+{
+  const std::string folder = folderOf(name);
+  run(name, std::move(made_of), [&] {
+    saveEstimatedPoses(folder, work());
+    return std::vector<std::string>();
+  });
+  const std::optional<EstimatedPoses> poses = loadEstimatedPoses(folder);
+  if (!poses)
+    throw InputFileException(folder + ": has no poses");
+  odometry_noise_ = poses->noise;
+  return sequence.withPoses(poses->places, poses->trajectory);
 }
 
 } // namespace pcl::acmap

@@ -3,6 +3,7 @@
 #include "chain_options.h"
 #include "stage_folder.h"
 
+#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
 #include <functional>
@@ -83,10 +84,19 @@ private:
           const ObservationSequence& posed,
           double scale);
 
+  /** \brief Runs a stage that estimates the poses of a sequence; they go from stage to
+   * stage as files, so that a run that reuses them has the same bytes. */
+  ObservationSequence
+  runPoses(const std::string& name,
+           nlohmann::ordered_json made_of,
+           const ObservationSequence& sequence,
+           const std::function<EstimatedPoses()>& work);
+
   Tool& tool_;
   const ChainOptions& options_;
   std::string folder_;
-  std::string made_of_; ///< fingerprint of all stages so far
+  std::string made_of_;                         ///< fingerprint of all stages so far
+  std::optional<OdometryNoise> odometry_noise_; ///< of the last stage with poses
   std::vector<RunStage> stages_;
 };
 

@@ -8,9 +8,9 @@
 #include <pcl/core/folder_entries.h>
 #include <pcl/core/hidden_folder.h>
 #include <pcl/core/output_file.h>
+#include <pcl/pipeline/fingerprint.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -273,12 +273,10 @@ stateOfFile(const std::string& path)
 std::string
 fingerprint(const Json& json)
 {
-  std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a
-  for (const char letter : dumped(json, -1))
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
+  const std::string text = dumped(json, -1);
+  Fingerprint hash;
+  hash.add(text.data(), text.size());
+  return hash.text();
 }
 
 } // namespace pcl::acmap

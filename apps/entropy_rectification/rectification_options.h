@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
 #include <cstdint>
@@ -54,7 +55,7 @@ addRectificationChoices(Tool& tool, RectificationOptions& options);
  * pcl_entropy_rectification.
  * \param[in] posed the observations of the options' folder
  * \throws according to the exit codes of its documentation page */
-void
+EstimatedPoses
 rectifyPoses(const RectificationOptions& options,
              const ObservationSequence& posed,
              const RunControls& controls,

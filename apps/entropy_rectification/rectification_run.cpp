@@ -267,7 +267,7 @@ writeOutputs(const RectificationOptions& options,
 }
 
 /** Rectifies the map of the observations that a function reads. */
-void
+EstimatedPoses
 rectifyMap(const RectificationOptions& options,
            const std::function<MapObservations()>& read,
            const RunControls& controls,
@@ -303,11 +303,12 @@ rectifyMap(const RectificationOptions& options,
   log.details["posed_files"] = observations.files;
   log.tellSeconds();
   log.tell("folder", options.output);
+  return {observations.places, {observations.trajectory.stamps, poses}, std::nullopt};
 }
 
 } // namespace
 
-void
+EstimatedPoses
 rectifyPoses(const RectificationOptions& options,
              const ObservationSequence& posed,
              const RunControls& controls,
@@ -316,7 +317,7 @@ rectifyPoses(const RectificationOptions& options,
   const auto read = [&] {
     return readObservations(posed, options.skip_broken, controls, log);
   };
-  rectifyMap(options, read, controls, log);
+  return rectifyMap(options, read, controls, log);
 }
 
 void

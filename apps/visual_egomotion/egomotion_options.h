@@ -2,6 +2,7 @@
 
 #include "tool.h"
 
+#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
 #include <string>
@@ -45,7 +46,7 @@ observationsOf(const EgomotionOptions& options, double scale);
  * work of pcl_visual_egomotion.
  * \param[in] sequence the observations of the options' inputs
  * \throws according to the exit codes of its documentation page */
-void
+EstimatedPoses
 estimatePoses(const EgomotionOptions& options,
               const ObservationSequence& sequence,
               const RunControls& controls,

@@ -501,7 +501,7 @@ run(const EgomotionOptions& options,
 
 } // namespace
 
-void
+EstimatedPoses
 estimatePoses(const EgomotionOptions& options,
               const ObservationSequence& sequence,
               const RunControls& controls,
@@ -524,8 +524,8 @@ estimatePoses(const EgomotionOptions& options,
   std::optional<TruthComparison> comparison;
   if (!truth.empty())
     comparison = compare(truth, found, options.is_rigid);
-  const Trajectory trajectory = found.trajectory(list.stamps);
-  saveTrajectory(folder.path(trajectory_name), trajectory);
+  EstimatedPoses estimated = found.estimated(list.stamps);
+  saveTrajectory(folder.path(trajectory_name), estimated.trajectory);
   savePng(folder.path("plan.png"),
           trajectoryPicture(found.poses, comparison ? comparison->truth : Poses()));
   stopIfInterrupted();
@@ -534,11 +534,12 @@ estimatePoses(const EgomotionOptions& options,
   folder.commit();
   timer.finish("write");
   warnOfGaps(list, found, log);
-  const double length = lengthOf(trajectory.poses);
+  const double length = lengthOf(estimated.trajectory.poses);
   tellRun(found, length, comparison, log);
   log.details = detailsOf(options, list, found, length, comparison);
   log.tellSeconds();
   log.tell("folder", options.output);
+  return estimated;
 }
 
 } // namespace pcl::acmap

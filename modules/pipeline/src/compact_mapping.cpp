@@ -190,19 +190,15 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
                         "no observation could be joined to another one; the first one "
                             << found.reasonOf(0, sequence.names()));
   std::vector<double> stamps;
-  estimated_ = EstimatedPoses();
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     stamps.push_back(sequence.stamp(i));
-    if (found.poses[i])
-      estimated_.places.push_back(i);
-    else
+    if (!found.poses[i])
       report.remarks.push_back("lost: " + sequence.name(i) + ": " +
                                found.reasonOf(i, sequence.names()));
   }
-  estimated_.trajectory = found.trajectory(stamps);
+  estimated_ = found.estimated(stamps);
   for (Eigen::Isometry3d& pose : estimated_.trajectory.poses)
     pose = asInFiles(pose);
-  estimated_.noise = found.noise();
   return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 

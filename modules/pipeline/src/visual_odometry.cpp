@@ -220,16 +220,18 @@ VisualOdometryResult::noise() const
   return {length, 0, turn, 0};
 }
 
-Trajectory
-VisualOdometryResult::trajectory(const std::vector<double>& stamps) const
+EstimatedPoses
+VisualOdometryResult::estimated(const std::vector<double>& stamps) const
 {
-  Trajectory trajectory;
+  EstimatedPoses estimated;
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (poses[i]) {
-      trajectory.stamps.push_back(stamps[i]);
-      trajectory.poses.push_back(*poses[i]);
+      estimated.places.push_back(i);
+      estimated.trajectory.stamps.push_back(stamps[i]);
+      estimated.trajectory.poses.push_back(*poses[i]);
     }
-  return trajectory;
+  estimated.noise = noise();
+  return estimated;
 }
 
 VisualOdometryResult

@@ -6,6 +6,7 @@
 #include <pcl/core/trajectory.h>
 #include <pcl/egomotion/visual_egomotion.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
 #include <Eigen/Geometry>
@@ -74,10 +75,10 @@ struct VisualOdometryResult {
   ACMAP_EXPORT OdometryNoise
   noise() const;
 
-  /** \brief The poses of those observations that have one.
+  /** \brief The poses of those observations that have one, and \ref noise.
    * \param[in] stamps seconds, one per observation */
-  ACMAP_EXPORT Trajectory
-  trajectory(const std::vector<double>& stamps) const;
+  ACMAP_EXPORT EstimatedPoses
+  estimated(const std::vector<double>& stamps) const;
 };
 
 /** \brief Estimates the poses of a sequence from its observations alone: the motions of
