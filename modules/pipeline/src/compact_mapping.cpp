@@ -104,7 +104,7 @@ CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  if (T_map_camera && !isRigid(*T_map_camera))
+  if (T_map_camera && !acmap::isRigid(*T_map_camera))
     throw BadArgumentException("the pose of an observation is no rigid motion");
   clouds_.push_back(std::move(cloud));
   poses_.push_back(T_map_camera);
