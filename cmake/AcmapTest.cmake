@@ -16,7 +16,8 @@
 # Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
 # along: there would be two of them.
 function(acmap_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "" "SOURCES;LIBRARIES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "PRODUCT_CASES;THREAD_CASES"
+                        "SOURCES;LIBRARIES;LABELS")
   acmap_add_program(${name}_test SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES}
                     acmap_test_support acmap_test_main)
   if(NOT arg_OPTIMIZED) # which is for tests that compute much themselves

@@ -1,8 +1,8 @@
 #include "annotated_clouds.h"
 
 #include "annotated_files.h"
+#include "bench_data.h"
 #include "statistics.h"
-#include "test_data.h"
 
 #include <algorithm>
 #include <iostream>
@@ -92,12 +92,11 @@ void
 forEachAnnotatedCloud(const std::function<void(const AnnotatedCloud&)>& use)
 {
   for (const CloudSource& source : sources) {
-    if (!test::hasTestData(source.path)) {
-      std::cerr << "left out: no " << source.path << " in ACMAP_TEST_DATA\n";
+    const std::optional<std::string> path = pathOfData(source.path);
+    if (!path)
       continue;
-    }
     try {
-      use(makeCloud(source, source.read(test::testDataPath(source.path).string())));
+      use(makeCloud(source, source.read(*path)));
     }
     catch (const std::runtime_error& error) {
       std::cerr << "left out: " << error.what() << "\n";

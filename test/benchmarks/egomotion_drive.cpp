@@ -1,6 +1,6 @@
 #include "egomotion_input.h"
+#include "paper_patterns.h"
 
-#include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
 #include <pcl/stereo/active_stereo_grabber.h>
@@ -12,17 +12,6 @@
 
 namespace pcl::acmap::bench {
 namespace {
-
-std::vector<RgbImage>
-drawPatterns()
-{
-  constexpr std::uint32_t patterns = 10; // as in the paper
-  RandomLinePattern lines;
-  std::vector<RgbImage> images;
-  for (std::uint32_t i = 0; i < patterns; ++i)
-    images.push_back(lines.generate(i));
-  return images;
-}
 
 /** The same building with a different grain on nearly textureless surfaces.
  * \param[in] building of rectangles, such as corridors */

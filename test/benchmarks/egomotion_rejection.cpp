@@ -1,7 +1,7 @@
-#include "cpu_time.h"
 #include "egomotion_tables.h"
 #include "markdown_row.h"
 #include "stereo_matches.h"
+#include "timing.h"
 
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
 #include <pcl/egomotion/motion_fit_kernel.h>
@@ -111,9 +111,7 @@ void
 score(const Rejection& rejection, const GivenMatches& given, RejectionScore& score)
 {
   Correspondences kept;
-  const double begin = threadSeconds();
-  rejection.run(given, kept);
-  score.seconds += threadSeconds() - begin;
+  score.seconds += measureThread([&] { rejection.run(given, kept); });
   std::vector<std::int32_t> positions;
   for (const Correspondence& match : kept) {
     positions.push_back(match.index_query);

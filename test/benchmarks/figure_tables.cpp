@@ -1,15 +1,15 @@
 #include "figure_tables.h"
-#include "foreign_holes.h"
 
+#include "bench_data.h"
 #include "coverage.h"
-#include "cpu_time.h"
 #include "figure_clouds.h"
 #include "foreign_holes.h"
 #include "greedy_projection.h"
+#include "markdown_row.h"
 #include "obj_mesh.h"
 #include "statistics.h"
 #include "surface_distance.h"
-#include "test_data.h"
+#include "timing.h"
 
 #include <pcl/surface/dewall_triangulation.h>
 
@@ -74,12 +74,19 @@ printSoundnessRow(const FigureCloud& cloud, std::size_t places, const Mesher& me
   demands.empty_spheres = true;
   const test::MeshFaults faults = test::checkMesh(points, mesh, demands);
   const test::MeshCounts counts = test::countMesh(points, mesh);
-  std::cout << "| " << cloud.name << " | " << mesher.name << " | " << mesh.size()
-            << " | " << faults.crowded_edges << " | " << faults.torn_vertices << " | "
-            << faults.duplicate_faces << " | " << faults.degenerate_faces << " | "
-            << faults.inconsistent_edges << " | " << faults.occupied_spheres << " | "
-            << percent(counts.used_points, places) << " | "
-            << percent(counts.boundary_edges, counts.edges) << " |" << std::endl;
+  MarkdownRow()
+      .text(cloud.name)
+      .text(mesher.name)
+      .count(mesh.size())
+      .count(faults.crowded_edges)
+      .count(faults.torn_vertices)
+      .count(faults.duplicate_faces)
+      .count(faults.degenerate_faces)
+      .count(faults.inconsistent_edges)
+      .count(faults.occupied_spheres)
+      .number(percent(counts.used_points, places), 1)
+      .number(percent(counts.boundary_edges, counts.edges), 1)
+      .print();
 }
 
 void
@@ -98,9 +105,13 @@ printCoverageRow(const std::string& name,
     most.uncovered = std::max(most.uncovered, coverage.uncovered);
     most.overlapped = std::max(most.overlapped, coverage.overlapped);
   }
-  std::cout << "| " << name << " | " << mean.uncovered << " | " << most.uncovered
-            << " | " << mean.overlapped << " | " << most.overlapped << " |"
-            << std::endl;
+  MarkdownRow()
+      .text(name)
+      .number(mean.uncovered, 3)
+      .number(most.uncovered, 3)
+      .number(mean.overlapped, 3)
+      .number(most.overlapped, 3)
+      .print();
 }
 
 } // namespace
@@ -108,12 +119,17 @@ printCoverageRow(const std::string& name,
 void
 printSoundness()
 {
-  std::cout
-      << "\n| cloud | mesher | triangles | edges with > 2 faces | vertices without one "
-         "fan | duplicates | degenerate | inconsistent edges | occupied spheres | "
-         "points used % | boundary edges % |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|\n"
-      << std::fixed << std::setprecision(1);
+  printHead({"cloud",
+             "mesher",
+             "triangles",
+             "edges with > 2 faces",
+             "vertices without one fan",
+             "duplicates",
+             "degenerate",
+             "inconsistent edges",
+             "occupied spheres",
+             "points used %",
+             "boundary edges %"});
   for (const FigureCloud& cloud : realClouds()) {
     const std::size_t places = countPlaces(test::toPoints(cloud.cloud));
     for (const Mesher& mesher : allMeshers())
@@ -124,9 +140,11 @@ printSoundness()
 void
 printCoverage(std::size_t seeds)
 {
-  std::cout << "\n| surface, noise / spacing, mesher | uncovered %, mean | most | "
-               "overlapped %, mean | most |\n|---|---|---|---|---|\n"
-            << std::fixed << std::setprecision(3);
+  printHead({"surface, noise / spacing, mesher",
+             "uncovered %, mean",
+             "most",
+             "overlapped %, mean",
+             "most"});
   const std::pair<std::string, double> surfaces[] = {{"plane", 0}, {"edge", M_PI / 2}};
   for (const auto& [surface, fold] : surfaces)
     for (const double noise : {0.1, 0.2}) {
@@ -157,27 +175,24 @@ printCoverage(std::size_t seeds)
 void
 printTime(std::size_t rounds)
 {
-  std::cout
-      << "\n| view | points | mesher | CPU us a point | greedy projection takes |\n"
-         "|---|---|---|---|---|\n"
-      << std::fixed << std::setprecision(2);
+  printHead({"view", "points", "mesher", "CPU us a point", "greedy projection takes"});
   const std::vector<Mesher> meshers = allMeshers();
   for (const FigureCloud& view : singleViews()) {
     std::vector<std::vector<double>> seconds(meshers.size());
     for (std::size_t round = 0; round < rounds; ++round)
-      for (std::size_t i = 0; i < meshers.size(); ++i) {
-        const double begin = threadSeconds();
-        meshers[i].mesh(view);
-        seconds[i].push_back(threadSeconds() - begin);
-      }
+      for (std::size_t i = 0; i < meshers.size(); ++i)
+        seconds[i].push_back(measureThread([&] { meshers[i].mesh(view); }));
     for (std::size_t i = 0; i < meshers.size(); ++i) {
       std::vector<double> ratios;
       for (std::size_t round = 0; round < rounds; ++round)
         ratios.push_back(seconds.back()[round] / seconds[i][round]);
-      std::cout << "| " << view.name << " | " << view.cloud.size() << " | "
-                << meshers[i].name << " | "
-                << 1e6 * median(seconds[i]) / static_cast<double>(view.cloud.size())
-                << " | " << median(ratios) << " x |" << std::endl;
+      MarkdownRow()
+          .text(view.name)
+          .count(view.cloud.size())
+          .text(meshers[i].name)
+          .number(1e6 * median(seconds[i]) / static_cast<double>(view.cloud.size()), 2)
+          .text(timesOf(median(ratios), 1))
+          .print();
     }
   }
 }
@@ -185,26 +200,27 @@ printTime(std::size_t rounds)
 void
 printBunny()
 {
-  const std::string path = "E_meshing/stanford-bunny.obj";
-  if (!test::hasTestData(path)) {
-    std::cerr << "left out: no " << path << " in ACMAP_TEST_DATA\n";
+  const std::optional<std::string> path = pathOfData("E_meshing/stanford-bunny.obj");
+  if (!path)
     return;
-  }
-  const ObjMesh model = loadObjMesh(test::testDataPath(path).string());
+  const ObjMesh model = loadObjMesh(*path);
   FigureCloud cloud{"stanford-bunny", {}, test::medianSpacing(model.points)};
   for (const Eigen::Vector3d& p : model.points)
     cloud.cloud.push_back({float(p.x()), float(p.y()), float(p.z())});
 
   constexpr std::size_t samples = 50000;
-  std::cout
-      << "\nMedian spacing " << std::scientific << std::setprecision(3) << cloud.spacing
-      << " m; boundary loops of the model: "
-      << test::countMesh(model.points, model.triangles).boundary_loops
-      << ". Distances in spacings.\n\n"
-      << "| mesher | mesh to model, mean | most | model to mesh, mean | most | Chamfer "
-         "(mean of both) | boundary loops | holes the model has not |\n"
-         "|---|---|---|---|---|---|---|---|\n"
-      << std::fixed;
+  std::cout << "\nMedian spacing " << std::scientific << std::setprecision(3)
+            << cloud.spacing << " m; boundary loops of the model: "
+            << test::countMesh(model.points, model.triangles).boundary_loops
+            << ". Distances in spacings.\n";
+  printHead({"mesher",
+             "mesh to model, mean",
+             "most",
+             "model to mesh, mean",
+             "most",
+             "Chamfer (mean of both)",
+             "boundary loops",
+             "holes the model has not"});
   for (const Mesher& mesher : allMeshers()) {
     const Triangles mesh = mesher.mesh(cloud);
     const SurfaceDistance there =
@@ -212,12 +228,16 @@ printBunny()
     const SurfaceDistance back =
         measureDistance(model.points, model.triangles, model.points, mesh, samples, 2);
     const double unit = cloud.spacing;
-    std::cout << "| " << mesher.name << " | " << there.mean / unit << " | "
-              << there.most / unit << " | " << back.mean / unit << " | "
-              << back.most / unit << " | " << (there.mean + back.mean) / 2 / unit
-              << " | " << test::countMesh(model.points, mesh).boundary_loops << " | "
-              << countForeignHoles(model.points, mesh, model.triangles, 3 * unit)
-              << " |" << std::endl;
+    MarkdownRow()
+        .text(mesher.name)
+        .number(there.mean / unit, 3)
+        .number(there.most / unit, 3)
+        .number(back.mean / unit, 3)
+        .number(back.most / unit, 3)
+        .number((there.mean + back.mean) / 2 / unit, 3)
+        .count(test::countMesh(model.points, mesh).boundary_loops)
+        .count(countForeignHoles(model.points, mesh, model.triangles, 3 * unit))
+        .print();
   }
 }
 

@@ -1,7 +1,7 @@
-#include "cpu_time.h"
 #include "dewall/ball_visit.h"
 #include "figure_clouds.h"
 #include "markdown_row.h"
+#include "timing.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 
@@ -36,13 +36,11 @@ timed(std::size_t points, const Build& build, const Search& search)
 {
   TimedSearch result;
   const double micro = 1e6 / static_cast<double>(points);
-  double begin = threadSeconds();
-  build();
-  result.build = micro * (threadSeconds() - begin);
-  begin = threadSeconds();
-  for (std::size_t i = 0; i < points; ++i)
-    result.sum += search(i);
-  result.search = micro * (threadSeconds() - begin);
+  result.build = micro * measureThread(build);
+  result.search = micro * measureThread([&] {
+                    for (std::size_t i = 0; i < points; ++i)
+                      result.sum += search(i);
+                  });
   return result;
 }
 

@@ -1,7 +1,7 @@
 #include "noise_clouds.h"
 
+#include "bench_data.h"
 #include "temporary_folder.h"
-#include "test_data.h"
 
 #include <pcl/core/exceptions.h>
 
@@ -73,15 +73,11 @@ void
 forEachNoiseCloud(const std::function<void(const NoiseCloud&)>& use)
 {
   for (const NoiseSource& source : sources) {
-    if (!test::hasTestData(source.path)) {
-      std::cerr << "left out: no " << source.path << " in ACMAP_TEST_DATA\n";
+    const std::optional<std::string> path = pathOfData(source.path);
+    if (!path)
       continue;
-    }
     try {
-      use({source.name,
-           loadMaybePacked(test::testDataPath(source.path).string()),
-           source.is_view,
-           source.is_exact});
+      use({source.name, loadMaybePacked(*path), source.is_view, source.is_exact});
     }
     catch (const InputFileException& error) {
       std::cerr << "left out: " << error.what() << "\n";

@@ -1,10 +1,10 @@
 #include "one_view_tables.h"
 
+#include "bench_data.h"
 #include "markdown_row.h"
 #include "mesh_figures.h"
 #include "one_view_finders.h"
 #include "statistics.h"
-#include "test_data.h"
 
 #include <pcl/simulation/standard_scenes.h>
 
@@ -73,10 +73,8 @@ printViewMeshes()
              "CPU s"});
   for (const auto& [name, path] : {std::pair{"office1", "E_meshing/office1.pcd"},
                                    {"capture0001", "E_meshing/capture0001.pcd"}})
-    if (test::hasTestData(path))
-      printMeshes(loadOneView(name, test::testDataPath(path).string()), nullptr);
-    else
-      std::cerr << "left out: no " << path << " in ACMAP_TEST_DATA\n";
+    if (const std::optional<std::string> found = pathOfData(path))
+      printMeshes(loadOneView(name, *found), nullptr);
   for (const char* const name : {"office", "corridor", "loop"}) {
     SimulatedScene scene = standardScene(name);
     useKinect(scene);

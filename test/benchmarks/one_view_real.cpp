@@ -1,10 +1,10 @@
 #include "one_view_tables.h"
 
+#include "bench_data.h"
 #include "markdown_row.h"
 #include "one_view_finders.h"
 #include "plane_overlaps.h"
 #include "statistics.h"
-#include "test_data.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/point_cloud_file.h>
@@ -17,16 +17,6 @@
 
 namespace pcl::acmap::bench {
 namespace {
-
-/** \brief The path of a view; nothing, with a message on stderr, if it is missing. */
-std::optional<std::string>
-pathOfView(const std::string& relative)
-{
-  if (test::hasTestData(relative))
-    return test::testDataPath(relative).string();
-  std::cerr << "left out: no " << relative << " in ACMAP_TEST_DATA\n";
-  return std::nullopt;
-}
 
 /** \brief The points of a detected plane. */
 struct FoundSupport {
@@ -178,7 +168,7 @@ printRealViews()
        {std::pair{"office1", "E_meshing/office1.pcd"},
         {"capture0001", "E_meshing/capture0001.pcd"},
         {"table_scene_mug", "E_meshing/table_scene_mug_stereo_textured.pcd"}})
-    if (const auto found = pathOfView(path)) {
+    if (const auto found = pathOfData(path)) {
       const OneView view = loadOneView(name, *found);
       for (const OneViewFinder& finder : oneViewFinders())
         printRealRow(view, finder);
@@ -199,7 +189,7 @@ printTableViews()
              "CPU s"});
   for (const auto& [name, path] : {std::pair{"mosd learn0", "F_planes/mosd/learn0.pcd"},
                                    {"mosd learn5", "F_planes/mosd/learn5.pcd"}})
-    if (const auto found = pathOfView(path)) {
+    if (const auto found = pathOfData(path)) {
       const TableView table = loadTableView(name, *found);
       for (const OneViewFinder& finder : oneViewFinders())
         printTableRow(table, finder);

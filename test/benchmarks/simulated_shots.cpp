@@ -1,6 +1,7 @@
 #include "simulated_shots.h"
 
-#include <pcl/acquisition/random_line_pattern.h>
+#include "paper_patterns.h"
+
 #include <pcl/simulation/simulated_rig_grabber.h>
 
 namespace pcl::acmap::bench {
@@ -28,17 +29,6 @@ lookFrom(double x, double y, double yaw, double pitch)
   return Eigen::Translation3d(x, y, 0) *
          Eigen::AngleAxisd(yaw * degree, Eigen::Vector3d::UnitY()) *
          Eigen::AngleAxisd(pitch * degree, Eigen::Vector3d::UnitX());
-}
-
-std::vector<RgbImage>
-drawPatterns()
-{
-  constexpr std::uint32_t patterns = 10; // as in the paper
-  RandomLinePattern lines;
-  std::vector<RgbImage> images;
-  for (std::uint32_t i = 0; i < patterns; ++i)
-    images.push_back(lines.generate(i));
-  return images;
 }
 
 } // namespace

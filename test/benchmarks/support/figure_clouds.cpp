@@ -1,7 +1,7 @@
 #include "figure_clouds.h"
 
+#include "bench_data.h"
 #include "mesh_checker.h"
-#include "test_data.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/point_cloud_file.h>
@@ -36,11 +36,8 @@ load(const std::vector<std::pair<std::string, std::string>>& files)
 {
   std::vector<FigureCloud> clouds;
   for (const auto& [name, path] : files)
-    if (test::hasTestData(path))
-      clouds.push_back(
-          makeFigureCloud(name, loadFinite(test::testDataPath(path).string())));
-    else
-      std::cerr << "left out: no " << path << " in ACMAP_TEST_DATA\n";
+    if (const std::optional<std::string> found = pathOfData(path))
+      clouds.push_back(makeFigureCloud(name, loadFinite(*found)));
   return clouds;
 }
 
