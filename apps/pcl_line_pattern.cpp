@@ -1,13 +1,13 @@
 #include "line_pattern/pattern_options.h"
-#include "line_pattern/pattern_show.h"
 #include "output_target.h"
 
-#include <pcl/core/image_file.h>
-#include <pcl/core/output_folder.h>
+#include <pcl/acquisition/pattern_window.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
+#include <thread>
 
 namespace {
 
@@ -24,14 +24,71 @@ patternName(std::uint32_t index)
   return name;
 }
 
-/** \brief Refuses a folder with patterns of an earlier run, which would mix with the
- * new ones. */
-void
-requireNoPatterns(const OutputFolder& folder)
+std::string
+sizeText(int width, int height)
 {
-  requireNoneIn(folder,
-                [](const std::string& name) { return name.rfind(name_start, 0) == 0; });
+  return std::to_string(width) + " x " + std::to_string(height) + " px";
 }
+
+/** \brief Shows patterns one after another, if the user requested it. */
+class PatternShow {
+public:
+  /** \brief Opens a black window; warns when patterns have to be scaled.
+   * \throws BadArgumentException, IOException when there is no such monitor */
+  PatternShow(const PatternOptions& options,
+              const pcl::RandomLinePattern& generator,
+              StageLog& log)
+  : hold_(options.hold)
+  {
+    if (!options.show)
+      return;
+    window_.emplace(static_cast<std::size_t>(options.monitor));
+    const pcl::MonitorPlace& monitor = window_->getMonitor();
+    if (monitor.width != generator.getWidth() ||
+        monitor.height != generator.getHeight())
+      log.warn("monitor " + monitor.name + " has " +
+               sizeText(monitor.width, monitor.height) + ", the patterns " +
+               sizeText(generator.getWidth(), generator.getHeight()) +
+               ": they are shown scaled");
+  }
+
+  /** \brief Shows a pattern for the time that the user set.
+   * \throws CancelledException when the user interrupted it */
+  void
+  show(const pcl::RgbImage& pattern)
+  {
+    using Clock = std::chrono::steady_clock;
+    if (!window_)
+      return;
+    window_->show(pattern);
+    const auto end = Clock::now() + std::chrono::duration<double>(hold_);
+    while (Clock::now() < end) {
+      stopIfInterrupted();
+      const std::chrono::duration<double> left = end - Clock::now();
+      std::this_thread::sleep_for(std::min(left, std::chrono::duration<double>(0.05)));
+    }
+  }
+
+  void
+  tell(StageLog& log) const
+  {
+    if (!window_)
+      return;
+    const pcl::MonitorPlace& monitor = window_->getMonitor();
+    log.tell("shown",
+             "on monitor " + monitor.name + ", " +
+                 sizeText(monitor.width, monitor.height));
+    log.details["monitor"] = {{"name", monitor.name},
+                              {"x", monitor.x},
+                              {"y", monitor.y},
+                              {"width", monitor.width},
+                              {"height", monitor.height}};
+  }
+
+private:
+  double hold_;
+  std::optional<pcl::PatternWindow> window_;
+};
 
 /** \brief Statistics over all patterns. */
 struct Totals {
@@ -59,33 +116,32 @@ struct Totals {
 };
 
 void
-tellResults(Tool& tool,
-            const PatternOptions& options,
+tellResults(const PatternOptions& options,
             const pcl::RandomLinePattern& generator,
-            const Totals& totals)
+            const Totals& totals,
+            StageLog& log)
 {
   const double coverage = totals.coverage / options.patterns;
-  tool.details().update({{"output", options.output},
-                         {"width", generator.getWidth()},
-                         {"height", generator.getHeight()},
-                         {"lines", options.lines},
-                         {"colored", !options.grey},
-                         {"minimum_angle_degrees", options.minimum_angle},
-                         {"seed", options.seed},
-                         {"coverage", coverage},
-                         {"redraws", totals.redraws},
-                         {"patterns", totals.patterns}});
-  tool.tell("patterns",
-            std::to_string(options.patterns) + ", " +
-                std::to_string(generator.getWidth()) + " x " +
-                std::to_string(generator.getHeight()) + " px, " +
-                std::to_string(options.lines) + " lines each");
-  tool.tell("coverage", shortNumber(100 * coverage) + " %");
-  tool.tell("side lobes",
-            "at most " + shortNumber(totals.row_side_lobe) + " along rows, " +
-                shortNumber(totals.column_side_lobe) + " along columns, but for 1 %");
-  tool.tell("redrawn", std::to_string(totals.redraws));
-  tool.tell(options.is_single ? "picture" : "folder", options.output);
+  log.details = {{"output", options.output},
+                 {"width", generator.getWidth()},
+                 {"height", generator.getHeight()},
+                 {"lines", options.lines},
+                 {"colored", !options.grey},
+                 {"minimum_angle_degrees", options.minimum_angle},
+                 {"seed", options.seed},
+                 {"coverage", coverage},
+                 {"redraws", totals.redraws},
+                 {"patterns", totals.patterns}};
+  log.tell("patterns",
+           std::to_string(options.patterns) + ", " +
+               sizeText(generator.getWidth(), generator.getHeight()) + ", " +
+               std::to_string(options.lines) + " lines each");
+  log.tell("coverage", shortNumber(100 * coverage) + " %");
+  log.tell("side lobes",
+           "at most " + shortNumber(totals.row_side_lobe) + " along rows, " +
+               shortNumber(totals.column_side_lobe) + " along columns, but for 1 %");
+  log.tell("redrawn", std::to_string(totals.redraws));
+  log.tell(options.is_single ? "picture" : "folder", options.output);
 }
 
 void
@@ -96,36 +152,36 @@ run(Tool& tool, PatternOptions& options)
   std::optional<OutputFolder> folder;
   if (options.is_single)
     requireWritable(options.output, {".png"}, {});
-  else
-    requireNoPatterns(folder.emplace(options.output));
+  else // patterns of an earlier run would mix with the new ones
+    requireNoneIn(folder.emplace(options.output), [](const std::string& name) {
+      return name.rfind(name_start, 0) == 0;
+    });
   tool.requireReportWritable({options.output});
-  PatternShow show(tool, options, generator);
+  PatternShow show(options, generator, tool.log());
 
   StepTimer timer(tool.report());
   Totals totals;
   pcl::RgbImage picture;
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    const pcl::acmap::Progress told(progress);
-    for (std::uint32_t index = 0; index < options.patterns; ++index) {
-      told.tell(static_cast<double>(index) / options.patterns, "drawing");
-      picture = generator.generate(index);
-      totals.add(options.is_single ? options.output : patternName(index),
-                 generator.getReport());
-      for (const std::string& remark : generator.getReport().remarks)
-        tool.warn(remark);
-      if (folder)
-        pcl::savePng(folder->path(patternName(index)), picture);
-      show.show(picture);
-    }
-  });
-  tool.stopIfInterrupted();
+  const Progress progress(tool.controls().progress);
+  for (std::uint32_t index = 0; index < options.patterns; ++index) {
+    progress.tell(static_cast<double>(index) / options.patterns, "drawing");
+    picture = generator.generate(index);
+    totals.add(options.is_single ? options.output : patternName(index),
+               generator.getReport());
+    for (const std::string& remark : generator.getReport().remarks)
+      tool.warn(remark);
+    if (folder)
+      pcl::savePng(folder->path(patternName(index)), picture);
+    show.show(picture);
+  }
+  stopIfInterrupted();
   if (folder)
     folder->commit();
   else
     pcl::savePng(options.output, picture);
   timer.finish("draw");
-  tellResults(tool, options, generator, totals);
-  show.tell();
+  tellResults(options, generator, totals, tool.log());
+  show.tell(tool.log());
   if (folder)
     tool.setReportPlace(options.output + "/report.json");
 }

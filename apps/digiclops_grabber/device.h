@@ -5,7 +5,6 @@
 #include <pcl/acquisition/digiclops_grabber.h>
 #include <pcl/acquisition/trinocular_file_grabber.h>
 
-#include <memory>
 #include <optional>
 
 namespace pcl::acmap {
@@ -19,21 +18,11 @@ struct Device {
   /** \brief The unrectified cameras, if the rig's file has them: frames are then not
    * rectified. */
   std::optional<RigCalibration> cameras;
-
-  TrinocularGrabber&
-  frames() const;
-
-  shared_ptr<TrinocularGrabber>
-  framesPointer() const;
-
-  /** \brief Maximum number of bytes of the images of a frame. */
-  std::size_t
-  frameBytes() const;
 };
 
 /** \brief Opens the device, and applies the settings of the user to a camera.
  * \throws NothingFound when there is no such camera
- * \throws CameraException when it cannot be opened or set
+ * \throws CameraException when it cannot be opened or does not support a setting
  * \throws UsageError, BadArgumentException for settings that no camera supports
  * \throws InputFileException when rig or recording cannot be read */
 Device
@@ -43,18 +32,12 @@ openDevice(const GrabberOptions& options);
  * \throws NothingFound when there is none
  * \throws CameraException when USB is not available */
 void
-listCameras(Tool& tool);
+listCameras(StageLog& log);
 
 /** \brief Reads `r,h,v` in any order, as letters or words.
  * \return nothing for `auto`
  * \throws UsageError for anything else */
 std::optional<ChannelOrder>
 channelOrderOf(const std::string& text);
-
-/** \brief Sets mode, rate, shutter, gain, trigger and channel order.
- * \throws UsageError, BadArgumentException for illegal values
- * \throws CameraException for settings that this camera does not support */
-void
-setUpCamera(DigiclopsGrabber& grabber, const GrabberOptions& options);
 
 } // namespace pcl::acmap

@@ -1,233 +1,706 @@
-#include "grab_run.h"
+#include "active_stereo/stereo_observation.h"
+#include "frame_queue.h"
+#include "live_window.h"
+#include "projection.h"
 
-#include "tool.h"
+#include <pcl/acquisition/trinocular_recorder.h>
 
-#include <algorithm>
-#include <set>
+#include <filesystem>
 #include <thread>
 
 namespace pcl::acmap {
 
 namespace {
 
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+FrameRectifier
+rectifierOf(const GrabberOptions& options, const Device& device, unsigned threads)
+{
+  return {options.rigPath(), device.rig, device.cameras.has_value(), threads};
+}
+
+/** \brief The observations of a run as point clouds, as pcl_active_stereo computes them
+ * for a session. Their files are in the folder's hidden part until it is committed. */
+struct CloudOutput {
+  CloudOutput(const GrabberOptions& options, const Device& device, unsigned threads)
+  : rectifier(rectifierOf(options, device, threads))
+  , fusion(rectifier.rig(), options.stereo, threads)
+  {
+    if (!options.clouds.empty())
+      requireNoStereo(folder.emplace(options.clouds));
+  }
+
+  FrameRectifier rectifier;
+  ShotFusion fusion;
+  std::optional<OutputFolder> folder; ///< nothing if clouds are only shown
+  ShotGroups groups;
+  StereoResults results;
+};
+
+/** \brief All outputs of a run. Session and clouds are consistent: an observation is
+ * recorded when it is complete, and then its cloud is computed. */
+class GrabOutputs {
+public:
+  using SeeCloud = std::function<void(const PointCloud<PointXYZRGBSigma>& cloud)>;
+
+  /** \param[in] see is called with each cloud
+   * \throws OutputFileException when a folder cannot be written to, or holds results
+   * \throws InputFileException when the rig cannot be matched or rectified
+   * \throws MemoryRefused */
+  GrabOutputs(const GrabberOptions& options,
+              const Device& device,
+              unsigned threads,
+              SeeCloud see,
+              StageLog& log)
+  : options_(options)
+  , see_(std::move(see))
+  , log_(log)
+  {
+    if (!options.clouds.empty() || (options.live && !options.isStream())) {
+      clouds_.emplace(options, device, threads);
+      for (const std::string& remark : clouds_->rectifier.remarks())
+        log_.warn(remark);
+    }
+    if (options.session.empty())
+      return;
+    std::error_code error;
+    is_new_session_ = !fs::exists(options.session, error);
+    if (device.cameras)
+      recorder_.emplace(options.session, device.rig, *device.cameras);
+    else
+      recorder_.emplace(options.session, device.rig);
+  }
+
+  /** \brief Removes a session without frames, which would block the next run. */
+  ~GrabOutputs()
+  {
+    if (!recorder_ || recorder_->frames() > 0)
+      return;
+    std::error_code error;
+    for (const char* const name : {"session.yaml", "rig.yaml"})
+      fs::remove(fs::path(options_.session) / name, error);
+    if (is_new_session_)
+      fs::remove(options_.session, error);
+  }
+
+  GrabOutputs(const GrabOutputs&) = delete;
+  GrabOutputs&
+  operator=(const GrabOutputs&) = delete;
+
+  /** \brief Adds a frame; the first frame of another observation closes the one
+   * before. */
+  void
+  take(const TrinocularFrame::ConstPtr& frame, const ProgressCallback& progress)
+  {
+    if (!open_.empty() && open_.front()->observation != frame->observation)
+      close(progress);
+    open_.push_back(frame);
+  }
+
+  /** \brief Closes the observation: records its frames, and computes its cloud.
+   * \throws OutputFileException, CancelledException */
+  void
+  close(const ProgressCallback& progress)
+  {
+    if (open_.empty())
+      return;
+    const std::vector<TrinocularFrame::ConstPtr> frames = std::exchange(open_, {});
+    Report steps;
+    StepTimer timer(steps);
+    if (recorder_)
+      for (const TrinocularFrame::ConstPtr& frame : frames)
+        recorder_->record(*frame);
+    timer.finish("record");
+    if (clouds_) {
+      makeCloud(frames, progress);
+      timer.finish("match");
+    }
+    for (const auto& [step, seconds] : steps.seconds)
+      seconds_[step] += seconds;
+    ++observations_;
+  }
+
+  /** \brief Number of closed observations. */
+  std::size_t
+  observations() const
+  {
+    return observations_;
+  }
+
+  /** \brief Does a frame begin another observation than the current one? */
+  bool
+  isNext(const TrinocularFrame& frame) const
+  {
+    return !open_.empty() && open_.front()->observation != frame.observation;
+  }
+
+  /** \brief Sets the bytes of the recorded frames, if there is a session, and the free
+   * bytes on the disk of the outputs. */
+  void
+  measure(GrabStatus& status) const
+  {
+    if (recorder_)
+      status.written = recorder_->bytes();
+    std::error_code error;
+    const std::string& place = recorder_ ? options_.session : options_.clouds;
+    const fs::space_info space = fs::space(place, error);
+    if (!place.empty() && !error)
+      status.free = space.available;
+  }
+
+  /** \brief Completes the outputs and moves them to their final place.
+   * \throws NothingFound when there is no point in any cloud; the session is kept */
+  void
+  finish()
+  {
+    if (recorder_)
+      recorder_->finish();
+    if (clouds_ && clouds_->results.points == 0) {
+      clouds_->results.warnOfRemarks(log_);
+      log_.failWithNothing("no pixel has a place: " + clouds_->results.rejected());
+    }
+    if (clouds_ && clouds_->folder)
+      clouds_->folder->commit();
+  }
+
+  /** \brief Keeps complete outputs after an error, and rethrows it with a note about
+   * what was kept. */
+  [[noreturn]] void
+  keep(const std::exception_ptr& error)
+  {
+    const std::string kept = keepClouds() + keepSession();
+    if (kept.empty())
+      std::rethrow_exception(error);
+    const Failure failure = failureOf(error);
+    switch (failure.code) {
+    case exit_interrupted:
+      throw InterruptedPartway("interrupted" + kept);
+    case exit_output:
+      throw OutputFileException(failure.line + kept);
+    case exit_input:
+      throw InputFileException(failure.line + kept);
+    case exit_nothing_found:
+      throw NothingFound(failure.line + kept);
+    case exit_memory:
+      throw MemoryRefused(failure.line + kept);
+    default:
+      throw std::runtime_error(failure.line + kept);
+    }
+  }
+
+  /** \brief Writes lines of the summary and the report. */
+  void
+  tell() const
+  {
+    Json& details = log_.details;
+    if (clouds_)
+      for (const std::string& remark : clouds_->groups.remarks())
+        log_.warn(remark);
+    log_.tell("observations", std::to_string(observations_));
+    if (clouds_) {
+      const StereoResults& results = clouds_->results;
+      results.warnOfRemarks(log_);
+      details["method"] = options_.stereo.method;
+      details["least_disparity"] = clouds_->fusion.range().least;
+      details["most_disparity"] = clouds_->fusion.range().most();
+      details["points"] = results.points;
+      details["matched_share"] = results.matchedShare();
+      details["observations"] = results.observations;
+      results.tellPoints(log_);
+    }
+    for (const auto& [step, seconds] : seconds_)
+      log_.report.seconds.emplace_back(step, seconds);
+    details["clouds"] = options_.clouds;
+    details["session"] = options_.session;
+    if (recorder_) {
+      details["recorded_frames"] = recorder_->frames();
+      details["recorded_bytes"] = recorder_->bytes();
+    }
+  }
+
+private:
+  void
+  makeCloud(const std::vector<TrinocularFrame::ConstPtr>& frames,
+            const ProgressCallback& progress)
+  {
+    for (const TrinocularFrame::ConstPtr& frame : frames)
+      clouds_->groups.add(frame);
+    std::optional<ObservationShots> shots = clouds_->groups.finish();
+    if (!shots)
+      return;
+    if (clouds_->rectifier.isRectifying())
+      for (TrinocularFrame::ConstPtr& frame : shots->frames) {
+        const TrinocularFrame::Ptr rectified(new TrinocularFrame(*frame));
+        clouds_->rectifier.rectify(*rectified);
+        frame = rectified;
+      }
+    const MadeObservation made = clouds_->fusion.make(*shots, progress);
+    if (clouds_->folder)
+      saveResults(*clouds_->folder,
+                  options_.stereo,
+                  shots->number,
+                  made,
+                  Eigen::Isometry3d::Identity());
+    clouds_->results.add(shots->number, shots->frames.size(), made);
+    see_(made.cloud);
+  }
+
+  std::string
+  keepClouds()
+  {
+    if (!clouds_ || !clouds_->folder || clouds_->results.points == 0)
+      return "";
+    clouds_->folder->commit();
+    return "; observations finished by then, in " + options_.clouds + ": " +
+           std::to_string(clouds_->results.observations.size());
+  }
+
+  std::string
+  keepSession()
+  {
+    if (!recorder_ || recorder_->frames() == 0)
+      return "";
+    try {
+      recorder_->finish();
+    }
+    catch (const OutputFileException&) {
+      // frames can be read without it, and the earlier error is reported
+    }
+    return "; frames recorded by then, in " + options_.session + ": " +
+           std::to_string(recorder_->frames());
+  }
+
+  const GrabberOptions& options_;
+  SeeCloud see_;
+  StageLog& log_;
+  std::optional<CloudOutput> clouds_;
+  std::optional<TrinocularRecorder> recorder_; // of the raw session
+  bool is_new_session_ = false;
+  std::vector<TrinocularFrame::ConstPtr> open_; // frames of the current observation
+  std::size_t observations_ = 0;
+  // seconds of each step, summed over all observations
+  std::map<std::string, double> seconds_;
+};
+
+/** \brief Decides, shot by shot, if an observation needs a further pattern. */
+class PatternNeed {
+public:
+  /** \param[in] rectifier of the camera's frames */
+  explicit PatternNeed(FrameRectifier rectifier)
+  : rectifier_(std::move(rectifier))
+  {
+    // only counts the pixels that the patterns cover; nothing is matched
+    fusion_.setMethod(DisparityFusion::Method::SpaceTime);
+    fusion_.setInputRig(rectifier_.rig());
+  }
+
+  /** \brief Adds a shot under a pattern, as received from the camera. Returns true if a
+   * further pattern is needed. */
+  bool
+  wantsMoreAfter(const TrinocularFrame& frame)
+  {
+    if (observation_ != frame.observation)
+      fusion_.clear();
+    observation_ = frame.observation;
+    const TrinocularFrame::Ptr shot(new TrinocularFrame(frame));
+    rectifier_.rectify(*shot);
+    fusion_.addShot(shot);
+    return fusion_.wantsAnotherShot();
+  }
+
+private:
+  FrameRectifier rectifier_;
+  DisparityFusion fusion_;
+  std::optional<std::int32_t> observation_;
+};
+
 constexpr std::chrono::milliseconds between_frames(50);
+
+std::size_t
+bytesOfFrame(const TrinocularRig& rig)
+{
+  constexpr std::size_t bytes_per_pixel = 9; // three cameras, in colour
+  return bytes_per_pixel * static_cast<std::size_t>(rig.width) *
+         static_cast<std::size_t>(rig.height);
+}
+
+/** \brief Moves frames from the device to the outputs. */
+class GrabRun {
+public:
+  /** \param[in] live null without a window; all arguments outlive this object */
+  GrabRun(const GrabberOptions& options,
+          const Device& device,
+          GrabOutputs& outputs,
+          StatusLine& status,
+          LiveWindow* live)
+  : options_(options)
+  , device_(device)
+  , outputs_(outputs)
+  , status_(status)
+  , live_(live)
+  , queue_(queueLength(bytesOfFrame(device.rig)))
+  , wanted_(options.observations.value_or(device.recording ? 0 : 1))
+  {}
+
+  /** \brief Afterwards no callback of a grabber is called. */
+  ~GrabRun()
+  {
+    end();
+    connection_.disconnect();
+  }
+
+  GrabRun(const GrabRun&) = delete;
+  GrabRun&
+  operator=(const GrabRun&) = delete;
+
+  /** \brief Processes all observations of a recording, or the requested number. */
+  void
+  passRecording()
+  {
+    const std::vector<std::uint64_t> doubled = device_.recording->getReport().doubled;
+    listenTo(*device_.recording);
+    grabber_->start();
+    pumpAll([&](const TrinocularFrame::ConstPtr& frame) {
+      if (std::count(doubled.begin(), doubled.end(), frame->number) > 0)
+        return true;
+      const bool is_next = outputs_.isNext(*frame);
+      if (is_next && outputs_.observations() + 1 == wanted_)
+        return false;
+      shots_ = is_next ? 1 : shots_ + 1;
+      outputs_.take(frame, progress());
+      return true;
+    });
+    outputs_.close(progress());
+    if (frames_ == 0)
+      throw InputFileException(options_.device + ": has no frame that can be read");
+  }
+
+  /** \brief Processes frames of the camera, one after another, until the user ends
+   * it. */
+  void
+  passStream()
+  {
+    const bool has_end = options_.frames > 0 || options_.seconds > 0;
+    listenTo(*device_.camera);
+    grabber_->start();
+    const Clock::time_point begin = Clock::now();
+    const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
+      outputs_.take(frame, progress());
+      outputs_.close(progress());
+      return frames_ != options_.frames;
+    };
+    pump(use, [&] {
+      if (has_end)
+        stopIfInterrupted();
+      const std::chrono::duration<double> passed = Clock::now() - begin;
+      const bool is_for_window = options_.session.empty();
+      return interrupted() || (is_for_window && live_->isClosed()) ||
+             (options_.seconds > 0 && passed.count() >= options_.seconds);
+    });
+  }
+
+  /** \brief Processes observations of camera and projector.
+   * \param[in] threads 0 = all */
+  void
+  passObservations(PatternSequenceGrabber& sequence, unsigned threads)
+  {
+    if (options_.early) {
+      need_.emplace(rectifierOf(options_, device_, threads));
+      sequence.setWantMore([this](const TrinocularFrame& frame) {
+        return need_->wantsMoreAfter(frame);
+      });
+    }
+    listenTo(sequence);
+    Pacing pacing(options_.every);
+    for (std::size_t i = 0; i < wanted_; ++i) {
+      const auto wait = [&] {
+        stopIfInterrupted();
+        idle();
+      };
+      if (i > 0 && pacing.asks())
+        status_.note("Enter takes observation " + std::to_string(i) + " of " +
+                     std::to_string(wanted_) + ", q and Enter ends");
+      if (i > 0 && !pacing.wait(wait))
+        break;
+      pacing.begin();
+      shots_ = 0;
+      sequence.observe();
+      pumpAll([&](const TrinocularFrame::ConstPtr& frame) {
+        ++shots_;
+        outputs_.take(frame, progress());
+        return true;
+      });
+      outputs_.close(progress());
+    }
+  }
+
+  /** \brief After the work: shows the window until it is closed, or until an
+   * interruption. */
+  void
+  waitForWindow()
+  {
+    if (!live_ || live_->isClosed() || interrupted())
+      return;
+    status_.note("done; close the window to end");
+    while (!live_->isClosed() && !interrupted()) {
+      live_->update();
+      std::this_thread::sleep_for(between_frames);
+    }
+  }
+
+  /** \brief Number of received frames. */
+  std::size_t
+  frames() const
+  {
+    return frames_;
+  }
+
+private:
+  /** \return false to end the stream */
+  using UseFrame = std::function<bool(const TrinocularFrame::ConstPtr& frame)>;
+
+  void
+  listenTo(TrinocularGrabber& grabber)
+  {
+    grabber_ = &grabber;
+    const std::function<TrinocularGrabber::FrameCallback> queue =
+        [this](const TrinocularFrame::ConstPtr& frame) { queue_.push(frame); };
+    connection_ = grabber.registerCallback(queue);
+  }
+
+  /** Closes the queue first, since a grabber that waits for room in the queue could not
+   * stop. Frames in the queue are kept. */
+  void
+  end()
+  {
+    queue_.close();
+    if (grabber_)
+      grabber_->stop();
+  }
+
+  /** Processes frames until the stream is over and the queue is empty. */
+  void
+  pump(const UseFrame& use, const std::function<bool()>& is_over)
+  {
+    for (;;) {
+      const bool is_running = grabber_->isRunning();
+      const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
+      if (frame) {
+        ++frames_;
+        if (live_)
+          live_->show(*frame);
+        if (!use(frame)) {
+          end();
+          return;
+        }
+      }
+      else if (!is_running)
+        break;
+      if (is_over())
+        end();
+      idle();
+    }
+    if (grabber_->getError())
+      std::rethrow_exception(grabber_->getError());
+  }
+
+  /** Likewise; only an error or the user ends the stream early. */
+  void
+  pumpAll(const UseFrame& use)
+  {
+    pump(use, [] {
+      stopIfInterrupted();
+      return false;
+    });
+  }
+
+  void
+  idle()
+  {
+    update(options_.isStream()
+               ? ""
+               : "observation " + std::to_string(outputs_.observations()) + ", shot " +
+                     std::to_string(shots_));
+  }
+
+  ProgressCallback
+  progress()
+  {
+    return [this](double, const std::string& step) {
+      update(step);
+      return !interrupted();
+    };
+  }
+
+  /** Updates the window and the status line. */
+  void
+  update(const std::string& doing)
+  {
+    if (live_)
+      live_->update();
+    if (!status_.isDue())
+      return;
+    GrabStatus now;
+    now.frames = frames_;
+    now.doing = doing;
+    outputs_.measure(now);
+    if (device_.camera) {
+      const DigiclopsGrabberReport report = device_.camera->getReport();
+      now.frames_per_second = report.frames_per_second;
+      now.lost = report.lost;
+      now.broken = report.broken;
+    }
+    else
+      now.broken = device_.recording->getReport().broken.size();
+    status_.show(statusText(now));
+  }
+
+  const GrabberOptions& options_;
+  const Device& device_;
+  GrabOutputs& outputs_;
+  StatusLine& status_;
+  LiveWindow* live_;
+  std::optional<PatternNeed> need_; // set if observations may end early
+  FrameQueue queue_;
+  TrinocularGrabber* grabber_ = nullptr;
+  boost::signals2::connection connection_;
+  std::size_t frames_ = 0;
+  std::size_t shots_ = 0;  // of the current observation
+  std::size_t wanted_ = 0; // number of observations, 0: all
+};
+
+void
+tellRecording(const GrabberOptions& options,
+              const TrinocularFileReport& report,
+              StageLog& log)
+{
+  warnOfFindings(log, report.remarks);
+  if (!report.doubled.empty())
+    log.warn(std::to_string(report.doubled.size()) +
+             " frames whose shot was there before are left out");
+  log.details["recording"] = {{"folder", options.device},
+                              {"is_finished", report.is_finished},
+                              {"broken_frames", report.broken},
+                              {"left_out_frames", report.doubled},
+                              {"findings", report.remarks}};
+  log.tell("recording", options.device);
+}
+
+void
+tellCamera(DigiclopsGrabber& grabber, StageLog& log)
+{
+  const IidcIdentity identity = grabber.camera().identity();
+  const DigiclopsGrabberReport report = grabber.getReport();
+  const std::string order = textOf(grabber.getChannelOrder());
+  Json check;
+  if (report.order)
+    check = {{"best", textOf(report.order->best)},
+             {"is_certain", report.order->is_certain},
+             {"corners", report.order->corners},
+             {"share", report.order->share},
+             {"runner_up", report.order->runner_up}};
+  log.details["camera"] = {{"place", grabber.camera().place()},
+                           {"serial", identity.serial()},
+                           {"maker", identity.maker},
+                           {"model", identity.model},
+                           {"iidc", identity.version},
+                           {"mode", grabber.getMode().text()},
+                           {"rate", grabber.getFramesPerSecond()},
+                           {"lost", report.lost},
+                           {"broken", report.broken},
+                           {"early", report.early},
+                           {"restarts", report.restarts},
+                           {"channel_order", order},
+                           {"order_check", check}};
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.tell("camera",
+           identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
+               grabber.camera().place());
+  log.tell("mode", grabber.getMode().text() + ", channels " + order);
+  log.tell("lost",
+           std::to_string(report.lost) + ", broken " + std::to_string(report.broken) +
+               ", restarts " + std::to_string(report.restarts));
+}
+
+void
+tellProjector(const GrabberOptions& options,
+              const Projection& projection,
+              StageLog& log)
+{
+  const MonitorPlace& monitor = projection.monitor;
+  const PatternSequenceGrabberReport report = projection.sequence->getReport();
+  const double settle = projection.sequence->getSettleTime();
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.details["projector"] = {{"monitor", monitor.name},
+                              {"width", monitor.width},
+                              {"height", monitor.height},
+                              {"patterns", options.pattern.patterns},
+                              {"seed", options.pattern.seed},
+                              {"settle", settle},
+                              {"spared", report.spared}};
+  log.tell("projector",
+           "monitor " + monitor.name + ", " + std::to_string(monitor.width) + " x " +
+               std::to_string(monitor.height) + " px, settles in " +
+               shortNumber(settle) + " s" +
+               (options.early
+                    ? ", " + std::to_string(report.spared) + " patterns spared"
+                    : ""));
+}
 
 } // namespace
 
-GrabRun::GrabRun(Tool& tool,
-                 const GrabberOptions& options,
-                 const Device& device,
-                 GrabOutputs& outputs,
-                 StatusLine& status,
-                 LiveWindow* live)
-: tool_(tool)
-, options_(options)
-, device_(device)
-, outputs_(outputs)
-, status_(status)
-, live_(live)
-, queue_(queueLength(device.frameBytes()))
-, wanted_(options.observations.value_or(device.recording ? 0 : 1))
-{}
-
-GrabRun::~GrabRun()
-{
-  end();
-  connection_.disconnect();
-}
-
 void
-GrabRun::listenTo(TrinocularGrabber& grabber)
+grab(const GrabberOptions& options, const RunControls& controls, StageLog& log)
 {
-  grabber_ = &grabber;
-  const std::function<TrinocularGrabber::FrameCallback> queue =
-      [this](const TrinocularFrame::ConstPtr& frame) { queue_.push(frame); };
-  connection_ = grabber.registerCallback(queue);
-}
-
-/** Closes the queue first, since a grabber that waits for room in the queue could not
- * stop. Frames in the queue are kept. */
-void
-GrabRun::end()
-{
-  queue_.close();
-  if (grabber_)
-    grabber_->stop();
-}
-
-/** Processes frames until the stream is over and the queue is empty. */
-void
-GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
-{
-  for (;;) {
-    const bool is_running = grabber_->isRunning();
-    const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
-    if (frame) {
-      ++frames_;
-      if (live_)
-        live_->show(*frame);
-      if (!use(frame)) {
-        end();
-        return;
-      }
-    }
-    else if (!is_running)
-      break;
-    if (is_over())
-      end();
-    idle();
-  }
-  if (grabber_->getError())
-    std::rethrow_exception(grabber_->getError());
-}
-
-/** Likewise; only an error or the user ends the stream early. */
-void
-GrabRun::pumpAll(const UseFrame& use)
-{
-  pump(use, [&] {
-    tool_.stopIfInterrupted();
-    return false;
-  });
-}
-
-void
-GrabRun::idle()
-{
-  if (live_)
-    live_->update();
-  tellStatus(doing());
-}
-
-void
-GrabRun::passRecording()
-{
-  const std::vector<std::uint64_t> doubled = device_.recording->getReport().doubled;
-  const std::set<std::uint64_t> left_out(doubled.begin(), doubled.end());
-  listenTo(*device_.recording);
-  grabber_->start();
-  const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-    if (left_out.count(frame->number) > 0)
-      return true;
-    const auto open = outputs_.openObservation();
-    const bool is_next = open && *open != static_cast<std::size_t>(frame->observation);
-    if (is_next && outputs_.observations() + 1 == wanted_)
-      return false;
-    shots_ = is_next ? 1 : shots_ + 1;
-    outputs_.take(frame, progress());
-    return true;
+  StepTimer timer(log.report);
+  // locks the drawing of the projector's window and of the live window
+  std::mutex drawing;
+  std::optional<LiveWindow> live;
+  if (options.live)
+    live.emplace(drawing);
+  StatusLine status(!controls.is_quiet);
+  const Device device = openDevice(options);
+  const auto see = [&](const PointCloud<PointXYZRGBSigma>& cloud) {
+    if (live)
+      live->show(cloud);
   };
-  pumpAll(use);
-  outputs_.close(progress());
-}
+  GrabOutputs outputs(options, device, controls.threads, see, log);
+  std::optional<Projection> projection;
+  if (device.camera && !options.isStream())
+    projection = openProjection(options, device, drawing, status, log);
+  timer.finish("open");
 
-void
-GrabRun::passStream()
-{
-  using Clock = std::chrono::steady_clock;
-  const bool has_end = options_.frames > 0 || options_.seconds > 0;
-  listenTo(*device_.camera);
-  grabber_->start();
-  const Clock::time_point begin = Clock::now();
-  const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-    outputs_.take(frame, progress());
-    outputs_.close(progress());
-    return frames_ != options_.frames;
-  };
-  pump(use, [&] {
-    if (has_end)
-      tool_.stopIfInterrupted();
-    const std::chrono::duration<double> passed = Clock::now() - begin;
-    const bool is_for_window = options_.session.empty();
-    return interrupted() || (is_for_window && live_->isClosed()) ||
-           (options_.seconds > 0 && passed.count() >= options_.seconds);
-  });
-}
-
-void
-GrabRun::passObservations(PatternSequenceGrabber& sequence)
-{
-  if (options_.early) {
-    need_.emplace(rectifierOf(options_, device_, tool_.threads()));
-    sequence.setWantMore(
-        [this](const TrinocularFrame& frame) { return need_->wantsMoreAfter(frame); });
+  GrabRun run(options, device, outputs, status, live ? &*live : nullptr);
+  try {
+    if (projection)
+      run.passObservations(*projection->sequence, controls.threads);
+    else if (device.camera)
+      run.passStream();
+    else
+      run.passRecording();
+    timer.finish("grab");
+    outputs.finish();
   }
-  listenTo(sequence);
-  Pacing pacing(options_.every);
-  for (std::size_t i = 0; i < wanted_; ++i) {
-    const auto wait = [&] {
-      tool_.stopIfInterrupted();
-      idle();
-    };
-    if (i > 0 && pacing.asks())
-      status_.note("Enter takes observation " + std::to_string(i) + " of " +
-                   std::to_string(wanted_) + ", q and Enter ends");
-    if (i > 0 && !pacing.wait(wait))
-      break;
-    pacing.begin();
-    shots_ = 0;
-    sequence.observe();
-    const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-      ++shots_;
-      outputs_.take(frame, progress());
-      return true;
-    };
-    pumpAll(use);
-    outputs_.close(progress());
+  catch (...) {
+    outputs.keep(std::current_exception());
   }
-}
-
-void
-GrabRun::waitForWindow()
-{
-  if (!live_ || live_->isClosed() || interrupted())
-    return;
-  status_.note("done; close the window to end");
-  while (!live_->isClosed() && !interrupted()) {
-    live_->update();
-    std::this_thread::sleep_for(between_frames);
-  }
-}
-
-ProgressCallback
-GrabRun::progress()
-{
-  return [this](double, const std::string& step) {
-    if (live_)
-      live_->update();
-    tellStatus(step);
-    return !interrupted();
-  };
-}
-
-std::string
-GrabRun::doing() const
-{
-  if (options_.isStream())
-    return "";
-  return "observation " + std::to_string(outputs_.observations()) + ", shot " +
-         std::to_string(shots_);
-}
-
-void
-GrabRun::tellStatus(const std::string& step)
-{
-  if (!status_.isDue())
-    return;
-  GrabStatus now;
-  now.frames = frames_;
-  now.written = outputs_.written();
-  now.free = outputs_.free();
-  now.doing = step;
-  if (device_.camera) {
-    const DigiclopsGrabberReport report = device_.camera->getReport();
-    now.frames_per_second = report.frames_per_second;
-    now.lost = report.lost;
-    now.broken = report.broken;
-  }
+  if (device.camera)
+    tellCamera(*device.camera, log);
   else
-    now.broken = device_.recording->getReport().broken.size();
-  status_.show(statusText(now));
+    tellRecording(options, device.recording->getReport(), log);
+  if (projection)
+    tellProjector(options, *projection, log);
+  log.details["frames"] = run.frames();
+  log.details["is_rectified"] = !device.cameras.has_value();
+  log.tell("frames",
+           std::to_string(run.frames()) + (device.cameras ? ", raw" : ", rectified"));
+  outputs.tell();
+  run.waitForWindow();
 }
 
 } // namespace pcl::acmap

@@ -5,9 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <filesystem>
-
 namespace pcl::acmap {
 
 namespace {
@@ -226,20 +223,26 @@ requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
     throw UsageError("--pcd needs patterns, --patterns 0 has none");
 }
 
+/** \brief Refuses outputs that would mix with each other or with the recording. */
+void
+requirePlaces(const GrabberOptions& options)
+{
+  namespace fs = std::filesystem;
+  const auto same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    return !a.empty() && !b.empty() &&
+           fs::weakly_canonical(fs::absolute(a) / "", error) ==
+               fs::weakly_canonical(fs::absolute(b) / "", error);
+  };
+  if (same(options.clouds, options.session))
+    throw UsageError(options.clouds + ": is to hold the session, too");
+  if (options.isRecording())
+    for (const std::string& output : {options.clouds, options.session})
+      if (same(output, options.device))
+        throw UsageError(output + ": is the recording's folder, too");
+}
+
 } // namespace
-
-bool
-GrabberOptions::isRecording() const
-{
-  std::error_code error;
-  return !device.empty() && std::filesystem::is_directory(device, error);
-}
-
-std::string
-GrabberOptions::rigPath() const
-{
-  return isRecording() ? device + "/rig.yaml" : rig;
-}
 
 void
 addOptions(Tool& tool, GrabberOptions& options)
@@ -278,6 +281,8 @@ requireSense(Tool& tool, const GrabberOptions& options)
     requireSenseOfCamera(app, options);
   channelOrderOf(options.channel_order);
   requireDepthOrder(options.stereo);
+  requirePlaces(options);
+  tool.requireReportWritable({options.rigPath()});
 }
 
 } // namespace pcl::acmap

@@ -2,11 +2,8 @@
 
 #include "active_stereo/stereo_options.h"
 #include "line_pattern/pattern_options.h"
-#include "tool.h"
 
-#include <cstddef>
-#include <optional>
-#include <string>
+#include <filesystem>
 
 namespace pcl::acmap {
 
@@ -47,7 +44,11 @@ struct GrabberOptions {
 
   /** \brief Is the device the folder of a recording? */
   bool
-  isRecording() const;
+  isRecording() const
+  {
+    std::error_code error;
+    return !device.empty() && std::filesystem::is_directory(device, error);
+  }
 
   /** \brief Are frames streamed without a projector? */
   bool
@@ -58,16 +59,26 @@ struct GrabberOptions {
 
   /** \brief Path of the file of the rig. */
   std::string
-  rigPath() const;
+  rigPath() const
+  {
+    return isRecording() ? device + "/rig.yaml" : rig;
+  }
 };
 
 /** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, GrabberOptions& options);
 
-/** \brief Refuses options that exclude each other.
- * \throws UsageError naming them */
+/** \brief Refuses options that exclude each other, and places for the results that
+ * cannot be used.
+ * \throws UsageError, OutputFileException naming them */
 void
 requireSense(Tool& tool, const GrabberOptions& options);
+
+/** \brief Takes observations, or frames, from a camera or a recording: the work of
+ * pcl_digiclops_grabber.
+ * \throws according to the exit codes of its documentation page */
+void
+grab(const GrabberOptions& options, const RunControls& controls, StageLog& log);
 
 } // namespace pcl::acmap

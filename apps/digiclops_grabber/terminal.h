@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -36,7 +37,7 @@ public:
   StatusLine&
   operator=(const StatusLine&) = delete;
 
-  /** \brief Is it time for an update? */
+  /** \brief Is it time for an update? Never if the line is not shown. */
   bool
   isDue() const;
 
@@ -49,15 +50,43 @@ public:
   note(const std::string& text);
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void
   wipe();
 
   bool is_wanted_;
-  bool is_terminal_;
   bool is_shown_ = false;
-  Clock::time_point last_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/** \brief Decides when the next observation begins: by a clock, by the Enter key, or
+ * immediately. */
+class Pacing {
+public:
+  /** \param[in] every seconds from start to start; none: wait for the key, if standard
+   * input is a terminal */
+  explicit Pacing(const std::optional<double>& every);
+
+  /** \brief Does it wait for the key? */
+  bool
+  asks() const
+  {
+    return asks_;
+  }
+
+  /** \brief Marks the start of an observation. */
+  void
+  begin();
+
+  /** \brief Waits for the next one.
+   * \param[in] idle is called repeatedly; may throw
+   * \return false when the user ends the run: q, or the end of the input */
+  bool
+  wait(const std::function<void()>& idle) const;
+
+private:
+  std::optional<double> every_;
+  bool asks_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 } // namespace pcl::acmap
