@@ -1,4 +1,4 @@
-#include "digiclops_grabber/device.h"
+#include "digiclops_grabber/grabber_options.h"
 
 int
 main(int argc, char** argv)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -30,65 +31,33 @@ sizeText(int width, int height)
   return std::to_string(width) + " x " + std::to_string(height) + " px";
 }
 
-/** \brief Shows patterns one after another, if the user requested it. */
-class PatternShow {
-public:
-  /** \brief Opens a black window; warns when patterns have to be scaled.
-   * \throws BadArgumentException, IOException when there is no such monitor */
-  PatternShow(const PatternOptions& options,
-              const pcl::RandomLinePattern& generator,
-              StageLog& log)
-  : hold_(options.hold)
-  {
-    if (!options.show)
-      return;
-    window_.emplace(static_cast<std::size_t>(options.monitor));
-    const pcl::MonitorPlace& monitor = window_->getMonitor();
-    if (monitor.width != generator.getWidth() ||
-        monitor.height != generator.getHeight())
-      log.warn("monitor " + monitor.name + " has " +
-               sizeText(monitor.width, monitor.height) + ", the patterns " +
-               sizeText(generator.getWidth(), generator.getHeight()) +
-               ": they are shown scaled");
-  }
+/** \brief Opens a black window for the patterns; warns when they have to be scaled.
+ * \throws BadArgumentException, IOException when there is no such monitor */
+std::unique_ptr<pcl::PatternWindow>
+openWindow(int number, const pcl::RandomLinePattern& generator, StageLog& log)
+{
+  auto window = std::make_unique<pcl::PatternWindow>(static_cast<std::size_t>(number));
+  const pcl::MonitorPlace& monitor = window->getMonitor();
+  if (monitor.width != generator.getWidth() || monitor.height != generator.getHeight())
+    log.warn("monitor " + monitor.name + " has " +
+             sizeText(monitor.width, monitor.height) + ", the patterns " +
+             sizeText(generator.getWidth(), generator.getHeight()) +
+             ": they are shown scaled");
+  return window;
+}
 
-  /** \brief Shows a pattern for the time that the user set.
-   * \throws CancelledException when the user interrupted it */
-  void
-  show(const pcl::RgbImage& pattern)
-  {
-    using Clock = std::chrono::steady_clock;
-    if (!window_)
-      return;
-    window_->show(pattern);
-    const auto end = Clock::now() + std::chrono::duration<double>(hold_);
-    while (Clock::now() < end) {
-      stopIfInterrupted();
-      const std::chrono::duration<double> left = end - Clock::now();
-      std::this_thread::sleep_for(std::min(left, std::chrono::duration<double>(0.05)));
-    }
+/** \brief Waits, or throws CancelledException when the user interrupts it. */
+void
+holdFor(std::chrono::duration<double> time)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + time;
+  while (Clock::now() < end) {
+    stopIfInterrupted();
+    const std::chrono::duration<double> left = end - Clock::now();
+    std::this_thread::sleep_for(std::min(left, std::chrono::duration<double>(0.05)));
   }
-
-  void
-  tell(StageLog& log) const
-  {
-    if (!window_)
-      return;
-    const pcl::MonitorPlace& monitor = window_->getMonitor();
-    log.tell("shown",
-             "on monitor " + monitor.name + ", " +
-                 sizeText(monitor.width, monitor.height));
-    log.details["monitor"] = {{"name", monitor.name},
-                              {"x", monitor.x},
-                              {"y", monitor.y},
-                              {"width", monitor.width},
-                              {"height", monitor.height}};
-  }
-
-private:
-  double hold_;
-  std::optional<pcl::PatternWindow> window_;
-};
+}
 
 /** \brief Statistics over all patterns. */
 struct Totals {
@@ -119,6 +88,7 @@ void
 tellResults(const PatternOptions& options,
             const pcl::RandomLinePattern& generator,
             const Totals& totals,
+            const pcl::PatternWindow* window,
             StageLog& log)
 {
   const double coverage = totals.coverage / options.patterns;
@@ -142,6 +112,17 @@ tellResults(const PatternOptions& options,
                shortNumber(totals.column_side_lobe) + " along columns, but for 1 %");
   log.tell("redrawn", std::to_string(totals.redraws));
   log.tell(options.is_single ? "picture" : "folder", options.output);
+  if (!window)
+    return;
+  const pcl::MonitorPlace& monitor = window->getMonitor();
+  log.tell("shown",
+           "on monitor " + monitor.name + ", " +
+               sizeText(monitor.width, monitor.height));
+  log.details["monitor"] = {{"name", monitor.name},
+                            {"x", monitor.x},
+                            {"y", monitor.y},
+                            {"width", monitor.width},
+                            {"height", monitor.height}};
 }
 
 void
@@ -157,7 +138,9 @@ run(Tool& tool, PatternOptions& options)
       return name.rfind(name_start, 0) == 0;
     });
   tool.requireReportWritable({options.output});
-  PatternShow show(options, generator, tool.log());
+  std::unique_ptr<pcl::PatternWindow> window;
+  if (options.show)
+    window = openWindow(options.monitor, generator, tool.log());
 
   StepTimer timer(tool.report());
   Totals totals;
@@ -172,7 +155,10 @@ run(Tool& tool, PatternOptions& options)
       tool.warn(remark);
     if (folder)
       pcl::savePng(folder->path(patternName(index)), picture);
-    show.show(picture);
+    if (window) {
+      window->show(picture);
+      holdFor(std::chrono::duration<double>(options.hold));
+    }
   }
   stopIfInterrupted();
   if (folder)
@@ -180,8 +166,7 @@ run(Tool& tool, PatternOptions& options)
   else
     pcl::savePng(options.output, picture);
   timer.finish("draw");
-  tellResults(options, generator, totals, tool.log());
-  show.tell(tool.log());
+  tellResults(options, generator, totals, window.get(), tool.log());
   if (folder)
     tool.setReportPlace(options.output + "/report.json");
 }

@@ -10,8 +10,6 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double longest_depth = 1e4; // metres
-
 void
 addLists(CLI::App& app, StereoOptions& options)
 {
@@ -60,44 +58,6 @@ addLists(CLI::App& app, StereoOptions& options)
 }
 
 void
-addDepths(CLI::App& app, StereoOptions& options)
-{
-  const auto depth = [&](const char* name, double& value, const char* purpose) {
-    app.add_option(name, value, purpose)
-        ->type_name("M")
-        ->check(positiveNumber().description(""))
-        ->check(CLI::Range(0.01, longest_depth).description(""));
-  };
-  depth("--min-depth",
-        options.nearest,
-        "Depth from which on points are searched for, metres; nearer ones take longer");
-  depth("--max-depth",
-        options.farthest,
-        "Depth up to which points are searched for, metres");
-}
-
-void
-addThresholds(CLI::App& app, StereoOptions& options)
-{
-  app.add_option(
-         "--min-correlation",
-         options.correlation,
-         "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
-         "shots, -1 without a pattern]")
-      ->type_name("C")
-      ->check(CLI::Range(-1.0, 1.0).description(""));
-  app.add_option(
-         "--min-texture",
-         options.texture,
-         "Least standard deviation of a pixel's grey levels over the shots, or, with "
-         "one or two shots, over the pixels around it, 0 to 128: what the projector "
-         "does not reach has less [default: by the number of shots, 0 without a "
-         "pattern]")
-      ->type_name("L")
-      ->check(CLI::Range(0.0, 128.0).description(""));
-}
-
-void
 requireSenseOfInput(const StereoOptions& options)
 {
   const TrinocularImageLists& images = options.images;
@@ -142,8 +102,34 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
       "how shots are fused: spacetime (all at once), median (of the shots' own "
       "disparities, as the paper) or statistical (mean of those that agree)")
       ->each([&](const std::string&) { options.has_method = true; });
-  addDepths(app, options);
-  addThresholds(app, options);
+  const auto depth = [&](const char* name, double& value, const char* purpose) {
+    app.add_option(name, value, purpose)
+        ->type_name("M")
+        ->check(positiveNumber().description(""))
+        ->check(CLI::Range(0.01, 1e4).description(""));
+  };
+  depth("--min-depth",
+        options.nearest,
+        "Depth from which on points are searched for, metres; nearer ones take longer");
+  depth("--max-depth",
+        options.farthest,
+        "Depth up to which points are searched for, metres");
+  app.add_option(
+         "--min-correlation",
+         options.correlation,
+         "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
+         "shots, -1 without a pattern]")
+      ->type_name("C")
+      ->check(CLI::Range(-1.0, 1.0).description(""));
+  app.add_option(
+         "--min-texture",
+         options.texture,
+         "Least standard deviation of a pixel's grey levels over the shots, or, with "
+         "one or two shots, over the pixels around it, 0 to 128: what the projector "
+         "does not reach has less [default: by the number of shots, 0 without a "
+         "pattern]")
+      ->type_name("L")
+      ->check(CLI::Range(0.0, 128.0).description(""));
 }
 
 void

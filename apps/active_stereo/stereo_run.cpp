@@ -207,21 +207,6 @@ private:
   std::vector<std::string> remarks_;
 };
 
-/** \brief T_map_camera of an observation; the identity if no poses are given.
- * \throws InputFileException when there is none for it */
-Eigen::Isometry3d
-poseOf(std::size_t observation, const Trajectory& poses, const StereoOptions& options)
-{
-  if (options.poses.empty())
-    return Eigen::Isometry3d::Identity();
-  if (observation >= poses.poses.size())
-    throw InputFileException(options.poses + ": has " +
-                             std::to_string(poses.poses.size()) +
-                             " poses, none for observation " +
-                             std::to_string(observation) + " (counted from 0)");
-  return poses.poses[observation];
-}
-
 /** \brief Name of the file that lists the finished observations, from which a later run
  * can continue. */
 constexpr const char* finished_name = "finished.json";
@@ -247,157 +232,201 @@ finishedBefore(const StereoOptions& options)
   }
 }
 
-/** \brief Writes an observation into the hidden part of the folder. If a later run is
- * to continue from it, it is moved to its final place, with the statistics so far: a
- * run that is killed loses only the observation that it was working on. */
-void
-save(const OutputFolder& folder,
-     const StereoOptions& options,
-     std::size_t number,
-     const MadeObservation& made,
-     const Eigen::Isometry3d& pose,
-     const StereoResults& results)
-{
-  if (!options.goes_on)
-    return saveResults(folder, options, number, made, pose);
-  OutputFolder finished(options.output);
-  saveResults(finished, options, number, made, pose);
-  const std::string text = results.observations.dump() + "\n";
-  OutputFile file(finished.path(finished_name));
-  file.write(text.data(), text.size());
-  file.commit();
-  finished.commit();
-}
-
-/** \brief Computes the observations one after another, while the next one is read.
- * Seconds of each step are summed over the observations. */
-void
-writeObservations(const StereoOptions& options,
-                  const Trajectory& poses,
-                  ShotSource& source,
-                  ShotFusion& fusion,
-                  const OutputFolder& folder,
-                  const ProgressCallback& progress,
-                  StereoResults& results,
-                  Report& report)
-{
-  Report steps;
-  StepTimer timer(steps);
-  const Progress told(
-      [&](double done, const auto& step) { return progress(done, step); });
-  const auto read_on = [&] {
-    return std::async(std::launch::async, [&] { return source.next(); });
-  };
-  double begin = 0;
-  for (std::future<ComingShots> next = read_on();;) {
-    told.tell(begin, "reading shots");
-    const auto [shots, done] = next.get();
-    timer.finish("wait for shots");
-    if (!shots)
-      break;
-    next = read_on();
-    if (!results.has(shots->number)) {
-      const MadeObservation made = fusion.make(
-          *shots, [&, end = done](double fraction, const std::string& step) {
-            return progress(std::min(begin + fraction * (end - begin), end), step);
-          });
-      timer.finish("match");
-      results.add(shots->number, shots->frames.size(), made);
-      const Eigen::Isometry3d pose = poseOf(shots->number, poses, options);
-      save(folder, options, shots->number, made, pose, results);
-      timer.finish("write");
+/** \brief The complete work of pcl_active_stereo. */
+class StereoRun {
+public:
+  StereoRun(const StereoOptions& options, const RunControls& controls)
+  : options_(options)
+  , source_(options, controls.threads)
+  , fusion_(source_.rig(), options, controls.threads)
+  {
+    if (!options.poses.empty()) {
+      poses_ = loadTrajectory(options.poses);
+      poseOf(source_.lastObservation());
     }
-    begin = done;
+    folder_.emplace(options.output);
+    if (!options.goes_on)
+      requireNoStereo(*folder_);
+    if (!options.poses.empty())
+      saveTrajectory(folder_->path(trajectory_name), poses_);
+    results_ = finishedBefore(options);
   }
-  for (const char* const step : {"wait for shots", "match", "write"}) {
-    double sum = 0;
-    for (const auto& [name, seconds] : steps.seconds)
-      sum += name == step ? seconds : 0;
-    report.seconds.emplace_back(step, sum);
+
+  /** \brief Computes the observations one after another, while the next one is read.
+   * Seconds of each step are summed over the observations. */
+  void
+  writeObservations(const ProgressCallback& progress, Report& report)
+  {
+    Report steps;
+    StepTimer timer(steps);
+    const Progress told(
+        [&](double done, const auto& step) { return progress(done, step); });
+    const auto read_on = [&] {
+      return std::async(std::launch::async, [&] { return source_.next(); });
+    };
+    double begin = 0;
+    for (std::future<ComingShots> next = read_on();;) {
+      told.tell(begin, "reading shots");
+      const auto [shots, done] = next.get();
+      timer.finish("wait for shots");
+      if (!shots)
+        break;
+      next = read_on();
+      if (!results_.has(shots->number)) {
+        const MadeObservation made = fusion_.make(
+            *shots, [&, end = done](double fraction, const std::string& step) {
+              return progress(std::min(begin + fraction * (end - begin), end), step);
+            });
+        timer.finish("match");
+        results_.add(shots->number, shots->frames.size(), made);
+        save(shots->number, made);
+        timer.finish("write");
+      }
+      begin = done;
+    }
+    for (const char* const step : {"wait for shots", "match", "write"}) {
+      double sum = 0;
+      for (const auto& [name, seconds] : steps.seconds)
+        sum += name == step ? seconds : 0;
+      report.seconds.emplace_back(step, sum);
+    }
   }
-}
 
-void
-warn(const StereoOptions& options,
-     const ShotSource& source,
-     const StereoResults& results,
-     StageLog& log)
-{
-  warnOfFindings(log, source.remarks());
-  results.warnOfRemarks(log);
-  if (source.mayNeedRectification())
-    log.warn("images are taken as rectified; if they are as the cameras in " +
-             options.rig + " gave them, they need --rectify");
-}
+  /** \brief Keeps the observations that were finished before an interruption; each of
+   * them is complete.
+   * \throws InterruptedPartway when there is any */
+  void
+  keepFinished()
+  {
+    if (results_.points == 0)
+      return;
+    folder_->commit();
+    throw InterruptedPartway("interrupted; observations finished by then, in " +
+                             options_.output + ": " +
+                             std::to_string(results_.observations.size()));
+  }
 
-/** \throws InputFileException when there was no readable frame
- * \throws NothingFound when no observation has a point */
-void
-requirePoints(const StereoOptions& options,
-              const StereoResults& results,
-              const StageLog& log)
-{
-  if (results.points > 0)
-    return;
-  if (results.observations.empty())
-    throw InputFileException(
-        options.session + ": has no frame that can be read" +
-        (log.report.remarks.empty() ? "" : ", " + log.report.remarks[0]));
-  log.failWithNothing((options.session.empty() ? "" : options.session + ": ") +
-                      "no pixel has a place: " + results.rejected());
-}
+  /** \brief Moves the results to their final place.
+   * \throws InputFileException when there was no readable frame
+   * \throws NothingFound when no observation has a point */
+  void
+  finish(StageLog& log)
+  {
+    warn(log);
+    if (results_.observations.empty())
+      throw InputFileException(
+          options_.session + ": has no frame that can be read" +
+          (log.report.remarks.empty() ? "" : ", " + log.report.remarks[0]));
+    if (results_.points == 0)
+      log.failWithNothing((options_.session.empty() ? "" : options_.session + ": ") +
+                          "no pixel has a place: " + results_.rejected());
+    folder_->commit();
+    std::error_code ignored;
+    fs::remove(fs::path(options_.output) / finished_name, ignored);
+  }
 
-/** \brief How the shots were matched. With one image per camera, which the user may have
- * taken with or without a pattern, the other possibility is named too. */
-std::string
-methodText(const StereoOptions& options)
-{
-  if (!options.hasOneShot())
-    return options.method;
-  return options.isPassive() ? "passive stereo, one image per camera "
-                               "(--active: taken under a pattern)"
-                             : "one shot under a pattern (--active)";
-}
+  /** \brief Writes summary and report. */
+  void
+  tell(StageLog& log) const
+  {
+    const SearchRange& range = fusion_.range();
+    // it is above the requested one if image or matcher limit the disparities
+    const double nearest =
+        std::max(options_.nearest, depthOf(source_.rig(), range.most()));
+    log.details = {{"input", options_.hasLists() ? options_.rig : options_.session},
+                   {"output", options_.output},
+                   {"frames", source_.isRectifying() ? "raw" : "rectified"},
+                   {"method", options_.isPassive() ? "passive" : options_.method},
+                   {"least_disparity", range.least},
+                   {"most_disparity", range.most()},
+                   {"least_depth", nearest},
+                   {"most_depth", options_.farthest},
+                   {"has_poses", !options_.poses.empty()},
+                   {"points", results_.points},
+                   {"matched_share", results_.matchedShare()},
+                   {"outcomes", jsonOf(results_.outcomes)},
+                   {"broken_frames", source_.broken()},
+                   {"findings", source_.remarks()},
+                   {"observations", results_.observations}};
+    log.tell("observations", std::to_string(results_.observations.size()));
+    log.tell("frames",
+             std::to_string(results_.frames) + (source_.isRectifying()
+                                                    ? ", rectified here"
+                                                    : ", taken as rectified"));
+    log.tell("method", methodText());
+    log.tell("searched",
+             std::to_string(range.least) + " to " + std::to_string(range.most()) +
+                 " px, depths of " + shortNumber(nearest) + " to " +
+                 shortNumber(options_.farthest) + " m");
+    results_.tellPoints(log);
+    if (!options_.hasLists())
+      log.tell("poses", options_.poses.empty() ? "none" : options_.poses);
+    log.tellSeconds();
+    log.tell("folder", options_.output);
+  }
 
-void
-tell(const StereoOptions& options,
-     const ShotSource& source,
-     const SearchRange& range,
-     const StereoResults& results,
-     StageLog& log)
-{
-  // it is above the requested one if image or matcher limit the disparities
-  const double nearest = std::max(options.nearest, depthOf(source.rig(), range.most()));
-  log.details = {{"input", options.hasLists() ? options.rig : options.session},
-                 {"output", options.output},
-                 {"frames", source.isRectifying() ? "raw" : "rectified"},
-                 {"method", options.isPassive() ? "passive" : options.method},
-                 {"least_disparity", range.least},
-                 {"most_disparity", range.most()},
-                 {"least_depth", nearest},
-                 {"most_depth", options.farthest},
-                 {"has_poses", !options.poses.empty()},
-                 {"points", results.points},
-                 {"matched_share", results.matchedShare()},
-                 {"outcomes", jsonOf(results.outcomes)},
-                 {"broken_frames", source.broken()},
-                 {"findings", source.remarks()},
-                 {"observations", results.observations}};
-  log.tell("observations", std::to_string(results.observations.size()));
-  log.tell("frames",
-           std::to_string(results.frames) +
-               (source.isRectifying() ? ", rectified here" : ", taken as rectified"));
-  log.tell("method", methodText(options));
-  log.tell("searched",
-           std::to_string(range.least) + " to " + std::to_string(range.most()) +
-               " px, depths of " + shortNumber(nearest) + " to " +
-               shortNumber(options.farthest) + " m");
-  results.tellPoints(log);
-  if (!options.hasLists())
-    log.tell("poses", options.poses.empty() ? "none" : options.poses);
-  log.tellSeconds();
-  log.tell("folder", options.output);
-}
+private:
+  /** T_map_camera of an observation; the identity if no poses are given.
+   * \throws InputFileException when there is none for it */
+  Eigen::Isometry3d
+  poseOf(std::size_t observation) const
+  {
+    if (options_.poses.empty())
+      return Eigen::Isometry3d::Identity();
+    if (observation >= poses_.poses.size())
+      throw InputFileException(options_.poses + ": has " +
+                               std::to_string(poses_.poses.size()) +
+                               " poses, none for observation " +
+                               std::to_string(observation) + " (counted from 0)");
+    return poses_.poses[observation];
+  }
+
+  /** Writes an observation into the hidden part of the folder. If a later run is to
+   * continue from it, it is moved to its final place, with the statistics so far: a run
+   * that is killed loses only the observation that it was working on. */
+  void
+  save(std::size_t number, const MadeObservation& made) const
+  {
+    if (!options_.goes_on)
+      return saveResults(*folder_, options_, number, made, poseOf(number));
+    OutputFolder finished(options_.output);
+    saveResults(finished, options_, number, made, poseOf(number));
+    const std::string text = results_.observations.dump() + "\n";
+    OutputFile file(finished.path(finished_name));
+    file.write(text.data(), text.size());
+    file.commit();
+    finished.commit();
+  }
+
+  void
+  warn(StageLog& log) const
+  {
+    warnOfFindings(log, source_.remarks());
+    results_.warnOfRemarks(log);
+    if (source_.mayNeedRectification())
+      log.warn("images are taken as rectified; if they are as the cameras in " +
+               options_.rig + " gave them, they need --rectify");
+  }
+
+  /** How the shots were matched. With one image per camera, which the user may have
+   * taken with or without a pattern, the other possibility is named too. */
+  std::string
+  methodText() const
+  {
+    if (!options_.hasOneShot())
+      return options_.method;
+    return options_.isPassive() ? "passive stereo, one image per camera "
+                                  "(--active: taken under a pattern)"
+                                : "one shot under a pattern (--active)";
+  }
+
+  const StereoOptions& options_;
+  ShotSource source_;
+  ShotFusion fusion_;
+  Trajectory poses_;
+  std::optional<OutputFolder> folder_;
+  StereoResults results_;
+};
 
 } // namespace
 
@@ -407,40 +436,17 @@ makeObservations(const StereoOptions& options,
                  StageLog& log)
 {
   StepTimer timer(log.report);
-  ShotSource source(options, controls.threads);
-  ShotFusion fusion(source.rig(), options, controls.threads);
-  Trajectory poses;
-  if (!options.poses.empty()) {
-    poses = loadTrajectory(options.poses);
-    poseOf(source.lastObservation(), poses, options);
-  }
-  OutputFolder folder(options.output);
-  if (!options.goes_on)
-    requireNoStereo(folder);
-  if (!options.poses.empty())
-    saveTrajectory(folder.path(trajectory_name), poses);
+  StereoRun run(options, controls);
   timer.finish("open");
-
-  StereoResults results = finishedBefore(options);
   try {
-    writeObservations(
-        options, poses, source, fusion, folder, controls.progress, results, log.report);
+    run.writeObservations(controls.progress, log.report);
   }
   catch (const CancelledException&) {
-    if (results.points == 0)
-      throw;
-    // each of them is complete
-    folder.commit();
-    throw InterruptedPartway("interrupted; observations finished by then, in " +
-                             options.output + ": " +
-                             std::to_string(results.observations.size()));
+    run.keepFinished();
+    throw;
   }
-  warn(options, source, results, log);
-  requirePoints(options, results, log);
-  folder.commit();
-  std::error_code ignored;
-  fs::remove(fs::path(options.output) / finished_name, ignored);
-  tell(options, source, fusion.range(), results, log);
+  run.finish(log);
+  run.tell(log);
 }
 
 } // namespace pcl::acmap

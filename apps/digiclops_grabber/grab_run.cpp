@@ -1,9 +1,16 @@
 #include "active_stereo/stereo_observation.h"
 #include "frame_queue.h"
+#include "grabber_options.h"
 #include "live_window.h"
-#include "projection.h"
+#include "memory.h"
+#include "terminal.h"
 
+#include <pcl/acquisition/digiclops_grabber.h>
+#include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/acquisition/pattern_window.h>
+#include <pcl/acquisition/projector_latency.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/acquisition/usb_camera.h>
 
 #include <filesystem>
 #include <thread>
@@ -15,6 +22,272 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
+
+/** \brief The source of the frames: a camera, or a recording. */
+struct Device {
+  shared_ptr<DigiclopsGrabber> camera;         ///< null for a recording
+  shared_ptr<TrinocularFileGrabber> recording; ///< null for a camera
+  TrinocularRig rig;                           ///< rig of the frames
+
+  /** \brief The unrectified cameras, if the rig's file has them: frames are then not
+   * rectified. */
+  std::optional<RigCalibration> cameras;
+};
+
+IidcMode
+modeOf(const IidcCamera& camera, const std::string& wanted)
+{
+  std::string all;
+  for (const IidcMode& mode : camera.modes()) {
+    if (std::to_string(mode.format) + ":" + std::to_string(mode.mode) == wanted)
+      return mode;
+    all += (all.empty() ? "" : ", ") + mode.text();
+  }
+  throw UsageError("--mode: the camera has no mode " + wanted + "; it has " +
+                   (all.empty() ? "none" : all));
+}
+
+void
+setFeature(IidcCamera& camera, IidcFeature feature, const NumberOrAuto& wanted)
+{
+  if (wanted.is_auto)
+    camera.setAutomatic(feature);
+  else if (wanted.number)
+    camera.setPhysical(feature, static_cast<float>(*wanted.number));
+}
+
+/** \brief Sets mode, rate, shutter, gain, trigger and channel order. */
+void
+setUpCamera(DigiclopsGrabber& grabber, const GrabberOptions& options)
+{
+  if (const auto order = channelOrderOf(options.channel_order))
+    grabber.setChannelOrder(*order);
+  if (!options.mode.empty())
+    grabber.setMode(modeOf(grabber.camera(), options.mode));
+  grabber.setFramesPerSecond(static_cast<float>(options.rate));
+  setFeature(grabber.camera(), IidcFeature::Shutter, options.shutter);
+  setFeature(grabber.camera(), IidcFeature::Gain, options.gain);
+  grabber.camera().setTrigger(options.trigger == "external" ? IidcTrigger::External
+                                                            : IidcTrigger::Off);
+}
+
+/** \brief Opens the device, and applies the settings of the user to a camera.
+ * \throws NothingFound when there is no such camera
+ * \throws CameraException when it cannot be opened or does not support a setting
+ * \throws UsageError, BadArgumentException for settings that no camera supports
+ * \throws InputFileException when rig or recording cannot be read */
+Device
+openDevice(const GrabberOptions& options)
+{
+  Device device;
+  if (options.isRecording()) {
+    constexpr float fastest = 1000; // frames per second
+    device.recording.reset(new TrinocularFileGrabber(options.device, fastest));
+    device.recording->setSkipBroken(true);
+    device.rig = device.recording->getRig();
+  }
+  else {
+    device.rig = loadTrinocularRig(options.rig);
+    try {
+      device.camera.reset(new DigiclopsGrabber(device.rig, options.device));
+    }
+    catch (const CameraException& error) {
+      if (error.fault() == CameraFault::NotFound)
+        throw NothingFound(failureOf(std::current_exception()).line);
+      throw;
+    }
+    setUpCamera(*device.camera, options);
+  }
+  if (hasBuiltCameras(options.rigPath()))
+    device.cameras = loadRigCalibration(options.rigPath());
+  if (device.camera && device.cameras)
+    device.camera->setCalibration(*device.cameras);
+  return device;
+}
+
+/** \brief The projector, and the grabber that synchronises the camera with it. */
+struct Projection {
+  MonitorPlace monitor;
+  shared_ptr<PatternSequenceGrabber> sequence;
+};
+
+/** \brief A projector's monitor, which is used only while no other thread draws. */
+class GuardedWindow : public PatternProjector {
+public:
+  GuardedWindow(std::mutex& drawing, const GrabberOptions& options)
+  : drawing_(drawing)
+  , window_(static_cast<std::size_t>(options.pattern.monitor), options.display)
+  {}
+
+  const MonitorPlace&
+  getMonitor() const
+  {
+    return window_.getMonitor();
+  }
+
+  void
+  show(const RgbImage& image) override
+  {
+    const std::lock_guard lock(drawing_);
+    window_.show(image);
+  }
+
+  void
+  showNothing() override
+  {
+    const std::lock_guard lock(drawing_);
+    window_.showNothing();
+  }
+
+private:
+  std::mutex& drawing_;
+  PatternWindow window_;
+};
+
+/** \brief Waits while a condition holds, or until the user interrupts it. */
+template <typename Condition>
+void
+waitWhile(const Condition& condition)
+{
+  while (condition()) {
+    stopIfInterrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void
+takeShot(DigiclopsGrabber& camera)
+{
+  camera.trigger();
+  try {
+    waitWhile([&] { return camera.isRunning(); });
+  }
+  catch (const CancelledException&) {
+    camera.stop();
+    throw;
+  }
+  if (camera.getError())
+    std::rethrow_exception(camera.getError());
+}
+
+/** \brief Takes up to three shots under patterns, which provide corners everywhere,
+ * until the grabber is certain of the order of its channels. Reports the order, or
+ * warns if it remains uncertain. */
+void
+checkOrder(DigiclopsGrabber& camera,
+           PatternProjector& projector,
+           const std::vector<RgbImage>& patterns,
+           StatusLine& status,
+           StageLog& log)
+{
+  const auto is_certain = [&] {
+    const auto check = camera.getReport().order;
+    return check && check->is_certain;
+  };
+  constexpr std::chrono::milliseconds surely_settled(700);
+  const std::size_t shots =
+      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
+  for (std::size_t i = 0; i < shots && !is_certain(); ++i) {
+    projector.show(patterns[i]);
+    const Clock::time_point settled = Clock::now() + surely_settled;
+    waitWhile([&] { return Clock::now() < settled; });
+    takeShot(camera);
+  }
+  projector.showNothing();
+  camera.rewind();
+  const auto check = camera.getReport().order;
+  const std::string order = textOf(camera.getChannelOrder());
+  if (is_certain())
+    status.note("channels are " + order + ": " + shortNumber(100 * check->share) +
+                " % of the corners agree, under the next order " +
+                shortNumber(100 * check->runner_up) + " %");
+  else
+    log.warn("the order of the channels could not be checked, it is taken as " + order);
+}
+
+std::vector<RgbImage>
+drawPatterns(PatternOptions pattern, const MonitorPlace& monitor, StageLog& log)
+{
+  pattern.size = std::to_string(monitor.width) + "x" + std::to_string(monitor.height);
+  RandomLinePattern generator = generatorOf(pattern);
+  requireMemory(std::size_t{3} * pattern.patterns *
+                    static_cast<std::size_t>(monitor.width) *
+                    static_cast<std::size_t>(monitor.height),
+                "the patterns");
+  std::vector<RgbImage> patterns;
+  for (std::uint32_t i = 0; i < pattern.patterns; ++i) {
+    stopIfInterrupted();
+    patterns.push_back(generator.generate(i));
+    for (const std::string& remark : generator.getReport().remarks)
+      log.warn(remark);
+  }
+  return patterns;
+}
+
+double
+settleTime(const GrabberOptions& options,
+           const Device& device,
+           const shared_ptr<GuardedWindow>& window,
+           StatusLine& status,
+           StageLog& log)
+{
+  constexpr double usual_settle_time = 0.1; // seconds
+  if (options.settle.number)
+    return *options.settle.number;
+  if (!options.settle.is_auto)
+    return usual_settle_time;
+  const MonitorPlace& monitor = window->getMonitor();
+  const std::size_t pixels = static_cast<std::size_t>(monitor.width) *
+                             static_cast<std::size_t>(monitor.height);
+  const RgbImage white{
+      monitor.width, monitor.height, std::vector<std::uint8_t>(3 * pixels, 255)};
+  const auto measured = measureSettleTime(device.camera, window, white);
+  device.camera->rewind();
+  if (!measured) {
+    log.warn("the settle time could not be measured: the camera sees the projector's "
+             "light too faintly, or too late; it is taken as usual");
+    return usual_settle_time;
+  }
+  status.note("the projector settles in " + shortNumber(*measured) + " s");
+  return *measured;
+}
+
+/** \brief Opens the projector, draws the patterns, and measures the order of the
+ * channels and the settle time if they are unknown.
+ * \param[in] drawing is locked while the projector's window is drawn, since Xlib is not
+ * thread-safe; outlives the projection
+ * \throws BadArgumentException, IOException as \ref PatternWindow
+ * \throws MemoryRefused when the patterns do not fit
+ * \throws CameraException when a shot fails
+ * \throws CancelledException when the user interrupted it */
+Projection
+openProjection(const GrabberOptions& options,
+               const Device& device,
+               std::mutex& drawing,
+               StatusLine& status,
+               StageLog& log)
+{
+  constexpr double shot_timeout = 5; // seconds, in addition to the exposure
+  // seconds; an external trigger may take longer
+  constexpr double external_timeout = 60;
+  const shared_ptr<GuardedWindow> window(new GuardedWindow(drawing, options));
+  std::vector<RgbImage> patterns =
+      drawPatterns(options.pattern, window->getMonitor(), log);
+  // with fewer cameras the order cannot be determined
+  if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
+    checkOrder(*device.camera, *window, patterns, status, log);
+  const double settle = settleTime(options, device, window, status, log);
+  Projection projection;
+  projection.monitor = window->getMonitor();
+  projection.sequence.reset(
+      new PatternSequenceGrabber(device.camera, window, std::move(patterns)));
+  projection.sequence->setSettleTime(settle);
+  projection.sequence->setShotTimeout(
+      options.trigger == "external"
+          ? external_timeout
+          : shot_timeout + 3 * options.shutter.number.value_or(0.0));
+  return projection;
+}
 
 FrameRectifier
 rectifierOf(const GrabberOptions& options, const Device& device, unsigned threads)
@@ -44,19 +317,17 @@ struct CloudOutput {
  * recorded when it is complete, and then its cloud is computed. */
 class GrabOutputs {
 public:
-  using SeeCloud = std::function<void(const PointCloud<PointXYZRGBSigma>& cloud)>;
-
-  /** \param[in] see is called with each cloud
+  /** \param[in] live shows each cloud; may be null
    * \throws OutputFileException when a folder cannot be written to, or holds results
    * \throws InputFileException when the rig cannot be matched or rectified
    * \throws MemoryRefused */
   GrabOutputs(const GrabberOptions& options,
               const Device& device,
               unsigned threads,
-              SeeCloud see,
+              LiveWindow* live,
               StageLog& log)
   : options_(options)
-  , see_(std::move(see))
+  , live_(live)
   , log_(log)
   {
     if (!options.clouds.empty() || (options.live && !options.isStream())) {
@@ -95,7 +366,7 @@ public:
   void
   take(const TrinocularFrame::ConstPtr& frame, const ProgressCallback& progress)
   {
-    if (!open_.empty() && open_.front()->observation != frame->observation)
+    if (isNext(*frame))
       close(progress);
     open_.push_back(frame);
   }
@@ -245,7 +516,8 @@ private:
                   made,
                   Eigen::Isometry3d::Identity());
     clouds_->results.add(shots->number, shots->frames.size(), made);
-    see_(made.cloud);
+    if (live_)
+      live_->show(made.cloud);
   }
 
   std::string
@@ -274,7 +546,7 @@ private:
   }
 
   const GrabberOptions& options_;
-  SeeCloud see_;
+  LiveWindow* const live_;
   StageLog& log_;
   std::optional<CloudOutput> clouds_;
   std::optional<TrinocularRecorder> recorder_; // of the raw session
@@ -317,6 +589,86 @@ private:
   std::optional<std::int32_t> observation_;
 };
 
+void
+tellRecording(const GrabberOptions& options,
+              const TrinocularFileReport& report,
+              StageLog& log)
+{
+  warnOfFindings(log, report.remarks);
+  if (!report.doubled.empty())
+    log.warn(std::to_string(report.doubled.size()) +
+             " frames whose shot was there before are left out");
+  log.details["recording"] = {{"folder", options.device},
+                              {"is_finished", report.is_finished},
+                              {"broken_frames", report.broken},
+                              {"left_out_frames", report.doubled},
+                              {"findings", report.remarks}};
+  log.tell("recording", options.device);
+}
+
+void
+tellCamera(DigiclopsGrabber& grabber, StageLog& log)
+{
+  const IidcIdentity identity = grabber.camera().identity();
+  const DigiclopsGrabberReport report = grabber.getReport();
+  const std::string order = textOf(grabber.getChannelOrder());
+  Json check;
+  if (report.order)
+    check = {{"best", textOf(report.order->best)},
+             {"is_certain", report.order->is_certain},
+             {"corners", report.order->corners},
+             {"share", report.order->share},
+             {"runner_up", report.order->runner_up}};
+  log.details["camera"] = {{"place", grabber.camera().place()},
+                           {"serial", identity.serial()},
+                           {"maker", identity.maker},
+                           {"model", identity.model},
+                           {"iidc", identity.version},
+                           {"mode", grabber.getMode().text()},
+                           {"rate", grabber.getFramesPerSecond()},
+                           {"lost", report.lost},
+                           {"broken", report.broken},
+                           {"early", report.early},
+                           {"restarts", report.restarts},
+                           {"channel_order", order},
+                           {"order_check", check}};
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.tell("camera",
+           identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
+               grabber.camera().place());
+  log.tell("mode", grabber.getMode().text() + ", channels " + order);
+  log.tell("lost",
+           std::to_string(report.lost) + ", broken " + std::to_string(report.broken) +
+               ", restarts " + std::to_string(report.restarts));
+}
+
+void
+tellProjector(const GrabberOptions& options,
+              const Projection& projection,
+              StageLog& log)
+{
+  const MonitorPlace& monitor = projection.monitor;
+  const PatternSequenceGrabberReport report = projection.sequence->getReport();
+  const double settle = projection.sequence->getSettleTime();
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.details["projector"] = {{"monitor", monitor.name},
+                              {"width", monitor.width},
+                              {"height", monitor.height},
+                              {"patterns", options.pattern.patterns},
+                              {"seed", options.pattern.seed},
+                              {"settle", settle},
+                              {"spared", report.spared}};
+  log.tell("projector",
+           "monitor " + monitor.name + ", " + std::to_string(monitor.width) + " x " +
+               std::to_string(monitor.height) + " px, settles in " +
+               shortNumber(settle) + " s" +
+               (options.early
+                    ? ", " + std::to_string(report.spared) + " patterns spared"
+                    : ""));
+}
+
 constexpr std::chrono::milliseconds between_frames(50);
 
 std::size_t
@@ -330,20 +682,21 @@ bytesOfFrame(const TrinocularRig& rig)
 /** \brief Moves frames from the device to the outputs. */
 class GrabRun {
 public:
-  /** \param[in] live null without a window; all arguments outlive this object */
-  GrabRun(const GrabberOptions& options,
-          const Device& device,
-          GrabOutputs& outputs,
-          StatusLine& status,
-          LiveWindow* live)
+  /** \brief Opens device, outputs, projector and window. */
+  GrabRun(const GrabberOptions& options, const RunControls& controls, StageLog& log)
   : options_(options)
-  , device_(device)
-  , outputs_(outputs)
-  , status_(status)
-  , live_(live)
-  , queue_(queueLength(bytesOfFrame(device.rig)))
-  , wanted_(options.observations.value_or(device.recording ? 0 : 1))
-  {}
+  , threads_(controls.threads)
+  , log_(log)
+  , live_(options.live ? std::make_unique<LiveWindow>(drawing_) : nullptr)
+  , status_(!controls.is_quiet)
+  , device_(openDevice(options))
+  , outputs_(options, device_, controls.threads, live_.get(), log)
+  , queue_(queueLength(bytesOfFrame(device_.rig)))
+  , wanted_(options.observations.value_or(device_.recording ? 0 : 1))
+  {
+    if (device_.camera && !options.isStream())
+      projection_ = openProjection(options, device_, drawing_, status_, log);
+  }
 
   /** \brief Afterwards no callback of a grabber is called. */
   ~GrabRun()
@@ -356,7 +709,62 @@ public:
   GrabRun&
   operator=(const GrabRun&) = delete;
 
-  /** \brief Processes all observations of a recording, or the requested number. */
+  /** \brief Does the work, and keeps complete outputs if it fails.
+   * \param[in] timer at the begin of the work */
+  void
+  run(StepTimer& timer)
+  {
+    try {
+      if (projection_)
+        passObservations(*projection_->sequence);
+      else if (device_.camera)
+        passStream();
+      else
+        passRecording();
+      timer.finish("grab");
+      outputs_.finish();
+    }
+    catch (...) {
+      outputs_.keep(std::current_exception());
+    }
+  }
+
+  /** \brief Writes summary and report. */
+  void
+  tell()
+  {
+    if (device_.camera)
+      tellCamera(*device_.camera, log_);
+    else
+      tellRecording(options_, device_.recording->getReport(), log_);
+    if (projection_)
+      tellProjector(options_, *projection_, log_);
+    log_.details["frames"] = frames_;
+    log_.details["is_rectified"] = !device_.cameras.has_value();
+    log_.tell("frames",
+              std::to_string(frames_) + (device_.cameras ? ", raw" : ", rectified"));
+    outputs_.tell();
+  }
+
+  /** \brief After the work: shows the window until it is closed, or until an
+   * interruption. */
+  void
+  waitForWindow()
+  {
+    if (!live_ || live_->isClosed() || interrupted())
+      return;
+    status_.note("done; close the window to end");
+    while (!live_->isClosed() && !interrupted()) {
+      live_->update();
+      std::this_thread::sleep_for(between_frames);
+    }
+  }
+
+private:
+  /** \return false to end the stream */
+  using UseFrame = std::function<bool(const TrinocularFrame::ConstPtr& frame)>;
+
+  /** Processes all observations of a recording, or the requested number. */
   void
   passRecording()
   {
@@ -378,7 +786,7 @@ public:
       throw InputFileException(options_.device + ": has no frame that can be read");
   }
 
-  /** \brief Processes frames of the camera, one after another, until the user ends
+  /** Processes frames of the camera, one after another, until the user ends
    * it. */
   void
   passStream()
@@ -402,13 +810,12 @@ public:
     });
   }
 
-  /** \brief Processes observations of camera and projector.
-   * \param[in] threads 0 = all */
+  /** Processes observations of camera and projector. */
   void
-  passObservations(PatternSequenceGrabber& sequence, unsigned threads)
+  passObservations(PatternSequenceGrabber& sequence)
   {
     if (options_.early) {
-      need_.emplace(rectifierOf(options_, device_, threads));
+      need_.emplace(rectifierOf(options_, device_, threads_));
       sequence.setWantMore([this](const TrinocularFrame& frame) {
         return need_->wantsMoreAfter(frame);
       });
@@ -436,31 +843,6 @@ public:
       outputs_.close(progress());
     }
   }
-
-  /** \brief After the work: shows the window until it is closed, or until an
-   * interruption. */
-  void
-  waitForWindow()
-  {
-    if (!live_ || live_->isClosed() || interrupted())
-      return;
-    status_.note("done; close the window to end");
-    while (!live_->isClosed() && !interrupted()) {
-      live_->update();
-      std::this_thread::sleep_for(between_frames);
-    }
-  }
-
-  /** \brief Number of received frames. */
-  std::size_t
-  frames() const
-  {
-    return frames_;
-  }
-
-private:
-  /** \return false to end the stream */
-  using UseFrame = std::function<bool(const TrinocularFrame::ConstPtr& frame)>;
 
   void
   listenTo(TrinocularGrabber& grabber)
@@ -559,10 +941,15 @@ private:
   }
 
   const GrabberOptions& options_;
-  const Device& device_;
-  GrabOutputs& outputs_;
-  StatusLine& status_;
-  LiveWindow* live_;
+  const unsigned threads_;
+  StageLog& log_;
+  // locks the drawing of the projector's window and of the live window
+  std::mutex drawing_;
+  std::unique_ptr<LiveWindow> live_; // null if it is not wanted
+  StatusLine status_;
+  const Device device_;
+  GrabOutputs outputs_;
+  std::optional<Projection> projection_;
   std::optional<PatternNeed> need_; // set if observations may end early
   FrameQueue queue_;
   TrinocularGrabber* grabber_ = nullptr;
@@ -572,134 +959,44 @@ private:
   std::size_t wanted_ = 0; // number of observations, 0: all
 };
 
-void
-tellRecording(const GrabberOptions& options,
-              const TrinocularFileReport& report,
-              StageLog& log)
-{
-  warnOfFindings(log, report.remarks);
-  if (!report.doubled.empty())
-    log.warn(std::to_string(report.doubled.size()) +
-             " frames whose shot was there before are left out");
-  log.details["recording"] = {{"folder", options.device},
-                              {"is_finished", report.is_finished},
-                              {"broken_frames", report.broken},
-                              {"left_out_frames", report.doubled},
-                              {"findings", report.remarks}};
-  log.tell("recording", options.device);
-}
-
-void
-tellCamera(DigiclopsGrabber& grabber, StageLog& log)
-{
-  const IidcIdentity identity = grabber.camera().identity();
-  const DigiclopsGrabberReport report = grabber.getReport();
-  const std::string order = textOf(grabber.getChannelOrder());
-  Json check;
-  if (report.order)
-    check = {{"best", textOf(report.order->best)},
-             {"is_certain", report.order->is_certain},
-             {"corners", report.order->corners},
-             {"share", report.order->share},
-             {"runner_up", report.order->runner_up}};
-  log.details["camera"] = {{"place", grabber.camera().place()},
-                           {"serial", identity.serial()},
-                           {"maker", identity.maker},
-                           {"model", identity.model},
-                           {"iidc", identity.version},
-                           {"mode", grabber.getMode().text()},
-                           {"rate", grabber.getFramesPerSecond()},
-                           {"lost", report.lost},
-                           {"broken", report.broken},
-                           {"early", report.early},
-                           {"restarts", report.restarts},
-                           {"channel_order", order},
-                           {"order_check", check}};
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
-  log.tell("camera",
-           identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
-               grabber.camera().place());
-  log.tell("mode", grabber.getMode().text() + ", channels " + order);
-  log.tell("lost",
-           std::to_string(report.lost) + ", broken " + std::to_string(report.broken) +
-               ", restarts " + std::to_string(report.restarts));
-}
-
-void
-tellProjector(const GrabberOptions& options,
-              const Projection& projection,
-              StageLog& log)
-{
-  const MonitorPlace& monitor = projection.monitor;
-  const PatternSequenceGrabberReport report = projection.sequence->getReport();
-  const double settle = projection.sequence->getSettleTime();
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
-  log.details["projector"] = {{"monitor", monitor.name},
-                              {"width", monitor.width},
-                              {"height", monitor.height},
-                              {"patterns", options.pattern.patterns},
-                              {"seed", options.pattern.seed},
-                              {"settle", settle},
-                              {"spared", report.spared}};
-  log.tell("projector",
-           "monitor " + monitor.name + ", " + std::to_string(monitor.width) + " x " +
-               std::to_string(monitor.height) + " px, settles in " +
-               shortNumber(settle) + " s" +
-               (options.early
-                    ? ", " + std::to_string(report.spared) + " patterns spared"
-                    : ""));
-}
-
 } // namespace
+
+void
+listCameras(StageLog& log)
+{
+  const std::vector<UsbCamera> cameras = listUsbCameras();
+  if (cameras.empty())
+    throw NothingFound("no camera that speaks IIDC is on the USB");
+  nlohmann::ordered_json& list = log.details["cameras"];
+  for (const UsbCamera& camera : cameras) {
+    const bool is_fine = camera.fault == CameraFault::None;
+    char id[16];
+    std::snprintf(id, sizeof(id), "%04x:%04x", camera.vendor, camera.product);
+    std::string text =
+        is_fine ? camera.serial + ", " + camera.maker + ", " + camera.model
+                : std::string(id) + ", " + nameOf(camera.fault) + ": " + camera.message;
+    if (is_fine && !camera.speed.empty())
+      text += ", " + camera.speed;
+    log.tell(camera.place, text);
+    list.push_back({{"place", camera.place},
+                    {"id", id},
+                    {"speed", camera.speed},
+                    {"serial", camera.serial},
+                    {"maker", camera.maker},
+                    {"model", camera.model},
+                    {"fault", nameOf(camera.fault)},
+                    {"message", camera.message}});
+  }
+}
 
 void
 grab(const GrabberOptions& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
-  // locks the drawing of the projector's window and of the live window
-  std::mutex drawing;
-  std::optional<LiveWindow> live;
-  if (options.live)
-    live.emplace(drawing);
-  StatusLine status(!controls.is_quiet);
-  const Device device = openDevice(options);
-  const auto see = [&](const PointCloud<PointXYZRGBSigma>& cloud) {
-    if (live)
-      live->show(cloud);
-  };
-  GrabOutputs outputs(options, device, controls.threads, see, log);
-  std::optional<Projection> projection;
-  if (device.camera && !options.isStream())
-    projection = openProjection(options, device, drawing, status, log);
+  GrabRun run(options, controls, log);
   timer.finish("open");
-
-  GrabRun run(options, device, outputs, status, live ? &*live : nullptr);
-  try {
-    if (projection)
-      run.passObservations(*projection->sequence, controls.threads);
-    else if (device.camera)
-      run.passStream();
-    else
-      run.passRecording();
-    timer.finish("grab");
-    outputs.finish();
-  }
-  catch (...) {
-    outputs.keep(std::current_exception());
-  }
-  if (device.camera)
-    tellCamera(*device.camera, log);
-  else
-    tellRecording(options, device.recording->getReport(), log);
-  if (projection)
-    tellProjector(options, *projection, log);
-  log.details["frames"] = run.frames();
-  log.details["is_rectified"] = !device.cameras.has_value();
-  log.tell("frames",
-           std::to_string(run.frames()) + (device.cameras ? ", raw" : ", rectified"));
-  outputs.tell();
+  run.run(timer);
+  run.tell();
   run.waitForWindow();
 }
 

@@ -3,6 +3,8 @@
 #include "active_stereo/stereo_options.h"
 #include "line_pattern/pattern_options.h"
 
+#include <pcl/acquisition/channel_order.h>
+
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -74,6 +76,18 @@ addOptions(Tool& tool, GrabberOptions& options);
  * \throws UsageError, OutputFileException naming them */
 void
 requireSense(Tool& tool, const GrabberOptions& options);
+
+/** \brief Reads `r,h,v` in any order, as letters or words.
+ * \return nothing for `auto`
+ * \throws UsageError for anything else */
+std::optional<ChannelOrder>
+channelOrderOf(const std::string& text);
+
+/** \brief Prints one line per camera on the USB.
+ * \throws NothingFound when there is none
+ * \throws CameraException when USB is not available */
+void
+listCameras(StageLog& log);
 
 /** \brief Takes observations, or frames, from a camera or a recording: the work of
  * pcl_digiclops_grabber.

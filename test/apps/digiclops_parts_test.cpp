@@ -1,5 +1,5 @@
-#include "digiclops_grabber/device.h"
 #include "digiclops_grabber/frame_queue.h"
+#include "digiclops_grabber/grabber_options.h"
 #include "digiclops_grabber/terminal.h"
 
 #include <pcl/core/exceptions.h>
