@@ -9,5 +9,8 @@ main(int argc, char** argv)
             "clouds.");
   StereoOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { makeObservations(tool, options); });
+  return tool.run(argc, argv, [&] {
+    requireSense(tool, options);
+    makeObservations(options, tool.controls(), tool.log());
+  });
 }

@@ -1,13 +1,14 @@
 #include "line_pattern/pattern_options.h"
-#include "line_pattern/pattern_show.h"
 #include "output_target.h"
 
-#include <pcl/core/image_file.h>
-#include <pcl/core/output_folder.h>
+#include <pcl/acquisition/pattern_window.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <thread>
 
 namespace {
 
@@ -24,13 +25,38 @@ patternName(std::uint32_t index)
   return name;
 }
 
-/** \brief Refuses a folder with patterns of an earlier run, which would mix with the
- * new ones. */
-void
-requireNoPatterns(const OutputFolder& folder)
+std::string
+sizeText(int width, int height)
 {
-  requireNoneIn(folder,
-                [](const std::string& name) { return name.rfind(name_start, 0) == 0; });
+  return std::to_string(width) + " x " + std::to_string(height) + " px";
+}
+
+/** \brief Opens a black window for the patterns; warns when they have to be scaled.
+ * \throws BadArgumentException, IOException when there is no such monitor */
+std::unique_ptr<pcl::PatternWindow>
+openWindow(int number, const pcl::RandomLinePattern& generator, StageLog& log)
+{
+  auto window = std::make_unique<pcl::PatternWindow>(static_cast<std::size_t>(number));
+  const pcl::MonitorPlace& monitor = window->getMonitor();
+  if (monitor.width != generator.getWidth() || monitor.height != generator.getHeight())
+    log.warn("monitor " + monitor.name + " has " +
+             sizeText(monitor.width, monitor.height) + ", the patterns " +
+             sizeText(generator.getWidth(), generator.getHeight()) +
+             ": they are shown scaled");
+  return window;
+}
+
+/** \brief Waits, or throws CancelledException when the user interrupts it. */
+void
+holdFor(std::chrono::duration<double> time)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + time;
+  while (Clock::now() < end) {
+    stopIfInterrupted();
+    const std::chrono::duration<double> left = end - Clock::now();
+    std::this_thread::sleep_for(std::min(left, std::chrono::duration<double>(0.05)));
+  }
 }
 
 /** \brief Statistics over all patterns. */
@@ -59,33 +85,44 @@ struct Totals {
 };
 
 void
-tellResults(Tool& tool,
-            const PatternOptions& options,
+tellResults(const PatternOptions& options,
             const pcl::RandomLinePattern& generator,
-            const Totals& totals)
+            const Totals& totals,
+            const pcl::PatternWindow* window,
+            StageLog& log)
 {
   const double coverage = totals.coverage / options.patterns;
-  tool.details().update({{"output", options.output},
-                         {"width", generator.getWidth()},
-                         {"height", generator.getHeight()},
-                         {"lines", options.lines},
-                         {"colored", !options.grey},
-                         {"minimum_angle_degrees", options.minimum_angle},
-                         {"seed", options.seed},
-                         {"coverage", coverage},
-                         {"redraws", totals.redraws},
-                         {"patterns", totals.patterns}});
-  tool.tell("patterns",
-            std::to_string(options.patterns) + ", " +
-                std::to_string(generator.getWidth()) + " x " +
-                std::to_string(generator.getHeight()) + " px, " +
-                std::to_string(options.lines) + " lines each");
-  tool.tell("coverage", shortNumber(100 * coverage) + " %");
-  tool.tell("side lobes",
-            "at most " + shortNumber(totals.row_side_lobe) + " along rows, " +
-                shortNumber(totals.column_side_lobe) + " along columns, but for 1 %");
-  tool.tell("redrawn", std::to_string(totals.redraws));
-  tool.tell(options.is_single ? "picture" : "folder", options.output);
+  log.details = {{"output", options.output},
+                 {"width", generator.getWidth()},
+                 {"height", generator.getHeight()},
+                 {"lines", options.lines},
+                 {"colored", !options.grey},
+                 {"minimum_angle_degrees", options.minimum_angle},
+                 {"seed", options.seed},
+                 {"coverage", coverage},
+                 {"redraws", totals.redraws},
+                 {"patterns", totals.patterns}};
+  log.tell("patterns",
+           std::to_string(options.patterns) + ", " +
+               sizeText(generator.getWidth(), generator.getHeight()) + ", " +
+               std::to_string(options.lines) + " lines each");
+  log.tell("coverage", shortNumber(100 * coverage) + " %");
+  log.tell("side lobes",
+           "at most " + shortNumber(totals.row_side_lobe) + " along rows, " +
+               shortNumber(totals.column_side_lobe) + " along columns, but for 1 %");
+  log.tell("redrawn", std::to_string(totals.redraws));
+  log.tell(options.is_single ? "picture" : "folder", options.output);
+  if (!window)
+    return;
+  const pcl::MonitorPlace& monitor = window->getMonitor();
+  log.tell("shown",
+           "on monitor " + monitor.name + ", " +
+               sizeText(monitor.width, monitor.height));
+  log.details["monitor"] = {{"name", monitor.name},
+                            {"x", monitor.x},
+                            {"y", monitor.y},
+                            {"width", monitor.width},
+                            {"height", monitor.height}};
 }
 
 void
@@ -96,36 +133,40 @@ run(Tool& tool, PatternOptions& options)
   std::optional<OutputFolder> folder;
   if (options.is_single)
     requireWritable(options.output, {".png"}, {});
-  else
-    requireNoPatterns(folder.emplace(options.output));
+  else // patterns of an earlier run would mix with the new ones
+    requireNoneIn(folder.emplace(options.output), [](const std::string& name) {
+      return name.rfind(name_start, 0) == 0;
+    });
   tool.requireReportWritable({options.output});
-  PatternShow show(tool, options, generator);
+  std::unique_ptr<pcl::PatternWindow> window;
+  if (options.show)
+    window = openWindow(options.monitor, generator, tool.log());
 
   StepTimer timer(tool.report());
   Totals totals;
   pcl::RgbImage picture;
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    const pcl::acmap::Progress told(progress);
-    for (std::uint32_t index = 0; index < options.patterns; ++index) {
-      told.tell(static_cast<double>(index) / options.patterns, "drawing");
-      picture = generator.generate(index);
-      totals.add(options.is_single ? options.output : patternName(index),
-                 generator.getReport());
-      for (const std::string& remark : generator.getReport().remarks)
-        tool.warn(remark);
-      if (folder)
-        pcl::savePng(folder->path(patternName(index)), picture);
-      show.show(picture);
+  const Progress progress(tool.controls().progress);
+  for (std::uint32_t index = 0; index < options.patterns; ++index) {
+    progress.tell(static_cast<double>(index) / options.patterns, "drawing");
+    picture = generator.generate(index);
+    totals.add(options.is_single ? options.output : patternName(index),
+               generator.getReport());
+    for (const std::string& remark : generator.getReport().remarks)
+      tool.warn(remark);
+    if (folder)
+      pcl::savePng(folder->path(patternName(index)), picture);
+    if (window) {
+      window->show(picture);
+      holdFor(std::chrono::duration<double>(options.hold));
     }
-  });
-  tool.stopIfInterrupted();
+  }
+  stopIfInterrupted();
   if (folder)
     folder->commit();
   else
     pcl::savePng(options.output, picture);
   timer.finish("draw");
-  tellResults(tool, options, generator, totals);
-  show.tell();
+  tellResults(options, generator, totals, window.get(), tool.log());
   if (folder)
     tool.setReportPlace(options.output + "/report.json");
 }

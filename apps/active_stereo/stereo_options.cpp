@@ -2,13 +2,13 @@
 
 #include "command_line.h"
 
+#include <pcl/core/output_folder.h>
+
 #include <CLI/CLI.hpp>
 
 namespace pcl::acmap {
 
 namespace {
-
-constexpr double longest_depth = 1e4; // metres
 
 void
 addLists(CLI::App& app, StereoOptions& options)
@@ -58,13 +58,55 @@ addLists(CLI::App& app, StereoOptions& options)
 }
 
 void
-addDepths(CLI::App& app, StereoOptions& options)
+requireSenseOfInput(const StereoOptions& options)
 {
+  const TrinocularImageLists& images = options.images;
+  if (!options.session.empty() && !images.reference.empty())
+    throw UsageError(options.session +
+                     ": a session or --reference is needed, not both");
+  if (options.session.empty() && images.reference.empty())
+    throw UsageError("a session is needed, or images (--reference)");
+  requireDepthOrder(options);
+  if (!options.hasLists())
+    return;
+  if (options.active && !options.hasOneShot())
+    throw UsageError("--active is for one image per camera; several images per camera "
+                     "are always matched as shots under patterns");
+  if (options.has_method && options.hasOneShot())
+    throw UsageError("--method says how shots are fused; with one image per camera "
+                     "there is nothing to fuse");
+  if (!options.color.empty() && options.isPassive())
+    throw UsageError("--color is for shots under patterns; with one image per camera "
+                     "the colours are those of --reference, unless --active says that "
+                     "it was taken under a pattern");
+  if (options.rig.empty())
+    throw UsageError("--reference needs --rig, the rig of the images");
+  if (images.horizontal.empty() && images.vertical.empty())
+    throw UsageError("--horizontal or --vertical is needed, or both");
+  if (!options.poses.empty())
+    throw UsageError("--poses are those of a session's observations; images make one");
+}
+
+} // namespace
+
+void
+addStereoChoices(CLI::App& app, StereoOptions& options)
+{
+  addChoice<std::string>(
+      app,
+      "--method",
+      options.method,
+      {{"spacetime", "spacetime"},
+       {"median", "median"},
+       {"statistical", "statistical"}},
+      "how shots are fused: spacetime (all at once), median (of the shots' own "
+      "disparities, as the paper) or statistical (mean of those that agree)")
+      ->each([&](const std::string&) { options.has_method = true; });
   const auto depth = [&](const char* name, double& value, const char* purpose) {
     app.add_option(name, value, purpose)
         ->type_name("M")
         ->check(positiveNumber().description(""))
-        ->check(CLI::Range(0.01, longest_depth).description(""));
+        ->check(CLI::Range(0.01, 1e4).description(""));
   };
   depth("--min-depth",
         options.nearest,
@@ -72,11 +114,6 @@ addDepths(CLI::App& app, StereoOptions& options)
   depth("--max-depth",
         options.farthest,
         "Depth up to which points are searched for, metres");
-}
-
-void
-addThresholds(CLI::App& app, StereoOptions& options)
-{
   app.add_option(
          "--min-correlation",
          options.correlation,
@@ -93,42 +130,6 @@ addThresholds(CLI::App& app, StereoOptions& options)
          "pattern]")
       ->type_name("L")
       ->check(CLI::Range(0.0, 128.0).description(""));
-}
-
-} // namespace
-
-std::string
-StereoOptions::rigPath() const
-{
-  return hasLists() ? rig : session + "/rig.yaml";
-}
-
-std::vector<std::string>
-StereoOptions::allImages() const
-{
-  std::vector<std::string> all;
-  for (const auto* list : {&images.reference, &images.horizontal, &images.vertical})
-    all.insert(all.end(), list->begin(), list->end());
-  if (!color.empty())
-    all.push_back(color);
-  return all;
-}
-
-void
-addStereoChoices(CLI::App& app, StereoOptions& options)
-{
-  addChoice<std::string>(
-      app,
-      "--method",
-      options.method,
-      {{"spacetime", "spacetime"},
-       {"median", "median"},
-       {"statistical", "statistical"}},
-      "how shots are fused: spacetime (all at once), median (of the shots' own "
-      "disparities, as the paper) or statistical (mean of those that agree)")
-      ->each([&](const std::string&) { options.has_method = true; });
-  addDepths(app, options);
-  addThresholds(app, options);
 }
 
 void
@@ -167,33 +168,18 @@ requireDepthOrder(const StereoOptions& options)
 }
 
 void
-requireSense(const StereoOptions& options)
+requireSense(const Tool& tool, const StereoOptions& options)
 {
-  const TrinocularImageLists& images = options.images;
-  if (!options.session.empty() && !images.reference.empty())
-    throw UsageError(options.session +
-                     ": a session or --reference is needed, not both");
-  if (options.session.empty() && images.reference.empty())
-    throw UsageError("a session is needed, or images (--reference)");
-  requireDepthOrder(options);
-  if (!options.hasLists())
-    return;
-  if (options.active && !options.hasOneShot())
-    throw UsageError("--active is for one image per camera; several images per camera "
-                     "are always matched as shots under patterns");
-  if (options.has_method && options.hasOneShot())
-    throw UsageError("--method says how shots are fused; with one image per camera "
-                     "there is nothing to fuse");
-  if (!options.color.empty() && options.isPassive())
-    throw UsageError("--color is for shots under patterns; with one image per camera "
-                     "the colours are those of --reference, unless --active says that "
-                     "it was taken under a pattern");
-  if (options.rig.empty())
-    throw UsageError("--reference needs --rig, the rig of the images");
-  if (images.horizontal.empty() && images.vertical.empty())
-    throw UsageError("--horizontal or --vertical is needed, or both");
-  if (!options.poses.empty())
-    throw UsageError("--poses are those of a session's observations; images make one");
+  requireSenseOfInput(options);
+  // the report may be in this folder, which exists during the run
+  const OutputFolder folder(options.output);
+  if (!options.hasLists() && folder.holds(options.session + "/any"))
+    throw UsageError(options.output + ": is the session's folder, too");
+  std::vector<std::string> inputs = {options.rigPath(), options.poses, options.color};
+  for (const auto& list :
+       {options.images.reference, options.images.horizontal, options.images.vertical})
+    inputs.insert(inputs.end(), list.begin(), list.end());
+  tool.requireReportWritable(inputs);
 }
 
 } // namespace pcl::acmap

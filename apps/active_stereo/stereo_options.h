@@ -4,9 +4,6 @@
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
 
-#include <optional>
-#include <string>
-
 namespace pcl::acmap {
 
 /** \brief Options of the user. */
@@ -50,11 +47,10 @@ struct StereoOptions {
 
   /** \brief Path of the file of the rig. */
   std::string
-  rigPath() const;
-
-  /** \brief Paths of all images of the options. */
-  std::vector<std::string>
-  allImages() const;
+  rigPath() const
+  {
+    return hasLists() ? rig : session + "/rig.yaml";
+  }
 };
 
 /** \brief Adds the options to the command line. */
@@ -65,10 +61,11 @@ addOptions(Tool& tool, StereoOptions& options);
 void
 addStereoChoices(CLI::App& app, StereoOptions& options);
 
-/** \brief Refuses options that exclude each other.
- * \throws UsageError naming them */
+/** \brief Refuses options that exclude each other, and places for the results that
+ * cannot be used.
+ * \throws UsageError, OutputFileException naming them */
 void
-requireSense(const StereoOptions& options);
+requireSense(const Tool& tool, const StereoOptions& options);
 
 /** \brief Refuses a minimum depth that is not below the maximum depth.
  * \throws UsageError naming them */
@@ -80,6 +77,8 @@ requireDepthOrder(const StereoOptions& options);
  * \throws according to the exit codes of its documentation page; InterruptedPartway
  * when observations were finished before an interruption, which are kept */
 void
-makeObservations(Tool& tool, const StereoOptions& options);
+makeObservations(const StereoOptions& options,
+                 const RunControls& controls,
+                 StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,156 +1,230 @@
-#include "stereo_options.h"
+#include "stereo_observation.h"
 
 #include "json_file.h"
-#include "known_poses.h"
-#include "memory.h"
-#include "output_target.h"
-#include "stereo_files.h"
-#include "stereo_results.h"
 
 #include <pcl/core/output_file.h>
+#include <pcl/core/rig_cameras.h>
+#include <pcl/core/trajectory.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <filesystem>
-#include <functional>
 #include <future>
-#include <optional>
 
 namespace pcl::acmap {
 
 namespace {
 
-void
-checkPlaces(const Tool& tool, const StereoOptions& options, const OutputFolder& folder)
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/** \brief The rig of image lists: cameras without a list are not used.
+ * \throws UsageError for a list of a camera that is not in the rig */
+TrinocularRig
+rigOfLists(const StereoOptions& options)
 {
-  if (!options.hasLists() && folder.holds(options.session + "/any"))
-    throw UsageError(options.output + ": is the session's folder, too");
-  if (!options.goes_on)
-    requireNoStereo(folder);
-  std::vector<std::string> inputs = options.allImages();
-  inputs.insert(inputs.end(), {options.rigPath(), options.poses});
-  tool.requireReportWritable(inputs);
+  TrinocularRig rig = loadTrinocularRig(options.rig);
+  const auto use =
+      [&](RigCamera camera, const std::vector<std::string>& images, double& baseline) {
+        const std::string name = nameOf(camera);
+        if (images.empty())
+          baseline = 0.0;
+        else if (baseline == 0.0)
+          throw UsageError("--" + name + ": " + options.rig + " has no " + name +
+                           " camera");
+      };
+  use(RigCamera::Horizontal, options.images.horizontal, rig.baseline_horizontal);
+  use(RigCamera::Vertical, options.images.vertical, rig.baseline_vertical);
+  return rig;
 }
 
-/** \brief Seconds of each step, summed over the observations. */
-void
-addSums(const pcl::Report& steps, pcl::Report& report)
+std::unique_ptr<TrinocularFileGrabber>
+openGrabber(const StereoOptions& options)
 {
-  for (const char* const step : {"wait for shots", "match", "write"}) {
-    double sum = 0;
-    for (const auto& [name, seconds] : steps.seconds)
-      sum += name == step ? seconds : 0;
-    report.seconds.emplace_back(step, sum);
-  }
+  if (options.hasLists())
+    return std::make_unique<TrinocularFileGrabber>(options.images, rigOfLists(options));
+  return std::make_unique<TrinocularFileGrabber>(options.session);
 }
 
-/** \brief The shots of an observation, and the progress of the whole work. */
+/** \brief The shots of the next observation, and the progress of the whole work. */
 struct ComingShots {
-  std::optional<ObservationShots> shots;
-  double done = 0; ///< fraction of all frames
+  std::optional<ObservationShots> shots; ///< nothing at the end
+  double done = 0;                       ///< fraction of all frames
 };
 
-ComingShots
-read(ShotSource& source)
-{
-  ComingShots coming;
-  coming.shots = source.next();
-  coming.done =
-      static_cast<double>(source.passed()) / static_cast<double>(source.frames());
-  return coming;
-}
+/** \brief Reads the observations of a session, or the one of image lists, one after
+ * another, and rectifies them if they are not rectified. */
+class ShotSource {
+public:
+  /** \throws InputFileException when session, rig or the image for the colours are
+   * missing or malformed, or the rig cannot be rectified or matched
+   * \throws UsageError for lists of a camera that is not in the rig
+   * \throws BadArgumentException for lists of different lengths */
+  ShotSource(const StereoOptions& options, unsigned threads)
+  : options_(options)
+  , grabber_(openGrabber(options))
+  , has_cameras_(hasBuiltCameras(options.rigPath()))
+  // the rig.yaml of a session defines if its frames are rectified
+  , rectifier_(options.rigPath(),
+               grabber_->getRig(),
+               options.hasLists() ? options.rectify : has_cameras_,
+               threads)
+  , broken_(grabber_->getReport().broken.size())
+  , remarks_(grabber_->getReport().remarks)
+  {
+    const std::vector<std::string>& more = rectifier_.remarks();
+    remarks_.insert(remarks_.end(), more.begin(), more.end());
+    if (!options.color.empty())
+      groups_.add(loadOffShot(options.color));
+  }
+
+  /** \brief Rig of the rectified frames. */
+  const TrinocularRig&
+  rig() const
+  {
+    return rectifier_.rig();
+  }
+
+  bool
+  isRectifying() const
+  {
+    return rectifier_.isRectifying();
+  }
+
+  /** \brief Are images matched as they are, though the rig has unrectified cameras? */
+  bool
+  mayNeedRectification() const
+  {
+    return options_.hasLists() && has_cameras_ && !isRectifying();
+  }
+
+  /** \brief Reads the next observation. Broken frames of a session are left out and
+   * reported in the remarks.
+   * \throws InputFileException for an image of the lists that cannot be read */
+  ComingShots
+  next()
+  {
+    const auto count = static_cast<double>(grabber_->frames());
+    while (next_ < grabber_->frames()) {
+      const std::size_t index = next_++;
+      try {
+        const TrinocularFrame::Ptr frame = grabber_->frame(index);
+        rectifier_.rectify(*frame);
+        if (options_.isPassive())
+          frame->pattern = TrinocularFrame::no_pattern;
+        if (auto shots = groups_.add(frame))
+          return {std::move(shots), static_cast<double>(index) / count};
+      }
+      catch (const InputFileException&) {
+        if (options_.hasLists())
+          throw;
+        noteBroken();
+      }
+    }
+    return {groups_.finish(), 1.0};
+  }
+
+  /** \brief Number of the last observation that can be read.
+   * \throws InputFileException when no frame can be read */
+  std::size_t
+  lastObservation() const
+  {
+    for (std::size_t index = grabber_->frames(); index-- > 0;)
+      try {
+        return static_cast<std::size_t>(grabber_->frame(index)->observation);
+      }
+      catch (const InputFileException&) {
+        if (index == 0)
+          throw;
+      }
+    throw InputFileException("the session has no frames");
+  }
+
+  /** \brief Warnings so far. */
+  std::vector<std::string>
+  remarks() const
+  {
+    std::vector<std::string> all = remarks_;
+    all.insert(all.end(), groups_.remarks().begin(), groups_.remarks().end());
+    const TrinocularFileReport report = grabber_->getReport();
+    const auto count = [&](const std::vector<std::uint64_t>& found,
+                           const std::string& fault) {
+      if (!found.empty())
+        all.push_back(std::to_string(found.size()) + " of " +
+                      std::to_string(grabber_->frames()) +
+                      " frames have a camera that is " + fault + ", the first is " +
+                      std::to_string(found.front()));
+    };
+    count(report.saturated, "saturated");
+    count(report.black, "black");
+    return all;
+  }
+
+  /** \brief Numbers of the frames that could not be read so far. */
+  std::vector<std::uint64_t>
+  broken() const
+  {
+    return grabber_->getReport().broken;
+  }
+
+private:
+  TrinocularFrame::ConstPtr
+  loadOffShot(const std::string& path) const
+  {
+    TrinocularFrame::Ptr frame(new TrinocularFrame);
+    CameraImage& image = frame->image(RigCamera::Reference);
+    image = loadCameraImage(path);
+    const auto size = [](std::int32_t width, std::int32_t height) {
+      return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    };
+    if (image.width != rig().width || image.height != rig().height)
+      throw InputFileException(path + ": has " + size(image.width, image.height) +
+                               ", the rig " + size(rig().width, rig().height));
+    rectifier_.rectify(*frame);
+    // a shot has an image of each camera, but colour is only taken from the reference
+    for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})
+      if (hasCamera(rig(), camera))
+        frame->image(camera) = image;
+    return frame;
+  }
+
+  void
+  noteBroken()
+  {
+    const TrinocularFileReport report = grabber_->getReport();
+    if (report.broken.size() == broken_)
+      return; // already found when the session was opened
+    broken_ = report.broken.size();
+    remarks_.push_back(report.remarks.back());
+  }
+
+  const StereoOptions& options_;
+  std::unique_ptr<TrinocularFileGrabber> grabber_;
+  bool has_cameras_;
+  FrameRectifier rectifier_;
+  std::size_t next_ = 0;
+  ShotGroups groups_;
+  std::size_t broken_; // number of frames that are known to be
+  std::vector<std::string> remarks_;
+};
 
 /** \brief Name of the file that lists the finished observations, from which a later run
  * can continue. */
 constexpr const char* finished_name = "finished.json";
 
-void
-saveFinished(const StereoResults& results, const OutputFolder& folder)
-{
-  const std::string text = results.entries().dump() + "\n";
-  OutputFile file(folder.path(finished_name));
-  file.write(text.data(), text.size());
-  file.commit();
-}
-
-/** \brief Moves an observation to its final place, with the statistics so far: a run
- * that is killed loses only the observation that it was working on. */
-void
-commitObservation(const StereoOptions& options,
-                  const ObservationShots& shots,
-                  const MadeObservation& made,
-                  const Eigen::Isometry3d& pose,
-                  const StereoResults& results)
-{
-  OutputFolder folder(options.output);
-  saveResults(folder, options, shots, made, pose);
-  saveFinished(results, folder);
-  folder.commit();
-}
-
-/** \brief Computes the observations one after another, while the next one is read.
- * Their files are in the hidden part of the folder, unless a later run is to continue
- * from them. */
-void
-writeObservations(Tool& tool,
-                  const StereoOptions& options,
-                  ShotSource& source,
-                  ObservationMaker& maker,
-                  const KnownPoses& poses,
-                  const OutputFolder& folder,
-                  StereoResults& results)
-{
-  pcl::Report steps;
-  StepTimer timer(steps);
-  const auto readOn = [&] {
-    return std::async(std::launch::async, read, std::ref(source));
-  };
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    const Progress told(progress);
-    double begin = 0;
-    std::future<ComingShots> next = readOn();
-    for (;;) {
-      told.tell(begin, "reading shots");
-      const auto [shots, done] = next.get();
-      timer.finish("wait for shots");
-      if (!shots)
-        break;
-      next = readOn();
-      if (!results.has(shots->number)) {
-        const MadeObservation made = maker.make(
-            *shots,
-            [&, from = begin, to = done](double fraction, const std::string& step) {
-              return progress(from + fraction * (to - from), step);
-            });
-        timer.finish("match");
-        results.add(*shots, made);
-        if (options.goes_on)
-          commitObservation(options, *shots, made, poses.of(shots->number), results);
-        else
-          saveResults(folder, options, *shots, made, poses.of(shots->number));
-        timer.finish("write");
-      }
-      begin = done;
-    }
-  });
-  addSums(steps, tool.report());
-}
-
 StereoResults
 finishedBefore(const StereoOptions& options)
 {
-  namespace fs = std::filesystem;
   const fs::path folder = options.output;
-  const auto entries = readJson((folder / finished_name).string());
+  const Json entries = readJson((folder / finished_name).string());
   if (!options.goes_on || !entries.is_array())
     return {};
   try {
-    auto there = nlohmann::ordered_json::array();
-    for (const auto& entry : entries) {
+    StereoResults results;
+    for (const Json& entry : entries) {
       const auto name = entry.at("file").get<std::string>();
       if (isPlainName(name) && fs::exists(folder / name))
-        there.push_back(entry);
+        results.add(entry);
     }
-    StereoResults results;
-    results.takeEntries(there);
     return results;
   }
   catch (const nlohmann::json::exception&) {
@@ -158,56 +232,221 @@ finishedBefore(const StereoOptions& options)
   }
 }
 
-/** \brief Keeps the observations that were finished before an interruption; each of
- * them is complete.
- * \throws InterruptedPartway when there is any */
-void
-keepFinished(const StereoOptions& options,
-             const StereoResults& results,
-             OutputFolder& folder)
-{
-  if (results.points() == 0)
-    return;
-  folder.commit();
-  throw InterruptedPartway("interrupted; observations finished by then, in " +
-                           options.output + ": " +
-                           std::to_string(results.observations()));
-}
+/** \brief The complete work of pcl_active_stereo. */
+class StereoRun {
+public:
+  StereoRun(const StereoOptions& options, const RunControls& controls)
+  : options_(options)
+  , source_(options, controls.threads)
+  , fusion_(source_.rig(), options, controls.threads)
+  {
+    if (!options.poses.empty()) {
+      poses_ = loadTrajectory(options.poses);
+      poseOf(source_.lastObservation());
+    }
+    folder_.emplace(options.output);
+    if (!options.goes_on)
+      requireNoStereo(*folder_);
+    if (!options.poses.empty())
+      saveTrajectory(folder_->path(trajectory_name), poses_);
+    results_ = finishedBefore(options);
+  }
+
+  /** \brief Computes the observations one after another, while the next one is read.
+   * Seconds of each step are summed over the observations. */
+  void
+  writeObservations(const ProgressCallback& progress, Report& report)
+  {
+    Report steps;
+    StepTimer timer(steps);
+    const Progress told(
+        [&](double done, const auto& step) { return progress(done, step); });
+    const auto read_on = [&] {
+      return std::async(std::launch::async, [&] { return source_.next(); });
+    };
+    double begin = 0;
+    for (std::future<ComingShots> next = read_on();;) {
+      told.tell(begin, "reading shots");
+      const auto [shots, done] = next.get();
+      timer.finish("wait for shots");
+      if (!shots)
+        break;
+      next = read_on();
+      if (!results_.has(shots->number)) {
+        const MadeObservation made = fusion_.make(
+            *shots, [&, end = done](double fraction, const std::string& step) {
+              return progress(std::min(begin + fraction * (end - begin), end), step);
+            });
+        timer.finish("match");
+        results_.add(shots->number, shots->frames.size(), made);
+        save(shots->number, made);
+        timer.finish("write");
+      }
+      begin = done;
+    }
+    for (const char* const step : {"wait for shots", "match", "write"}) {
+      double sum = 0;
+      for (const auto& [name, seconds] : steps.seconds)
+        sum += name == step ? seconds : 0;
+      report.seconds.emplace_back(step, sum);
+    }
+  }
+
+  /** \brief Keeps the observations that were finished before an interruption; each of
+   * them is complete.
+   * \throws InterruptedPartway when there is any */
+  void
+  keepFinished()
+  {
+    if (results_.points == 0)
+      return;
+    folder_->commit();
+    throw InterruptedPartway("interrupted; observations finished by then, in " +
+                             options_.output + ": " +
+                             std::to_string(results_.observations.size()));
+  }
+
+  /** \brief Moves the results to their final place.
+   * \throws InputFileException when there was no readable frame
+   * \throws NothingFound when no observation has a point */
+  void
+  finish(StageLog& log)
+  {
+    warn(log);
+    if (results_.observations.empty())
+      throw InputFileException(
+          options_.session + ": has no frame that can be read" +
+          (log.report.remarks.empty() ? "" : ", " + log.report.remarks[0]));
+    if (results_.points == 0)
+      log.failWithNothing((options_.session.empty() ? "" : options_.session + ": ") +
+                          "no pixel has a place: " + results_.rejected());
+    folder_->commit();
+    std::error_code ignored;
+    fs::remove(fs::path(options_.output) / finished_name, ignored);
+  }
+
+  /** \brief Writes summary and report. */
+  void
+  tell(StageLog& log) const
+  {
+    const SearchRange& range = fusion_.range();
+    // it is above the requested one if image or matcher limit the disparities
+    const double nearest =
+        std::max(options_.nearest, depthOf(source_.rig(), range.most()));
+    log.details = {{"input", options_.hasLists() ? options_.rig : options_.session},
+                   {"output", options_.output},
+                   {"frames", source_.isRectifying() ? "raw" : "rectified"},
+                   {"method", options_.isPassive() ? "passive" : options_.method},
+                   {"least_disparity", range.least},
+                   {"most_disparity", range.most()},
+                   {"least_depth", nearest},
+                   {"most_depth", options_.farthest},
+                   {"has_poses", !options_.poses.empty()},
+                   {"points", results_.points},
+                   {"matched_share", results_.matchedShare()},
+                   {"outcomes", jsonOf(results_.outcomes)},
+                   {"broken_frames", source_.broken()},
+                   {"findings", source_.remarks()},
+                   {"observations", results_.observations}};
+    log.tell("observations", std::to_string(results_.observations.size()));
+    log.tell("frames",
+             std::to_string(results_.frames) + (source_.isRectifying()
+                                                    ? ", rectified here"
+                                                    : ", taken as rectified"));
+    log.tell("method", methodText());
+    log.tell("searched",
+             std::to_string(range.least) + " to " + std::to_string(range.most()) +
+                 " px, depths of " + shortNumber(nearest) + " to " +
+                 shortNumber(options_.farthest) + " m");
+    results_.tellPoints(log);
+    if (!options_.hasLists())
+      log.tell("poses", options_.poses.empty() ? "none" : options_.poses);
+    log.tellSeconds();
+    log.tell("folder", options_.output);
+  }
+
+private:
+  /** T_map_camera of an observation; the identity if no poses are given.
+   * \throws InputFileException when there is none for it */
+  Eigen::Isometry3d
+  poseOf(std::size_t observation) const
+  {
+    if (options_.poses.empty())
+      return Eigen::Isometry3d::Identity();
+    if (observation >= poses_.poses.size())
+      throw InputFileException(options_.poses + ": has " +
+                               std::to_string(poses_.poses.size()) +
+                               " poses, none for observation " +
+                               std::to_string(observation) + " (counted from 0)");
+    return poses_.poses[observation];
+  }
+
+  /** Writes an observation into the hidden part of the folder. If a later run is to
+   * continue from it, it is moved to its final place, with the statistics so far: a run
+   * that is killed loses only the observation that it was working on. */
+  void
+  save(std::size_t number, const MadeObservation& made) const
+  {
+    if (!options_.goes_on)
+      return saveResults(*folder_, options_, number, made, poseOf(number));
+    OutputFolder finished(options_.output);
+    saveResults(finished, options_, number, made, poseOf(number));
+    const std::string text = results_.observations.dump() + "\n";
+    OutputFile file(finished.path(finished_name));
+    file.write(text.data(), text.size());
+    file.commit();
+    finished.commit();
+  }
+
+  void
+  warn(StageLog& log) const
+  {
+    warnOfFindings(log, source_.remarks());
+    results_.warnOfRemarks(log);
+    if (source_.mayNeedRectification())
+      log.warn("images are taken as rectified; if they are as the cameras in " +
+               options_.rig + " gave them, they need --rectify");
+  }
+
+  /** How the shots were matched. With one image per camera, which the user may have
+   * taken with or without a pattern, the other possibility is named too. */
+  std::string
+  methodText() const
+  {
+    if (!options_.hasOneShot())
+      return options_.method;
+    return options_.isPassive() ? "passive stereo, one image per camera "
+                                  "(--active: taken under a pattern)"
+                                : "one shot under a pattern (--active)";
+  }
+
+  const StereoOptions& options_;
+  ShotSource source_;
+  ShotFusion fusion_;
+  Trajectory poses_;
+  std::optional<OutputFolder> folder_;
+  StereoResults results_;
+};
 
 } // namespace
 
 void
-makeObservations(Tool& tool, const StereoOptions& options)
+makeObservations(const StereoOptions& options,
+                 const RunControls& controls,
+                 StageLog& log)
 {
-  requireSense(options);
-  StepTimer timer(tool.report());
-  ShotSource source(options, tool.threads());
-  const SearchRange range =
-      disparitiesBetween(source.rig(), options.nearest, options.farthest);
-  requireMemory(disparityMemory(source.rig(), range),
-                std::to_string(range.count) + " disparities of " +
-                    std::to_string(source.rig().width) + " x " +
-                    std::to_string(source.rig().height) + " pixels");
-  const KnownPoses poses(options.poses, source);
-  ObservationMaker maker(source.rig(), range, options, tool.threads());
-  OutputFolder folder(options.output);
-  checkPlaces(tool, options, folder);
-  poses.save(folder);
+  StepTimer timer(log.report);
+  StereoRun run(options, controls);
   timer.finish("open");
-
-  StereoResults results = finishedBefore(options);
   try {
-    writeObservations(tool, options, source, maker, poses, folder, results);
+    run.writeObservations(controls.progress, log.report);
   }
-  catch (const pcl::CancelledException&) {
-    keepFinished(options, results, folder);
+  catch (const CancelledException&) {
+    run.keepFinished();
     throw;
   }
-  results.requireAny(tool, options, source);
-  folder.commit();
-  std::error_code ignored;
-  std::filesystem::remove(options.output + "/" + finished_name, ignored);
-  results.tell(tool, options, source, range);
+  run.finish(log);
+  run.tell(log);
 }
 
 } // namespace pcl::acmap

@@ -127,7 +127,7 @@ Chain::makeObservations()
   if (!stereo.poses.empty())
     made_of["poses"] = stateOfFile(stereo.poses);
   run("observations", made_of, [&] {
-    acmap::makeObservations(tool_, stereo);
+    acmap::makeObservations(stereo, tool_.controls(), tool_.log());
     return std::vector<std::string>();
   });
   return stereo.output;

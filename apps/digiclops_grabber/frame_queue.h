@@ -2,9 +2,9 @@
 
 #include <pcl/core/trinocular_frame.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
 #include <deque>
 #include <mutex>
 
@@ -15,22 +15,45 @@ namespace pcl::acmap {
 class FrameQueue {
 public:
   /** \param[in] most maximum number of waiting frames, at least 1 */
-  explicit FrameQueue(std::size_t most);
+  explicit FrameQueue(std::size_t most)
+  : most_(most)
+  {}
 
   /** \brief Adds a frame; blocks while the queue is full. Once the queue is closed, the
    * frame is dropped. */
   void
-  push(const TrinocularFrame::ConstPtr& frame);
+  push(const TrinocularFrame::ConstPtr& frame)
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return is_closed_ || frames_.size() < most_; });
+    if (!is_closed_)
+      frames_.push_back(frame);
+    changed_.notify_all();
+  }
 
   /** \brief Removes the first frame.
    * \return null after a timeout */
   TrinocularFrame::ConstPtr
-  pop(std::chrono::milliseconds timeout);
+  pop(std::chrono::milliseconds timeout)
+  {
+    std::unique_lock lock(mutex_);
+    if (!changed_.wait_for(lock, timeout, [&] { return !frames_.empty(); }))
+      return nullptr;
+    TrinocularFrame::ConstPtr frame = frames_.front();
+    frames_.pop_front();
+    changed_.notify_all();
+    return frame;
+  }
 
   /** \brief Closes the queue: no frame is added any more, and waiting threads return.
    * Frames in the queue are kept. */
   void
-  close();
+  close()
+  {
+    const std::lock_guard lock(mutex_);
+    is_closed_ = true;
+    changed_.notify_all();
+  }
 
 private:
   const std::size_t most_;
@@ -42,7 +65,11 @@ private:
 
 /** \brief Maximum number of waiting frames: some seconds of a stream, while the disk is
  * busy. */
-std::size_t
-queueLength(std::size_t frame_bytes);
+inline std::size_t
+queueLength(std::size_t frame_bytes)
+{
+  constexpr std::size_t bytes = std::size_t{128} << 20;
+  return std::max<std::size_t>(4, bytes / std::max<std::size_t>(frame_bytes, 1));
+}
 
 } // namespace pcl::acmap

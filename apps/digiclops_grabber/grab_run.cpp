@@ -1,233 +1,1003 @@
-#include "grab_run.h"
+#include "active_stereo/stereo_observation.h"
+#include "frame_queue.h"
+#include "grabber_options.h"
+#include "live_window.h"
+#include "memory.h"
+#include "terminal.h"
 
-#include "tool.h"
+#include <pcl/acquisition/digiclops_grabber.h>
+#include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/acquisition/pattern_window.h>
+#include <pcl/acquisition/projector_latency.h>
+#include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/acquisition/usb_camera.h>
 
-#include <algorithm>
-#include <set>
+#include <filesystem>
 #include <thread>
 
 namespace pcl::acmap {
 
 namespace {
 
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+/** \brief The source of the frames: a camera, or a recording. */
+struct Device {
+  shared_ptr<DigiclopsGrabber> camera;         ///< null for a recording
+  shared_ptr<TrinocularFileGrabber> recording; ///< null for a camera
+  TrinocularRig rig;                           ///< rig of the frames
+
+  /** \brief The unrectified cameras, if the rig's file has them: frames are then not
+   * rectified. */
+  std::optional<RigCalibration> cameras;
+};
+
+IidcMode
+modeOf(const IidcCamera& camera, const std::string& wanted)
+{
+  std::string all;
+  for (const IidcMode& mode : camera.modes()) {
+    if (std::to_string(mode.format) + ":" + std::to_string(mode.mode) == wanted)
+      return mode;
+    all += (all.empty() ? "" : ", ") + mode.text();
+  }
+  throw UsageError("--mode: the camera has no mode " + wanted + "; it has " +
+                   (all.empty() ? "none" : all));
+}
+
+void
+setFeature(IidcCamera& camera, IidcFeature feature, const NumberOrAuto& wanted)
+{
+  if (wanted.is_auto)
+    camera.setAutomatic(feature);
+  else if (wanted.number)
+    camera.setPhysical(feature, static_cast<float>(*wanted.number));
+}
+
+/** \brief Sets mode, rate, shutter, gain, trigger and channel order. */
+void
+setUpCamera(DigiclopsGrabber& grabber, const GrabberOptions& options)
+{
+  if (const auto order = channelOrderOf(options.channel_order))
+    grabber.setChannelOrder(*order);
+  if (!options.mode.empty())
+    grabber.setMode(modeOf(grabber.camera(), options.mode));
+  grabber.setFramesPerSecond(static_cast<float>(options.rate));
+  setFeature(grabber.camera(), IidcFeature::Shutter, options.shutter);
+  setFeature(grabber.camera(), IidcFeature::Gain, options.gain);
+  grabber.camera().setTrigger(options.trigger == "external" ? IidcTrigger::External
+                                                            : IidcTrigger::Off);
+}
+
+/** \brief Opens the device, and applies the settings of the user to a camera.
+ * \throws NothingFound when there is no such camera
+ * \throws CameraException when it cannot be opened or does not support a setting
+ * \throws UsageError, BadArgumentException for settings that no camera supports
+ * \throws InputFileException when rig or recording cannot be read */
+Device
+openDevice(const GrabberOptions& options)
+{
+  Device device;
+  if (options.isRecording()) {
+    constexpr float fastest = 1000; // frames per second
+    device.recording.reset(new TrinocularFileGrabber(options.device, fastest));
+    device.recording->setSkipBroken(true);
+    device.rig = device.recording->getRig();
+  }
+  else {
+    device.rig = loadTrinocularRig(options.rig);
+    try {
+      device.camera.reset(new DigiclopsGrabber(device.rig, options.device));
+    }
+    catch (const CameraException& error) {
+      if (error.fault() == CameraFault::NotFound)
+        throw NothingFound(failureOf(std::current_exception()).line);
+      throw;
+    }
+    setUpCamera(*device.camera, options);
+  }
+  if (hasBuiltCameras(options.rigPath()))
+    device.cameras = loadRigCalibration(options.rigPath());
+  if (device.camera && device.cameras)
+    device.camera->setCalibration(*device.cameras);
+  return device;
+}
+
+/** \brief The projector, and the grabber that synchronises the camera with it. */
+struct Projection {
+  MonitorPlace monitor;
+  shared_ptr<PatternSequenceGrabber> sequence;
+};
+
+/** \brief A projector's monitor, which is used only while no other thread draws. */
+class GuardedWindow : public PatternProjector {
+public:
+  GuardedWindow(std::mutex& drawing, const GrabberOptions& options)
+  : drawing_(drawing)
+  , window_(static_cast<std::size_t>(options.pattern.monitor), options.display)
+  {}
+
+  const MonitorPlace&
+  getMonitor() const
+  {
+    return window_.getMonitor();
+  }
+
+  void
+  show(const RgbImage& image) override
+  {
+    const std::lock_guard lock(drawing_);
+    window_.show(image);
+  }
+
+  void
+  showNothing() override
+  {
+    const std::lock_guard lock(drawing_);
+    window_.showNothing();
+  }
+
+private:
+  std::mutex& drawing_;
+  PatternWindow window_;
+};
+
+/** \brief Waits while a condition holds, or until the user interrupts it. */
+template <typename Condition>
+void
+waitWhile(const Condition& condition)
+{
+  while (condition()) {
+    stopIfInterrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void
+takeShot(DigiclopsGrabber& camera)
+{
+  camera.trigger();
+  try {
+    waitWhile([&] { return camera.isRunning(); });
+  }
+  catch (const CancelledException&) {
+    camera.stop();
+    throw;
+  }
+  if (camera.getError())
+    std::rethrow_exception(camera.getError());
+}
+
+/** \brief Takes up to three shots under patterns, which provide corners everywhere,
+ * until the grabber is certain of the order of its channels. Reports the order, or
+ * warns if it remains uncertain. */
+void
+checkOrder(DigiclopsGrabber& camera,
+           PatternProjector& projector,
+           const std::vector<RgbImage>& patterns,
+           StatusLine& status,
+           StageLog& log)
+{
+  const auto is_certain = [&] {
+    const auto check = camera.getReport().order;
+    return check && check->is_certain;
+  };
+  constexpr std::chrono::milliseconds surely_settled(700);
+  const std::size_t shots =
+      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
+  for (std::size_t i = 0; i < shots && !is_certain(); ++i) {
+    projector.show(patterns[i]);
+    const Clock::time_point settled = Clock::now() + surely_settled;
+    waitWhile([&] { return Clock::now() < settled; });
+    takeShot(camera);
+  }
+  projector.showNothing();
+  camera.rewind();
+  const auto check = camera.getReport().order;
+  const std::string order = textOf(camera.getChannelOrder());
+  if (is_certain())
+    status.note("channels are " + order + ": " + shortNumber(100 * check->share) +
+                " % of the corners agree, under the next order " +
+                shortNumber(100 * check->runner_up) + " %");
+  else
+    log.warn("the order of the channels could not be checked, it is taken as " + order);
+}
+
+std::vector<RgbImage>
+drawPatterns(PatternOptions pattern, const MonitorPlace& monitor, StageLog& log)
+{
+  pattern.size = std::to_string(monitor.width) + "x" + std::to_string(monitor.height);
+  RandomLinePattern generator = generatorOf(pattern);
+  requireMemory(std::size_t{3} * pattern.patterns *
+                    static_cast<std::size_t>(monitor.width) *
+                    static_cast<std::size_t>(monitor.height),
+                "the patterns");
+  std::vector<RgbImage> patterns;
+  for (std::uint32_t i = 0; i < pattern.patterns; ++i) {
+    stopIfInterrupted();
+    patterns.push_back(generator.generate(i));
+    for (const std::string& remark : generator.getReport().remarks)
+      log.warn(remark);
+  }
+  return patterns;
+}
+
+double
+settleTime(const GrabberOptions& options,
+           const Device& device,
+           const shared_ptr<GuardedWindow>& window,
+           StatusLine& status,
+           StageLog& log)
+{
+  constexpr double usual_settle_time = 0.1; // seconds
+  if (options.settle.number)
+    return *options.settle.number;
+  if (!options.settle.is_auto)
+    return usual_settle_time;
+  const MonitorPlace& monitor = window->getMonitor();
+  const std::size_t pixels = static_cast<std::size_t>(monitor.width) *
+                             static_cast<std::size_t>(monitor.height);
+  const RgbImage white{
+      monitor.width, monitor.height, std::vector<std::uint8_t>(3 * pixels, 255)};
+  const auto measured = measureSettleTime(device.camera, window, white);
+  device.camera->rewind();
+  if (!measured) {
+    log.warn("the settle time could not be measured: the camera sees the projector's "
+             "light too faintly, or too late; it is taken as usual");
+    return usual_settle_time;
+  }
+  status.note("the projector settles in " + shortNumber(*measured) + " s");
+  return *measured;
+}
+
+/** \brief Opens the projector, draws the patterns, and measures the order of the
+ * channels and the settle time if they are unknown.
+ * \param[in] drawing is locked while the projector's window is drawn, since Xlib is not
+ * thread-safe; outlives the projection
+ * \throws BadArgumentException, IOException as \ref PatternWindow
+ * \throws MemoryRefused when the patterns do not fit
+ * \throws CameraException when a shot fails
+ * \throws CancelledException when the user interrupted it */
+Projection
+openProjection(const GrabberOptions& options,
+               const Device& device,
+               std::mutex& drawing,
+               StatusLine& status,
+               StageLog& log)
+{
+  constexpr double shot_timeout = 5; // seconds, in addition to the exposure
+  // seconds; an external trigger may take longer
+  constexpr double external_timeout = 60;
+  const shared_ptr<GuardedWindow> window(new GuardedWindow(drawing, options));
+  std::vector<RgbImage> patterns =
+      drawPatterns(options.pattern, window->getMonitor(), log);
+  // with fewer cameras the order cannot be determined
+  if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
+    checkOrder(*device.camera, *window, patterns, status, log);
+  const double settle = settleTime(options, device, window, status, log);
+  Projection projection;
+  projection.monitor = window->getMonitor();
+  projection.sequence.reset(
+      new PatternSequenceGrabber(device.camera, window, std::move(patterns)));
+  projection.sequence->setSettleTime(settle);
+  projection.sequence->setShotTimeout(
+      options.trigger == "external"
+          ? external_timeout
+          : shot_timeout + 3 * options.shutter.number.value_or(0.0));
+  return projection;
+}
+
+FrameRectifier
+rectifierOf(const GrabberOptions& options, const Device& device, unsigned threads)
+{
+  return {options.rigPath(), device.rig, device.cameras.has_value(), threads};
+}
+
+/** \brief The observations of a run as point clouds, as pcl_active_stereo computes them
+ * for a session. Their files are in the folder's hidden part until it is committed. */
+struct CloudOutput {
+  CloudOutput(const GrabberOptions& options, const Device& device, unsigned threads)
+  : rectifier(rectifierOf(options, device, threads))
+  , fusion(rectifier.rig(), options.stereo, threads)
+  {
+    if (!options.clouds.empty())
+      requireNoStereo(folder.emplace(options.clouds));
+  }
+
+  FrameRectifier rectifier;
+  ShotFusion fusion;
+  std::optional<OutputFolder> folder; ///< nothing if clouds are only shown
+  ShotGroups groups;
+  StereoResults results;
+};
+
+/** \brief All outputs of a run. Session and clouds are consistent: an observation is
+ * recorded when it is complete, and then its cloud is computed. */
+class GrabOutputs {
+public:
+  /** \param[in] live shows each cloud; may be null
+   * \throws OutputFileException when a folder cannot be written to, or holds results
+   * \throws InputFileException when the rig cannot be matched or rectified
+   * \throws MemoryRefused */
+  GrabOutputs(const GrabberOptions& options,
+              const Device& device,
+              unsigned threads,
+              LiveWindow* live,
+              StageLog& log)
+  : options_(options)
+  , live_(live)
+  , log_(log)
+  {
+    if (!options.clouds.empty() || (options.live && !options.isStream())) {
+      clouds_.emplace(options, device, threads);
+      for (const std::string& remark : clouds_->rectifier.remarks())
+        log_.warn(remark);
+    }
+    if (options.session.empty())
+      return;
+    std::error_code error;
+    is_new_session_ = !fs::exists(options.session, error);
+    if (device.cameras)
+      recorder_.emplace(options.session, device.rig, *device.cameras);
+    else
+      recorder_.emplace(options.session, device.rig);
+  }
+
+  /** \brief Removes a session without frames, which would block the next run. */
+  ~GrabOutputs()
+  {
+    if (!recorder_ || recorder_->frames() > 0)
+      return;
+    std::error_code error;
+    for (const char* const name : {"session.yaml", "rig.yaml"})
+      fs::remove(fs::path(options_.session) / name, error);
+    if (is_new_session_)
+      fs::remove(options_.session, error);
+  }
+
+  GrabOutputs(const GrabOutputs&) = delete;
+  GrabOutputs&
+  operator=(const GrabOutputs&) = delete;
+
+  /** \brief Adds a frame; the first frame of another observation closes the one
+   * before. */
+  void
+  take(const TrinocularFrame::ConstPtr& frame, const ProgressCallback& progress)
+  {
+    if (isNext(*frame))
+      close(progress);
+    open_.push_back(frame);
+  }
+
+  /** \brief Closes the observation: records its frames, and computes its cloud.
+   * \throws OutputFileException, CancelledException */
+  void
+  close(const ProgressCallback& progress)
+  {
+    if (open_.empty())
+      return;
+    const std::vector<TrinocularFrame::ConstPtr> frames = std::exchange(open_, {});
+    Report steps;
+    StepTimer timer(steps);
+    if (recorder_)
+      for (const TrinocularFrame::ConstPtr& frame : frames)
+        recorder_->record(*frame);
+    timer.finish("record");
+    if (clouds_) {
+      makeCloud(frames, progress);
+      timer.finish("match");
+    }
+    for (const auto& [step, seconds] : steps.seconds)
+      seconds_[step] += seconds;
+    ++observations_;
+  }
+
+  /** \brief Number of closed observations. */
+  std::size_t
+  observations() const
+  {
+    return observations_;
+  }
+
+  /** \brief Does a frame begin another observation than the current one? */
+  bool
+  isNext(const TrinocularFrame& frame) const
+  {
+    return !open_.empty() && open_.front()->observation != frame.observation;
+  }
+
+  /** \brief Sets the bytes of the recorded frames, if there is a session, and the free
+   * bytes on the disk of the outputs. */
+  void
+  measure(GrabStatus& status) const
+  {
+    if (recorder_)
+      status.written = recorder_->bytes();
+    std::error_code error;
+    const std::string& place = recorder_ ? options_.session : options_.clouds;
+    const fs::space_info space = fs::space(place, error);
+    if (!place.empty() && !error)
+      status.free = space.available;
+  }
+
+  /** \brief Completes the outputs and moves them to their final place.
+   * \throws NothingFound when there is no point in any cloud; the session is kept */
+  void
+  finish()
+  {
+    if (recorder_)
+      recorder_->finish();
+    if (clouds_ && clouds_->results.points == 0) {
+      clouds_->results.warnOfRemarks(log_);
+      log_.failWithNothing("no pixel has a place: " + clouds_->results.rejected());
+    }
+    if (clouds_ && clouds_->folder)
+      clouds_->folder->commit();
+  }
+
+  /** \brief Keeps complete outputs after an error, and rethrows it with a note about
+   * what was kept. */
+  [[noreturn]] void
+  keep(const std::exception_ptr& error)
+  {
+    const std::string kept = keepClouds() + keepSession();
+    if (kept.empty())
+      std::rethrow_exception(error);
+    const Failure failure = failureOf(error);
+    switch (failure.code) {
+    case exit_interrupted:
+      throw InterruptedPartway("interrupted" + kept);
+    case exit_output:
+      throw OutputFileException(failure.line + kept);
+    case exit_input:
+      throw InputFileException(failure.line + kept);
+    case exit_nothing_found:
+      throw NothingFound(failure.line + kept);
+    case exit_memory:
+      throw MemoryRefused(failure.line + kept);
+    default:
+      throw std::runtime_error(failure.line + kept);
+    }
+  }
+
+  /** \brief Writes lines of the summary and the report. */
+  void
+  tell() const
+  {
+    Json& details = log_.details;
+    if (clouds_)
+      for (const std::string& remark : clouds_->groups.remarks())
+        log_.warn(remark);
+    log_.tell("observations", std::to_string(observations_));
+    if (clouds_) {
+      const StereoResults& results = clouds_->results;
+      results.warnOfRemarks(log_);
+      details["method"] = options_.stereo.method;
+      details["least_disparity"] = clouds_->fusion.range().least;
+      details["most_disparity"] = clouds_->fusion.range().most();
+      details["points"] = results.points;
+      details["matched_share"] = results.matchedShare();
+      details["observations"] = results.observations;
+      results.tellPoints(log_);
+    }
+    for (const auto& [step, seconds] : seconds_)
+      log_.report.seconds.emplace_back(step, seconds);
+    details["clouds"] = options_.clouds;
+    details["session"] = options_.session;
+    if (recorder_) {
+      details["recorded_frames"] = recorder_->frames();
+      details["recorded_bytes"] = recorder_->bytes();
+    }
+  }
+
+private:
+  void
+  makeCloud(const std::vector<TrinocularFrame::ConstPtr>& frames,
+            const ProgressCallback& progress)
+  {
+    for (const TrinocularFrame::ConstPtr& frame : frames)
+      clouds_->groups.add(frame);
+    std::optional<ObservationShots> shots = clouds_->groups.finish();
+    if (!shots)
+      return;
+    if (clouds_->rectifier.isRectifying())
+      for (TrinocularFrame::ConstPtr& frame : shots->frames) {
+        const TrinocularFrame::Ptr rectified(new TrinocularFrame(*frame));
+        clouds_->rectifier.rectify(*rectified);
+        frame = rectified;
+      }
+    const MadeObservation made = clouds_->fusion.make(*shots, progress);
+    if (clouds_->folder)
+      saveResults(*clouds_->folder,
+                  options_.stereo,
+                  shots->number,
+                  made,
+                  Eigen::Isometry3d::Identity());
+    clouds_->results.add(shots->number, shots->frames.size(), made);
+    if (live_)
+      live_->show(made.cloud);
+  }
+
+  std::string
+  keepClouds()
+  {
+    if (!clouds_ || !clouds_->folder || clouds_->results.points == 0)
+      return "";
+    clouds_->folder->commit();
+    return "; observations finished by then, in " + options_.clouds + ": " +
+           std::to_string(clouds_->results.observations.size());
+  }
+
+  std::string
+  keepSession()
+  {
+    if (!recorder_ || recorder_->frames() == 0)
+      return "";
+    try {
+      recorder_->finish();
+    }
+    catch (const OutputFileException&) {
+      // frames can be read without it, and the earlier error is reported
+    }
+    return "; frames recorded by then, in " + options_.session + ": " +
+           std::to_string(recorder_->frames());
+  }
+
+  const GrabberOptions& options_;
+  LiveWindow* const live_;
+  StageLog& log_;
+  std::optional<CloudOutput> clouds_;
+  std::optional<TrinocularRecorder> recorder_; // of the raw session
+  bool is_new_session_ = false;
+  std::vector<TrinocularFrame::ConstPtr> open_; // frames of the current observation
+  std::size_t observations_ = 0;
+  // seconds of each step, summed over all observations
+  std::map<std::string, double> seconds_;
+};
+
+/** \brief Decides, shot by shot, if an observation needs a further pattern. */
+class PatternNeed {
+public:
+  /** \param[in] rectifier of the camera's frames */
+  explicit PatternNeed(FrameRectifier rectifier)
+  : rectifier_(std::move(rectifier))
+  {
+    // only counts the pixels that the patterns cover; nothing is matched
+    fusion_.setMethod(DisparityFusion::Method::SpaceTime);
+    fusion_.setInputRig(rectifier_.rig());
+  }
+
+  /** \brief Adds a shot under a pattern, as received from the camera. Returns true if a
+   * further pattern is needed. */
+  bool
+  wantsMoreAfter(const TrinocularFrame& frame)
+  {
+    if (observation_ != frame.observation)
+      fusion_.clear();
+    observation_ = frame.observation;
+    const TrinocularFrame::Ptr shot(new TrinocularFrame(frame));
+    rectifier_.rectify(*shot);
+    fusion_.addShot(shot);
+    return fusion_.wantsAnotherShot();
+  }
+
+private:
+  FrameRectifier rectifier_;
+  DisparityFusion fusion_;
+  std::optional<std::int32_t> observation_;
+};
+
+void
+tellRecording(const GrabberOptions& options,
+              const TrinocularFileReport& report,
+              StageLog& log)
+{
+  warnOfFindings(log, report.remarks);
+  if (!report.doubled.empty())
+    log.warn(std::to_string(report.doubled.size()) +
+             " frames whose shot was there before are left out");
+  log.details["recording"] = {{"folder", options.device},
+                              {"is_finished", report.is_finished},
+                              {"broken_frames", report.broken},
+                              {"left_out_frames", report.doubled},
+                              {"findings", report.remarks}};
+  log.tell("recording", options.device);
+}
+
+void
+tellCamera(DigiclopsGrabber& grabber, StageLog& log)
+{
+  const IidcIdentity identity = grabber.camera().identity();
+  const DigiclopsGrabberReport report = grabber.getReport();
+  const std::string order = textOf(grabber.getChannelOrder());
+  Json check;
+  if (report.order)
+    check = {{"best", textOf(report.order->best)},
+             {"is_certain", report.order->is_certain},
+             {"corners", report.order->corners},
+             {"share", report.order->share},
+             {"runner_up", report.order->runner_up}};
+  log.details["camera"] = {{"place", grabber.camera().place()},
+                           {"serial", identity.serial()},
+                           {"maker", identity.maker},
+                           {"model", identity.model},
+                           {"iidc", identity.version},
+                           {"mode", grabber.getMode().text()},
+                           {"rate", grabber.getFramesPerSecond()},
+                           {"lost", report.lost},
+                           {"broken", report.broken},
+                           {"early", report.early},
+                           {"restarts", report.restarts},
+                           {"channel_order", order},
+                           {"order_check", check}};
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.tell("camera",
+           identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
+               grabber.camera().place());
+  log.tell("mode", grabber.getMode().text() + ", channels " + order);
+  log.tell("lost",
+           std::to_string(report.lost) + ", broken " + std::to_string(report.broken) +
+               ", restarts " + std::to_string(report.restarts));
+}
+
+void
+tellProjector(const GrabberOptions& options,
+              const Projection& projection,
+              StageLog& log)
+{
+  const MonitorPlace& monitor = projection.monitor;
+  const PatternSequenceGrabberReport report = projection.sequence->getReport();
+  const double settle = projection.sequence->getSettleTime();
+  for (const std::string& remark : report.remarks)
+    log.warn(remark);
+  log.details["projector"] = {{"monitor", monitor.name},
+                              {"width", monitor.width},
+                              {"height", monitor.height},
+                              {"patterns", options.pattern.patterns},
+                              {"seed", options.pattern.seed},
+                              {"settle", settle},
+                              {"spared", report.spared}};
+  log.tell("projector",
+           "monitor " + monitor.name + ", " + std::to_string(monitor.width) + " x " +
+               std::to_string(monitor.height) + " px, settles in " +
+               shortNumber(settle) + " s" +
+               (options.early
+                    ? ", " + std::to_string(report.spared) + " patterns spared"
+                    : ""));
+}
+
 constexpr std::chrono::milliseconds between_frames(50);
+
+std::size_t
+bytesOfFrame(const TrinocularRig& rig)
+{
+  constexpr std::size_t bytes_per_pixel = 9; // three cameras, in colour
+  return bytes_per_pixel * static_cast<std::size_t>(rig.width) *
+         static_cast<std::size_t>(rig.height);
+}
+
+/** \brief Moves frames from the device to the outputs. */
+class GrabRun {
+public:
+  /** \brief Opens device, outputs, projector and window. */
+  GrabRun(const GrabberOptions& options, const RunControls& controls, StageLog& log)
+  : options_(options)
+  , threads_(controls.threads)
+  , log_(log)
+  , live_(options.live ? std::make_unique<LiveWindow>(drawing_) : nullptr)
+  , status_(!controls.is_quiet)
+  , device_(openDevice(options))
+  , outputs_(options, device_, controls.threads, live_.get(), log)
+  , queue_(queueLength(bytesOfFrame(device_.rig)))
+  , wanted_(options.observations.value_or(device_.recording ? 0 : 1))
+  {
+    if (device_.camera && !options.isStream())
+      projection_ = openProjection(options, device_, drawing_, status_, log);
+  }
+
+  /** \brief Afterwards no callback of a grabber is called. */
+  ~GrabRun()
+  {
+    end();
+    connection_.disconnect();
+  }
+
+  GrabRun(const GrabRun&) = delete;
+  GrabRun&
+  operator=(const GrabRun&) = delete;
+
+  /** \brief Does the work, and keeps complete outputs if it fails.
+   * \param[in] timer at the begin of the work */
+  void
+  run(StepTimer& timer)
+  {
+    try {
+      if (projection_)
+        passObservations(*projection_->sequence);
+      else if (device_.camera)
+        passStream();
+      else
+        passRecording();
+      timer.finish("grab");
+      outputs_.finish();
+    }
+    catch (...) {
+      outputs_.keep(std::current_exception());
+    }
+  }
+
+  /** \brief Writes summary and report. */
+  void
+  tell()
+  {
+    if (device_.camera)
+      tellCamera(*device_.camera, log_);
+    else
+      tellRecording(options_, device_.recording->getReport(), log_);
+    if (projection_)
+      tellProjector(options_, *projection_, log_);
+    log_.details["frames"] = frames_;
+    log_.details["is_rectified"] = !device_.cameras.has_value();
+    log_.tell("frames",
+              std::to_string(frames_) + (device_.cameras ? ", raw" : ", rectified"));
+    outputs_.tell();
+  }
+
+  /** \brief After the work: shows the window until it is closed, or until an
+   * interruption. */
+  void
+  waitForWindow()
+  {
+    if (!live_ || live_->isClosed() || interrupted())
+      return;
+    status_.note("done; close the window to end");
+    while (!live_->isClosed() && !interrupted()) {
+      live_->update();
+      std::this_thread::sleep_for(between_frames);
+    }
+  }
+
+private:
+  /** \return false to end the stream */
+  using UseFrame = std::function<bool(const TrinocularFrame::ConstPtr& frame)>;
+
+  /** Processes all observations of a recording, or the requested number. */
+  void
+  passRecording()
+  {
+    const std::vector<std::uint64_t> doubled = device_.recording->getReport().doubled;
+    listenTo(*device_.recording);
+    grabber_->start();
+    pumpAll([&](const TrinocularFrame::ConstPtr& frame) {
+      if (std::count(doubled.begin(), doubled.end(), frame->number) > 0)
+        return true;
+      const bool is_next = outputs_.isNext(*frame);
+      if (is_next && outputs_.observations() + 1 == wanted_)
+        return false;
+      shots_ = is_next ? 1 : shots_ + 1;
+      outputs_.take(frame, progress());
+      return true;
+    });
+    outputs_.close(progress());
+    if (frames_ == 0)
+      throw InputFileException(options_.device + ": has no frame that can be read");
+  }
+
+  /** Processes frames of the camera, one after another, until the user ends
+   * it. */
+  void
+  passStream()
+  {
+    const bool has_end = options_.frames > 0 || options_.seconds > 0;
+    listenTo(*device_.camera);
+    grabber_->start();
+    const Clock::time_point begin = Clock::now();
+    const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
+      outputs_.take(frame, progress());
+      outputs_.close(progress());
+      return frames_ != options_.frames;
+    };
+    pump(use, [&] {
+      if (has_end)
+        stopIfInterrupted();
+      const std::chrono::duration<double> passed = Clock::now() - begin;
+      const bool is_for_window = options_.session.empty();
+      return interrupted() || (is_for_window && live_->isClosed()) ||
+             (options_.seconds > 0 && passed.count() >= options_.seconds);
+    });
+  }
+
+  /** Processes observations of camera and projector. */
+  void
+  passObservations(PatternSequenceGrabber& sequence)
+  {
+    if (options_.early) {
+      need_.emplace(rectifierOf(options_, device_, threads_));
+      sequence.setWantMore([this](const TrinocularFrame& frame) {
+        return need_->wantsMoreAfter(frame);
+      });
+    }
+    listenTo(sequence);
+    Pacing pacing(options_.every);
+    for (std::size_t i = 0; i < wanted_; ++i) {
+      const auto wait = [&] {
+        stopIfInterrupted();
+        idle();
+      };
+      if (i > 0 && pacing.asks())
+        status_.note("Enter takes observation " + std::to_string(i) + " of " +
+                     std::to_string(wanted_) + ", q and Enter ends");
+      if (i > 0 && !pacing.wait(wait))
+        break;
+      pacing.begin();
+      shots_ = 0;
+      sequence.observe();
+      pumpAll([&](const TrinocularFrame::ConstPtr& frame) {
+        ++shots_;
+        outputs_.take(frame, progress());
+        return true;
+      });
+      outputs_.close(progress());
+    }
+  }
+
+  void
+  listenTo(TrinocularGrabber& grabber)
+  {
+    grabber_ = &grabber;
+    const std::function<TrinocularGrabber::FrameCallback> queue =
+        [this](const TrinocularFrame::ConstPtr& frame) { queue_.push(frame); };
+    connection_ = grabber.registerCallback(queue);
+  }
+
+  /** Closes the queue first, since a grabber that waits for room in the queue could not
+   * stop. Frames in the queue are kept. */
+  void
+  end()
+  {
+    queue_.close();
+    if (grabber_)
+      grabber_->stop();
+  }
+
+  /** Processes frames until the stream is over and the queue is empty. */
+  void
+  pump(const UseFrame& use, const std::function<bool()>& is_over)
+  {
+    for (;;) {
+      const bool is_running = grabber_->isRunning();
+      const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
+      if (frame) {
+        ++frames_;
+        if (live_)
+          live_->show(*frame);
+        if (!use(frame)) {
+          end();
+          return;
+        }
+      }
+      else if (!is_running)
+        break;
+      if (is_over())
+        end();
+      idle();
+    }
+    if (grabber_->getError())
+      std::rethrow_exception(grabber_->getError());
+  }
+
+  /** Likewise; only an error or the user ends the stream early. */
+  void
+  pumpAll(const UseFrame& use)
+  {
+    pump(use, [] {
+      stopIfInterrupted();
+      return false;
+    });
+  }
+
+  void
+  idle()
+  {
+    update(options_.isStream()
+               ? ""
+               : "observation " + std::to_string(outputs_.observations()) + ", shot " +
+                     std::to_string(shots_));
+  }
+
+  ProgressCallback
+  progress()
+  {
+    return [this](double, const std::string& step) {
+      update(step);
+      return !interrupted();
+    };
+  }
+
+  /** Updates the window and the status line. */
+  void
+  update(const std::string& doing)
+  {
+    if (live_)
+      live_->update();
+    if (!status_.isDue())
+      return;
+    GrabStatus now;
+    now.frames = frames_;
+    now.doing = doing;
+    outputs_.measure(now);
+    if (device_.camera) {
+      const DigiclopsGrabberReport report = device_.camera->getReport();
+      now.frames_per_second = report.frames_per_second;
+      now.lost = report.lost;
+      now.broken = report.broken;
+    }
+    else
+      now.broken = device_.recording->getReport().broken.size();
+    status_.show(statusText(now));
+  }
+
+  const GrabberOptions& options_;
+  const unsigned threads_;
+  StageLog& log_;
+  // locks the drawing of the projector's window and of the live window
+  std::mutex drawing_;
+  std::unique_ptr<LiveWindow> live_; // null if it is not wanted
+  StatusLine status_;
+  const Device device_;
+  GrabOutputs outputs_;
+  std::optional<Projection> projection_;
+  std::optional<PatternNeed> need_; // set if observations may end early
+  FrameQueue queue_;
+  TrinocularGrabber* grabber_ = nullptr;
+  boost::signals2::connection connection_;
+  std::size_t frames_ = 0;
+  std::size_t shots_ = 0;  // of the current observation
+  std::size_t wanted_ = 0; // number of observations, 0: all
+};
 
 } // namespace
 
-GrabRun::GrabRun(Tool& tool,
-                 const GrabberOptions& options,
-                 const Device& device,
-                 GrabOutputs& outputs,
-                 StatusLine& status,
-                 LiveWindow* live)
-: tool_(tool)
-, options_(options)
-, device_(device)
-, outputs_(outputs)
-, status_(status)
-, live_(live)
-, queue_(queueLength(device.frameBytes()))
-, wanted_(options.observations.value_or(device.recording ? 0 : 1))
-{}
-
-GrabRun::~GrabRun()
-{
-  end();
-  connection_.disconnect();
-}
-
 void
-GrabRun::listenTo(TrinocularGrabber& grabber)
+listCameras(StageLog& log)
 {
-  grabber_ = &grabber;
-  const std::function<TrinocularGrabber::FrameCallback> queue =
-      [this](const TrinocularFrame::ConstPtr& frame) { queue_.push(frame); };
-  connection_ = grabber.registerCallback(queue);
-}
-
-/** Closes the queue first, since a grabber that waits for room in the queue could not
- * stop. Frames in the queue are kept. */
-void
-GrabRun::end()
-{
-  queue_.close();
-  if (grabber_)
-    grabber_->stop();
-}
-
-/** Processes frames until the stream is over and the queue is empty. */
-void
-GrabRun::pump(const UseFrame& use, const std::function<bool()>& is_over)
-{
-  for (;;) {
-    const bool is_running = grabber_->isRunning();
-    const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
-    if (frame) {
-      ++frames_;
-      if (live_)
-        live_->show(*frame);
-      if (!use(frame)) {
-        end();
-        return;
-      }
-    }
-    else if (!is_running)
-      break;
-    if (is_over())
-      end();
-    idle();
-  }
-  if (grabber_->getError())
-    std::rethrow_exception(grabber_->getError());
-}
-
-/** Likewise; only an error or the user ends the stream early. */
-void
-GrabRun::pumpAll(const UseFrame& use)
-{
-  pump(use, [&] {
-    tool_.stopIfInterrupted();
-    return false;
-  });
-}
-
-void
-GrabRun::idle()
-{
-  if (live_)
-    live_->update();
-  tellStatus(doing());
-}
-
-void
-GrabRun::passRecording()
-{
-  const std::vector<std::uint64_t> doubled = device_.recording->getReport().doubled;
-  const std::set<std::uint64_t> left_out(doubled.begin(), doubled.end());
-  listenTo(*device_.recording);
-  grabber_->start();
-  const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-    if (left_out.count(frame->number) > 0)
-      return true;
-    const auto open = outputs_.openObservation();
-    const bool is_next = open && *open != static_cast<std::size_t>(frame->observation);
-    if (is_next && outputs_.observations() + 1 == wanted_)
-      return false;
-    shots_ = is_next ? 1 : shots_ + 1;
-    outputs_.take(frame, progress());
-    return true;
-  };
-  pumpAll(use);
-  outputs_.close(progress());
-}
-
-void
-GrabRun::passStream()
-{
-  using Clock = std::chrono::steady_clock;
-  const bool has_end = options_.frames > 0 || options_.seconds > 0;
-  listenTo(*device_.camera);
-  grabber_->start();
-  const Clock::time_point begin = Clock::now();
-  const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-    outputs_.take(frame, progress());
-    outputs_.close(progress());
-    return frames_ != options_.frames;
-  };
-  pump(use, [&] {
-    if (has_end)
-      tool_.stopIfInterrupted();
-    const std::chrono::duration<double> passed = Clock::now() - begin;
-    const bool is_for_window = options_.session.empty();
-    return interrupted() || (is_for_window && live_->isClosed()) ||
-           (options_.seconds > 0 && passed.count() >= options_.seconds);
-  });
-}
-
-void
-GrabRun::passObservations(PatternSequenceGrabber& sequence)
-{
-  if (options_.early) {
-    need_.emplace(rectifierOf(options_, device_, tool_.threads()));
-    sequence.setWantMore(
-        [this](const TrinocularFrame& frame) { return need_->wantsMoreAfter(frame); });
-  }
-  listenTo(sequence);
-  Pacing pacing(options_.every);
-  for (std::size_t i = 0; i < wanted_; ++i) {
-    const auto wait = [&] {
-      tool_.stopIfInterrupted();
-      idle();
-    };
-    if (i > 0 && pacing.asks())
-      status_.note("Enter takes observation " + std::to_string(i) + " of " +
-                   std::to_string(wanted_) + ", q and Enter ends");
-    if (i > 0 && !pacing.wait(wait))
-      break;
-    pacing.begin();
-    shots_ = 0;
-    sequence.observe();
-    const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
-      ++shots_;
-      outputs_.take(frame, progress());
-      return true;
-    };
-    pumpAll(use);
-    outputs_.close(progress());
+  const std::vector<UsbCamera> cameras = listUsbCameras();
+  if (cameras.empty())
+    throw NothingFound("no camera that speaks IIDC is on the USB");
+  nlohmann::ordered_json& list = log.details["cameras"];
+  for (const UsbCamera& camera : cameras) {
+    const bool is_fine = camera.fault == CameraFault::None;
+    char id[16];
+    std::snprintf(id, sizeof(id), "%04x:%04x", camera.vendor, camera.product);
+    std::string text =
+        is_fine ? camera.serial + ", " + camera.maker + ", " + camera.model
+                : std::string(id) + ", " + nameOf(camera.fault) + ": " + camera.message;
+    if (is_fine && !camera.speed.empty())
+      text += ", " + camera.speed;
+    log.tell(camera.place, text);
+    list.push_back({{"place", camera.place},
+                    {"id", id},
+                    {"speed", camera.speed},
+                    {"serial", camera.serial},
+                    {"maker", camera.maker},
+                    {"model", camera.model},
+                    {"fault", nameOf(camera.fault)},
+                    {"message", camera.message}});
   }
 }
 
 void
-GrabRun::waitForWindow()
+grab(const GrabberOptions& options, const RunControls& controls, StageLog& log)
 {
-  if (!live_ || live_->isClosed() || interrupted())
-    return;
-  status_.note("done; close the window to end");
-  while (!live_->isClosed() && !interrupted()) {
-    live_->update();
-    std::this_thread::sleep_for(between_frames);
-  }
-}
-
-ProgressCallback
-GrabRun::progress()
-{
-  return [this](double, const std::string& step) {
-    if (live_)
-      live_->update();
-    tellStatus(step);
-    return !interrupted();
-  };
-}
-
-std::string
-GrabRun::doing() const
-{
-  if (options_.isStream())
-    return "";
-  return "observation " + std::to_string(outputs_.observations()) + ", shot " +
-         std::to_string(shots_);
-}
-
-void
-GrabRun::tellStatus(const std::string& step)
-{
-  if (!status_.isDue())
-    return;
-  GrabStatus now;
-  now.frames = frames_;
-  now.written = outputs_.written();
-  now.free = outputs_.free();
-  now.doing = step;
-  if (device_.camera) {
-    const DigiclopsGrabberReport report = device_.camera->getReport();
-    now.frames_per_second = report.frames_per_second;
-    now.lost = report.lost;
-    now.broken = report.broken;
-  }
-  else
-    now.broken = device_.recording->getReport().broken.size();
-  status_.show(statusText(now));
+  StepTimer timer(log.report);
+  GrabRun run(options, controls, log);
+  timer.finish("open");
+  run.run(timer);
+  run.tell();
+  run.waitForWindow();
 }
 
 } // namespace pcl::acmap

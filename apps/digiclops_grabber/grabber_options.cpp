@@ -1,12 +1,12 @@
 #include "grabber_options.h"
 
 #include "command_line.h"
-#include "device.h"
+
+#include <pcl/core/rig_cameras.h>
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <filesystem>
+#include <sstream>
 
 namespace pcl::acmap {
 
@@ -173,36 +173,21 @@ addCamera(CLI::App& app, GrabberOptions& options)
       ->type_name("R,H,V|auto");
 }
 
-using Names = std::vector<const char*>;
+// names of options, for refuse
+constexpr const char* for_projector = "--lines --grey --min-angle --seed --monitor "
+                                      "--display --settle --early --every";
+constexpr const char* for_stream = "--frames --seconds";
+constexpr const char* for_camera = "--rig --patterns --mode --rate --shutter --gain "
+                                   "--trigger --channel-order";
 
+/** \brief Refuses options, named with blanks between them, if they are given. */
 void
-refuse(const CLI::App& app, const Names& names, const std::string& reason)
+refuse(const CLI::App& app, const std::string& names, const std::string& reason)
 {
-  for (const char* const name : names)
+  for (const std::string& name : CLI::detail::split(names, ' '))
     if (app.count(name) > 0)
-      throw UsageError(std::string(name) + " " + reason);
+      throw UsageError(name + " " + reason);
 }
-
-const Names for_projector = {"--lines",
-                             "--grey",
-                             "--min-angle",
-                             "--seed",
-                             "--monitor",
-                             "--display",
-                             "--settle",
-                             "--early",
-                             "--every",
-                             "--observations"};
-const Names for_stream = {"--frames", "--seconds"};
-const Names for_camera = {"--rig",
-                          "--every",
-                          "--patterns",
-                          "--mode",
-                          "--rate",
-                          "--shutter",
-                          "--gain",
-                          "--trigger",
-                          "--channel-order"};
 
 void
 requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
@@ -221,25 +206,32 @@ requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
                        "--settle in seconds");
     return;
   }
-  refuse(app, for_projector, "is for patterns, --patterns 0 has none");
+  for (const char* const names : {for_projector, "--observations"})
+    refuse(app, names, "is for patterns, --patterns 0 has none");
   if (!options.clouds.empty())
     throw UsageError("--pcd needs patterns, --patterns 0 has none");
 }
 
+/** \brief Refuses outputs that would mix with each other or with the recording. */
+void
+requirePlaces(const GrabberOptions& options)
+{
+  namespace fs = std::filesystem;
+  const auto same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    return !a.empty() && !b.empty() &&
+           fs::weakly_canonical(fs::absolute(a) / "", error) ==
+               fs::weakly_canonical(fs::absolute(b) / "", error);
+  };
+  if (same(options.clouds, options.session))
+    throw UsageError(options.clouds + ": is to hold the session, too");
+  if (options.isRecording())
+    for (const std::string& output : {options.clouds, options.session})
+      if (same(output, options.device))
+        throw UsageError(output + ": is the recording's folder, too");
+}
+
 } // namespace
-
-bool
-GrabberOptions::isRecording() const
-{
-  std::error_code error;
-  return !device.empty() && std::filesystem::is_directory(device, error);
-}
-
-std::string
-GrabberOptions::rigPath() const
-{
-  return isRecording() ? device + "/rig.yaml" : rig;
-}
 
 void
 addOptions(Tool& tool, GrabberOptions& options)
@@ -253,6 +245,27 @@ addOptions(Tool& tool, GrabberOptions& options)
   tool.addThreads();
 }
 
+std::optional<ChannelOrder>
+channelOrderOf(const std::string& text)
+{
+  if (text == "auto")
+    return std::nullopt;
+  std::istringstream words(text);
+  std::vector<RigCamera> order;
+  for (std::string word; std::getline(words, word, ',');)
+    for (const RigCamera camera : rig_cameras) {
+      const std::string name = nameOf(camera);
+      const bool is_new = std::count(order.begin(), order.end(), camera) == 0;
+      if (is_new && (word == name || word == name.substr(0, 1)))
+        order.push_back(camera);
+    }
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (order.size() != rig_cameras.size() || commas != 2)
+    throw UsageError("--channel-order: " + text +
+                     " is neither auto nor an order of r,h,v");
+  return ChannelOrder{order[0], order[1], order[2]};
+}
+
 void
 requireSense(Tool& tool, const GrabberOptions& options)
 {
@@ -261,23 +274,23 @@ requireSense(Tool& tool, const GrabberOptions& options)
     if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty())
       throw UsageError(std::string(name) + " names nothing");
   if (options.list) {
-    refuse(app, {"--pcd", "--output", "--live"}, "makes no sense with --list");
+    refuse(app, "--pcd --output --live", "makes no sense with --list");
     return;
   }
   if (options.clouds.empty() && options.session.empty() && !options.live)
     throw UsageError("nothing to do: --pcd DIR, -o SESSION or --live is needed");
   if (options.isRecording()) {
     const std::string reason = "is for a camera, " + options.device + " is a recording";
-    refuse(app, for_camera, reason);
-    refuse(app, for_stream, reason);
-    for (const char* const name : for_projector)
-      if (std::string(name) != "--observations")
-        refuse(app, {name}, reason);
+    for (const char* const names :
+         {"--rig --every", for_camera, for_stream, for_projector})
+      refuse(app, names, reason);
   }
   else
     requireSenseOfCamera(app, options);
   channelOrderOf(options.channel_order);
   requireDepthOrder(options.stereo);
+  requirePlaces(options);
+  tool.requireReportWritable({options.rigPath()});
 }
 
 } // namespace pcl::acmap

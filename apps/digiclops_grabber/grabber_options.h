@@ -2,11 +2,10 @@
 
 #include "active_stereo/stereo_options.h"
 #include "line_pattern/pattern_options.h"
-#include "tool.h"
 
-#include <cstddef>
-#include <optional>
-#include <string>
+#include <pcl/acquisition/channel_order.h>
+
+#include <filesystem>
 
 namespace pcl::acmap {
 
@@ -47,7 +46,11 @@ struct GrabberOptions {
 
   /** \brief Is the device the folder of a recording? */
   bool
-  isRecording() const;
+  isRecording() const
+  {
+    std::error_code error;
+    return !device.empty() && std::filesystem::is_directory(device, error);
+  }
 
   /** \brief Are frames streamed without a projector? */
   bool
@@ -58,16 +61,38 @@ struct GrabberOptions {
 
   /** \brief Path of the file of the rig. */
   std::string
-  rigPath() const;
+  rigPath() const
+  {
+    return isRecording() ? device + "/rig.yaml" : rig;
+  }
 };
 
 /** \brief Adds the options to the command line. */
 void
 addOptions(Tool& tool, GrabberOptions& options);
 
-/** \brief Refuses options that exclude each other.
- * \throws UsageError naming them */
+/** \brief Refuses options that exclude each other, and places for the results that
+ * cannot be used.
+ * \throws UsageError, OutputFileException naming them */
 void
 requireSense(Tool& tool, const GrabberOptions& options);
+
+/** \brief Reads `r,h,v` in any order, as letters or words.
+ * \return nothing for `auto`
+ * \throws UsageError for anything else */
+std::optional<ChannelOrder>
+channelOrderOf(const std::string& text);
+
+/** \brief Prints one line per camera on the USB.
+ * \throws NothingFound when there is none
+ * \throws CameraException when USB is not available */
+void
+listCameras(StageLog& log);
+
+/** \brief Takes observations, or frames, from a camera or a recording: the work of
+ * pcl_digiclops_grabber.
+ * \throws according to the exit codes of its documentation page */
+void
+grab(const GrabberOptions& options, const RunControls& controls, StageLog& log);
 
 } // namespace pcl::acmap

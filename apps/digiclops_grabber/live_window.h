@@ -5,11 +5,74 @@
 #include <pcl/core/point_types.h>
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/point_cloud.h>
+#include <pcl/visualization/display_connection.h>
 
-#include <memory>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkImageActor.h>
+#include <vtkImageData.h>
+#include <vtkImageMapper3D.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <mutex>
 
 namespace pcl::acmap {
+
+/** \brief A VTK image of a camera image, its first row at the top. */
+inline vtkSmartPointer<vtkImageData>
+pictureOf(const CameraImage& image)
+{
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(image.width, image.height, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const auto width = static_cast<std::size_t>(image.width);
+  for (int row = 0; row < image.height; ++row) {
+    auto* to = static_cast<unsigned char*>(
+        picture->GetScalarPointer(0, image.height - 1 - row, 0));
+    const std::uint8_t* from =
+        &image.values[static_cast<std::size_t>(row) * width * channels];
+    for (std::size_t i = 0; i < 3 * width; ++i)
+      to[i] = channels == 3 ? from[i] : from[i / 3];
+  }
+  return picture;
+}
+
+inline vtkSmartPointer<vtkPolyData>
+dataOf(const PointCloud<PointXYZRGBSigma>& cloud)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (const PointXYZRGBSigma& point : cloud) {
+    if (!std::isfinite(point.z))
+      continue;
+    const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
+    cells->InsertNextCell(1, &id);
+    const std::array<unsigned char, 3> color = {point.r, point.g, point.b};
+    colors->InsertNextTypedTuple(color.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
 
 /** \brief A window with the last cloud, and next to it the last images in small size.
  * Used by one thread. After the user has closed it, nothing is shown any more. */
@@ -17,33 +80,124 @@ class LiveWindow {
 public:
   /** \param[in] drawing is locked during drawing; outlives the window
    * \throws InitFailedException with advice when there is no X server */
-  explicit LiveWindow(std::mutex& drawing);
-  ~LiveWindow();
-
-  LiveWindow(const LiveWindow&) = delete;
-  LiveWindow&
-  operator=(const LiveWindow&) = delete;
+  explicit LiveWindow(std::mutex& drawing)
+  : drawing_(drawing)
+  {
+    const std::lock_guard lock(drawing_);
+    window_->SetSize(1120, 720);
+    window_->SetWindowName("pcl_digiclops_grabber");
+    addCloud();
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      const double height = 1.0 / static_cast<double>(images_.size());
+      const double top = 1.0 - height * static_cast<double>(i);
+      corners_[i]->SetViewport(images_from, top - height, 1, top);
+      corners_[i]->InteractiveOff();
+      window_->AddRenderer(corners_[i]);
+    }
+    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    interactor_->SetInteractorStyle(style);
+    interactor_->SetRenderWindow(window_);
+    interactor_->Initialize();
+    window_->Render();
+  }
 
   /** \brief Sets the images of a frame; the next \ref update draws them. */
   void
-  show(const TrinocularFrame& frame);
+  show(const TrinocularFrame& frame)
+  {
+    // most frames of a stream are replaced before they could be seen
+    if (Clock::now() - last_ < between_pictures)
+      return;
+    const std::lock_guard lock(drawing_);
+    for (std::size_t i = 0; i < frame.images.size(); ++i)
+      if (!frame.images[i].empty())
+        setImage(i, frame.images[i]);
+    is_new_ = true;
+  }
 
   /** \brief Sets a cloud in the camera's frame. */
   void
-  show(const PointCloud<PointXYZRGBSigma>& cloud);
+  show(const PointCloud<PointXYZRGBSigma>& cloud)
+  {
+    const std::lock_guard lock(drawing_);
+    points_mapper_->SetInputData(dataOf(cloud));
+    scene_->ResetCameraClippingRange();
+    is_new_ = true;
+  }
 
   /** \brief Draws new data and processes mouse events, at a limited rate. */
   void
-  update();
+  update()
+  {
+    if (Clock::now() - last_ < between_pictures || isClosed())
+      return;
+    last_ = Clock::now();
+    const std::lock_guard lock(drawing_);
+    interactor_->ProcessEvents();
+    if (is_new_ && !isClosed())
+      window_->Render();
+    is_new_ = false;
+  }
 
   /** \brief Has the user closed it? */
   bool
-  isClosed() const;
+  isClosed() const
+  {
+    return interactor_->GetDone();
+  }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr std::chrono::milliseconds between_pictures{100};
+  static constexpr double images_from = 0.71; // the cloud takes this part of the width
+
+  void
+  addCloud()
+  {
+    constexpr double ahead = 3.0; // metres, centre of rotation of the view
+    // degrees, vertical: more than the field of view of a rig
+    constexpr double view_angle = 55.0;
+    points_mapper_->SetInputData(vtkNew<vtkPolyData>());
+    points_->SetMapper(points_mapper_);
+    points_->GetProperty()->SetPointSize(2);
+    points_->GetProperty()->LightingOff();
+    scene_->AddActor(points_);
+    scene_->SetViewport(0, 0, images_from, 1);
+    scene_->SetBackground(0.10, 0.11, 0.13);
+    // behind the camera, in its direction of view: x right, y down
+    scene_->GetActiveCamera()->SetPosition(0, 0, -1);
+    scene_->GetActiveCamera()->SetFocalPoint(0, 0, ahead);
+    scene_->GetActiveCamera()->SetViewUp(0, -1, 0);
+    scene_->GetActiveCamera()->SetViewAngle(view_angle);
+    window_->AddRenderer(scene_);
+  }
+
+  void
+  setImage(std::size_t i, const CameraImage& image)
+  {
+    const bool is_first = images_[i]->GetInput() == nullptr;
+    images_[i]->SetInputData(pictureOf(image));
+    if (!is_first)
+      return;
+    corners_[i]->AddActor(images_[i]);
+    corners_[i]->GetActiveCamera()->ParallelProjectionOn();
+    corners_[i]->ResetCamera();
+    corners_[i]->GetActiveCamera()->SetParallelScale(0.5 * image.height);
+  }
+
   UnlimitedMemory while_open_;
-  struct Window;
-  std::unique_ptr<Window> window_;
+  DisplayConnection connection_; // needed as long as VTK draws
+  std::mutex& drawing_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderWindowInteractor> interactor_;
+  vtkNew<vtkRenderer> scene_;
+  vtkNew<vtkPolyDataMapper> points_mapper_;
+  vtkNew<vtkActor> points_;
+  std::array<vtkNew<vtkRenderer>, 3> corners_;
+  std::array<vtkNew<vtkImageActor>, 3> images_;
+  bool is_new_ = false;
+  Clock::time_point last_;
 };
 
 } // namespace pcl::acmap

@@ -4,8 +4,6 @@
 
 #include <pcl/acquisition/random_line_pattern.h>
 
-#include <string>
-
 namespace pcl::acmap {
 
 /** \brief Options of the user. */
@@ -31,9 +29,8 @@ addOptions(Tool& tool, PatternOptions& options);
 void
 addPatternLook(CLI::App& app, PatternOptions& options);
 
-/** \brief Checks the options together, and decides if the output is a folder or a
- * picture.
- * \throws UsageError when they exclude each other */
+/** \brief Decides if the output is a folder or a picture, which has one pattern.
+ * \throws UsageError for more than one */
 void
 settleOutput(Tool& tool, PatternOptions& options);
 

@@ -1,6 +1,6 @@
 #include "figures.h"
 
-#include "active_stereo/observation_maker.h"
+#include "active_stereo/stereo_observation.h"
 #include "figure_sheet.h"
 #include "figure_views.h"
 #include "session_shots.h"
@@ -38,7 +38,7 @@ public:
   {
     StereoOptions options = options_;
     options.method = method;
-    return ObservationMaker(shots_.rig(), range_, options, threads_)
+    return ShotFusion(shots_.rig(), options, threads_)
         .make(shots, [](double, const std::string&) { return true; });
   }
 

@@ -1,7 +1,5 @@
 #include "session_shots.h"
 
-#include "active_stereo/frame_rectifier.h"
-
 #include <pcl/acquisition/trinocular_file_grabber.h>
 
 namespace pcl::acmap {
@@ -11,9 +9,8 @@ SessionShots::SessionShots(const std::string& session, unsigned threads)
 , grabber_(std::make_unique<TrinocularFileGrabber>(session))
 {
   const std::string rig = session + "/rig.yaml";
-  rectifier_ = hasBuiltCameras(rig)
-                   ? std::make_unique<FrameRectifier>(rig, grabber_->getRig(), threads)
-                   : std::make_unique<FrameRectifier>(rig, grabber_->getRig());
+  rectifier_ = std::make_unique<FrameRectifier>(
+      rig, grabber_->getRig(), hasBuiltCameras(rig), threads);
 }
 
 SessionShots::~SessionShots() = default;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "active_stereo/shot_groups.h"
+#include "active_stereo/stereo_shots.h"
 
 #include <pcl/core/trinocular_rig.h>
 
@@ -12,8 +12,6 @@ class TrinocularFileGrabber;
 }
 
 namespace pcl::acmap {
-
-class FrameRectifier;
 
 /** \brief Random access to the observations of a session. */
 class SessionShots {

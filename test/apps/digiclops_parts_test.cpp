@@ -1,7 +1,6 @@
-#include "digiclops_grabber/device.h"
 #include "digiclops_grabber/frame_queue.h"
-#include "digiclops_grabber/pacing.h"
-#include "digiclops_grabber/status_line.h"
+#include "digiclops_grabber/grabber_options.h"
+#include "digiclops_grabber/terminal.h"
 
 #include <pcl/core/exceptions.h>
 
