@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -199,6 +200,83 @@ TEST(EnergyPicture, OfWildEnergiesCanBeDrawn)
   for (RectificationStep& step : steps)
     step.energy = std::numeric_limits<double>::infinity();
   EXPECT_EQ(energyPicture(steps).width, none.width);
+}
+
+/** Adds a search with one bin size and the given energies. */
+void
+addSearch(std::vector<RectificationStep>& steps,
+          const std::string& name,
+          double size,
+          const std::vector<double>& energies)
+{
+  for (const double energy : energies) {
+    RectificationStep step;
+    step.search = name;
+    step.bin_size = size;
+    step.energy = energy;
+    steps.push_back(step);
+  }
+}
+
+/** Rows and columns of the pixels in which a color dominates, below the names of the
+ * searches. */
+struct Place {
+  int highest_row = std::numeric_limits<int>::max();
+  int lines = 0; // ranges of columns, with gaps between them
+};
+
+/** \param[in] channel that is much brighter than the other two: 0 red, 2 blue */
+Place
+placeOf(const RgbImage& image, int channel)
+{
+  constexpr int first_row = 25, least_difference = 60;
+  Place place;
+  int last_column = -1000;
+  for (int column = 0; column < image.width; ++column)
+    for (int row = first_row; row < image.height; ++row) {
+      const Color color = colorAt(image, column, row);
+      if (color[channel] - color[(channel + 1) % 3] < least_difference ||
+          color[channel] - color[(channel + 2) % 3] < least_difference)
+        continue;
+      place.highest_row = std::min(place.highest_row, row);
+      place.lines += column > last_column + 10 ? 1 : 0;
+      last_column = column;
+    }
+  return place;
+}
+
+TEST(EnergyPicture, BreaksTheLineWhereEnergiesAreNotComparable)
+{
+  std::vector<RectificationStep> steps;
+  addSearch(steps, "wide", 0.4, {10, 9, 8});
+  addSearch(steps, "wide", 0.1, {5, 4});
+  addSearch(steps, "fine", 0.1, {7, 6.5});
+  EXPECT_EQ(placeOf(energyPicture(steps), 2).lines, 2); // blue
+  EXPECT_EQ(placeOf(energyPicture(steps), 0).lines, 1); // red
+}
+
+TEST(EnergyPicture, OnlyAFewOfManyLeaveIt)
+{
+  std::vector<RectificationStep> few;
+  addSearch(few, "high", 0.1, {9, 1});
+  addSearch(few, "low", 0.1, {5, 4});
+  std::vector<RectificationStep> many = few;
+  for (int i = 0; i < 100; ++i)
+    addSearch(many, "low" + std::to_string(i), 0.1, {5, 4});
+  // With few steps, all are in the picture, the first of "low" at an eighth of it.
+  EXPECT_LT(placeOf(energyPicture(few), 2).highest_row, 100);
+  EXPECT_GT(placeOf(energyPicture(few), 0).highest_row, 400);
+  EXPECT_LT(placeOf(energyPicture(many), 0).highest_row, 100);
+}
+
+TEST(EnergyPicture, OfInfiniteEnergiesAndOfOneStepCanBeDrawn)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<RectificationStep> wild, one;
+  addSearch(wild, "a", 0.1, {5, 4, 1e300, 3, std::nan(""), -infinity, 2, 1e90, 1});
+  EXPECT_GT(countOf(energyPicture(wild), blue), 0U);
+  addSearch(one, "a", 0.1, {5});
+  EXPECT_EQ(placeOf(energyPicture(one), 2).lines, 1);
 }
 
 /** Points on a floor that is tilted about z, and on walls. */

@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <limits>
 #include <regex>
 
 namespace pcl::acmap::test {
@@ -15,6 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
+
+constexpr const char* minus = "\xE2\x88\x92";
+const std::string space = "\xC2\xA0"; // where no line may break
 
 /** A report with all possible entries, and a name full of special characters. */
 Json
@@ -56,13 +61,24 @@ fullReport(const std::string& name)
 
 constexpr const char* worst_name = "<script src=\"http://a.b/c.js\">&'\xFF\x01.pcd";
 
-/** With its only picture. */
+/** With its only pictures. */
 std::string
 pageOf(const Json& report)
 {
   const TemporaryFolder folder;
-  savePng(folder.path("inside.png"), {2, 2, std::vector<std::uint8_t>(12, 90)});
+  for (const char* name : {"inside.png", "energy.png"})
+    savePng(folder.path(name), {2, 2, std::vector<std::uint8_t>(12, 90)});
   return reportPage(report, folder.path(""));
+}
+
+std::size_t
+countOf(const std::string& text, const std::string& part)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos;
+       at = text.find(part, at + part.size()))
+    ++count;
+  return count;
 }
 
 TEST(ReportPage, ShowsAllThatIsTold)
@@ -78,12 +94,22 @@ TEST(ReportPage, ShowsAllThatIsTold)
                            "0.389",
                            "<img ",
                            "corridor is missing or damaged",
-                           "<svg ",
+                           "<h2>Energy of the rectification</h2>",
                            ">58.80<",
                            "2.60 s",
                            "&lt;i&gt;corridor",
                            "1 MB"})
     EXPECT_THAT(page, HasSubstr(text));
+  EXPECT_EQ(countOf(page, "<img "), 2U);
+}
+
+TEST(ReportPage, FillsAllPlacesOfItsTemplate)
+{
+  EXPECT_THAT(reportPageTemplate(), HasSubstr("{{#each planes}}"));
+  EXPECT_THAT(pageOf(fullReport("corridor")), Not(HasSubstr("{{")));
+  EXPECT_THAT(pageOf(Json()), Not(HasSubstr("{{")));
+  // what stands in a value is no place
+  EXPECT_THAT(pageOf(fullReport("{{tool}}")), HasSubstr("Compact map of {{tool}}<"));
 }
 
 TEST(ReportPage, IsSoundWithTheWorstOfNames)
@@ -104,7 +130,7 @@ TEST(ReportPage, NeedsNoOtherFileAndNoNetwork)
        found != end;
        ++found, ++sources)
     EXPECT_EQ((*found)[2].str().rfind("data:image/png;base64,", 0), 0U) << found->str();
-  EXPECT_EQ(sources, 1);
+  EXPECT_EQ(sources, 2);
   EXPECT_THAT(page, Not(HasSubstr("@import")));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
 }
@@ -128,7 +154,7 @@ TEST(ReportPage, LeavesOutWhatIsNotTold)
   for (const Json& nothing : {Json(), Json::object(), Json::array(), Json("text")}) {
     const std::string page = pageOf(nothing);
     EXPECT_EQ(htmlFault(page), "");
-    for (const char* part : {"<h2>", "<table", "<svg ", "<figure", "<pre"})
+    for (const char* part : {"<h2>", "<table", "<img ", "<figure", "<pre"})
       EXPECT_THAT(page, Not(HasSubstr(part)));
   }
 }
@@ -161,6 +187,267 @@ TEST(ReportPage, IsWrittenWholeWithTheSameBytes)
   EXPECT_EQ(folder.count(), 3);
   EXPECT_THROW(saveReportPage(folder.path("no/such/folder.html"), report, ""),
                OutputFileException);
+}
+
+/** How the page shows the name of an input. */
+std::string
+escaped(const std::string& text)
+{
+  const std::string page = pageOf({{"input", text}});
+  std::smatch found;
+  std::regex_search(page, found, std::regex("<title>Compact map of ([^]*)</title>"));
+  EXPECT_EQ(htmlFault(page), "");
+  return found[1];
+}
+
+TEST(ReportPage, EscapesTexts)
+{
+  EXPECT_EQ(escaped("<b>&\"'.pcd"), "&lt;b&gt;&amp;&quot;&#39;.pcd");
+  EXPECT_EQ(escaped("K\xC3\xBC"
+                    "che \xE2\x82\xAC \xF0\x9F\x8F\xA0"),
+            "K\xC3\xBC"
+            "che \xE2\x82\xAC \xF0\x9F\x8F\xA0");
+  EXPECT_THAT(pageOf({{"input", ""}}), HasSubstr("<title>Compact map</title>"));
+}
+
+TEST(ReportPage, ReplacesWhatIsNoText)
+{
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(escaped("a\xFF"
+                    "b"),
+            "a" + replaced + "b");
+  EXPECT_EQ(escaped("\xC3"), replaced);                // truncated
+  EXPECT_EQ(escaped("\xC3<"), replaced + "&lt;");      // the next character is kept
+  EXPECT_EQ(escaped("\xC0\xBC"), replaced + replaced); // an overlong form of <
+  // half of a surrogate pair
+  EXPECT_EQ(escaped("\xED\xA0\x80"), replaced + replaced + replaced);
+  EXPECT_EQ(escaped("\xF5\x80\x80\x80").substr(0, 3), replaced); // above U+10FFFF
+  EXPECT_EQ(escaped(std::string("\0\x1B\r\x7F", 4)),
+            replaced + replaced + replaced + replaced);
+}
+
+TEST(ReportPage, CommandLineCanBeGivenToAShell)
+{
+  EXPECT_THAT(pageOf({{"command_line", {"tool", "a/b-c.pcd", "--texel=0.02"}}}),
+              HasSubstr("<code>tool a/b-c.pcd --texel=0.02</code>"));
+  EXPECT_THAT(pageOf({{"command_line", {"tool", "", "it's $HOME", "~"}}}),
+              HasSubstr("<code>tool &#39;&#39; &#39;it&#39;\\&#39;&#39;s $HOME&#39; "
+                        "&#39;~&#39;</code>"));
+}
+
+TEST(ReportPage, NumbersHaveSensibleDigits)
+{
+  const auto expect = [](double number, const std::string& text) {
+    EXPECT_THAT(pageOf({{"truth", {{"main_planes_found", number}}}}),
+                HasSubstr("<td>" + text + "</td>"));
+  };
+  expect(0, "0");
+  expect(138653, "138,653");
+  expect(14697233, "14,697,233");
+  expect(999.4, "999");
+  expect(999.6, "1,000");
+  expect(0.0213456, "0.0213");
+  expect(-1234.5, minus + std::string("1,234"));
+  expect(1e300, "1e+300");
+}
+
+TEST(ReportPage, SecondsAndBytesHaveUnits)
+{
+  for (const auto& [seconds, text] : {std::pair{0.25, "0.25 s"},
+                                      {12.34, "12.3 s"},
+                                      {119.96, "2 min 00 s"},
+                                      {185, "3 min 05 s"}})
+    EXPECT_THAT(pageOf({{"seconds", {{"write", seconds}}}}),
+                HasSubstr("Took " + std::string(text) + "."));
+  for (const auto& [bytes, text] : {std::pair{0.0, "0 bytes"},
+                                    {221316, "221 kB"},
+                                    {999999, "1 MB"},
+                                    {1213445120, "1.21 GB"}})
+    EXPECT_THAT(pageOf({{"peak_memory_bytes", bytes}}),
+                HasSubstr("at most " + std::string(text) + " of memory."));
+}
+
+Json
+reportOfDetails(const Json& details)
+{
+  return {{"stages", {{{"details", details}}}}};
+}
+
+TEST(ReportPage, ShowsTheEnergyIfThereAreSteps)
+{
+  const Json steps = {{"search", {"a"}}, {"bin_size", {0.1}}, {"energy", {3.0}}};
+  const std::string page = pageOf(reportOfDetails({{"steps", steps}}));
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_EQ(countOf(page, "<img "), 1U);
+  EXPECT_THAT(page, HasSubstr("Energy of the rectification"));
+  for (const Json& none : {Json(), Json::object(), Json({{"energy", "a"}}), Json(7)})
+    EXPECT_THAT(pageOf(reportOfDetails({{"steps", none}})),
+                Not(HasSubstr("Energy of the rectification")));
+  const std::string without =
+      reportPage(reportOfDetails({{"steps", steps}}), "no/such/folder");
+  EXPECT_EQ(htmlFault(without), "");
+  EXPECT_THAT(without, HasSubstr("energy.png is missing or damaged"));
+  EXPECT_THAT(without, Not(HasSubstr("<img")));
+}
+
+TEST(ReportPage, MarksReusedStagesAndDoesNotCountTheirSeconds)
+{
+  const Json report = {
+      {"stages",
+       {{{"name", "stereo"}, {"reused", true}, {"seconds", {{"match", 30.0}}}},
+        {{"name", "map"},
+         {"reused", false},
+         {"seconds", {{"mesh", 4.0}, {"write", 6}}}},
+        {{"name", "without"}}}},
+      {"seconds", {{"map", 10.0}, {"write", 6.0}, {"report", 0.5}, {"odd", "text"}}}};
+  const std::string page = pageOf(report);
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_EQ(countOf(page, "<tr class=\"stage\">"), 3U); // with the rest of the run
+  EXPECT_EQ(countOf(page, "<tr class=\"step\">"), 4U);
+  EXPECT_EQ(countOf(page, "<em>reused</em>"), 1U);
+  const auto row = [](const std::string& name, const std::string& time) {
+    return "<th scope=\"row\">" + name + "</th><td class=\"number\">" + time;
+  };
+  for (const std::string& part : {row("stereo", "30.0 s<br><em>reused</em></td>"),
+                                  row("map", "10.0 s</td>"),
+                                  row("mesh", "4.00 s</td>"),
+                                  row("rest of the run", "0.50 s</td>"),
+                                  row("report", "0.50 s</td>"),
+                                  row("this run", "10.5 s</td>"),
+                                  std::string("Took 10.5 s, with 1 stage reused")})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(pageOf(Json::object()), Not(HasSubstr("<h2>Time")));
+}
+
+TEST(ReportPage, PlanesHaveEquationsAndUnits)
+{
+  const Json planes = {{{"id", 4},
+                        {"coefficients", {-0.99999, 0, -0.0024, 1.21}},
+                        {"support", 6522137},
+                        {"rmse", 0.00351},
+                        {"area", 62.8307}},
+                       {{"coefficients", {1, 2}}, {"area", nullptr}},
+                       {{"coefficients", {1, 0, std::nan(""), 2}}, {"rmse", "much"}}};
+  const std::string page = pageOf(reportOfDetails({{"planes", planes}}));
+  EXPECT_EQ(htmlFault(page), "");
+  const std::string sign = minus + space;
+  EXPECT_THAT(page,
+              HasSubstr(">" + (minus + ("1.0000" + space)) + "x +" + space + "0.0000" +
+                        space + "y " + sign + "0.0024" + space + "z +" + space +
+                        "1.2100" + space + "=" + space + "0<"));
+  EXPECT_THAT(page, HasSubstr(">4<"));
+  EXPECT_THAT(page, HasSubstr(">62.83<"));
+  EXPECT_THAT(page, HasSubstr(">3.51<"));
+  EXPECT_THAT(page, HasSubstr(">6,522,137<"));
+  EXPECT_EQ(countOf(page, "\xE2\x80\x93"), 8U); // missing values of two planes
+  EXPECT_THAT(pageOf(reportOfDetails({{"planes", 3}})), Not(HasSubstr("<table")));
+}
+
+TEST(ReportPage, NumbersInTablesHaveFixedDigits)
+{
+  const Json planes = {{{"coefficients", {-0.00004, 1, 0, 0}}, {"area", -1234567.25}},
+                       {{"area", std::numeric_limits<double>::max()}}};
+  const std::string page = pageOf(reportOfDetails({{"planes", planes}}));
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_THAT(page, HasSubstr(">0.0000" + space + "x"));
+  EXPECT_THAT(page, HasSubstr(minus + std::string("1,234,567.25<")));
+  EXPECT_TRUE(std::regex_search(page, std::regex(">[0-9,]{309,}\\.00<")));
+}
+
+TEST(ReportPage, TellsEachWarningOnce)
+{
+  const Json report = {{"stages",
+                        {{{"name", "stereo"}, {"warnings", {"too dark", "a < b"}}},
+                         {{"name", "map"}, {"warnings", {"too dark", 5}}}}},
+                       {"remarks", {"a < b", "of the run"}}};
+  const std::string page = pageOf(report);
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_THAT(page, HasSubstr("3 warnings"));
+  EXPECT_EQ(countOf(page, "too dark"), 1U);
+  EXPECT_EQ(countOf(page, "a &lt; b"), 1U);
+  EXPECT_THAT(pageOf(Json::object()), HasSubstr("No warnings"));
+}
+
+TEST(ReportPage, CountsWhatTheLastStageCounted)
+{
+  const Json report = {
+      {"stages",
+       {{{"details", {{"observations", {"a", "b", "c"}}}}},
+        {{"details",
+          {{"planes", 1},
+           {"finite_points", 2000},
+           {"points_on_planes", 1500},
+           {"bytes", {{"raw", 32000}, {"map.glb", 100}, {"geometry", 0}}}}}}}}};
+  const std::string page = pageOf(report);
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_THAT(page,
+              HasSubstr("1 plane</strong> from 3 observations with 2,000 points"));
+  EXPECT_THAT(page, HasSubstr("75 % of them on a plane"));
+  EXPECT_THAT(page, HasSubstr("320 : 1"));
+  EXPECT_THAT(pageOf(Json::object()), HasSubstr("<p class=\"result\"></p>"));
+}
+
+std::string
+base64Of(const std::string& text)
+{
+  return base64({text.begin(), text.end()});
+}
+
+TEST(Base64, IsThatOfTheStandard)
+{
+  EXPECT_EQ(base64Of(""), "");
+  EXPECT_EQ(base64Of("f"), "Zg==");
+  EXPECT_EQ(base64Of("fo"), "Zm8=");
+  EXPECT_EQ(base64Of("foo"), "Zm9v");
+  EXPECT_EQ(base64Of("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64({0xFB, 0xEF, 0xFF, 0x00}), "++//AA==");
+}
+
+/** Page with one picture only. */
+std::string
+pageWith(const TemporaryFolder& folder,
+         const std::string& name,
+         const std::string& caption)
+{
+  return reportPage(
+      {{"pictures", Json::array({{{"file", name}, {"caption", caption}}})}},
+      folder.path(""));
+}
+
+TEST(ReportPage, HoldsThePictures)
+{
+  const TemporaryFolder folder;
+  const RgbImage image = {4, 3, std::vector<std::uint8_t>(36, 200)};
+  savePng(folder.path("a.png"), image);
+  const std::string page = pageWith(folder, "a.png", "a \"b\"");
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_THAT(page, HasSubstr("width=\"4\" height=\"3\" alt=\"a &quot;b&quot;\""));
+  EXPECT_THAT(
+      page,
+      HasSubstr("src=\"data:image/png;base64," + base64(encodePng(image)) + "\""));
+  EXPECT_THAT(page, HasSubstr("<figcaption>a &quot;b&quot;</figcaption>"));
+  EXPECT_THAT(pageWith(folder, "a.png", ""),
+              HasSubstr("<figcaption>a.png</figcaption>"));
+}
+
+TEST(ReportPage, SaysWhichPictureIsMissingOrDamaged)
+{
+  const TemporaryFolder folder;
+  const RgbImage image = {40, 30, std::vector<std::uint8_t>(3600, 200)};
+  savePng(folder.path("whole.png"), image);
+  const std::string bytes = contentOf(folder.path("whole.png"));
+  folder.write("cut.png", bytes.substr(0, bytes.size() / 2));
+  folder.write("text.png", "no picture");
+  // a picture, but not in a format for browsers
+  folder.write("grey.png", "P5 1 1 255\n7");
+  for (const std::string name : {"none.png", "cut.png", "text.png", "grey.png", "."}) {
+    const std::string page = pageWith(folder, name, "It");
+    EXPECT_EQ(htmlFault(page), "") << name;
+    EXPECT_THAT(page, HasSubstr(name + " is missing or damaged")) << name;
+    EXPECT_THAT(page, Not(HasSubstr("<img"))) << name;
+  }
+  EXPECT_THAT(pageWith(folder, "<n>", "It"),
+              HasSubstr("“It”: &lt;n&gt; is missing or damaged"));
 }
 
 TEST(HtmlChecker, FindsFaults)
