@@ -2,6 +2,7 @@
 # Target product builds all that is installed.
 function(acmap_add_tool name)
   acmap_add_program(${name} ${ARGN})
+  acmap_use_tool_headers(${name})
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
   acmap_join(product ${name})
 endfunction()
@@ -13,6 +14,34 @@ function(acmap_add_tool_part name)
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${arg_LIBRARIES})
+  acmap_use_tool_headers(${name})
+endfunction()
+
+# acmap_use_tool_headers (<target>): the large headers that most tools include are parsed
+# once. A precompiled header is of one kind, therefore all define what PCL's headers look at,
+# and programs are compiled as parts of libraries are.
+function(acmap_use_tool_headers target)
+  if(NOT TARGET acmap_tool_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/tool_headers.cpp" CONTENT "")
+    add_library(acmap_tool_headers STATIC "${PROJECT_BINARY_DIR}/tool_headers.cpp")
+    target_link_libraries(acmap_tool_headers PRIVATE acmap::core CLI11::CLI11
+                                                     nlohmann_json::nlohmann_json)
+    target_compile_options(acmap_tool_headers PRIVATE -fPIC)
+    acmap_define_as_pcl_io(acmap_tool_headers)
+    target_precompile_headers(
+      acmap_tool_headers PRIVATE <CLI/CLI.hpp> <nlohmann/json.hpp> <pcl/PCLPointCloud2.h>
+      <pcl/point_cloud.h> <pcl/point_types.h> <Eigen/Geometry> <algorithm> <filesystem>
+      <functional> <map> <optional> <string> <vector>)
+  endif()
+  target_compile_options(${target} PRIVATE -fPIC)
+  acmap_define_as_pcl_io(${target})
+  target_precompile_headers(${target} REUSE_FROM acmap_tool_headers)
+endfunction()
+
+# PCL's headers look at what its pcl_io defines; precompiled ones are of one kind.
+function(acmap_define_as_pcl_io target)
+  target_compile_definitions(
+    ${target} PRIVATE $<TARGET_PROPERTY:pcl_io,INTERFACE_COMPILE_DEFINITIONS>)
 endfunction()
 
 # acmap_add_benchmark (<name> SOURCES <file>... LIBRARIES <target>...): target benchmarks

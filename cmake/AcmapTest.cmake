@@ -80,12 +80,6 @@ function(acmap_compile_quickly target)
   target_precompile_headers(${target} REUSE_FROM acmap_test_headers)
 endfunction()
 
-# PCL's headers look at what its pcl_io defines; precompiled ones are of one kind.
-function(acmap_define_as_pcl_io target)
-  target_compile_definitions(
-    ${target} PRIVATE $<TARGET_PROPERTY:pcl_io,INTERFACE_COMPILE_DEFINITIONS>)
-endfunction()
-
 # acmap_add_fuzzer (<name> SOURCES <file>... LIBRARIES <target>... [CORPUS <folder>]
 #                   [MAX_LENGTH <bytes>])
 #
