@@ -55,7 +55,8 @@ runOrThrow(const std::string& tool, const std::vector<std::string>& arguments)
 void
 writeBoards(const TemporaryFolder& folder)
 {
-  const std::vector<TrinocularFrame> shots = boardShots(builtRig(board_scale), shot_count);
+  const std::vector<TrinocularFrame> shots =
+      boardShots(builtRig(board_scale), shot_count);
   for (std::size_t shot = 0; shot < shots.size(); ++shot)
     for (std::size_t i = 0; i < 3; ++i) {
       const CameraImage& image = shots[shot].images[i];

@@ -5,6 +5,7 @@
 #include <pcl/core/exceptions.h>
 
 #include <fstream>
+#include <map>
 #include <string>
 
 namespace pcl::acmap::test {
@@ -47,10 +48,20 @@ protected:
   }
 
   static Output
-  outputOf(int which)
+  newOutputOf(int which)
   {
     Class object = Traits::make();
     return outputOf(object, which);
+  }
+
+  /** \brief Output of a new object, computed once for all tests. */
+  static const Output&
+  outputOf(int which)
+  {
+    static std::map<int, Output> outputs;
+    if (outputs.count(which) == 0)
+      outputs.emplace(which, newOutputOf(which));
+    return outputs.at(which);
   }
 };
 
@@ -92,7 +103,7 @@ TYPED_TEST_P(ShotContract, parametersStayAndRunsDoNotDependOnEarlierOnes)
   const auto first = this->outputOf(object, 0);
   this->outputOf(object, 1);
   EXPECT_EQ(this->outputOf(object, 0), first);
-  EXPECT_EQ(this->outputOf(0), first);
+  EXPECT_EQ(this->newOutputOf(0), first);
   EXPECT_EQ(TypeParam::parameters(object), before);
 }
 
