@@ -1,6 +1,5 @@
 #include "stereo_options.h"
 
-#include "json_file.h"
 #include "known_poses.h"
 #include "memory.h"
 #include "output_target.h"

@@ -40,7 +40,7 @@ readObservations(Tool& tool, const ObservationSequence& sequence, bool skip_brok
   });
   const SequenceConsolidationReport& report = consolidation.getReport();
   if (consolidated.places.front() == 0)
-    warnOfLengths(tool, *sequence.load(0).file);
+    warnOfLengths(*sequence.load(0).file, tool.controls(), tool.log());
   for (const std::string& remark : report.remarks)
     tool.warn(remark);
   tellCounts(tool, consolidated.places.size(), report);

@@ -386,7 +386,7 @@ run(Tool& tool,
       dropUnwritableFields(cloud);
       saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
     });
-  warnOfLengths(tool, *list.sequence.load(0).file);
+  warnOfLengths(*list.sequence.load(0).file, tool.controls(), tool.log());
   VisualOdometryResult found;
   tool.withProgress([&](const ProgressCallback& progress) {
     odometry.setProgressCallback(progress);
