@@ -2,6 +2,8 @@
 
 #include "exit_code.h"
 
+#include <pcl/core/output_file.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -58,6 +60,16 @@ readJson(const std::string& path)
       },
       false);
   return is_too_deep ? Json(Json::value_t::discarded) : json;
+}
+
+void
+saveJson(const std::string& path, const Json& json, int indent)
+{
+  const std::string text =
+      json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 bool

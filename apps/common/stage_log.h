@@ -73,6 +73,11 @@ stageLogIn(const nlohmann::ordered_json& json);
 nlohmann::ordered_json
 readJson(const std::string& path);
 
+/** \brief Writes a value as text, with replacements for invalid UTF-8.
+ * \throws OutputFileException when it could not be written completely */
+void
+saveJson(const std::string& path, const nlohmann::ordered_json& json, int indent);
+
 /** \brief Does a file name from such a file stay in its folder? The file may come from
  * an untrusted source. */
 bool

@@ -8,7 +8,6 @@
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
-#include <pcl/core/output_file.h>
 
 #include <CLI/CLI.hpp>
 
@@ -396,15 +395,8 @@ Tool::fullReport() const
 void
 Tool::writeReport() const
 {
-  if (report_path_.empty())
-    return;
-  const std::string text =
-      fullReport().dump(
-          2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-      "\n";
-  OutputFile file(report_path_);
-  file.write(text.data(), text.size());
-  file.commit();
+  if (!report_path_.empty())
+    saveJson(report_path_, fullReport(), 2);
 }
 
 void
