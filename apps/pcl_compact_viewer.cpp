@@ -1,15 +1,347 @@
 #include "cloud_labels.h"
-#include "compact_viewer/viewer_input.h"
-#include "compact_viewer/viewer_options.h"
+#include "command_line.h"
+#include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
 #include "tool.h"
 
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/map_file.h>
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/texture/compact_map_folder.h>
+#include <pcl/visualization/layered_scene.h>
+#include <pcl/visualization/scene_file.h>
+
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+namespace pcl::acmap {
 
 namespace {
 
-using namespace pcl::acmap;
+namespace fs = std::filesystem;
+
+struct ViewerOptions {
+  std::string input;
+  std::string screenshot;
+  std::vector<float> from;
+  std::vector<float> look;
+  std::vector<float> up;
+  std::string size =
+      std::to_string(LayeredView().width) + "x" + std::to_string(LayeredView().height);
+  std::vector<std::string> layers;
+  std::string place;
+  bool labels = false;
+  LayeredView view; ///< options that need no conversion
+};
+
+/** \brief The data to be shown. */
+struct ViewerInput {
+  LayeredScene scene;
+  Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero(); ///< metres
+  Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
+  std::optional<Eigen::Vector3f> up; ///< if the file format defines one: y of OBJ
+  std::vector<std::string> remarks;  ///< warnings
+};
+
+const std::map<std::string, SceneLayer> layer_names = {
+    {"points", SceneLayer::Points},
+    {"mesh", SceneLayer::Mesh},
+    {"normals", SceneLayer::Normals},
+    {"planes", SceneLayer::Planes},
+    {"texture", SceneLayer::Texture},
+    {"trajectory", SceneLayer::Trajectory}};
+
+const std::map<std::string, MapView::Place> place_names = {
+    {"outside", MapView::Place::Outside},
+    {"inside", MapView::Place::Inside},
+    {"plan", MapView::Place::Plan}};
+
+template <typename Value>
+std::vector<std::string>
+namesIn(const std::map<std::string, Value>& values)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : values)
+    names.push_back(entry.first);
+  return names;
+}
+
+void
+addPlaces(CLI::App& app, ViewerOptions& options)
+{
+  const auto add_vector =
+      [&app](const char* name, std::vector<float>& value, const char* purpose) {
+        app.add_option(name, value, purpose)
+            ->expected(3)
+            ->type_name("X Y Z")
+            ->default_str("");
+      };
+  app.add_option("--view",
+                 options.place,
+                 oneOf(namesIn(place_names)) +
+                     "; outside is oblique, plan from above, and inside, for planes, "
+                     "wide [default: plan of a folder without planes, else outside]")
+      ->type_name("PLACE")
+      ->default_str("")
+      ->check(nameAmong(namesIn(place_names)));
+  app.add_option("--at",
+                 options.view.at_pose,
+                 "The eye is that of pose N of the trajectory, counted from 0")
+      ->type_name("N")
+      ->default_str("")
+      ->check(CLI::NonNegativeNumber.description(""));
+  add_vector("--from", options.from, "Place of the eye, metres [default: oblique]");
+  add_vector("--look", options.look, "Middle of the picture, metres [default: scene]");
+  add_vector("--up", options.up, "Upward direction [default: from the scene]");
+  app.add_option("--size", options.size, "Width and height of the picture, pixels")
+      ->type_name("WxH");
+}
+
+void
+addOptions(Tool& tool, ViewerOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "input",
+         options.input,
+         "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz), planes (.json) "
+         "or folder of a map, or of a rectification")
+      ->type_name("FILE|DIR")
+      ->required();
+  app.add_option("--screenshot",
+                 options.screenshot,
+                 "Write a picture there instead of opening a window")
+      ->type_name("OUT.png");
+  app.add_option("--layers",
+                 options.layers,
+                 "What is shown, each " + oneOf(namesIn(layer_names)) +
+                     " [default: texture, else planes, mesh, points]")
+      ->delimiter(',')
+      ->type_name("LAYER,..")
+      ->default_str("")
+      ->check(nameAmong(namesIn(layer_names)));
+  app.add_flag("--before",
+               options.view.before,
+               "As it was before rectification: points and trajectory");
+  app.add_option("--step",
+                 options.view.wall_step,
+                 "The mesh as far as the walls of depth 0 to K have made it; it needs "
+                 "wall depths")
+      ->type_name("K")
+      ->default_str("")
+      ->check(CLI::NonNegativeNumber.description(""));
+  addPlaces(app, options);
+  app.add_flag(
+      "--boundary", options.view.show_boundary, "Draw the boundary of a mesh as lines");
+  app.add_flag("--hide-backs",
+               options.view.hide_backs,
+               "Leave out the faces that look away, to see into rooms");
+  app.add_flag("--labels",
+               options.labels,
+               "Colour by the field label of the points, as planes leave it");
+  app.add_flag(
+      "--grey", options.view.ignore_colors, "Draw without the colours of the file");
+  tool.addScale();
+}
+
+/** \throws UsageError for options that exclude each other */
+void
+requireOnePlace(const ViewerOptions& options)
+{
+  const bool placed = !options.from.empty() || !options.look.empty() ||
+                      !options.up.empty() || !options.place.empty();
+  if (options.view.at_pose && placed)
+    throw UsageError("--at is a place of the eye, beside which --view, --from, --look "
+                     "and --up have no meaning");
+  if (options.view.before && options.view.wall_step)
+    throw UsageError("--step has no meaning beside --before, which shows no mesh");
+}
+
+std::optional<Eigen::Vector3f>
+vectorOf(const std::vector<float>& values)
+{
+  if (values.empty())
+    return {};
+  return Eigen::Vector3f(values[0], values[1], values[2]);
+}
+
+LayeredView
+viewOf(const ViewerOptions& options)
+{
+  LayeredView view = options.view;
+  char end = 0;
+  if (std::sscanf(options.size.c_str(), "%dx%d%c", &view.width, &view.height, &end) !=
+      2)
+    throw UsageError("--size: " + options.size + " is not of the form WxH");
+  if (!options.place.empty())
+    view.place = place_names.at(options.place);
+  for (const std::string& layer : options.layers)
+    view.layers.insert(layer_names.at(layer));
+  if (view.place == MapView::Place::Plan && !options.from.empty())
+    throw UsageError("--from has no meaning for a plan, which is seen from above");
+  requireOnePlace(options);
+  view.from = vectorOf(options.from);
+  view.look = vectorOf(options.look);
+  view.up = vectorOf(options.up);
+  return view;
+}
+
+/** Does a path exist? If that cannot be determined, reading it later gives the
+ * reason. */
+bool
+isThere(const fs::path& path)
+{
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+void
+note(const PointCloudFile& file, double scale, std::vector<std::string>& remarks)
+{
+  remarks.insert(remarks.end(), file.remarks.begin(), file.remarks.end());
+  const std::vector<std::string> lengths = lengthRemarks(file.points(), 0, scale);
+  remarks.insert(remarks.end(), lengths.begin(), lengths.end());
+}
+
+ViewerInput
+loadFile(const std::string& path, double scale)
+{
+  SceneFile file = loadScene(path);
+  scaleCloud(file.points, scale);
+  if (cloudExtent(file.points.points()).finite_points == 0)
+    throw NothingFound(path + ": nothing to show, no point is finite");
+  ViewerInput input;
+  note(file.points, scale, input.remarks);
+  input.sensor_origin = file.points.sensor_origin;
+  input.sensor_orientation = file.points.sensor_orientation;
+  if (endingOf(path) == ".obj")
+    input.up = Eigen::Vector3f::UnitY();
+  LayeredScene& scene = input.scene;
+  (file.mesh.triangles.empty() ? scene.points : scene.vertices) =
+      std::move(file.points.cloud);
+  scene.mesh = std::move(file.mesh);
+  return input;
+}
+
+void
+loadCloudOf(const fs::path& folder, ViewerInput& input)
+{
+  PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
+  note(cloud, 1, input.remarks);
+  input.scene.points = std::move(cloud.cloud);
+}
+
+void
+loadMeshOf(const fs::path& folder, ViewerInput& input)
+{
+  SceneFile mesh = loadScene((folder / "mesh.ply").string());
+  note(mesh.points, 1, input.remarks);
+  input.scene.vertices = std::move(mesh.points.cloud);
+  input.scene.mesh = std::move(mesh.mesh);
+}
+
+/** \brief Number of points of the cloud, or of the mesh if there is no cloud. */
+std::size_t
+pointsIn(const LayeredScene& scene)
+{
+  const auto size = [](const PCLPointCloud2& cloud) {
+    return std::size_t{cloud.width} * cloud.height;
+  };
+  return size(scene.points) != 0 ? size(scene.points) : size(scene.vertices);
+}
+
+/** \brief Number of points whose view has no pose. */
+std::size_t
+pointsOfNoPose(const LayeredScene& scene)
+{
+  const PCLPointCloud2& cloud = scene.points;
+  const PCLPointField* const field = findField(cloud, "view", PCLPointField::INT32);
+  const std::size_t poses = scene.map.trajectory.poses.size();
+  std::size_t count = 0;
+  for (std::size_t i = 0; field && i < pointsIn(scene); ++i) {
+    std::int32_t view = 0;
+    std::memcpy(&view, &cloud.data[i * cloud.point_step + field->offset], sizeof view);
+    count += view < 0 || static_cast<std::size_t>(view) >= poses;
+  }
+  return count;
+}
+
+/** \brief Loads the poses before rectification, if there are as many as after it. */
+void
+loadPosesBefore(const fs::path& folder, ViewerInput& input)
+{
+  LayeredScene& scene = input.scene;
+  scene.trajectory_before = loadTrajectory((folder / "trajectory_before.txt").string());
+  const std::size_t before = scene.trajectory_before.poses.size();
+  const std::size_t after = scene.map.trajectory.poses.size();
+  if (before != after)
+    input.remarks.push_back("trajectory_before.txt has " + std::to_string(before) +
+                            " poses, the map " + std::to_string(after) +
+                            ": what was before rectification cannot be shown");
+  else if (const std::size_t strangers = pointsOfNoPose(scene); strangers != 0)
+    input.remarks.push_back(std::to_string(strangers) +
+                            " points were seen from no pose of the map, and are not "
+                            "shown before rectification");
+}
+
+ViewerInput
+loadFolder(const fs::path& folder)
+{
+  const bool has_map = isThere(folder / "map.json");
+  const bool has_cloud = isThere(folder / "map.pcd");
+  const bool has_poses = isThere(folder / "trajectory.txt");
+  if (!has_map && !(has_cloud && has_poses))
+    throw InputFileException(folder.string() +
+                             ": is a folder without a map.json, and without both "
+                             "map.pcd and trajectory.txt; of other folders only "
+                             "single files can be shown");
+  ViewerInput input;
+  if (has_map)
+    input.scene.map = loadCompactMap(folder.string());
+  if (isThere(folder / "mesh.ply"))
+    loadMeshOf(folder, input);
+  if (has_cloud)
+    loadCloudOf(folder, input);
+  Trajectory& trajectory = input.scene.map.trajectory;
+  if (trajectory.poses.empty() && has_poses)
+    trajectory = loadTrajectory((folder / "trajectory.txt").string());
+  if (isThere(folder / "trajectory_before.txt"))
+    loadPosesBefore(folder, input);
+  return input;
+}
+
+/** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json, or with
+ * map.pcd and trajectory.txt, and the other files in the folder: mesh.ply, map.pcd,
+ * trajectory.txt, trajectory_before.txt.
+ * \param[in] scale metres in a unit of a cloud or mesh
+ * \throws InputFileException naming file and fault
+ * \throws UsageError for a scale of a map
+ * \throws NothingFound when no point is finite and there is no plane */
+ViewerInput
+loadViewerInput(const std::string& path, double scale)
+{
+  std::error_code error;
+  const bool is_folder = fs::is_directory(path, error);
+  const bool is_map = is_folder || endingOf(path) == ".json";
+  if (!is_map)
+    return loadFile(path, scale);
+  if (scale != 1)
+    throw UsageError("--scale is for clouds and meshes; maps are in metres");
+  ViewerInput input;
+  if (is_folder)
+    input = loadFolder(path);
+  else
+    input.scene.map = loadMapFile(path);
+  if (input.scene.map.planes.empty() && pointsIn(input.scene) == 0)
+    throw NothingFound(path + ": nothing to show, there is no plane");
+  return input;
+}
 
 void
 checkPlaces(const Tool& tool, const ViewerOptions& options)
@@ -20,29 +352,7 @@ checkPlaces(const Tool& tool, const ViewerOptions& options)
 }
 
 void
-summarize(Tool& tool, const ViewerOptions& options, const ViewerInput& input)
-{
-  const pcl::LayeredScene& scene = input.scene;
-  const std::size_t points = pointsIn(scene);
-  const std::size_t triangles = scene.mesh.triangles.size();
-  tool.details() = {{"input", options.input},
-                    {"output", options.screenshot},
-                    {"report",
-                     {{"points", points},
-                      {"triangles", triangles},
-                      {"planes", scene.map.planes.size()},
-                      {"poses", scene.map.trajectory.poses.size()}}}};
-  for (const std::string& remark : input.remarks)
-    tool.warn(remark);
-  tool.tell("points", std::to_string(points));
-  tool.tell("triangles", std::to_string(triangles));
-  tool.tell("planes", std::to_string(scene.map.planes.size()));
-  if (!options.screenshot.empty())
-    tool.tell("file", options.screenshot);
-}
-
-void
-colorByLabel(pcl::LayeredScene& scene)
+colorByLabel(LayeredScene& scene)
 {
   if (scene.points.width != 0)
     scene.points = coloredByLabel(std::move(scene.points));
@@ -53,30 +363,41 @@ colorByLabel(pcl::LayeredScene& scene)
 /** \brief Chooses the plan for a cloud with poses: from outside, only its ceilings
  * would be visible. */
 void
-choosePlace(const ViewerOptions& options,
-            const pcl::LayeredScene& scene,
-            pcl::LayeredView& view)
+choosePlace(const ViewerOptions& options, const LayeredScene& scene, LayeredView& view)
 {
   const bool is_chosen = !options.place.empty() || view.from || view.at_pose;
   if (!is_chosen && scene.map.planes.empty() && scene.mesh.triangles.empty() &&
       !scene.map.trajectory.poses.empty())
-    view.place = pcl::MapView::Place::Plan;
+    view.place = MapView::Place::Plan;
 }
 
 void
-tellUser(const std::string& text)
+summarize(const ViewerOptions& options, const ViewerInput& input, StageLog& log)
 {
-  std::fputs(text.c_str(), stdout);
-  std::fflush(stdout);
+  const LayeredScene& scene = input.scene;
+  const std::size_t points = pointsIn(scene);
+  const std::size_t triangles = scene.mesh.triangles.size();
+  log.details = {{"input", options.input},
+                 {"output", options.screenshot},
+                 {"report",
+                  {{"points", points},
+                   {"triangles", triangles},
+                   {"planes", scene.map.planes.size()},
+                   {"poses", scene.map.trajectory.poses.size()}}}};
+  log.warn(input.remarks);
+  log.tell("points", std::to_string(points));
+  log.tell("triangles", std::to_string(triangles));
+  log.tell("planes", std::to_string(scene.map.planes.size()));
+  if (!options.screenshot.empty())
+    log.tell("file", options.screenshot);
 }
 
 void
-show(Tool& tool, const ViewerOptions& options)
+show(const ViewerOptions& options, double scale, StageLog& log)
 {
-  checkPlaces(tool, options);
-  pcl::LayeredView view = viewOf(options);
-  StepTimer timer(tool.report());
-  ViewerInput input = loadViewerInput(options.input, tool.scale());
+  LayeredView view = viewOf(options);
+  StepTimer timer(log.report);
+  ViewerInput input = loadViewerInput(options.input, scale);
   timer.finish("read");
   if (options.labels)
     colorByLabel(input.scene);
@@ -85,28 +406,37 @@ show(Tool& tool, const ViewerOptions& options)
   if (!view.up)
     view.up = input.up;
   choosePlace(options, input.scene, view);
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
 
   const UnlimitedMemory while_drawing;
   if (options.screenshot.empty()) {
     obeyInterruptions();
-    pcl::showScene(options.input, input.scene, view, tellUser);
+    showScene(options.input, input.scene, view, [](const std::string& text) {
+      std::fputs(text.c_str(), stdout);
+      std::fflush(stdout);
+    });
   }
   else
-    pcl::saveSnapshot(options.screenshot, input.scene, view);
+    saveSnapshot(options.screenshot, input.scene, view);
   timer.finish("draw");
-  summarize(tool, options, input);
+  summarize(options, input, log);
 }
 
 } // namespace
 
+} // namespace pcl::acmap
+
 int
 main(int argc, char** argv)
 {
+  using namespace pcl::acmap;
   Tool tool(
       "pcl_compact_viewer",
       "Shows a map, a triangle mesh or a point cloud, in a window or as a picture.");
   ViewerOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { show(tool, options); });
+  return tool.run(argc, argv, [&] {
+    checkPlaces(tool, options);
+    show(options, tool.scale(), tool.log());
+  });
 }

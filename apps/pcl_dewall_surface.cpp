@@ -3,11 +3,11 @@
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
-#include "sensor_option.h"
 #include "stage_reports.h"
 #include "tool.h"
 
 #include <pcl/conversions.h>
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/filters/depth_refinement.h>
@@ -19,20 +19,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace {
 
 using namespace pcl::acmap;
 
+using Triangulation = pcl::DeWallTriangulation<pcl::PointXYZ>;
+
 struct Options {
   std::string input;
   std::string output;
   std::optional<double> voxel_size;
   pcl::DepthSensor sensor = pcl::DepthSensor::Automatic;
-  double maximum_edge_length = 0;
-  pcl::DeWallRule rule = pcl::DeWallRule::Paper;
-  bool wall_depth = false;
+  double maximum_edge_length = Triangulation().getMaximumEdgeLength();
+  pcl::DeWallRule rule = Triangulation().getAcceptanceRule();
+  bool wall_depth = Triangulation().getComputeWallDepth();
 };
 
 void
@@ -52,7 +55,7 @@ addOptions(Tool& tool, Options& options)
                        "metres, or automatic from noise and spacing. For noisy clouds. "
                        "Automatic: the steps of a depth camera's view are taken out in "
                        "its picture instead");
-  addSensor(tool, options.sensor);
+  tool.addSensor(options.sensor);
   app.add_option("--max-edge",
                  options.maximum_edge_length,
                  "No edge is longer, in metres [default: automatic, from the spacing "
@@ -105,19 +108,18 @@ typedCloud(const pcl::PointCloudFile& file)
 bool
 hasNormals(const pcl::PointCloudFile& file)
 {
-  std::size_t found = 0;
-  for (const pcl::PCLPointField& field : file.cloud.fields)
-    for (const char* name : {"normal_x", "normal_y", "normal_z"})
-      found += field.name == name && field.datatype == pcl::PCLPointField::FLOAT32;
-  return found == 3;
+  return std::all_of(
+      normal_field_names.begin(), normal_field_names.end(), [&](const char* name) {
+        return findField(file.cloud, name, pcl::PCLPointField::FLOAT32);
+      });
 }
 
 template <typename PointT>
 pcl::DeWallReport
-triangulate(Tool& tool,
-            const Options& options,
+triangulate(const Options& options,
             const pcl::PointCloudFile& file,
             double maximum_edge_length,
+            const RunControls& controls,
             pcl::TriangleMesh& mesh)
 {
   pcl::DeWallTriangulation<PointT> dewall;
@@ -125,43 +127,30 @@ triangulate(Tool& tool,
   dewall.setMaximumEdgeLength(maximum_edge_length);
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
-  dewall.setNumberOfThreads(tool.threads());
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    dewall.setProgressCallback(progress);
-    dewall.reconstruct(mesh);
-  });
+  dewall.setNumberOfThreads(controls.threads);
+  dewall.setProgressCallback(controls.progress);
+  dewall.reconstruct(mesh);
   return dewall.getReport();
 }
 
 void
-collectWarnings(Tool& tool,
-                const pcl::PointCloudFile& file,
-                const pcl::DeWallReport& report)
+summarize(const Options& options, const pcl::DeWallReport& report, StageLog& log)
 {
-  for (const std::string& remark : file.remarks)
-    tool.warn(remark);
-  for (const std::string& remark : report.remarks)
-    tool.warn(remark);
-  for (const std::string& remark :
-       lengthRemarks(file.points(), report.median_spacing, tool.scale()))
-    tool.warn(remark);
-}
-
-void
-summarize(Tool& tool, const Options& options, const pcl::DeWallReport& report)
-{
-  tool.tell("points", std::to_string(report.points));
-  tool.tell(
+  log.details["input"] = options.input;
+  log.details["output"] = options.output;
+  log.details["report"] = jsonOf(report);
+  log.tell("points", std::to_string(report.points));
+  log.tell(
       "used",
       std::to_string(report.used_points) + " (" +
           percent(report.used_points,
                   report.points - report.invalid_points - report.duplicate_points) +
           " of the finite, different ones)");
-  tool.tell("triangles", std::to_string(report.triangles));
-  tool.tell("components", std::to_string(report.components));
-  tool.tell("boundary", percent(report.boundary_edges, report.edges) + " of the edges");
-  tool.tellSeconds();
-  tool.tell("file", options.output);
+  log.tell("triangles", std::to_string(report.triangles));
+  log.tell("components", std::to_string(report.components));
+  log.tell("boundary", percent(report.boundary_edges, report.edges) + " of the edges");
+  log.tellSeconds();
+  log.tell("file", options.output);
 }
 
 std::shared_ptr<const pcl::PCLPointCloud2>
@@ -173,46 +162,44 @@ giveUp(pcl::PCLPointCloud2& cloud)
 /** Replaces the cloud by its consolidation.
  * \return the edge length of a voxel, metres */
 double
-consolidate(Tool& tool, const Options& options, pcl::PointCloudFile& file)
+consolidate(const Options& options,
+            pcl::PointCloudFile& file,
+            const RunControls& controls,
+            StageLog& log)
 {
-  std::vector<std::string> remarks;
   pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
   consolidation.setViewpoints(
-      viewpointsOfFile(file, options.input, tool.scale(), remarks));
+      viewpointsOfFile(file, options.input, controls.scale, log));
   consolidation.setSensorOrigin(file.sensor_origin);
-  for (const std::string& remark : remarks)
-    tool.warn(remark);
   if (*options.voxel_size > 0)
-    requireFineLength(tool, "--consolidate", *options.voxel_size, file.points());
+    requireFineLength("--consolidate", *options.voxel_size, file.points(), log);
   consolidation.setVoxelSize(*options.voxel_size);
-  consolidation.setNumberOfThreads(tool.threads());
+  consolidation.setNumberOfThreads(controls.threads);
+  consolidation.setProgressCallback(controls.progress);
   consolidation.setInputCloud(giveUp(file.cloud));
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    consolidation.setProgressCallback(progress);
-    consolidation.filter(file.cloud);
-  });
+  consolidation.filter(file.cloud);
   const pcl::ConsolidationReport& report = consolidation.getReport();
-  for (const std::string& remark : report.remarks)
-    tool.warn(remark);
-  tellConsolidation(tool, report);
+  log.warn(report.remarks);
+  tellConsolidation(report, log);
   return report.voxel_size;
 }
 
 /** Removes the quantisation steps of the cloud, which becomes organized. */
 void
-refine(Tool& tool, const Picture& picture, pcl::PointCloudFile& file)
+refine(const Picture& picture,
+       pcl::PointCloudFile& file,
+       const RunControls& controls,
+       StageLog& log)
 {
   if (picture.order)
     file.cloud = picture.order->arrange(file.cloud);
   pcl::DepthRefinement<pcl::PCLPointCloud2> refinement;
-  refinement.setNumberOfThreads(tool.threads());
+  refinement.setNumberOfThreads(controls.threads);
+  refinement.setProgressCallback(controls.progress);
   refinement.setInputCloud(giveUp(file.cloud));
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    refinement.setProgressCallback(progress);
-    refinement.filter(file.cloud);
-  });
-  tellDepthNoise(tool, refinement.getReport().noise);
-  tellRefinement(tool, refinement.getReport());
+  refinement.filter(file.cloud);
+  tellDepthNoise(refinement.getReport().noise, log);
+  tellRefinement(refinement.getReport(), log);
 }
 
 /** The picture in which a cloud is refined; nothing if it is processed in space. */
@@ -230,49 +217,45 @@ pictureOfFile(const Options& options, const pcl::PointCloudFile& file)
 }
 
 void
-meshCloud(Tool& tool, const Options& options)
+meshCloud(const Options& options, const RunControls& controls, StageLog& log)
 {
-  checkPlaces(tool, options);
-  StepTimer timer(tool.report());
-  pcl::PointCloudFile file = loadScaledCloud(options.input, tool.scale());
+  StepTimer timer(log.report);
+  pcl::PointCloudFile file = loadScaledCloud(options.input, controls.scale);
   timer.finish("read");
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
 
   double maximum_edge_length = options.maximum_edge_length;
   const std::optional<Picture> picture = pictureOfFile(options, file);
   if (picture && options.voxel_size) {
-    refine(tool, *picture, file);
+    refine(*picture, file, controls, log);
     timer.finish("refine");
   }
   else if (options.voxel_size) {
-    const double voxel_size = consolidate(tool, options, file);
+    const double voxel_size = consolidate(options, file, controls, log);
     timer.finish("consolidate");
     if (maximum_edge_length == 0)
       maximum_edge_length = pcl::mesh_edge_in_voxels * voxel_size;
   }
   else if (picture && measureDepthStep(file.points()) > 0)
-    tool.warn(
-        "the depth is quantised, and the mesh shows its steps: --consolidate takes "
-        "them out");
+    log.warn("the depth is quantised, and the mesh shows its steps: --consolidate "
+             "takes them out");
   pcl::TriangleMesh mesh;
   const pcl::DeWallReport report =
-      hasNormals(file)
-          ? triangulate<pcl::PointNormal>(
-                tool, options, file, maximum_edge_length, mesh)
-          : triangulate<pcl::PointXYZ>(tool, options, file, maximum_edge_length, mesh);
+      hasNormals(file) ? triangulate<pcl::PointNormal>(
+                             options, file, maximum_edge_length, controls, mesh)
+                       : triangulate<pcl::PointXYZ>(
+                             options, file, maximum_edge_length, controls, mesh);
   timer.finish("triangulate");
-  collectWarnings(tool, file, report);
+  log.warn(file.remarks);
+  log.warn(report.remarks);
+  log.warn(lengthRemarks(file.points(), report.median_spacing, controls.scale));
   if (mesh.triangles.empty())
-    tool.failWithNothing(options.input + ": no triangle is possible");
+    log.failWithNothing(options.input + ": no triangle is possible");
 
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
   pcl::saveTriangleMesh(options.output, file.cloud, mesh);
   timer.finish("write");
-
-  tool.details()["input"] = options.input;
-  tool.details()["output"] = options.output;
-  tool.details()["report"] = jsonOf(report);
-  summarize(tool, options, report);
+  summarize(options, report, log);
 }
 
 } // namespace
@@ -284,5 +267,8 @@ main(int argc, char** argv)
             "Makes an open, manifold triangle mesh of a point cloud.");
   Options options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { meshCloud(tool, options); });
+  return tool.run(argc, argv, [&] {
+    checkPlaces(tool, options);
+    meshCloud(options, tool.controls(), tool.log());
+  });
 }

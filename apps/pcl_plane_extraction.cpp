@@ -1,15 +1,16 @@
 #include "cloud_labels.h"
 #include "length_check.h"
-#include "output_group.h"
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
-#include "plane_extraction/plane_outputs.h"
-#include "plane_extraction/plane_reports.h"
 
+#include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_writer.h>
 #include <pcl/visualization/display_connection.h>
+
+#include <CLI/CLI.hpp>
 
 #include <optional>
 
@@ -17,15 +18,88 @@ namespace {
 
 using namespace pcl::acmap;
 
+/** Outputs without a name are not written. */
+struct Options : PlaneOptions {
+  std::string input;
+  std::string output;
+  std::string labels;
+  std::string normals;
+  std::string picture;
+};
+
 void
-writeOutputs(const Tool& tool,
-             const PlaneOptions& options,
+addOptions(Tool& tool, Options& options)
+{
+  CLI::App& app = tool.options();
+  const auto add = [&app](const char* name,
+                          std::string& path,
+                          const char* type,
+                          const char* purpose) {
+    return app.add_option(name, path, purpose)->type_name(type);
+  };
+  add("input",
+      options.input,
+      "IN",
+      "Point cloud (.pcd, .ply, .obj, .xyz), or mesh (.ply or .obj with faces)")
+      ->required();
+  add("output", options.output, "PLANES.json", "Planes to write, in metres: .json")
+      ->required();
+  add("--labels",
+      options.labels,
+      "OUT.pcd",
+      "Write the input's points with a field label: plane id + 1, 0 for none");
+  add("--normals",
+      options.normals,
+      "OUT.ply",
+      "Write the mesh with its voted normals, creases and labels");
+  add("--picture",
+      options.picture,
+      "OUT.png",
+      "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
+  addPlaneChoices(tool, options);
+  tool.addThreads();
+  tool.addScale();
+}
+
+/** Checks before the work that all outputs can be written, and that the options are
+ * compatible. */
+void
+checkOptions(const Tool& tool, const Options& options)
+{
+  std::vector<std::string> others = {options.input};
+  for (const auto& [path, ending] : {std::pair(options.output, ".json"),
+                                     std::pair(options.labels, ".pcd"),
+                                     std::pair(options.normals, ".ply"),
+                                     std::pair(options.picture, ".png")}) {
+    if (path.empty())
+      continue;
+    requireWritable(path, {ending}, others);
+    others.push_back(path);
+  }
+  tool.requireReportWritable(others);
+  checkChoices(options);
+}
+
+/** Writes a cloud as PCD with the plane of each point, see withLabels.
+ * \param[in] file passed by value and released, as it may be large */
+void
+saveLabels(const std::string& path,
+           pcl::PointCloudFile file,
+           const std::vector<std::int32_t>& planes)
+{
+  pcl::PCLPointCloud2 cloud = withLabels(std::move(file.cloud), planes);
+  dropUnwritableFields(cloud);
+  pcl::savePointCloud(path, cloud, file.sensor_origin, file.sensor_orientation);
+}
+
+void
+writeOutputs(const Options& options,
              const pcl::MappedPlanes& found,
              pcl::PointCloudFile file)
 {
   OutputGroup outputs;
   const auto write = [&](const std::string& path, const auto& save) {
-    tool.stopIfInterrupted();
+    stopIfInterrupted();
     if (!path.empty())
       outputs.write(path, save);
   };
@@ -39,66 +113,46 @@ writeOutputs(const Tool& tool,
   write(options.labels, [&](const std::string& place) {
     saveLabels(place, std::move(file), found.labels);
   });
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
   outputs.commit();
 }
 
 void
-summarize(Tool& tool, const PlaneOptions& options, const pcl::MappedPlanes& found)
+run(const Options& options, const RunControls& controls, StageLog& log)
 {
-  tellPlanes(tool, found.planes, found.labels, found.finite_points);
-  tool.tellSeconds();
-  tool.details()["input"] = options.input;
-  tool.details()["output"] = options.output;
-  for (const std::string& path :
-       {options.output, options.labels, options.normals, options.picture})
-    if (!path.empty())
-      tool.tell("file", path);
-}
-
-std::vector<Eigen::Vector3f>
-viewpointsOf(Tool& tool, const PlaneOptions& options, const pcl::PointCloudFile& file)
-{
-  std::vector<std::string> remarks;
-  std::vector<Eigen::Vector3f> viewpoints =
-      viewpointsOfFile(file, options.input, tool.scale(), remarks);
-  for (const std::string& remark : remarks)
-    tool.warn(remark);
-  return viewpoints;
-}
-
-void
-run(Tool& tool, const PlaneOptions& options)
-{
-  checkPlaces(tool, options);
   std::optional<DisplayConnection> display;
   if (!options.picture.empty())
     display.emplace();
-  StepTimer timer(tool.report());
+  StepTimer timer(log.report);
   const auto file = std::make_shared<pcl::PointCloudFile>(
-      loadScaledCloud(options.input, tool.scale()));
+      loadScaledCloud(options.input, controls.scale));
   pcl::TriangleMesh triangles;
   const std::string ending = endingOf(options.input);
   if (!options.voxel_size && (ending == ".ply" || ending == ".obj"))
     triangles = pcl::loadTriangleMesh(options.input);
   std::vector<Eigen::Vector3f> viewpoints;
   if (triangles.triangles.empty())
-    viewpoints = viewpointsOf(tool, options, *file);
+    viewpoints = viewpointsOfFile(*file, options.input, controls.scale, log);
   timer.finish("read");
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
 
-  const pcl::MappedPlanes found =
-      extractPlanes(tool, options, file, std::move(viewpoints), std::move(triangles));
-  for (const std::string& remark : file->remarks)
-    tool.warn(remark);
-  for (const std::string& remark :
-       lengthRemarks(found.vertices.points(), found.spacing, tool.scale()))
-    tool.warn(remark);
-  requirePlanes(tool, options.input, found);
-  StepTimer write_timer(tool.report());
-  writeOutputs(tool, options, found, std::move(*file));
+  const pcl::MappedPlanes found = extractPlanes(
+      options, file, std::move(viewpoints), controls, log, std::move(triangles));
+  log.warn(file->remarks);
+  log.warn(lengthRemarks(found.vertices.points(), found.spacing, controls.scale));
+  requirePlanes(options.input, found, log);
+  StepTimer write_timer(log.report);
+  writeOutputs(options, found, std::move(*file));
   write_timer.finish("write");
-  summarize(tool, options, found);
+
+  tellPlanes(found.planes, found.labels, found.finite_points, log);
+  log.tellSeconds();
+  log.details["input"] = options.input;
+  log.details["output"] = options.output;
+  for (const std::string& path :
+       {options.output, options.labels, options.normals, options.picture})
+    if (!path.empty())
+      log.tell("file", path);
 }
 
 } // namespace
@@ -107,7 +161,11 @@ int
 main(int argc, char** argv)
 {
   Tool tool("pcl_plane_extraction", "Finds the planes of a point cloud or a mesh.");
-  PlaneOptions options;
+  Options options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { run(tool, options); });
+  return tool.run(argc, argv, [&] {
+    checkOptions(tool, options);
+    options.keeps_mesh = !options.normals.empty() || !options.picture.empty();
+    run(options, tool.controls(), tool.log());
+  });
 }

@@ -42,47 +42,51 @@ addOptions(Tool& tool, Options& options)
   tool.addScale();
 }
 
+void
+checkOptions(const Tool& tool, const Options& options)
+{
+  const OutputFolder folder(options.output); // fails now rather than after the work
+  if (folder.holds(options.planes) || folder.holds(options.observations))
+    throw UsageError(options.output + ": holds an input, which the map could replace; "
+                                      "name another folder");
+  tool.requireReportWritable({options.planes});
+}
+
 pcl::CompactMap
-paint(Tool& tool, const Options& options, const std::vector<pcl::PlanePatch>& planes)
+paint(const Options& options,
+      const std::vector<pcl::PlanePatch>& planes,
+      const RunControls& controls,
+      StageLog& log)
 {
   const std::string ending = endingOf(options.observations);
-  if (ending == ".pcd" || ending == ".ply" || ending == ".obj")
-    return paintPlanes(tool,
-                       planes,
-                       std::make_shared<const pcl::PointCloudFile>(
-                           loadScaledCloud(options.observations, tool.scale())),
-                       options.texture);
-  return paintPlanes(tool,
-                     planes,
-                     pcl::ObservationSequence(options.observations, tool.scale()),
-                     options.texture);
+  if (ending != ".pcd" && ending != ".ply" && ending != ".obj")
+    return paintPlanes(planes,
+                       pcl::ObservationSequence(options.observations, controls.scale),
+                       options.texture,
+                       controls,
+                       log);
+  const auto cloud = std::make_shared<const pcl::PointCloudFile>(
+      loadScaledCloud(options.observations, controls.scale));
+  return paintPlanes(planes, cloud, options.texture, controls, log);
 }
 
 void
-run(Tool& tool, const Options& options)
+run(const Options& options, const RunControls& controls, StageLog& log)
 {
-  {
-    const OutputFolder folder(options.output); // fails now rather than after the work
-    if (folder.holds(options.planes) || folder.holds(options.observations))
-      throw UsageError(options.output +
-                       ": holds an input, which the map could replace; "
-                       "name another folder");
-  }
-  tool.requireReportWritable({options.planes});
-  StepTimer timer(tool.report());
+  StepTimer timer(log.report);
   const std::vector<pcl::PlanePatch> planes = pcl::loadMapFile(options.planes).planes;
   if (planes.empty())
     throw NothingFound(options.planes + ": holds no plane");
   timer.finish("read");
-  pcl::CompactMap map = paint(tool, options, planes);
+  pcl::CompactMap map = paint(options, planes, controls, log);
   timer.finish("paint");
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
   for (const std::string& name :
        pcl::saveCompactMap(options.output, map, options.texture.outputs))
     if (name.rfind("texture_", 0) != 0)
-      tool.tell("file", options.output + "/" + name);
+      log.tell("file", options.output + "/" + name);
   timer.finish("write");
-  tool.details()["planes"] = planes.size();
+  log.details["planes"] = planes.size();
 }
 
 } // namespace
@@ -94,5 +98,8 @@ main(int argc, char** argv)
             "Paints planes with what was seen of them: a compact map.");
   Options options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { run(tool, options); });
+  return tool.run(argc, argv, [&] {
+    checkOptions(tool, options);
+    run(options, tool.controls(), tool.log());
+  });
 }

@@ -1,15 +1,17 @@
 #include "memory.h"
 #include "output_target.h"
-#include "simulated_rig/raw_session.h"
-#include "simulated_rig/simulation_options.h"
-#include "simulated_rig/truth_file.h"
+#include "simulated_rig/session.h"
+#include "tool.h"
 
 #include <pcl/core/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/scene_file.h>
+#include <pcl/simulation/simulated_light.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -20,6 +22,19 @@ namespace {
 using namespace pcl::acmap;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* stereo_sensor = "stereo";
+constexpr const char* kinect_sensor = "kinect";
+
+struct SimulationOptions {
+  std::string output;
+  std::string scene = "corridor";
+  std::string cameras;      ///< path; empty for those of the scene's rig
+  SessionSettings settings; ///< 0 observations for all, until the scene is open
+  bool clouds = false;
+  std::string sensor = stereo_sensor; ///< sensor that measures the clouds
+  std::string merged;
+};
+
 /** \brief Results of --clouds, for summary and report. */
 struct Counts {
   std::size_t observations = 0;
@@ -28,17 +43,167 @@ struct Counts {
   std::string first_sparse;
 };
 
-pcl::SimulatedScene
-openScene(const std::string& name)
+/** \brief Names of the scenes, as "a, b, c". */
+std::string
+listOfScenes()
+{
+  std::string list;
+  for (const std::string& name : pcl::standardSceneNames())
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void
+addLightOptions(CLI::App& app, pcl::SimulatedLight& light)
+{
+  app.add_option("--ambient",
+                 light.ambient,
+                 "Light of the room: share of a surface's colour that is seen with the "
+                 "projector off")
+      ->type_name("SHARE");
+  app.add_option("--projector-power",
+                 light.projector.power,
+                 "The projector's light on a surface 2 m before it, in the unit of "
+                 "--ambient")
+      ->type_name("SHARE");
+  app.add_option("--exposure", light.exposure, "Factor on all light")
+      ->type_name("FACTOR");
+  app.add_option("--read-noise",
+                 light.read_noise,
+                 "Noise in the dark, grey levels, one standard deviation")
+      ->type_name("LEVELS");
+  app.add_option("--shot-noise",
+                 light.shot_noise,
+                 "Noise of the light: variance that a grey level adds, grey levels")
+      ->type_name("LEVELS");
+  app.add_option(
+         "--blur", light.blur, "Blur of the cameras, pixels, one standard deviation")
+      ->type_name("PX");
+  app.add_flag("--vignetting",
+               light.vignetting,
+               "Let light fall off towards the rim of the images");
+}
+
+void
+addFrameOptions(CLI::App& app, SimulationOptions& options)
+{
+  constexpr std::uint32_t max_patterns = 100;
+  app.add_option(
+         "--patterns",
+         options.settings.patterns,
+         "Shots of an observation under a pattern of lines each, beside the one "
+         "without")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint32_t{1}, max_patterns).description(""));
+  app.add_option("--cameras",
+                 options.cameras,
+                 "Cameras as they are built, with distortion and out of line, in place "
+                 "of the scene's rectified rig; frames are then raw, the truth is that "
+                 "of the rectified ones")
+      ->type_name("RIG.yaml")
+      ->default_str("");
+  addLightOptions(app, options.settings.light);
+}
+
+void
+addCloudOptions(CLI::App& app, SimulationOptions& options)
+{
+  app.add_flag("--clouds",
+               options.clouds,
+               "Write organized point clouds with truth (metres, camera frame) instead "
+               "of a raw session of camera frames");
+  app.add_option(
+         "--sensor",
+         options.sensor,
+         "With --clouds, what measures: the stereo of the scene's rig, or a depth "
+         "camera as the first Kinect, with its quantised depths, shadows and rims")
+      ->type_name("stereo|kinect")
+      ->check(CLI::IsMember({stereo_sensor, kinect_sensor}).description(""));
+  app.add_option("--merged",
+                 options.merged,
+                 "With --clouds, write all points as one cloud too: x y z rgb view "
+                 "label, map frame")
+      ->type_name("MAP.pcd");
+}
+
+void
+addOptions(Tool& tool, SimulationOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option("-o,--output", options.output, "Folder for the session")
+      ->type_name("SESSION_DIR")
+      ->required();
+  app.add_option("--scene", options.scene, "A scene file, or " + listOfScenes())
+      ->type_name("S.yaml|NAME");
+  app.add_option("--observations",
+                 options.settings.observations,
+                 "Only the first N views of the scene [default: all]")
+      ->type_name("N")
+      ->default_str("")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+  addFrameOptions(app, options);
+  addCloudOptions(app, options);
+  tool.addSeed(options.settings.seed);
+  tool.addThreads();
+}
+
+/** Refuses options that exclude each other, and illegal light settings. */
+void
+requireSense(Tool& tool, const SimulationOptions& options)
+{
+  for (const char* const name : {"--output", "--scene", "--cameras", "--merged"}) {
+    const CLI::Option& option = *tool.options().get_option(name);
+    if (option.count() > 0 && option.as<std::string>().empty())
+      throw UsageError(std::string(name) + " names nothing");
+  }
+  if (!options.clouds)
+    for (const char* const name : {"--merged", "--sensor"})
+      if (tool.options().count(name) > 0)
+        throw UsageError(std::string(name) + " needs --clouds");
+  if (options.clouds)
+    for (const char* const name : {"--patterns",
+                                   "--cameras",
+                                   "--ambient",
+                                   "--projector-power",
+                                   "--exposure",
+                                   "--read-noise",
+                                   "--shot-noise",
+                                   "--blur",
+                                   "--vignetting"})
+      if (tool.options().count(name) > 0)
+        throw UsageError(std::string(name) +
+                         " is for camera frames, --clouds makes none");
+  pcl::requireSoundLight(options.settings.light);
+}
+
+/** Opens the scene with its cameras, and counts its observations. */
+FilmedScene
+openScene(SimulationOptions& options, StageLog& log)
 {
   const auto& standard = pcl::standardSceneNames();
-  if (std::find(standard.begin(), standard.end(), name) != standard.end())
-    return pcl::standardScene(name);
+  const bool is_standard =
+      std::find(standard.begin(), standard.end(), options.scene) != standard.end();
   std::error_code error;
-  if (!std::filesystem::exists(name, error))
-    throw pcl::InputFileException(name + ": is no file, and no standard scene (" +
-                                  listOfScenes() + ")");
-  return pcl::loadSimulatedScene(name);
+  if (!is_standard && !std::filesystem::exists(options.scene, error))
+    throw pcl::InputFileException(
+        options.scene + ": is no file, and no standard scene (" + listOfScenes() + ")");
+  FilmedScene filmed;
+  filmed.scene = is_standard ? pcl::standardScene(options.scene)
+                             : pcl::loadSimulatedScene(options.scene);
+  if (options.sensor == kinect_sensor)
+    pcl::useKinect(filmed.scene);
+  std::size_t& views = options.settings.observations;
+  views = pcl::trajectoryOf(filmed.scene, views ? views : filmed.scene.views.size())
+              .poses.size();
+  // coordinates, colour, view, label, and the same for the copy as a cloud
+  constexpr std::size_t bytes_per_point = 48;
+  if (!options.merged.empty())
+    requireMemory(filmed.scene.mostPointsOfView() * views * bytes_per_point,
+                  "the merged cloud");
+  if (!options.cameras.empty())
+    for (const std::string& remark : setBuiltCameras(options.cameras, filmed))
+      log.warn(options.cameras + ": " + remark);
+  return filmed;
 }
 
 void
@@ -46,7 +211,7 @@ checkPlaces(const Tool& tool,
             const SimulationOptions& options,
             const OutputFolder& folder)
 {
-  requireNoSession(folder);
+  requireNoneIn(folder, isSessionName);
   const std::string own_truth = options.output + "/" + truth_name;
   tool.requireReportWritable(
       {options.scene, options.cameras, options.merged, own_truth});
@@ -58,51 +223,36 @@ checkPlaces(const Tool& tool,
     throw UsageError(options.merged + ": would be one of the session's own files");
 }
 
-void
-requireMemoryForMerging(const pcl::SimulatedScene& scene, std::size_t views)
-{
-  // coordinates, colour, view, label, and the same for the copy as a cloud
-  constexpr std::size_t bytes_per_point = 48;
-  requireMemory(scene.mostPointsOfView() * views * bytes_per_point, "the merged cloud");
-}
-
-void
-count(const pcl::SimulatedObservation& observation, Counts& counts)
-{
-  counts.points.all += observation.points;
-  for (const pcl::ObservationPixel& pixel : observation.pixels)
-    ++counts.points.of_label[pixel.label];
-}
-
 Counts
-writeObservations(Tool& tool,
-                  const SimulationOptions& options,
+writeObservations(const SimulationOptions& options,
                   const pcl::SimulatedScene& scene,
                   const OutputFolder& folder,
+                  const RunControls& controls,
                   pcl::MergedObservations& merged)
 {
   Counts counts;
   counts.points.of_label.resize(scene.geometry.planes().size() + 1);
-  const std::size_t views = merged.trajectory.poses.size();
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    const Progress told(progress);
-    for (std::size_t view = 0; view < views; ++view) {
-      told.tell(static_cast<double>(view) / static_cast<double>(views), "observing");
-      const pcl::SimulatedObservation observation = withThreads(
-          tool.threads(), [&] { return pcl::observe(scene, view, options.seed); });
-      saveObservation(folder.path(observationName(view)),
-                      pcl::cloudOf(observation),
-                      merged.trajectory.poses[view]);
-      if (!options.merged.empty())
-        pcl::appendObservation(observation, view, merged);
-      count(observation, counts);
-      if (!scene.depth_camera && observation.points < scene.sensor.pointsOfView(view) &&
-          counts.sparse++ == 0)
-        counts.first_sparse =
-            observationName(view) + " with " + std::to_string(observation.points);
-    }
-  });
-  counts.observations = views;
+  counts.observations = merged.trajectory.poses.size();
+  const Progress told(controls.progress);
+  for (std::size_t view = 0; view < counts.observations; ++view) {
+    told.tell(static_cast<double>(view) / static_cast<double>(counts.observations),
+              "observing");
+    const pcl::SimulatedObservation observation = withThreads(controls.threads, [&] {
+      return pcl::observe(scene, view, options.settings.seed);
+    });
+    saveObservation(folder.path(observationName(view)),
+                    pcl::cloudOf(observation),
+                    merged.trajectory.poses[view]);
+    if (!options.merged.empty())
+      pcl::appendObservation(observation, view, merged);
+    counts.points.all += observation.points;
+    for (const pcl::ObservationPixel& pixel : observation.pixels)
+      ++counts.points.of_label[pixel.label];
+    if (!scene.depth_camera && observation.points < scene.sensor.pointsOfView(view) &&
+        counts.sparse++ == 0)
+      counts.first_sparse =
+          observationName(view) + " with " + std::to_string(observation.points);
+  }
   return counts;
 }
 
@@ -129,134 +279,80 @@ addSensor(const pcl::SimulatedScene& scene, Json& json)
 }
 
 void
-saveCloudTruth(const std::string& path,
-               const SimulationOptions& options,
-               const pcl::SimulatedScene& scene,
-               const Counts& counts)
-{
-  Json json = truthHead(scene, options.seed, counts.observations);
-  json["points"] = counts.points.all;
-  addSensor(scene, json);
-  json["planes"] = truthPlanes(scene, counts.points);
-  saveTruth(path, json);
-}
-
-void
-tellResults(Tool& tool, const SimulationOptions& options, const Counts& counts)
-{
-  if (counts.sparse > 0)
-    tool.warn(std::to_string(counts.sparse) +
-              " observations see too little to have all their points, first " +
-              counts.first_sparse);
-  tool.details() = {{"scene", options.scene},
-                    {"output", options.output},
-                    {"sensor", options.sensor},
-                    {"seed", options.seed},
-                    {"observations", counts.observations},
-                    {"points", counts.points.all},
-                    {"sparse_observations", counts.sparse}};
-  tool.tell("observations", std::to_string(counts.observations));
-  tool.tell("points", std::to_string(counts.points.all));
-  tool.tell("folder", options.output);
-  if (!options.merged.empty())
-    tool.tell("merged", options.merged);
-}
-
-void
-tellSession(Tool& tool,
-            const SimulationOptions& options,
-            const SessionSettings& settings,
-            const SessionCounts& counts)
-{
-  const double lit = static_cast<double>(counts.lit) / static_cast<double>(counts.seen);
-  tool.details() = {{"scene", options.scene},
-                    {"output", options.output},
-                    {"seed", options.seed},
-                    {"observations", settings.observations},
-                    {"patterns", settings.patterns},
-                    {"frames", counts.frames},
-                    {"lit_share", lit}};
-  if (!options.cameras.empty())
-    tool.details()["cameras"] = options.cameras;
-  tool.tell("observations", std::to_string(settings.observations));
-  tool.tell("frames", std::to_string(counts.frames));
-  tool.tell("folder", options.output);
-}
-
-void
-makeClouds(Tool& tool,
-           const SimulationOptions& options,
+makeClouds(const SimulationOptions& options,
            const pcl::SimulatedScene& scene,
-           pcl::Trajectory trajectory,
-           StepTimer& timer)
+           OutputFolder& folder,
+           const RunControls& controls,
+           StageLog& log)
 {
+  StepTimer timer(log.report);
   pcl::MergedObservations merged;
-  merged.trajectory = std::move(trajectory);
-  if (!options.merged.empty())
-    requireMemoryForMerging(scene, merged.trajectory.poses.size());
-  OutputFolder folder(options.output);
-  checkPlaces(tool, options, folder);
-  timer.finish("read");
-
-  const Counts counts = writeObservations(tool, options, scene, folder, merged);
+  merged.trajectory = pcl::trajectoryOf(scene, options.settings.observations);
+  const Counts counts = writeObservations(options, scene, folder, controls, merged);
   if (counts.points.all == 0)
     throw NothingFound(options.scene + ": no view sees anything in reach");
   timer.finish("observe");
 
   pcl::saveTrajectory(folder.path(trajectory_name), merged.trajectory);
   pcl::saveTrinocularRig(folder.path(rig_name), scene.rig);
-  saveCloudTruth(folder.path(truth_name), options, scene, counts);
-  tool.stopIfInterrupted();
+  Json truth = truthHead(scene, options.settings.seed, counts.observations);
+  truth["points"] = counts.points.all;
+  addSensor(scene, truth);
+  truth["planes"] = truthPlanes(scene, counts.points);
+  saveJson(folder.path(truth_name), truth, 1);
+  stopIfInterrupted();
   if (!options.merged.empty())
     pcl::savePointCloud(options.merged, pcl::cloudOf(merged));
   folder.commit();
   timer.finish("write");
-  tellResults(tool, options, counts);
+
+  if (counts.sparse > 0)
+    log.warn(std::to_string(counts.sparse) +
+             " observations see too little to have all their points, first " +
+             counts.first_sparse);
+  log.details = {{"scene", options.scene},
+                 {"output", options.output},
+                 {"sensor", options.sensor},
+                 {"seed", options.settings.seed},
+                 {"observations", counts.observations},
+                 {"points", counts.points.all},
+                 {"sparse_observations", counts.sparse}};
+  log.tell("observations", std::to_string(counts.observations));
+  log.tell("points", std::to_string(counts.points.all));
+  log.tell("folder", options.output);
+  if (!options.merged.empty())
+    log.tell("merged", options.merged);
 }
 
 void
-makeSession(Tool& tool,
-            const SimulationOptions& options,
-            FilmedScene filmed,
-            std::size_t views,
-            StepTimer& timer)
+makeSession(const SimulationOptions& options,
+            const FilmedScene& filmed,
+            OutputFolder& folder,
+            const RunControls& controls,
+            StageLog& log)
 {
-  if (!options.cameras.empty())
-    for (const std::string& remark : setBuiltCameras(options.cameras, filmed))
-      tool.warn(options.cameras + ": " + remark);
-  const SessionSettings settings{
-      views, options.patterns, options.light, options.seed, tool.threads()};
-  OutputFolder folder(options.output);
-  checkPlaces(tool, options, folder);
-  timer.finish("read");
-
-  SessionCounts counts;
-  tool.withProgress([&](const pcl::ProgressCallback& progress) {
-    counts = writeSession(folder, filmed, settings, progress);
-  });
+  StepTimer timer(log.report);
+  const SessionSettings& settings = options.settings;
+  const SessionCounts counts = writeSession(folder, filmed, settings, controls);
   if (counts.seen == 0)
     throw NothingFound(options.scene + ": no view sees anything");
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
   folder.commit();
   timer.finish("film");
-  tellSession(tool, options, settings, counts);
-}
 
-void
-simulate(Tool& tool, const SimulationOptions& options)
-{
-  requireSense(tool, options);
-  StepTimer timer(tool.report());
-  pcl::SimulatedScene scene = openScene(options.scene);
-  if (options.sensor == kinect_sensor)
-    pcl::useKinect(scene);
-  pcl::Trajectory trajectory = pcl::trajectoryOf(
-      scene, options.observations ? options.observations : scene.views.size());
-  if (options.clouds)
-    makeClouds(tool, options, scene, std::move(trajectory), timer);
-  else
-    makeSession(
-        tool, options, {std::move(scene), {}, {}}, trajectory.poses.size(), timer);
+  const double lit = static_cast<double>(counts.lit) / static_cast<double>(counts.seen);
+  log.details = {{"scene", options.scene},
+                 {"output", options.output},
+                 {"seed", settings.seed},
+                 {"observations", settings.observations},
+                 {"patterns", settings.patterns},
+                 {"frames", counts.frames},
+                 {"lit_share", lit}};
+  if (!options.cameras.empty())
+    log.details["cameras"] = options.cameras;
+  log.tell("observations", std::to_string(settings.observations));
+  log.tell("frames", std::to_string(counts.frames));
+  log.tell("folder", options.output);
 }
 
 } // namespace
@@ -268,5 +364,17 @@ main(int argc, char** argv)
             "Simulates what the rig measures on its way through a building.");
   SimulationOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { simulate(tool, options); });
+  return tool.run(argc, argv, [&] {
+    requireSense(tool, options);
+    StageLog& log = tool.log();
+    StepTimer timer(log.report);
+    const FilmedScene filmed = openScene(options, log);
+    OutputFolder folder(options.output);
+    checkPlaces(tool, options, folder);
+    timer.finish("read");
+    if (options.clouds)
+      makeClouds(options, filmed.scene, folder, tool.controls(), log);
+    else
+      makeSession(options, filmed, folder, tool.controls(), log);
+  });
 }

@@ -1,6 +1,7 @@
 #include "stereo_observation.h"
 
-#include "json_file.h"
+#include "memory.h"
+#include "output_target.h"
 
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>

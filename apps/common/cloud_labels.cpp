@@ -21,25 +21,6 @@ packedColor(std::uint32_t label)
   return GlasbeyLUT::at((label - 1) % GlasbeyLUT::size()).rgba;
 }
 
-std::vector<Eigen::Vector3f>
-viewpointsBeside(const std::string& path,
-                 double scale,
-                 std::vector<std::string>& remarks)
-{
-  const auto trajectory =
-      std::filesystem::path(path).replace_filename("trajectory.txt");
-  std::vector<Eigen::Vector3f> viewpoints;
-  if (!std::filesystem::exists(trajectory)) {
-    remarks.push_back("no " + trajectory.string() +
-                      ": the points name their views, but where these stood is "
-                      "unknown");
-    return viewpoints;
-  }
-  for (const Eigen::Isometry3d& pose : loadTrajectory(trajectory.string()).poses)
-    viewpoints.push_back((pose.translation() * scale).cast<float>());
-  return viewpoints;
-}
-
 } // namespace
 
 PCLPointCloud2
@@ -73,11 +54,20 @@ std::vector<Eigen::Vector3f>
 viewpointsOfFile(const PointCloudFile& file,
                  const std::string& path,
                  double scale,
-                 std::vector<std::string>& remarks)
+                 StageLog& log)
 {
+  std::vector<Eigen::Vector3f> viewpoints;
   if (!findField(file.cloud, "view", PCLPointField::INT32))
-    return {};
-  return viewpointsBeside(path, scale, remarks);
+    return viewpoints;
+  const auto trajectory =
+      std::filesystem::path(path).replace_filename("trajectory.txt");
+  if (!std::filesystem::exists(trajectory))
+    log.warn("no " + trajectory.string() +
+             ": the points name their views, but where these stood is unknown");
+  else
+    for (const Eigen::Isometry3d& pose : loadTrajectory(trajectory.string()).poses)
+      viewpoints.push_back((pose.translation() * scale).cast<float>());
+  return viewpoints;
 }
 
 } // namespace pcl::acmap

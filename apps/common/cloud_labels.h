@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stage_log.h"
+
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/point_cloud_file.h>
 
@@ -22,16 +24,16 @@ PCLPointCloud2
 coloredByLabel(PCLPointCloud2 cloud);
 
 /** \brief Sensor positions of the observations that the int32 field `view` of a file's
- * cloud refers to, read from the `trajectory.txt` next to the file.
+ * cloud refers to, read from the `trajectory.txt` next to the file; a warning when there
+ * is none.
  * \param[in] path of the file that the cloud was read from
  * \param[in] scale metres in a unit of the trajectory
- * \param[in,out] remarks gets a line when there is no trajectory
  * \return metres; none for a cloud without that field
  * \throws InputFileException when the trajectory cannot be read */
 std::vector<Eigen::Vector3f>
 viewpointsOfFile(const PointCloudFile& file,
                  const std::string& path,
                  double scale,
-                 std::vector<std::string>& remarks);
+                 StageLog& log);
 
 } // namespace pcl::acmap

@@ -28,6 +28,43 @@ memoryFault()
              : "not enough memory";
 }
 
+template <typename... Types>
+bool
+isOneOf(const std::exception& error)
+{
+  return ((dynamic_cast<const Types*>(&error) != nullptr) || ...);
+}
+
+ExitCode
+codeOf(const std::exception& error)
+{
+  if (isOneOf<InterruptedPartway>(error))
+    return exit_interrupted;
+  if (isOneOf<InputFileException>(error))
+    return exit_input;
+  if (isOneOf<MemoryLimitException, MemoryRefused>(error))
+    return exit_memory;
+  if (isOneOf<OutputFileException>(error))
+    return exit_output;
+  if (isOneOf<NothingFound, EmptyInputException>(error))
+    return exit_nothing_found;
+  if (isOneOf<UsageError, BadArgumentException>(error))
+    return exit_usage;
+  return exit_failed;
+}
+
+/** \brief Could something not be allocated? The system error is that of a thread for
+ * whose stack there is no memory. */
+bool
+lacksMemory(const std::exception& error)
+{
+  if (isOneOf<std::bad_alloc>(error))
+    return true;
+  const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
+  return of_system && (of_system->code() == std::errc::resource_unavailable_try_again ||
+                       of_system->code() == std::errc::not_enough_memory);
+}
+
 } // namespace
 
 Failure
@@ -39,45 +76,10 @@ failureOf(const std::exception_ptr& error)
   catch (const CancelledException&) {
     return {exit_interrupted, "interrupted, nothing was written"};
   }
-  catch (const InterruptedPartway& e) {
-    return {exit_interrupted, oneLine(e.what())};
-  }
-  catch (const InputFileException& e) {
-    return {exit_input, oneLine(e.what())};
-  }
-  catch (const MemoryLimitException& e) {
-    return {exit_memory, oneLine(e.what())};
-  }
-  catch (const OutputFileException& e) {
-    return {exit_output, oneLine(e.what())};
-  }
-  catch (const NothingFound& e) {
-    return {exit_nothing_found, oneLine(e.what())};
-  }
-  catch (const EmptyInputException& e) {
-    return {exit_nothing_found, oneLine(e.what())};
-  }
-  catch (const UsageError& e) {
-    return {exit_usage, oneLine(e.what())};
-  }
-  catch (const BadArgumentException& e) {
-    return {exit_usage, oneLine(e.what())};
-  }
-  catch (const MemoryRefused& e) {
-    return {exit_memory, oneLine(e.what())};
-  }
-  catch (const std::bad_alloc&) {
-    return {exit_memory, memoryFault()};
-  }
-  catch (const std::system_error& e) {
-    // thrown when there is no memory for the stack of a thread
-    if (e.code() == std::errc::resource_unavailable_try_again ||
-        e.code() == std::errc::not_enough_memory)
-      return {exit_memory, memoryFault()};
-    return {exit_failed, oneLine(e.what())};
-  }
   catch (const std::exception& e) {
-    return {exit_failed, oneLine(e.what())};
+    if (lacksMemory(e))
+      return {exit_memory, memoryFault()};
+    return {codeOf(e), oneLine(e.what())};
   }
   catch (...) {
     return {exit_failed, "failed for an unknown reason"};

@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool
-begins(const std::string& text, const std::string& with)
-{
-  return text.rfind(with, 0) == 0;
-}
-
 std::set<std::string>
 namesIn(const fs::path& folder)
 {
@@ -66,10 +60,9 @@ kindOfFolder(const fs::path& folder)
 std::string
 firstBytes(const std::string& path)
 {
-  constexpr std::size_t count = 4096;
-  std::string bytes(count, '\0');
+  std::string bytes(4096, '\0');
   std::ifstream file(path, std::ios::binary);
-  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return bytes;
 }
@@ -81,7 +74,7 @@ beginsAsCarmenLog(const std::string& bytes)
   for (std::string line; std::getline(lines, line);)
     for (const char* message :
          {"FLASER ", "RLASER ", "ODOM ", "PARAM ", "ROBOTLASER1 "})
-      if (begins(line, message))
+      if (line.rfind(message, 0) == 0)
         return true;
   return false;
 }
@@ -104,75 +97,64 @@ kindOfFile(const std::string& path)
   return beginsAsCarmenLog(bytes) ? InputKind::CarmenLog : InputKind::Unknown;
 }
 
-/** \brief The arguments that accept an input of the kind, as "tool argument". */
-const std::multimap<InputKind, std::string>&
-rightDoors()
-{
-  static const std::multimap<InputKind, std::string> doors = {
-      {InputKind::RgbdFolder, "pcl_rgbd_import input"},
-      {InputKind::RawSession, "pcl_active_stereo session"},
-      {InputKind::RawSession, "pcl_compact_mapping input"},
-      {InputKind::RawSession, "pcl_paper_figures session"},
-      {InputKind::CompactMap, "pcl_compact_viewer input"},
-      {InputKind::CompactMap, "pcl_paper_figures map"},
-      {InputKind::MergedMap, "pcl_compact_viewer input"},
-      {InputKind::MergedMap, "pcl_paper_figures map"}, // without its map.json
-      {InputKind::Observations, "pcl_compact_mapping input"},
-      {InputKind::Observations, "pcl_entropy_rectification posed"},
-      {InputKind::Observations, "pcl_plane_texturing observations"},
-      {InputKind::Observations, "pcl_visual_egomotion observations"},
-      {InputKind::Planes, "pcl_compact_viewer input"},
-      {InputKind::Planes, "pcl_plane_texturing planes"},
-      {InputKind::Cloud, "pcl_compact_mapping input"},
-      {InputKind::Cloud, "pcl_compact_viewer input"},
-      {InputKind::Cloud, "pcl_dewall_surface input"},
-      {InputKind::Cloud, "pcl_plane_extraction input"},
-      {InputKind::Cloud, "pcl_plane_texturing observations"},
-      {InputKind::Cloud, "pcl_visual_egomotion observations"},
-  };
-  return doors;
-}
+/** \brief The tools for an input. */
+struct ToolsForInput {
+  std::vector<std::string> doors; ///< arguments that accept it, as "tool argument"
+  std::string advice;             ///< sentence with a command; a % is the input's path
+};
 
-std::string
-adviceFor(InputKind kind, const std::string& path)
+const std::map<InputKind, ToolsForInput>&
+toolsForInputs()
 {
-  switch (kind) {
-  case InputKind::RgbdFolder:
-    return path + " is an RGB-D recording: first run pcl_rgbd_import " + path +
-           " -o observations";
-  case InputKind::RawSession:
-    return path + " is a raw session: run pcl_active_stereo " + path +
-           " -o observations for point clouds, or pcl_compact_mapping " + path +
-           " -o map for a map";
-  case InputKind::CompactMap:
-    return path + " is a compact map already: run pcl_compact_viewer " + path +
-           " to see it; its planes are " + path + "/map.json";
-  case InputKind::MergedMap:
-    return path +
-           " holds poses and a merged map, no observations: run "
-           "pcl_entropy_rectification with --observations to have those, or "
-           "give " +
-           path + "/map.pcd as one cloud";
-  case InputKind::Observations:
-    return path + " is a folder of point clouds: run pcl_compact_mapping " + path +
-           " -o map for a map, or give one of its files";
-  case InputKind::Images:
-    return path + " holds images: those of a stereo rig go to pcl_active_stereo "
-                  "--reference IMG.. --horizontal IMG.. --rig RIG.yaml -o observations";
-  case InputKind::CarmenLog:
-    return path + " is a laser log of CARMEN: run pcl_entropy_rectification --carmen " +
-           path + " -o straight";
-  case InputKind::Planes:
-    return path + " holds planes: run pcl_plane_texturing " + path +
-           " POSED_DIR -o map to paint them, or pcl_compact_viewer " + path +
-           " to see them";
-  case InputKind::Cloud:
-    return path + " is a point cloud or a mesh: run pcl_dewall_surface " + path +
-           " mesh.ply for a mesh, or pcl_plane_extraction " + path +
-           " planes.json for planes";
-  default:
-    return {};
-  }
+  static const std::map<InputKind, ToolsForInput> tools = {
+      {InputKind::RgbdFolder,
+       {{"pcl_rgbd_import input"},
+        "% is an RGB-D recording: first run pcl_rgbd_import % -o observations"}},
+      {InputKind::RawSession,
+       {{"pcl_active_stereo session",
+         "pcl_compact_mapping input",
+         "pcl_paper_figures session"},
+        "% is a raw session: run pcl_active_stereo % -o observations for point clouds, "
+        "or pcl_compact_mapping % -o map for a map"}},
+      {InputKind::CompactMap,
+       {{"pcl_compact_viewer input", "pcl_paper_figures map"},
+        "% is a compact map already: run pcl_compact_viewer % to see it; its planes "
+        "are %/map.json"}},
+      {InputKind::MergedMap,
+       {{"pcl_compact_viewer input", "pcl_paper_figures map"}, // without its map.json
+        "% holds poses and a merged map, no observations: run "
+        "pcl_entropy_rectification with --observations to have those, or give "
+        "%/map.pcd as one cloud"}},
+      {InputKind::Observations,
+       {{"pcl_compact_mapping input",
+         "pcl_entropy_rectification posed",
+         "pcl_plane_texturing observations",
+         "pcl_visual_egomotion observations"},
+        "% is a folder of point clouds: run pcl_compact_mapping % -o map for a map, or "
+        "give one of its files"}},
+      {InputKind::Images,
+       {{},
+        "% holds images: those of a stereo rig go to pcl_active_stereo --reference "
+        "IMG.. --horizontal IMG.. --rig RIG.yaml -o observations"}},
+      {InputKind::CarmenLog,
+       {{},
+        "% is a laser log of CARMEN: run pcl_entropy_rectification --carmen % -o "
+        "straight"}},
+      {InputKind::Planes,
+       {{"pcl_compact_viewer input", "pcl_plane_texturing planes"},
+        "% holds planes: run pcl_plane_texturing % POSED_DIR -o map to paint them, or "
+        "pcl_compact_viewer % to see them"}},
+      {InputKind::Cloud,
+       {{"pcl_compact_mapping input",
+         "pcl_compact_viewer input",
+         "pcl_dewall_surface input",
+         "pcl_plane_extraction input",
+         "pcl_plane_texturing observations",
+         "pcl_visual_egomotion observations"},
+        "% is a point cloud or a mesh: run pcl_dewall_surface % mesh.ply for a mesh, "
+        "or "
+        "pcl_plane_extraction % planes.json for planes"}}};
+  return tools;
 }
 
 } // namespace
@@ -191,12 +173,16 @@ toolForInput(const std::string& tool,
              const std::string& positional,
              const std::string& path)
 {
-  const InputKind kind = inputKindOf(path);
-  const auto doors = rightDoors().equal_range(kind);
-  const bool is_right = std::any_of(doors.first, doors.second, [&](const auto& door) {
-    return door.second == tool + " " + positional;
-  });
-  return is_right ? std::string() : adviceFor(kind, path);
+  const auto tools = toolsForInputs().find(inputKindOf(path));
+  if (tools == toolsForInputs().end())
+    return {};
+  const auto& [doors, advice] = tools->second;
+  if (std::count(doors.begin(), doors.end(), tool + " " + positional) > 0)
+    return {};
+  std::string text;
+  for (const char letter : advice)
+    text += letter == '%' ? path : std::string(1, letter);
+  return text;
 }
 
 } // namespace pcl::acmap

@@ -1,10 +1,9 @@
 #include "length_check.h"
 
-#include "tool.h"
+#include "exit_code.h"
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap {
 namespace {
@@ -62,12 +61,11 @@ farRemark(const PointView& points, const CloudExtent& extent)
   }
   if (count == 0)
     return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << (count == 1 ? "one point lies" : std::to_string(count) + " points lie")
-       << " far away from all others, " << (count == 1 ? "" : "the farthest ")
-       << "at a distance of " << most << " m (point " << points.index(farthest) << ")";
-  return text.str();
+  return (count == 1 ? "one point lies far away from all others, "
+                     : std::to_string(count) + " points lie far away from all others, "
+                                               "the farthest ") +
+         std::string("at a distance of ") + shortNumber(most) + " m (point " +
+         std::to_string(points.index(farthest)) + ")";
 }
 
 std::string
@@ -75,18 +73,15 @@ millimetreRemark(double median_spacing, double extent, double scale)
 {
   if (median_spacing <= suspicious_spacing && extent <= suspicious_extent)
     return {};
-  std::ostringstream text;
-  text.precision(3);
-  if (extent > absurd_extent) {
-    text << "these cannot be metres: the points spread over " << extent
-         << " m; --scale tells the unit of the input";
-    return text.str();
-  }
-  text << "looks like millimetres: the points spread over " << extent << " m";
+  if (extent > absurd_extent)
+    return "these cannot be metres: the points spread over " + shortNumber(extent) +
+           " m; --scale tells the unit of the input";
+  std::string text =
+      "looks like millimetres: the points spread over " + shortNumber(extent) + " m";
   if (median_spacing > 0)
-    text << " and stand " << median_spacing << " m apart";
-  text << "; --scale " << scale * 0.001 << " would make metres of millimetres";
-  return text.str();
+    text += " and stand " + shortNumber(median_spacing) + " m apart";
+  return text + "; --scale " + shortNumber(scale * 0.001) +
+         " would make metres of millimetres";
 }
 
 std::string
@@ -97,11 +92,9 @@ coarsenessRemark(const CloudExtent& extent)
   const double step = farthest * double{std::numeric_limits<float>::epsilon()};
   if (step <= coarse_step || extent.diagonal() > suspicious_extent)
     return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << "lies " << farthest << " m from the origin, where coordinates are kept in "
-       << "steps of about " << step << " m; take an offset off them";
-  return text.str();
+  return "lies " + shortNumber(farthest) +
+         " m from the origin, where coordinates are kept in steps of about " +
+         shortNumber(step) + " m; take an offset off them";
 }
 
 } // namespace
@@ -137,23 +130,16 @@ lengthRemarks(const PointView& points, double median_spacing, double scale)
 }
 
 void
-warnOfLengths(Tool& tool, const PointCloudFile& file)
-{
-  warnOfLengths(file, tool.controls(), tool.log());
-}
-
-void
 warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log)
 {
-  for (const std::string& remark : lengthRemarks(file.points(), 0, controls.scale))
-    log.warn(remark);
+  log.warn(lengthRemarks(file.points(), 0, controls.scale));
 }
 
 void
-requireFineLength(Tool& tool,
-                  const std::string& option,
+requireFineLength(const std::string& option,
                   double metres,
-                  const PointView& points)
+                  const PointView& points,
+                  StageLog& log)
 {
   const double extent = cloudExtent(points).diagonal();
   if (!(extent > 0) || metres <= coarse_extents * extent)
@@ -165,7 +151,7 @@ requireFineLength(Tool& tool,
     text += "; for " + shortNumber(metres) + " mm give " + shortNumber(millimetres);
   if (metres > extents_beyond * extent)
     throw UsageError(text);
-  tool.warn(text);
+  log.warn(text);
 }
 
 } // namespace pcl::acmap

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stage_log.h"
+
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_view.h>
 
@@ -7,10 +9,6 @@
 #include <vector>
 
 namespace pcl::acmap {
-
-class Tool;
-struct RunControls;
-struct StageLog;
 
 /** \brief Extent of most points of a cloud, robust against outliers. */
 struct CloudExtent {
@@ -39,10 +37,7 @@ lengthRemarks(const PointView& points, double median_spacing, double scale);
 
 /** \brief Warns about the lengths of a file, without those checks that need its
  * spacing.
- * \param[in] file in metres, by the tool's scale */
-void
-warnOfLengths(Tool& tool, const PointCloudFile& file);
-
+ * \param[in] file in metres, by the scale of the controls */
 void
 warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log);
 
@@ -53,9 +48,9 @@ warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog&
  * \throws UsageError if it exceeds the cloud, for example if it was given in
  * millimetres */
 void
-requireFineLength(Tool& tool,
-                  const std::string& option,
+requireFineLength(const std::string& option,
                   double metres,
-                  const PointView& points);
+                  const PointView& points,
+                  StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,19 +1,19 @@
 #include "memory.h"
 
 #include "exit_code.h"
+#include "stage_log.h"
 
 #include <pcl/core/parallel.h>
 
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <fstream>
 #include <limits>
+#include <mutex>
 #include <new>
-#include <sstream>
-#include <thread>
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
@@ -64,7 +64,7 @@ ownMemory()
 }
 
 void
-refuseBeyond(rlim_t bytes)
+limitOwnMemory(rlim_t bytes)
 {
   rlimit both = {};
   if (!can_refuse || getrlimit(RLIMIT_DATA, &both) != 0)
@@ -73,38 +73,38 @@ refuseBeyond(rlim_t bytes)
   setrlimit(RLIMIT_DATA, &both);
 }
 
+/** \brief Sets the limit in addition to the memory that does not count for it. */
+void
+limitAgain()
+{
+  const std::size_t besides = memory_before + for_small_blocks;
+  limitOwnMemory(memory_limit > unknown - besides ? RLIM_INFINITY
+                                                  : besides + memory_limit);
+}
+
+/** \brief Starts the worker threads: each waits until all have started. */
 void
 startThreads(unsigned threads)
 {
-  using Clock = std::chrono::steady_clock;
   withThreads(threads, [] {
-    const int all = oneapi::tbb::this_task_arena::max_concurrency();
     // on a busy machine; a thread that starts later ends the process if it gets no
     // memory
-    const auto deadline = Clock::now() + std::chrono::seconds(10);
-    std::atomic<int> there = 0;
-    // each task keeps its thread busy until all threads have started
-    oneapi::tbb::parallel_for(0, all, [&](int) {
-      ++there;
-      while (there < all && Clock::now() < deadline)
-        std::this_thread::yield();
-    });
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const int all = oneapi::tbb::this_task_arena::max_concurrency();
+    int started = 0;
+    std::mutex mutex;
+    std::condition_variable all_started;
+    oneapi::tbb::parallel_for(
+        0,
+        all,
+        [&](int) {
+          std::unique_lock<std::mutex> lock(mutex);
+          if (++started == all)
+            all_started.notify_all();
+          all_started.wait_until(lock, deadline, [&] { return started == all; });
+        },
+        oneapi::tbb::simple_partitioner());
   });
-}
-
-/** The first refusal lifts the limit: the cleanup after the run needs memory, too. */
-void
-refuseOnce()
-{
-  refuseBeyond(RLIM_INFINITY);
-  throw std::bad_alloc();
-}
-
-rlim_t
-largestOwnMemory()
-{
-  const std::size_t besides = memory_before + for_small_blocks;
-  return memory_limit > unknown - besides ? RLIM_INFINITY : besides + memory_limit;
 }
 
 std::size_t
@@ -136,9 +136,13 @@ limitMemory(std::size_t bytes, unsigned threads)
   startThreads(threads);
   memory_before = ownMemory();
   memory_limit = bytes;
-  std::set_new_handler(refuseOnce);
+  // the first refusal lifts the limit: the cleanup after the run needs memory, too
+  std::set_new_handler([] {
+    limitOwnMemory(RLIM_INFINITY);
+    throw std::bad_alloc();
+  });
   if (memory_before != unknown)
-    refuseBeyond(largestOwnMemory());
+    limitAgain();
 }
 
 std::size_t
@@ -151,14 +155,14 @@ UnlimitedMemory::UnlimitedMemory()
 : before_(ownMemory())
 {
   if (memory_limit)
-    refuseBeyond(RLIM_INFINITY);
+    limitOwnMemory(RLIM_INFINITY);
 }
 
 UnlimitedMemory::~UnlimitedMemory()
 {
   memory_before += std::max(ownMemory(), before_) - before_;
   if (memory_limit)
-    refuseBeyond(largestOwnMemory());
+    limitAgain();
 }
 
 void
@@ -177,10 +181,7 @@ requireMemory(std::size_t bytes, const std::string& work)
 std::string
 gigabytes(std::size_t bytes)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << static_cast<double>(bytes) / 1e9 << " GB";
-  return text.str();
+  return shortNumber(static_cast<double>(bytes) / 1e9) + " GB";
 }
 
 } // namespace pcl::acmap

@@ -3,12 +3,15 @@
 #include "exit_code.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/output_file.h>
 #include <pcl/pipeline/observation_files.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -45,6 +48,13 @@ requireFolder(const std::string& path)
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw OutputFileException(path + ": no permission to write into the folder " +
                               folder.string());
+}
+
+std::string
+replaced(std::string text, const std::string& what, const std::string& by)
+{
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
 } // namespace
@@ -94,6 +104,45 @@ requireNoSequence(const OutputFolder& folder, const std::vector<std::string>& mo
   requireNoneIn(folder, [&](const std::string& name) {
     return isSequenceName(name) || std::count(more.begin(), more.end(), name) > 0;
   });
+}
+
+OutputGroup::Entry::Entry(const std::string& path)
+: path(path)
+, target(followLinks(path))
+, hidden(fs::path(target).parent_path(), fs::path(target).filename().string(), path)
+, place((hidden.path() / fs::path(target).filename()).string())
+{}
+
+void
+OutputGroup::write(const std::string& path,
+                   const std::function<void(const std::string& place)>& save)
+{
+  std::error_code error;
+  if (fs::exists(path, error) && access(path.c_str(), W_OK) != 0)
+    throw OutputFileException(path + ": " + std::strerror(errno));
+  const Entry& entry = entries_.emplace_back(path);
+  try {
+    save(entry.place);
+  }
+  catch (const OutputFileException& e) {
+    throw OutputFileException(
+        replaced(replaced(e.what(), entry.place, path), entry.target, path));
+  }
+}
+
+void
+OutputGroup::commit()
+{
+  for (const Entry& entry : entries_) {
+    std::error_code error;
+    const fs::file_status old = fs::status(entry.target, error);
+    if (fs::exists(old))
+      fs::permissions(entry.place, old.permissions(), error);
+    fs::rename(entry.place, entry.target, error);
+    if (error)
+      throw OutputFileException(entry.path + ": " + error.message());
+  }
+  entries_.clear();
 }
 
 } // namespace pcl::acmap

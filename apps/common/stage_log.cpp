@@ -2,6 +2,9 @@
 
 #include "exit_code.h"
 
+#include <pcl/core/output_file.h>
+
+#include <fstream>
 #include <sstream>
 
 namespace pcl::acmap {
@@ -9,14 +12,21 @@ namespace pcl::acmap {
 using Json = nlohmann::ordered_json;
 
 Json
+secondsOf(const Report& report)
+{
+  Json seconds = Json::object();
+  for (const auto& [step, time] : report.seconds)
+    seconds[step] = time;
+  return seconds;
+}
+
+Json
 jsonOf(const StageLog& log)
 {
-  Json seconds = Json::object(), summary = Json::array();
-  for (const auto& [step, time] : log.report.seconds)
-    seconds[step] = time;
+  Json summary = Json::array();
   for (const auto& [name, value] : log.lines)
     summary.push_back({name, value});
-  return {{"seconds", seconds},
+  return {{"seconds", secondsOf(log.report)},
           {"summary", summary},
           {"warnings", log.report.remarks},
           {"details", log.details}};
@@ -34,6 +44,39 @@ stageLogIn(const Json& json)
   log.report.remarks = json.at("warnings").get<std::vector<std::string>>();
   log.details = json.at("details").get_ref<const Json::object_t&>();
   return log;
+}
+
+Json
+readJson(const std::string& path)
+{
+  constexpr int deepest = 64; // copies are made recursively
+  bool is_too_deep = false;
+  std::ifstream file(path);
+  Json json = Json::parse(
+      file,
+      [&](int depth, Json::parse_event_t, const Json&) {
+        is_too_deep = is_too_deep || depth > deepest;
+        return !is_too_deep;
+      },
+      false);
+  return is_too_deep ? Json(Json::value_t::discarded) : json;
+}
+
+void
+saveJson(const std::string& path, const Json& json, int indent)
+{
+  const std::string text =
+      json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+bool
+isPlainName(const std::string& name)
+{
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\0", 2)) == std::string::npos;
 }
 
 double
@@ -70,6 +113,12 @@ void
 StageLog::warn(const std::string& remark)
 {
   report.remarks.push_back(remark);
+}
+
+void
+StageLog::warn(const std::vector<std::string>& remarks)
+{
+  report.remarks.insert(report.remarks.end(), remarks.begin(), remarks.end());
 }
 
 void

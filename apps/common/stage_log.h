@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ struct StageLog {
   void
   warn(const std::string& remark);
 
+  void
+  warn(const std::vector<std::string>& remarks);
+
   /** \brief Ends the run because there is no result. The warnings so far are appended
    * to the reason.
    * \throws NothingFound always */
@@ -45,7 +49,14 @@ struct RunControls {
    * anew when the fraction falls. */
   ProgressCallback progress;
   bool is_quiet = false; ///< only errors are printed
+  /** \brief Prints a warning immediately, for example that the work will take long. It
+   * is not in the report. */
+  std::function<void(const std::string& remark)> warn_at_once;
 };
+
+/** \brief The seconds of the steps of a stage. */
+nlohmann::ordered_json
+secondsOf(const Report& report);
 
 /** \brief Report as JSON: "seconds", "summary", "warnings", "details". */
 nlohmann::ordered_json
@@ -55,6 +66,22 @@ jsonOf(const StageLog& log);
  * \throws nlohmann::json::exception when it has another form */
 StageLog
 stageLogIn(const nlohmann::ordered_json& json);
+
+/** \brief Reads a state file of an earlier run.
+ * \return a discarded value when there is no such file, it is no JSON, or nested deeper
+ * than any run nests it */
+nlohmann::ordered_json
+readJson(const std::string& path);
+
+/** \brief Writes a value as text, with replacements for invalid UTF-8.
+ * \throws OutputFileException when it could not be written completely */
+void
+saveJson(const std::string& path, const nlohmann::ordered_json& json, int indent);
+
+/** \brief Does a file name from such a file stay in its folder? The file may come from
+ * an untrusted source. */
+bool
+isPlainName(const std::string& name);
 
 /** \brief Sum over all steps. */
 double

@@ -8,17 +8,95 @@
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
-#include <pcl/core/output_file.h>
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <sstream>
 
 namespace pcl::acmap {
 namespace {
+
+constexpr int interruptions[] = {SIGINT, SIGTERM, SIGHUP};
+
+volatile std::sig_atomic_t interruption_noted = 0;
+
+void
+noteInterruption(int)
+{
+  interruption_noted = 1;
+}
+
+/** \brief One line on stderr with the progress and the remaining time. */
+class ProgressBar {
+public:
+  ProgressBar() = default;
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar&
+  operator=(const ProgressBar&) = delete;
+
+  /** \brief Clears the line. */
+  ~ProgressBar()
+  {
+    if (shown_)
+      std::fputs("\r\x1b[K", stderr);
+  }
+
+  void
+  show(double fraction, const std::string& step)
+  {
+    constexpr double seconds_between = 0.1;
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < seconds_between)
+      return;
+    last_ = now;
+    shown_ = true;
+    const double elapsed = std::chrono::duration<double>(now - begin_).count();
+    std::fprintf(stderr, "\r%s\x1b[K", progressLine(fraction, step, elapsed).c_str());
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  bool shown_ = false;
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+};
+
+std::string
+timeText(double seconds)
+{
+  const long whole = std::lround(seconds);
+  return whole < 60
+             ? std::to_string(whole) + " s"
+             : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+/** \brief Number of bytes of the UTF-8 character that begins at an index; 0 if it is
+ * not valid, or a control character. */
+std::size_t
+printableLength(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80)
+    return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || at + length > text.size())
+    return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if (byte(at + i) >> 6 != 2)
+      return 0;
+  const bool is_control = first == 0xc2 && byte(at + 1) < 0xa0;
+  return is_control ? 0 : length;
+}
 
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
@@ -94,6 +172,24 @@ Tool::addScale()
                    "Metres in a unit of the input: 0.001 for a file in millimetres")
       ->type_name("M")
       ->check(positiveNumber().description(""));
+}
+
+void
+Tool::addSensor(DepthSensor& sensor)
+{
+  addChoice<DepthSensor>(
+      *app_,
+      "--sensor",
+      sensor,
+      {{"auto", DepthSensor::Automatic},
+       {"quantised", DepthSensor::Quantised},
+       {"stereo", DepthSensor::Stereo},
+       {"tof", DepthSensor::TimeOfFlight},
+       {"laser", DepthSensor::Laser}},
+      "What measured an organized cloud: quantised (structured light, as a Kinect) and "
+      "stereo have noise that is even in inverse depth, and are worked on in their "
+      "picture; tof and laser in space; auto: quantised where the depths have such "
+      "steps");
 }
 
 void
@@ -211,28 +307,27 @@ Tool::requireReportWritable(const std::vector<std::string>& others) const
 void
 Tool::withProgress(const std::function<void(const ProgressCallback&)>& work)
 {
-  ProgressBar bar(!quiet_);
-  work([&bar](double fraction, const std::string& step) {
-    bar.show(fraction, step);
-    return !interrupted();
-  });
+  work(controls().progress);
 }
 
 RunControls
 Tool::controls()
 {
-  const auto progress =
-      [bar = std::shared_ptr<ProgressBar>(), last = 2.0, quiet = quiet_](
-          double fraction, const std::string& step) mutable {
-        if (fraction < last) {
-          bar.reset(); // clears the line of the one before
-          bar = std::make_shared<ProgressBar>(!quiet);
-        }
-        last = fraction;
-        bar->show(fraction, step);
-        return !interrupted();
-      };
-  return {threads_, scale_, progress, quiet_};
+  const bool draws = !quiet_ && isatty(STDERR_FILENO);
+  const auto progress = [draws, bar = std::shared_ptr<ProgressBar>(), last = 2.0](
+                            double fraction, const std::string& step) mutable {
+    if (draws && fraction < last) {
+      bar.reset(); // clears the line of the one before
+      bar = std::make_shared<ProgressBar>();
+    }
+    if (draws)
+      bar->show(fraction, step);
+    last = fraction;
+    return !interrupted();
+  };
+  return {threads_, scale_, progress, quiet_, [this](const std::string& remark) {
+            warnAtOnce(remark);
+          }};
 }
 
 void
@@ -290,8 +385,8 @@ Tool::fullReport() const
                                  {"format", file_formats::report},
                                  {"command_line", command_line_}};
   json.update(log_.details);
-  for (const auto& [step, seconds] : log_.report.seconds)
-    json["seconds"][step] = seconds;
+  if (!log_.report.seconds.empty())
+    json["seconds"] = secondsOf(log_.report);
   json["peak_memory_bytes"] = peakMemory();
   json["remarks"] = log_.report.remarks;
   return json;
@@ -300,15 +395,8 @@ Tool::fullReport() const
 void
 Tool::writeReport() const
 {
-  if (report_path_.empty())
-    return;
-  const std::string text =
-      fullReport().dump(
-          2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-      "\n";
-  OutputFile file(report_path_);
-  file.write(text.data(), text.size());
-  file.commit();
+  if (!report_path_.empty())
+    saveJson(report_path_, fullReport(), 2);
 }
 
 void
@@ -337,6 +425,72 @@ void
 Tool::complain(const std::string& line) const
 {
   std::cerr << name_ + ": " + printable(line) + "\n";
+}
+
+void
+noteInterruptions()
+{
+  struct sigaction action = {};
+  action.sa_handler = noteInterruption;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  for (const int signal : interruptions) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    // signals that the caller ignores (nohup) stay ignored
+    if (before.sa_handler != SIG_IGN)
+      sigaction(signal, &action, nullptr);
+  }
+}
+
+void
+obeyInterruptions()
+{
+  for (const int signal : interruptions) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler == noteInterruption)
+      std::signal(signal, SIG_DFL);
+  }
+}
+
+bool
+interrupted()
+{
+  return interruption_noted != 0;
+}
+
+void
+stopIfInterrupted()
+{
+  if (interrupted())
+    throw CancelledException("interrupted");
+}
+
+std::string
+progressLine(double fraction, const std::string& step, double elapsed)
+{
+  constexpr int bar_width = 30;
+  constexpr double min_fraction_for_guess = 0.02;
+  fraction = std::clamp(fraction, 0.0, 1.0);
+  const auto filled = static_cast<std::size_t>(std::floor(fraction * bar_width));
+  std::string line = "[" + std::string(filled, '#') +
+                     std::string(bar_width - filled, '.') + "] " +
+                     std::to_string(std::lround(fraction * 100)) + " % " + step;
+  if (fraction >= min_fraction_for_guess)
+    line += ", " + timeText(elapsed / fraction * (1 - fraction)) + " left";
+  return line;
+}
+
+std::string
+printable(const std::string& text)
+{
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = printableLength(text, at);
+    shown += length > 0 ? text.substr(at, length) : "?";
+    at += std::max<std::size_t>(length, 1);
+  }
+  return shown;
 }
 
 } // namespace pcl::acmap

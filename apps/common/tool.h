@@ -1,10 +1,10 @@
 #pragma once
 
 #include "exit_code.h"
-#include "progress_bar.h"
 #include "stage_log.h"
 
 #include <pcl/core/progress.h>
+#include <pcl/pipeline/depth_sensor.h>
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +50,10 @@ public:
   /** \brief Adds `--scale`. */
   void
   addScale();
+
+  /** \brief Adds `--sensor`. */
+  void
+  addSensor(DepthSensor& sensor);
 
   /** \brief Adds an option whose value is a length, `auto`, or left out.
    * \param[out] length metres, 0 for automatic; not set where the option is not
@@ -223,6 +227,19 @@ interrupted();
 /** \throws CancelledException when there was an interruption */
 void
 stopIfInterrupted();
+
+/** \brief Message for a cloud that is not organized, although `--sensor` requires it. */
+inline constexpr const char* needs_picture =
+    "--sensor quantised and stereo are for one organized view in its sensor's frame, z "
+    "forward, with at least 1000 points, or for what is left of one without its NaN "
+    "pixels; leave --sensor out for this cloud";
+
+/** \brief The text of a progress bar, without line ends.
+ * \param[in] fraction of the work that is done
+ * \param[in] step name of the current step
+ * \param[in] elapsed seconds since the start */
+std::string
+progressLine(double fraction, const std::string& step, double elapsed);
 
 /** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
  * text can be printed on a terminal. Messages quote files, which may contain

@@ -3,8 +3,6 @@
 #include "cloud_labels.h"
 #include "length_check.h"
 #include "memory.h"
-#include "plane_extraction/plane_outputs.h"
-#include "plane_extraction/plane_reports.h"
 
 #include <pcl/core/cloud_fields.h>
 #include <pcl/core/map_up.h>
@@ -88,7 +86,7 @@ merge(Tool& tool, const ChainOptions& options, const ObservationSequence& posed)
     tool.warn("the map has more than " + std::to_string(options.max_points) +
               " points (--max-points): it is made of each " +
               std::to_string(report.every) + "th of them");
-  warnOfLengths(tool, *merged.cloud);
+  warnOfLengths(*merged.cloud, tool.controls(), tool.log());
   tool.details()["observations"] = report.observations;
   tool.tell("read",
             std::to_string(report.observations) + " observations, " +
@@ -113,14 +111,16 @@ mapSequence(Tool& tool,
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
-    result.found = extractPlanes(tool, planes, merged.cloud, merged.viewpoints);
+    result.found = extractPlanes(
+        planes, merged.cloud, merged.viewpoints, tool.controls(), tool.log());
     StepTimer write_timer(tool.report());
     savePointCloud(folder.path("map.pcd"), thinned(merged.cloud->cloud));
     write_timer.finish("write");
   }
-  requirePlanes(tool, options.input, result.found);
+  requirePlanes(options.input, result.found, tool.log());
   StepTimer timer(tool.report());
-  result.map = paintPlanes(tool, result.found.planes, posed, options.texture);
+  result.map = paintPlanes(
+      result.found.planes, posed, options.texture, tool.controls(), tool.log());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
   return result;
@@ -132,18 +132,17 @@ mapCloud(Tool& tool, const ChainOptions& options)
   StepTimer timer(tool.report());
   const auto file = std::make_shared<const PointCloudFile>(
       loadScaledCloud(options.input, tool.scale()));
-  std::vector<std::string> remarks;
-  const std::vector<Eigen::Vector3f> viewpoints =
-      viewpointsOfFile(*file, options.input, tool.scale(), remarks);
   timer.finish("read");
-  warnOfLengths(tool, *file);
-  for (const std::string& remark : remarks)
-    tool.warn(remark);
+  warnOfLengths(*file, tool.controls(), tool.log());
+  const std::vector<Eigen::Vector3f> viewpoints =
+      viewpointsOfFile(*file, options.input, tool.scale(), tool.log());
   Mapped result;
-  result.found = extractPlanes(tool, options.planes, file, viewpoints);
-  requirePlanes(tool, options.input, result.found);
+  result.found =
+      extractPlanes(options.planes, file, viewpoints, tool.controls(), tool.log());
+  requirePlanes(options.input, result.found, tool.log());
   StepTimer paint_timer(tool.report());
-  result.map = paintPlanes(tool, result.found.planes, file, options.texture);
+  result.map = paintPlanes(
+      result.found.planes, file, options.texture, tool.controls(), tool.log());
   paint_timer.finish("paint");
   return result;
 }
@@ -209,10 +208,10 @@ void
 tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
 {
   tellPlanes(
-      tool, mapped.found.planes, mapped.found.labels, mapped.found.finite_points);
+      mapped.found.planes, mapped.found.labels, mapped.found.finite_points, tool.log());
   tool.details()["planes"] = jsonOf(mapped.map.planes);
   tellUp(tool, mapped.map);
-  tellCompactness(tool, mapped.found.finite_points, mapped.map, options.output);
+  tellCompactness(mapped.found.finite_points, mapped.map, options.output, tool.log());
 }
 
 } // namespace

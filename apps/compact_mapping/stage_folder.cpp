@@ -1,7 +1,5 @@
 #include "stage_folder.h"
 
-#include "json_file.h"
-
 #include <pcl/core/build_config.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>

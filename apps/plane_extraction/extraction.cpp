@@ -1,18 +1,26 @@
 #include "extraction.h"
 
+#include "cloud_labels.h"
+#include "command_line.h"
 #include "length_check.h"
 #include "memory.h"
-#include "plane_reports.h"
-#include "sensor_option.h"
+#include "stage_reports.h"
 
+#include <pcl/core/cloud_fields.h>
+#include <pcl/core/mesh_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace pcl::acmap {
 
 namespace {
 
 PlaneMapping
-mappingOf(const Tool& tool, const PlaneOptions& options)
+mappingOf(const PlaneOptions& options, unsigned threads)
 {
   PlaneMapping mapping;
   PlaneMapping::Clustering clustering = mapping.getClustering();
@@ -33,22 +41,22 @@ mappingOf(const Tool& tool, const PlaneOptions& options)
     mapping.setConsolidation(consolidation);
     mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
   }
-  mapping.setComputeMesh(options.wantsMesh());
-  mapping.setNumberOfThreads(tool.threads());
+  mapping.setComputeMesh(options.keeps_mesh);
+  mapping.setNumberOfThreads(threads);
   return mapping;
 }
 
 /** Callback that refuses work for which there is not enough memory, and warns of work
  * that takes long. */
 CostCallback
-costCheck(const Tool& tool)
+costCheck(const RunControls& controls)
 {
-  return [&tool](const std::string& work, std::size_t bytes, double seconds) {
+  return [&controls](const std::string& work, std::size_t bytes, double seconds) {
     constexpr double long_time = 60;
     if (bytes > 0)
       requireMemory(bytes, work);
-    if (seconds > long_time)
-      tool.warnAtOnce(
+    if (seconds > long_time && controls.warn_at_once)
+      controls.warn_at_once(
           "the paper's clustering looks at all pairs of points within 0.8 m: that may "
           "take about " +
           std::to_string(std::lround(seconds / 60)) +
@@ -57,44 +65,225 @@ costCheck(const Tool& tool)
   };
 }
 
+constexpr std::size_t max_lines = 20, lines_of_many = 5;
+
+std::string
+describe(const PlanePatch& plane)
+{
+  // adding zero removes the sign of negative zeros
+  const Eigen::Array3d n =
+      (1000 * plane.coefficients.head<3>().array()).round() / 1000 + 0.0;
+  char text[128];
+  std::snprintf(text,
+                sizeof text,
+                "%.3g m2, rmse %.3g mm, normal %.3f %.3f %.3f",
+                plane.area,
+                1000 * plane.rms,
+                n[0],
+                n[1],
+                n[2]);
+  return text;
+}
+
+void
+tellInSpace(const PlaneMappingReport& report, StageLog& log)
+{
+  nlohmann::ordered_json& details = log.details;
+  if (report.consolidation)
+    tellConsolidation(*report.consolidation, log);
+  else if (report.noise_scale)
+    log.tell("consolidated", "no, the points lie close enough to their surface");
+  if (report.mesh)
+    details["mesh"] = jsonOf(*report.mesh);
+  details["votes"] = jsonOf(*report.votes);
+  details["report"] = jsonOf(*report.planes);
+}
+
+void
+tellInPicture(const PlaneMappingReport& report, StageLog& log)
+{
+  nlohmann::ordered_json& details = log.details;
+  tellDepthNoise(report.depth_planes->noise, log);
+  details["report"] = jsonOf(*report.depth_planes);
+  if (report.refinement)
+    tellRefinement(*report.refinement, log);
+  if (report.mesh)
+    details["mesh"] = jsonOf(*report.mesh);
+  if (report.votes)
+    details["votes"] = jsonOf(*report.votes);
+}
+
+void
+tellMapping(const PlaneMappingReport& report, StageLog& log)
+{
+  log.warn(report.remarks);
+  if (report.depth_planes)
+    tellInPicture(report, log);
+  else
+    tellInSpace(report, log);
+  for (const auto& [step, seconds] : report.seconds)
+    log.report.seconds.emplace_back(step, seconds);
+}
+
+PCLPointCloud2
+withVotes(const MappedPlanes& found)
+{
+  const char* const names[] = {"normal_x", "normal_y", "normal_z", "curvature"};
+  std::vector<FieldWish> wishes;
+  for (const char* name : names)
+    wishes.push_back({name, PCLPointField::FLOAT32});
+  wishes.push_back({"vertex_class", PCLPointField::UINT8});
+  PCLPointCloud2 result = withFields(found.vertices.cloud, wishes);
+  std::vector<std::size_t> offsets;
+  for (const FieldWish& wish : wishes)
+    offsets.push_back(findField(result, wish.name)->offset);
+  for (std::size_t row = 0; found.normals && row < found.normals->size(); ++row) {
+    const Normal& normal = (*found.normals)[row];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      setValue(result, row, offsets[axis], normal.normal[axis]);
+    setValue(result, row, offsets[3], normal.curvature);
+    const std::uint32_t vertex_class = (*found.vertex_classes)[row].label;
+    setValue(result, row, offsets[4], static_cast<std::uint8_t>(vertex_class));
+  }
+  return result;
+}
+
 } // namespace
 
+void
+addPlaneChoices(Tool& tool, PlaneOptions& options)
+{
+  CLI::App& app = tool.options();
+  tool.addLengthOrAuto("--consolidate",
+                       options.voxel_size,
+                       "The voxel's edge in metres to which a cloud is consolidated "
+                       "[default: by its noise and spacing, and not at all where that "
+                       "is small]; given for a mesh, its vertices are taken as a "
+                       "cloud");
+  app.add_option(
+         "--min-area",
+         options.min_area,
+         "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
+         "surface where that is less]")
+      ->type_name("M2")
+      ->check(positiveNumber().description(""));
+  app.add_option("--tolerance",
+                 options.tolerance,
+                 "How far off a plane in metres points and bumps are still of it "
+                 "[default: by the noise, warped walls up to 0.025]")
+      ->type_name("M")
+      ->check(positiveNumber().description(""));
+  tool.addSensor(options.sensor);
+  app.add_flag("--regular",
+               options.regular,
+               "Turn planes to be exactly parallel or at right angles to larger ones, "
+               "within their own uncertainty and a degree");
+  app.add_flag(
+      "--paper",
+      options.paper,
+      "The paper's fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
+      "points) instead of those of the noise");
+}
+
+void
+checkChoices(const PlaneOptions& options)
+{
+  const auto refuse = [&](bool is_given, const std::string& option) {
+    if (options.paper && is_given)
+      throw UsageError(option + " is not among the paper's thresholds, leave it out "
+                                "with --paper");
+  };
+  refuse(options.min_area.has_value(), "--min-area");
+  refuse(options.tolerance.has_value(), "--tolerance");
+  if (options.sensor != DepthSensor::Automatic && options.isInSpace())
+    throw UsageError(
+        "--sensor is not used with --consolidate, --tolerance and --paper, "
+        "which work in space: leave it out");
+}
+
 MappedPlanes
-extractPlanes(Tool& tool,
-              const PlaneOptions& options,
+extractPlanes(const PlaneOptions& options,
               const std::shared_ptr<const PointCloudFile>& cloud,
               std::vector<Eigen::Vector3f> viewpoints,
+              const RunControls& controls,
+              StageLog& log,
               TriangleMesh mesh)
 {
   if (options.voxel_size.value_or(0) > 0)
-    requireFineLength(tool, "--consolidate", *options.voxel_size, cloud->points());
-  PlaneMapping mapping = mappingOf(tool, options);
+    requireFineLength("--consolidate", *options.voxel_size, cloud->points(), log);
+  PlaneMapping mapping = mappingOf(options, controls.threads);
   mapping.setInputCloud(cloud);
   mapping.setInputMesh(std::move(mesh));
   mapping.setViewpoints(std::move(viewpoints));
-  mapping.setCostCallback(costCheck(tool));
+  mapping.setCostCallback(costCheck(controls));
+  mapping.setProgressCallback(controls.progress);
   MappedPlanes found;
   try {
-    tool.withProgress([&](const ProgressCallback& progress) {
-      mapping.setProgressCallback(progress);
-      mapping.compute(found);
-    });
+    mapping.compute(found);
   }
   catch (const UnorganizedPointCloudException&) {
     throw UsageError(needs_picture);
   }
-  tellMapping(tool, mapping.getReport());
+  tellMapping(mapping.getReport(), log);
   if (found.planes.empty() && options.sensor == DepthSensor::Stereo)
-    tool.warn("--sensor stereo expects noise that is even in inverse depth; where the "
-              "cloud's is not, leave --sensor out");
+    log.warn("--sensor stereo expects noise that is even in inverse depth; where the "
+             "cloud's is not, leave --sensor out");
   return found;
 }
 
 void
-requirePlanes(const Tool& tool, const std::string& input, const MappedPlanes& found)
+requirePlanes(const std::string& input, const MappedPlanes& found, const StageLog& log)
 {
   if (found.planes.empty())
-    tool.failWithNothing(input + ": no plane was found");
+    log.failWithNothing(input + ": no plane was found");
+}
+
+void
+tellPlanes(const std::vector<PlanePatch>& planes,
+           const std::vector<std::int32_t>& labels,
+           std::size_t points,
+           StageLog& log)
+{
+  const auto on_planes = static_cast<std::size_t>(std::count_if(
+      labels.begin(), labels.end(), [](auto label) { return label >= 0; }));
+  log.details["input_points"] = labels.size();
+  log.details["finite_points"] = points;
+  log.details["points_on_planes"] = on_planes;
+  log.tell("planes", std::to_string(planes.size()));
+  log.tell("on planes", percent(on_planes, points) + " of the points");
+  // they are sorted by decreasing area
+  const std::size_t listed = planes.size() <= max_lines ? planes.size() : lines_of_many;
+  for (std::size_t id = 0; id < listed; ++id)
+    log.tell("plane " + std::to_string(id), describe(planes[id]));
+  if (listed < planes.size())
+    log.tell("further planes",
+             std::to_string(planes.size() - listed) + " smaller ones, in the file");
+}
+
+void
+saveNormals(const std::string& path, const MappedPlanes& found)
+{
+  saveTriangleMesh(path, withLabels(withVotes(found), found.vertex_labels), found.mesh);
+}
+
+SceneView
+sceneViewOf(const MappedPlanes& found)
+{
+  SceneView view;
+  view.sensor_origin = found.vertices.sensor_origin;
+  view.sensor_orientation = found.vertices.sensor_orientation;
+  view.hide_backs = true;
+  return view;
+}
+
+void
+savePicture(const std::string& path, const MappedPlanes& found)
+{
+  const UnlimitedMemory while_drawing;
+  saveSnapshot(path,
+               coloredByLabel(withLabels(found.vertices.cloud, found.vertex_labels)),
+               found.mesh,
+               sceneViewOf(found));
 }
 
 } // namespace pcl::acmap

@@ -1,31 +1,84 @@
 #pragma once
 
-#include "plane_options.h"
+#include "tool.h"
 
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/visualization/mesh_snapshot.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief Finds the planes of a cloud, or of a mesh, as a step of the tool, with its
- * progress, warnings, summary and report.
+/** \brief Options that affect which planes are found. */
+struct PlaneOptions {
+  std::optional<double> voxel_size; ///< metres; 0: automatic
+  std::optional<double> min_area;   ///< square metres
+  std::optional<double> tolerance;  ///< metres
+  DepthSensor sensor = DepthSensor::Automatic;
+  bool regular = false;
+  bool paper = false;
+  bool keeps_mesh = false; ///< set by the tool: the mesh is needed
+
+  /** \brief Is a cloud to be processed in space, even if it is a single view? */
+  bool
+  isInSpace() const
+  {
+    return voxel_size || tolerance || paper;
+  }
+};
+
+/** \brief Adds the options to the command line. */
+void
+addPlaneChoices(Tool& tool, PlaneOptions& options);
+
+/** \brief Checks that these options are compatible.
+ * \throws UsageError */
+void
+checkChoices(const PlaneOptions& options);
+
+/** \brief Finds the planes of a cloud, or of a mesh, and reports all steps: warnings,
+ * summary, JSON report and seconds.
  * \param[in] viewpoints of a cloud with a field `view`, metres
  * \param[in] mesh whose vertices are the points of the cloud; empty: none
  * \throws UsageError if an option does not fit the cloud
  * \throws MemoryRefused when this machine has not enough memory */
 MappedPlanes
-extractPlanes(Tool& tool,
-              const PlaneOptions& options,
+extractPlanes(const PlaneOptions& options,
               const std::shared_ptr<const PointCloudFile>& cloud,
               std::vector<Eigen::Vector3f> viewpoints,
+              const RunControls& controls,
+              StageLog& log,
               TriangleMesh mesh = {});
 
 /** \param[in] input name of the input
  * \throws NothingFound, with the reasons, when there is no plane */
 void
-requirePlanes(const Tool& tool, const std::string& input, const MappedPlanes& found);
+requirePlanes(const std::string& input, const MappedPlanes& found, const StageLog& log);
+
+/** \brief Adds lines to the summary: the number of planes, the fraction of the points
+ * on them, and each plane, or the largest ones if there are many.
+ * \param[in] labels plane of each point of the input, -1 for none
+ * \param[in] points number of finite points of the input */
+void
+tellPlanes(const std::vector<PlanePatch>& planes,
+           const std::vector<std::int32_t>& labels,
+           std::size_t points,
+           StageLog& log);
+
+/** \brief Writes the mesh as PLY: with the voted normals, `curvature` (1 - saliency),
+ * `vertex_class` (\ref VertexClass) and `label`. */
+void
+saveNormals(const std::string& path, const MappedPlanes& found);
+
+/** \brief A view from a position next to the sensor, with back faces culled. */
+SceneView
+sceneViewOf(const MappedPlanes& found);
+
+/** \brief Draws the mesh as PNG, coloured by plane, with back faces culled. */
+void
+savePicture(const std::string& path, const MappedPlanes& found);
 
 } // namespace pcl::acmap

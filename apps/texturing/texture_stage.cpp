@@ -20,9 +20,9 @@ namespace {
 using Texturing = PlaneTexturing<PointXYZRGB>;
 
 Texturing
-texturingOf(const Tool& tool,
-            const std::vector<PlanePatch>& planes,
-            const TextureOptions& options)
+texturingOf(const std::vector<PlanePatch>& planes,
+            const TextureOptions& options,
+            const RunControls& controls)
 {
   Texturing texturing;
   texturing.setPlanes(planes);
@@ -31,7 +31,8 @@ texturingOf(const Tool& tool,
   texturing.setMaximumTextureSize(options.maximum_texture_size);
   texturing.setFillDistance(options.fill_distance);
   texturing.setCorrectExposure(!options.keep_exposure);
-  texturing.setNumberOfThreads(tool.threads());
+  texturing.setNumberOfThreads(controls.threads);
+  texturing.setProgressCallback(controls.progress);
   // within the range of an integer, but beyond the memory of any machine
   constexpr double most = 1e18;
   requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), most)),
@@ -39,32 +40,43 @@ texturingOf(const Tool& tool,
   return texturing;
 }
 
-CompactMap
-paint(Tool& tool, Texturing& texturing)
+std::size_t
+geometryBytes(const CompactMap& map)
 {
-  CompactMap map;
-  tool.withProgress([&](const ProgressCallback& progress) {
-    texturing.setProgressCallback(progress);
-    texturing.texture(map);
-  });
-  return map;
+  constexpr std::size_t bytes_of_plane = 16, bytes_of_corner = 12;
+  std::size_t bytes = bytes_of_plane * map.planes.size();
+  for (const PlanePatch& plane : map.planes)
+    for (const PlanePolygon& polygon : plane.polygons) {
+      bytes += bytes_of_corner * polygon.outer.size();
+      for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+        bytes += bytes_of_corner * hole.size();
+    }
+  return bytes;
 }
 
 void
-tellTexture(Tool& tool, const TexturingReport& report)
+tellTexture(const TexturingReport& report, StageLog& log)
 {
-  for (const std::string& remark : report.remarks)
-    tool.warn(remark);
-  tool.details()["texture"] = jsonOf(report);
-  tool.tell("painted",
-            std::to_string(report.charts) + " charts, " +
-                std::to_string(report.texels) + " texels of " +
-                shortNumber(1000 * report.texel_size) + " mm, " +
-                percent(report.seen, report.texels) + " seen, " +
-                percent(report.filled, report.texels) + " filled");
+  log.warn(report.remarks);
+  log.details["texture"] = jsonOf(report);
+  log.tell("painted",
+           std::to_string(report.charts) + " charts, " + std::to_string(report.texels) +
+               " texels of " + shortNumber(1000 * report.texel_size) + " mm, " +
+               percent(report.seen, report.texels) + " seen, " +
+               percent(report.filled, report.texels) + " filled");
 }
 
 } // namespace
+
+TextureOptions::TextureOptions()
+{
+  const Texturing defaults;
+  texel_size = defaults.getTexelSize();
+  maximum_distance = defaults.getMaximumDistance();
+  maximum_texture_size = defaults.getMaximumTextureSize();
+  fill_distance = defaults.getFillDistance();
+  keep_exposure = !defaults.getCorrectExposure();
+}
 
 void
 addTextureOptions(Tool& tool, TextureOptions& options)
@@ -105,20 +117,21 @@ addTextureOptions(Tool& tool, TextureOptions& options)
 }
 
 CompactMap
-paintPlanes(Tool& tool,
-            const std::vector<PlanePatch>& planes,
+paintPlanes(const std::vector<PlanePatch>& planes,
             const ObservationSequence& sequence,
-            const TextureOptions& options)
+            const TextureOptions& options,
+            const RunControls& controls,
+            StageLog& log)
 {
-  Texturing texturing = texturingOf(tool, planes, options);
+  Texturing texturing = texturingOf(planes, options, controls);
   std::vector<std::string> remarks = sequence.remarks();
   const auto load = [&](std::size_t i) -> std::optional<TexturedObservation> {
     try {
       const PosedObservation seen = sequence.load(i);
       remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
       // otherwise the merging has already reported them
-      if (i == 0 && tool.warnings().empty())
-        warnOfLengths(tool, *seen.file);
+      if (i == 0 && log.report.remarks.empty())
+        warnOfLengths(*seen.file, controls, log);
       return TexturedObservation{
           sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
     }
@@ -131,57 +144,42 @@ paintPlanes(Tool& tool,
   };
   for (std::size_t i = 0; i < sequence.size(); ++i)
     texturing.addObservationLoader([&load, i] { return load(i); });
-  CompactMap map = paint(tool, texturing);
-  const std::vector<std::string> told = tool.warnings(); // those of the merging
+  CompactMap map;
+  texturing.texture(map);
+  const std::vector<std::string> told = log.report.remarks; // those of the merging
   for (const std::string& remark : remarks)
     if (std::find(told.begin(), told.end(), remark) == told.end())
-      tool.warn(remark);
+      log.warn(remark);
   if (map.trajectory.poses.empty())
     throw InputFileException("none of the observations can be read");
   sequence.requireDifferent(map.trajectory.poses);
-  tellTexture(tool, texturing.getReport());
+  tellTexture(texturing.getReport(), log);
   return map;
 }
 
 CompactMap
-paintPlanes(Tool& tool,
-            const std::vector<PlanePatch>& planes,
+paintPlanes(const std::vector<PlanePatch>& planes,
             const std::shared_ptr<const PointCloudFile>& cloud,
-            const TextureOptions& options)
+            const TextureOptions& options,
+            const RunControls& controls,
+            StageLog& log)
 {
-  Texturing texturing = texturingOf(tool, planes, options);
+  Texturing texturing = texturingOf(planes, options, controls);
   texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
     return TexturedObservation{
         sharedCloud(cloud), Eigen::Isometry3d::Identity(), 0, false};
   });
-  CompactMap map = paint(tool, texturing);
-  tellTexture(tool, texturing.getReport());
+  CompactMap map;
+  texturing.texture(map);
+  tellTexture(texturing.getReport(), log);
   return map;
 }
 
-namespace {
-
-std::size_t
-geometryBytes(const CompactMap& map)
-{
-  constexpr std::size_t bytes_of_plane = 16, bytes_of_corner = 12;
-  std::size_t bytes = bytes_of_plane * map.planes.size();
-  for (const PlanePatch& plane : map.planes)
-    for (const PlanePolygon& polygon : plane.polygons) {
-      bytes += bytes_of_corner * polygon.outer.size();
-      for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
-        bytes += bytes_of_corner * hole.size();
-    }
-  return bytes;
-}
-
-} // namespace
-
 void
-tellCompactness(Tool& tool,
-                std::size_t points,
+tellCompactness(std::size_t points,
                 const CompactMap& map,
-                const std::string& folder)
+                const std::string& folder,
+                StageLog& log)
 {
   namespace fs = std::filesystem;
   constexpr std::size_t bytes_of_point = 16; // x y z rgb
@@ -196,10 +194,10 @@ tellCompactness(Tool& tool,
     const auto size = bytes[of].get<std::size_t>();
     return std::to_string(raw / std::max<std::size_t>(size, 1)) + " : 1";
   };
-  tool.tell("compactness",
-            ratio("map.glb") + " with texture, " + ratio("geometry") +
-                " geometry alone, " + ratio("map.json") + " map.json");
-  tool.details()["bytes"] = std::move(bytes);
+  log.tell("compactness",
+           ratio("map.glb") + " with texture, " + ratio("geometry") +
+               " geometry alone, " + ratio("map.json") + " map.json");
+  log.details["bytes"] = std::move(bytes);
 }
 
 } // namespace pcl::acmap

@@ -12,14 +12,17 @@
 
 namespace pcl::acmap {
 
-/** \brief Options for texturing planes. */
+/** \brief Options for texturing planes; the defaults are those of
+ * \ref PlaneTexturing. */
 struct TextureOptions {
-  double texel_size = 0.02;        ///< metres
-  double maximum_distance = 0.3;   ///< metres
-  int maximum_texture_size = 4096; ///< texels
-  int fill_distance = 5;           ///< texels
+  TextureOptions();
+
+  double texel_size;        ///< metres
+  double maximum_distance;  ///< metres
+  int maximum_texture_size; ///< texels
+  int fill_distance;        ///< texels
+  bool keep_exposure;
   CompactMapOutputs outputs;
-  bool keep_exposure = false;
   bool skip_broken = false;
 };
 
@@ -31,26 +34,28 @@ addTextureOptions(Tool& tool, TextureOptions& options);
  * \throws InputFileException when an observation cannot be read and none may be
  * skipped */
 CompactMap
-paintPlanes(Tool& tool,
-            const std::vector<PlanePatch>& planes,
+paintPlanes(const std::vector<PlanePatch>& planes,
             const ObservationSequence& sequence,
-            const TextureOptions& options);
+            const TextureOptions& options,
+            const RunControls& controls,
+            StageLog& log);
 
 /** \brief Textures planes with the colours of one cloud in their frame. */
 CompactMap
-paintPlanes(Tool& tool,
-            const std::vector<PlanePatch>& planes,
+paintPlanes(const std::vector<PlanePatch>& planes,
             const std::shared_ptr<const PointCloudFile>& cloud,
-            const TextureOptions& options);
+            const TextureOptions& options,
+            const RunControls& controls,
+            StageLog& log);
 
 /** \brief Reports the size of the raw points (16 bytes per finite point) and of the
  * map: map.glb, map.json, and geometry alone, 16 bytes per plane and 12 per corner.
  * \param[in] points number of finite points of the input
  * \param[in] folder of the map, already written */
 void
-tellCompactness(Tool& tool,
-                std::size_t points,
+tellCompactness(std::size_t points,
                 const CompactMap& map,
-                const std::string& folder);
+                const std::string& folder,
+                StageLog& log);
 
 } // namespace pcl::acmap

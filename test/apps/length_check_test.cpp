@@ -1,7 +1,7 @@
 #include "length_check.h"
 
 #include "clouds.h"
-#include "tool.h"
+#include "exit_code.h"
 
 #include <gtest/gtest.h>
 
@@ -84,9 +84,9 @@ TEST(LengthCheck, NamesPlacesThatFloatsAreTooCoarseFor)
 std::string
 saidOf(double voxel, const Cloud& cloud)
 {
-  Tool tool("pcl_test", "Tests.");
-  requireFineLength(tool, "--consolidate", voxel, viewOf(cloud));
-  return tool.warnings().empty() ? "" : tool.warnings().front();
+  StageLog log;
+  requireFineLength("--consolidate", voxel, viewOf(cloud), log);
+  return log.report.remarks.empty() ? "" : log.report.remarks.front();
 }
 
 TEST(LengthCheck, RefusesLengthsBeyondTheCloudAndSuggestsMillimetres)

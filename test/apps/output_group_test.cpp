@@ -1,4 +1,4 @@
-#include "output_group.h"
+#include "output_target.h"
 
 #include "temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "progress_bar.h"
+#include "tool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stage_log.h"
+
 #include <pcl/core/report.h>
 #include <pcl/features/voting_types.h>
 #include <pcl/filters/consolidation_types.h>
@@ -13,12 +15,6 @@
 #include <string>
 
 namespace pcl::acmap {
-
-class Tool;
-
-/** \brief The seconds of the steps of a stage. */
-nlohmann::ordered_json
-secondsOf(const Report& report);
 
 /** \brief The fields of a stage's report, and its seconds; remarks are not included. */
 template <typename StageReport>
@@ -34,13 +30,13 @@ jsonOf(const StageReport& report)
 
 /** \brief Adds a line to the summary and a part to the JSON report. */
 void
-tellConsolidation(Tool& tool, const ConsolidationReport& report);
+tellConsolidation(const ConsolidationReport& report, StageLog& log);
 
 void
-tellDepthNoise(Tool& tool, const NoiseScale::InverseDepth& noise);
+tellDepthNoise(const NoiseScale::InverseDepth& noise, StageLog& log);
 
 void
-tellRefinement(Tool& tool, const DepthRefinementReport& report);
+tellRefinement(const DepthRefinementReport& report, StageLog& log);
 
 /** \brief A fraction as text, in %. */
 std::string

@@ -1,20 +1,49 @@
-#include "raw_session.h"
+#include "session.h"
 
 #include "memory.h"
-#include "output_target.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/build_config.h>
+#include <pcl/core/file_format.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/parallel.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/simulated_truth.h>
+#include <pcl/stereo/trinocular_rectification.h>
 
 #include <cmath>
+#include <memory>
 
 namespace pcl::acmap {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+jsonOf(const Eigen::Vector3d& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
+
+Json
+jsonOf(const TruthPlane& plane, std::size_t id, std::size_t points)
+{
+  Json rectangles = Json::array();
+  for (const SimulatedRectangle& r : plane.rectangles)
+    rectangles.push_back({jsonOf(r.corner),
+                          jsonOf(r.corner + r.edge_u),
+                          jsonOf(r.corner + r.edge_u + r.edge_v),
+                          jsonOf(r.corner + r.edge_v)});
+  const Eigen::Vector4d& c = plane.coefficients;
+  return {{"id", id},
+          {"name", plane.name},
+          {"coefficients", {c[0], c[1], c[2], c[3]}},
+          {"area", plane.area()},
+          {"points", points},
+          {"rectangles", rectangles}};
+}
 
 constexpr const char* session_name = "session.yaml";
 // fraction of the time; the rest is for the ground truth
@@ -23,6 +52,31 @@ constexpr double share_of_filming = 0.85;
 // metres: the default range of pcl_active_stereo
 constexpr double nearest_measured = 0.5;
 constexpr double farthest_measured = 10.0;
+
+/** \brief Creates the grabber that films the scene.
+ * \param[in] light its projector is given in the rectified reference camera's frame
+ * \throws InputFileException when the cameras cannot be simulated */
+std::unique_ptr<SimulatedRigGrabber>
+grabberOf(const FilmedScene& filmed,
+          const std::vector<RgbImage>& patterns,
+          const SimulatedLight& light)
+{
+  if (!filmed.cameras)
+    return std::make_unique<SimulatedRigGrabber>(filmed.scene, patterns, light);
+  SimulatedScene scene = filmed.scene;
+  for (Eigen::Isometry3d& view : scene.views)
+    view = view * filmed.T_rectified_reference;
+  SimulatedLight turned = light;
+  Eigen::Isometry3d& projector = turned.projector.T_reference_projector;
+  projector = filmed.T_rectified_reference.inverse() * projector;
+  try {
+    return std::make_unique<SimulatedRigGrabber>(
+        scene, patterns, *filmed.cameras, turned);
+  }
+  catch (const BadArgumentException& exception) {
+    throw InputFileException(filmed.cameras_path + ": " + exception.what());
+  }
+}
 
 std::vector<RgbImage>
 makePatterns(const SessionSettings& settings, const SimulatedProjector& projector)
@@ -144,10 +198,55 @@ saveSessionTruth(const std::string& path,
   json["noise"] = {{"read", light.read_noise}, {"shot", light.shot_noise}};
   json["points"] = measurable.all;
   json["planes"] = truthPlanes(filmed.scene, measurable);
-  saveTruth(path, json);
+  saveJson(path, json, 1);
 }
 
 } // namespace
+
+Json
+truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations)
+{
+  return {{"version", ACMAP_VERSION},
+          {"format", file_formats::truth},
+          {"scene", scene.name},
+          {"seed", seed},
+          {"observations", observations}};
+}
+
+Json
+truthPlanes(const SimulatedScene& scene, const PointCounts& counts)
+{
+  Json json = Json::array();
+  const std::vector<TruthPlane> planes = planesInMap(scene);
+  for (std::size_t id = 0; id < planes.size(); ++id)
+    json.push_back(jsonOf(planes[id], id, counts.of_label[id + 1]));
+  return json;
+}
+
+std::vector<std::string>
+setBuiltCameras(const std::string& path, FilmedScene& filmed)
+{
+  filmed.cameras = loadRigCalibration(path);
+  filmed.cameras_path = path;
+  // images, rays and tables
+  constexpr std::size_t bytes_per_pixel = 200;
+  const RigCalibration& cameras = *filmed.cameras;
+  requireMemory(bytes_per_pixel * static_cast<std::size_t>(cameras.width) *
+                    static_cast<std::size_t>(cameras.height),
+                "images of " + std::to_string(cameras.width) + " x " +
+                    std::to_string(cameras.height) + " pixels");
+  TrinocularRectification rectification;
+  try {
+    rectification.setInputCalibration(cameras);
+  }
+  catch (const BadArgumentException& exception) {
+    throw InputFileException(path + ": " + exception.what());
+  }
+  filmed.scene.rig = rectification.getRig();
+  filmed.T_rectified_reference.linear() =
+      rectification.getRotation(RigCamera::Reference);
+  return rectification.getReport().remarks;
+}
 
 bool
 isSessionName(const std::string& name)
@@ -159,25 +258,19 @@ isSessionName(const std::string& name)
          name == session_name;
 }
 
-void
-requireNoSession(const OutputFolder& folder)
-{
-  requireNoneIn(folder, isSessionName);
-}
-
 SessionCounts
 writeSession(const OutputFolder& folder,
              const FilmedScene& filmed,
              const SessionSettings& settings,
-             const ProgressCallback& progress)
+             const RunControls& controls)
 {
-  const Progress told(progress);
+  const Progress told(controls.progress);
   told.tell(0.0, "drawing patterns");
   const SimulatedLight& light = settings.light;
   const auto grabber =
       grabberOf(filmed, makePatterns(settings, light.projector), light);
   grabber->setSeed(settings.seed);
-  grabber->setNumberOfThreads(settings.threads);
+  grabber->setNumberOfThreads(controls.threads);
   grabber->setNumberOfObservations(settings.observations);
   const std::size_t frames = settings.observations * grabber->getShotsOfObservation();
 
@@ -203,7 +296,7 @@ writeSession(const OutputFolder& folder,
     told.tell(share_of_filming + (1.0 - share_of_filming) * static_cast<double>(i) /
                                      static_cast<double>(settings.observations),
               "writing the truth");
-    withThreads(settings.threads, [&] {
+    withThreads(controls.threads, [&] {
       writeObservationTruth(folder, filmed.scene, i, light.projector, counts);
     });
   }
