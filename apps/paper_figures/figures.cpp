@@ -344,8 +344,13 @@ figurePage(const std::string& table, const FigurePlan& plan)
   return page;
 }
 
-/** How much lighter colours are drawn than the cameras saw them. */
-constexpr double gain = 2.5;
+/** Colours are drawn 2.5 times as light as the cameras saw them. */
+std::uint8_t
+lightened(std::uint8_t level)
+{
+  constexpr double gain = 2.5, brightest = 255;
+  return static_cast<std::uint8_t>(std::lround(std::min(gain * level, brightest)));
+}
 
 /** Brightens the colours of points. */
 void
@@ -357,7 +362,7 @@ lighten(PCLPointCloud2& cloud)
   for (std::size_t i = 0; i < rowsOf(cloud); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       std::uint8_t& level = cloud.data[i * cloud.point_step + color->offset + c];
-      level = cv::saturate_cast<std::uint8_t>(gain * level);
+      level = lightened(level);
     }
 }
 
@@ -599,10 +604,11 @@ cv::Mat3b
 reference(const TrinocularFrame& shot)
 {
   const CameraImage& image = shot.image(RigCamera::Reference);
-  cv::Mat picture = cv::Mat(image.values).reshape(image.channels, image.height);
+  cv::Mat picture = cv::Mat(image.values, true).reshape(image.channels, image.height);
+  std::transform(picture.datastart, picture.dataend, picture.data, lightened);
   if (image.channels == 1)
     cv::cvtColor(picture, picture, cv::COLOR_GRAY2RGB);
-  return picture * gain;
+  return picture;
 }
 
 /** Connects neighbouring pixels of an observation by triangles that face the camera.
@@ -954,7 +960,8 @@ void
 drawPlanes(CompactMap map, const FigurePlan& plan, const OutputFolder& folder)
 {
   for (TextureChart& chart : map.charts)
-    matOf(chart.colors) *= gain;
+    for (std::uint8_t& level : chart.colors.values)
+      level = lightened(level);
   const int height = plan.width * 3 / 4;
   auto view = viewFrom<MapView>(plan.inside, plan.width, height);
   view.place = MapView::Place::Inside;
