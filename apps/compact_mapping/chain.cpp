@@ -160,14 +160,15 @@ Chain::findPoses(const std::string& observations, double scale)
   egomotion.inputs = {observations};
   egomotion.output = folderOf("egomotion");
   egomotion.writes_observations = false;
-  const StageLog& told = run("egomotion",
-                             {{"files", sequenceState(observations)},
-                              {"scale", scale},
-                              {"options", valuesIn(tool_, egomotion_group)}},
-                             [&] {
-                               estimatePoses(egomotion, sequence, tool_.controls(), tool_.log());
-                               return std::vector<std::string>();
-                             });
+  const StageLog& told =
+      run("egomotion",
+          {{"files", sequenceState(observations)},
+           {"scale", scale},
+           {"options", valuesIn(tool_, egomotion_group)}},
+          [&] {
+            estimatePoses(egomotion, sequence, tool_.controls(), tool_.log());
+            return std::vector<std::string>();
+          });
   return sequence.withPoses(
       namesIn(told.details),
       loadTrajectory((fs::path(egomotion.output) / trajectory_name).string()));
@@ -186,16 +187,17 @@ Chain::rectify(const std::string& observations,
   const bool has_egomotion = !stages_.empty() && stages_.back().name == "egomotion";
   if (has_egomotion && !rectification.has_odometry_noise)
     rectification.odometry = noiseOf(stages_.back().told.details);
-  const StageLog& told = run("rectification",
-                             {{"observations", observations},
-                              {"skips_broken", rectification.skip_broken},
-                              {"files", sequenceState(observations)},
-                              {"scale", scale},
-                              {"options", valuesIn(tool_, rectification_group)}},
-                             [&] {
-                               rectifyPoses(rectification, posed, tool_.controls(), tool_.log());
-                               return std::vector<std::string>();
-                             });
+  const StageLog& told =
+      run("rectification",
+          {{"observations", observations},
+           {"skips_broken", rectification.skip_broken},
+           {"files", sequenceState(observations)},
+           {"scale", scale},
+           {"options", valuesIn(tool_, rectification_group)}},
+          [&] {
+            rectifyPoses(rectification, posed, tool_.controls(), tool_.log());
+            return std::vector<std::string>();
+          });
   return posed.withPoses(
       namesIn(told.details),
       loadTrajectory((fs::path(rectification.output) / trajectory_name).string()));

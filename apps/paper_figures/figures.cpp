@@ -585,8 +585,9 @@ public:
       const float value = disparity.values[i];
       const float share = (value - least_) / (most_ - least_);
       invalid.data[i] = std::isfinite(value) ? 0 : 1;
-      levels.data[i] =
-          invalid.data[i] ? 0 : cv::saturate_cast<std::uint8_t>(255 * share);
+      // the colour scale begins with a blue that is hard to tell from black
+      const float level = invalid.data[i] ? 0 : 25 + 230 * share;
+      levels.data[i] = cv::saturate_cast<std::uint8_t>(level);
     }
     cv::Mat3b colors;
     cv::applyColorMap(levels, colors, cv::COLORMAP_TURBO);
