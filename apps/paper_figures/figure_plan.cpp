@@ -2,14 +2,11 @@
 
 #include <pcl/core/file_format.h>
 
-#include <initializer_list>
-
 namespace pcl::acmap {
 
 namespace {
 
 constexpr std::size_t max_observations = 1000000;
-constexpr std::size_t max_patterns = 256;
 
 Eigen::Vector3f
 placeOf(const YamlNode& node)
@@ -23,12 +20,13 @@ placeOf(const YamlNode& node)
   return place;
 }
 
+/** \param[in] more keys of the node */
 FigureEye
-eyeOf(const YamlNode& node)
+eyeOf(const YamlNode& node, std::vector<std::string> more = {})
 {
-  FigureEye eye;
-  eye.from = placeOf(node.at("from"));
-  eye.look = placeOf(node.at("look"));
+  more.insert(more.end(), {"from", "look"});
+  node.requireKeys(more);
+  const FigureEye eye{placeOf(node.at("from")), placeOf(node.at("look"))};
   const Eigen::Vector3f ahead = eye.look - eye.from;
   if (ahead.cross(Eigen::Vector3f::UnitY()).norm() < 1e-3f * ahead.norm() ||
       ahead.norm() == 0)
@@ -36,60 +34,12 @@ eyeOf(const YamlNode& node)
   return eye;
 }
 
-FigureEye
-eyeAlone(const YamlNode& node)
-{
-  node.requireKeys({"from", "look"});
-  return eyeOf(node);
-}
-
-/** Reads the figures from YAML and keeps the nodes of their numbers. */
-class PlanReader {
-public:
-  explicit PlanReader(FigurePlan& plan)
-  : plan_(plan)
-  {}
-
-  ObservationFigure
-  observationOf(const YamlNode& node, std::vector<std::string> more = {})
-  {
-    more.insert(more.end(), {"observation", "from", "look"});
-    node.requireKeys(more);
-    plan_.observation_nodes.push_back(node.at("observation"));
-    return {node.at("observation").count(0, max_observations), eyeOf(node)};
-  }
-
-  void
-  readFusion(const YamlNode& node)
-  {
-    plan_.fusion = observationOf(node, {"patterns"});
-    const auto& patterns = node.at("patterns").list(3, 3);
-    for (std::size_t i = 0; i < patterns.size(); ++i) {
-      plan_.patterns[i] = patterns[i].count(0, max_patterns);
-      plan_.pattern_nodes.push_back(patterns[i]);
-    }
-  }
-
-  void
-  readMap(const YamlNode& node)
-  {
-    constexpr double highest = 1e6; // metres
-    constexpr std::size_t max_views = 8;
-    node.requireKeys({"cut", "views"});
-    plan_.cut = node.at("cut").number(-highest, highest);
-    for (const YamlNode& view : node.at("views").list(1, max_views))
-      plan_.perspectives.push_back(eyeAlone(view));
-  }
-
-private:
-  FigurePlan& plan_;
-};
-
 FigurePlan
 planOf(const YamlNode& file)
 {
   constexpr std::size_t min_width = 200, max_width = 8000; // px
-  constexpr std::size_t max_examples = 8, max_steps = 16;
+  constexpr std::size_t max_list = 8, max_steps = 16, max_patterns = 256;
+  constexpr double highest = 1e6; // metres
   requireFormat(file, file_formats::figures);
   file.requireKeys({"format",
                     "scene",
@@ -104,19 +54,32 @@ planOf(const YamlNode& file)
                     "fig9",
                     "fig10"});
   FigurePlan plan;
-  PlanReader reader(plan);
+  const auto observationOf = [&](const YamlNode& node,
+                                 std::vector<std::string> more = {}) {
+    more.emplace_back("observation");
+    const FigureEye eye = eyeOf(node, more);
+    plan.observation_nodes.push_back(node.at("observation"));
+    return ObservationFigure{node.at("observation").count(0, max_observations), eye};
+  };
   plan.scene = file.at("scene").text();
   plan.observations = file.at("observations").count(1, max_observations);
   plan.width = static_cast<int>(file.at("width").count(min_width, max_width));
-  reader.readFusion(file.at("fig2"));
-  for (const YamlNode& example : file.at("fig3").list(1, max_examples))
-    plan.acquisitions.push_back(reader.observationOf(example));
-  reader.readMap(file.at("fig4"));
-  plan.walls = reader.observationOf(file.at("fig5"), {"steps"});
+  plan.fusion = observationOf(file.at("fig2"), {"patterns"});
+  plan.pattern_nodes = file.at("fig2").at("patterns").list(3, 3);
+  for (std::size_t i = 0; i < plan.patterns.size(); ++i)
+    plan.patterns[i] = plan.pattern_nodes[i].count(0, max_patterns);
+  for (const YamlNode& example : file.at("fig3").list(1, max_list))
+    plan.acquisitions.push_back(observationOf(example));
+  const YamlNode& map = file.at("fig4");
+  map.requireKeys({"cut", "views"});
+  plan.cut = map.at("cut").number(-highest, highest);
+  for (const YamlNode& view : map.at("views").list(1, max_list))
+    plan.perspectives.push_back(eyeOf(view));
+  plan.walls = observationOf(file.at("fig5"), {"steps"});
   plan.wall_steps = file.at("fig5").at("steps").count(1, max_steps);
-  plan.mesh = reader.observationOf(file.at("fig7"));
-  plan.inside = eyeAlone(file.at("fig8"));
-  plan.outside = {eyeAlone(file.at("fig9")), eyeAlone(file.at("fig10"))};
+  plan.mesh = observationOf(file.at("fig7"));
+  plan.inside = eyeOf(file.at("fig8"));
+  plan.outside = {eyeOf(file.at("fig9")), eyeOf(file.at("fig10"))};
   return plan;
 }
 

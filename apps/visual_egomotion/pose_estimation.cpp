@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 namespace pcl::acmap {
@@ -32,22 +31,15 @@ struct ObservationList {
   std::vector<double> stamps;       ///< seconds, or indices in the sequence
 };
 
-/** Takes the stamps of a trajectory, if it has a row for each file. Poses of the input
- * are not used, so that invalid ones are no error. */
+/** Takes the stamps of the folder's trajectory, if it has a row for each file. Poses of
+ * the input are not used, so that invalid ones are no error. */
 void
 takeStamps(const std::string& folder, ObservationList& list, StageLog& log)
 {
-  const std::string path = (std::filesystem::path(folder) / trajectory_name).string();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    return;
   try {
-    const Trajectory trajectory = loadTrajectory(path);
-    const std::vector<std::size_t> rows =
-        trajectoryRows(path, list.names, trajectory.stamps.size());
-    std::transform(rows.begin(), rows.end(), list.stamps.begin(), [&](std::size_t row) {
-      return trajectory.stamps[row];
-    });
+    const ObservationSequence posed(folder);
+    for (std::size_t i = 0; i < list.stamps.size(); ++i)
+      list.stamps[i] = posed.stamp(i);
   }
   catch (const InputFileException&) {
     log.warn("stamps are numbers, as those of the input cannot be used: " +
