@@ -1,7 +1,10 @@
+#include "command_line.h"
 #include "line_pattern/pattern_options.h"
 #include "output_target.h"
 
 #include <pcl/acquisition/pattern_window.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +17,52 @@ namespace {
 
 using namespace pcl::acmap;
 using Json = nlohmann::ordered_json;
+
+void
+addOptions(Tool& tool, PatternOptions& options)
+{
+  CLI::App& app = tool.options();
+  app.add_option(
+         "output",
+         options.output,
+         "Folder for pattern_00.png and so on, or a .png for the first one alone")
+      ->type_name("OUT_DIR|OUT.png")
+      ->required();
+  app.add_option("--patterns", options.patterns, "How many patterns; a .png has one")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  app.add_option("--size", options.size, "Width and height of the projector, pixels")
+      ->type_name("WxH");
+  addPatternLook(app, options);
+  tool.addSeed(options.seed);
+  CLI::Option* const show =
+      app.add_flag("--show",
+                   options.show,
+                   "Show each pattern while it is written, full screen; needs an X "
+                   "server");
+  app.add_option("--monitor", options.monitor, "Which monitor, counted from 0")
+      ->type_name("K")
+      ->needs(show)
+      ->check(CLI::Range(0, 1000).description(""));
+  app.add_option("--hold", options.hold, "How long each pattern stays, seconds")
+      ->type_name("SECONDS")
+      ->needs(show)
+      ->check(positiveNumber().description(""))
+      ->check(CLI::Range(0.0, 86400.0).description(""));
+}
+
+/** \brief Decides if the output is a folder or a picture, which has one pattern. */
+void
+settleOutput(Tool& tool, PatternOptions& options)
+{
+  options.is_single = endingOf(options.output) == ".png";
+  if (!options.is_single)
+    return;
+  if (tool.options().get_option("--patterns")->count() > 0 && options.patterns != 1)
+    throw UsageError(options.output + ": holds one pattern; name a folder for " +
+                     std::to_string(options.patterns));
+  options.patterns = 1;
+}
 
 constexpr const char* name_start = "pattern_";
 

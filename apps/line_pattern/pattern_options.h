@@ -21,18 +21,9 @@ struct PatternOptions {
   double hold = 2; ///< seconds
 };
 
-/** \brief Adds the options to the command line. */
-void
-addOptions(Tool& tool, PatternOptions& options);
-
-/** \brief Adds only the options for the lines of a pattern. */
+/** \brief Adds the options for the lines of a pattern. */
 void
 addPatternLook(CLI::App& app, PatternOptions& options);
-
-/** \brief Decides if the output is a folder or a picture, which has one pattern.
- * \throws UsageError for more than one */
-void
-settleOutput(Tool& tool, PatternOptions& options);
 
 /** \brief Creates the generator from the options.
  * \throws UsageError, BadArgumentException for illegal values */
