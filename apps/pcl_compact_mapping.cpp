@@ -1,6 +1,7 @@
 #include "compact_mapping/chain.h"
 #include "compact_mapping/chain_report.h"
 #include "compact_mapping/map_stage.h"
+#include "compact_mapping/report_page.h"
 #include "output_target.h"
 
 #include <pcl/visualization/display_connection.h>
@@ -26,7 +27,7 @@ openDisplay(Tool& tool, const ChainOptions& options)
     return std::make_unique<DisplayConnection>();
   }
   catch (const pcl::InitFailedException&) {
-    tool.warn("no pictures: no X server answers; run the tool under xvfb-run -a");
+    tool.log().warn("no pictures: no X server answers; run the tool under xvfb-run -a");
     return nullptr;
   }
 }
@@ -81,27 +82,36 @@ run(Tool& tool, const ChainOptions& options)
     truth = pcl::loadSessionTruth(options.truth);
   tool.setReportPlace(options.output + "/report.json");
 
-  Chain chain(tool, options, (fs::path(options.output) / "stages").string());
+  const RunControls controls = tool.controls();
+  const auto values = [&](const std::string& group) { return valuesIn(tool, group); };
+  Chain chain(options,
+              values,
+              controls,
+              tool.log(),
+              (fs::path(options.output) / "stages").string());
   Sequence sequence;
   if (start != StartingPoint::Cloud)
     sequence = chain.sequenceFrom(start);
   // pictures of the same map are kept, even if this run would not draw any
   const auto madeOf = [&](bool has_pictures) {
-    return mapIsMadeOf(tool, options, sequence, has_pictures);
+    return mapIsMadeOf(
+        options, sequence, values(map_group), controls.scale, has_pictures);
   };
   const bool has_pictures =
       display || chain.isFinished("map", madeOf(true), options.output);
   chain.run(
       "map",
       madeOf(has_pictures),
-      [&] {
-        return makeMap(tool, options, chain, sequence, display != nullptr, folder);
+      [&](StageLog& log) {
+        return makeMap(
+            options, chain, sequence, display != nullptr, folder, controls, log);
       },
       options.output);
   std::optional<pcl::MapFigures> figures;
   if (truth)
     figures = compareMap(options, chain, sequence, *truth);
-  tellChain(tool, options, start, chain.stages(), figures);
+  tellChain(options, start, chain.stages(), figures, tool.log());
+  saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
 }
 
 } // namespace

@@ -191,7 +191,7 @@ run(Tool& tool, PatternOptions& options)
   if (options.show)
     window = openWindow(options.monitor, generator, tool.log());
 
-  StepTimer timer(tool.report());
+  StepTimer timer(tool.log().report);
   Totals totals;
   pcl::RgbImage picture;
   const Progress progress(tool.controls().progress);
@@ -201,7 +201,7 @@ run(Tool& tool, PatternOptions& options)
     totals.add(options.is_single ? options.output : patternName(index),
                generator.getReport());
     for (const std::string& remark : generator.getReport().remarks)
-      tool.warn(remark);
+      tool.log().warn(remark);
     if (folder)
       pcl::savePng(folder->path(patternName(index)), picture);
     if (window) {

@@ -304,12 +304,6 @@ Tool::requireReportWritable(const std::vector<std::string>& others) const
     requireWritable(report_path_, {".json"}, others);
 }
 
-void
-Tool::withProgress(const std::function<void(const ProgressCallback&)>& work)
-{
-  work(controls().progress);
-}
-
 RunControls
 Tool::controls()
 {
@@ -331,50 +325,10 @@ Tool::controls()
 }
 
 void
-Tool::stopIfInterrupted() const
-{
-  acmap::stopIfInterrupted();
-}
-
-void
-Tool::warn(const std::string& remark)
-{
-  log_.warn(remark);
-}
-
-void
 Tool::warnAtOnce(const std::string& remark) const
 {
   if (!quiet_)
     complain("warning: " + remark);
-}
-
-void
-Tool::tell(const std::string& name, const std::string& value)
-{
-  log_.tell(name, value);
-}
-
-StageLog
-Tool::apart(const std::function<void()>& stage)
-{
-  StageLog outer;
-  std::swap(outer, log_);
-  stage();
-  std::swap(outer, log_);
-  return outer;
-}
-
-void
-Tool::tellSeconds()
-{
-  log_.tellSeconds();
-}
-
-void
-Tool::failWithNothing(std::string reason) const
-{
-  log_.failWithNothing(std::move(reason));
 }
 
 nlohmann::ordered_json

@@ -69,19 +69,6 @@ public:
   int
   run(int argc, const char* const* argv, const std::function<void()>& work);
 
-  unsigned
-  threads() const
-  {
-    return threads_;
-  }
-
-  /** \brief Are only errors to be printed? */
-  bool
-  isQuiet() const
-  {
-    return quiet_;
-  }
-
   /** \brief Metres in a unit of the input. */
   double
   scale() const
@@ -114,68 +101,14 @@ public:
     return log_;
   }
 
-  /** \brief Calls the work with a callback that draws the progress bar and reports
-   * interruptions. */
-  void
-  withProgress(const std::function<void(const ProgressCallback&)>& work);
-
-  /** \throws CancelledException when the user interrupted the run */
-  void
-  stopIfInterrupted() const;
-
-  /** \brief Adds a warning; warnings are printed once the run has succeeded. */
-  void
-  warn(const std::string& remark);
-
   /** \brief Prints a warning immediately, for example that the work will take long. It
    * is not in the report. */
   void
   warnAtOnce(const std::string& remark) const;
 
-  /** \brief The warnings so far. */
-  const std::vector<std::string>&
-  warnings() const
-  {
-    return log_.report.remarks;
-  }
-
-  /** \brief Ends the run because there is no result. The warnings so far are appended
-   * to the reason.
-   * \throws NothingFound always */
-  [[noreturn]] void
-  failWithNothing(std::string reason) const;
-
-  /** \brief Adds a line to the summary on stdout. */
-  void
-  tell(const std::string& name, const std::string& value);
-
-  /** \brief Adds a line with the seconds of all steps so far to the summary. */
-  void
-  tellSeconds();
-
-  /** \brief The part of the JSON report that is specific to the tool. */
-  nlohmann::ordered_json&
-  details()
-  {
-    return log_.details;
-  }
-
-  /** \brief Seconds of each step; they are added to the JSON report. */
-  Report&
-  report()
-  {
-    return log_.report;
-  }
-
   /** \brief The complete report so far. */
   nlohmann::ordered_json
   fullReport() const;
-
-  /** \brief Runs a stage and separates its report from that of the tool.
-   * \param[in] stage reports, and adds seconds, as the tool of that stage would
-   * \return the report of the stage */
-  StageLog
-  apart(const std::function<void()>& stage);
 
 private:
   int

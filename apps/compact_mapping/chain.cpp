@@ -27,9 +27,15 @@ sequenceState(const std::string& folder)
 
 } // namespace
 
-Chain::Chain(Tool& tool, const ChainOptions& options, std::string folder)
-: tool_(tool)
-, options_(options)
+Chain::Chain(const ChainOptions& options,
+             ValuesOfGroup values,
+             RunControls controls,
+             StageLog& log,
+             std::string folder)
+: options_(options)
+, values_(std::move(values))
+, controls_(std::move(controls))
+, log_(log)
 , folder_(std::move(folder))
 {}
 
@@ -51,7 +57,7 @@ Chain::isFinished(const std::string& name,
 const StageLog&
 Chain::run(const std::string& name,
            Json made_of,
-           const std::function<std::vector<std::string>()>& work,
+           const std::function<std::vector<std::string>(StageLog&)>& work,
            const std::string& result_folder)
 {
   made_of["stages_before"] = made_of_;
@@ -65,7 +71,7 @@ Chain::run(const std::string& name,
   std::vector<std::string> results;
   StageLog told;
   try {
-    told = tool_.apart([&] { results = work(); });
+    results = work(told);
   }
   catch (const InterruptedPartway&) {
     throwInterrupted(name + " in part");
@@ -77,6 +83,7 @@ Chain::run(const std::string& name,
     throwInterrupted("");
   }
   catch (...) {
+    log_.warn(told.report.remarks); // they often explain the failure
     folder.abandon();
     throw;
   }
@@ -100,7 +107,7 @@ Sequence
 Chain::sequenceFrom(StartingPoint start)
 {
   const bool is_session = start == StartingPoint::Session;
-  const double scale = is_session ? 1 : tool_.scale();
+  const double scale = is_session ? 1 : controls_.scale;
   const std::string observations = is_session ? makeObservations() : options_.input;
   Sequence sequence;
   const bool is_posed =
@@ -123,11 +130,11 @@ Chain::makeObservations()
   stereo.output = folderOf("observations");
   stereo.goes_on = true;
   Json made_of = {{"files", stateOf(options_.input, filesIn(options_.input))},
-                  {"options", valuesIn(tool_, stereo_group)}};
+                  {"options", values_(stereo_group)}};
   if (!stereo.poses.empty())
     made_of["poses"] = stateOfFile(stereo.poses);
-  run("observations", made_of, [&] {
-    acmap::makeObservations(stereo, tool_.controls(), tool_.log());
+  run("observations", made_of, [&](StageLog& log) {
+    acmap::makeObservations(stereo, controls_, log);
     return std::vector<std::string>();
   });
   return stereo.output;
@@ -144,11 +151,10 @@ Chain::findPoses(const std::string& observations, double scale)
   return runPoses("egomotion",
                   {{"files", sequenceState(observations)},
                    {"scale", scale},
-                   {"options", valuesIn(tool_, egomotion_group)}},
+                   {"options", values_(egomotion_group)}},
                   sequence,
-                  [&] {
-                    return estimatePoses(
-                        egomotion, sequence, tool_.controls(), tool_.log());
+                  [&](StageLog& log) {
+                    return estimatePoses(egomotion, sequence, controls_, log);
                   });
 }
 
@@ -169,11 +175,10 @@ Chain::rectify(const std::string& observations,
                    {"skips_broken", rectification.skip_broken},
                    {"files", sequenceState(observations)},
                    {"scale", scale},
-                   {"options", valuesIn(tool_, rectification_group)}},
+                   {"options", values_(rectification_group)}},
                   posed,
-                  [&] {
-                    return rectifyPoses(
-                        rectification, posed, tool_.controls(), tool_.log());
+                  [&](StageLog& log) {
+                    return rectifyPoses(rectification, posed, controls_, log);
                   });
 }
 
@@ -181,11 +186,11 @@ ObservationSequence
 Chain::runPoses(const std::string& name,
                 Json made_of,
                 const ObservationSequence& sequence,
-                const std::function<EstimatedPoses()>& work)
+                const std::function<EstimatedPoses(StageLog&)>& work)
 {
   const std::string folder = folderOf(name);
-  run(name, std::move(made_of), [&] {
-    saveEstimatedPoses(folder, work());
+  run(name, std::move(made_of), [&](StageLog& log) {
+    saveEstimatedPoses(folder, work(log));
     return std::vector<std::string>();
   });
   const std::optional<EstimatedPoses> poses = loadEstimatedPoses(folder);

@@ -32,8 +32,16 @@ struct RunStage {
  * its results, so that a later run can reuse those that have not changed. */
 class Chain {
 public:
-  /** \param[in] folder that holds the folders of the stages */
-  Chain(Tool& tool, const ChainOptions& options, std::string folder);
+  /** \brief Returns the options of a group that the user set, with their values. */
+  using ValuesOfGroup = std::function<nlohmann::ordered_json(const std::string& group)>;
+
+  /** \param[in,out] log gets the warnings of a stage that fails
+   * \param[in] folder that holds the folders of the stages */
+  Chain(const ChainOptions& options,
+        ValuesOfGroup values,
+        RunControls controls,
+        StageLog& log,
+        std::string folder);
 
   /** \brief Computes the input of the map: observations and poses.
    * \throws InterruptedPartway naming the stages that are finished
@@ -43,13 +51,13 @@ public:
 
   /** \brief Runs a stage, or reuses the results of an earlier run.
    * \param[in] made_of its inputs and options, in addition to the previous stages
-   * \param[in] work computes the results, and returns their names; none: all files of
-   * the stage's folder
+   * \param[in] work computes the results, reports into the log that it gets, and returns
+   * the names of the results; none: all files of the stage's folder
    * \param[in] result_folder of the results; empty: the stage's folder */
   const StageLog&
   run(const std::string& name,
       nlohmann::ordered_json made_of,
-      const std::function<std::vector<std::string>()>& work,
+      const std::function<std::vector<std::string>(StageLog&)>& work,
       const std::string& result_folder = {});
 
   /** \brief Would \ref run reuse the results of an earlier run? */
@@ -90,10 +98,12 @@ private:
   runPoses(const std::string& name,
            nlohmann::ordered_json made_of,
            const ObservationSequence& sequence,
-           const std::function<EstimatedPoses()>& work);
+           const std::function<EstimatedPoses(StageLog&)>& work);
 
-  Tool& tool_;
   const ChainOptions& options_;
+  ValuesOfGroup values_;
+  RunControls controls_;
+  StageLog& log_;
   std::string folder_;
   std::string made_of_;                         ///< fingerprint of all stages so far
   std::optional<OdometryNoise> odometry_noise_; ///< of the last stage with poses

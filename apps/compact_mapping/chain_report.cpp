@@ -1,7 +1,6 @@
 #include "chain_report.h"
 
 #include "compact_mapping/map_stage.h"
-#include "report_page.h"
 
 #include <pcl/pipeline/observation_files.h>
 
@@ -62,21 +61,20 @@ isForChain(const std::string& line)
 }
 
 void
-tellStage(Tool& tool, const RunStage& stage)
+tellStage(const RunStage& stage, StageLog& log)
 {
   const StageLog& told = stage.told;
-  tool.tell(stage.name,
-            stage.is_reused ? "as it was finished before"
-                            : shortNumber(totalSeconds(told)) + " s");
+  log.tell(stage.name,
+           stage.is_reused ? "as it was finished before"
+                           : shortNumber(totalSeconds(told)) + " s");
   for (const auto& [name, value] : told.lines)
     if (isForChain(name))
-      tool.tell("  " + name, value);
+      log.tell("  " + name, value);
   if (!stage.removed.empty())
-    tool.tell("  removed", inOneLine(stage.removed) + " of the result before");
-  for (const std::string& warning : told.report.remarks)
-    tool.warn(warning);
+    log.tell("  removed", inOneLine(stage.removed) + " of the result before");
+  log.warn(told.report.remarks);
   if (!stage.is_reused)
-    tool.report().seconds.emplace_back(stage.name, totalSeconds(told));
+    log.report.seconds.emplace_back(stage.name, totalSeconds(told));
 }
 
 Json
@@ -92,9 +90,10 @@ jsonOf(const RunStage& stage)
 } // namespace
 
 Json
-mapIsMadeOf(Tool& tool,
-            const ChainOptions& options,
+mapIsMadeOf(const ChainOptions& options,
             const Sequence& sequence,
+            Json values,
+            double scale,
             bool has_pictures)
 {
   Json files;
@@ -104,23 +103,22 @@ mapIsMadeOf(Tool& tool,
   }
   else
     files = stateOfFile(options.input);
-  Json values = valuesIn(tool, map_group);
   values.erase("--no-pictures"); // added below
   return {{"files", files},
-          {"scale", tool.scale()},
+          {"scale", scale},
           {"options", values},
           {"rectifies", options.rectifies},
           {"pictures", has_pictures}};
 }
 
 void
-tellChain(Tool& tool,
-          const ChainOptions& options,
+tellChain(const ChainOptions& options,
           StartingPoint start,
           const std::vector<RunStage>& stages,
-          const std::optional<MapFigures>& figures)
+          const std::optional<MapFigures>& figures,
+          StageLog& log)
 {
-  Json& details = tool.details();
+  Json& details = log.details;
   details["input"] = options.input;
   details["output"] = options.output;
   details["starting_point"] = nameOf(start);
@@ -131,18 +129,17 @@ tellChain(Tool& tool,
   details["planes"] = map.at("planes").size();
   details["stages"] = Json::array();
   for (const RunStage& stage : stages) {
-    tellStage(tool, stage);
+    tellStage(stage, log);
     details["stages"].push_back(jsonOf(stage));
   }
   if (figures) {
     details["truth"] = toJson(*figures);
     for (const auto& [name, value] : linesOf(*figures))
-      tool.tell(name, value);
+      log.tell(name, value);
   }
   details["pictures"] = picturesIn(options.output, map.value("tilt_deg", 0.0));
-  tool.tellSeconds();
-  tool.tell("folder", options.output);
-  saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
+  log.tellSeconds();
+  log.tell("folder", options.output);
 }
 
 } // namespace pcl::acmap

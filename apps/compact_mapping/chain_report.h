@@ -5,22 +5,22 @@
 
 namespace pcl::acmap {
 
-/** \brief Inputs and options of the map, for \ref Chain::run. */
+/** \brief Inputs and options of the map, for \ref Chain::run.
+ * \param[in] values of the options of the map that the user set */
 nlohmann::ordered_json
-mapIsMadeOf(Tool& tool,
-            const ChainOptions& options,
+mapIsMadeOf(const ChainOptions& options,
             const Sequence& sequence,
+            nlohmann::ordered_json values,
+            double scale,
             bool has_pictures);
 
-/** \brief Writes the reports of all stages into summary, warnings and report, and draws
- * report.html.
- * \param[in] figures of the comparison with the truth, if it is known
- * \throws OutputFileException when that cannot be written */
+/** \brief Writes the reports of all stages into summary, warnings and report.
+ * \param[in] figures of the comparison with the truth, if it is known */
 void
-tellChain(Tool& tool,
-          const ChainOptions& options,
+tellChain(const ChainOptions& options,
           StartingPoint start,
           const std::vector<RunStage>& stages,
-          const std::optional<MapFigures>& figures);
+          const std::optional<MapFigures>& figures,
+          StageLog& log);
 
 } // namespace pcl::acmap

@@ -63,86 +63,84 @@ thinned(const PCLPointCloud2& map)
 }
 
 MergedCloud
-merge(Tool& tool, const ChainOptions& options, const ObservationSequence& posed)
+merge(const ChainOptions& options,
+      const ObservationSequence& posed,
+      const RunControls& controls,
+      StageLog& log)
 {
   ObservationMerging merging;
   merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
                                                     : options.planes.sensor);
   merging.setSkipBroken(options.texture.skip_broken);
   merging.setMaximumPoints(options.max_points);
-  merging.setNumberOfThreads(tool.threads());
+  merging.setNumberOfThreads(controls.threads);
   merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
     requireMemory(bytes, work);
   });
+  merging.setProgressCallback(controls.progress);
   MergedCloud merged;
-  tool.withProgress([&](const ProgressCallback& progress) {
-    merging.setProgressCallback(progress);
-    merging.compute(posed, merged);
-  });
+  merging.compute(posed, merged);
   const MergingReport& report = merging.getReport();
-  for (const std::string& remark : report.remarks)
-    tool.warn(remark);
+  log.warn(report.remarks);
   if (report.every > 1)
-    tool.warn("the map has more than " + std::to_string(options.max_points) +
-              " points (--max-points): it is made of each " +
-              std::to_string(report.every) + "th of them");
-  warnOfLengths(*merged.cloud, tool.controls(), tool.log());
-  tool.details()["observations"] = report.observations;
-  tool.tell("read",
-            std::to_string(report.observations) + " observations, " +
-                std::to_string(report.points) + " points");
+    log.warn("the map has more than " + std::to_string(options.max_points) +
+             " points (--max-points): it is made of each " +
+             std::to_string(report.every) + "th of them");
+  warnOfLengths(*merged.cloud, controls, log);
+  log.details["observations"] = report.observations;
+  log.tell("read",
+           std::to_string(report.observations) + " observations, " +
+               std::to_string(report.points) + " points");
   if (report.refined > 0)
-    tool.tell("refined",
-              "the quantised depth of " + std::to_string(report.refined) +
-                  " observations");
+    log.tell("refined",
+             "the quantised depth of " + std::to_string(report.refined) +
+                 " observations");
   return merged;
 }
 
 Mapped
-mapSequence(Tool& tool,
-            const ChainOptions& options,
+mapSequence(const ChainOptions& options,
             const ObservationSequence& posed,
-            const OutputFolder& folder)
+            const OutputFolder& folder,
+            const RunControls& controls,
+            StageLog& log)
 {
   Mapped result;
   {
-    StepTimer timer(tool.report());
-    const MergedCloud merged = merge(tool, options, posed);
+    StepTimer timer(log.report);
+    const MergedCloud merged = merge(options, posed, controls, log);
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
-    result.found = extractPlanes(
-        planes, merged.cloud, merged.viewpoints, tool.controls(), tool.log());
-    StepTimer write_timer(tool.report());
+    result.found =
+        extractPlanes(planes, merged.cloud, merged.viewpoints, controls, log);
+    StepTimer write_timer(log.report);
     savePointCloud(folder.path("map.pcd"), thinned(merged.cloud->cloud));
     write_timer.finish("write");
   }
-  requirePlanes(options.input, result.found, tool.log());
-  StepTimer timer(tool.report());
-  result.map = paintPlanes(
-      result.found.planes, posed, options.texture, tool.controls(), tool.log());
+  requirePlanes(options.input, result.found, log);
+  StepTimer timer(log.report);
+  result.map = paintPlanes(result.found.planes, posed, options.texture, controls, log);
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
   return result;
 }
 
 Mapped
-mapCloud(Tool& tool, const ChainOptions& options)
+mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log)
 {
-  StepTimer timer(tool.report());
+  StepTimer timer(log.report);
   const auto file = std::make_shared<const PointCloudFile>(
-      loadScaledCloud(options.input, tool.scale()));
+      loadScaledCloud(options.input, controls.scale));
   timer.finish("read");
-  warnOfLengths(*file, tool.controls(), tool.log());
+  warnOfLengths(*file, controls, log);
   const std::vector<Eigen::Vector3f> viewpoints =
-      viewpointsOfFile(*file, options.input, tool.scale(), tool.log());
+      viewpointsOfFile(*file, options.input, controls.scale, log);
   Mapped result;
-  result.found =
-      extractPlanes(options.planes, file, viewpoints, tool.controls(), tool.log());
-  requirePlanes(options.input, result.found, tool.log());
-  StepTimer paint_timer(tool.report());
-  result.map = paintPlanes(
-      result.found.planes, file, options.texture, tool.controls(), tool.log());
+  result.found = extractPlanes(options.planes, file, viewpoints, controls, log);
+  requirePlanes(options.input, result.found, log);
+  StepTimer paint_timer(log.report);
+  result.map = paintPlanes(result.found.planes, file, options.texture, controls, log);
   paint_timer.finish("paint");
   return result;
 }
@@ -163,13 +161,13 @@ takeAlong(const Chain& chain, const OutputFolder& folder)
 /** \brief Draws the pictures. A failure is reported as a warning, and the map is
  * kept. */
 void
-drawPictures(Tool& tool, const OutputFolder& folder, const Mapped& mapped)
+drawPictures(const OutputFolder& folder, const Mapped& mapped, StageLog& log)
 {
   try {
     savePictures(folder, mapped.found, mapped.map);
   }
   catch (const InitFailedException& error) {
-    tool.warn("not all pictures could be drawn: " + std::string(error.what()));
+    log.warn("not all pictures could be drawn: " + std::string(error.what()));
   }
 }
 
@@ -191,43 +189,44 @@ jsonOf(const std::vector<PlanePatch>& planes)
 
 /** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
-tellUp(Tool& tool, const CompactMap& map)
+tellUp(const CompactMap& map, StageLog& log)
 {
   constexpr double degrees = 180 / 3.14159265358979323846;
   const Eigen::Vector3d up = upDirection(map);
   const double tilt = degrees * std::acos(std::min(1.0, up.dot(upAxis(map))));
-  tool.details()["up"] = {up.x(), up.y(), up.z()};
-  tool.details()["tilt_deg"] = tilt;
+  log.details["up"] = {up.x(), up.y(), up.z()};
+  log.details["tilt_deg"] = tilt;
   if (tilt > min_tilt_told)
-    tool.tell("tilted",
-              "the frame of the map by " + shortNumber(tilt) +
-                  " degrees, by its planes; pictures are drawn along the floor");
+    log.tell("tilted",
+             "the frame of the map by " + shortNumber(tilt) +
+                 " degrees, by its planes; pictures are drawn along the floor");
 }
 
 void
-tellMap(Tool& tool, const ChainOptions& options, const Mapped& mapped)
+tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 {
-  tellPlanes(
-      mapped.found.planes, mapped.found.labels, mapped.found.finite_points, tool.log());
-  tool.details()["planes"] = jsonOf(mapped.map.planes);
-  tellUp(tool, mapped.map);
-  tellCompactness(mapped.found.finite_points, mapped.map, options.output, tool.log());
+  tellPlanes(mapped.found.planes, mapped.found.labels, mapped.found.finite_points, log);
+  log.details["planes"] = jsonOf(mapped.map.planes);
+  tellUp(mapped.map, log);
+  tellCompactness(mapped.found.finite_points, mapped.map, options.output, log);
 }
 
 } // namespace
 
 std::vector<std::string>
-makeMap(Tool& tool,
-        const ChainOptions& options,
+makeMap(const ChainOptions& options,
         const Chain& chain,
         const Sequence& sequence,
         bool draws,
-        OutputFolder& folder)
+        OutputFolder& folder,
+        const RunControls& controls,
+        StageLog& log)
 {
-  Mapped mapped = sequence.posed ? mapSequence(tool, options, *sequence.posed, folder)
-                                 : mapCloud(tool, options);
-  tool.stopIfInterrupted();
-  StepTimer timer(tool.report());
+  Mapped mapped = sequence.posed
+                      ? mapSequence(options, *sequence.posed, folder, controls, log)
+                      : mapCloud(options, controls, log);
+  stopIfInterrupted();
+  StepTimer timer(log.report);
 
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
   saveNormals(folder.path("mesh.ply"), mapped.found);
@@ -235,12 +234,12 @@ makeMap(Tool& tool,
     takeAlong(chain, folder);
   timer.finish("write map");
   if (draws)
-    drawPictures(tool, folder, mapped);
+    drawPictures(folder, mapped, log);
   timer.finish("pictures");
-  tool.stopIfInterrupted();
+  stopIfInterrupted();
   std::vector<std::string> names = filesIn(folder.path(""));
   folder.commit();
-  tellMap(tool, options, mapped);
+  tellMap(options, mapped, log);
   return names;
 }
 

@@ -20,12 +20,13 @@ inline constexpr double min_tilt_told = 2;
  * \throws NothingFound when there is no plane
  * \throws what its steps throw */
 std::vector<std::string>
-makeMap(Tool& tool,
-        const ChainOptions& options,
+makeMap(const ChainOptions& options,
         const Chain& chain,
         const Sequence& sequence,
         bool draws,
-        OutputFolder& folder);
+        OutputFolder& folder,
+        const RunControls& controls,
+        StageLog& log);
 
 /** \brief Compares the finished map of a sequence with the ground truth of its session.
  * \param[in] sequence with poses
