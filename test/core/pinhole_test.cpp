@@ -18,7 +18,8 @@ std::vector<Eigen::Vector3f>
 seenFrom(const Eigen::Isometry3d& T_room_camera, const RoomCamera& camera = {})
 {
   std::vector<Eigen::Vector3f> points;
-  for (const PointXYZRGBSigma& point : *viewOf(Room(), T_room_camera, camera))
+  const PointCloud<PointXYZRGBSigma>::Ptr view = viewOf(Room(), T_room_camera, camera);
+  for (const PointXYZRGBSigma& point : *view)
     points.push_back(point.getVector3fMap());
   return points;
 }
