@@ -10,7 +10,7 @@ namespace pcl::acmap {
 namespace {
 
 using Cloud = PointCloud<PointXYZRGBSigma>;
-using Poses = std::vector<std::optional<Eigen::Isometry3d>>;
+using MaybePoses = std::vector<std::optional<Eigen::Isometry3d>>;
 
 const Color green(40, 200, 60);
 const Color light_red(255, 70, 60);
@@ -46,7 +46,7 @@ pixelOf(const Cloud& cloud, index_t index)
 }
 
 PlanExtent
-extentOf(const Poses& poses, const std::vector<Eigen::Isometry3d>& truth)
+extentOf(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>& truth)
 {
   PlanContents contents;
   for (const auto& pose : poses)
@@ -79,7 +79,7 @@ drawGap(cv::Mat3b& image,
 }
 
 void
-drawTrajectory(cv::Mat3b& image, const PlanExtent& extent, const Poses& poses)
+drawTrajectory(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& poses)
 {
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -100,7 +100,7 @@ drawTrajectory(cv::Mat3b& image, const PlanExtent& extent, const Poses& poses)
 }
 
 void
-drawDirections(cv::Mat3b& image, const PlanExtent& extent, const Poses& poses)
+drawDirections(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& poses)
 {
   constexpr std::size_t most = 80; // number of strokes that can be distinguished
   constexpr double stroke = 16;    // pixels
@@ -155,7 +155,7 @@ matchPicture(const Cloud& now,
 }
 
 RgbImage
-trajectoryPicture(const Poses& poses, const std::vector<Eigen::Isometry3d>& truth)
+trajectoryPicture(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>& truth)
 {
   const PlanExtent extent = extentOf(poses, truth);
   const cv::Size size(extent.width, extent.height);

@@ -87,7 +87,7 @@ TEST_F(MemoryLimit, EndsEachToolWithNothingLeftBehind)
 {
   if (is_sanitized)
     GTEST_SKIP() << "a sanitizer ends the process where memory is refused";
-  const VirtualDisplay& display = VirtualDisplay::shared();
+  VirtualDisplay::shared(); // for the viewer
   const std::string out = path("out");
   const std::vector<std::pair<std::string, std::vector<std::string>>> runs = {
       {ACMAP_DEWALL_SURFACE, {cloud(), out + ".ply"}},

@@ -104,10 +104,12 @@ CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  if (T_map_camera && !acmap::isRigid(*T_map_camera))
+  if (T_map_camera && !acmap::isRigid(*T_map_camera, acmap::float_pose_tolerance))
     throw BadArgumentException("the pose of an observation is no rigid motion");
   clouds_.push_back(std::move(cloud));
   poses_.push_back(T_map_camera);
+  if (T_map_camera && !acmap::isRigid(*T_map_camera)) // rounded to floats
+    poses_.back() = asInFiles(*T_map_camera);
 }
 
 boost::signals2::connection
