@@ -78,7 +78,8 @@ TEST_F(CameraWalk, isFollowedPastABlankView)
   EXPECT_EQ(found.posed(), views - 1);
   EXPECT_FALSE(found.poses[2]);
   EXPECT_THAT(found.reasonOf(2, sequence.names()), HasSubstr("observation_000"));
-  EXPECT_EQ(found.estimated({0, 1, 2, 3}).trajectory.stamps, (std::vector<double>{0, 1, 3}));
+  EXPECT_EQ(found.estimated({0, 1, 2, 3}).trajectory.stamps,
+            (std::vector<double>{0, 1, 3}));
   EXPECT_EQ(tried, found.pairs.size());
 }
 
