@@ -65,10 +65,10 @@ TEST(TrinocularRectification, PointsShareRowsAndColumns)
 }
 
 double
-waves(const Eigen::Vector3d& point)
+waves(double x, double y)
 {
-  const double x = 40 * point.x();
-  const double y = 40 * point.y();
+  x *= 40;
+  y *= 40;
   return 130 + 50 * std::sin(x + 0.7 * y) + 45 * std::cos(0.4 * x - 1.3 * y) +
          20 * std::sin(2.1 * x) * std::sin(1.7 * y);
 }

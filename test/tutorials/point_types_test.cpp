@@ -73,9 +73,14 @@ compiledTypes()
     for (const auto& source : fs::directory_iterator(module.path() / "src")) {
       const std::string text =
           source.is_regular_file() ? withLists(contentOf(source.path().string())) : "";
-      const std::set<std::string> names = allMatches(text, name);
-      if (names.size() == 1)
-        types[*names.begin()] = allMatches(text, type);
+      // the types of an instantiation follow its name, up to the next name
+      for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end;) {
+        const std::string class_name = (*at)[1];
+        const auto begin = static_cast<std::size_t>(at->position());
+        const std::size_t next =
+            ++at == end ? text.size() : static_cast<std::size_t>(at->position());
+        types[class_name].merge(allMatches(text.substr(begin, next - begin), type));
+      }
     }
   return types;
 }
