@@ -94,16 +94,12 @@ startThreads(unsigned threads)
     int started = 0;
     std::mutex mutex;
     std::condition_variable all_started;
-    oneapi::tbb::parallel_for(
-        0,
-        all,
-        [&](int) {
-          std::unique_lock<std::mutex> lock(mutex);
-          if (++started == all)
-            all_started.notify_all();
-          all_started.wait_until(lock, deadline, [&] { return started == all; });
-        },
-        oneapi::tbb::simple_partitioner());
+    oneapi::tbb::parallel_for(0, all, [&](int) {
+      std::unique_lock<std::mutex> lock(mutex);
+      if (++started == all)
+        all_started.notify_all();
+      all_started.wait_until(lock, deadline, [&] { return started == all; });
+    });
   });
 }
 

@@ -12,7 +12,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double reach = 15; // percent
+constexpr double noise_reach = 15; // percent
 
 double
 deviation(double measured, double truth)
@@ -65,10 +65,10 @@ printScales(const std::vector<MeasuredNoise>& all)
         .text(one.name)
         .number(1000 * one.truth.sigma, 2)
         .number(1000 * one.scale.sigma, 2)
-        .within(deviation(one.scale.sigma, one.truth.sigma), reach, 1)
+        .within(deviation(one.scale.sigma, one.truth.sigma), noise_reach, 1)
         .number(1000 * one.truth.spacing, 1)
         .number(1000 * one.scale.spacing, 1)
-        .within(deviation(one.scale.spacing, one.truth.spacing), reach, 1)
+        .within(deviation(one.scale.spacing, one.truth.spacing), noise_reach, 1)
         .number(one.scale.confidence, 2)
         .print();
 }
@@ -85,7 +85,7 @@ printRanges(const std::vector<MeasuredNoise>& all)
           .number(range.distance, 2)
           .number(1000 * truth, 2)
           .number(1000 * range.sigma, 2)
-          .within(deviation(range.sigma, truth), reach, 1)
+          .within(deviation(range.sigma, truth), noise_reach, 1)
           .print();
     }
 }

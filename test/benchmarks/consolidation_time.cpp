@@ -18,8 +18,8 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr float leaf = 0.05f; // metres
-constexpr double reach = 0.2; // us per point
+constexpr float leaf = 0.05f;      // metres
+constexpr double time_reach = 0.2; // us per point
 constexpr double cell_bytes = 112;
 
 /** A cloud in all formats that are timed. */
@@ -69,7 +69,7 @@ readAndSum(const PointCloud<PointXYZ>& cloud)
 /** A timed function; returns its number of points or triangles. */
 struct Timed {
   std::string name;
-  double reach;
+  double time_reach;
   std::function<std::size_t()> run;
 };
 
@@ -79,12 +79,13 @@ consolidations(const TimedCloud& c)
   std::vector<Timed> all;
   for (const double voxel : {0.05, 0.0}) {
     all.push_back(
-        {"VoxelConsolidation, colour and view, " + voxelName(voxel), reach, [=] {
+        {"VoxelConsolidation, colour and view, " + voxelName(voxel), time_reach, [=] {
            return consolidateCloud<PointXYZRGBNormalView>(c.map, c.cloud, voxel);
          }});
-    all.push_back({"VoxelConsolidation, PointXYZ, " + voxelName(voxel), reach, [=] {
-                     return consolidateCloud<PointXYZ>(c.plain, c.cloud, voxel);
-                   }});
+    all.push_back(
+        {"VoxelConsolidation, PointXYZ, " + voxelName(voxel), time_reach, [=] {
+           return consolidateCloud<PointXYZ>(c.plain, c.cloud, voxel);
+         }});
     ConsolidationReport report;
     const auto consolidation =
         std::make_shared<Consolidation>(consolidate(c.cloud, voxel, report));
@@ -134,7 +135,7 @@ printRows(const SimulatedCloud& cloud, std::size_t rounds)
         .text(all[i].name)
         .count(results[i])
         .atMost(1e6 * median(seconds[i]) / static_cast<double>(cloud.size()),
-                all[i].reach,
+                all[i].time_reach,
                 4)
         .print();
 }

@@ -43,7 +43,7 @@ printRow(const SimulatedCloud& cloud,
 }
 
 void
-printRows(const SimulatedCloud& cloud, const SceneTruth& truth)
+printCreases(const SimulatedCloud& cloud, const SceneTruth& truth)
 {
   constexpr double pages_weight = 2;
   const VotedMesh voted = meshAndVote(cloud);
@@ -81,9 +81,9 @@ printCreases(SceneData& corridor)
              "vertices within half a voxel of them",
              "recall of these"});
   constexpr std::size_t view = 0;
-  printRows(makeViewCloud(corridor.scene(), view), corridor.truthOfView(view));
-  printRows(makeRandomPart(corridor.whole(), 1000000, 1), corridor.wholeTruth());
-  printRows(corridor.whole(), corridor.wholeTruth());
+  printCreases(makeViewCloud(corridor.scene(), view), corridor.truthOfView(view));
+  printCreases(makeRandomPart(corridor.whole(), 1000000, 1), corridor.wholeTruth());
+  printCreases(corridor.whole(), corridor.wholeTruth());
 }
 
 } // namespace pcl::acmap::bench

@@ -34,7 +34,7 @@ printRow(const std::string& cloud,
 
 /** \return the edge length of a voxel */
 double
-printRows(const SimulatedCloud& cloud, const SceneTruth& truth)
+printErrors(const SimulatedCloud& cloud, const SceneTruth& truth)
 {
   const VotedMesh voted = meshAndVote(cloud);
   const double voxel = voted.report.voxel_size;
@@ -66,15 +66,15 @@ printVotedNormals(SceneData& corridor)
              "backs %"});
   const SceneTruth truth(corridor.scene());
   const SimulatedCloud view = makeViewCloud(corridor.scene(), 0);
-  const double voxel = printRows(view, truth);
+  const double voxel = printErrors(view, truth);
   constexpr int neighbours = 16;
   constexpr double radius = 0.1;
   for (const PeerNormals& peer :
        {normalsOfNearest(view, neighbours), normalsWithin(view, radius)})
     printRow(
         view.name, peer.name, measureNormals(truth, peer.places, peer.normals, voxel));
-  printRows(makeRandomPart(corridor.whole(), 1000000, 1), truth);
-  printRows(corridor.whole(), truth);
+  printErrors(makeRandomPart(corridor.whole(), 1000000, 1), truth);
+  printErrors(corridor.whole(), truth);
 }
 
 } // namespace pcl::acmap::bench

@@ -2,6 +2,7 @@
 
 #include "acmap_planes.h"
 
+#include <pcl/common/point_tests.h>
 #include <pcl/segmentation/depth_plane_segmentation.h>
 
 namespace pcl::acmap::bench {
@@ -23,7 +24,7 @@ ourPlanes(const OneView& view)
     return planes;
   });
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (isFinite((*view.organized)[i]))
+    if (pcl::isFinite((*view.organized)[i]))
       found.labels.push_back(labels[i]);
   return found;
 }
