@@ -3,7 +3,6 @@
 #include "memory.h"
 #include "output_target.h"
 
-#include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
@@ -392,10 +391,7 @@ private:
       return saveResults(*folder_, options_, number, made, poseOf(number));
     OutputFolder finished(options_.output);
     saveResults(finished, options_, number, made, poseOf(number));
-    const std::string text = results_.observations.dump() + "\n";
-    OutputFile file(finished.path(finished_name));
-    file.write(text.data(), text.size());
-    file.commit();
+    saveJson(finished.path(finished_name), results_.observations, -1);
     finished.commit();
   }
 

@@ -12,8 +12,8 @@
 
 namespace pcl::acmap {
 
-/** \brief What a stage reports: lines of the summary, details of the JSON report,
- * seconds and warnings. */
+/** \brief Report of a stage: lines of the summary, details of the JSON report, seconds
+ * and warnings. */
 struct StageLog {
   std::vector<std::pair<std::string, std::string>> lines; ///< of the summary
   nlohmann::ordered_json details = nlohmann::ordered_json::object();

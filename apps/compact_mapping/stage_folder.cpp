@@ -5,7 +5,6 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/folder_entries.h>
 #include <pcl/core/hidden_folder.h>
-#include <pcl/core/output_file.h>
 #include <pcl/pipeline/fingerprint.h>
 
 #include <algorithm>
@@ -39,16 +38,16 @@ readState(const fs::path& folder)
 }
 
 std::string
-dumped(const Json& json, int indent)
+dumped(const Json& json)
 {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /** The JSON as it is read back from a file, with invalid UTF-8 replaced. */
 Json
 asWritten(const Json& json)
 {
-  return Json::parse(dumped(json, -1));
+  return Json::parse(dumped(json));
 }
 
 } // namespace
@@ -219,10 +218,7 @@ StageFolder::finish(const StageLog& told) const
 void
 StageFolder::write(const Json& state) const
 {
-  const std::string text = dumped(state, 1) + "\n";
-  OutputFile file((fs::path(path_) / state_name).string());
-  file.write(text.data(), text.size());
-  file.commit();
+  saveJson((fs::path(path_) / state_name).string(), state, 1);
 }
 
 Json
@@ -271,7 +267,7 @@ stateOfFile(const std::string& path)
 std::string
 fingerprint(const Json& json)
 {
-  const std::string text = dumped(json, -1);
+  const std::string text = dumped(json);
   Fingerprint hash;
   hash.add(text.data(), text.size());
   return hash.text();

@@ -218,8 +218,7 @@ drawPatterns(PatternOptions pattern, const MonitorPlace& monitor, StageLog& log)
   for (std::uint32_t i = 0; i < pattern.patterns; ++i) {
     stopIfInterrupted();
     patterns.push_back(generator.generate(i));
-    for (const std::string& remark : generator.getReport().remarks)
-      log.warn(remark);
+    log.warn(generator.getReport().remarks);
   }
   return patterns;
 }
@@ -332,8 +331,7 @@ public:
   {
     if (!options.clouds.empty() || (options.live && !options.isStream())) {
       clouds_.emplace(options, device, threads);
-      for (const std::string& remark : clouds_->rectifier.remarks())
-        log_.warn(remark);
+      log_.warn(clouds_->rectifier.remarks());
     }
     if (options.session.empty())
       return;
@@ -468,8 +466,7 @@ public:
   {
     Json& details = log_.details;
     if (clouds_)
-      for (const std::string& remark : clouds_->groups.remarks())
-        log_.warn(remark);
+      log_.warn(clouds_->groups.remarks());
     log_.tell("observations", std::to_string(observations_));
     if (clouds_) {
       const StereoResults& results = clouds_->results;
@@ -632,8 +629,7 @@ tellCamera(DigiclopsGrabber& grabber, StageLog& log)
                            {"restarts", report.restarts},
                            {"channel_order", order},
                            {"order_check", check}};
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
+  log.warn(report.remarks);
   log.tell("camera",
            identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
                grabber.camera().place());
@@ -651,8 +647,7 @@ tellProjector(const GrabberOptions& options,
   const MonitorPlace& monitor = projection.monitor;
   const PatternSequenceGrabberReport report = projection.sequence->getReport();
   const double settle = projection.sequence->getSettleTime();
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
+  log.warn(report.remarks);
   log.details["projector"] = {{"monitor", monitor.name},
                               {"width", monitor.width},
                               {"height", monitor.height},

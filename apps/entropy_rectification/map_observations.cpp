@@ -26,8 +26,7 @@ readObservations(const ObservationSequence& sequence,
   const SequenceConsolidationReport& report = consolidation.getReport();
   if (observations.places.front() == 0)
     warnOfLengths(*sequence.load(0).file, controls, log);
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
+  log.warn(report.remarks);
   log.tell("read",
            std::to_string(observations.places.size()) + " observations, " +
                std::to_string(report.points) + " points");
