@@ -5,7 +5,7 @@
 #include "output_target.h"
 #include "tool.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>

@@ -7,7 +7,7 @@
 #include "tool.h"
 
 #include <pcl/conversions.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/filters/depth_refinement.h>

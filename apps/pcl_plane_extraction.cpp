@@ -3,7 +3,7 @@
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>

@@ -2,7 +2,7 @@
 #include "output_target.h"
 #include "tool.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/rgbd_observation.h>

@@ -3,7 +3,7 @@
 #include "simulated_rig/session.h"
 #include "tool.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/scene_file.h>

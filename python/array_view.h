@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/triangle_mesh.h>
 
 #include <pybind11/numpy.h>

@@ -6,7 +6,7 @@
 #include "observation_argument.h"
 #include "poses.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/pipeline/compact_mapping.h>
 
 #include <pybind11/stl.h>

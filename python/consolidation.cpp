@@ -3,8 +3,8 @@
 #include "reports.h"
 #include "sensors.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 
 namespace pcl::acmap::python {
 

@@ -5,8 +5,8 @@
 #include "reports.h"
 #include "sensors.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::python {
 

@@ -1,6 +1,6 @@
 #include "mesh_argument.h"
 
-#include <pcl/core/mesh_input.h>
+#include <pcl/core/impl/mesh_input.h>
 
 namespace pcl::acmap::python {
 

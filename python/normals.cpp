@@ -5,7 +5,7 @@
 #include "reports.h"
 #include "sensors.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 namespace pcl::acmap::python {
 

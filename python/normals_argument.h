@@ -2,8 +2,8 @@
 
 #include "array_view.h"
 
-#include <pcl/features/voting_kernel.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "observation_argument.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 
 #include <cstring>
 

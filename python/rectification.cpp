@@ -4,10 +4,10 @@
 #include "poses.h"
 #include "rectification_report.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
-#include <pcl/mapping/map_entropy_kernel.h>
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <pybind11/stl.h>
 

@@ -1,6 +1,6 @@
 #include "sensors.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 namespace pcl::acmap::python {
 

@@ -1,7 +1,7 @@
 #include "stereo_shots.h"
 
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/rig_cameras.h>
-#include <pcl/core/yaml_node.h>
 #include <pcl/stereo/matched_disparity.h>
 
 #include <utility>

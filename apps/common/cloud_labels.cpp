@@ -3,7 +3,7 @@
 #include "exit_code.h"
 
 #include <pcl/common/colors.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/trajectory.h>
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 
 #include "stage_log.h"
 
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/core/point_view.h>
 
 #include <string>
 #include <vector>

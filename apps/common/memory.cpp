@@ -3,7 +3,7 @@
 #include "exit_code.h"
 #include "stage_log.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <sys/resource.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 #include <pcl/core/output_folder.h>
 
 #include <functional>

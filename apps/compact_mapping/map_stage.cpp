@@ -4,7 +4,7 @@
 #include "length_check.h"
 #include "memory.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>

@@ -7,7 +7,7 @@
 #include "plan_picture.h"
 #include "stage_reports.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>

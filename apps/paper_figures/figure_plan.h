@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <Eigen/Geometry>
 

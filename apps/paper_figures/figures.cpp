@@ -10,8 +10,8 @@
 #include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/conversions.h>
-#include <pcl/core/cloud_fields.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/planar_pose.h>

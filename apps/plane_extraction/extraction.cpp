@@ -6,7 +6,7 @@
 #include "memory.h"
 #include "stage_reports.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 
 #include <CLI/CLI.hpp>

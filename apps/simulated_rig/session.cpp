@@ -7,7 +7,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/image_file.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/simulated_truth.h>
 #include <pcl/stereo/trinocular_rectification.h>

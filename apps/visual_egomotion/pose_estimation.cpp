@@ -4,7 +4,7 @@
 #include "length_check.h"
 #include "output_target.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/observation_files.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include "statistics.h"
 
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "run_tool.h"
 
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/core/point_view.h>
 #include <pcl/core/trajectory.h>
 
 #include <nlohmann/json.hpp>

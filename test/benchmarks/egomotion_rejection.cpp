@@ -4,7 +4,7 @@
 #include "timing.h"
 
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
-#include <pcl/egomotion/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
 #include <pcl/point_types.h>
 #include <pcl/registration/correspondence_rejection_poly.h>
 #include <pcl/registration/correspondence_rejection_sample_consensus.h>

@@ -4,8 +4,8 @@
 #include "sections.h"
 #include "timing.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <iostream>
 

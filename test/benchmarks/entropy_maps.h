@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/planar_pose.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <string>
 

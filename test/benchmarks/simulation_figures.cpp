@@ -7,7 +7,7 @@
 #include "timing.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/simulated_truth.h>
 #include <pcl/simulation/standard_scenes.h>

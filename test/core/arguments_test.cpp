@@ -1,4 +1,4 @@
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

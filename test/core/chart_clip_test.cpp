@@ -1,4 +1,4 @@
-#include <pcl/core/chart_clip.h>
+#include <pcl/core/impl/chart_clip.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

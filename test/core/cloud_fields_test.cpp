@@ -1,6 +1,6 @@
 
 #include <pcl/conversions.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 

@@ -1,6 +1,6 @@
 #include "depth_room.h"
 
-#include <pcl/core/depth_planes.h>
+#include <pcl/core/impl/depth_planes.h>
 
 #include <gtest/gtest.h>
 

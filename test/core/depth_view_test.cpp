@@ -1,6 +1,6 @@
 #include "depth_room.h"
 
-#include <pcl/core/depth_view.h>
+#include <pcl/core/impl/depth_view.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "temporary_folder.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

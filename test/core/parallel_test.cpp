@@ -1,4 +1,4 @@
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/random.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/random.h>
-#include <pcl/core/rigid_alignment.h>
 
 #include <gtest/gtest.h>
 

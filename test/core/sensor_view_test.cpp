@@ -1,4 +1,4 @@
-#include <pcl/core/point_fields.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/point_types.h>

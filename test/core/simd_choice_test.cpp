@@ -1,4 +1,4 @@
-#include <pcl/core/simd_choice.h>
+#include <pcl/core/impl/simd_choice.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
+#include <pcl/core/impl/vertex_neighbours.h>
 #include <pcl/core/random.h>
-#include <pcl/core/vertex_neighbours.h>
 
 #include <gtest/gtest.h>
 

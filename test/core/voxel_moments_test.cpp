@@ -1,6 +1,6 @@
 #include "noisy_clouds.h"
 
-#include <pcl/core/voxel_moments.h>
+#include <pcl/core/impl/voxel_moments.h>
 
 #include <gtest/gtest.h>
 

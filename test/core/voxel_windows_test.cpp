@@ -1,6 +1,6 @@
 #include "noisy_clouds.h"
 
-#include <pcl/core/voxel_windows.h>
+#include <pcl/core/impl/voxel_windows.h>
 
 #include <gtest/gtest.h>
 

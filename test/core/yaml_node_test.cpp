@@ -1,6 +1,6 @@
 #include "temporary_folder.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 
 #include "simd/score_kernels.h"
 
+#include <pcl/core/impl/simd_choice.h>
 #include <pcl/core/random.h>
-#include <pcl/core/simd_choice.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "painted_views.h"
 
 #include <pcl/core/random.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <pcl/core/image_file.h>
 #include <pcl/core/trinocular_frame.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 
 #include <gtest/gtest.h>
 

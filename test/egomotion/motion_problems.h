@@ -2,7 +2,7 @@
 
 #include "stereo_matches.h"
 
-#include <pcl/egomotion/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "lit_scenes.h"
 
 #include <pcl/core/random.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 
 #include <gtest/gtest.h>

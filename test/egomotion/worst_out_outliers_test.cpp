@@ -1,7 +1,7 @@
 #include "stereo_matches.h"
 
-#include <pcl/egomotion/motion_fit_kernel.h>
-#include <pcl/egomotion/worst_out_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/worst_out_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "stereo_matches.h"
 
-#include <pcl/egomotion/worst_out_kernel.h>
+#include <pcl/egomotion/impl/worst_out_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "voting_runs.h"
 
 #include <pcl/core/random.h>
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 #include <gtest/gtest.h>
 

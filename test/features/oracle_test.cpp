@@ -2,7 +2,7 @@
 #include "naive_voting.h"
 #include "voting_runs.h"
 
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "checks.h"
 #include "rgbd/text_rows.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/pipeline/rgbd_cameras.h>
 
 using namespace pcl::acmap;

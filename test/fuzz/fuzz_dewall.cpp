@@ -2,7 +2,7 @@
 #include "fuzzed_points.h"
 #include "mesh_completeness.h"
 
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fuzzed_mesh.h"
 
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fuzzed_mesh.h"
 
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

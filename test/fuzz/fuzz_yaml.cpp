@@ -1,6 +1,6 @@
 #include "checks.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <cmath>
 

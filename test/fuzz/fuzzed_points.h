@@ -2,7 +2,7 @@
 
 #include "fuzzed_bytes.h"
 
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 
 #include <Eigen/Core>
 

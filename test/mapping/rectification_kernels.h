@@ -2,8 +2,8 @@
 
 #include "rectification_worlds.h"
 
-#include <pcl/mapping/map_entropy_kernel.h>
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 namespace pcl::acmap::test {
 

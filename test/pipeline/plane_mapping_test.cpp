@@ -1,7 +1,7 @@
 #include "depth_room.h"
 
 #include <pcl/conversions.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>

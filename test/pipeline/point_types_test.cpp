@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/core/random.h>
 #include <pcl/features/normal_vector_voting.h>
 #include <pcl/filters/voxel_consolidation.h>

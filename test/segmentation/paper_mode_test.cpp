@@ -1,6 +1,6 @@
 #include "clustering_runs.h"
 
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <pcl/features/normal_vector_voting.h>
 #include <pcl/filters/voxel_consolidation.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include <pcl/core/random.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <gtest/gtest.h>
 

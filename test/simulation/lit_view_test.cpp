@@ -3,7 +3,7 @@
 #include "light/rig_simulation.h"
 #include "lit_scenes.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/random.h>
 #include <pcl/simulation/ray_casting.h>
 

@@ -1,6 +1,6 @@
 #include "small_scenes.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/random.h>
 #include <pcl/simulation/ray_casting.h>
 

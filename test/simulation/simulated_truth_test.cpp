@@ -1,6 +1,6 @@
 #include "lit_scenes.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/ray_casting.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/simulated_truth.h>

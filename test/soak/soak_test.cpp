@@ -9,7 +9,7 @@
 #include "voxel_consolidation_traits.h"
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap::test {
 namespace {

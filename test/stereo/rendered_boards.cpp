@@ -1,6 +1,6 @@
 #include "rendered_boards.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/random.h>
 
 #include <cmath>

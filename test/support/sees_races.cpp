@@ -1,4 +1,4 @@
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <chrono>
 #include <cstdio>

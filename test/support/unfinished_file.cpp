@@ -1,6 +1,6 @@
 #include "unfinished_file.h"
 
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 
 #include <filesystem>
 

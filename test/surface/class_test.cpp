@@ -2,7 +2,7 @@
 #include "dewall_runs.h"
 
 #include <pcl/conversions.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <algorithm>
 #include <numeric>

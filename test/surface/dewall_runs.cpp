@@ -1,6 +1,6 @@
 #include "dewall_runs.h"
 
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "dewall_runs.h"
 
 #include <pcl/core/random.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::test {
 namespace {

@@ -47,7 +47,7 @@ withLists(std::string text)
 {
   static const std::regex definition(R"(#define (ACMAP_\w+_TYPES)((?:.*\\\n)*.*))");
   const std::string header =
-      contentOf(ACMAP_MODULES "/core/include/pcl/core/compiled_point_types.h");
+      contentOf(ACMAP_MODULES "/core/include/pcl/core/impl/compiled_point_types.h");
   std::map<std::string, std::string> lists;
   for (std::sregex_iterator at(header.begin(), header.end(), definition), end;
        at != end;

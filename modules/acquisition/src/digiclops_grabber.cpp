@@ -2,7 +2,7 @@
 #include "iidc/camera_state.h"
 
 #include <pcl/acquisition/usb_camera.h>
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>

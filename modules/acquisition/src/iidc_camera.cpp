@@ -2,7 +2,7 @@
 
 #include <pcl/acquisition/iidc_bus.h>
 #include <pcl/acquisition/iidc_camera.h>
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #include "sequence/sequence_stream.h"
 
 #include <pcl/acquisition/pattern_sequence_grabber.h>
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <utility>
 

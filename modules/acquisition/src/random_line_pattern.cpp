@@ -2,7 +2,7 @@
 #include "pattern/side_lobes.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/random.h>
 
 #include <algorithm>

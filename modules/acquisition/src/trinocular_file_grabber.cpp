@@ -2,7 +2,7 @@
 #include "session/frame_source.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/stream_thread.h>
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include <pcl/core/arena_lease.h>
+#include <pcl/core/impl/arena_lease.h>
 
 #include <algorithm>
 #include <mutex>

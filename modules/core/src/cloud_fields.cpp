@@ -1,6 +1,6 @@
 
 #include <pcl/common/io.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 #include <pcl/core/file_format.h>
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 #include <pcl/core/exceptions.h>
-#include <pcl/core/folder_entries.h>
+#include <pcl/core/impl/folder_entries.h>
 
 #include <algorithm>
 #include <new>

@@ -1,5 +1,5 @@
 #include <pcl/core/exceptions.h>
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 
 #include <fcntl.h>
 #include <sys/file.h>

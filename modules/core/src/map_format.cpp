@@ -2,7 +2,7 @@
 
 #include "trajectory_text.h"
 
-#include <pcl/core/chart_clip.h>
+#include <pcl/core/impl/chart_clip.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "json_cursor.h"
 #include "map_format.h"
 
-#include <pcl/core/chart_clip.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/map_file.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "record_moves.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <pcl/core/mesh_input.h>
+#include <pcl/core/impl/mesh_input.h>
 #include <pcl/exceptions.h>
 
 namespace pcl::acmap {

@@ -1,4 +1,4 @@
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -4,7 +4,7 @@
 #include "point_cloud_readers.h"
 #include "text_number.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 
 #include <cstring>
 

@@ -3,7 +3,7 @@
 #include "rig_text.h"
 #include "text_number.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/core/trajectory.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/core/trinocular_rig.h>
-#include <pcl/core/yaml_node.h>
 
 #include <string>
 

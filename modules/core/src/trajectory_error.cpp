@@ -1,6 +1,6 @@
 #include <pcl/core/trajectory_error.h>
 
-#include <pcl/core/rigid_alignment.h>
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/exceptions.h>
 

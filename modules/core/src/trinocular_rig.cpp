@@ -3,9 +3,9 @@
 #include "rig_text.h"
 #include "text_number.h"
 
-#include <pcl/core/arguments.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/core/trinocular_grabber.h>

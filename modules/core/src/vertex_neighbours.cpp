@@ -1,4 +1,4 @@
-#include <pcl/core/vertex_neighbours.h>
+#include <pcl/core/impl/vertex_neighbours.h>
 
 #include <algorithm>
 

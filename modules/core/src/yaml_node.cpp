@@ -1,4 +1,4 @@
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include "text_number.h"
 

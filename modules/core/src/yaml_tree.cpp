@@ -1,7 +1,7 @@
 #include "byte_source.h"
 #include "text_number.h"
 
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>

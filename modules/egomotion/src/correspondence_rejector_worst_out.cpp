@@ -1,6 +1,6 @@
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/core/arguments.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
 #include <pcl/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/egomotion/impl/correspondence_estimation_log_polar.hpp>
 #include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
 #include <pcl/egomotion/impl/transformation_estimation_planar.hpp>

@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/features/impl/normal_vector_voting.hpp>
 
 // for the instantiation of Feature for our point types, see the header

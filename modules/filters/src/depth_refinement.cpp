@@ -1,8 +1,8 @@
-#include <pcl/core/cloud_fields.h>
-#include <pcl/core/compiled_point_types.h>
-#include <pcl/core/depth_view.h>
-#include <pcl/filters/depth_refinement_kernel.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/compiled_point_types.h>
+#include <pcl/core/impl/depth_view.h>
 #include <pcl/filters/impl/depth_refinement.hpp>
+#include <pcl/filters/impl/depth_refinement_kernel.h>
 
 #include <cstring>
 #include <limits>

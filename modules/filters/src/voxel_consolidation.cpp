@@ -1,7 +1,7 @@
-#include <pcl/core/arguments.h>
-#include <pcl/core/cloud_fields.h>
-#include <pcl/core/compiled_point_types.h>
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/compiled_point_types.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 #include <pcl/filters/impl/voxel_consolidation.hpp>
 
 #include <cstring>

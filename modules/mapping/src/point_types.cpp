@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/mapping/impl/entropy_rectification.hpp>
 #include <pcl/mapping/impl/map_entropy.hpp>
 

@@ -1,6 +1,6 @@
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/output_file.h>
-#include <pcl/core/yaml_node.h>
 #include <pcl/pipeline/estimated_poses.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/map_rows.h>
 
 #include <cstring>

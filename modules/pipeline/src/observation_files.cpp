@@ -1,7 +1,7 @@
 #include "file_ending.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/folder_entries.h>
+#include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 

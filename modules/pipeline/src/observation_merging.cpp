@@ -1,5 +1,5 @@
-#include <pcl/core/arguments.h>
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_merging.h>
 

@@ -1,4 +1,4 @@
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/pipeline/picture.h>
 

@@ -1,8 +1,8 @@
 #include "part_of_progress.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/cloud_fields.h>
-#include <pcl/core/mesh_input.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>

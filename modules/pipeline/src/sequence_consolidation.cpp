@@ -1,4 +1,4 @@
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/sequence_consolidation.h>

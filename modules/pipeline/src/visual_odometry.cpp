@@ -1,6 +1,6 @@
 #include "pose_chain.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/visual_odometry.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/segmentation/impl/depth_plane_segmentation.hpp>
 #include <pcl/segmentation/impl/plane_hypothesis_clustering.hpp>
 

@@ -1,6 +1,6 @@
 #include <pcl/simulation/depth_camera.h>
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 
 #include "cast_target.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 

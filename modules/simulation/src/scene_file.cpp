@@ -3,7 +3,7 @@
 #include "scene_text.h"
 
 #include <pcl/core/file_format.h>
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/simulation/scene_geometry.h>
 #include <pcl/simulation/standard_scenes.h>
 

@@ -1,6 +1,6 @@
 #include <pcl/simulation/simulated_light.h>
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/trajectory.h>
 
 namespace pcl {

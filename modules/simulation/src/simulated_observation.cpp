@@ -4,7 +4,7 @@
 #include "random_streams.h"
 #include "surface_normal.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/surface_color.h>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "light/rig_simulation.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/stream_thread.h>
 
 #include <atomic>

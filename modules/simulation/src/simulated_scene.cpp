@@ -1,6 +1,6 @@
 #include <pcl/simulation/simulated_scene.h>
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "light/lit_view.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/ray_casting.h>
 
 #include <limits>

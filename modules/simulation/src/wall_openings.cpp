@@ -1,6 +1,6 @@
 #include <pcl/simulation/scene_geometry.h>
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 namespace pcl {
 

@@ -3,8 +3,8 @@
 #include "back_projection/pixel_projection.h"
 #include "matching/shot_check.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <utility>
 

@@ -4,8 +4,8 @@
 #include "fusion/observation.h"
 #include "matching/shot_check.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <optional>

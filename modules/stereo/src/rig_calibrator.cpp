@@ -2,7 +2,7 @@
 
 #include "calibration/board_views.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/stereo/trinocular_rectification.h>
 
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "matching/pair_match.h"
 #include "matching/shot_check.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <oneapi/tbb/parallel_for.h>

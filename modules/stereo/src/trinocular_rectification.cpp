@@ -4,8 +4,8 @@
 #include "rectification/common_view.h"
 #include "rectification/remap_table.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <optional>
 

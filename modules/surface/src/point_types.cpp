@@ -1,4 +1,4 @@
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/surface/impl/dewall_triangulation.hpp>
 
 // for MeshConstruction of our point types, see the header

@@ -1,7 +1,7 @@
-#include <pcl/core/cloud_fields.h>
-#include <pcl/core/compiled_point_types.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/texture/impl/plane_texturing.hpp>
-#include <pcl/texture/texturing_kernel.h>
+#include <pcl/texture/impl/texturing_kernel.h>
 
 namespace pcl::acmap {
 

@@ -2,7 +2,7 @@
 
 #include "camera_fit.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <algorithm>
 #include <cmath>

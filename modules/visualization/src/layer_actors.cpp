@@ -5,7 +5,7 @@
 #include "scene.h"
 #include "scene_renderer.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "map_actors.h"
 #include "scene_renderer.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 namespace pcl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "camera_fit.h"
 
-#include <pcl/core/cloud_fields.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>

@@ -3,8 +3,8 @@
 #include "consolidated_mesh.h"
 #include "voted_hypotheses.h"
 
-#include <pcl/filters/consolidation_kernel.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::bench {
 namespace {

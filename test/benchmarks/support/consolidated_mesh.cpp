@@ -1,6 +1,6 @@
 #include "consolidated_mesh.h"
 
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::bench {
 

@@ -1,6 +1,6 @@
 #include "region_planes.h"
 
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 namespace pcl::acmap::bench {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "scene_truth.h"
 
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
+#include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/sensor_view.h>
-#include <pcl/core/voxel_moments.h>
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 #include <pcl/simulation/simulated_observation.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/features/voting_kernel.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 namespace pcl::acmap::bench {
 

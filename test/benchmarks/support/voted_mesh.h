@@ -4,7 +4,7 @@
 
 #include "mesh_checker.h"
 
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 namespace pcl::acmap::bench {
 

@@ -1,6 +1,6 @@
 #include "feature_registers.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <cmath>
 #include <cstring>

@@ -2,8 +2,8 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
-#include <pcl/core/folder_entries.h>
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/folder_entries.h>
+#include <pcl/core/impl/hidden_folder.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
 

@@ -2,8 +2,8 @@
 
 #include "frame_codec.h"
 
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/trinocular_rig.h>
-#include <pcl/core/yaml_node.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "depth/tile_regions.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/depth_planes.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/depth_planes.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <pcl/core/depth_view.h>
+#include <pcl/core/impl/depth_view.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <pcl/core/cloud_fields.h>
-#include <pcl/core/depth_view.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/depth_view.h>
 
 #include <algorithm>
 #include <cmath>

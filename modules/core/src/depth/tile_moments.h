@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/core/depth_view.h>
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/moments.h>
 
 namespace pcl::acmap::depth {
 

@@ -1,11 +1,11 @@
 #include "noise/point_sample.h"
 
-#include <pcl/core/depth_view.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/point_view.h>
+#include <pcl/core/impl/voxel_moments.h>
+#include <pcl/core/impl/voxel_windows.h>
 #include <pcl/core/noise_scale.h>
-#include <pcl/core/parallel.h>
-#include <pcl/core/point_view.h>
-#include <pcl/core/voxel_moments.h>
-#include <pcl/core/voxel_windows.h>
 
 #include <algorithm>
 #include <cmath>

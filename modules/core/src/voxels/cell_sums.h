@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/voxel_moments.h>
+#include <pcl/core/impl/voxel_moments.h>
 
 #include <algorithm>
 #include <vector>

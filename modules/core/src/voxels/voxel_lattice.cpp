@@ -1,5 +1,5 @@
-#include <pcl/core/parallel.h>
-#include <pcl/core/voxel_lattice.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/voxel_lattice.h>
 
 #include <algorithm>
 #include <cmath>

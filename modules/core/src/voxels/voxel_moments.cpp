@@ -1,6 +1,6 @@
 #include "voxels/cell_sums.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap {
 

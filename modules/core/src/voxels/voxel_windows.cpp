@@ -1,4 +1,4 @@
-#include <pcl/core/voxel_windows.h>
+#include <pcl/core/impl/voxel_windows.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "chain/appearance_level.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap {
 

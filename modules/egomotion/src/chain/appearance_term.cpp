@@ -1,6 +1,6 @@
 #include "chain/appearance_term.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <cmath>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "chain/view_levels.h"
 
 #include <pcl/core/pinhole.h>
-#include <pcl/egomotion/egomotion_kernel.h>
+#include <pcl/egomotion/impl/egomotion_kernel.h>
 
 #include <cstdint>
 #include <optional>

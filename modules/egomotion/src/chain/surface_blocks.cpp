@@ -1,6 +1,6 @@
 #include "chain/surface_blocks.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -1,6 +1,6 @@
 #include "chain/surface_term.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <cmath>
 

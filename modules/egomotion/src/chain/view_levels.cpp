@@ -1,6 +1,6 @@
 #include "chain/view_levels.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <cmath>

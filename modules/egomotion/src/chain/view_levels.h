@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/egomotion/egomotion_kernel.h>
+#include <pcl/egomotion/impl/egomotion_kernel.h>
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/egomotion/keypoint_kernel.h>
+#include <pcl/egomotion/impl/keypoint_kernel.h>
 
 namespace pcl::acmap {
 

@@ -1,7 +1,7 @@
 #include "../image/smoothed_image.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/egomotion/keypoint_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/egomotion/impl/keypoint_kernel.h>
 
 #include <algorithm>
 #include <functional>

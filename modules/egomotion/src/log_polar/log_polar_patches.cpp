@@ -1,8 +1,8 @@
 #include "../image/smoothed_image.h"
 #include "normalized_samples.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "best_scores.h"
 #include "score_table.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <oneapi/tbb/combinable.h>
 

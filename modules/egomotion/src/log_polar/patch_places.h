@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 
 namespace pcl::acmap {
 

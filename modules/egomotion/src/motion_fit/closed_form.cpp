@@ -1,6 +1,6 @@
 #include "motion_fit/rotation_fit.h"
 
-#include <pcl/core/rigid_alignment.h>
+#include <pcl/core/impl/rigid_alignment.h>
 
 #include <cmath>
 

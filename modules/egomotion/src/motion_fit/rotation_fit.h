@@ -2,7 +2,7 @@
 
 #include "motion_fit/pair_moments.h"
 
-#include <pcl/egomotion/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "score_kernels.h"
 
-#include <pcl/core/simd_choice.h>
+#include <pcl/core/impl/simd_choice.h>
 
 namespace pcl::acmap {
 

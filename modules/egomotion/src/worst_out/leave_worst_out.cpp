@@ -1,6 +1,6 @@
 #include "worst_out/distance_ratios.h"
 
-#include <pcl/egomotion/worst_out_kernel.h>
+#include <pcl/egomotion/impl/worst_out_kernel.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 namespace pcl::acmap::voting {
 

@@ -2,7 +2,7 @@
 
 #include "voting/geodesic_disc.h"
 
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 namespace pcl::acmap::voting {
 

@@ -1,6 +1,6 @@
 #include "voting/vertex_rings.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 #include "voting/curvature.h"
 #include "voting/voter.h"
 
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/noise_scale.h>
-#include <pcl/core/parallel.h>
-#include <pcl/features/voting_kernel.h>
+#include <pcl/features/impl/voting_kernel.h>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>

@@ -2,7 +2,7 @@
 
 #include "consolidation/surface_fit.h"
 
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 
 namespace pcl::acmap {
 

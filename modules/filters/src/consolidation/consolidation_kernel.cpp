@@ -3,8 +3,8 @@
 #include "consolidation/sources.h"
 #include "consolidation/thinning.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "consolidation/window_planes.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 

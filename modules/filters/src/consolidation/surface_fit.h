@@ -2,7 +2,7 @@
 
 #include "consolidation/noise_profile.h"
 
-#include <pcl/core/voxel_windows.h>
+#include <pcl/core/impl/voxel_windows.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "consolidation/surface_fit.h"
 
-#include <pcl/core/voxel_windows.h>
+#include <pcl/core/impl/voxel_windows.h>
 
 namespace pcl::acmap {
 

@@ -1,6 +1,6 @@
-#include <pcl/core/moments.h>
-#include <pcl/core/parallel.h>
-#include <pcl/filters/depth_refinement_kernel.h>
+#include <pcl/core/impl/moments.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/filters/impl/depth_refinement_kernel.h>
 
 #include <Eigen/LU>
 

@@ -3,7 +3,7 @@
 #include "filled_runs.h"
 #include "simd/entropy_bins.h"
 
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <cstdint>
 #include <vector>

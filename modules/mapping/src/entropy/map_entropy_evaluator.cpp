@@ -2,8 +2,8 @@
 #include "map_extent.h"
 #include "moving_cells.h"
 
-#include <pcl/core/arguments.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,6 +1,6 @@
 #include "map_extent.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <Eigen/Eigenvalues>
 

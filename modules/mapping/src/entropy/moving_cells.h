@@ -4,7 +4,7 @@
 #include "map_extent.h"
 #include "planar_motion.h"
 
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 #include "point_weights.h"
 #include "wall_direction.h"
 
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <algorithm>
 #include <cmath>

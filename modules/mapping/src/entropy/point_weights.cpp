@@ -1,8 +1,8 @@
 #include "point_weights.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/exceptions.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <pcl/core/trajectory.h>
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 namespace pcl::acmap {
 

@@ -2,7 +2,7 @@
 
 #include "wall_table.h"
 
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <vector>
 

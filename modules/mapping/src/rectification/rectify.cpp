@@ -1,7 +1,7 @@
 #include "rectification_steps.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <algorithm>
 #include <cmath>

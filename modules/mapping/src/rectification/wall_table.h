@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "entropy_bins.h"
 
-#include <pcl/core/simd_choice.h>
+#include <pcl/core/impl/simd_choice.h>
 
 namespace pcl::acmap {
 

@@ -2,8 +2,8 @@
 #include "rgbd/text_rows.h"
 
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/trinocular_rig.h>
-#include <pcl/core/yaml_node.h>
 #include <pcl/pipeline/rgbd_cameras.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include <pcl/core/arguments.h>
-#include <pcl/core/cloud_fields.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/depth_sensor.h>
 #include <pcl/pipeline/rgbd_observation.h>
 

@@ -1,7 +1,7 @@
 #include "rgbd/layouts.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/folder_entries.h>
+#include <pcl/core/impl/folder_entries.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -4,9 +4,9 @@
 #include "outlines/patch_outlines.h"
 #include "planes/known_planes.h"
 
-#include <pcl/core/depth_view.h>
-#include <pcl/core/moments.h>
-#include <pcl/segmentation/depth_plane_kernel.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/moments.h>
+#include <pcl/segmentation/impl/depth_plane_kernel.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

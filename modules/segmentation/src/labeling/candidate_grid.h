@@ -2,7 +2,7 @@
 
 #include "planes/known_planes.h"
 
-#include <pcl/core/voxel_lattice.h>
+#include <pcl/core/impl/voxel_lattice.h>
 
 #include <algorithm>
 #include <array>

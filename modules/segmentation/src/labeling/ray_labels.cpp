@@ -1,6 +1,6 @@
 #include "labeling/ray_labels.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap::labeling {
 

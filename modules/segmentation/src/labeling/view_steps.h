@@ -2,7 +2,7 @@
 
 #include "labeling/plane_sums.h"
 
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 #include <vector>
 

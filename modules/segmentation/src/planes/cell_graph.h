@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/core/vertex_neighbours.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/core/impl/vertex_neighbours.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 namespace pcl::acmap::planes {
 

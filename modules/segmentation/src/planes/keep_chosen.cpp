@@ -1,4 +1,4 @@
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <algorithm>
 

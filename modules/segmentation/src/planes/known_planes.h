@@ -1,8 +1,8 @@
 #pragma once
 
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/plane_patch.h>
-#include <pcl/core/point_view.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <vector>
 

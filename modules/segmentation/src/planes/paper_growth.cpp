@@ -2,7 +2,7 @@
 
 #include "planes/neighbourhoods.h"
 
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include "planes/plane_growth.h"
 #include "planes/plane_merge.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 
 #include "planes/cell_graph.h"
 
-#include <pcl/core/moments.h>
+#include <pcl/core/impl/moments.h>
 
 namespace pcl::acmap::planes {
 

@@ -1,6 +1,6 @@
 #include "camera_rays.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "../surface_normal.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/surface_color.h>
 
 #include <algorithm>

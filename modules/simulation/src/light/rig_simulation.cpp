@@ -3,7 +3,7 @@
 #include "../random_streams.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <string>
 #include <utility>

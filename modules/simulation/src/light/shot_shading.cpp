@@ -3,7 +3,7 @@
 #include "../random_streams.h"
 #include "gaussian_weights.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #include "back_projection/pixel_projection.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "shot_statistics.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "shot_color.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap {
 

@@ -1,6 +1,6 @@
 #include "shot_coverage.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 

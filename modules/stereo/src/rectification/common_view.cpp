@@ -1,6 +1,6 @@
 #include "common_view.h"
 
-#include <pcl/core/arguments.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <algorithm>
 #include <limits>

@@ -3,8 +3,8 @@
 #include "spacing.h"
 #include "triangle_builder.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <atomic>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 
 #include "point_tree.h"
 
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 
 #include <array>
 #include <vector>

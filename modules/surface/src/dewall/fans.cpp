@@ -1,6 +1,6 @@
 #include "mesh_steps.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <array>

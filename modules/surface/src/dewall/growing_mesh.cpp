@@ -2,7 +2,7 @@
 
 #include "predicates.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap::dewall {
 

@@ -6,7 +6,7 @@
 #include "size_constraint.h"
 #include "triangle_builder.h"
 
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
 

@@ -1,6 +1,6 @@
 #include "point_tree.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <oneapi/tbb/parallel_invoke.h>
 

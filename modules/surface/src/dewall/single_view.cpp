@@ -1,4 +1,4 @@
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 
 #include "ball_visit.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <cmath>

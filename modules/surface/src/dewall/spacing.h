@@ -2,7 +2,7 @@
 
 #include "point_tree.h"
 
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <cstddef>
 #include <vector>

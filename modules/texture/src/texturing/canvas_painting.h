@@ -3,7 +3,7 @@
 #include "texturing/canvas.h"
 
 #include <pcl/core/pinhole.h>
-#include <pcl/texture/texturing_kernel.h>
+#include <pcl/texture/impl/texturing_kernel.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "texturing/canvas_painting.h"
 
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "texturing/canvas_painting.h"
 
-#include <pcl/core/parallel.h>
-#include <pcl/texture/texturing_kernel.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/texture/impl/texturing_kernel.h>
 
 #include <algorithm>
 #include <array>

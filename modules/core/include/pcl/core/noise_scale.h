@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/sensor_view.h>
 
 #include <cmath>
@@ -86,7 +86,7 @@ namespace acmap {
  * double the thickness is similar; its growth is attributed to curvature and removed.
  * Takes linear time, and memory for the voxels.
  *
- * For points in the frame of their sensor with quantised depth (\ref measureDepthStep)
+ * For points in the frame of their sensor with quantised depth (measureDepthStep)
  * the noise follows from the quantisation step: sigma and the ranges are then z^2 times
  * the noise of inverse depth.
  * \param[in] points metres

@@ -2,7 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 
 #include <cstddef>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/hidden_folder.h>
+#include <pcl/core/impl/hidden_folder.h>
 
 #include <filesystem>
 #include <optional>

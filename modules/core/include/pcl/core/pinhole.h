@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 
 #include <Eigen/Core>
 

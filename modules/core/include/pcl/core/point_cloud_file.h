@@ -4,7 +4,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/point_view.h>
 
 #include <Eigen/Geometry>
 

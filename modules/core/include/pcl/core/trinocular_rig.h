@@ -2,7 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
-#include <pcl/core/yaml_node.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <string>
 

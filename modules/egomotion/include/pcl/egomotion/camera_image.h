@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
-#include <pcl/core/input_check.h>
-#include <pcl/egomotion/keypoint_kernel.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/egomotion/impl/keypoint_kernel.h>
 #include <pcl/point_cloud.h>
 
 #include <cstddef>

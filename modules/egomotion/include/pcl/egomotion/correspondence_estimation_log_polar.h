@@ -3,7 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
-#include <pcl/egomotion/log_polar_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
 #include <pcl/memory.h>
 #include <pcl/registration/correspondence_estimation.h>
 

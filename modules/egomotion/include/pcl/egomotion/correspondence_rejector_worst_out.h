@@ -3,7 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/export.h>
 #include <pcl/core/report.h>
-#include <pcl/egomotion/worst_out_kernel.h>
+#include <pcl/egomotion/impl/worst_out_kernel.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
 #include <pcl/registration/correspondence_rejection.h>

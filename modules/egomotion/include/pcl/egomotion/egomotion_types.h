@@ -10,6 +10,18 @@
 
 namespace pcl {
 
+/** \brief Model of the motion of a camera. \ingroup egomotion */
+enum class MotionModel {
+  Planar, ///< in the XZ plane and about y: the paper's action, 3 degrees of freedom
+  Rigid   ///< any rigid motion, 6 degrees of freedom
+};
+
+/** \brief Method for minimising Eq. 2. \ingroup egomotion */
+enum class MotionSolver {
+  ConjugateGradient, ///< as in the paper
+  ClosedForm         ///< without iterations
+};
+
 /** \brief Outcome of an egomotion. All except Estimated are failures without a motion.
  * \ingroup egomotion */
 enum class EgomotionOutcome {

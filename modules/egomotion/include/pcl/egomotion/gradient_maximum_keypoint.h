@@ -4,7 +4,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
-#include <pcl/egomotion/keypoint_kernel.h>
+#include <pcl/egomotion/impl/keypoint_kernel.h>
 #include <pcl/keypoints/keypoint.h>
 #include <pcl/memory.h>
 

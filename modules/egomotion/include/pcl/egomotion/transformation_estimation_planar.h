@@ -2,7 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/point_types.h>
-#include <pcl/egomotion/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
 #include <pcl/memory.h>
 #include <pcl/registration/transformation_estimation.h>
 

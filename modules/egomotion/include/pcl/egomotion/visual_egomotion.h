@@ -3,8 +3,8 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/progress.h>
 #include <pcl/correspondence.h>
-#include <pcl/egomotion/egomotion_kernel.h>
 #include <pcl/egomotion/egomotion_types.h>
+#include <pcl/egomotion/impl/egomotion_kernel.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
 

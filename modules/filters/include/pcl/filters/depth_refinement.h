@@ -2,8 +2,8 @@
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
-#include <pcl/core/depth_planes.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/depth_planes.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/filters/depth_refinement_types.h>
@@ -15,7 +15,7 @@ namespace pcl {
  *
  * A Kinect quantises inverse depth, with steps of 11 mm at 2 m and 70 mm at 5 m, so
  * that distant walls become stacks of layers, which remain visible in a mesh. This
- * filter finds the planes of the view in image space (\ref acmap::findDepthPlanes) and
+ * filter finds the planes of the view in image space (acmap::findDepthPlanes) and
  * moves their pixels onto them along their rays. Other pixels are moved to the plane of
  * inverse depth through the 9 x 9 pixels around them that are at the same depth, by at
  * most 1.5 times the step or the noise, whichever is larger. Points without such

@@ -3,7 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/mapping/entropy_rectification_types.h>
-#include <pcl/mapping/rectification_kernel.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
 

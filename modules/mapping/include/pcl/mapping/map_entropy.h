@@ -3,7 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/stage_controls.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 #include <pcl/mapping/map_entropy_types.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>

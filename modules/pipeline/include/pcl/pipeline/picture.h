@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/core/depth_view.h>
 #include <pcl/core/export.h>
-#include <pcl/core/point_view.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/point_view.h>
 #include <pcl/pipeline/depth_sensor.h>
 
 #include <optional>

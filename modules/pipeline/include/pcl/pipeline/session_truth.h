@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pcl/core/chart_clip.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/chart_clip.h>
+#include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/trajectory.h>
-#include <pcl/core/yaml_node.h>
 
 #include <Eigen/Core>
 

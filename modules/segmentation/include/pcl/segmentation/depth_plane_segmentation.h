@@ -18,7 +18,7 @@ namespace pcl {
  * steps are uniform in inverse depth; in metres they grow with the square of the
  * distance. In 3D space, the far wall of a Kinect's view is a stack of layers; in the
  * image of 1/z it is a plane with the same noise as any other. Therefore the planes are
- * grown there (\ref acmap::findDepthPlanes), each pixel is assigned to the plane that
+ * grown there (acmap::findDepthPlanes), each pixel is assigned to the plane that
  * it fits, and each plane gets its equation, covariance and outline.
  * The noise is measured on the view itself (NoiseScale::InverseDepth): the quantisation
  * steps of the sensor, the independent error of each pixel, and the error that
@@ -27,7 +27,7 @@ namespace pcl {
  * The input is an organized cloud in the frame of its sensor (x right, y down, z
  * forward, metres), as grabbers and files of RGB-D cameras provide it; pixels without a
  * measurement are NaN. If such pixels were removed (removeNaNFromPointCloud), the image
- * is restored from the points (\ref acmap::findPictureOrder).
+ * is restored from the points (acmap::findPictureOrder).
  * Normals point towards the sensor. The result is the same in every run and for any
  * number of threads. The time is linear, some ten milliseconds for 640 x 480 pixels.
  * \code

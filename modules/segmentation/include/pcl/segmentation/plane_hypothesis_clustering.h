@@ -2,10 +2,10 @@
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
-#include <pcl/core/arguments.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/core/plane_patch.h>
-#include <pcl/core/point_fields.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/pcl_base.h>

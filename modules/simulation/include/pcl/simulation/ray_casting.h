@@ -34,7 +34,7 @@ pixelRay(const TrinocularRig& rig, int column, int row);
  * If several surfaces have the same distance, the first one in the scene is returned.
  * Surfaces outside the view are excluded first; the time for each other surface is
  * roughly proportional to its number of pixels. Runs in all threads of the caller's
- * arena (\ref acmap::withThreads), with the same result for any number of threads.
+ * arena (acmap::withThreads), with the same result for any number of threads.
  * \param[in] scene the surfaces
  * \param[in] rig pinhole model of the camera; baselines are ignored
  * \param[in] T_scene_camera pose of the camera in the scene's frame

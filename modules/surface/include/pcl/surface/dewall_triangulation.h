@@ -5,8 +5,8 @@
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
-#include <pcl/surface/dewall_kernel.h>
 #include <pcl/surface/dewall_types.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 #include <pcl/surface/reconstruction.h>
 
 namespace pcl {

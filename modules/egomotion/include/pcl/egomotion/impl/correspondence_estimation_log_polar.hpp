@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/egomotion/camera_image.h>
 #include <pcl/egomotion/correspondence_estimation_log_polar.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pcl/common/io.h>
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/egomotion/camera_image.h>
 #include <pcl/egomotion/gradient_maximum_keypoint.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/egomotion/transformation_estimation_planar.h>
 
 #include <limits>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/core/mesh_input.h>
-#include <pcl/core/point_fields.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/mesh_input.h>
+#include <pcl/core/impl/point_fields.h>
+#include <pcl/features/impl/voting_kernel.h>
 #include <pcl/features/normal_vector_voting.h>
-#include <pcl/features/voting_kernel.h>
 
 namespace pcl {
 

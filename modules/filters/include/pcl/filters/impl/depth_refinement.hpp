@@ -1,10 +1,10 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/core/point_fields.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/filters/depth_refinement.h>
-#include <pcl/filters/depth_refinement_kernel.h>
+#include <pcl/filters/impl/depth_refinement_kernel.h>
 
 #include <limits>
 

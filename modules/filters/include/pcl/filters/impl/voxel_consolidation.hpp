@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/core/point_fields.h>
-#include <pcl/filters/consolidation_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/point_fields.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 #include <pcl/filters/voxel_consolidation.h>
 
 namespace pcl {

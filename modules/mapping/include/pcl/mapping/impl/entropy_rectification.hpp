@@ -1,12 +1,12 @@
 #pragma once
 
 #include <pcl/common/transforms.h>
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/core/planar_pose.h>
-#include <pcl/core/point_fields.h>
 #include <pcl/mapping/entropy_rectification.h>
-#include <pcl/mapping/map_entropy_kernel.h>
+#include <pcl/mapping/impl/map_entropy_kernel.h>
 
 namespace pcl {
 namespace acmap {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/parallel.h>
-#include <pcl/core/point_fields.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/mapping/map_entropy.h>
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/depth_view.h>
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/segmentation/depth_plane_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/segmentation/depth_plane_segmentation.h>
+#include <pcl/segmentation/impl/depth_plane_kernel.h>
 #include <pcl/segmentation/plane_conversions.h>
 
 #include <algorithm>

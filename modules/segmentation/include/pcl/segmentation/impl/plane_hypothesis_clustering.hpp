@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pcl/core/cloud_fields.h>
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/core/mesh_input.h>
-#include <pcl/segmentation/plane_clustering_kernel.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/mesh_input.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 #include <pcl/segmentation/plane_conversions.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <pcl/conversions.h>
-#include <pcl/core/arguments.h>
 #include <pcl/core/export.h>
-#include <pcl/core/input_check.h>
-#include <pcl/core/point_fields.h>
-#include <pcl/core/point_view.h>
-#include <pcl/surface/dewall_kernel.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/point_fields.h>
+#include <pcl/core/impl/point_view.h>
 #include <pcl/surface/dewall_triangulation.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <limits>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pcl/core/arguments.h>
-#include <pcl/core/point_fields.h>
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/point_fields.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/texture/impl/texturing_kernel.h>
 #include <pcl/texture/plane_texturing.h>
-#include <pcl/texture/texturing_kernel.h>
 
 namespace pcl {
 

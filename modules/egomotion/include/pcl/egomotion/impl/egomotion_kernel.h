@@ -1,0 +1,67 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/progress.h>
+#include <pcl/egomotion/egomotion_types.h>
+#include <pcl/egomotion/impl/keypoint_kernel.h>
+#include <pcl/egomotion/impl/log_polar_kernel.h>
+#include <pcl/egomotion/impl/motion_fit_kernel.h>
+#include <pcl/egomotion/impl/worst_out_kernel.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Settings of \ref estimateEgomotion; see VisualEgomotion. */
+struct EgomotionSettings {
+  MotionModel model = MotionModel::Planar;
+  MotionSolver solver = MotionSolver::ConjugateGradient;
+  double max_translation = 1;         ///< maximum between two views, metres
+  double max_rotation = 0.5235987756; ///< maximum between two views, radians
+  bool refines = true;                ///< use surfaces and brightness as well
+  KeypointSettings keypoints;
+  LogPolarSettings patches;
+  WorstOutSettings worst_out;
+  unsigned threads = 0; ///< 0 = all
+};
+
+/** \brief A view of a camera, one value per pixel. */
+struct CameraView {
+  GreyImage image;
+  std::vector<Eigen::Vector3f> points; ///< metres, camera frame; NaN if there is none
+  std::vector<float> sigmas; ///< metres along the ray; if empty, they are estimated
+};
+
+/** \brief Data prepared from a view: features, their patches, surface blocks. */
+struct EgomotionView;
+
+ACMAP_EXPORT std::shared_ptr<const EgomotionView>
+prepareView(CameraView view, const EgomotionSettings& settings);
+
+/** \brief Pixels of the source and of the target. */
+using PixelPairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/** \brief A motion, if there is one, and the matches on which it is based. */
+struct EgomotionSolution {
+  std::optional<EgomotionEstimate> estimate;
+  PixelPairs matches; ///< similar in appearance
+  PixelPairs inliers; ///< the matches on which the motion is based
+};
+
+/** \param[in] source the later view
+ * \param[in] target the earlier view
+ * \throws CancelledException when the progress callback cancels */
+ACMAP_EXPORT EgomotionSolution
+estimateEgomotion(const EgomotionView& source,
+                  const EgomotionView& target,
+                  const EgomotionSettings& settings,
+                  const Progress& progress,
+                  EgomotionReport& report);
+
+} // namespace pcl::acmap

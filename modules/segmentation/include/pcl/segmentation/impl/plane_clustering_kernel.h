@@ -1,0 +1,83 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/impl/point_view.h>
+#include <pcl/core/plane_patch.h>
+#include <pcl/core/progress.h>
+#include <pcl/core/sensor_view.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/segmentation/plane_clustering_types.h>
+
+#include <cmath>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Settings of \ref clusterPlanes; see PlaneHypothesisClustering. */
+struct PlaneClusteringSettings {
+  bool noise_driven = false;
+  double member_distance = 0.8;     ///< W_d, metres; not used where there is a mesh
+  double normal_angle = 0.39269908; ///< W_n, radians
+  double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
+  std::size_t min_support = 50;     ///< W_h; unless noise-driven
+  double min_area = 0;              ///< square metres; noise-driven; 0 is automatic
+  bool regular = false;             ///< rotate planes to be parallel or perpendicular
+  unsigned threads = 0;             ///< 0: all
+};
+
+/** \brief The hypotheses (p_i, n_i), and the mesh between them. */
+struct PlaneHypotheses {
+  PointView points;
+  std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
+  std::vector<std::uint8_t> is_crease;  ///< no plane is seeded there; may be empty
+  std::vector<float> curvatures; ///< seed order: ascending, NaN last; may be empty
+  std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
+};
+
+/** \brief Keeps only the chosen hypotheses and the triangles between them.
+ * \param[in] chosen ascending, without duplicates
+ * \param[in,out] hypotheses in: for a whole array of points; out: for the view of this
+ * array through \a chosen. The caller has to set this view as their points.
+ * \ingroup segmentation */
+ACMAP_EXPORT void
+keepChosen(const std::vector<std::int32_t>& chosen, PlaneHypotheses& hypotheses);
+
+/** \brief The cloud from which the hypotheses were consolidated; may be empty. */
+struct PlaneSource {
+  PointView points;
+  SensorView sensors;
+};
+
+struct PlaneClusters {
+  std::vector<PlanePatch> patches;  ///< by decreasing area; 0 without a mesh
+  std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
+  std::vector<std::int32_t> source_labels; ///< the same for each point of the source
+};
+
+/** \brief Is a normal of unit length, but for rounding? */
+inline bool
+isUnit(const Eigen::Vector3f& normal)
+{
+  return std::abs(normal.squaredNorm() - 1) < 1e-5F;
+}
+
+/** \brief Estimates how long the paper's growth of planes takes: it compares each point
+ * with all others within W_d several times.
+ * \param[in] member_distance W_d, metres
+ * \return seconds on a processor of 2020, for noisy points; clear planes take a twentieth
+ * \ingroup segmentation */
+ACMAP_EXPORT double
+secondsOfPaperGrowth(const PointView& points, double member_distance);
+
+/** \brief The kernel of PlaneHypothesisClustering, independent of PCL's point types.
+ * \param[out] report counts, seconds, remarks; it is reset first
+ * \throws CancelledException when the progress callback requested to stop
+ * \ingroup segmentation */
+ACMAP_EXPORT PlaneClusters
+clusterPlanes(const PlaneHypotheses& hypotheses,
+              const PlaneSource& source,
+              const PlaneClusteringSettings& settings,
+              const Progress& progress,
+              PlaneClusteringReport& report);
+
+} // namespace pcl::acmap

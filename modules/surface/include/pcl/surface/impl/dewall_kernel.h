@@ -1,0 +1,65 @@
+#pragma once
+
+#include <pcl/core/export.h>
+#include <pcl/core/impl/point_view.h>
+#include <pcl/core/progress.h>
+#include <pcl/core/triangle_mesh.h>
+#include <pcl/surface/dewall_types.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Nearest neighbour search of the caller: returns the squared distances, in
+ * square metres and any order, from a point of the array under the view to its nearest
+ * \a count points, including itself. It is called by one thread at a time. */
+using NeighbourDistances =
+    std::function<std::vector<float>(std::int32_t point, int count)>;
+
+/** \brief Settings of \ref triangulateDeWall; see DeWallTriangulation. */
+struct DeWallSettings {
+  DeWallRule rule = DeWallRule::Paper;
+  double maximum_edge_length = 0; ///< metres; 0: automatic
+  bool compute_wall_depth = false;
+  unsigned threads = 0;         ///< 0: all
+  std::size_t memory_limit = 0; ///< bytes without the input; 0: no limit
+  Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
+  bool is_single_view = false; ///< all points were measured from there
+
+  /** Unit normals of the array under the points, towards the side from which they were
+   * measured; empty: unknown. */
+  PointView normals;
+
+  NeighbourDistances neighbours; ///< measures the spacing; empty: the tree does
+
+  /** Halves with at most this number of points are not divided further. The mesh
+   * depends on this number, so it must not depend on anything else, such as the number
+   * of threads. */
+  std::int32_t leaf_size = 65536;
+};
+
+/** \brief The kernel of DeWallTriangulation, independent of PCL's point types.
+ * \param[in] view the points
+ * \param[out] report counts, seconds, remarks; it is reset first
+ * \return index triples into the array under the view
+ * \throws MemoryLimitException when the estimate exceeds the memory limit
+ * \throws CancelledException when the progress callback requested to stop
+ * \ingroup surface */
+ACMAP_EXPORT TriangleMesh
+triangulateDeWall(const PointView& view,
+                  const DeWallSettings& settings,
+                  const Progress& progress,
+                  DeWallReport& report);
+
+/** \brief Are the points the pixels of one camera at \a origin, row by row?
+ *
+ * The rays to a pixel, its right and its lower neighbour form a triple of the same
+ * handedness in the entire image, for any depths; up to 1 % of exceptions are accepted.
+ * The test fails for a cloud that was transformed after it was taken.
+ * \param[in] width pixels per row \ingroup surface */
+ACMAP_EXPORT bool
+isSingleView(const PointView& view, std::size_t width, const Eigen::Vector3d& origin);
+
+} // namespace pcl::acmap

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <pcl/core/compact_map.h>
+#include <pcl/core/export.h>
+#include <pcl/core/impl/point_view.h>
+#include <pcl/core/impl/voxel_moments.h>
+#include <pcl/core/progress.h>
+#include <pcl/texture/texturing_types.h>
+
+#include <memory>
+
+namespace pcl::acmap {
+
+/** \brief Settings of PlaneTexturing. Lengths in metres. \ingroup texture */
+struct TexturingSettings {
+  double texel_size = 0.02;
+  double maximum_distance = 0.3;   ///< from a point to the plane it colours
+  int maximum_texture_size = 4096; ///< texels per side; larger polygons are tiled
+  int fill_distance = 5;           ///< texels; how far holes are filled
+  bool correct_exposure = true;
+  unsigned threads = 0; ///< 0: all
+};
+
+/** \brief Coloured points that were observed from one pose. */
+struct ColoredView {
+  PointView points; ///< camera frame, metres; NaN where nothing was measured
+  ColorView colors; ///< valid at every pixel; empty if there are none
+  int width = 0;    ///< pixels, of an organized cloud in row-major order; else 0
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+
+  /** \brief Were the points observed from the origin of their frame? If so, planes that
+   * face away from there get no colour. */
+  bool has_eye = true;
+};
+
+/** \brief View of an observation, valid as long as its cloud is unchanged.
+ * \throws InitFailedException if it has no coordinates \ingroup texture */
+ACMAP_EXPORT ColoredView
+viewOfObservation(const TexturedObservation& observation);
+
+/** \brief Estimates the memory in bytes for texturing these planes with any number of
+ * views. */
+ACMAP_EXPORT double
+texturingMemory(const std::vector<PlanePatch>& planes,
+                const TexturingSettings& settings);
+
+/** \brief Textures planes view by view. Keeps only the best samples of each texel, so
+ * that the views need not be in memory at the same time. */
+class ACMAP_EXPORT TextureBuilder {
+public:
+  /** \param[in] planes in the map's frame; those without polygons get no chart
+   * \throws BadArgumentException when all charts together have more than 2^28 texels */
+  TextureBuilder(const std::vector<PlanePatch>& planes,
+                 const TexturingSettings& settings);
+  ~TextureBuilder();
+
+  void
+  add(const ColoredView& view);
+
+  /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes
+   * and charts of the map, and the observations that saw each plane. */
+  CompactMap
+  finish(const Progress& progress, TexturingReport& report) const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace pcl::acmap
