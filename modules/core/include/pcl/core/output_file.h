@@ -20,7 +20,7 @@ followLinks(const std::string& path);
  * process, an exception or a full disk, there is either the old file or none.
  *
  * If the file system does not support unnamed files, the file is written into a
- * \ref HiddenFolder in the folder of its target, which is removed by the next process
+ * HiddenFolder in the folder of its target, which is removed by the next process
  * if this one is killed. If the target is a symbolic link, the link is kept and the
  * file that it points to is replaced; its permissions are kept. Devices and pipes are
  * written to directly. \ingroup core */

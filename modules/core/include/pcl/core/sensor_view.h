@@ -13,7 +13,7 @@ namespace pcl::acmap {
 /** \brief Position of the sensor that saw a point: one position for all points, or that
  * of the observation given by the field `view` of the point, or unknown.
  *
- * It is used together with a \ref PointView and has the same order of points. Positions
+ * It is used together with a PointView and has the same order of points. Positions
  * are in metres, in the frame of the points. It owns the positions but not the field.
  * \ingroup core */
 class SensorView {
