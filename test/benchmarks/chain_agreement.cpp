@@ -3,8 +3,8 @@
 #include "point_tree.h"
 #include "statistics.h"
 
-#include <pcl/core/impl/polygon_triangles.h>
 #include <pcl/core/impl/rigid_alignment.h>
+#include <pcl/core/polygon_triangles.h>
 
 #include <algorithm>
 #include <cmath>

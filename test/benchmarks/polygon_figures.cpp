@@ -2,7 +2,7 @@
 #include "markdown_row.h"
 #include "timing.h"
 
-#include <pcl/core/impl/polygon_triangles.h>
+#include <pcl/core/polygon_triangles.h>
 
 #include <vtkCellArray.h>
 #include <vtkContourTriangulator.h>

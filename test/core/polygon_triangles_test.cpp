@@ -1,6 +1,6 @@
 #include "cell_polygons.h"
 
-#include <pcl/core/impl/polygon_triangles.h>
+#include <pcl/core/polygon_triangles.h>
 #include <pcl/core/random.h>
 
 #include <Eigen/Geometry>

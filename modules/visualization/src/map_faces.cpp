@@ -1,7 +1,7 @@
 #include "map_faces.h"
 
 #include <pcl/core/impl/chart_clip.h>
-#include <pcl/core/impl/polygon_triangles.h>
+#include <pcl/core/polygon_triangles.h>
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-#include <pcl/core/impl/polygon_triangles.h>
+#include <pcl/core/polygon_triangles.h>
 
 #include "polygons/polygon_ring.h"
 #include "polygons/ring_crossings.h"

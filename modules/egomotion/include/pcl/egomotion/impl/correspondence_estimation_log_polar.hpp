@@ -2,8 +2,8 @@
 
 #include <pcl/core/export.h>
 #include <pcl/core/impl/arguments.h>
-#include <pcl/egomotion/camera_image.h>
 #include <pcl/egomotion/correspondence_estimation_log_polar.h>
+#include <pcl/egomotion/impl/camera_image.h>
 
 #include <numeric>
 #include <string>

@@ -3,8 +3,8 @@
 #include <pcl/common/io.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/arguments.h>
-#include <pcl/egomotion/camera_image.h>
 #include <pcl/egomotion/gradient_maximum_keypoint.h>
+#include <pcl/egomotion/impl/camera_image.h>
 
 #include <sstream>
 #include <utility>

@@ -3,7 +3,7 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/point_fields.h>
-#include <pcl/egomotion/camera_image.h>
+#include <pcl/egomotion/impl/camera_image.h>
 #include <pcl/egomotion/visual_egomotion.h>
 
 namespace pcl {
