@@ -4,6 +4,7 @@
 #include "session/session_folder.h"
 #include "temporary_folder.h"
 #include "timing.h"
+#include "units.h"
 
 #include <pcl/acquisition/frame_file.h>
 #include <pcl/acquisition/random_line_pattern.h>
@@ -21,8 +22,6 @@ constexpr char usage[] =
     "Prints, as Markdown tables, how line patterns come out, and "
     "what it takes to record\n"
     "frames of a simulated rig and to read them.\n";
-
-constexpr double milli = 1e3;
 
 void
 printPatterns(const std::string& name,

@@ -1,4 +1,5 @@
 #include "chain_agreement.h"
+#include "units.h"
 
 #include "point_tree.h"
 #include "statistics.h"
@@ -15,8 +16,6 @@ namespace pcl::acmap::bench {
 namespace {
 
 using test::Points;
-
-constexpr double degree = M_PI / 180;
 
 /** Least-squares rotation and translation without reflection (Kabsch). */
 Eigen::Isometry3d

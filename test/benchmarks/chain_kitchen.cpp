@@ -3,6 +3,7 @@
 #include "markdown_row.h"
 #include "temporary_folder.h"
 #include "test_data.h"
+#include "units.h"
 
 #include <pcl/core/trajectory_error.h>
 
@@ -11,8 +12,6 @@
 
 namespace pcl::acmap::bench {
 namespace {
-
-constexpr double degree = M_PI / 180, centi = 100, milli = 1000;
 
 /** Poses of one kind, in the order of the views. */
 std::vector<Eigen::Isometry3d>

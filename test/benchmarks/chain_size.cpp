@@ -2,6 +2,7 @@
 #include "chain_tables.h"
 #include "markdown_row.h"
 #include "temporary_folder.h"
+#include "units.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,7 +51,6 @@ printStages(const nlohmann::ordered_json& report)
 void
 printTruth(const nlohmann::ordered_json& truth)
 {
-  constexpr double milli = 1000;
   const auto figure = [&](const char* name) { return truth.at(name).get<double>(); };
   printHead({"main planes",
              "mean angle, degrees",

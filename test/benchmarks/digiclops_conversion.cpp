@@ -2,6 +2,7 @@
 #include "images/frame_unpacking.h"
 #include "markdown_row.h"
 #include "timing.h"
+#include "units.h"
 
 #include <pcl/core/random.h>
 #include <pcl/stereo/trinocular_rectification.h>
@@ -16,7 +17,6 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::size_t rounds = 100;
-constexpr double milli = 1e3;
 
 /** Rectification of a camera with OpenCV. */
 class CameraRemap {

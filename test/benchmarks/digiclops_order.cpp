@@ -2,6 +2,7 @@
 #include "markdown_row.h"
 #include "simulated_shots.h"
 #include "timing.h"
+#include "units.h"
 
 #include <pcl/acquisition/channel_order.h>
 #include <pcl/acquisition/random_line_pattern.h>
@@ -45,7 +46,6 @@ public:
   void
   print(const std::string& name) const
   {
-    constexpr double milli = 1e3;
     constexpr double reach = 500; // ms
     MarkdownRow()
         .text(name)

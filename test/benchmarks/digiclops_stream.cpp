@@ -3,6 +3,7 @@
 #include "markdown_row.h"
 #include "temporary_folder.h"
 #include "timing.h"
+#include "units.h"
 #include "usb_testbed.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
@@ -28,7 +29,6 @@ namespace {
 constexpr std::size_t frames_wanted = 840; // one minute
 constexpr float rate = 14;                 // as in the paper
 constexpr std::size_t max_waiting = 28;    // two seconds
-constexpr double milli = 1e3;
 
 /** Bytes of shots in the format of the camera. */
 std::vector<std::vector<std::uint8_t>>

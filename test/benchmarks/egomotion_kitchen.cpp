@@ -1,6 +1,7 @@
 #include "egomotion_runs.h"
 #include "egomotion_tables.h"
 #include "markdown_row.h"
+#include "units.h"
 
 #include <cmath>
 #include <iostream>
@@ -8,7 +9,6 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double degree = M_PI / 180;
 constexpr std::size_t frames_a_file = 10;
 
 void

@@ -1,14 +1,13 @@
 #include "egomotion_runs.h"
 #include "egomotion_tables.h"
 #include "markdown_row.h"
+#include "units.h"
 
 #include <cmath>
 #include <iostream>
 
 namespace pcl::acmap::bench {
 namespace {
-
-constexpr double degree = M_PI / 180;
 
 void
 printRun(const EgomotionRun& run, const EgomotionSequence& sequence)

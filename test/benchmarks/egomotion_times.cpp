@@ -2,6 +2,7 @@
 #include "egomotion_tables.h"
 #include "markdown_row.h"
 #include "timing.h"
+#include "units.h"
 
 #include <pcl/egomotion/visual_egomotion.h>
 
@@ -12,7 +13,6 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::size_t rounds = 5;
-constexpr double milli = 1000;
 
 /** CPU seconds of each stage of one motion, on one thread, in order of execution. */
 using StageTimes = std::vector<std::pair<std::string, double>>;

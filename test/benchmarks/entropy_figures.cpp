@@ -3,6 +3,7 @@
 #include "markdown_row.h"
 #include "sections.h"
 #include "timing.h"
+#include "units.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
@@ -95,7 +96,6 @@ printRow(const EntropyMap& map,
   settings.direction_aware = direction_aware;
   EntropyCosts costs;
   withThreads(1, [&] { costs = measure(map, settings); });
-  constexpr double milli = 1e3;
   MarkdownRow()
       .text(map.name + (direction_aware ? ", 9 layers" : ""))
       .count(map.size())

@@ -1,4 +1,5 @@
 #include "one_view_tables.h"
+#include "units.h"
 
 #include "markdown_row.h"
 #include "one_view_finders.h"
@@ -60,7 +61,6 @@ struct ViewScores {
   void
   print(const std::string& scene, const std::string& finder) const
   {
-    constexpr double milli = 1000;
     const auto count = static_cast<double>(views);
     MarkdownRow()
         .text(scene)

@@ -1,4 +1,5 @@
 #include "plane_tables.h"
+#include "units.h"
 
 #include "markdown_row.h"
 #include "plane_scores.h"
@@ -77,7 +78,6 @@ printFound(const std::vector<ScoredFinder>& all)
 void
 printAccuracyRow(const ScoredFinder& one)
 {
-  constexpr double milli = 1000;
   const PlaneScores& scores = one.scores;
   MarkdownRow()
       .text(one.name)

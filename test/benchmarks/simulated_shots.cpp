@@ -1,4 +1,5 @@
 #include "simulated_shots.h"
+#include "units.h"
 
 #include "paper_patterns.h"
 
@@ -7,8 +8,6 @@
 namespace pcl::acmap::bench {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /** Two colours with hardly any grain, on which stereo finds nothing without
  * patterns. */

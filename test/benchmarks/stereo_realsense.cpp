@@ -72,7 +72,7 @@ printAgainst(const std::string& name,
              const DisparityImage& found,
              const std::vector<std::uint16_t>& depths)
 {
-  constexpr double milli = 1e-3;
+  constexpr double metres_per_millimetre = 1e-3;
   const double scale = scaleOf(found, depths);
   const DisparityImage truth = disparitiesOf(depths, scale);
   DisparityErrors errors;
@@ -82,7 +82,7 @@ printAgainst(const std::string& name,
   MarkdownRow()
       .text(name)
       .count(errors.judged())
-      .number(scale * milli / baseline, 1)
+      .number(scale * metres_per_millimetre / baseline, 1)
       .number(errors.present() - errors.wrong(), 2)
       .number(errors.wrong(), 2)
       .number(errors.medianError(), 3)

@@ -3,6 +3,7 @@
 #include "sgbm_disparity.h"
 #include "simulated_shots.h"
 #include "stereo_tables.h"
+#include "units.h"
 #include "wall_fit.h"
 
 #include <pcl/stereo/disparity_fusion.h>
@@ -226,7 +227,6 @@ void
 printSigmas(const std::vector<NamedFigures>& all)
 {
   constexpr double honest = 0.3; // maximum deviation from 1
-  constexpr double milli = 1e3;
   printHead({"standard deviations",
              "RMS of error / sigma, less 1",
              "mean sigma, px",

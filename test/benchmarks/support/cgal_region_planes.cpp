@@ -21,7 +21,7 @@ using Growing =
     CGAL::Shape_detection::Region_growing<CgalPoints, Query, Fit, Sorting::Seed_map>;
 
 std::vector<Indices>
-growRegions(const PlaneInput& input)
+regionsByCgal(const PlaneInput& input)
 {
   const CgalPoints points = cgalPointsOf(input);
   Query query(points, cgal_neighbours);
@@ -42,7 +42,7 @@ growRegions(const PlaneInput& input)
 FoundPlanes
 cgalRegionPlanes(const PlaneInput& input)
 {
-  return timedPlanes([&] { return planesOfRegions(input, growRegions(input)); });
+  return timedPlanes([&] { return planesOfRegions(input, regionsByCgal(input)); });
 }
 
 } // namespace pcl::acmap::bench

@@ -42,7 +42,7 @@ estimateNormals(const PlaneInput& input, const Tree::Ptr& tree)
 }
 
 std::vector<Indices>
-growRegions(const PlaneInput& input)
+regionsByPcl(const PlaneInput& input)
 {
   constexpr unsigned neighbours = 30;
   constexpr float max_angle = 3 * static_cast<float>(M_PI) / 180;
@@ -70,7 +70,7 @@ growRegions(const PlaneInput& input)
 FoundPlanes
 pclRegionPlanes(const PlaneInput& input)
 {
-  return timedPlanes([&] { return planesOfRegions(input, growRegions(input)); });
+  return timedPlanes([&] { return planesOfRegions(input, regionsByPcl(input)); });
 }
 
 } // namespace pcl::acmap::bench
