@@ -315,7 +315,8 @@ rectifyPoses(const RectificationOptions& options,
              StageLog& log)
 {
   const auto read = [&] {
-    return readObservations(posed, options.skip_broken, controls, log);
+    const bool is_raw = options.mode == RectificationMode::Paper;
+    return readObservations(posed, is_raw, options.skip_broken, controls, log);
   };
   return rectifyMap(options, read, controls, log);
 }

@@ -473,6 +473,8 @@ run(const EgomotionOptions& options,
   egomotion.setRefinement(options.refines);
   egomotion.setMaximumTranslation(options.max_translation);
   egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
+  if (options.paper)
+    egomotion.setPaperMode(true);
   VisualOdometry odometry;
   odometry.setEgomotion(egomotion);
   odometry.setNumberOfThreads(controls.threads);

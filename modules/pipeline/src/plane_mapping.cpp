@@ -192,6 +192,8 @@ private:
               MappedPlanes& result,
               Indices& vertex_of_point)
   {
+    if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::Never)
+      return false;
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
       report_.noise_scale =
@@ -216,6 +218,7 @@ private:
     prepare(consolidation, 0, 0.3);
     consolidation.filter(result.vertices.cloud);
     report_.consolidation = consolidation.getReport();
+    report_.consolidated_points = report_.consolidation->representatives;
     addRemarks(*report_.consolidation);
     vertex_of_point = consolidation.getVoxelOfPoint();
     result.vertices.sensor_origin = cloud->sensor_origin;
@@ -366,6 +369,20 @@ PlaneMapping::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 }
 
 void
+PlaneMapping::setMode(MappingMode mode)
+{
+  const bool is_paper = mode == MappingMode::Paper;
+  mode_ = mode;
+  policy_ = is_paper ? ConsolidationPolicy::Never : ConsolidationPolicy::WhereNoisy;
+  const auto dewall = std::make_shared<DeWallTriangulation<Vertex>>();
+  if (is_paper)
+    dewall->setAcceptanceRule(DeWallRule::Strict);
+  construction_ = dewall;
+  voting_.setPaperMode(is_paper);
+  clustering_.setNoiseDriven(!is_paper);
+}
+
+void
 PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construction)
 {
   if (!construction)
@@ -380,6 +397,7 @@ PlaneMapping::compute(MappedPlanes& result)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
   requirePoints(sharedCloud(input_));
   PlaneMappingReport report;
+  report.mode = mode_;
   MappedPlanes found;
   PlaneMappingRun run(*this, cost_callback_, progress_, report);
   if (!input_mesh_.triangles.empty()) {
@@ -387,9 +405,9 @@ PlaneMapping::compute(MappedPlanes& result)
     found = run.fromMesh(input_, input_mesh_);
   }
   else if (const std::optional<Picture> picture =
-               policy_ == ConsolidationPolicy::Always
-                   ? std::nullopt
-                   : pictureOf(input_->points(), input_->cloud.width, sensor_))
+               policy_ == ConsolidationPolicy::WhereNoisy
+                   ? pictureOf(input_->points(), input_->cloud.width, sensor_)
+                   : std::nullopt)
     found = run.inPicture(input_, *picture);
   else
     found = run.inSpace(input_, viewpoints_);
