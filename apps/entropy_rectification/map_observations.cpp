@@ -37,6 +37,7 @@ readObservations(const ObservationSequence& sequence,
                : "to " + std::to_string(report.representatives) + ", voxels of " +
                      shortNumber(report.min_voxel_size) + " to " +
                      shortNumber(report.max_voxel_size) + " m");
+  log.details["consolidated_points"] = report.representatives;
   log.details["consolidation"] = {{"representatives", report.representatives},
                                   {"least_voxel", report.min_voxel_size},
                                   {"largest_voxel", report.max_voxel_size}};

@@ -237,6 +237,7 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
                {"keypoints_before", report.target_keypoints},
                {"matches", report.matches},
                {"consistent", report.consistent},
+               {"fits", report.fits},
                {"inliers", report.inliers},
                {"feature_residual", report.feature_residual},
                {"feature_chi", report.feature_chi},
@@ -384,10 +385,15 @@ detailsOf(const EgomotionOptions& options,
     else
       lost.push_back({{"observation", list.sequence.path(i)},
                       {"reason", run.reasonOf(i, list.names)}});
-  for (const OdometryPair& pair : run.pairs)
+  std::size_t fits = 0;
+  for (const OdometryPair& pair : run.pairs) {
     pairs.push_back(jsonOf(pair, list, options.is_rigid));
+    fits += pair.report.fits;
+  }
   Json details = {{"inputs", options.inputs},
                   {"output", options.output},
+                  {"mode", options.paper ? "paper" : "accurate"},
+                  {"fits", fits},
                   {"model", options.is_rigid ? "rigid" : "planar"},
                   {"max_translation", options.max_translation},
                   {"max_rotation", options.max_rotation / degrees},
