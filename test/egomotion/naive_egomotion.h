@@ -23,14 +23,21 @@ struct NaiveImage {
   at(int x, int y) const;
 };
 
+/** \brief The image after a Gaussian, sigma in pixels. */
+NaiveImage
+blurred(const NaiveImage& image, double sigma);
+
 /** \brief Pixels with a point at which the gradient is larger than at all of their
  * eight neighbours, row by row. */
 std::vector<int>
 naiveKeypoints(const PointCloud<PointXYZRGBSigma>& cloud);
 
+/** \brief Samples on 12 rings of 24 samples, from 1 to 20 pixels, ring by ring. */
+std::vector<double>
+patchAt(const NaiveImage& image, int pixel);
+
 /** \brief Matches of two views by section II-B.1 of the paper: every pair of keypoints
- * is compared under every shift. Score 0.8, ambiguity 0.7, 12 rings of 24 samples from
- * 1 to 20 pixels. */
+ * is compared under every shift. Score 0.8, ambiguity 0.7. */
 NaiveMatches
 naiveMatches(const PointCloud<PointXYZRGBSigma>& source,
              const PointCloud<PointXYZRGBSigma>& target,
