@@ -112,7 +112,9 @@ takePaperWay(Tool& tool, ChainOptions& options)
       throw UsageError(name + " departs from the paper, leave it out with --paper");
   };
   refuse("--method", options.stereo.method != "median");
-  refuse("--6dof");
+  for (const char* name :
+       {"--6dof", "--max-translation", "--max-rotation", "--keypoints"})
+    refuse(name);
   refuse("--mode", options.rectification.mode != RectificationMode::Paper);
   refuse("--odometry-noise");
   refuse("--max-distance");

@@ -237,7 +237,9 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
                {"keypoints_before", report.target_keypoints},
                {"matches", report.matches},
                {"consistent", report.consistent},
+               {"removed", report.removed},
                {"fits", report.fits},
+               {"iterations", report.iterations},
                {"inliers", report.inliers},
                {"feature_residual", report.feature_residual},
                {"feature_chi", report.feature_chi},
@@ -398,7 +400,7 @@ detailsOf(const EgomotionOptions& options,
                   {"max_translation", options.max_translation},
                   {"max_rotation", options.max_rotation / degrees},
                   {"keypoints", options.keypoints},
-                  {"refinement", options.refines},
+                  {"refinement", options.refines && !options.paper},
                   {"observations", list.names.size()},
                   {"posed", run.posed()},
                   {"length", length},
@@ -477,10 +479,9 @@ run(const EgomotionOptions& options,
   egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
   egomotion.setMaximumKeypoints(options.keypoints);
   egomotion.setRefinement(options.refines);
+  egomotion.setPaperMode(options.paper);
   egomotion.setMaximumTranslation(options.max_translation);
   egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
-  if (options.paper)
-    egomotion.setPaperMode(true);
   VisualOdometry odometry;
   odometry.setEgomotion(egomotion);
   odometry.setNumberOfThreads(controls.threads);

@@ -113,6 +113,9 @@ TEST_F(ChainTest, WhatDepartsFromThePaperIsRefusedWithIt)
   for (const std::vector<std::string>& departure :
        {std::vector<std::string>{"--method", "spacetime"},
         {"--6dof"},
+        {"--max-translation", "2"},
+        {"--max-rotation", "10"},
+        {"--keypoints", "100"},
         {"--mode", "guarded"},
         {"--odometry-noise", "0.01", "0.1"},
         {"--consolidate"},
