@@ -25,6 +25,9 @@ mappingOf(const PlaneOptions& options, unsigned threads)
   PlaneMapping mapping;
   PlaneMapping::Clustering clustering = mapping.getClustering();
   PlaneMapping::DepthSegmentation segmentation;
+  PlaneMapping::Voting voting;
+  voting.setPaperMode(options.paper);
+  mapping.setVoting(voting);
   clustering.setNoiseDriven(!options.paper);
   if (!options.paper && options.tolerance)
     clustering.setDistanceThreshold(*options.tolerance);

@@ -101,7 +101,7 @@ struct NormalVectorVotingTraits {
     words << "radius " << object.getRadiusSearch() << ", weights "
           << object.getCreaseWeight() << " and " << object.getCornerWeight()
           << ", viewpoints " << object.getViewpoints().size() << ", curvatures "
-          << object.getComputeCurvatures() << ", threads "
+          << object.getComputeCurvatures() << ", paper " << object.getPaperMode() << ", threads "
           << object.getNumberOfThreads();
     return words.str();
   }
