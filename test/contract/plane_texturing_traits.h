@@ -107,8 +107,8 @@ struct PlaneTexturingTraits {
     words << "texel " << object.getTexelSize() << ", distance "
           << object.getMaximumDistance() << ", size " << object.getMaximumTextureSize()
           << ", fill " << object.getFillDistance() << ", paper "
-          << object.getPaperMode() << ", exposure "
-          << object.getCorrectExposure() << ", threads " << object.getNumberOfThreads();
+          << object.getPaperMode() << ", exposure " << object.getCorrectExposure()
+          << ", threads " << object.getNumberOfThreads();
     return words.str();
   }
 

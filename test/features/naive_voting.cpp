@@ -64,7 +64,8 @@ voteNaively(const VotingMesh& mesh,
     Eigen::Vector3d ways;
     for (int k = 0; k < 3; ++k) {
       corners.col(k) = placeOf(mesh, triangle[static_cast<std::size_t>(k)]);
-      ways[k] = lengths[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
+      ways[k] =
+          lengths[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
     }
     const Eigen::Vector3d cross =
         (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));

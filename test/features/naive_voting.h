@@ -18,7 +18,7 @@ struct NaiveVote {
 struct NaiveVotingSettings {
   double radius = 1;
   double crease_weight = 2, corner_weight = 2;
-  double nearest = 0;        ///< metres; closer triangles do not vote; 0 as in Page et al.
+  double nearest = 0; ///< metres; closer triangles do not vote; 0 as in Page et al.
   std::size_t min_votes = 1; ///< as in Page et al.
   bool is_slanted = false;   ///< with our factor 1 - (n u)^2
 };

@@ -276,8 +276,7 @@ TEST(PaperGrowth, covarianceIsThatOfIndependentNoise)
     const PlanePatch& patch = found.patches[0];
     ASSERT_EQ(patch.support, 100U);
     EXPECT_GT(std::abs(patch.axis_u.x()), 0.9) << "along the board";
-    const Eigen::Vector3d error(
-        patch.axis_u.z(), patch.axis_v.z(), patch.center.z());
+    const Eigen::Vector3d error(patch.axis_u.z(), patch.axis_v.z(), patch.center.z());
     sum += error.dot(patch.covariance.inverse() * error) / 3;
   }
   EXPECT_NEAR(sum / runs, 1, 0.15);

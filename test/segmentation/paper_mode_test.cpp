@@ -46,10 +46,8 @@ planesOf(const Hypotheses& cloud)
 std::size_t
 supportOf(const Hypotheses& cloud, std::size_t least = 50)
 {
-  const Clustered found =
-      clusterAsPaper(cloud, [&](PaperClustering& clustering) {
-        clustering.setMinClusterSize(least);
-      });
+  const Clustered found = clusterAsPaper(
+      cloud, [&](PaperClustering& clustering) { clustering.setMinClusterSize(least); });
   EXPECT_EQ(found.patches.size(), 1U);
   return found.patches.empty() ? 0 : found.patches[0].support;
 }
@@ -139,8 +137,8 @@ TEST(PaperMode, normalsAreComparedWithThatOfTheHypothesis)
 {
   for (const double angle : {22.0, 23.0}) {
     Hypotheses cloud;
-    cloud.push_back(hypothesis({0.1, 0.1, 0},
-                               {std::sin(angle * degree), 0, std::cos(angle * degree)}));
+    cloud.push_back(hypothesis(
+        {0.1, 0.1, 0}, {std::sin(angle * degree), 0, std::cos(angle * degree)}));
     addGrid(cloud, 10, 10, 0);
     EXPECT_EQ(supportOf(cloud), angle < 22.5 ? 101U : 100U) << angle;
   }
@@ -257,8 +255,7 @@ TEST(PaperMode, thresholdsCanBeSet)
   const auto setNearer = [](PaperClustering& clustering) {
     clustering.setClusterTolerance(0.01);
   };
-  EXPECT_EQ(clusterAsPaper(cloud, setNearer).patches.size(), 0U)
-      << "nobody is so near";
+  EXPECT_EQ(clusterAsPaper(cloud, setNearer).patches.size(), 0U) << "nobody is so near";
 }
 
 /** The paper says nothing of creases: each vertex is a hypothesis. */

@@ -64,10 +64,11 @@ TEST(PlanePolygons, windowStaysOpen)
 TEST(PlanePolygons, planesOfThePaperHaveThemToo)
 {
   for (const double reach : {0.8, 5.0}) {
-    const Clustered found = clusterOn(makeWallWithWindow(), [&](Clustering& clustering) {
-      clustering.setNoiseDriven(false);
-      clustering.setClusterTolerance(reach);
-    });
+    const Clustered found =
+        clusterOn(makeWallWithWindow(), [&](Clustering& clustering) {
+          clustering.setNoiseDriven(false);
+          clustering.setClusterTolerance(reach);
+        });
     if (reach > 4) {
       ASSERT_EQ(found.patches.size(), 1U);
       EXPECT_EQ(found.patches[0].polygons[0].holes.size(), 1U);

@@ -228,8 +228,7 @@ describeFit(const CellGraph& graph, const GrownPlane& grown, KnownPlane& known)
   patch.axis_u = patch.axis_v.cross(normal);
   const double variance = squares / (count - 3); // three parameters were estimated
   const Eigen::Vector3d variances =
-      variance / count *
-      Eigen::Vector3d(1 / fit.variances[2], 1 / fit.variances[1], 1);
+      variance / count * Eigen::Vector3d(1 / fit.variances[2], 1 / fit.variances[1], 1);
   if (variances.allFinite()) {
     patch.covariance = variances.asDiagonal();
     patch.effective_support = count;

@@ -22,15 +22,12 @@ namespace {
 /** All hypotheses in order of increasing curvature; if noise-driven, those that are not
  * at creases. */
 std::vector<std::int32_t>
-orderSeeds(const PlaneHypotheses& hypotheses,
-           bool noise_driven,
-           const CellGraph& graph)
+orderSeeds(const PlaneHypotheses& hypotheses, bool noise_driven, const CellGraph& graph)
 {
   const bool omits_creases = noise_driven && !hypotheses.is_crease.empty();
   std::vector<std::int32_t> seeds;
   for (std::size_t i = 0; i < graph.size(); ++i)
-    if (graph.hasNormal(i) &&
-        (!omits_creases || !hypotheses.is_crease[i]))
+    if (graph.hasNormal(i) && (!omits_creases || !hypotheses.is_crease[i]))
       seeds.push_back(static_cast<std::int32_t>(i));
   const auto curvature = [&](std::int32_t seed) {
     const float known = hypotheses.curvatures[static_cast<std::size_t>(seed)];

@@ -59,8 +59,8 @@ struct Canvas {
 
   TextureChart chart; ///< without colours yet
   std::vector<TexelPlace> mask;
-  std::vector<Samples> samples; ///< of each texel, best first; not in paper mode
-  std::vector<ColorSum> points; ///< in each texel; in paper mode only
+  std::vector<Samples> samples;    ///< of each texel, best first; not in paper mode
+  std::vector<ColorSum> points;    ///< in each texel; in paper mode only
   std::vector<std::int32_t> views; ///< in which these points are, ascending
 
   std::size_t

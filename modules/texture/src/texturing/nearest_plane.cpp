@@ -76,8 +76,7 @@ nearestCanvases(const ColoredView& view,
         const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
         const Eigen::Vector4d& plane = planes[canvas.chart.plane].coefficients;
         const double distance = std::abs(plane.head<3>().dot(point) + plane[3]);
-        if (distance < least &&
-            canvas.at(placeOn(canvas.chart, point)) >= outermost) {
+        if (distance < least && canvas.at(placeOn(canvas.chart, point)) >= outermost) {
           least = distance;
           nearest[i] = c;
         }

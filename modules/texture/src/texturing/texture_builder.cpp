@@ -69,8 +69,10 @@ TextureBuilder::add(const ColoredView& given)
                         state.canvases,
                         state.settings.maximum_distance,
                         state.settings.paper ? TexelPlace::Inside : TexelPlace::Rim);
-    const auto near = static_cast<std::size_t>(std::count_if(
-        nearest.begin(), nearest.end(), [](std::int32_t canvas) { return canvas >= 0; }));
+    const auto near = static_cast<std::size_t>(
+        std::count_if(nearest.begin(), nearest.end(), [](std::int32_t canvas) {
+          return canvas >= 0;
+        }));
     state.colored_points += near;
     state.far_points += finite - near;
     if (state.settings.paper) {
@@ -78,7 +80,7 @@ TextureBuilder::add(const ColoredView& given)
       addPoints(view, number, nearest, state.canvases);
     }
     else if (const std::optional<Pinhole> camera =
-            fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
+                 fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
       ++state.pinholes;
       paintPinhole(view, *camera, number, nearest, state.planes, state.canvases);
     }

@@ -10,7 +10,7 @@ namespace pcl {
 struct PlaneClusteringReport : Report {
   std::size_t points = 0;
   std::size_t invalid_points = 0; ///< not finite
-  std::size_t hypotheses = 0;     ///< points with a normal; if noise-driven, off creases
+  std::size_t hypotheses = 0; ///< points with a normal; if noise-driven, off creases
   std::size_t tested_hypotheses = 0; ///< unless noise-driven; of those, not on a plane
   std::size_t reestimations = 0;     ///< unless noise-driven; one per supporter found
   std::size_t planes = 0;
