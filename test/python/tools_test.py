@@ -72,7 +72,7 @@ class SameAsTheTools(unittest.TestCase):
         acmap.write_mesh(str(file), found.points, mesh, found.normals)
         self.run_tool("pcl_plane_extraction", file, planes)
         normals = acmap.vote_normals(found.points, mesh)
-        ours = acmap.find_planes(found.points, normals, mesh, noise_driven=True)
+        ours = acmap.find_planes(found.points, normals, mesh)
         theirs = json.loads(planes.read_text())["planes"]
         self.assertEqual(
             [patch.coefficients.tolist() for patch in ours.patches],

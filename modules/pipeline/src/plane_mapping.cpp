@@ -349,9 +349,7 @@ private:
 
 PlaneMapping::PlaneMapping()
 : construction_(new DeWallTriangulation<Vertex>)
-{
-  clustering_.setNoiseDriven(true);
-}
+{}
 
 void
 PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
