@@ -251,11 +251,14 @@ private:
   triangulate(const VertexCloud::Ptr& vertices, MappedPlanes& result)
   {
     using DeWall = DeWallTriangulation<Vertex>;
-    if (cost_)
-      cost_(
-          "triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
-    if (const auto given = std::dynamic_pointer_cast<DeWall>(construction)) {
+    const auto given = std::dynamic_pointer_cast<DeWall>(construction);
+    const DeWallRule rule = given ? given->getAcceptanceRule() : DeWallRule::Paper;
+    if (cost_)
+      cost_("triangulating this cloud",
+            estimateDeWallMemory(vertices->size(), true, rule),
+            0);
+    if (given) {
       DeWall dewall = *given;
       dewall.setInputCloud(vertices);
       if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
