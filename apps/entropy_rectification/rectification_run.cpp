@@ -72,6 +72,8 @@ detailsOf(const RectificationOptions& options, const EntropyRectificationReport&
           {"outcome", outcomeName(report.outcome)},
           {outcomeName(report.outcome), report.reason},
           {"evaluations", report.evaluations},
+          {"votes", report.votes},
+          {"accepted_moves", report.accepted_moves},
           {"odometry_scale", report.odometry_scale},
           {"strongest_action", report.strongest_action},
           {"disagreement", report.disagreement},
@@ -177,6 +179,8 @@ rectify(const RectificationOptions& options,
   Rectification rectification;
   rectification.setMode(options.mode);
   rectification.setBinSize(options.binSize());
+  if (options.smoothing)
+    rectification.setSmoothing(*options.smoothing);
   rectification.setSeed(options.seed);
   rectification.setOdometryNoise(options.odometry);
   rectification.setNumberOfThreads(controls.threads);
