@@ -39,7 +39,8 @@ texturingMemory(const std::vector<PlanePatch>& planes,
 {
   return canvasBytes(planes,
                      settings.texel_size,
-                     settings.paper ? sizeof(ColorSum) : sizeof(Canvas::Samples));
+                     settings.paper ? sizeof(texturing::ColorSum)
+                                    : sizeof(Canvas::Samples));
 }
 
 TextureBuilder::~TextureBuilder() = default;
