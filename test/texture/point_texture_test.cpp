@@ -11,14 +11,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-TexturingReport
-reportOf(Texturing texturing)
-{
-  CompactMap map;
-  texturing.texture(map);
-  return texturing.getReport();
-}
-
 /** Points at random in the room of wall and floor, some of them without coordinates. */
 View
 scatter(std::size_t points, std::uint64_t seed)

@@ -237,3 +237,18 @@ describeFit(const CellGraph& graph, const GrownPlane& grown, KnownPlane& known)
 }
 
 } // namespace pcl::acmap::planes
+
+double
+pcl::acmap::secondsOfPaperGrowth(const PointView& points, double member_distance)
+{
+  constexpr std::size_t samples = 200;
+  constexpr double seconds_per_pair = 2e-9;
+  const std::size_t step = 1 + points.size() / samples;
+  double pairs = 0, sampled = 0;
+  for (std::size_t i = 0; i < points.size(); i += step, ++sampled)
+    for (std::size_t k = 0; k < points.size(); ++k)
+      pairs += (points[i] - points[k]).squaredNorm() <
+               static_cast<float>(member_distance * member_distance);
+  return seconds_per_pair * pairs * static_cast<double>(points.size()) /
+         std::max(1.0, sampled);
+}

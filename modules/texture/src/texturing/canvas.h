@@ -28,8 +28,8 @@ struct Sample {
   std::array<std::uint8_t, 3> color{};
 };
 
-/** Sum of the colours of some points. */
-struct ColorSum {
+/** The colours of some points, as their sum. */
+struct PointColors {
   std::uint64_t count = 0;
   std::array<std::uint64_t, 3> sums{};
 
@@ -60,7 +60,7 @@ struct Canvas {
   TextureChart chart; ///< without colours yet
   std::vector<TexelPlace> mask;
   std::vector<Samples> samples;    ///< of each texel, best first; not in paper mode
-  std::vector<ColorSum> points;    ///< in each texel; in paper mode only
+  std::vector<PointColors> points; ///< in each texel; in paper mode only
   std::vector<std::int32_t> views; ///< in which these points are, ascending
 
   std::size_t

@@ -39,8 +39,7 @@ texturingMemory(const std::vector<PlanePatch>& planes,
 {
   return canvasBytes(planes,
                      settings.texel_size,
-                     settings.paper ? sizeof(texturing::ColorSum)
-                                    : sizeof(Canvas::Samples));
+                     settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples));
 }
 
 TextureBuilder::~TextureBuilder() = default;

@@ -220,7 +220,7 @@ splatOnto(const ColoredView& view,
           const Points& points,
           Canvas& canvas)
 {
-  std::vector<ColorSum> sums(canvas.mask.size());
+  std::vector<PointColors> sums(canvas.mask.size());
   for (const std::size_t i : points) {
     const Eigen::Vector2d place =
         placeOn(canvas.chart, view.T_map_camera * view.points[i].cast<double>());

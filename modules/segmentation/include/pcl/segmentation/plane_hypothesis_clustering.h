@@ -115,9 +115,9 @@ public:
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
   /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
-   * compare each point with all others within W_d.
-   * \return seconds on a processor of 2020; 0 without a cloud, with \ref setNoiseDriven,
-   * and if no point has a normal */
+   * compare each hypothesis without a plane with all others within W_d.
+   * \return seconds on a processor of 2020, if every twentieth point is on no plane; 0
+   * without a cloud, if noise-driven, and if no point has a normal */
   double
   estimateSeconds() const;
 

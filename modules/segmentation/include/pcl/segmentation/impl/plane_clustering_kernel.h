@@ -64,10 +64,10 @@ isUnit(const Eigen::Vector3f& normal)
   return std::abs(normal.squaredNorm() - 1) < 1e-5F;
 }
 
-/** \brief Estimates how long the paper's growth of planes takes: it compares each point
- * with all others within W_d several times.
+/** \brief Estimates how long the paper's growth of planes takes: each hypothesis that is
+ * on no plane is compared with all others within W_d.
  * \param[in] member_distance W_d, metres
- * \return seconds on a processor of 2020, for noisy points; clear planes take a twentieth
+ * \return seconds on a processor of 2020, if every twentieth point is on no plane
  * \ingroup segmentation */
 ACMAP_EXPORT double
 secondsOfPaperGrowth(const PointView& points, double member_distance);
