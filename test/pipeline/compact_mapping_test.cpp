@@ -212,7 +212,7 @@ protected:
       PointCloud<PointXYZRGBSigma> points;
       fromPCLPointCloud2(dense->cloud, points);
       for (std::size_t i = 0; i < points.size(); ++i)
-        if (i % 12 != 0)
+        if (i % 3 != 0)
           points[i].getVector3fMap().setConstant(
               std::numeric_limits<float>::quiet_NaN());
       toPCLPointCloud2(points, file->cloud);
