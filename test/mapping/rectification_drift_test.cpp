@@ -134,6 +134,8 @@ TEST(PaperMode, theEnergyFallsAndTheErrorWithIt)
     const auto odometry = drifted(world.truth.poses, {0.06, 0.012, 0.004}, seed);
     Rectification rectification = rectificationOf(world.truth, odometry);
     rectification.setMode(RectificationMode::Paper);
+    rectification.setBinSize(0.05); // wider bins, a minimum farther from the truth
+    rectification.setSmoothing(0.1);
     rectification.compute();
     const EntropyRectificationReport& report = rectification.getReport();
     expectWholeReport(rectification);
