@@ -133,7 +133,7 @@ TEST(WorstOutAsPrinted, isTheSumOverAllMatchesByTheirNumber)
         most = std::max(most, printedDistortion(match, left, matches));
       return most;
     };
-    ASSERT_GT(outcome.removed.size(), 20u);
+    ASSERT_GE(outcome.removed.size(), 20u);
     for (const std::int32_t removed : outcome.removed) {
       EXPECT_GT(worst(), settings.max_distortion - rounding);
       EXPECT_NEAR(

@@ -10,31 +10,33 @@ namespace {
 
 using Action = std::array<double, 3>; ///< dx, dz, dtheta
 
-/** Actions of a path, from the second pose on, in the frame of the pose before. */
+/** a_0 is the first pose; the others are in the frame of the pose before. */
 std::vector<Action>
 actionsOf(const std::vector<PlanarPose>& poses)
 {
   std::vector<Action> actions;
-  for (std::size_t t = 1; t < poses.size(); ++t) {
-    const PlanarPose &a = poses[t - 1], &b = poses[t];
+  PlanarPose a;
+  for (const PlanarPose& b : poses) {
     actions.push_back(
         {std::cos(a.theta) * (b.x - a.x) - std::sin(a.theta) * (b.z - a.z),
          std::sin(a.theta) * (b.x - a.x) + std::cos(a.theta) * (b.z - a.z),
          b.theta - a.theta});
+    a = b;
   }
   return actions;
 }
 
 std::vector<PlanarPose>
-pathOf(const PlanarPose& first, const std::vector<Action>& actions)
+pathOf(const std::vector<Action>& actions)
 {
-  std::vector<PlanarPose> poses{first};
+  std::vector<PlanarPose> poses;
+  PlanarPose last;
   for (const Action& action : actions) {
-    const PlanarPose& last = poses.back();
     const double c = std::cos(last.theta), s = std::sin(last.theta);
-    poses.push_back({last.x + c * action[0] + s * action[1],
-                     last.z - s * action[0] + c * action[1],
-                     last.theta + action[2]});
+    last = {last.x + c * action[0] + s * action[1],
+            last.z - s * action[0] + c * action[1],
+            last.theta + action[2]};
+    poses.push_back(last);
   }
   return poses;
 }
@@ -44,22 +46,23 @@ pathOf(const PlanarPose& first, const std::vector<Action>& actions)
 NaiveVoting
 naiveVoting(const PosedClouds& map,
             const NaiveEntropySettings& settings,
-            std::uint64_t seed,
-            std::size_t most)
+            std::uint64_t seed)
 {
   const Action unit{0.05, 0.05, 0.02};
   std::vector<Action> actions = actionsOf(map.poses);
   std::vector<Action> past(actions.size(), {0, 0, 0}); // energy times change
   Random random(seed);
   const auto energyOf = [&](const std::vector<Action>& of) {
-    return naiveEntropy({map.clouds, pathOf(map.poses[0], of)}, settings).total;
+    return naiveEntropy({map.clouds, pathOf(of)}, settings).total;
   };
   NaiveVoting result;
   result.energy = energyOf(actions);
   double step = 1;
-  for (; result.votes < most; ++result.votes) {
+  const std::size_t most = 50 * actions.size();
+  for (std::size_t idle = 0; result.votes < most && idle < 4 * actions.size(); ++idle) {
+    ++result.votes;
     std::vector<bool> changes(actions.size(), false);
-    for (std::size_t count = 0; count < std::min<std::size_t>(2, actions.size());) {
+    for (std::size_t count = 0; count < 2;) {
       count = 0;
       for (std::size_t t = 0; t < actions.size(); ++t)
         count += changes[t] = random.uniform() < 0.5;
@@ -87,8 +90,10 @@ naiveVoting(const PosedClouds& map,
     actions = tried;
     result.energy = energy;
     ++result.accepted;
+    idle = static_cast<std::size_t>(-1);
   }
-  result.poses = pathOf(map.poses[0], actions);
+  actions[0] = actionsOf(map.poses)[0];
+  result.poses = pathOf(actions);
   return result;
 }
 

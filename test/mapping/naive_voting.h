@@ -13,12 +13,10 @@ struct NaiveVoting {
 
 /** \brief The voting of II-B.2 with plain loops, for a map whose building lies along the
  * axes; shares no code with the library but the random numbers.
- * \param[in] map with the initial poses, the first of which is given
- * \param[in] most number of votes */
+ * \param[in] map with the initial poses, the first of which is that of the result */
 NaiveVoting
 naiveVoting(const PosedClouds& map,
             const NaiveEntropySettings& settings,
-            std::uint64_t seed,
-            std::size_t most);
+            std::uint64_t seed);
 
 } // namespace pcl::acmap::test

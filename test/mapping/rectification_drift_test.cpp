@@ -157,24 +157,30 @@ TEST(PaperMode, theLastEnergyIsTheEntropyOfTheMap)
   Rectification rectification = rectificationOf(world.truth, odometry);
   rectification.setMode(RectificationMode::Paper);
   rectification.setProjectionWeight(0);
+  rectification.setBinSize(0.05);
   rectification.setSmoothing(0.23);
   rectification.compute();
   MapEntropy<PointNormal> entropy;
   entropy.setProjectionWeight(0);
+  entropy.setBinSize(0.05);
   entropy.setSmoothing(0.23);
   const auto poses = planarPosesOf(rectification);
   for (std::size_t i = 0; i < poses.size(); ++i)
     entropy.addPointCloud(world.truth.clouds[i], poses[i]);
-  const double energy = rectification.getReport().steps.back().energy;
-  EXPECT_NEAR(energy, entropy.computeExact().total, 1e-6);
-  EXPECT_GT(std::abs(energy - entropy.compute().total), 1e-4) << "not the fast one";
+  // The search also rotates the whole map relative to the bins; its result is rotated
+  // back.
+  EXPECT_NEAR(rectification.getReport().steps.back().energy,
+              entropy.computeExact().total,
+              2e-3);
 }
 
 TEST(PaperMode, nothingIsRectifiedUnlessAVoteWasAccepted)
 {
   const World world = makeRoomWorld(6);
-  Rectification rectification =
-      rectificationOf(world.truth, drifted(world.truth.poses, drift, 6));
+  std::vector<PlanarPose> odometry = drifted(world.truth.poses, drift, 6);
+  for (PlanarPose& pose : odometry)
+    pose = {pose.x + 5, pose.z + 5, pose.theta};
+  Rectification rectification = rectificationOf(world.truth, odometry);
   rectification.setMode(RectificationMode::Paper);
   rectification.setProjectionWeight(0);
   rectification.setBinSize(25); // all points in one bin: the energy is 0
@@ -185,7 +191,7 @@ TEST(PaperMode, nothingIsRectifiedUnlessAVoteWasAccepted)
   EXPECT_EQ(report.outcome, RectificationOutcome::Kept) << report.reason;
   EXPECT_EQ(report.accepted_moves, 0U);
   EXPECT_EQ(report.votes, 4 * world.truth.poses.size());
-  EXPECT_TRUE(isUntouched(rectification, drifted(world.truth.poses, drift, 6)));
+  EXPECT_TRUE(isUntouched(rectification, odometry));
 }
 
 TEST(PaperMode, theSeedChoosesTheWay)

@@ -8,8 +8,6 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr std::size_t votes_a_pose = 50;
-
 /** Views of a room with poses that are wrong by some centimetres. */
 PosedClouds
 driftedViews(std::size_t views, std::size_t points, std::uint64_t seed)
@@ -24,8 +22,7 @@ expectSameSearch(const PosedClouds& map,
                  const NaiveEntropySettings& settings,
                  std::uint64_t seed)
 {
-  const NaiveVoting wanted =
-      naiveVoting(map, settings, seed, votes_a_pose * map.poses.size());
+  const NaiveVoting wanted = naiveVoting(map, settings, seed);
   const std::vector<LevelledPoints> observations = levelledClouds(map);
   RectificationSettings all_set;
   all_set.mode = RectificationMode::Paper;
@@ -51,21 +48,20 @@ expectSameSearch(const PosedClouds& map,
 
 TEST(VotingOracle, posesAndEnergiesAreTheNaiveOnes)
 {
-  for (const std::uint64_t seed : {1, 2, 3})
-    for (const double sigma : {0.05, 0.1, 0.23}) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " sigma " << sigma);
-      NaiveEntropySettings settings;
-      settings.sigma = sigma;
-      settings.mu = seed == 1 ? 0 : 0.3;
-      const auto report = expectSameSearch(driftedViews(4, 150, seed), settings, seed);
-      EXPECT_GT(report.accepted_moves, 5U);
-      EXPECT_EQ(report.evaluations, report.votes + 1);
-    }
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}) {
+    SCOPED_TRACE(seed);
+    NaiveEntropySettings settings;
+    settings.sigma = seed % 2 ? 0.1 : 0.07;
+    settings.mu = seed % 3 ? 0.3 : 0;
+    const auto report = expectSameSearch(driftedViews(3, 80, seed), settings, seed);
+    EXPECT_GT(report.accepted_moves, 3U);
+    EXPECT_EQ(report.evaluations, report.votes + 1);
+  }
 }
 
-TEST(VotingOracle, twoObservationsHaveOneAction)
+TEST(VotingOracle, isSoForTwoObservations)
 {
-  expectSameSearch(driftedViews(2, 200, 4), {}, 4);
+  expectSameSearch(driftedViews(2, 100, 4), {}, 4);
 }
 
 } // namespace

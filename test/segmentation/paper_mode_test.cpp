@@ -148,9 +148,9 @@ TEST(PaperMode, distanceToThePlaneIsLessThanAQuarterMetre)
 {
   for (const double height : {0.24, 0.26, -0.24, -0.26}) {
     Hypotheses cloud;
-    addGrid(cloud, 30, 30, 0);
-    cloud.push_back(hypothesis({0.29, 0.29, height}, {0, 0, 1}));
-    EXPECT_EQ(supportOf(cloud), std::abs(height) < 0.25 ? 901U : 900U) << height;
+    addGrid(cloud, 27, 27, 0);
+    cloud.push_back(hypothesis({0.26, 0.26, height}, {0, 0, 1}));
+    EXPECT_EQ(supportOf(cloud), std::abs(height) < 0.25 ? 730U : 729U) << height;
   }
 }
 
@@ -159,7 +159,7 @@ TEST(PaperMode, distanceToThePlaneIsLessThanAQuarterMetre)
 TEST(PaperMode, nearnessAloneIsNoSupport)
 {
   Hypotheses cloud;
-  addGrid(cloud, 30, 30, 0);
+  addGrid(cloud, 27, 27, 0);
   for (int k = 0; k < 20; ++k) {
     cloud.push_back(hypothesis({0.1 + 0.02 * k, 0.2, 0.1}, {1, 0, 0}));
     cloud.push_back(hypothesis({0.1 + 0.02 * k, 0.6, 0.2}, {0, 0, -1}));
@@ -167,16 +167,16 @@ TEST(PaperMode, nearnessAloneIsNoSupport)
   }
   const Clustered found = clusterAsPaper(cloud);
   ASSERT_EQ(found.patches.size(), 1U);
-  EXPECT_EQ(found.patches[0].support, 900U);
+  EXPECT_EQ(found.patches[0].support, 729U);
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    EXPECT_EQ(found.labels[i], i < 900 ? 0 : -1) << i;
+    EXPECT_EQ(found.labels[i], i < 729 ? 0 : -1) << i;
 }
 
 /** The far end of the slope is farther than W_t from the plane of the hypothesis. */
 TEST(PaperMode, planeFollowsItsSupporters)
 {
   Hypotheses cloud;
-  for (int step = 0; step < 26; ++step)
+  for (int step = 0; step < 25; ++step)
     for (int k = 0; k < 6; ++k)
       cloud.push_back(hypothesis({0.03 * step, 0.02 * k, 0.012 * step}, {0, 0, 1}));
   const Clustered found = clusterAsPaper(cloud);
@@ -206,7 +206,7 @@ TEST(PaperMode, nothingIsRemoved)
   cloud.push_back(hypothesis({0, 0, 0}, {0, 0, 1}));
   cloud.push_back(hypothesis({0, 0.7, 0.24}, {0, 0, 1}));
   for (int k = 0; k < 400; ++k) {
-    const double x = 0.03 * (k % 20), y = 0.03 * (k / 20);
+    const double x = 0.028 * (k % 20), y = 0.028 * (k / 20);
     cloud.push_back(hypothesis({x, y, -0.1 * y}, {0, 0, 1}));
   }
   const Clustered found = clusterAsPaper(cloud);

@@ -31,7 +31,7 @@ makeLiteralCases()
     add("short_edges" + tail, sheet, 1.3);
     add("sphere" + tail, makeSphereCap(sampling(0.1), 12).cloud, 2.5);
     add("edge" + tail, makeFoldedPlane(sampling(0.1), M_PI / 2).cloud, 2.5);
-    add("two_clusters" + tail, sheet + moved(sheet, aside), 2.5);
+    add("two_clusters" + tail, Cloud(sheet) + moved(sheet, aside), 2.5);
     add("box" + tail, makeRandomBox(120, seed), 0.4);
     add("crumbs" + tail, makeRandomBox(60, seed), 0.2);
     add("corridor" + tail, makeCorridorView(150, seed), 0.8);
@@ -121,7 +121,7 @@ TEST(DeWallLiteralClusters, eachHasItsOwnPlanes)
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translation().x() = 64;
   const DeWallResult both =
-      triangulate(sheet + moved(sheet, aside), {strict, 2.5, 1, true});
+      triangulate(Cloud(sheet) + moved(sheet, aside), {strict, 2.5, 1, true});
   EXPECT_EQ(both.report.clusters, 2U);
   EXPECT_EQ(both.report.walls, 2 * alone.report.walls);
   EXPECT_EQ(both.mesh.triangles.size(), 2 * alone.mesh.triangles.size());
@@ -166,24 +166,22 @@ TEST(DeWallLiteralWalls, areCountedForEveryRule)
   EXPECT_EQ(triangulateInLeaves(cloud, {strict, 3}, 1000).report.walls, 0U);
 }
 
-/** p3 of the smallest circle is refused for its sphere or its distance, and no other point
- * takes its place. */
-TEST(DeWallLiteralSearch, aRefusedThirdPointHasNoSubstitute)
+/** p1 is on the plane; its nearest point on the other side is not the nearest to the
+ * plane, and the third one is behind p2. */
+TEST(DeWallLiteralWalls, startWithTheNearestPoints)
 {
-  // Over the edge from 0 to 1 first of a large triangle: the circle of 4 is the smallest,
-  // but 3 is inside its sphere; the Delaunay-nearest point 3 sees the edge at 157 degrees.
   Cloud cloud;
-  cloud.emplace_back(-1.0F, 0.0F, 0.0F);
-  cloud.emplace_back(1.0F, 0.0F, 0.0F);
-  cloud.emplace_back(0.05F, -1.2F, 0.0F);
-  cloud.emplace_back(0.0F, 0.2F, 0.0F);
-  cloud.emplace_back(0.02F, 1.1F, 0.0F);
-  const Points points = toPoints(cloud);
-  const Triangles strictly = asSets(triangulate(cloud, {strict, 10}).mesh.triangles);
-  const Triangles guarded =
-      asSets(triangulate(cloud, {DeWallRule::Paper, 10}).mesh.triangles);
-  EXPECT_EQ(strictly, figureSix(points, 10, 1));
-  EXPECT_EQ(std::count(guarded.begin(), guarded.end(), Triangle{0, 1, 3}), 1);
+  for (const auto& [x, y] : {std::pair(-3.0F, 0.0F),
+                             {-2.0F, 0.9F},
+                             {-1.0F, -2.5F},
+                             {0.1F, 0.0F},
+                             {1.2F, 0.6F},
+                             {2.3F, -0.5F},
+                             {3.1F, 0.4F}})
+    cloud.emplace_back(x, y, 0.0F);
+  const TriangleMesh mesh = triangulate(cloud, {strict, 5}).mesh;
+  ASSERT_FALSE(mesh.triangles.empty());
+  EXPECT_EQ(asSets({mesh.triangles[0]}), Triangles({{0, 1, 3}}));
 }
 
 TEST(DeWallLiteralFaces, lookTowardsTheSensor)

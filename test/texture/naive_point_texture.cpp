@@ -12,7 +12,7 @@ crossings(const TextureChart& chart,
           const std::vector<Eigen::Vector3f>& loop,
           const Eigen::Vector2d& place)
 {
-  const auto flat = [&](const Eigen::Vector3f& corner) {
+  const auto flat = [&](const Eigen::Vector3f& corner) -> Eigen::Vector2d {
     const Eigen::Vector3d way = corner.cast<double>() - chart.origin;
     return Eigen::Vector2d(way.dot(chart.texel_u), way.dot(chart.texel_v)) /
            chart.texel_u.squaredNorm();

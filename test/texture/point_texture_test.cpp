@@ -79,7 +79,7 @@ compareWithNaive(Texturing texturing, const std::vector<View>& views)
 TEST(PointTexture, isTheNaiveOne)
 {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const std::vector<View> views = {scatter(20000, seed), scatter(20000, seed + 9)};
+    const std::vector<View> views = {scatter(6000, seed), scatter(6000, seed + 9)};
     for (const double distance : {0.05, 0.3}) {
       Texturing texturing = texturingOf(makeRoomPlanes(), views);
       texturing.setTexelSize(0.05);

@@ -26,6 +26,12 @@ largestOf(const std::vector<PosedPoints>& observations)
   return largest;
 }
 
+std::int64_t
+depthOf(const BinRange& range)
+{
+  return range.max_z - range.min_z + 1;
+}
+
 bool
 areSame(const PlanarPose& a, const PlanarPose& b)
 {
@@ -86,6 +92,38 @@ CountedPoints::forEachPoint(const PlanarMotion& motion, const Visit& visit) cons
   }
 }
 
+void
+CountedPoints::countAlike(const PlanarMotion& motion,
+                          const BinRange& window,
+                          std::vector<double>& sums) const
+{
+  // The quotients are positive here, so that truncation gives the bin. Multiplication is
+  // faster than division; where rounding could matter, the bin is computed as above.
+  const double inverse = 1 / bin_size_;
+  const auto min_x = static_cast<double>(window.min_x);
+  const auto min_z = static_cast<double>(window.min_z);
+  const std::int64_t depth = depthOf(window);
+  const double most = std::max(std::max(std::abs(min_x), std::abs(min_z)),
+                               static_cast<double>(sums.size()));
+  const double rounding = 1e-14 * most;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const Eigen::Vector2d place =
+        motion.place(static_cast<double>(x_[i]), static_cast<double>(z_[i]));
+    const double u = place[0] * inverse - min_x;
+    const double v = place[1] * inverse - min_z;
+    std::int64_t x = static_cast<std::int32_t>(u);
+    std::int64_t z = static_cast<std::int32_t>(v);
+    const double within_x = u - static_cast<double>(x);
+    const double within_z = v - static_cast<double>(z);
+    if (std::min(within_x, within_z) < rounding ||
+        std::max(within_x, within_z) > 1 - rounding) {
+      x = binOf(place[0] / bin_size_) - window.min_x;
+      z = binOf(place[1] / bin_size_) - window.min_z;
+    }
+    ++sums[static_cast<std::size_t>(x * depth + z)];
+  }
+}
+
 BinRange
 CountedPoints::rangeUnder(const PlanarMotion& motion) const
 {
@@ -125,34 +163,37 @@ CountedPoints::fill(const PlanarPose& pose) const
     filled.range.add(x, z);
     filled.bins.push_back({x, z, layer, weight});
   };
-  const BinRange around = rangeUnder(motion);
-  const std::int64_t width = around.max_x - around.min_x + 1;
-  const std::int64_t depth = around.max_z - around.min_z + 1;
-  const double window = static_cast<double>(width) * static_cast<double>(depth) *
-                        (directions_.empty() ? 1 : wall_directions + 1);
-  if (window > max_window * static_cast<double>(x_.size())) {
+  const BinRange window = rangeUnder(motion);
+  const std::int64_t width = window.max_x - window.min_x + 1;
+  const std::int64_t depth = depthOf(window);
+  const double size = static_cast<double>(width) * static_cast<double>(depth) *
+                      (directions_.empty() ? 1 : wall_directions + 1);
+  if (size > max_window * static_cast<double>(x_.size())) {
     filled.bins.reserve(x_.size());
     forEachPoint(motion, [&](std::size_t i, std::int64_t x, std::int64_t z) {
       add(x, z, layerOf(i, motion), weightOf(i));
     });
     return filled;
   }
-  std::vector<double> sums(static_cast<std::size_t>(window), 0);
-  std::vector<std::int64_t> places; // of the bins that are not 0
-  forEachPoint(motion, [&](std::size_t i, std::int64_t x, std::int64_t z) {
-    const std::int64_t row = layerOf(i, motion) * width + x - around.min_x;
-    const std::int64_t at = row * depth + z - around.min_z;
-    double& sum = sums[static_cast<std::size_t>(at)];
-    if (sum == 0)
-      places.push_back(at);
-    sum += weightOf(i);
-  });
-  filled.bins.reserve(places.size());
-  for (const std::int64_t at : places)
-    add(around.min_x + at / depth % width,
-        around.min_z + at % depth,
-        static_cast<int>(at / depth / width),
-        sums[static_cast<std::size_t>(at)]);
+  const bool are_alike = weights_.empty() && directions_.empty();
+  std::vector<double> sums(static_cast<std::size_t>(size), 0);
+  if (are_alike)
+    countAlike(motion, window, sums);
+  else
+    forEachPoint(motion, [&](std::size_t i, std::int64_t x, std::int64_t z) {
+      const std::int64_t row = layerOf(i, motion) * width + x - window.min_x;
+      sums[static_cast<std::size_t>(row * depth + z - window.min_z)] += weightOf(i);
+    });
+  const double unit = are_alike ? equal_weight_ : 1;
+  std::int64_t row = 0;
+  for (std::size_t first = 0; first < sums.size();
+       first += static_cast<std::size_t>(depth), ++row)
+    for (std::int64_t z = 0; z < depth; ++z)
+      if (const double sum = sums[first + static_cast<std::size_t>(z)]; sum > 0)
+        add(window.min_x + row % width,
+            window.min_z + z,
+            static_cast<int>(row / width),
+            sum * unit);
   return filled;
 }
 

@@ -55,6 +55,13 @@ private:
   void
   forEachPoint(const PlanarMotion& motion, const Visit& visit) const;
 
+  /** \brief Counts points of equal weight in one layer; most of the time is spent here.
+   * \param[in,out] sums of the bins of the window */
+  void
+  countAlike(const PlanarMotion& motion,
+             const BinRange& window,
+             std::vector<double>& sums) const;
+
   /** \brief A range that contains the bins of all points. */
   BinRange
   rangeUnder(const PlanarMotion& motion) const;

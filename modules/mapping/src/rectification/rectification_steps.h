@@ -24,7 +24,7 @@ turnedMap(const std::vector<PlanarPose>& poses, double turn);
 /** \brief The paper's minimiser (II-B.2): each vote changes a random subset of the
  * actions at once, each in proportion to the effect of its previous changes on the
  * energy, and is accepted if the energy decreases. The energy is Eq. 3 of all points.
- * a_0, the first pose, is given. */
+ * \return with the first pose as it was given, although a_0 is searched, too */
 std::vector<PlanarPose>
 votingSearch(const RectificationTask& task, const std::vector<PlanarPose>& poses);
 

@@ -65,7 +65,8 @@ public:
   VotingSearch(const RectificationTask& task, const std::vector<PlanarPose>& poses)
   : task_(task)
   , evaluator_(pointsOf(task.observations), entropyOf(task.settings), Progress())
-  , actions_{actionBetween({}, poses.front())}
+  , start_(actionBetween({}, poses.front()))
+  , actions_{start_}
   , effects_(poses.size(), Eigen::Array3d::Zero())
   , random_(task.settings.seed)
   {
@@ -91,20 +92,31 @@ public:
         last_accepted = report.votes;
       task_.progress.tell(static_cast<double>(report.votes) / static_cast<double>(most),
                           "voting");
-      if (report.votes % votes_a_round == 0 || report.votes == most)
-        report.steps.push_back(
-            {"voting", task_.settings.bin_size, energy_, 0, energy_});
+      if (report.votes % votes_a_round == 0)
+        tellStep();
     }
+    if (report.votes % votes_a_round != 0)
+      tellStep();
     return "";
   }
 
+  /** The result, with the first pose as it was given. */
   std::vector<PlanarPose>
   poses() const
   {
-    return posesOf(actions_);
+    Actions actions = actions_;
+    actions.front() = start_;
+    return posesOf(actions);
   }
 
 private:
+  void
+  tellStep()
+  {
+    task_.report.steps.push_back(
+        {"voting", task_.settings.bin_size, energy_, 0, energy_});
+  }
+
   double
   energyOf(const Actions& actions, MapEntropyReport& told)
   {
@@ -113,15 +125,14 @@ private:
     return terms.points ? terms.total : std::numeric_limits<double>::infinity();
   }
 
-  /** Draws at least two actions, or the only one; never a_0, which is the given first
-   * pose. */
+  /** Draws at least two actions. */
   std::vector<std::size_t>
   drawSubset()
   {
     std::vector<std::size_t> subset;
-    while (subset.size() < std::min<std::size_t>(2, actions_.size() - 1)) {
+    while (subset.size() < 2) {
       subset.clear();
-      for (std::size_t t = 1; t < actions_.size(); ++t)
+      for (std::size_t t = 0; t < actions_.size(); ++t)
         if (random_.uniform() < share_of_actions)
           subset.push_back(t);
     }
@@ -135,7 +146,7 @@ private:
     double sum = 0;
     for (const Eigen::Array3d& effect : effects_)
       sum += effect.square().sum();
-    return std::sqrt(sum / (3 * static_cast<double>(actions_.size() - 1)));
+    return std::sqrt(sum / (3 * static_cast<double>(actions_.size())));
   }
 
   /** Changes a subset of the actions at once, each in proportion to its previous effect
@@ -178,7 +189,8 @@ private:
 
   const RectificationTask& task_;
   ExactEntropyEvaluator evaluator_;
-  Actions actions_;
+  PlanarAction start_;
+  Actions actions_; ///< the first one is the first pose: it turns the map
   std::vector<Eigen::Array3d> effects_; ///< of each action: energy times change, mean
   Random random_;
   double energy_ = 0;

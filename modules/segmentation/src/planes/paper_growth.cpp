@@ -109,7 +109,7 @@ public:
     collectCandidates(i);
     GrownPlane plane = planeOf(i);
     const std::size_t supporters = plane.members.size() - 1; // without i itself
-    if (supporters <= thresholds_.support)
+    if (supporters <= thresholds_.support || areCoincident(plane.members))
       return;
     open_.close(plane.members);
     plane.area = graph_.areaOf(plane.members);
@@ -127,6 +127,15 @@ private:
   normal(std::int32_t i) const
   {
     return graph_.normals[static_cast<std::size_t>(i)];
+  }
+
+  /** If all points coincide, there is no plane to estimate. */
+  bool
+  areCoincident(const std::vector<std::int32_t>& members) const
+  {
+    return std::all_of(members.begin(), members.end(), [&](std::int32_t member) {
+      return point(member) == point(members.front());
+    });
   }
 
   /** All hypotheses j other than i within W_d of p_i and W_n of n_i, in their order. */

@@ -245,9 +245,9 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
         settings.min_area > 0 ? settings.min_area : automaticArea(graph);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     std::vector<GrownPlane> grown;
-    if (graph.spacing > 0 && settings.noise_driven)
+    if (settings.noise_driven && graph.spacing > 0)
       grown = growAll(graph, seeds, limits, min_area, merge_cosine, report);
-    else if (graph.spacing > 0)
+    else if (!settings.noise_driven)
       grown = growAsPaper(graph,
                           seeds,
                           {settings.member_distance,
