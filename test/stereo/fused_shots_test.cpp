@@ -76,12 +76,17 @@ TEST(FusedShots, MedianOfTheMapsIsTheNaiveOne)
     TrinocularMatching matching = fusion.getMatching();
     std::vector<MatchedDisparity> maps;
     for (int i = 0; i < patterns; ++i) {
-      // the images of the cameras differ in part, so that the maps do
+      // The images of the cameras differ in part, so that the maps do; from the third
+      // shot on a part has no texture, so that there are fewer than three disparities.
       const TrinocularFrame::Ptr shot = noiseShot(i);
       const CameraImage other = noiseShot(100 + i)->images[0];
-      for (std::size_t pixel = 0; pixel < other.values.size(); ++pixel)
+      for (std::size_t pixel = 0; pixel < other.values.size(); ++pixel) {
         if ((pixel / 7 + static_cast<std::size_t>(i)) % 5 == 0)
           shot->images[1].values[pixel] = other.values[pixel];
+        if (i >= 2 && pixel % 48 < 20)
+          for (CameraImage& image : shot->images)
+            image.values[pixel] = 90;
+      }
       fusion.addShot(shot);
       maps.emplace_back();
       matching.match(*shot, maps.back());
