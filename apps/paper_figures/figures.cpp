@@ -327,13 +327,16 @@ figurePage(const std::string& table, const FigurePlan& plan)
        "How the mesh of " + observation(plan.walls) +
            " grows, from the top: the triangles of the first splitting plane, then "
            "those of the planes that divide the halves, and so on; those of earlier "
-           "steps are pale. Left as the paper does it, Fig. 6 with the raw points: each "
+           "steps are pale. Left as the paper does it, Fig. 6 with the raw points: "
+           "each "
            "call also builds a triangle over every side that it receives. Right ours, "
-           "with the points at their noise scale: each step has only the triangles that "
+           "with the points at their noise scale: each step has only the triangles "
+           "that "
            "its planes cut."},
       {"7",
        "The mesh of " + observation(plan.mesh) +
-           ". Left as the paper does it, with the raw points, whose noise exceeds their "
+           ". Left as the paper does it, with the raw points, whose noise exceeds "
+           "their "
            "spacing; right ours, with the points at their noise scale."},
       {"8",
        "The planes with their textures as the robot sees them; on the top right "
@@ -965,12 +968,11 @@ drawMeshes(const MappedSession& map,
     rows.push_back({papers[step], ours[step]});
   saveFigure(folder, "fig5.png", sheetOf(rows, plan.width));
   const std::string& of_mesh = map.observations[plan.mesh.observation];
-  saveFigure(
-      folder,
-      "fig7.png",
-      rowOf({meshPicture(papersMeshOf(of_mesh, threads), plan, folder),
-             meshPicture(ourMeshOf(of_mesh, usual_leaf, threads), plan, folder)},
-            plan.width));
+  saveFigure(folder,
+             "fig7.png",
+             rowOf({meshPicture(papersMeshOf(of_mesh, threads), plan, folder),
+                    meshPicture(ourMeshOf(of_mesh, usual_leaf, threads), plan, folder)},
+                   plan.width));
 }
 
 cv::Mat3b

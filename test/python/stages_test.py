@@ -131,6 +131,10 @@ class Settings(unittest.TestCase):
         wall = noisy_wall(5000)
         paper, dense = (acmap.triangulate(wall, rule=rule) for rule in ("paper", "dense"))
         self.assertGreater(dense.report.triangles, paper.report.triangles)
+        strict = acmap.triangulate(wall, rule="strict", compute_wall_depth=True)
+        self.assertGreater(strict.report.walls, 3)
+        self.assertEqual((paper.report.walls, paper.report.crowded_edges), (0, 0))
+        self.assertEqual(strict.wall_depth[0], 0)
 
     def test_paper_thresholds_find_the_wall(self):
         wall = noisy_wall(2000)

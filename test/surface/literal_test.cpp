@@ -111,6 +111,43 @@ INSTANTIATE_TEST_SUITE_P(Small,
                            return literalCases()[info.param].name;
                          });
 
+/** Positions that are repeated, not finite or far away change nothing, nor does the unit. */
+TEST(DeWallLiteralUgly, pointsOfNoUseChangeNothing)
+{
+  const Cloud sheet = makeJitteredPlane({12, 12, 1, 0.25, 0.2, 5}).cloud;
+  const Triangles clean = triangulate(sheet, {strict, 2.5}).mesh.triangles;
+  ASSERT_GT(clean.size(), 200U);
+  EXPECT_EQ(triangulate(doubled(sheet), {strict, 2.5}).mesh.triangles, clean);
+  const Cloud laced = lacedWithNan(sheet, 3);
+  std::vector<std::int32_t> places;
+  for (std::size_t i = 0; i < laced.size(); ++i)
+    if (laced[i].getVector3fMap().allFinite())
+      places.push_back(static_cast<std::int32_t>(i));
+  EXPECT_EQ(asSets(triangulate(laced, {strict, 2.5}).mesh.triangles),
+            asSets(clean, places));
+  for (const float place : {1e9F, -1e9F, 3e38F})
+    EXPECT_EQ(
+        asSets(triangulate(withOutlier(sheet, place), {strict, 2.5}).mesh.triangles),
+        asSets(clean));
+  for (const float factor : {0x1p-60F, 0x1p-20F, 0x1p20F}) {
+    const DeWallRun run{strict, 2.5 * static_cast<double>(factor)};
+    EXPECT_EQ(triangulate(scaled(sheet, factor), run).mesh.triangles, clean) << factor;
+  }
+}
+
+TEST(DeWallLiteralUgly, memoryLimitIsThatOfTheRule)
+{
+  const Cloud cloud = makeRandomBox(20000, 1);
+  DeWallTriangulation<PointXYZ> dewall;
+  dewall.setInputCloud(cloud.makeShared());
+  dewall.setAcceptanceRule(strict);
+  TriangleMesh mesh;
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Paper));
+  EXPECT_THROW(dewall.reconstruct(mesh), MemoryLimitException);
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, strict));
+  EXPECT_NO_THROW(dewall.reconstruct(mesh));
+}
+
 /** Two sheets, of which one has the middle of both: the first plane of the whole cloud
  * would miss the other. */
 TEST(DeWallLiteralClusters, eachHasItsOwnPlanes)
@@ -146,7 +183,8 @@ TEST(DeWallLiteralWalls, crossTheFirstPlane)
         result.mesh.triangles[t].begin(),
         result.mesh.triangles[t].end(),
         [&](int i, int j) { return result.points[i].x() < result.points[j].x(); });
-    const bool is_cut = result.points[*low].x() < plane && plane <= result.points[*high].x();
+    const bool is_cut =
+        result.points[*low].x() < plane && plane <= result.points[*high].x();
     EXPECT_EQ(result.mesh.wall_depth[t] == 0, is_cut) << "triangle " << t;
     first += is_cut;
   }

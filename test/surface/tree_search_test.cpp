@@ -132,7 +132,8 @@ TEST(TreeSearch, findsTheSmallestCircleOfBruteForce)
       Apex best;
       for (std::int32_t i = 0; i < tree->size(); ++i) {
         const Apex apex = makeApex(i, side.u, tree->position(i) - side.origin);
-        if (i != a && i != b && apex.from_a.dot(side.outward) > 0 && apex.cross > 1e-3 &&
+        if (i != a && i != b && apex.from_a.dot(side.outward) > 0 &&
+            apex.cross > 1e-3 &&
             (best.index < 0 || hasSmallerCircle(apex, best, a, b, side.u)))
           best = apex;
       }

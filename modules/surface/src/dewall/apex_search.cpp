@@ -24,7 +24,8 @@ SideFrame::SideFrame(const PointTree& tree,
                      std::int32_t opposite)
 : SideFrame(tree, longest_at_ends, a_index, b_index)
 {
-  outward = -perpendicular(origin, tree.position(b), tree.position(opposite)).normalized();
+  outward =
+      -perpendicular(origin, tree.position(b), tree.position(opposite)).normalized();
 }
 
 SideFrame::SideFrame(const PointTree& tree,

@@ -208,7 +208,8 @@ triangulateDeWall(const PointView& view,
 {
   const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
   dewall::requireWithinLimit(
-      estimateDeWallMemory(view.size(), with_facing, settings.rule), settings.memory_limit);
+      estimateDeWallMemory(view.size(), with_facing, settings.rule),
+      settings.memory_limit);
   return withThreads(settings.threads, [&] {
     return dewall::triangulate(view, settings, progress, report);
   });

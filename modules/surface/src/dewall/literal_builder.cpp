@@ -109,7 +109,7 @@ private:
     const bool has_wall = part.end - part.begin > leaf_size_;
     const SplittingPlane* plane = has_wall ? &alpha : nullptr;
     Lists lists{std::move(sides), {}, {}};
-    if (lists.cut.empty()) // 6
+    if (lists.cut.empty())                                       // 6
       if (const auto first = points_.findFirstTriangle(alpha)) { // 7
         const auto [a, b, c] = *first;
         add(*first, part); // 8

@@ -79,9 +79,10 @@ public:
     for (std::size_t i = 2; i < first_.size(); ++i)
       first_[i] += first_[i - 1];
     uses_.resize(first_.back());
-    forEachEdge(meshes, [&](std::int32_t low, std::int32_t high, std::int32_t triangle) {
-      uses_[first_[static_cast<std::size_t>(low) + 1]++] = {high, triangle};
-    });
+    forEachEdge(meshes,
+                [&](std::int32_t low, std::int32_t high, std::int32_t triangle) {
+                  uses_[first_[static_cast<std::size_t>(low) + 1]++] = {high, triangle};
+                });
     parallelForChunks(first_.size() - 2, [&](std::size_t begin, std::size_t end) {
       for (std::size_t low = begin; low < end; ++low)
         std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(first_[low]),

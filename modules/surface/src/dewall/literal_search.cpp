@@ -30,7 +30,9 @@ reachOfSmaller(const SideFrame& frame, const Apex& apex)
  * one. */
 class SmallestCircle {
 public:
-  explicit SmallestCircle(const SideFrame& frame, std::int32_t name_a, std::int32_t name_b)
+  explicit SmallestCircle(const SideFrame& frame,
+                          std::int32_t name_a,
+                          std::int32_t name_b)
   : frame_(frame)
   , name_a_(name_a)
   , name_b_(name_b)
@@ -41,9 +43,9 @@ public:
   consider(std::int32_t i, std::int32_t name, const Eigen::Vector3d& position)
   {
     const Apex apex = makeApex(name, frame_.u, position - frame_.origin);
-    const double longest = std::max(frame_.u.squaredNorm(),
-                                    std::max(apex.from_a.squaredNorm(),
-                                             (apex.from_a - frame_.u).squaredNorm()));
+    const double longest = std::max(
+        frame_.u.squaredNorm(),
+        std::max(apex.from_a.squaredNorm(), (apex.from_a - frame_.u).squaredNorm()));
     if (apex.cross <= min_sine * longest ||
         (frame_.hasHalfSpace() && apex.from_a.dot(frame_.outward) <= 0) ||
         (index_ >= 0 && !hasSmallerCircle(apex, best_, name_a_, name_b_, frame_.u)))
@@ -135,8 +137,9 @@ LiteralPoints::nearestAcross(std::int32_t p1, const SplittingPlane& alpha) const
   visitBall(own_, p1, centre, radius, [&](auto, std::int32_t first, std::int32_t end) {
     for (std::int32_t i = first; i < end; ++i) {
       const double squared = (own_.position(i) - centre).squaredNorm();
-      const bool is_nearer = squared < least || (squared == least &&
-                                                 (best < 0 || source(i) < source(best)));
+      const bool is_nearer =
+          squared < least ||
+          (squared == least && (best < 0 || source(i) < source(best)));
       if (!is_nearer || isLeft(i, alpha) == is_left)
         continue;
       best = i;
@@ -163,8 +166,8 @@ LiteralPoints::acceptedThird(const SideFrame& frame) const
   const std::int32_t p3 = smallestCircle(frame, reach);
   if (p3 < 0 || !isAccepted(frame.a, frame.b, p3))
     return -1;
-  const double of_smaller = reachOfSmaller(
-      frame, makeApex(p3, frame.u, own_.position(p3) - frame.origin));
+  const double of_smaller =
+      reachOfSmaller(frame, makeApex(p3, frame.u, own_.position(p3) - frame.origin));
   return of_smaller <= reach || smallestCircle(frame, of_smaller) == p3 ? p3 : -1;
 }
 
@@ -181,7 +184,8 @@ LiteralPoints::smallestCircle(const SideFrame& frame, double reach) const
     return smallestCircleOneByOne(frame, reach);
   SmallestCircle smallest(frame, source(frame.a), source(frame.b));
   for (std::int32_t i = 0; i < hits.count; ++i)
-    smallest.consider(hits.index[i], source(hits.index[i]), own_.position(hits.index[i]));
+    smallest.consider(
+        hits.index[i], source(hits.index[i]), own_.position(hits.index[i]));
   return smallest.index();
 }
 
