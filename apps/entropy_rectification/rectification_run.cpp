@@ -72,8 +72,6 @@ detailsOf(const RectificationOptions& options, const EntropyRectificationReport&
           {"outcome", outcomeName(report.outcome)},
           {outcomeName(report.outcome), report.reason},
           {"evaluations", report.evaluations},
-          {"votes", report.votes},
-          {"accepted_moves", report.accepted_moves},
           {"odometry_scale", report.odometry_scale},
           {"strongest_action", report.strongest_action},
           {"disagreement", report.disagreement},
@@ -304,6 +302,11 @@ rectifyMap(const RectificationOptions& options,
   timer.finish("write");
   tellOutcome(report, log);
   log.details.update(detailsOf(options, report));
+  if (options.mode == RectificationMode::Paper)
+    log.details.update(
+        Json{{"smoothing", options.smoothing.value_or(options.binSize())},
+             {"votes", report.votes},
+             {"accepted_moves", report.accepted_moves}});
   log.details["posed_files"] = observations.files;
   log.tellSeconds();
   log.tell("folder", options.output);
