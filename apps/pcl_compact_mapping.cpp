@@ -125,5 +125,8 @@ main(int argc, char** argv)
       "planes.");
   ChainOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] { run(tool, options); });
+  return tool.run(argc, argv, [&] {
+    takePaperWay(tool, options);
+    run(tool, options);
+  });
 }

@@ -67,9 +67,12 @@ addOptions(Tool& tool, Options& options)
       app,
       "--rule",
       options.rule,
-      {{"paper", pcl::DeWallRule::Paper}, {"dense", pcl::DeWallRule::Dense}},
+      {{"paper", pcl::DeWallRule::Paper},
+       {"dense", pcl::DeWallRule::Dense},
+       {"strict", pcl::DeWallRule::Strict}},
       "paper: no point inside the smallest sphere through a triangle; dense: no such "
-      "test, covers noisy surfaces better");
+      "test, covers noisy surfaces better; strict: the paper's algorithm as printed, "
+      "without our guard, for comparison: edges may have more than two triangles");
   app.add_flag("--wall-depth",
                options.wall_depth,
                "Write with each triangle the depth of the dividing wall that made it "
@@ -89,10 +92,10 @@ checkPlaces(const Tool& tool, const Options& options)
 
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
-typedCloud(const pcl::PointCloudFile& file)
+typedCloud(const pcl::PointCloudFile& file, pcl::DeWallRule rule)
 {
   const std::size_t size = file.points().size();
-  requireMemory(estimateDeWallMemory(size, true) + size * sizeof(PointT),
+  requireMemory(estimateDeWallMemory(size, true, rule) + size * sizeof(PointT),
                 "triangulating this cloud");
   typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
   pcl::fromPCLPointCloud2(file.cloud, *cloud);
@@ -123,7 +126,7 @@ triangulate(const Options& options,
             pcl::TriangleMesh& mesh)
 {
   pcl::DeWallTriangulation<PointT> dewall;
-  dewall.setInputCloud(typedCloud<PointT>(file));
+  dewall.setInputCloud(typedCloud<PointT>(file, options.rule));
   dewall.setMaximumEdgeLength(maximum_edge_length);
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
@@ -148,6 +151,10 @@ summarize(const Options& options, const pcl::DeWallReport& report, StageLog& log
           " of the finite, different ones)");
   log.tell("triangles", std::to_string(report.triangles));
   log.tell("components", std::to_string(report.components));
+  if (options.rule == pcl::DeWallRule::Strict)
+    log.tell("crowded",
+             percent(report.crowded_edges, report.edges) +
+                 " of the edges have more than two triangles");
   log.tell("boundary", percent(report.boundary_edges, report.edges) + " of the edges");
   log.tellSeconds();
   log.tell("file", options.output);

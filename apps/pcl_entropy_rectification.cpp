@@ -12,6 +12,7 @@ main(int argc, char** argv)
   return tool.run(argc, argv, [&] {
     if (options.input().empty())
       throw UsageError("POSED_DIR or --carmen LOG is needed");
+    requireSense(options);
     tool.requireReportWritable({options.input()});
     if (options.log.empty())
       rectifyPoses(options,

@@ -57,6 +57,11 @@ addOptions(Tool& tool, Options& options)
       "OUT.png",
       "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
   addPlaneChoices(tool, options);
+  app.add_flag("--paper",
+               options.paper,
+               "The paper's way, with nothing added: raw points, its triangulation, "
+               "votes and fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
+               "points)");
   tool.addThreads();
   tool.addScale();
 }

@@ -32,6 +32,7 @@ struct SimulationOptions {
   SessionSettings settings; ///< 0 observations for all, until the scene is open
   bool clouds = false;
   std::string sensor = stereo_sensor; ///< sensor that measures the clouds
+  bool all_points = false;            ///< instead of the scene's number
   std::string merged;
 };
 
@@ -119,6 +120,11 @@ addCloudOptions(CLI::App& app, SimulationOptions& options)
          "camera as the first Kinect, with its quantised depths, shadows and rims")
       ->type_name("stereo|kinect")
       ->check(CLI::IsMember({stereo_sensor, kinect_sensor}).description(""));
+  app.add_flag(
+      "--all-points",
+      options.all_points,
+      "With --clouds, every pixel that sees a surface in reach becomes a point, "
+      "however many points the scene asks for");
   app.add_option("--merged",
                  options.merged,
                  "With --clouds, write all points as one cloud too: x y z rgb view "
@@ -157,7 +163,7 @@ requireSense(Tool& tool, const SimulationOptions& options)
       throw UsageError(std::string(name) + " names nothing");
   }
   if (!options.clouds)
-    for (const char* const name : {"--merged", "--sensor"})
+    for (const char* const name : {"--merged", "--sensor", "--all-points"})
       if (tool.options().count(name) > 0)
         throw UsageError(std::string(name) + " needs --clouds");
   if (options.clouds)
@@ -173,6 +179,8 @@ requireSense(Tool& tool, const SimulationOptions& options)
       if (tool.options().count(name) > 0)
         throw UsageError(std::string(name) +
                          " is for camera frames, --clouds makes none");
+  if (options.all_points && options.sensor == kinect_sensor)
+    throw UsageError("--all-points is for stereo, a kinect has no number of points");
   pcl::requireSoundLight(options.settings.light);
 }
 
@@ -192,6 +200,12 @@ openScene(SimulationOptions& options, StageLog& log)
                              : pcl::loadSimulatedScene(options.scene);
   if (options.sensor == kinect_sensor)
     pcl::useKinect(filmed.scene);
+  pcl::RangeSensor& sensor = filmed.scene.sensor;
+  if (options.all_points) {
+    sensor.points = static_cast<std::size_t>(filmed.scene.rig.width) *
+                    static_cast<std::size_t>(filmed.scene.rig.height);
+    sensor.views_with_one_more = 0;
+  }
   std::size_t& views = options.settings.observations;
   views = pcl::trajectoryOf(filmed.scene, views ? views : filmed.scene.views.size())
               .poses.size();
@@ -248,8 +262,8 @@ writeObservations(const SimulationOptions& options,
     counts.points.all += observation.points;
     for (const pcl::ObservationPixel& pixel : observation.pixels)
       ++counts.points.of_label[pixel.label];
-    if (!scene.depth_camera && observation.points < scene.sensor.pointsOfView(view) &&
-        counts.sparse++ == 0)
+    if (!scene.depth_camera && !options.all_points &&
+        observation.points < scene.sensor.pointsOfView(view) && counts.sparse++ == 0)
       counts.first_sparse =
           observationName(view) + " with " + std::to_string(observation.points);
   }

@@ -25,6 +25,7 @@ constexpr NamedChoices<DepthSensor, 5> depth_sensors = {
      {"laser", DepthSensor::Laser}}};
 
 struct MappingSettings {
+  bool paper;
   bool rectify;
   DepthSensor sensor;
   double voxel_size; ///< metres; 0: automatic
@@ -54,6 +55,15 @@ requireLegal(const MappingSettings& settings)
   requireInRange("voxel_size", settings.voxel_size, 0, 1e9, "m (0 = automatic)");
   requireInRange("min_area", settings.min_area, 0, 1e12, "m^2 (0 = automatic)");
   requireInRange("texel_size", settings.texel_size, 1e-4, 10, "m");
+  const auto refuse = [&](bool is_given, const std::string& argument) {
+    if (settings.paper && is_given)
+      throw py::value_error(argument + " departs from the paper: leave it out with "
+                                       "paper=True");
+  };
+  refuse(settings.sensor != DepthSensor::Automatic, "sensor");
+  refuse(settings.voxel_size > 0, "voxel_size");
+  refuse(settings.min_area > 0, "min_area");
+  refuse(settings.regular, "regular");
 }
 
 void
@@ -69,9 +79,8 @@ addObservation(MappingInput& input,
 }
 
 PlaneMapping
-planeMappingOf(const MappingSettings& settings)
+planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
 {
-  PlaneMapping planes;
   PlaneMapping::Clustering clustering = planes.getClustering();
   clustering.setMinArea(settings.min_area);
   clustering.setRegularize(settings.regular);
@@ -95,13 +104,16 @@ void
 prepare(CompactMapping& mapping, const MappingInput& input)
 {
   const MappingSettings& settings = input.settings;
+  if (settings.paper)
+    mapping.setMode(MappingMode::Paper);
   ObservationMerging merging = mapping.getMerging();
-  merging.setDepthSensor(settings.sensor);
+  if (settings.sensor != DepthSensor::Automatic)
+    merging.setDepthSensor(settings.sensor);
   CompactMapping::Texturing texturing = mapping.getTexturing();
   texturing.setTexelSize(settings.texel_size);
   mapping.setRectify(settings.rectify);
   mapping.setMerging(merging);
-  mapping.setPlaneMapping(planeMappingOf(settings));
+  mapping.setPlaneMapping(planeMappingOf(mapping.getPlaneMapping(), settings));
   mapping.setTexturing(texturing);
   if (!settings.folder.empty())
     mapping.setFolder(settings.folder);
@@ -127,6 +139,8 @@ constexpr const char* about_mapping =
     R"(Makes a compact map of what a camera saw: all steps of the paper in one object
 (pcl::CompactMapping). Add the observations, then call compute.
 
+paper      all steps as the paper has them, with nothing added, on raw points, which takes
+           long; sensor, voxel_size, min_area and regular are refused with it
 rectify    straightens the map before its planes are found, as the function rectify does
            (II-B.2 of the paper)
 sensor     what measured the points. 'quantised' (structured light, such as a Kinect) and
@@ -166,7 +180,8 @@ bindCompactMapping(py::module_& module)
   const PlaneMapping::Clustering& clustering =
       defaults.getPlaneMapping().getClustering();
   py::class_<MappingInput>(module, "CompactMapping", about_mapping)
-      .def(py::init([](bool rectify,
+      .def(py::init([](bool paper,
+                       bool rectify,
                        const std::string& sensor,
                        std::optional<double> voxel_size,
                        double min_area,
@@ -174,7 +189,8 @@ bindCompactMapping(py::module_& module)
                        double texel_size,
                        const std::string& folder,
                        unsigned threads) {
-             const MappingSettings settings = {rectify,
+             const MappingSettings settings = {paper,
+                                               rectify,
                                                chosen("sensor", sensor, depth_sensors),
                                                voxel_size.value_or(0),
                                                min_area,
@@ -186,6 +202,7 @@ bindCompactMapping(py::module_& module)
              return MappingInput{settings, {}};
            }),
            py::kw_only(),
+           "paper"_a = false,
            "rectify"_a = defaults.getRectify(),
            "sensor"_a = nameOf(DepthSensor::Automatic, depth_sensors),
            "voxel_size"_a = py::none(),

@@ -29,6 +29,7 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
     fields = fieldsOf(*report.depth_planes);
   else if (report.planes)
     fields = fieldsOf(*report.planes);
+  fields["consolidated_points"] = report.consolidated_points;
   fields["voxel_size"] = report.consolidation ? report.consolidation->voxel_size : 0.0;
   return reportOf(fields, report);
 }
@@ -44,7 +45,9 @@ reportOfMapping(const CompactMappingReport& report)
         reportOfRectification(EntropyRectificationReport(*report.rectification));
     outcome = rectification.attr("outcome");
   }
-  return reportOf(py::dict("outcome"_a = outcome,
+  const bool is_paper = report.mode == MappingMode::Paper;
+  return reportOf(py::dict("mode"_a = is_paper ? "paper" : "accurate",
+                           "outcome"_a = outcome,
                            "rectification"_a = rectification,
                            "merging"_a = reportOfMerging(report.merging),
                            "planes"_a = reportOfPlaneMapping(report.planes),

@@ -50,8 +50,8 @@ points              (n, 3) or (h, w, 3) float32, metres; read where they are. Po
 maximum_edge_length metres, no edge is longer; 0: automatic, from the spacing around each
                     point. 2.5 voxels suit consolidated points.
 rule                'paper': no point inside the smallest sphere through a triangle;
-                    'dense': no such test, covers noisy surfaces better; 'strict': as
-                    printed in the paper, without guard, not manifold
+                    'dense': no such test, covers noisy surfaces better; 'strict': the
+                    algorithm as printed in the paper, for comparison, not manifold
 normals             as points, unit; off the side from which the points were seen
 sensor_origin       metres; faces look there where there are no normals
 compute_wall_depth  asks for Mesh.wall_depth

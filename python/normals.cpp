@@ -13,6 +13,19 @@ namespace {
 
 using namespace py::literals;
 
+/** Weights as given, or the defaults of the mode. */
+void
+setWeights(std::optional<double> crease,
+           std::optional<double> corner,
+           VotingSettings& settings)
+{
+  const VotingSettings ours;
+  settings.crease_weight =
+      crease.value_or(settings.paper ? page_weight : ours.crease_weight);
+  settings.corner_weight =
+      corner.value_or(settings.paper ? page_weight : ours.corner_weight);
+}
+
 Normals
 voteOnMesh(const PointArgument& points,
            const MeshArgument& triangles,
@@ -40,8 +53,9 @@ surfaces (pcl::NormalVectorVoting, II-C.2 of the paper). Returns Normals.
 points             (n, 3) or (h, w, 3) float32, metres: the vertices; read where they are
 triangles          a Mesh, read where it is, or an array of index triples, copied
 radius             metres along the surface, how far votes come from; 0: automatic
-crease_weight      eps: how much a crease counts against a surface
-corner_weight      eta: how much a corner counts against a crease
+crease_weight      eps: how much a crease counts against a surface; None: 12, with paper 2
+corner_weight      eta: how much a corner counts against a crease; None: 0.3, with paper 2
+paper              the weights of Page et al. as they are, without ours
 sensor_origin      metres, where normals look; None: where the faces look
 viewpoints         (k, 3) float32, metres: where observations stood, instead
 view               int32, for each point which of the viewpoints saw it
@@ -89,28 +103,35 @@ bindNormals(py::module_& module)
       [](const PointArgument& points,
          const MeshArgument& triangles,
          double radius,
-         double crease_weight,
-         double corner_weight,
+         std::optional<double> crease_weight,
+         std::optional<double> corner_weight,
+         bool paper,
          std::optional<std::array<double, 3>> sensor_origin,
          std::optional<PointArgument> viewpoints,
          std::optional<IndexArgument> view,
          bool compute_curvatures,
          unsigned threads,
          const Listener& progress) {
-        return voteOnMesh(
-            points,
-            triangles,
-            {radius, crease_weight, corner_weight, compute_curvatures, threads},
-            {sensor_origin, std::move(viewpoints), std::move(view)},
-            progress);
+        VotingSettings settings;
+        settings.radius = radius;
+        settings.paper = paper;
+        setWeights(crease_weight, corner_weight, settings);
+        settings.compute_curvatures = compute_curvatures;
+        settings.threads = threads;
+        return voteOnMesh(points,
+                          triangles,
+                          settings,
+                          {sensor_origin, std::move(viewpoints), std::move(view)},
+                          progress);
       },
       about_normals,
       "points"_a,
       "triangles"_a,
       py::kw_only(),
       "radius"_a = defaults.radius,
-      "crease_weight"_a = defaults.crease_weight,
-      "corner_weight"_a = defaults.corner_weight,
+      "crease_weight"_a = py::none(),
+      "corner_weight"_a = py::none(),
+      "paper"_a = defaults.paper,
       "sensor_origin"_a = py::none(),
       "viewpoints"_a = py::none(),
       "view"_a = py::none(),

@@ -83,11 +83,11 @@ source          as points: the cloud that points were consolidated from; it judg
 sensor_origin   metres: where the source was seen from; None: unknown
 viewpoints      (k, 3) float32, metres: where observations stood, instead
 view            int32, for each point of the source which of the viewpoints saw it
-noise_driven    the mesh and the noise decide instead of the paper's thresholds
-member_distance W_d, metres: how near a supporter is to another; unless there is a mesh
+noise_driven    the mesh and the noise decide; False: the paper's thresholds, to the letter
+member_distance W_d, metres: how near supporters are to the hypothesis; unless noise_driven
 normal_angle    W_n, radians, up to pi / 2
-plane_distance  W_t, metres; None: 0.25, or by the noise if noise_driven
-least_support   W_h: a plane has more supporters; unless noise_driven
+plane_distance  W_t, metres; None: by the noise, or 0.25 unless noise_driven
+least_support   W_h: a hypothesis needs more supporters; unless noise_driven
 least_area      square metres; if noise_driven; 0: automatic
 regular         turns planes to be parallel or upright to larger ones, where their
                 uncertainty allows
@@ -113,14 +113,13 @@ bindPlanesClass(py::module_& module)
                     "pcl::PlaneClusteringReport");
 }
 
-/** W_t as given, or the default of the mode. */
+/** W_t as given, or 0 for the default of the mode. */
 double
-planeDistance(std::optional<double> given, bool noise_driven)
+planeDistance(std::optional<double> given)
 {
-  if (!given)
-    return noise_driven ? 0 : PlaneClusteringSettings().plane_distance;
-  requireInRange("plane_distance", *given, 1e-9, 1e9, "m");
-  return *given;
+  if (given)
+    requireInRange("plane_distance", *given, 1e-9, 1e9, "m");
+  return given.value_or(0);
 }
 
 } // namespace
@@ -156,7 +155,7 @@ bindPlanes(py::module_& module)
                           {noise_driven,
                            member_distance,
                            normal_angle,
-                           planeDistance(plane_distance, noise_driven),
+                           planeDistance(plane_distance),
                            min_support,
                            min_area,
                            regular,

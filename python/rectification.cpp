@@ -163,6 +163,7 @@ mode              'guarded': entropy with an odometry prior, judged by rays; 'pa
                   alone, by voting, without a guard
 bin_size          metres, edge of the finest bins
 entropy_weight    how much a bit of entropy counts against the odometry, times the default
+smoothing         metres, sigma_XZ of 'paper'; None: one bin. 'guarded' refuses it
 projection_weight mu, of the entropies along the building's main directions; None: 0 if
                   guarded, 0.1 as the paper
 odometry_length, odometry_length_per_metre, odometry_turn, odometry_turn_per_radian
@@ -178,6 +179,17 @@ legalWeight(std::optional<double> mu)
   if (mu)
     requireInRange("projection_weight", *mu, 0, 1000, "(no unit)");
   return mu;
+}
+
+std::optional<double>
+legalSmoothing(std::optional<double> sigma, const RectificationSettings& settings)
+{
+  if (!sigma)
+    return sigma;
+  if (settings.mode != RectificationMode::Paper)
+    throw py::value_error("smoothing: is for mode 'paper'");
+  requireInRange("smoothing", *sigma, 0, 100 * settings.bin_size, "m (100 bins)");
+  return sigma;
 }
 
 } // namespace
@@ -205,6 +217,7 @@ bindRectification(py::module_& module)
          double bin_size,
          double entropy_weight,
          std::optional<double> projection_weight,
+         std::optional<double> smoothing,
          double odometry_length,
          double odometry_length_per_metre,
          double odometry_turn,
@@ -218,6 +231,8 @@ bindRectification(py::module_& module)
         settings.entropy_weight = entropy_weight;
         settings.projection_weight =
             legalWeight(projection_weight).value_or(settings.projection_weight);
+        settings.smoothing =
+            legalSmoothing(smoothing, settings).value_or(settings.smoothing);
         settings.odometry = {odometry_length,
                              odometry_length_per_metre,
                              odometry_turn,
@@ -240,6 +255,7 @@ bindRectification(py::module_& module)
       "bin_size"_a = defaults.bin_size,
       "entropy_weight"_a = defaults.entropy_weight,
       "projection_weight"_a = py::none(),
+      "smoothing"_a = py::none(),
       "odometry_length"_a = defaults.odometry.length,
       "odometry_length_per_metre"_a = defaults.odometry.length_per_metre,
       "odometry_turn"_a = defaults.odometry.turn,

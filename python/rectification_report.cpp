@@ -58,6 +58,8 @@ reportOfRectification(EntropyRectificationReport&& report)
                            "points"_a = report.points,
                            "invalid_points"_a = report.invalid_points,
                            "evaluations"_a = report.evaluations,
+                           "votes"_a = report.votes,
+                           "accepted_moves"_a = report.accepted_moves,
                            "odometry_scale"_a = report.odometry_scale,
                            "strongest_action"_a = report.strongest_action,
                            "disagreement"_a = report.disagreement,

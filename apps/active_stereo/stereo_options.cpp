@@ -66,9 +66,12 @@ requireSenseOfInput(const StereoOptions& options)
                      ": a session or --reference is needed, not both");
   if (options.session.empty() && images.reference.empty())
     throw UsageError("a session is needed, or images (--reference)");
-  requireDepthOrder(options);
+  requireStereoSense(options);
   if (!options.hasLists())
     return;
+  if (options.unlit)
+    throw UsageError("--unlit is for a session; one image per camera is matched as "
+                     "passive stereo unless --active is given");
   if (options.active && !options.hasOneShot())
     throw UsageError("--active is for one image per camera; several images per camera "
                      "are always matched as shots under patterns");
@@ -102,6 +105,10 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
       "how shots are fused: spacetime (all at once), median (of the shots' own "
       "disparities, as the paper) or statistical (mean of those that agree)")
       ->each([&](const std::string&) { options.has_method = true; });
+  app.add_flag("--unlit",
+               options.unlit,
+               "Passive stereo: match the first shot without projected light of each "
+               "observation, instead of those under patterns");
   const auto depth = [&](const char* name, double& value, const char* purpose) {
     app.add_option(name, value, purpose)
         ->type_name("M")
@@ -160,8 +167,11 @@ addOptions(Tool& tool, StereoOptions& options)
 }
 
 void
-requireDepthOrder(const StereoOptions& options)
+requireStereoSense(const StereoOptions& options)
 {
+  if (options.unlit && options.has_method)
+    throw UsageError("--method says how shots under patterns are fused; with --unlit "
+                     "there is nothing to fuse");
   if (options.nearest >= options.farthest)
     throw UsageError("--min-depth " + shortNumber(options.nearest) +
                      " is not below --max-depth " + shortNumber(options.farthest));

@@ -14,6 +14,7 @@ struct StereoOptions {
   std::string color;    ///< image of the reference view; empty: colours of the shots
   bool rectify = false; ///< the lists
   bool active = false;  ///< one image per camera was taken under a pattern
+  bool unlit = false;   ///< only the shots without a pattern of a session are used
   std::string output;
   std::string method = "spacetime";
   bool has_method = false;           ///< whether the method was given
@@ -42,7 +43,7 @@ struct StereoOptions {
   bool
   isPassive() const
   {
-    return hasOneShot() && !active;
+    return unlit || (hasOneShot() && !active);
   }
 
   /** \brief Path of the file of the rig. */
@@ -67,10 +68,11 @@ addStereoChoices(CLI::App& app, StereoOptions& options);
 void
 requireSense(const Tool& tool, const StereoOptions& options);
 
-/** \brief Refuses a minimum depth that is not below the maximum depth.
+/** \brief Refuses a minimum depth that is not below the maximum depth, and a method where
+ * no shots under patterns are fused.
  * \throws UsageError naming them */
 void
-requireDepthOrder(const StereoOptions& options);
+requireStereoSense(const StereoOptions& options);
 
 /** \brief Computes the observations of a session, or the one of image lists, and writes
  * them into a folder: the complete work of pcl_active_stereo.

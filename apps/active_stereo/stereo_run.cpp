@@ -108,6 +108,8 @@ public:
       const std::size_t index = next_++;
       try {
         const TrinocularFrame::Ptr frame = grabber_->frame(index);
+        if (options_.unlit && frame->pattern != TrinocularFrame::no_pattern)
+          continue;
         rectifier_.rectify(*frame);
         if (options_.isPassive())
           frame->pattern = TrinocularFrame::no_pattern;
@@ -315,7 +317,9 @@ public:
     warn(log);
     if (results_.observations.empty())
       throw InputFileException(
-          options_.session + ": has no frame that can be read" +
+          options_.session +
+          (options_.unlit ? ": has no shot without projected light that can be read"
+                          : ": has no frame that can be read") +
           (log.report.remarks.empty() ? "" : ", " + log.report.remarks[0]));
     if (results_.points == 0)
       log.failWithNothing((options_.session.empty() ? "" : options_.session + ": ") +
@@ -410,6 +414,8 @@ private:
   std::string
   methodText() const
   {
+    if (options_.unlit)
+      return "passive stereo, shots without projected light";
     if (!options_.hasOneShot())
       return options_.method;
     return options_.isPassive() ? "passive stereo, one image per camera "

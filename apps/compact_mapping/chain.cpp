@@ -45,12 +45,21 @@ Chain::folderOf(const std::string& stage) const
   return (fs::path(folder_) / stage).string();
 }
 
+/** Adds what all stages are made of. */
+void
+Chain::addState(Json& made_of) const
+{
+  if (options_.planes.paper)
+    made_of["mode"] = "paper";
+  made_of["stages_before"] = made_of_;
+}
+
 bool
 Chain::isFinished(const std::string& name,
                   Json made_of,
                   const std::string& result_folder) const
 {
-  made_of["stages_before"] = made_of_;
+  addState(made_of);
   return StageFolder(folderOf(name), made_of, result_folder).finished().has_value();
 }
 
@@ -60,7 +69,7 @@ Chain::run(const std::string& name,
            const std::function<std::vector<std::string>(StageLog&)>& work,
            const std::string& result_folder)
 {
-  made_of["stages_before"] = made_of_;
+  addState(made_of);
   const StageFolder folder(folderOf(name), made_of, result_folder);
   made_of_ = fingerprint(made_of);
   if (std::optional<StageLog> told = folder.finished()) {

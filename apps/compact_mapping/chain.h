@@ -77,6 +77,9 @@ public:
   }
 
 private:
+  void
+  addState(nlohmann::ordered_json& made_of) const;
+
   /** \param[in] last what the interrupted stage has finished; may be empty */
   [[noreturn]] void
   throwInterrupted(std::string last) const;

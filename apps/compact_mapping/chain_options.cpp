@@ -91,10 +91,38 @@ addOptions(Tool& tool, ChainOptions& options)
                  options.truth,
                  "Simulated session: tell how far the map is from its truth")
       ->type_name("SESSION_DIR");
+  app.add_flag("--paper",
+               options.planes.paper,
+               "All stages as the paper has them, with nothing added: median of the "
+               "disparities, one fit of the motion, voting on the entropy, and planes "
+               "and colours of raw points, which takes long");
   tool.addThreads();
   tool.addScale();
   addSequenceOptions(tool, options);
   addMapOptions(tool, options);
+}
+
+void
+takePaperWay(Tool& tool, ChainOptions& options)
+{
+  if (!options.planes.paper)
+    return;
+  const auto refuse = [&](const std::string& name, bool departs = true) {
+    if (departs && tool.options().get_option(name)->count() > 0)
+      throw UsageError(name + " departs from the paper, leave it out with --paper");
+  };
+  refuse("--method", options.stereo.method != "median");
+  for (const char* name :
+       {"--6dof", "--max-translation", "--max-rotation", "--keypoints"})
+    refuse(name);
+  refuse("--mode", options.rectification.mode != RectificationMode::Paper);
+  refuse("--odometry-noise");
+  refuse("--max-distance");
+  refuse("--fill");
+  options.stereo.method = "median";
+  options.egomotion.paper = true;
+  options.rectification.mode = RectificationMode::Paper;
+  options.texture.paper = true;
 }
 
 void
@@ -116,7 +144,7 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
     throw UsageError("--scale is for point clouds, and " + what);
   if (!options.stereo.poses.empty())
     refuseGroup(tool, egomotion_group, "is not used where --poses are known");
-  requireDepthOrder(options.stereo);
+  requireStereoSense(options.stereo);
   checkChoices(options.planes);
 }
 

@@ -36,6 +36,11 @@ constexpr const char* map_group = "Map";
 void
 addOptions(Tool& tool, ChainOptions& options);
 
+/** \brief With --paper, sets all stages to the paper's way.
+ * \throws UsageError for options that depart from it */
+void
+takePaperWay(Tool& tool, ChainOptions& options);
+
 /** \brief Refuses options that exclude each other, or that belong to a stage that is
  * not used for this input.
  * \throws UsageError naming them */

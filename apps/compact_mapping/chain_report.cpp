@@ -15,25 +15,28 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* plan_name = "floor_plan.png";
+constexpr const char *plan_name = "floor_plan.png", *mesh_name = "mesh.png";
 
 constexpr std::pair<const char*, const char*> captions[] = {
     {"inside.png", "The map from inside, textured."},
     {"outside.png", "The map from outside, without the faces that look away."},
     {plan_name, "Floor plan: walls as lines, and the way of the camera."},
     {"planes.png", "The mesh, in colours by plane."},
-    {"mesh.png", "The mesh of the consolidated points."},
+    {mesh_name, "The mesh of the consolidated points."},
     {"plan.png", "All points from above, before and after rectification."}};
 
-/** \param[in] tilt of the map's frame, degrees */
+/** \param[in] tilt of the map's frame, degrees
+ * \param[in] is_raw Was the mesh made of raw points? */
 Json
-picturesIn(const std::string& folder, double tilt)
+picturesIn(const std::string& folder, double tilt, bool is_raw)
 {
   Json pictures = Json::array();
   std::error_code error;
   for (const auto& [name, caption] : captions)
     if (fs::exists(fs::path(folder) / name, error)) {
-      std::string text = caption;
+      std::string text = is_raw && std::string_view(name) == mesh_name
+                             ? "The mesh of the raw points."
+                             : caption;
       if (tilt > min_tilt_told && std::string_view(name) == plan_name)
         text +=
             " Drawn along the floor, from which the frame of the map is tilted by " +
@@ -122,6 +125,7 @@ tellChain(const ChainOptions& options,
   details["input"] = options.input;
   details["output"] = options.output;
   details["starting_point"] = nameOf(start);
+  details["mode"] = options.planes.paper ? "paper" : "accurate";
   const Json& map = stages.back().told.details;
   for (const char* name : {"observations", "finite_points", "bytes", "texture"})
     if (map.contains(name))
@@ -137,7 +141,8 @@ tellChain(const ChainOptions& options,
     for (const auto& [name, value] : linesOf(*figures))
       log.tell(name, value);
   }
-  details["pictures"] = picturesIn(options.output, map.value("tilt_deg", 0.0));
+  details["pictures"] =
+      picturesIn(options.output, map.value("tilt_deg", 0.0), options.planes.paper);
   log.tellSeconds();
   log.tell("folder", options.output);
 }

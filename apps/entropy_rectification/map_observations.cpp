@@ -13,11 +13,13 @@ namespace pcl::acmap {
 
 MapObservations
 readObservations(const ObservationSequence& sequence,
+                 bool raw,
                  bool skip_broken,
                  const RunControls& controls,
                  StageLog& log)
 {
   SequenceConsolidation consolidation;
+  consolidation.setRawPoints(raw);
   consolidation.setSkipBroken(skip_broken);
   consolidation.setNumberOfThreads(controls.threads);
   consolidation.setProgressCallback(controls.progress);
@@ -31,9 +33,11 @@ readObservations(const ObservationSequence& sequence,
            std::to_string(observations.places.size()) + " observations, " +
                std::to_string(report.points) + " points");
   log.tell("consolidated",
-           "to " + std::to_string(report.representatives) + ", voxels of " +
-               shortNumber(report.min_voxel_size) + " to " +
-               shortNumber(report.max_voxel_size) + " m");
+           raw ? "no, the paper takes raw points"
+               : "to " + std::to_string(report.representatives) + ", voxels of " +
+                     shortNumber(report.min_voxel_size) + " to " +
+                     shortNumber(report.max_voxel_size) + " m");
+  log.details["consolidated_points"] = report.representatives;
   log.details["consolidation"] = {{"representatives", report.representatives},
                                   {"least_voxel", report.min_voxel_size},
                                   {"largest_voxel", report.max_voxel_size}};

@@ -25,11 +25,13 @@ struct MapObservations : ConsolidatedObservations {
 };
 
 /** \brief Consolidates each observation of a sequence separately, as a step of the tool.
+ * \param[in] raw takes the points as they were measured instead
  * \param[in] skip_broken observations that cannot be read are left out and reported
  * \throws InputFileException when an observation cannot be read and none may be
  * skipped, or none has a pose */
 MapObservations
 readObservations(const ObservationSequence& sequence,
+                 bool raw,
                  bool skip_broken,
                  const RunControls& controls,
                  StageLog& log);

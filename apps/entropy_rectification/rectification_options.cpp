@@ -85,10 +85,30 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
 }
 
 void
+requireSense(const RectificationOptions& options)
+{
+  if (!options.smoothing)
+    return;
+  if (options.mode != RectificationMode::Paper)
+    throw UsageError("--smoothing needs --mode paper");
+  constexpr double max_bins = 100;
+  if (*options.smoothing > max_bins * options.binSize())
+    throw UsageError("--smoothing is more than 100 bins");
+}
+
+void
 addOptions(Tool& tool, RectificationOptions& options)
 {
   addInputs(tool, options);
   addRectificationChoices(tool, options);
+  tool.options()
+      .add_option("--smoothing",
+                  options.smoothing,
+                  "With --mode paper, standard deviation sigma_XZ of the Gaussian that "
+                  "smooths the bins, metres; 0 for none")
+      ->type_name("M")
+      ->default_str("the bin size")
+      ->check(CLI::Range(0.0, 1e3).description(""));
   tool.addThreads();
 }
 

@@ -23,6 +23,7 @@ struct RectificationOptions {
   OdometryNoise odometry;
   bool has_odometry_noise = false;      ///< true if the user set it
   std::optional<double> asked_bin_size; ///< metres
+  std::optional<double> smoothing;      ///< metres, sigma_XZ of mode Paper
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points
   bool skip_broken = false; ///< leave out observations that cannot be read
@@ -50,6 +51,11 @@ addOptions(Tool& tool, RectificationOptions& options);
 /** \brief Adds only the options for the rectification. */
 void
 addRectificationChoices(Tool& tool, RectificationOptions& options);
+
+/** \brief \throws UsageError when an option has no effect in the mode, or exceeds what
+ * the bin size permits */
+void
+requireSense(const RectificationOptions& options);
 
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.

@@ -177,6 +177,8 @@ rectify(const RectificationOptions& options,
   Rectification rectification;
   rectification.setMode(options.mode);
   rectification.setBinSize(options.binSize());
+  if (options.smoothing)
+    rectification.setSmoothing(*options.smoothing);
   rectification.setSeed(options.seed);
   rectification.setOdometryNoise(options.odometry);
   rectification.setNumberOfThreads(controls.threads);
@@ -300,6 +302,11 @@ rectifyMap(const RectificationOptions& options,
   timer.finish("write");
   tellOutcome(report, log);
   log.details.update(detailsOf(options, report));
+  if (options.mode == RectificationMode::Paper)
+    log.details.update(
+        Json{{"smoothing", options.smoothing.value_or(options.binSize())},
+             {"votes", report.votes},
+             {"accepted_moves", report.accepted_moves}});
   log.details["posed_files"] = observations.files;
   log.tellSeconds();
   log.tell("folder", options.output);
@@ -315,7 +322,8 @@ rectifyPoses(const RectificationOptions& options,
              StageLog& log)
 {
   const auto read = [&] {
-    return readObservations(posed, options.skip_broken, controls, log);
+    const bool is_raw = options.mode == RectificationMode::Paper;
+    return readObservations(posed, is_raw, options.skip_broken, controls, log);
   };
   return rectifyMap(options, read, controls, log);
 }

@@ -325,10 +325,19 @@ figurePage(const std::string& table, const FigurePlan& plan)
        "true plan in red; the points after it from two places, without the ceiling."},
       {"5",
        "How the mesh of " + observation(plan.walls) +
-           " grows, row by row: the triangles that the first splitting plane cuts, "
-           "then those of the planes that divide the halves, and so on; those of "
-           "earlier steps are pale."},
-      {"7", "The mesh of " + observation(plan.mesh) + "."},
+           " grows, from the top: the triangles of the first splitting plane, then "
+           "those of the planes that divide the halves, and so on; those of earlier "
+           "steps are pale. Left as the paper does it, Fig. 6 with the raw points: "
+           "each "
+           "call also builds a triangle over every side that it receives. Right ours, "
+           "with the points at their noise scale: each step has only the triangles "
+           "that "
+           "its planes cut."},
+      {"7",
+       "The mesh of " + observation(plan.mesh) +
+           ". Left as the paper does it, with the raw points, whose noise exceeds "
+           "their "
+           "spacing; right ours, with the points at their noise scale."},
       {"8",
        "The planes with their textures as the robot sees them; on the top right "
        "without textures, each plane in a colour of its own. Plain grey is what no "
@@ -849,17 +858,45 @@ drawMapFigure(const FilmedSession& session,
   saveFigure(folder, "fig4.png", sheetOf(rows, plan.width));
 }
 
-using DeWall = DeWallTriangulation<PointNormal>;
-
 struct ObservationMesh {
   PCLPointCloud2 vertices;
   TriangleMesh mesh;
 };
 
-/** The mesh of an observation's cloud at its noise scale, with the recursion depths of
- * its walls. */
+/** Meshes the vertices, with the recursion depths of the walls. */
+template <typename PointT>
+void
+triangulate(DeWallTriangulation<PointT> dewall,
+            ObservationMesh& observation,
+            const std::string& path,
+            unsigned threads)
+{
+  const typename PointCloud<PointT>::Ptr cloud(new PointCloud<PointT>);
+  fromPCLPointCloud2(observation.vertices, *cloud);
+  dewall.setInputCloud(cloud);
+  dewall.setComputeWallDepth(true);
+  dewall.setNumberOfThreads(threads);
+  dewall.reconstruct(observation.mesh);
+  if (observation.mesh.triangles.empty())
+    throw NothingFound(path + ": no triangle is possible");
+}
+
+/** The mesh of the raw points of an observation, as the paper makes it. */
 ObservationMesh
-meshOf(const std::string& path, DeWall dewall, unsigned threads)
+papersMeshOf(const std::string& path, unsigned threads)
+{
+  DeWallTriangulation<PointXYZ> dewall;
+  dewall.setAcceptanceRule(DeWallRule::Strict);
+  ObservationMesh result;
+  result.vertices = loadPointCloud(path).cloud;
+  triangulate(dewall, result, path, threads);
+  return result;
+}
+
+/** The mesh of an observation's cloud at its noise scale.
+ * \param[in] leaf_size as for \ref DeWallTriangulation */
+ObservationMesh
+ourMeshOf(const std::string& path, int leaf_size, unsigned threads)
 {
   VoxelConsolidation<PCLPointCloud2> consolidation;
   consolidation.setInputCloud(
@@ -869,23 +906,19 @@ meshOf(const std::string& path, DeWall dewall, unsigned threads)
   consolidation.setNumberOfThreads(threads);
   ObservationMesh result;
   consolidation.filter(result.vertices);
-  const PointCloud<PointNormal>::Ptr vertices(new PointCloud<PointNormal>);
-  fromPCLPointCloud2(result.vertices, *vertices);
-  dewall.setInputCloud(vertices);
+  DeWallTriangulation<PointNormal> dewall;
+  dewall.setLeafSize(leaf_size);
   dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
                               consolidation.getReport().voxel_size);
-  dewall.setComputeWallDepth(true);
-  dewall.setNumberOfThreads(threads);
-  dewall.reconstruct(result.mesh);
-  if (result.mesh.triangles.empty())
-    throw NothingFound(path + ": no triangle is possible");
+  triangulate(dewall, result, path, threads);
   return result;
 }
 
-cv::Mat3b
-wallsFigure(const ObservationMesh& observation,
-            const FigurePlan& plan,
-            const OutputFolder& folder)
+/** The first steps of the walls. */
+std::vector<cv::Mat3b>
+wallPictures(const ObservationMesh& observation,
+             const FigurePlan& plan,
+             const OutputFolder& folder)
 {
   LayeredScene scene;
   scene.vertices = scene.points = observation.vertices;
@@ -893,34 +926,31 @@ wallsFigure(const ObservationMesh& observation,
   scene.mesh = observation.mesh;
   auto view = viewFrom<LayeredView>(plan.walls.eye);
   view.layers = {SceneLayer::Points, SceneLayer::Mesh};
-  std::vector<std::vector<cv::Mat3b>> rows;
+  std::vector<cv::Mat3b> pictures;
   const std::size_t steps = std::min(plan.wall_steps, wallSteps(observation.mesh));
   for (std::size_t step = 0; step < steps; ++step) {
     view.wall_step = step;
-    if (step % 2 == 0)
-      rows.emplace_back();
-    rows.back().push_back(drawn(
+    pictures.push_back(drawn(
         folder, [&](const std::string& path) { saveSnapshot(path, scene, view); }));
   }
-  return sheetOf(rows, plan.width);
+  return pictures;
 }
 
 cv::Mat3b
-meshFigure(const ObservationMesh& observation,
-           const FigurePlan& plan,
-           const OutputFolder& folder)
+meshPicture(const ObservationMesh& observation,
+            const FigurePlan& plan,
+            const OutputFolder& folder)
 {
   constexpr int finer = 2; // oversampling, since mesh edges are thinner than a pixel
   auto view = viewFrom(plan.mesh.eye, finer * plan.width, finer * (plan.width * 3 / 4));
   view.ignore_colors = true;
   view.show_edges = true;
-  const cv::Mat3b fine = drawn(folder, [&](const std::string& path) {
+  return drawn(folder, [&](const std::string& path) {
     saveSnapshot(path, observation.vertices, observation.mesh, view);
   });
-  return rowOf({fine}, plan.width);
 }
 
-/** Draws fig5.png and fig7.png. */
+/** Draws fig5.png and fig7.png: on the left as the paper, on the right ours. */
 void
 drawMeshes(const MappedSession& map,
            const FigurePlan& plan,
@@ -928,19 +958,21 @@ drawMeshes(const MappedSession& map,
            const OutputFolder& folder)
 {
   // so few points that single walls can be distinguished
-  constexpr int small_leaf = 256;
-  DeWall usual, with_walls;
-  with_walls.setLeafSize(small_leaf);
-  const auto path = [&](const ObservationFigure& figure) {
-    return map.observations[figure.observation];
-  };
-  saveFigure(folder,
-             "fig5.png",
-             wallsFigure(meshOf(path(plan.walls), with_walls, threads), plan, folder),
-             1);
+  constexpr int small_leaf = 256, usual_leaf = 0;
+  const std::string& of_walls = map.observations[plan.walls.observation];
+  const auto papers = wallPictures(papersMeshOf(of_walls, threads), plan, folder);
+  const auto ours =
+      wallPictures(ourMeshOf(of_walls, small_leaf, threads), plan, folder);
+  std::vector<std::vector<cv::Mat3b>> rows;
+  for (std::size_t step = 0; step < std::min(papers.size(), ours.size()); ++step)
+    rows.push_back({papers[step], ours[step]});
+  saveFigure(folder, "fig5.png", sheetOf(rows, plan.width));
+  const std::string& of_mesh = map.observations[plan.mesh.observation];
   saveFigure(folder,
              "fig7.png",
-             meshFigure(meshOf(path(plan.mesh), usual, threads), plan, folder));
+             rowOf({meshPicture(papersMeshOf(of_mesh, threads), plan, folder),
+                    meshPicture(ourMeshOf(of_mesh, usual_leaf, threads), plan, folder)},
+                   plan.width));
 }
 
 cv::Mat3b

@@ -23,10 +23,11 @@ PlaneMapping
 mappingOf(const PlaneOptions& options, unsigned threads)
 {
   PlaneMapping mapping;
+  if (options.paper)
+    mapping.setMode(MappingMode::Paper);
   PlaneMapping::Clustering clustering = mapping.getClustering();
   PlaneMapping::DepthSegmentation segmentation;
-  clustering.setNoiseDriven(!options.paper);
-  if (!options.paper && options.tolerance)
+  if (options.tolerance)
     clustering.setDistanceThreshold(*options.tolerance);
   clustering.setMinArea(options.min_area.value_or(0));
   segmentation.setMinArea(options.min_area.value_or(0));
@@ -60,8 +61,7 @@ costCheck(const RunControls& controls)
           "the paper's clustering looks at all pairs of points within 0.8 m: that may "
           "take about " +
           std::to_string(std::lround(seconds / 60)) +
-          " min; a larger voxel (--consolidate M) shortens it, and without --paper it "
-          "takes seconds");
+          " min; without --paper it takes seconds");
   };
 }
 
@@ -91,6 +91,8 @@ tellInSpace(const PlaneMappingReport& report, StageLog& log)
   nlohmann::ordered_json& details = log.details;
   if (report.consolidation)
     tellConsolidation(*report.consolidation, log);
+  else if (report.mode == MappingMode::Paper)
+    log.tell("consolidated", "no, the paper takes raw points");
   else if (report.noise_scale)
     log.tell("consolidated", "no, the points lie close enough to their surface");
   if (report.mesh)
@@ -117,6 +119,8 @@ void
 tellMapping(const PlaneMappingReport& report, StageLog& log)
 {
   log.warn(report.remarks);
+  log.details["mode"] = report.mode == MappingMode::Paper ? "paper" : "accurate";
+  log.details["consolidated_points"] = report.consolidated_points;
   if (report.depth_planes)
     tellInPicture(report, log);
   else
@@ -178,11 +182,6 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
                options.regular,
                "Turn planes to be exactly parallel or at right angles to larger ones, "
                "within their own uncertainty and a degree");
-  app.add_flag(
-      "--paper",
-      options.paper,
-      "The paper's fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
-      "points) instead of those of the noise");
 }
 
 void
@@ -190,11 +189,12 @@ checkChoices(const PlaneOptions& options)
 {
   const auto refuse = [&](bool is_given, const std::string& option) {
     if (options.paper && is_given)
-      throw UsageError(option + " is not among the paper's thresholds, leave it out "
-                                "with --paper");
+      throw UsageError(option + " departs from the paper, leave it out with --paper");
   };
+  refuse(options.voxel_size.has_value(), "--consolidate");
   refuse(options.min_area.has_value(), "--min-area");
   refuse(options.tolerance.has_value(), "--tolerance");
+  refuse(options.regular, "--regular");
   if (options.sensor != DepthSensor::Automatic && options.isInSpace())
     throw UsageError(
         "--sensor is not used with --consolidate, --tolerance and --paper, "

@@ -19,7 +19,7 @@ struct PlaneOptions {
   std::optional<double> tolerance;  ///< metres
   DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;
-  bool paper = false;
+  bool paper = false;      ///< set by the tool: \ref MappingMode::Paper
   bool keeps_mesh = false; ///< set by the tool: the mesh is needed
 
   /** \brief Is a cloud to be processed in space, even if it is a single view? */

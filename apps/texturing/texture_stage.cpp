@@ -31,6 +31,7 @@ texturingOf(const std::vector<PlanePatch>& planes,
   texturing.setMaximumTextureSize(options.maximum_texture_size);
   texturing.setFillDistance(options.fill_distance);
   texturing.setCorrectExposure(!options.keep_exposure);
+  texturing.setPaperMode(options.paper);
   texturing.setNumberOfThreads(controls.threads);
   texturing.setProgressCallback(controls.progress);
   // within the range of an integer, but beyond the memory of any machine

@@ -24,6 +24,7 @@ struct TextureOptions {
   bool keep_exposure;
   CompactMapOutputs outputs;
   bool skip_broken = false;
+  bool paper = false; ///< set by the tool: colours of points, as the paper has them
 };
 
 /** \brief Adds the options to the command line. */

@@ -19,6 +19,7 @@ struct EgomotionOptions {
   double max_rotation = 30;   ///< degrees
   std::size_t keypoints = 1000;
   bool refines = true;
+  bool paper = false; ///< II-B.1 as printed; the bounds above have no effect then
   bool writes_observations = true; ///< write copies of the input with poses
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none

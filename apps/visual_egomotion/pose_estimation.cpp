@@ -237,6 +237,9 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
                {"keypoints_before", report.target_keypoints},
                {"matches", report.matches},
                {"consistent", report.consistent},
+               {"removed", report.removed},
+               {"fits", report.fits},
+               {"iterations", report.iterations},
                {"inliers", report.inliers},
                {"feature_residual", report.feature_residual},
                {"feature_chi", report.feature_chi},
@@ -384,15 +387,20 @@ detailsOf(const EgomotionOptions& options,
     else
       lost.push_back({{"observation", list.sequence.path(i)},
                       {"reason", run.reasonOf(i, list.names)}});
-  for (const OdometryPair& pair : run.pairs)
+  std::size_t fits = 0;
+  for (const OdometryPair& pair : run.pairs) {
     pairs.push_back(jsonOf(pair, list, options.is_rigid));
+    fits += pair.report.fits;
+  }
   Json details = {{"inputs", options.inputs},
                   {"output", options.output},
+                  {"mode", options.paper ? "paper" : "accurate"},
+                  {"fits", fits},
                   {"model", options.is_rigid ? "rigid" : "planar"},
                   {"max_translation", options.max_translation},
                   {"max_rotation", options.max_rotation / degrees},
                   {"keypoints", options.keypoints},
-                  {"refinement", options.refines},
+                  {"refinement", options.refines && !options.paper},
                   {"observations", list.names.size()},
                   {"posed", run.posed()},
                   {"length", length},
@@ -471,6 +479,7 @@ run(const EgomotionOptions& options,
   egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
   egomotion.setMaximumKeypoints(options.keypoints);
   egomotion.setRefinement(options.refines);
+  egomotion.setPaperMode(options.paper);
   egomotion.setMaximumTranslation(options.max_translation);
   egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
   VisualOdometry odometry;

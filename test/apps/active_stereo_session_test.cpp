@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pcl::acmap::test {
 namespace {
@@ -161,6 +162,46 @@ TEST_F(ActiveStereoSession, DisparitiesAreWrittenOnRequest)
     if (picture.values[i] < 255 && std::isfinite(disparity.values[i])) {
       ASSERT_LE(disparity.values[i], brightest);
     }
+}
+
+TEST_F(ActiveStereoSession, ShotsWithoutProjectedLightAreMatchedOnRequest)
+{
+  const std::string path = folder_.path("report.json");
+  const ToolRun run = runSession({"--unlit", "--disparity", "--report", path});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(" 2, taken as rectified"));
+  EXPECT_THAT(run.out, HasSubstr("passive stereo, shots without projected light"));
+  const auto report = nlohmann::json::parse(contentOf(path));
+  EXPECT_EQ(report["method"], "passive");
+  EXPECT_EQ(report["observations"][0]["shots"], 0);
+  EXPECT_EQ(report["observations"][0]["off_shots"], 1);
+  const DisparityImage passive = loadPfm(out("disparity_0000.pfm"));
+
+  // the same shot as a pair of lists
+  const TrinocularFrame::ConstPtr off = framesOf(session())[0];
+  ASSERT_EQ(off->pattern, TrinocularFrame::no_pattern);
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const CameraImage& image = off->images[i];
+    images_[i] = {folder_.path("off" + std::to_string(i) + ".png")};
+    savePng(images_[i][0], RgbImage{image.width, image.height, image.values});
+  }
+  std::filesystem::remove_all(out_);
+  ASSERT_EQ(runLists().exit_code, 0);
+  const DisparityImage pair = loadPfm(out("disparity.pfm"));
+  ASSERT_EQ(passive.values.size(), pair.values.size());
+  EXPECT_EQ(std::memcmp(passive.values.data(),
+                        pair.values.data(),
+                        pair.values.size() * sizeof(float)),
+            0);
+}
+
+TEST_F(ActiveStereoSession, WithoutAnUnlitShotThereIsNothingToMatchPassively)
+{
+  input_ = copiedWithout(session(), folder_, {"frame_000000.acf", "frame_000007.acf"});
+  expectRefused(runSession({"--unlit"}), 3, "no shot without projected light");
+  input_ = session();
+  expectRefused(runSession({"--unlit", "--method", "median"}), 2, "--unlit");
+  expectRefused(runLists({"--unlit"}), 2, "--unlit");
 }
 
 TEST_F(ActiveStereoSession, RawFramesAreRectified)

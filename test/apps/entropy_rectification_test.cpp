@@ -268,12 +268,17 @@ TEST(RectificationTool, ModesAndSeedsAreTold)
                                         "--seed",
                                         "7",
                                         "--bin",
-                                        "0.2"});
+                                        "0.2",
+                                        "--smoothing",
+                                        "0.3"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json report = reportOf(folder.path("out"));
   EXPECT_EQ(report.at("mode"), "paper");
   EXPECT_EQ(report.at("seed"), 7);
   EXPECT_EQ(report.at("bin_size"), 0.2);
+  EXPECT_EQ(report.at("smoothing"), 0.3);
+  EXPECT_EQ(report.at("evaluations"), report.at("votes").get<int>() + 1);
+  EXPECT_GT(report.at("accepted_moves"), 0);
 }
 
 TEST(RectificationTool, AMapThatIsNotLevelIsTold)

@@ -90,6 +90,9 @@ TEST_F(RectificationFaults, NonsenseOnTheCommandLine)
   refuse({session, "--mode", "fast"}, 2, "--mode");
   for (const char* bin : {"0", "-1", "nan", "inf", "wide"})
     refuse({session, "--bin", bin}, 2, "--bin");
+  refuse({session, "--smoothing", "0.1"}, 2, "--smoothing needs --mode paper");
+  for (const char* sigma : {"-1", "nan", "wide", "5.1"})
+    refuse({session, "--mode", "paper", "--smoothing", sigma}, 2, "--smoothing");
   refuse({session, "--seed", "-1"}, 2, "--seed");
   refuse({session, "--threads", "-1"}, 2, "--threads");
   expectRefused(runRectification({session}), 2, "--output");

@@ -113,6 +113,18 @@ TEST_F(SimulatedRig, WritesASessionThatOthersRead)
   }
 }
 
+TEST_F(SimulatedRig, CloudsHaveAllPointsIfTheseAreAskedFor)
+{
+  const ToolRun run = runRig(arguments({"--all-points"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("points:      12288")) << "each pixel of 64 x 48";
+  PointCloud<PointXYZ> cloud;
+  ASSERT_EQ(io::loadPCDFile(inSession("observation_0003.pcd"), cloud), 0);
+  for (const PointXYZ& point : cloud)
+    EXPECT_TRUE(std::isfinite(point.x));
+}
+
 TEST_F(SimulatedRig, TruthIsOfTheMapFrame)
 {
   ASSERT_EQ(runRig(arguments({"--quiet", "--seed", "7"})).exit_code, 0);
@@ -274,6 +286,11 @@ TEST_F(SimulatedRig, NonsenseIsRefused)
                 "--merged needs --clouds");
   expectRefused(
       runRig({"-o", session_, "--sensor", "kinect"}), 2, "--sensor needs --clouds");
+  expectRefused(
+      runRig({"-o", session_, "--all-points"}), 2, "--all-points needs --clouds");
+  expectRefused(runRig(arguments({"--sensor", "kinect", "--all-points"})),
+                2,
+                "--all-points is for stereo");
   expectRefused(runRig({"-o", session_, "--clouds", "stray"}), 2, "--help");
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"--observations", "0"},

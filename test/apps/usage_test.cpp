@@ -53,7 +53,7 @@ TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
       {"--max-edge", "nan"},
       {"--max-edge", "1", "-max_edge", "2"},
       {"--rule", "fast"},
-      {"--rule", "strict"},
+      {"--rule", "Strict"},
       {"--threads", "-1"},
       {"--threads", "2.5"},
       {"--scale", "0"},

@@ -72,6 +72,7 @@ TEST(EgomotionTool, TellsThePosesOfASequence)
   expectPoses(output, {0, 1, 2, 3, 4, 5});
   const nlohmann::json report = reportOf(output);
   EXPECT_EQ(report.at("posed"), 6);
+  EXPECT_EQ(report.at("mode"), "accurate");
   EXPECT_TRUE(report.at("lost").empty());
   ASSERT_EQ(report.at("pairs").size(), 5U);
   for (const nlohmann::json& pair : report.at("pairs")) {
@@ -80,6 +81,27 @@ TEST(EgomotionTool, TellsThePosesOfASequence)
     EXPECT_GT(pair.at("inliers"), 5);
     EXPECT_GT(pair.at("standard_deviations").at("about_y"), 0);
     EXPECT_NEAR(pair.at("action").at("dz"), 0.24, 0.05);
+  }
+}
+
+TEST(EgomotionTool, PaperModeIsOneFitPerPair)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out");
+  const ToolRun run = runEgomotion({hall().session, "-o", output, "--paper"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json report = reportOf(output);
+  EXPECT_EQ(report.at("mode"), "paper");
+  EXPECT_EQ(report.at("refinement"), false);
+  ASSERT_EQ(report.at("pairs").size(), 5U);
+  for (const nlohmann::json& pair : report.at("pairs")) {
+    EXPECT_EQ(pair.at("outcome"), "estimated");
+    EXPECT_EQ(pair.at("fits"), 1);
+    EXPECT_GT(pair.at("iterations"), 0);
+    EXPECT_EQ(pair.at("removed").get<int>() + pair.at("inliers").get<int>(),
+              pair.at("matches"));
+    EXPECT_EQ(pair.at("is_refined"), false);
+    EXPECT_NEAR(pair.at("action").at("dz"), 0.24, 0.1);
   }
 }
 

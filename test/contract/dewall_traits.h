@@ -59,7 +59,8 @@ struct DeWallTraits {
         {length(std::numeric_limits<double>::quiet_NaN()), {"nan", "[0,", " m"}},
         {length(std::numeric_limits<double>::infinity()), {"inf", "[0,", " m"}},
         {[](Class& object) { object.setAcceptanceRule(static_cast<DeWallRule>(9)); },
-         {"9", "Paper", "Dense", "Strict"}}};
+         {"9", "Paper", "Dense", "Strict"}},
+        {[](Class& object) { object.setLeafSize(-1); }, {"-1", "[0,", "points"}}};
   }
 
   static std::string
@@ -68,7 +69,8 @@ struct DeWallTraits {
     std::ostringstream words;
     words << "rule " << static_cast<int>(object.getAcceptanceRule()) << ", length "
           << object.getMaximumEdgeLength() << ", depth " << object.getComputeWallDepth()
-          << ", threads " << object.getNumberOfThreads();
+          << ", threads " << object.getNumberOfThreads() << ", leaf "
+          << object.getLeafSize();
     return words.str();
   }
 

@@ -101,8 +101,8 @@ struct NormalVectorVotingTraits {
     words << "radius " << object.getRadiusSearch() << ", weights "
           << object.getCreaseWeight() << " and " << object.getCornerWeight()
           << ", viewpoints " << object.getViewpoints().size() << ", curvatures "
-          << object.getComputeCurvatures() << ", threads "
-          << object.getNumberOfThreads();
+          << object.getComputeCurvatures() << ", paper " << object.getPaperMode()
+          << ", threads " << object.getNumberOfThreads();
     return words.str();
   }
 

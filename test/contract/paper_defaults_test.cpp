@@ -3,6 +3,7 @@
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
 #include <pcl/egomotion/transformation_estimation_planar.h>
 #include <pcl/egomotion/visual_egomotion.h>
+#include <pcl/features/normal_vector_voting.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_entropy.h>
 #include <pcl/point_types.h>
@@ -41,7 +42,8 @@ TEST(PaperDefaults, areThePapersNumbers)
   EXPECT_EQ(DeWallTriangulation<PointXYZ>().getAcceptanceRule(), DeWallRule::Paper);
   EXPECT_EQ(PlaneTexturing<PointXYZRGB>().getMaximumDistance(), 0.3);
 
-  const PlaneHypothesisClustering<PointNormal> clustering;
+  PlaneHypothesisClustering<PointNormal> clustering;
+  clustering.setNoiseDriven(false);
   EXPECT_EQ(clustering.getClusterTolerance(), 0.8);
   EXPECT_DOUBLE_EQ(clustering.getSmoothnessThreshold(), M_PI / 8);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0.25);
@@ -75,6 +77,15 @@ TEST(PaperDefaults, areAnotherMethodWhereItIsBetter)
   EXPECT_EQ(DisparityFusion().getMethod(), DisparityFusion::Method::SpaceTime);
   EXPECT_EQ(EntropyRectification<PointXYZ>().getMode(), RectificationMode::Guarded);
   EXPECT_TRUE(VisualEgomotion<PointXYZRGB>().getRefinement());
+  EXPECT_TRUE(PlaneHypothesisClustering<PointNormal>().getNoiseDriven());
+  EXPECT_FALSE(PlaneTexturing<PointXYZRGB>().getPaperMode());
+  NormalVectorVoting<PointXYZ> voting;
+  EXPECT_FALSE(voting.getPaperMode());
+  EXPECT_EQ(voting.getCreaseWeight(), 12);
+  EXPECT_EQ(voting.getCornerWeight(), 0.3);
+  voting.setPaperMode(true);
+  EXPECT_EQ(voting.getCreaseWeight(), 2);
+  EXPECT_EQ(voting.getCornerWeight(), 2);
 }
 
 } // namespace

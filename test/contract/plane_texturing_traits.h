@@ -106,8 +106,9 @@ struct PlaneTexturingTraits {
     std::ostringstream words;
     words << "texel " << object.getTexelSize() << ", distance "
           << object.getMaximumDistance() << ", size " << object.getMaximumTextureSize()
-          << ", fill " << object.getFillDistance() << ", exposure "
-          << object.getCorrectExposure() << ", threads " << object.getNumberOfThreads();
+          << ", fill " << object.getFillDistance() << ", paper "
+          << object.getPaperMode() << ", exposure " << object.getCorrectExposure()
+          << ", threads " << object.getNumberOfThreads();
     return words.str();
   }
 

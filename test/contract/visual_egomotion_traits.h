@@ -52,7 +52,9 @@ struct VisualEgomotionTraits {
             {[](Class& o) { o.setMaximumRotation(-1); }, {"rotation", "-1", "rad"}},
             {[](Class& o) { o.setMaximumRotation(4); }, {"rotation", "4", "rad"}},
             {[](Class& o) { o.setMaximumKeypoints(9); },
-             {"keypoints", "9", "10", "100000"}}};
+             {"keypoints", "9", "10", "100000"}},
+            {[](Class& o) { o.setMaximumShifts(11, 0); }, {"ring", "11", "10"}},
+            {[](Class& o) { o.setMaximumShifts(0, -1); }, {"sector", "-1", "12"}}};
   }
 
   static std::vector<RefusedRun<Class, Output>>
@@ -80,7 +82,8 @@ struct VisualEgomotionTraits {
           << static_cast<int>(object.getSolver()) << ' '
           << object.getMaximumTranslation() << ' ' << object.getMaximumRotation() << ' '
           << object.getMaximumKeypoints() << ' ' << object.getRefinement() << ' '
-          << object.getNumberOfThreads();
+          << object.getPaperMode() << ' ' << object.getMaximumRingShifts() << ' '
+          << object.getMaximumSectorShifts() << ' ' << object.getNumberOfThreads();
     return words.str();
   }
 

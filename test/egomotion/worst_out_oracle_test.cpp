@@ -88,6 +88,76 @@ INSTANTIATE_TEST_SUITE_P(
     WorstOutOracle, // with 1 m, many pairs are near in one or both clouds
     testing::Combine(testing::Values(0, 6, 20, 36), testing::Values(0.0, 0.05, 1.0)));
 
+/** Eq. 1 as printed: the sum over all matches, divided by their number. */
+double
+printedDistortion(std::int32_t match,
+                  const std::vector<std::int32_t>& all,
+                  const StereoMatches& matches)
+{
+  double sum = 0;
+  for (const std::int32_t other : all) {
+    const auto i = static_cast<std::size_t>(match), k = static_cast<std::size_t>(other);
+    const double a = (matches.source[i] - matches.source[k]).cast<double>().norm();
+    const double b = (matches.target[i] - matches.target[k]).cast<double>().norm();
+    sum += a == b ? 1 : std::min(std::max(a / b, b / a), 1000.0);
+  }
+  return sum / static_cast<double>(all.size());
+}
+
+TEST(WorstOutAsPrinted, isTheSumOverAllMatchesByTheirNumber)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    StereoMatchSettings scene;
+    scene.right = 40;
+    scene.wrong = 25;
+    scene.seed = seed;
+    StereoMatches matches = stereoMatches(scene);
+    matches.source[7] = matches.source[20];  // a distance of 0 in one cloud
+    matches.source[30] = matches.source[31]; // and in both
+    matches.target[30] = matches.target[31];
+    WorstOutSettings settings;
+    settings.paper = true;
+    settings.max_distortion = 1.1;
+    settings.sample = 10; // neither of these has an effect
+    settings.min_distance = 1;
+    settings.min_matches = 1000;
+    const WorstOutOutcome outcome =
+        leaveWorstOut(matches.source, matches.target, settings);
+
+    std::vector<std::int32_t> left(matches.source.size());
+    for (std::size_t i = 0; i < left.size(); ++i)
+      left[i] = static_cast<std::int32_t>(i);
+    const auto worst = [&] {
+      double most = 0;
+      for (const std::int32_t match : left)
+        most = std::max(most, printedDistortion(match, left, matches));
+      return most;
+    };
+    ASSERT_GE(outcome.removed.size(), 20u);
+    for (const std::int32_t removed : outcome.removed) {
+      EXPECT_GT(worst(), settings.max_distortion - rounding);
+      EXPECT_NEAR(
+          printedDistortion(removed, left, matches), worst(), rounding * worst());
+      left.erase(std::find(left.begin(), left.end(), removed));
+    }
+    EXPECT_EQ(outcome.kept, left);
+    EXPECT_LE(worst(), settings.max_distortion + rounding);
+    EXPECT_NEAR(outcome.distortion, worst(), rounding);
+  }
+}
+
+TEST(WorstOutAsPrinted, perfectMatchesHaveADistortionOfOne)
+{
+  WorstOutSettings settings;
+  settings.paper = true;
+  const std::vector<Eigen::Vector3f> places = {{0, 0, 1}, {1, 0, 2}, {1, 0, 2}};
+  const WorstOutOutcome outcome = leaveWorstOut(places, places, settings);
+  EXPECT_EQ(outcome.kept, (std::vector<std::int32_t>{0, 1, 2}));
+  EXPECT_EQ(outcome.distortion, 1);
+  EXPECT_EQ(leaveWorstOut({places[0]}, {places[1]}, settings).kept.size(), 1u);
+  EXPECT_TRUE(leaveWorstOut({}, {}, settings).kept.empty());
+}
+
 TEST(WorstOutSample, othersAreJudgedByWhatIsLeftOfIt)
 {
   StereoMatchSettings scene;

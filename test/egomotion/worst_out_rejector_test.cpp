@@ -116,6 +116,26 @@ TEST_F(WorstOutRejector, settingsDoWhatTheySay)
   EXPECT_TRUE(remaining.empty());
 }
 
+TEST_F(WorstOutRejector, paperModeIsEquationOneAsPrinted)
+{
+  EXPECT_FALSE(rejector_.getPaperMode());
+  rejector_.setPaperMode(true);
+  EXPECT_TRUE(rejector_.getPaperMode());
+  WorstOutSettings settings;
+  settings.paper = true;
+  wanted_ = leaveWorstOut(made_.source, made_.target, settings);
+  Correspondences remaining;
+  rejector_.getRemainingCorrespondences(matches_, remaining);
+  expectWanted(remaining);
+  rejector_.setMinimumDistance(100); // has no effect
+  rejector_.setMinimumMatches(1000);
+  rejector_.setSampleSize(10);
+  rejector_.getRemainingCorrespondences(matches_, remaining);
+  expectWanted(remaining);
+  rejector_.getRemainingCorrespondences({}, remaining);
+  EXPECT_EQ(rejector_.getReport().remarks.size(), 1u);
+}
+
 TEST_F(WorstOutRejector, invalidPlacesAreRemovedAndCounted)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -12,13 +12,15 @@ struct NaiveVote {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   Eigen::Vector3d eigenvalues = Eigen::Vector3d::Zero(); ///< ascending, with sum 1
   VertexClass vertex_class = VertexClass::Unknown;
+  std::size_t votes = 0;
 };
 
 struct NaiveVotingSettings {
   double radius = 1;
-  double nearest = 0; ///< metres; closer triangles do not vote
-  double crease_weight = 12;
-  double corner_weight = 0.3;
+  double crease_weight = 2, corner_weight = 2;
+  double nearest = 0; ///< metres; closer triangles do not vote; 0 as in Page et al.
+  std::size_t min_votes = 1; ///< as in Page et al.
+  bool is_slanted = false;   ///< with our factor 1 - (n u)^2
 };
 
 /** \brief Lengths of the shortest paths along edges from a vertex to all others. */

@@ -138,6 +138,10 @@ TEST(PaperMode, theEnergyFallsAndTheErrorWithIt)
     const EntropyRectificationReport& report = rectification.getReport();
     expectWholeReport(rectification);
     EXPECT_EQ(report.outcome, RectificationOutcome::Rectified);
+    EXPECT_GT(report.accepted_moves, 10U);
+    EXPECT_LT(report.accepted_moves, report.votes);
+    EXPECT_EQ(report.evaluations, report.votes + 1);
+    EXPECT_NEAR(report.moved[0], 0, 1e-12) << "the first pose is given";
     expectFallingEnergy(report.steps);
     EXPECT_LT(rmsError(planarPosesOf(rectification), world.truth.poses),
               0.5 * rmsError(odometry, world.truth.poses));
@@ -153,16 +157,41 @@ TEST(PaperMode, theLastEnergyIsTheEntropyOfTheMap)
   Rectification rectification = rectificationOf(world.truth, odometry);
   rectification.setMode(RectificationMode::Paper);
   rectification.setProjectionWeight(0);
+  rectification.setBinSize(0.05);
+  rectification.setSmoothing(0.23);
   rectification.compute();
   MapEntropy<PointNormal> entropy;
   entropy.setProjectionWeight(0);
+  entropy.setBinSize(0.05);
+  entropy.setSmoothing(0.23);
   const auto poses = planarPosesOf(rectification);
   for (std::size_t i = 0; i < poses.size(); ++i)
     entropy.addPointCloud(world.truth.clouds[i], poses[i]);
   // The search also rotates the whole map relative to the bins; its result is rotated
   // back.
-  EXPECT_NEAR(
-      rectification.getReport().steps.back().energy, entropy.compute().total, 2e-3);
+  EXPECT_NEAR(rectification.getReport().steps.back().energy,
+              entropy.computeExact().total,
+              2e-3);
+}
+
+TEST(PaperMode, nothingIsRectifiedUnlessAVoteWasAccepted)
+{
+  const World world = makeRoomWorld(6);
+  std::vector<PlanarPose> odometry = drifted(world.truth.poses, drift, 6);
+  for (PlanarPose& pose : odometry)
+    pose = {pose.x + 5, pose.z + 5, pose.theta};
+  Rectification rectification = rectificationOf(world.truth, odometry);
+  rectification.setMode(RectificationMode::Paper);
+  rectification.setProjectionWeight(0);
+  rectification.setBinSize(25); // all points in one bin: the energy is 0
+  rectification.setSmoothing(0);
+  rectification.compute();
+  const EntropyRectificationReport& report = rectification.getReport();
+  expectWholeReport(rectification);
+  EXPECT_EQ(report.outcome, RectificationOutcome::Kept) << report.reason;
+  EXPECT_EQ(report.accepted_moves, 0U);
+  EXPECT_EQ(report.votes, 4 * world.truth.poses.size());
+  EXPECT_TRUE(isUntouched(rectification, odometry));
 }
 
 TEST(PaperMode, theSeedChoosesTheWay)

@@ -231,6 +231,31 @@ TEST(EntropyRectification, cancelledHalfWayChangesNothing)
   }
 }
 
+TEST(EntropyRectification, smoothingIsThatOfPaperMode)
+{
+  const RoomWithDrift room(30);
+  Rectification plain = room.rectification();
+  EXPECT_LT(plain.getSmoothing(), 0) << "one bin";
+  for (const double bad : {-0.1, 1001.0, std::nan("")})
+    EXPECT_THROW(plain.setSmoothing(bad), BadArgumentException);
+  for (const RectificationMode mode :
+       {RectificationMode::Guarded, RectificationMode::Paper}) {
+    Rectification usual = room.rectification(), same = usual, wide = usual;
+    same.setSmoothing(same.getBinSize());
+    wide.setSmoothing(0.3);
+    EXPECT_EQ(wide.getSmoothing(), 0.3);
+    for (Rectification* one : {&usual, &same, &wide}) {
+      one->setMode(mode);
+      one->compute();
+    }
+    EXPECT_TRUE(haveSamePoses(usual, same));
+    EXPECT_EQ(haveSamePoses(usual, wide), mode == RectificationMode::Guarded);
+    wide.setSmoothing(100.1 * wide.getBinSize());
+    if (mode == RectificationMode::Paper)
+      EXPECT_THROW(wide.compute(), BadArgumentException);
+  }
+}
+
 TEST(EntropyRectification, clearBeginsAnew)
 {
   const RoomWithDrift room(29);

@@ -106,6 +106,242 @@ TEST_F(OfficeViews, becomeTheSameMapFromFilesThatAreReadTwiceAtMost)
   EXPECT_LE(sequence.getNumberOfReads(), 2 * views);
 }
 
+/** A map made by the paper's classes, one after the other. */
+struct PaperMap {
+  CompactMap map;
+  Trajectory odometry; ///< before rectification
+};
+
+Trajectory
+asInFiles(Trajectory trajectory)
+{
+  for (Eigen::Isometry3d& pose : trajectory.poses)
+    pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  return trajectory;
+}
+
+/** Which steps are the paper's; the planes have a test of their own. */
+struct PaperSteps {
+  bool egomotion = true, rectification = true, raw = true, texture = true;
+};
+
+PaperMap
+mappedByThePapersClasses(const ObservationSequence& sequence, const PaperSteps& paper)
+{
+  PaperMap result;
+  VisualOdometry odometry;
+  VisualOdometry::Egomotion egomotion;
+  egomotion.setPaperMode(paper.egomotion);
+  odometry.setEgomotion(egomotion);
+  const VisualOdometryResult found = odometry.compute(sequence);
+  std::vector<std::size_t> places;
+  std::vector<double> stamps;
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    stamps.push_back(sequence.stamp(i));
+  EstimatedPoses estimated = found.estimated(stamps);
+  result.odometry = asInFiles(estimated.trajectory);
+
+  EntropyRectification<PointNormal> rectification;
+  rectification.setBinSize(0.05);
+  if (paper.rectification)
+    rectification.setMode(RectificationMode::Paper);
+  SequenceConsolidation consolidation;
+  consolidation.setRawPoints(paper.raw);
+  ConsolidatedObservations observations;
+  consolidation.compute(sequence.withPoses(estimated.places, result.odometry),
+                        observations);
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(
+        observations.clouds[i], result.odometry.poses[i], observations.weights[i]);
+  rectification.compute();
+  Trajectory rectified = result.odometry;
+  for (std::size_t i = 0; i < rectified.poses.size(); ++i)
+    rectified.poses[i] = rectification.getPose(i);
+  const ObservationSequence posed =
+      sequence.withPoses(estimated.places, asInFiles(rectified));
+
+  ObservationMerging merging;
+  MergedCloud merged;
+  merging.compute(posed, merged);
+  PlaneMapping planes;
+  planes.setMode(MappingMode::Paper);
+  planes.setInputCloud(merged.cloud);
+  planes.setViewpoints(merged.viewpoints);
+  MappedPlanes mapped;
+  planes.compute(mapped);
+  CompactMapping::Texturing texturing;
+  texturing.setPaperMode(paper.texture);
+  texturing.setPlanes(mapped.planes);
+  for (std::size_t i = 0; i < posed.size(); ++i)
+    texturing.addObservationLoader([&posed, i]() -> std::optional<TexturedObservation> {
+      const PosedObservation seen = posed.load(i);
+      return TexturedObservation{
+          sharedCloud(seen.file), seen.T_map_camera, posed.stamp(i), true};
+    });
+  texturing.texture(result.map);
+  return result;
+}
+
+bool
+isSame(const CompactMap& a, const CompactMap& b)
+{
+  const auto bytesOf = [](const CompactMap& map) {
+    std::vector<double> numbers;
+    for (const PlanePatch& plane : map.planes)
+      for (int i = 0; i < 4; ++i)
+        numbers.push_back(plane.coefficients[i]);
+    for (const TextureChart& chart : map.charts)
+      numbers.insert(
+          numbers.end(), chart.colors.values.begin(), chart.colors.values.end());
+    for (const Eigen::Isometry3d& pose : map.trajectory.poses)
+      numbers.insert(numbers.end(), pose.data(), pose.data() + 16);
+    return numbers;
+  };
+  return bytesOf(a) == bytesOf(b) && a.observations == b.observations;
+}
+
+/** The same views with few points, for which the paper's planes do not take long. */
+class SparseViews : public OfficeViews {
+protected:
+  static std::vector<std::shared_ptr<const PointCloudFile>>
+  sparse()
+  {
+    std::vector<std::shared_ptr<const PointCloudFile>> clouds;
+    for (const auto& dense : clouds_) {
+      const auto file = std::make_shared<PointCloudFile>(*dense);
+      PointCloud<PointXYZRGBSigma> points;
+      fromPCLPointCloud2(dense->cloud, points);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (i % 3 != 0)
+          points[i].getVector3fMap().setConstant(
+              std::numeric_limits<float>::quiet_NaN());
+      toPCLPointCloud2(points, file->cloud);
+      clouds.push_back(file);
+    }
+    return clouds;
+  }
+};
+
+TEST_F(SparseViews, becomeInPaperModeTheMapOfThePapersClassesOneByOne)
+{
+  const ObservationSequence sequence(sparse());
+  CompactMapping mapping;
+  mapping.setMode(MappingMode::Paper);
+  EXPECT_EQ(mapping.getMode(), MappingMode::Paper);
+  mapping.setInputSequence(sequence, false);
+  CompactMap map;
+  mapping.compute(map);
+  ASSERT_GE(map.planes.size(), 3U);
+  ASSERT_EQ(map.trajectory.poses.size(), views);
+  const PaperMap expected = mappedByThePapersClasses(sequence, {});
+  EXPECT_TRUE(isSame(map, expected.map));
+  for (std::size_t i = 0; i < views; ++i)
+    EXPECT_EQ(mapping.getOdometryTrajectory().poses[i].matrix(),
+              expected.odometry.poses[i].matrix());
+  for (const PaperSteps& departure : {PaperSteps{false, true, true, true},
+                                      PaperSteps{true, false, true, true},
+                                      PaperSteps{true, true, false, true},
+                                      PaperSteps{true, true, true, false}})
+    EXPECT_FALSE(isSame(map, mappedByThePapersClasses(sequence, departure).map))
+        << departure.egomotion << departure.rectification << departure.raw
+        << departure.texture;
+
+  const CompactMappingReport& report = mapping.getReport();
+  EXPECT_EQ(report.mode, MappingMode::Paper);
+  for (const OdometryPair& pair : report.odometry->pairs) {
+    EXPECT_TRUE(pair.report.is_paper);
+    EXPECT_EQ(pair.report.fits, 1U);
+    EXPECT_FALSE(pair.report.is_refined);
+  }
+  EXPECT_EQ(report.consolidation->representatives, 0U);
+  EXPECT_GT(report.consolidation->points, 1000U);
+  EXPECT_GT(report.rectification->votes, 0U);
+  EXPECT_EQ(report.planes.mode, MappingMode::Paper);
+  EXPECT_EQ(report.planes.consolidated_points, 0U);
+}
+
+TEST_F(SparseViews, becomeTheUsualMapAfterPaperMode)
+{
+  CompactMap maps[2];
+  for (const bool was_paper : {false, true}) {
+    CompactMapping mapping;
+    if (was_paper) {
+      mapping.setMode(MappingMode::Paper);
+      mapping.setMode(MappingMode::Accurate);
+    }
+    mapping.setInputSequence(ObservationSequence(sparse()), false);
+    mapping.compute(maps[was_paper]);
+    EXPECT_EQ(mapping.getReport().mode, MappingMode::Accurate);
+    EXPECT_GT(mapping.getReport().planes.consolidated_points, 0U);
+  }
+  EXPECT_TRUE(isSame(maps[0], maps[1]));
+}
+
+TEST(PaperMapping, takesTheMedianOfTheShotsAndItsPointsAsTheyAre)
+{
+  SimulatedScene scene = standardScene("office");
+  makeSmall(scene, 8);
+  scene.views.resize(1);
+  std::vector<RgbImage> patterns;
+  for (int shift = 0; shift < 4; ++shift) { // stripes that never repeat
+    RgbImage pattern{1024, 768, {}};
+    for (int row = 0; row < pattern.height; ++row)
+      for (int column = 0; column < pattern.width; ++column)
+        pattern.values.insert(
+            pattern.values.end(),
+            3,
+            static_cast<std::uint8_t>((column / 8 + shift) * (column / 8) * 37 % 251));
+    patterns.push_back(std::move(pattern));
+  }
+  const SimulatedRigGrabber grabber(scene, patterns);
+  CompactMapping mapping;
+  mapping.setMode(MappingMode::Paper);
+  mapping.setInputRig(scene.rig);
+  DisparityFusion fusion;
+  fusion.setInputRig(scene.rig);
+  fusion.setMethod(DisparityFusion::Method::Median);
+  for (const TrinocularFrame::Ptr& shot : grabber.observe(0)) {
+    mapping.addFrame(shot);
+    fusion.addShot(shot);
+  }
+  CompactMap map;
+  mapping.compute(map);
+  MatchedDisparity disparity;
+  fusion.fuse(disparity);
+  DisparityBackProjection projection;
+  projection.setInputRig(scene.rig);
+  PointCloud<PointXYZRGBSigma> expected;
+  projection.project(disparity, fusion.getColor(), expected);
+  const PointView found = mapping.getMappedPlanes().vertices.points();
+  std::size_t row = 0;
+  for (const PointXYZRGBSigma& point : expected)
+    if (point.getVector3fMap().allFinite()) {
+      ASSERT_LT(row, found.size());
+      ASSERT_EQ(found[row++], point.getVector3fMap());
+    }
+  EXPECT_EQ(row, found.size());
+  EXPECT_GT(row, 100U);
+}
+
+TEST(PaperMapping, takesQuantisedDepthAsItIs)
+{
+  SimulatedScene office = standardScene("office");
+  useKinect(office);
+  makeSmall(office, 4);
+  const auto file = std::make_shared<PointCloudFile>();
+  file->cloud = cloudOf(observe(office, 0, 1));
+  for (const MappingMode mode : {MappingMode::Accurate, MappingMode::Paper}) {
+    CompactMapping mapping;
+    mapping.setMode(mode);
+    mapping.addObservation(file, Eigen::Isometry3d::Identity());
+    CompactMap map;
+    mapping.compute(map);
+    const CompactMappingReport& report = mapping.getReport();
+    EXPECT_EQ(report.merging.refined, mode == MappingMode::Paper ? 0U : 1U);
+    EXPECT_FALSE(report.planes.depth_planes && mode == MappingMode::Paper);
+  }
+}
+
 TEST_F(OfficeViews, areTheSameForEveryNumberOfThreads)
 {
   CompactMap maps[2];

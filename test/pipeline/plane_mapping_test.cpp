@@ -117,6 +117,124 @@ TEST_F(Office, isMappedAsTheClassesOneByOneWould)
   EXPECT_FALSE(report.depth_planes);
 }
 
+/** Which steps are the paper's. */
+struct PaperSteps {
+  bool mesh = true, votes = true, hypotheses = true;
+};
+
+/** The paper's way with the single classes: raw points, one step after the other. */
+std::vector<PlanePatch>
+chainedAsPaper(const PointCloud<PlaneMapping::Vertex>::Ptr& points,
+               const std::vector<Eigen::Vector3f>& viewpoints,
+               const PaperSteps& paper = {})
+{
+  using Vertex = PlaneMapping::Vertex;
+  DeWallTriangulation<Vertex> dewall;
+  dewall.setInputCloud(points);
+  if (paper.mesh)
+    dewall.setAcceptanceRule(DeWallRule::Strict);
+  TriangleMesh mesh;
+  dewall.reconstruct(mesh);
+  NormalVectorVoting<Vertex> voting;
+  voting.setPaperMode(paper.votes);
+  voting.setInputCloud(points);
+  voting.setTriangles(mesh);
+  voting.setViewpoints(viewpoints);
+  const PointCloud<Normal>::Ptr normals(new PointCloud<Normal>);
+  const PointCloud<Label>::Ptr classes(new PointCloud<Label>);
+  voting.compute(*normals);
+  voting.getVertexClasses(*classes);
+  PlaneHypothesisClustering<Vertex> clustering;
+  clustering.setNoiseDriven(!paper.hypotheses);
+  clustering.setInputCloud(points);
+  clustering.setInputNormals(normals);
+  clustering.setVertexClasses(classes);
+  clustering.setTriangles(mesh);
+  if (!paper.hypotheses)
+    clustering.setSourceCloud(points, viewpoints);
+  std::vector<PlanePatch> planes;
+  clustering.segment(planes);
+  return planes;
+}
+
+/** The equations, and the outlines' corners. */
+std::vector<Eigen::Vector4d>
+shapesOf(const std::vector<PlanePatch>& planes)
+{
+  std::vector<Eigen::Vector4d> shapes = equationsOf(planes);
+  for (const PlanePatch& plane : planes)
+    for (const PlanePolygon& polygon : plane.polygons)
+      for (const Eigen::Vector3f& corner : polygon.outer)
+        shapes.push_back(corner.homogeneous().cast<double>());
+  return shapes;
+}
+
+/** Two views of the office with few points. */
+class SparseOffice : public testing::Test {
+protected:
+  SparseOffice()
+  {
+    SimulatedScene office = standardScene("office");
+    office.sensor.points /= 40;
+    const MergedObservations merged = mergeObservations(office, 2, 1);
+    fromPCLPointCloud2(cloudOf(merged), *points_);
+    for (const Eigen::Isometry3d& pose : merged.trajectory.poses)
+      viewpoints_.push_back(pose.translation().cast<float>());
+    mapping_.setInputCloud(points_);
+    mapping_.setViewpoints(viewpoints_);
+  }
+
+  PointCloud<PlaneMapping::Vertex>::Ptr points_{new PointCloud<PlaneMapping::Vertex>};
+  std::vector<Eigen::Vector3f> viewpoints_;
+  PlaneMapping mapping_;
+};
+
+TEST_F(SparseOffice, isMappedInPaperModeAsThePapersClassesOneByOneWould)
+{
+  EXPECT_EQ(mapping_.getMode(), MappingMode::Accurate);
+  mapping_.setMode(MappingMode::Paper);
+  EXPECT_EQ(mapping_.getMode(), MappingMode::Paper);
+  MappedPlanes found;
+  mapping_.compute(found);
+  const std::vector<Eigen::Vector4d> shapes = shapesOf(found.planes);
+  ASSERT_GE(found.planes.size(), 3U);
+  EXPECT_GT(shapes.size(), 3 * found.planes.size()) << "planes have outlines";
+  EXPECT_EQ(shapes, shapesOf(chainedAsPaper(points_, viewpoints_)));
+  for (const PaperSteps& departure : {PaperSteps{false, true, true},
+                                      PaperSteps{true, false, true},
+                                      PaperSteps{true, true, false}})
+    EXPECT_NE(shapes, shapesOf(chainedAsPaper(points_, viewpoints_, departure)))
+        << departure.mesh << departure.votes << departure.hypotheses;
+  const PlaneMappingReport& report = mapping_.getReport();
+  EXPECT_EQ(report.mode, MappingMode::Paper);
+  EXPECT_EQ(report.consolidated_points, 0U);
+  EXPECT_FALSE(report.consolidation || report.noise_scale || report.depth_planes);
+  EXPECT_EQ(found.vertices.points().size(), points_->size());
+  EXPECT_EQ(found.labels.size(), points_->size());
+}
+
+TEST_F(SparseOffice, isMappedAsByDefaultAfterPaperMode)
+{
+  MappedPlanes usual, again;
+  mapping_.compute(usual);
+  EXPECT_GT(mapping_.getReport().consolidated_points, 0U);
+  EXPECT_LT(mapping_.getReport().consolidated_points, points_->size());
+  mapping_.setMode(MappingMode::Paper);
+  mapping_.setMode(MappingMode::Accurate);
+  mapping_.compute(again);
+  EXPECT_EQ(shapesOf(again.planes), shapesOf(usual.planes));
+}
+
+TEST_F(SparseOffice, letsADepartureFromThePaperBeTakenBack)
+{
+  mapping_.setMode(MappingMode::Paper);
+  mapping_.setVoting({});
+  MappedPlanes found;
+  mapping_.compute(found);
+  EXPECT_EQ(shapesOf(found.planes),
+            shapesOf(chainedAsPaper(points_, viewpoints_, {true, false, true})));
+}
+
 TEST_F(Office, givesThePaperLabelsOfAllPoints)
 {
   PlaneMapping mapping = this->mapping();

@@ -117,7 +117,7 @@ class Outputs(unittest.TestCase):
         found = acmap.consolidate(points, keep_sources=True)
         mesh = acmap.triangulate(found.points, normals=found.normals)
         normals = acmap.vote_normals(found.points, mesh, compute_curvatures=True)
-        planes = acmap.find_planes(found.points, normals, mesh, noise_driven=True)
+        planes = acmap.find_planes(found.points, normals, mesh)
         rectified = acmap.rectify([found.points], numpy.eye(4)[None])
         polygon = planes.patches[0].polygons[0]
         arrays = [found.points, found.normals, found.curvature, found.witness]

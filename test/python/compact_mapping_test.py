@@ -187,6 +187,19 @@ class Settings(MapTest):
         single.add_observation(*views[0])
         self.assertGreaterEqual(len(single.compute().planes), 3)
 
+    def test_the_papers_way(self):
+        usual = mapping_of_room(rectify=False).compute()
+        self.assertEqual(usual.report.mode, "accurate")
+        self.assertGreater(usual.report.planes.consolidated_points, 0)
+        paper = mapping_of_room(paper=True).compute()
+        self.assertEqual(paper.report.mode, "paper")
+        self.assertEqual(paper.report.planes.consolidated_points, 0)
+        self.assertGreater(paper.report.rectification.votes, 0)
+        self.assertGreater(len(paper.planes), len(usual.planes), "walls come in pieces")
+        for departure in ({"sensor": "stereo"}, {"voxel_size": 0.1}, {"min_area": 1}, {"regular": True}):
+            with self.subTest(departure), self.assertRaisesRegex(ValueError, "departs from the paper"):
+                acmap.CompactMapping(paper=True, **departure)
+
     def test_settings_out_of_their_range(self):
         for key, value in (
             ("sensor", "kinect"),

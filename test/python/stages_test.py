@@ -24,7 +24,7 @@ def chain(threads):
     )
     normals = acmap.vote_normals(found.points, mesh, threads=threads)
     planes = acmap.find_planes(
-        found.points, normals, mesh, source=view, noise_driven=True, threads=threads
+        found.points, normals, mesh, source=view, threads=threads
     )
     return view, found, mesh, normals, planes
 
@@ -131,15 +131,43 @@ class Settings(unittest.TestCase):
         wall = noisy_wall(5000)
         paper, dense = (acmap.triangulate(wall, rule=rule) for rule in ("paper", "dense"))
         self.assertGreater(dense.report.triangles, paper.report.triangles)
+        strict = acmap.triangulate(wall, rule="strict", compute_wall_depth=True)
+        self.assertGreater(strict.report.walls, 3)
+        self.assertEqual((paper.report.walls, paper.report.crowded_edges), (0, 0))
+        self.assertEqual(strict.wall_depth[0], 0)
 
     def test_paper_thresholds_find_the_wall(self):
         wall = noisy_wall(2000)
         normals = numpy.zeros_like(wall)
         normals[:, 2] = -5  # of any length
-        planes = acmap.find_planes(wall, normals)
+        planes = acmap.find_planes(wall, normals, noise_driven=False, member_distance=5)
         self.assertEqual(len(planes.patches), 1)
         self.assertEqual(planes.patches[0].support, 2000)
         self.assertEqual(planes.patches[0].polygons, [])
+        self.assertEqual(planes.report.tested_hypotheses, 1)
+        self.assertEqual(planes.report.reestimations, 1999)
+        planes = acmap.find_planes(wall, normals, noise_driven=False)
+        self.assertGreater(len(planes.patches), 4, "0.8 m around a point are not the wall")
+
+    def test_noise_decides_by_default(self):
+        wall = noisy_wall(2000)
+        normals = numpy.zeros_like(wall)
+        normals[:, 2] = -1
+        default = acmap.find_planes(wall, normals)
+        chosen = acmap.find_planes(wall, normals, noise_driven=True)
+        self.assertEqual(default.labels.tolist(), chosen.labels.tolist())
+        self.assertEqual(default.report.tested_hypotheses, 0)
+
+    def test_votes_of_the_paper(self):
+        view = room_view(noise=0.02)
+        mesh = acmap.triangulate(view)
+        ours, paper = (acmap.vote_normals(view, mesh, paper=paper) for paper in (False, True))
+        self.assertGreater(paper.report.votes, ours.report.votes, "near triangles vote too")
+        self.assertLess(paper.report.unknown, ours.report.unknown + 1)
+        page = acmap.vote_normals(
+            view, mesh, paper=True, crease_weight=2, corner_weight=2
+        )
+        self.assertEqual(page.vertex_class.tolist(), paper.vertex_class.tolist())
 
     def test_help_tells_units_and_shapes(self):
         for name in ("consolidate", "triangulate", "vote_normals", "find_planes", "rectify"):

@@ -39,7 +39,7 @@ class SameAsTheTools(unittest.TestCase):
 
     def test_meshes(self):
         for name, points in (("view", room_view(noise=0.002)), ("wall", noisy_wall(3000))):
-            for rule in ("paper", "dense"):
+            for rule in ("paper", "dense", "strict"):
                 with self.subTest(name, rule=rule):
                     cloud = self.folder / "cloud.pcd"
                     tools, ours = self.folder / "tools.ply", self.folder / "ours.ply"
@@ -72,7 +72,7 @@ class SameAsTheTools(unittest.TestCase):
         acmap.write_mesh(str(file), found.points, mesh, found.normals)
         self.run_tool("pcl_plane_extraction", file, planes)
         normals = acmap.vote_normals(found.points, mesh)
-        ours = acmap.find_planes(found.points, normals, mesh, noise_driven=True)
+        ours = acmap.find_planes(found.points, normals, mesh)
         theirs = json.loads(planes.read_text())["planes"]
         self.assertEqual(
             [patch.coefficients.tolist() for patch in ours.patches],

@@ -119,7 +119,7 @@ stageTable()
       {"plane_extraction", "pcl_plane_extraction", planes},
       {"plane_extraction_of_the_paper",
        "pcl_plane_extraction",
-       with(planes, {"--paper", "--consolidate", "0.1"})},
+       with(planes, {"--paper"})},
       {"kinect_views",
        "pcl_simulated_rig",
        {"-o",

@@ -47,7 +47,6 @@ TYPED_TEST(AnyPointClusters, theSame)
   clustering.setInputNormals(voted.normals.makeShared());
   clustering.setVertexClasses(voted.classes.makeShared());
   clustering.setTriangles(mesh.faces);
-  clustering.setNoiseDriven(true);
   const Clustered found = runClustering(clustering);
   EXPECT_GE(found.patches.size(), 2U);
   EXPECT_TRUE(areSame(found, clusterOn(mesh)));
@@ -63,7 +62,6 @@ TEST(ClusteringClass, takesTheNormalsOfThePoints)
   PlaneHypothesisClustering<PointNormal> clustering;
   clustering.setInputCloud(cloud);
   clustering.setTriangles(mesh.faces);
-  clustering.setNoiseDriven(true);
   const Clustered found = runClustering(clustering);
   ASSERT_GE(found.patches.size(), 2U);
   EXPECT_NEAR(distanceFrom(found.patches[0], {0, 0, 0}), 0, 0.001);
@@ -115,6 +113,7 @@ TEST(ClusteringClass, indicesPartAWall)
       const Clustered found = clusterOn(mesh, [&](Clustering& clustering) {
         clustering.setIndices(chosen);
         clustering.setNoiseDriven(noise_driven);
+        clustering.setClusterTolerance(10);
         if (!has_mesh)
           clustering.setTriangles(TriangleMesh());
       });
@@ -144,7 +143,6 @@ TEST(ClusteringClass, extractGivesThePointsOfEachPlane)
   const Cloud::Ptr cloud = mesh.cloud.makeShared();
   cloud->header.frame_id = "map";
   clustering.setInputCloud(cloud);
-  clustering.setNoiseDriven(true);
   std::vector<PointIndices> clusters;
   clustering.extract(clusters);
   ASSERT_EQ(clusters.size(), 2U);
@@ -161,7 +159,6 @@ TEST(ClusteringClass, extractGivesThePointsOfEachPlane)
 TEST(ClusteringClass, distanceThresholdIsAutomaticWhereNoiseDecides)
 {
   Clustering clustering;
-  clustering.setNoiseDriven(true);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0) << "automatic";
   clustering.setDistanceThreshold(0.07);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0.07);
@@ -174,6 +171,7 @@ TEST(ClusteringClass, givenDistanceIsUsedInBothModes)
   for (const bool noise_driven : {true, false}) {
     const Clustered found = clusterOn(makeBoards(0.12), [&](Clustering& clustering) {
       clustering.setNoiseDriven(noise_driven);
+      clustering.setClusterTolerance(10);
       clustering.setDistanceThreshold(0.07);
     });
     EXPECT_EQ(found.report.plane_distance, 0.07);
@@ -185,7 +183,6 @@ TEST(ClusteringClass, sourceMayBeForgotten)
 {
   Clustering clustering;
   setMesh(clustering, makeWall(1, 1));
-  clustering.setNoiseDriven(true);
   {
     const Cloud::ConstPtr source = makeWall(1, 1).cloud.makeShared();
     clustering.setSourceCloud(source);

@@ -50,7 +50,6 @@ clusterOn(const VotingMesh& mesh, const SetClustering& set)
 {
   Clustering clustering;
   setMesh(clustering, mesh);
-  clustering.setNoiseDriven(true);
   set(clustering);
   return runClustering(clustering);
 }
@@ -61,6 +60,7 @@ clusterAsPaper(const PointCloud<PointNormal>& cloud,
 {
   PlaneHypothesisClustering<PointNormal> clustering;
   clustering.setInputCloud(cloud.makeShared());
+  clustering.setNoiseDriven(false);
   set(clustering);
   return runClustering(clustering);
 }

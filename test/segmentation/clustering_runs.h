@@ -43,7 +43,7 @@ runClustering(PlaneHypothesisClustering<PointT>& clustering)
 void
 setMesh(Clustering& clustering, const VotingMesh& mesh);
 
-/** \brief Clusters a mesh in noise-driven mode.
+/** \brief Clusters a mesh, as by default driven by noise.
  * \param[in] set changes default settings */
 Clustered
 clusterOn(

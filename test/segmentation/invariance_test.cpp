@@ -126,7 +126,6 @@ TEST(ClusteringInvariance, runsDoNotDependOnEarlierOnes)
 {
   const VotingMesh first = makeSample(), second = makeThinWall(0.12);
   Clustering clustering;
-  clustering.setNoiseDriven(true);
   for (const VotingMesh& mesh : {first, second, first}) {
     setMesh(clustering, mesh);
     EXPECT_TRUE(areSame(runClustering(clustering), clusterOn(mesh)));

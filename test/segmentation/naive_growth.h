@@ -14,42 +14,30 @@ struct NaiveHypotheses {
 };
 
 struct NaiveThresholds {
-  double member_distance = 0.8; ///< W_d, metres
-  double cosine = 0.923879533;  ///< of W_n
-  double plane_distance = 0.25; ///< W_t, metres
-  std::size_t support = 50;     ///< W_h
+  double member_distance = 0.8;  ///< W_d, metres
+  double angle = 0.392699081699; ///< W_n, radians
+  double plane_distance = 0.25;  ///< W_t, metres
+  std::size_t support = 50;      ///< W_h
 };
 
-/** \brief A plane with its supporters in ascending order. */
+/** \brief A plane with p_i and its supporters in ascending order. */
 struct NaivePlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double offset = 0;
   std::vector<std::int32_t> members;
 };
 
-/** \brief Are a point's normal and position consistent with a plane? */
-bool
-supports(const NaiveHypotheses& all,
-         std::size_t point,
-         const NaivePlane& plane,
-         const NaiveThresholds& limits);
+struct NaiveGrowth {
+  std::vector<NaivePlane> planes;
+  std::size_t tested = 0;        ///< hypotheses
+  std::size_t reestimations = 0; ///< of the parameters of a plane
+};
 
-/** \brief Is the distance from a point to any other supporter less than W_d? */
-bool
-isNearSome(const NaiveHypotheses& all,
-           std::size_t point,
-           const NaivePlane& plane,
-           const NaiveThresholds& limits);
-
-/** \brief Least-squares plane of members, oriented like a normal. */
-NaivePlane
-planeThrough(const NaiveHypotheses& all,
-             const std::vector<std::int32_t>& members,
-             const Eigen::Vector3d& front);
-
-/** \brief Literal implementation of the paper's clustering (II-C.2), O(n^2): each new
- * supporter updates the plane from all supporters; seeds are tried in their order. */
-std::vector<NaivePlane>
-growNaively(const NaiveHypotheses& all, const NaiveThresholds& limits);
+/** \brief Literal implementation of the paper's clustering (II-C.2), O(n^2).
+ * \param[in] order in which the hypotheses are tested */
+NaiveGrowth
+growNaively(const NaiveHypotheses& all,
+            const NaiveThresholds& limits,
+            const std::vector<std::int32_t>& order);
 
 } // namespace pcl::acmap::test

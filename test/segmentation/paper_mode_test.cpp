@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl::acmap::test {
@@ -21,17 +22,18 @@ hypothesis(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
   return point;
 }
 
-/** Adds points on z = 0, 10 cm apart, starting at a corner. */
+/** Adds points on z = 0, all within W_d of each other unless the step is large. */
 void
 addGrid(Hypotheses& cloud,
         int columns,
         int rows,
         double x,
-        const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ())
+        const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ(),
+        double step = 0.02)
 {
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
-      cloud.push_back(hypothesis({x + 0.1 * column, 0.1 * row, 0}, normal));
+      cloud.push_back(hypothesis({x + step * column, step * row, 0}, normal));
 }
 
 std::size_t
@@ -40,35 +42,53 @@ planesOf(const Hypotheses& cloud)
   return clusterAsPaper(cloud).patches.size();
 }
 
+/** The support of the only plane. */
+std::size_t
+supportOf(const Hypotheses& cloud, std::size_t least = 50)
+{
+  const Clustered found = clusterAsPaper(
+      cloud, [&](PaperClustering& clustering) { clustering.setMinClusterSize(least); });
+  EXPECT_EQ(found.patches.size(), 1U);
+  return found.patches.empty() ? 0 : found.patches[0].support;
+}
+
 TEST(PaperMode, thresholdsAreThePapers)
 {
-  const PaperClustering clustering;
-  EXPECT_FALSE(clustering.getNoiseDriven());
+  PaperClustering clustering;
+  EXPECT_TRUE(clustering.getNoiseDriven()) << "the default is ours";
+  clustering.setNoiseDriven(false);
   EXPECT_DOUBLE_EQ(clustering.getClusterTolerance(), 0.8);
   EXPECT_DOUBLE_EQ(clustering.getSmoothnessThreshold(), M_PI / 8);
   EXPECT_DOUBLE_EQ(clustering.getDistanceThreshold(), 0.25);
   EXPECT_EQ(clustering.getMinClusterSize(), 50U);
   const PlaneClusteringSettings settings;
-  EXPECT_FALSE(settings.noise_driven);
+  EXPECT_TRUE(settings.noise_driven);
   EXPECT_EQ(settings.member_distance, clustering.getClusterTolerance());
   EXPECT_NEAR(settings.normal_angle, clustering.getSmoothnessThreshold(), 1e-8);
-  EXPECT_EQ(settings.plane_distance, clustering.getDistanceThreshold());
+  EXPECT_EQ(settings.plane_distance, 0) << "of the mode";
+  EXPECT_EQ(paper_plane_distance, clustering.getDistanceThreshold());
   EXPECT_EQ(settings.min_support, clustering.getMinClusterSize());
+  Hypotheses cloud;
+  addGrid(cloud, 10, 10, 0);
+  EXPECT_EQ(clusterAsPaper(cloud).report.plane_distance, 0.25);
 }
 
+/** The hypothesis does not support itself. */
 TEST(PaperMode, moreThanFiftySupporters)
 {
   Hypotheses cloud;
-  addGrid(cloud, 10, 5, 0);
+  addGrid(cloud, 17, 3, 0);
   const Clustered refused = clusterAsPaper(cloud);
   EXPECT_EQ(refused.patches.size(), 0U);
-  EXPECT_EQ(refused.report.small_regions, 1U);
+  EXPECT_EQ(refused.report.tested_hypotheses, 51U) << "each one";
   ASSERT_FALSE(refused.report.remarks.empty());
   EXPECT_NE(refused.report.remarks.back().find("no planes"), std::string::npos);
-  cloud.push_back(hypothesis({0, 0.5, 0}, {0, 0, 1}));
+  cloud.push_back(hypothesis({0, 0.06, 0}, {0, 0, 1}));
   const Clustered found = clusterAsPaper(cloud);
   ASSERT_EQ(found.patches.size(), 1U);
-  EXPECT_EQ(found.patches[0].support, 51U);
+  EXPECT_EQ(found.patches[0].support, 52U) << "with the hypothesis";
+  EXPECT_EQ(found.report.tested_hypotheses, 1U);
+  EXPECT_EQ(found.report.reestimations, 51U) << "with each supporter";
   EXPECT_EQ(
       clusterAsPaper(
           cloud, [](PaperClustering& clustering) { clustering.setMinClusterSize(51); })
@@ -76,21 +96,30 @@ TEST(PaperMode, moreThanFiftySupporters)
       0U);
 }
 
-/** Points must be near any supporter, not near the seed: the wall of a corridor is one
- * plane. */
-TEST(PaperMode, distanceIsToSomeSupporter)
+/** Supporters are near the hypothesis, not near other supporters: one wall comes as many
+ * planes. */
+TEST(PaperMode, distanceIsToTheHypothesis)
 {
-  Hypotheses cloud;
-  addGrid(cloud, 100, 3, 0);
-  const Clustered found = clusterAsPaper(cloud);
-  ASSERT_EQ(found.patches.size(), 1U);
-  EXPECT_EQ(found.patches[0].support, 300U);
-  for (const double gap : {0.79, 0.81}) {
-    Hypotheses groups; // of forty points each
-    addGrid(groups, 8, 5, 0);
-    addGrid(groups, 8, 5, 0.7 + gap);
-    EXPECT_EQ(planesOf(groups), gap < 0.8 ? 1U : 0U) << gap;
+  for (const double x : {0.79, 0.81}) {
+    Hypotheses cloud;
+    addGrid(cloud, 20, 3, 0);
+    cloud.push_back(hypothesis({x, 0, 0}, {0, 0, 1}));
+    EXPECT_EQ(supportOf(cloud), x < 0.8 ? 61U : 60U) << x;
   }
+  Hypotheses wall;
+  addGrid(wall, 200, 20, 0, {0, 0, 1}, 0.05);
+  const Clustered found = clusterAsPaper(wall);
+  EXPECT_GE(found.patches.size(), 7U);
+  EXPECT_EQ(found.report.merged, 0U);
+  std::vector<double> least(found.patches.size(), 1e9), most(least.size(), -1e9);
+  for (std::size_t i = 0; i < wall.size(); ++i)
+    if (found.labels[i] >= 0) {
+      const auto plane = static_cast<std::size_t>(found.labels[i]);
+      least[plane] = std::min(least[plane], double{wall[i].x});
+      most[plane] = std::max(most[plane], double{wall[i].x});
+    }
+  for (std::size_t p = 0; p < least.size(); ++p)
+    EXPECT_LT(most[p] - least[p], 1.6);
 }
 
 TEST(PaperMode, normalsDifferByLessThanAnEighthOfPi)
@@ -98,8 +127,20 @@ TEST(PaperMode, normalsDifferByLessThanAnEighthOfPi)
   for (const double angle : {22.0, 23.0, 90.0, 158.0, 180.0}) {
     Hypotheses groups;
     addGrid(groups, 8, 5, 0);
-    addGrid(groups, 8, 5, 0.8, {std::sin(angle * degree), 0, std::cos(angle * degree)});
+    addGrid(groups, 8, 5, 0.3, {std::sin(angle * degree), 0, std::cos(angle * degree)});
     EXPECT_EQ(planesOf(groups), angle < 22.5 ? 1U : 0U) << angle;
+  }
+}
+
+/** The plane's own normal, which the points determine, is that of the others. */
+TEST(PaperMode, normalsAreComparedWithThatOfTheHypothesis)
+{
+  for (const double angle : {22.0, 23.0}) {
+    Hypotheses cloud;
+    cloud.push_back(hypothesis(
+        {0.1, 0.1, 0}, {std::sin(angle * degree), 0, std::cos(angle * degree)}));
+    addGrid(cloud, 10, 10, 0);
+    EXPECT_EQ(supportOf(cloud), angle < 22.5 ? 101U : 100U) << angle;
   }
 }
 
@@ -107,12 +148,9 @@ TEST(PaperMode, distanceToThePlaneIsLessThanAQuarterMetre)
 {
   for (const double height : {0.24, 0.26, -0.24, -0.26}) {
     Hypotheses cloud;
-    addGrid(cloud, 30, 30, 0);
-    cloud.push_back(hypothesis({1.45, 1.45, height}, {0, 0, 1}));
-    const Clustered found = clusterAsPaper(cloud);
-    ASSERT_EQ(found.patches.size(), 1U);
-    EXPECT_EQ(found.patches[0].support, std::abs(height) < 0.25 ? 901U : 900U)
-        << height;
+    addGrid(cloud, 27, 27, 0);
+    cloud.push_back(hypothesis({0.26, 0.26, height}, {0, 0, 1}));
+    EXPECT_EQ(supportOf(cloud), std::abs(height) < 0.25 ? 730U : 729U) << height;
   }
 }
 
@@ -121,39 +159,92 @@ TEST(PaperMode, distanceToThePlaneIsLessThanAQuarterMetre)
 TEST(PaperMode, nearnessAloneIsNoSupport)
 {
   Hypotheses cloud;
-  addGrid(cloud, 30, 30, 0);
+  addGrid(cloud, 27, 27, 0);
   for (int k = 0; k < 20; ++k) {
-    cloud.push_back(hypothesis({0.5 + 0.1 * k, 1.5, 0.1}, {1, 0, 0}));
-    cloud.push_back(hypothesis({0.5 + 0.1 * k, 2.5, 0.2}, {0, 0, -1}));
+    cloud.push_back(hypothesis({0.1 + 0.02 * k, 0.2, 0.1}, {1, 0, 0}));
+    cloud.push_back(hypothesis({0.1 + 0.02 * k, 0.6, 0.2}, {0, 0, -1}));
+    cloud.push_back(hypothesis({0.1 + 0.02 * k, 0.3, 0}, {0, 1, 0}));
   }
   const Clustered found = clusterAsPaper(cloud);
   ASSERT_EQ(found.patches.size(), 1U);
-  EXPECT_EQ(found.patches[0].support, 900U);
+  EXPECT_EQ(found.patches[0].support, 729U);
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    EXPECT_EQ(found.labels[i], i < 900 ? 0 : -1) << i;
+    EXPECT_EQ(found.labels[i], i < 729 ? 0 : -1) << i;
 }
 
-/** Steps of 20 cm, each within W_t of the plane of all previous ones: the plane tilts
- * towards the slope of the stairs. */
+/** The far end of the slope is farther than W_t from the plane of the hypothesis. */
 TEST(PaperMode, planeFollowsItsSupporters)
 {
   Hypotheses cloud;
-  for (int step = 0; step < 6; ++step)
-    for (int k = 0; k < 60; ++k)
-      cloud.push_back(hypothesis(
-          {0.5 * step + 0.05 * (k % 10), 0.2 * (k / 10), 0.1 * step}, {-0.2, 0, 1}));
+  for (int step = 0; step < 25; ++step)
+    for (int k = 0; k < 6; ++k)
+      cloud.push_back(hypothesis({0.03 * step, 0.02 * k, 0.012 * step}, {0, 0, 1}));
   const Clustered found = clusterAsPaper(cloud);
   ASSERT_EQ(found.patches.size(), 1U);
   EXPECT_EQ(found.patches[0].support, cloud.size());
-  EXPECT_LT(angleFrom(found.patches[0], {-0.2, 0, 1}), 2 * degree);
+  EXPECT_LT(angleFrom(found.patches[0], {-0.4, 0, 1}), 0.01 * degree);
+}
+
+/** The third of the points determines the plane on which the last one lies. */
+TEST(PaperMode, everySupporterMovesThePlane)
+{
+  for (const bool is_last : {true, false}) {
+    Hypotheses cloud;
+    cloud.push_back(hypothesis({0, 0, 0}, {0, 0, 1}));
+    cloud.push_back(hypothesis({0.3, 0.3, 0.2}, {0, 0, 1}));
+    cloud.push_back(hypothesis({0.3, 0, 0.2}, {0, 0, 1}));
+    const PointNormal far = hypothesis({0.6, 0, 0.4}, {0, 0, 1});
+    cloud.insert(is_last ? cloud.end() : cloud.begin() + 1, far);
+    EXPECT_EQ(supportOf(cloud, 2), 4U) << "wherever it is in the order";
+  }
+}
+
+/** A supporter stays, although the plane moves away from it. */
+TEST(PaperMode, nothingIsRemoved)
+{
+  Hypotheses cloud;
+  cloud.push_back(hypothesis({0, 0, 0}, {0, 0, 1}));
+  cloud.push_back(hypothesis({0, 0.7, 0.24}, {0, 0, 1}));
+  for (int k = 0; k < 400; ++k) {
+    const double x = 0.028 * (k % 20), y = 0.028 * (k / 20);
+    cloud.push_back(hypothesis({x, y, -0.1 * y}, {0, 0, 1}));
+  }
+  const Clustered found = clusterAsPaper(cloud);
+  ASSERT_EQ(found.patches.size(), 1U);
+  EXPECT_EQ(found.patches[0].support, 402U);
+  EXPECT_GT(distanceFrom(found.patches[0], {0, 0.7, 0.24}), 0.26);
+}
+
+/** Neighbours in the mesh that lie on the plane, but have another normal, join planes
+ * that are noise-driven. */
+TEST(PaperMode, rimsAndStragglersAreNotAdded)
+{
+  const VotingMesh wall = makeWall(1, 1);
+  const auto normals = std::make_shared<PointCloud<Normal>>();
+  std::size_t inner = 0;
+  for (const PointXYZ& point : wall.cloud) {
+    const bool is_rim = std::abs(point.x) > 0.46F;
+    inner += is_rim ? 0 : 1;
+    normals->push_back(is_rim ? Normal(1, 0, 0) : Normal(0, 0, 1));
+  }
+  for (const bool noise_driven : {true, false}) {
+    const Clustered found = clusterOn(wall, [&](Clustering& clustering) {
+      clustering.setInputNormals(normals);
+      clustering.setNoiseDriven(noise_driven);
+      clustering.setClusterTolerance(2);
+    });
+    ASSERT_EQ(found.patches.size(), 1U);
+    EXPECT_EQ(leftOut(found), noise_driven ? 0U : wall.cloud.size() - inner);
+  }
 }
 
 TEST(PaperMode, thresholdsCanBeSet)
 {
   Hypotheses cloud; // two boards, 10 cm apart in depth
-  addGrid(cloud, 20, 20, 0);
+  addGrid(cloud, 20, 20, 0, {0, 0, 1}, 0.015);
   for (int k = 0; k < 400; ++k)
-    cloud.push_back(hypothesis({2 + 0.1 * (k % 20), 0.1 * (k / 20), -0.1}, {0, 0, 1}));
+    cloud.push_back(
+        hypothesis({0.3 + 0.015 * (k % 20), 0.015 * (k / 20), -0.1}, {0, 0, 1}));
   EXPECT_EQ(planesOf(cloud), 1U) << "the paper's W_t swallows it";
   const auto setTighter = [](PaperClustering& clustering) {
     clustering.setDistanceThreshold(0.03);
@@ -161,30 +252,48 @@ TEST(PaperMode, thresholdsCanBeSet)
   const Clustered apart = clusterAsPaper(cloud, setTighter);
   EXPECT_EQ(apart.patches.size(), 2U);
   EXPECT_EQ(apart.report.plane_distance, 0.03);
-  const auto setFarther = [](PaperClustering& clustering) {
-    clustering.setClusterTolerance(0.05);
+  const auto setNearer = [](PaperClustering& clustering) {
+    clustering.setClusterTolerance(0.01);
   };
-  EXPECT_EQ(clusterAsPaper(cloud, setFarther).patches.size(), 0U)
-      << "nobody is so near";
+  EXPECT_EQ(clusterAsPaper(cloud, setNearer).patches.size(), 0U) << "nobody is so near";
 }
 
-TEST(PaperMode, creasesAreNoSeedsButMayJoin)
+/** The paper says nothing of creases: each vertex is a hypothesis. */
+TEST(PaperMode, creasesAreHypothesesToo)
 {
   Hypotheses cloud;
   addGrid(cloud, 20, 20, 0);
   const auto classes = std::make_shared<PointCloud<Label>>();
   classes->resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i)
+  for (Label& label : *classes)
+    label.label = 2;
+  const Clustered found = clusterAsPaper(cloud, [&](PaperClustering& clustering) {
+    clustering.setVertexClasses(classes);
+  });
+  ASSERT_EQ(found.patches.size(), 1U);
+  EXPECT_EQ(found.report.hypotheses, 400U);
+  EXPECT_EQ(found.patches[0].support, 400U);
+}
+
+TEST(NoiseDriven, creasesAreNoSeedsButMayJoin)
+{
+  const VotingMesh wall = makeWall(2, 2);
+  const auto normals = std::make_shared<PointCloud<Normal>>();
+  normals->resize(wall.cloud.size(), Normal(0, 0, 1));
+  const auto classes = std::make_shared<PointCloud<Label>>();
+  classes->resize(wall.cloud.size());
+  for (std::size_t i = 0; i < classes->size(); ++i)
     (*classes)[i].label = i == 7 ? 1 : i % 2 + 2;
-  const auto setClasses = [&](PaperClustering& clustering) {
+  const auto setClasses = [&](Clustering& clustering) {
+    clustering.setInputNormals(normals);
     clustering.setVertexClasses(classes);
   };
-  const Clustered found = clusterAsPaper(cloud, setClasses);
+  const Clustered found = clusterOn(wall, setClasses);
   ASSERT_EQ(found.patches.size(), 1U);
   EXPECT_EQ(found.report.hypotheses, 1U);
-  EXPECT_EQ(found.patches[0].support, 400U);
+  EXPECT_EQ(found.patches[0].support, wall.cloud.size());
   (*classes)[7].label = 2;
-  const Clustered none = clusterAsPaper(cloud, setClasses);
+  const Clustered none = clusterOn(wall, setClasses);
   EXPECT_EQ(none.patches.size(), 0U);
   EXPECT_FALSE(none.report.remarks.empty());
 }

@@ -79,7 +79,6 @@ TEST(ClusteringRefusals, cancelLeavesEverythingAsItWas)
 {
   Clustering clustering;
   setMesh(clustering, makeBoards(0.12));
-  clustering.setNoiseDriven(true);
   const Cloud::ConstPtr source = makeBoards(0.12).cloud.makeShared();
   clustering.setSourceCloud(source);
   const Clustered before = runClustering(clustering);

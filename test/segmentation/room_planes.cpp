@@ -71,7 +71,6 @@ findPlanes(const SeenRoom& room,
   clustering.setInputNormals(normals);
   clustering.setVertexClasses(classes);
   clustering.setTriangles(mesh);
-  clustering.setNoiseDriven(true);
   clustering.setSourceCloud(room.cloud, room.viewpoints);
   set(clustering);
   static_cast<Clustered&>(result) = runClustering(clustering);

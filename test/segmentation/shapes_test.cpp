@@ -26,8 +26,10 @@ TEST(PlaneShapes, flatGridIsExact)
 {
   const VotingMesh mesh = makeWall(2, 1.5);
   for (const bool noise_driven : {true, false}) {
-    const Clustered found = clusterOn(
-        mesh, [&](Clustering& clustering) { clustering.setNoiseDriven(noise_driven); });
+    const Clustered found = clusterOn(mesh, [&](Clustering& clustering) {
+      clustering.setNoiseDriven(noise_driven);
+      clustering.setClusterTolerance(10); // of the paper: the whole wall
+    });
     ASSERT_EQ(found.patches.size(), 1U);
     EXPECT_EQ(leftOut(found), 0U);
     const PlanePatch& patch = found.patches[0];

@@ -1,4 +1,5 @@
 #include "fusion/fused_shots.h"
+#include "tiny_fusion.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,62 @@ TEST(FusedShots, PixelNeedsEnoughShots)
   EXPECT_EQ(median.disparity.values[3], 6);
   EXPECT_EQ(median.support, (std::vector<std::uint16_t>{0, 0, 3, 4}));
   EXPECT_GT(median.sigma[3], 0);
+}
+
+/** The median of a pixel's disparities: sorted, the lower of two middle ones; NaN if
+ * fewer than three were found. */
+float
+naiveMedian(const std::vector<MatchedDisparity>& maps, std::size_t pixel)
+{
+  std::vector<float> found;
+  for (const MatchedDisparity& map : maps)
+    if (!std::isnan(map.disparity.values[pixel]))
+      found.push_back(map.disparity.values[pixel]);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t k = i + 1; k < found.size(); ++k)
+      if (found[k] < found[i])
+        std::swap(found[i], found[k]);
+  return found.size() < 3 ? nan : found[(found.size() - 1) / 2];
+}
+
+/** Each pattern is matched by itself, then the median of the maps is what the class
+ * gives. */
+TEST(FusedShots, MedianOfTheMapsIsTheNaiveOne)
+{
+  for (const int patterns : {3, 4, 9, 10}) {
+    DisparityFusion fusion = fusionBy(DisparityFusion::Method::Median);
+    TrinocularMatching matching = fusion.getMatching();
+    std::vector<MatchedDisparity> maps;
+    for (int i = 0; i < patterns; ++i) {
+      // The images of the cameras differ in part, so that the maps do; from the third
+      // shot on a part has no texture, so that there are fewer than three disparities.
+      const TrinocularFrame::Ptr shot = noiseShot(i);
+      const CameraImage other = noiseShot(100 + i)->images[0];
+      for (std::size_t pixel = 0; pixel < other.values.size(); ++pixel) {
+        if ((pixel / 7 + static_cast<std::size_t>(i)) % 5 == 0)
+          shot->images[1].values[pixel] = other.values[pixel];
+        if (i >= 2 && pixel % 48 < 20)
+          for (CameraImage& image : shot->images)
+            image.values[pixel] = 90;
+      }
+      fusion.addShot(shot);
+      maps.emplace_back();
+      matching.match(*shot, maps.back());
+    }
+    const MatchedDisparity result = fused(fusion);
+    std::size_t several = 0, none = 0;
+    for (std::size_t pixel = 0; pixel < result.outcome.size(); ++pixel) {
+      const float wanted = naiveMedian(maps, pixel);
+      const float found = result.disparity.values[pixel];
+      EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted)))
+          << patterns << " patterns, pixel " << pixel << ": " << found << ", "
+          << wanted;
+      several += wanted != maps[0].disparity.values[pixel] && !std::isnan(wanted);
+      none += std::isnan(wanted);
+    }
+    EXPECT_GT(several, 100u);
+    EXPECT_GT(none, 10u);
+  }
 }
 
 TEST(FusedShots, SupportOfTheMeanIsItsInliers)

@@ -8,6 +8,7 @@ namespace pcl::acmap::test {
 namespace {
 
 using dewall::Apex;
+using dewall::hasSmallerCircle;
 using dewall::isNearerApex;
 using dewall::makeApex;
 
@@ -72,6 +73,23 @@ TEST(ApexOrder, isOneOfAllCandidates)
               << p.index << " " << q.index << " " << r.index;
       }
     }
+}
+
+/** Squared radii are |ap|^2 |bp|^2 |ab|^2 / (4 |u x v|^2), exact in doubles here; ties are
+ * those of the other order. */
+TEST(ApexOrder, smallestCircleIsThatOfRadii)
+{
+  for (const LatticeSide& side : latticeSides())
+    for (const Apex& p : side.apexes)
+      for (const Apex& q : side.apexes) {
+        const auto radius = [&](const Apex& apex, const Apex& other) {
+          return apex.from_a.squaredNorm() * (apex.from_a - side.u).squaredNorm() *
+                 side.u.cross(other.from_a).squaredNorm();
+        };
+        const double of_p = radius(p, q), of_q = radius(q, p);
+        ASSERT_EQ(hasSmallerCircle(p, q, side.a, side.b, side.u),
+                  of_p != of_q ? of_p < of_q : side.isNearer(p, q));
+      }
 }
 
 /** The order must not depend on the direction of the edge. */

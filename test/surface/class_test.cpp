@@ -180,7 +180,7 @@ TEST(DeWallClass, cloudBeyondTheMemoryLimitIsRefused)
   EXPECT_EQ(dewall.getMemoryLimit(), 1000000U);
   EXPECT_THROW(dewall.reconstruct(mesh), MemoryLimitException);
   EXPECT_EQ(mesh.triangles.size(), 1U) << "a refusal leaves the output alone";
-  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false));
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Paper));
   EXPECT_NO_THROW(dewall.reconstruct(mesh));
   EXPECT_GT(mesh.triangles.size(), 1U);
 }

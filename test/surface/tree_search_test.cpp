@@ -115,6 +115,39 @@ TEST(TreeSearch, findsTheApexOfBruteForce)
   }
 }
 
+/** The hits of every variant include the point with the smallest circle beyond plane
+ * beta. */
+TEST(TreeSearch, findsTheSmallestCircleOfBruteForce)
+{
+  for (const Cloud& cloud : clouds()) {
+    const auto tree = treeOf(cloud);
+    Random random(9);
+    for (int trial = 0; trial < 1500; ++trial) {
+      const auto pick = [&] { return pickPoint(*tree, random); };
+      const std::int32_t a = pick(), b = pick(), opposite = pick();
+      if (a == b || a == opposite || b == opposite ||
+          isDegenerate(tree->position(a), tree->position(b), tree->position(opposite)))
+        continue;
+      const SideFrame side(*tree, 1e3, a, b, opposite);
+      Apex best;
+      for (std::int32_t i = 0; i < tree->size(); ++i) {
+        const Apex apex = makeApex(i, side.u, tree->position(i) - side.origin);
+        if (i != a && i != b && apex.from_a.dot(side.outward) > 0 &&
+            apex.cross > 1e-3 &&
+            (best.index < 0 || hasSmallerCircle(apex, best, a, b, side.u)))
+          best = apex;
+      }
+      for (const SearchVariant& variant : variants()) {
+        SearchHits hits;
+        variant.search->circles(tree->cells(), apexQuery(*tree, side), hits);
+        if (best.index >= 0 && hits.count <= SearchHits::capacity) {
+          ASSERT_TRUE(contains(hits, best.index)) << variant.name;
+        }
+      }
+    }
+  }
+}
+
 TEST(TreeSearch, everyVariantKnowsWhatLiesInABall)
 {
   for (const Cloud& cloud : clouds()) {

@@ -24,6 +24,14 @@ painted(Texturing texturing)
   return map;
 }
 
+TexturingReport
+reportOf(Texturing texturing)
+{
+  CompactMap map;
+  texturing.texture(map);
+  return texturing.getReport();
+}
+
 Eigen::Vector3d
 middleOfTexel(const TextureChart& chart, int column, int row)
 {

@@ -15,6 +15,10 @@ texturingOf(const std::vector<PlanePatch>& planes, const std::vector<View>& view
 CompactMap
 painted(Texturing texturing);
 
+/** \brief The report of a run; discards the map. */
+TexturingReport
+reportOf(Texturing texturing);
+
 Eigen::Vector3d
 middleOfTexel(const TextureChart& chart, int column, int row);
 

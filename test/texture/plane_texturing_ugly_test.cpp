@@ -16,15 +16,6 @@ using testing::HasSubstr;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** The report of a run; discards the map. */
-TexturingReport
-reportOf(Texturing texturing)
-{
-  CompactMap map;
-  texturing.texture(map);
-  return texturing.getReport();
-}
-
 std::string
 remarkOf(const TexturingReport& report)
 {

@@ -109,7 +109,9 @@ remark(const acmap::WorstOutSettings& settings, WorstOutReport& report)
   if (report.invalid > 0)
     report.remarks.push_back(std::to_string(report.invalid) +
                              " matches have a point that is not finite");
-  if (report.kept == 0)
+  if (report.kept == 0 && settings.paper)
+    report.remarks.push_back("there is no match with finite points");
+  else if (report.kept == 0)
     report.remarks.push_back("no " + std::to_string(settings.min_matches) + " of " +
                              std::to_string(report.given) +
                              " matches agree on distances: none is kept");

@@ -76,6 +76,25 @@ CompactMapping::setInputRig(const TrinocularRig& rig)
 }
 
 void
+CompactMapping::setMode(MappingMode mode)
+{
+  const bool is_paper = mode == MappingMode::Paper;
+  mode_ = mode;
+  fusion_.setMethod(is_paper ? DisparityFusion::Method::Median
+                             : DisparityFusion::Method::SpaceTime);
+  fusion_.clear();
+  current_.reset();
+  VisualOdometry::Egomotion egomotion = odometry_.getEgomotion();
+  egomotion.setPaperMode(is_paper);
+  odometry_.setEgomotion(egomotion);
+  rectification_.setMode(is_paper ? RectificationMode::Paper
+                                  : RectificationMode::Guarded);
+  merging_.setDepthSensor(is_paper ? DepthSensor::Laser : DepthSensor::Automatic);
+  planes_.setMode(mode);
+  texturing_.setPaperMode(is_paper);
+}
+
+void
 CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
 {
   if (frame && current_ && *current_ != frame->observation)
@@ -210,6 +229,7 @@ CompactMapping::rectify(const ObservationSequence& sequence,
 {
   SequenceConsolidation consolidation;
   consolidation.setSkipBroken(skip_broken_);
+  consolidation.setRawPoints(rectification_.getMode() == RectificationMode::Paper);
   consolidation.setNumberOfThreads(threads_);
   consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
   ConsolidatedObservations observations;
@@ -252,6 +272,8 @@ CompactMapping::goOnFrom(const std::string& step,
   hash.add(sequence.fingerprint());
   hash.add(settings_);
   hash.add(skip_broken_ ? "skips broken" : "");
+  if (mode_ == MappingMode::Paper)
+    hash.add("paper");
   const std::string made_of = hash.text();
   if (auto kept = loadEstimatedPoses(folder, made_of)) {
     estimated_ = std::move(*kept);
@@ -313,6 +335,7 @@ CompactMapping::compute(CompactMap& map)
     PCL_THROW_EXCEPTION(InitFailedException,
                         "there are a sequence and observations: give one of both");
   CompactMappingReport report;
+  report.mode = mode_;
   StepTimer timer(report);
   before_ = Trajectory();
   estimated_ = EstimatedPoses();

@@ -192,6 +192,8 @@ private:
               MappedPlanes& result,
               Indices& vertex_of_point)
   {
+    if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::Never)
+      return false;
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
       report_.noise_scale =
@@ -216,6 +218,7 @@ private:
     prepare(consolidation, 0, 0.3);
     consolidation.filter(result.vertices.cloud);
     report_.consolidation = consolidation.getReport();
+    report_.consolidated_points = report_.consolidation->representatives;
     addRemarks(*report_.consolidation);
     vertex_of_point = consolidation.getVoxelOfPoint();
     result.vertices.sensor_origin = cloud->sensor_origin;
@@ -248,11 +251,14 @@ private:
   triangulate(const VertexCloud::Ptr& vertices, MappedPlanes& result)
   {
     using DeWall = DeWallTriangulation<Vertex>;
-    if (cost_)
-      cost_(
-          "triangulating this cloud", estimateDeWallMemory(vertices->size(), true), 0);
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
-    if (const auto given = std::dynamic_pointer_cast<DeWall>(construction)) {
+    const auto given = std::dynamic_pointer_cast<DeWall>(construction);
+    const DeWallRule rule = given ? given->getAcceptanceRule() : DeWallRule::Paper;
+    if (cost_)
+      cost_("triangulating this cloud",
+            estimateDeWallMemory(vertices->size(), true, rule),
+            0);
+    if (given) {
       DeWall dewall = *given;
       dewall.setInputCloud(vertices);
       if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
@@ -346,9 +352,7 @@ private:
 
 PlaneMapping::PlaneMapping()
 : construction_(new DeWallTriangulation<Vertex>)
-{
-  clustering_.setNoiseDriven(true);
-}
+{}
 
 void
 PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
@@ -366,6 +370,20 @@ PlaneMapping::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 }
 
 void
+PlaneMapping::setMode(MappingMode mode)
+{
+  const bool is_paper = mode == MappingMode::Paper;
+  mode_ = mode;
+  policy_ = is_paper ? ConsolidationPolicy::Never : ConsolidationPolicy::WhereNoisy;
+  const auto dewall = std::make_shared<DeWallTriangulation<Vertex>>();
+  if (is_paper)
+    dewall->setAcceptanceRule(DeWallRule::Strict);
+  construction_ = dewall;
+  voting_.setPaperMode(is_paper);
+  clustering_.setNoiseDriven(!is_paper);
+}
+
+void
 PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construction)
 {
   if (!construction)
@@ -380,6 +398,7 @@ PlaneMapping::compute(MappedPlanes& result)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
   requirePoints(sharedCloud(input_));
   PlaneMappingReport report;
+  report.mode = mode_;
   MappedPlanes found;
   PlaneMappingRun run(*this, cost_callback_, progress_, report);
   if (!input_mesh_.triangles.empty()) {
@@ -387,9 +406,9 @@ PlaneMapping::compute(MappedPlanes& result)
     found = run.fromMesh(input_, input_mesh_);
   }
   else if (const std::optional<Picture> picture =
-               policy_ == ConsolidationPolicy::Always
-                   ? std::nullopt
-                   : pictureOf(input_->points(), input_->cloud.width, sensor_))
+               policy_ == ConsolidationPolicy::WhereNoisy
+                   ? pictureOf(input_->points(), input_->cloud.width, sensor_)
+                   : std::nullopt)
     found = run.inPicture(input_, *picture);
   else
     found = run.inSpace(input_, viewpoints_);

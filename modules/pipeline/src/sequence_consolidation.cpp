@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -20,6 +21,7 @@ finitePoints(const acmap::PointView& points)
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointNormal point;
     point.getVector3fMap() = points[i];
+    point.getNormalVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
     if (point.getVector3fMap().allFinite())
       cloud->push_back(point);
   }
@@ -67,6 +69,30 @@ inOneLine(const std::vector<std::string>& remarks)
 
 } // namespace
 
+/** Adds the consolidated points of an observation. */
+void
+SequenceConsolidation::consolidate(const std::string& path,
+                                   const PointCloudFile& seen,
+                                   const PointCloud<PointNormal>::Ptr& points,
+                                   ConsolidatedObservations& found,
+                                   SequenceConsolidationReport& report) const
+{
+  const double voxel_size = std::max(
+      min_voxel,
+      acmap::automaticVoxel(acmap::measureNoiseScale(
+          seen.points(), acmap::SensorView(Eigen::Vector3f::Zero()), threads_)));
+  const float weight = weightOf(path, voxel_size);
+  VoxelConsolidation<PointNormal> consolidation;
+  consolidation.setInputCloud(points);
+  consolidation.setNumberOfThreads(threads_);
+  consolidation.setVoxelSize(voxel_size);
+  const PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
+  consolidation.filter(*cloud);
+  found.weights.emplace_back(cloud->size(), weight);
+  found.clouds.push_back(cloud);
+  count(consolidation.getReport(), report);
+}
+
 void
 SequenceConsolidation::compute(const ObservationSequence& sequence,
                                ConsolidatedObservations& result)
@@ -84,24 +110,15 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
       const PointCloud<PointNormal>::Ptr points = finitePoints(seen.file->points());
       if (points->empty())
         report.remarks.push_back(sequence.path(i) + ": has no point");
-      const double voxel_size = std::max(min_voxel,
-                                         acmap::automaticVoxel(acmap::measureNoiseScale(
-                                             seen.file->points(),
-                                             acmap::SensorView(Eigen::Vector3f::Zero()),
-                                             threads_)));
-      const float weight = weightOf(sequence.path(i), voxel_size);
-      VoxelConsolidation<PointNormal> consolidation;
-      consolidation.setInputCloud(points);
-      consolidation.setNumberOfThreads(threads_);
-      consolidation.setVoxelSize(voxel_size);
-      const PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
-      consolidation.filter(*cloud);
-      found.weights.emplace_back(cloud->size(), weight);
-      found.clouds.push_back(cloud);
+      if (raw_points_) {
+        found.weights.emplace_back();
+        found.clouds.push_back(points);
+      }
+      else
+        consolidate(sequence.path(i), *seen.file, points, found, report);
       found.places.push_back(i);
       found.trajectory.stamps.push_back(sequence.stamp(i));
       found.trajectory.poses.push_back(seen.T_map_camera);
-      count(consolidation.getReport(), report);
       report.points += points->size();
       report.colored = report.colored || acmap::findColor(seen.file->cloud);
     }

@@ -57,9 +57,7 @@ if folder:
 
 # %% Normals, creases and planes; the planes are fitted to the points of the view
 normals = acmap.vote_normals(found.points, mesh)
-planes = acmap.find_planes(
-    found.points, normals, mesh, source=view, noise_driven=True, regular=True
-)
+planes = acmap.find_planes(found.points, normals, mesh, source=view, regular=True)
 on_planes = np.mean(planes.source_labels >= 0)
 print(f"planes: {len(planes.patches)}, with {on_planes:.1%} of the points")
 for patch in planes.patches:

@@ -98,7 +98,7 @@ isAgreement(std::size_t inliers, std::size_t matches)
 }
 
 std::optional<EgomotionFailure>
-failureOfView(const EgomotionView& view, const std::string& name)
+failureOfView(const EgomotionView& view, const std::string& name, std::size_t needed)
 {
   if (view.points == 0)
     return EgomotionFailure{EgomotionOutcome::BlankView, name + " has no point"};
@@ -106,10 +106,10 @@ failureOfView(const EgomotionView& view, const std::string& name)
   if (keypoints == 0)
     return EgomotionFailure{EgomotionOutcome::BlankView,
                             name + " shows nothing to recognise"};
-  if (keypoints < min_features)
+  if (keypoints < needed)
     return EgomotionFailure{EgomotionOutcome::FewFeatures,
                             name + " has " + std::to_string(keypoints) +
-                                " keypoints, at least " + std::to_string(min_features) +
+                                " keypoints, at least " + std::to_string(needed) +
                                 " are needed"};
   return std::nullopt;
 }

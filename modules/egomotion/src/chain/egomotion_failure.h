@@ -27,9 +27,10 @@ bool
 isAgreement(std::size_t inliers, std::size_t matches);
 
 /** \brief Returns the failure if a view does not contain enough, otherwise nothing.
- * \param[in] name of the view, for the reason */
+ * \param[in] name of the view, for the reason
+ * \param[in] needed minimum number of keypoints */
 std::optional<EgomotionFailure>
-failureOfView(const EgomotionView& view, const std::string& name);
+failureOfView(const EgomotionView& view, const std::string& name, std::size_t needed);
 
 /** \brief Returns the failure if a motion is not reliable, otherwise nothing: it must
  * be within the bounds, determined in all directions, and not contradicted by the

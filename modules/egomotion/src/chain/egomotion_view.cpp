@@ -89,6 +89,12 @@ prepareView(CameraView view, const EgomotionSettings& settings)
   prepared->pinhole =
       fitUprightPinhole({view.points.data(), sizeof view.points[0], view.points.size()},
                         static_cast<std::size_t>(view.image.width));
+  if (settings.paper) {
+    view.sigmas.assign(view.points.size(), 0); // Eq. 2 has no weights
+    const ViewLevel full{view.image, view.points, 0, 1};
+    prepared->features.push_back(featureLevel(full, view, settings));
+    return prepared;
+  }
   prepared->unknown_sigmas = completeSigmas(view);
   const std::vector<ViewLevel> levels = viewLevels(view);
   for (std::size_t i = 0; i < std::min(levels.size(), feature_levels); ++i)

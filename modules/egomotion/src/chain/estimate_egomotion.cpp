@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl::acmap {
@@ -29,33 +30,52 @@ precisionOf(const FeaturePair& pair)
   return 1 / (pair.source_covariance.trace() + pair.target_covariance.trace());
 }
 
-/** \brief Eq. 2. */
-Eigen::Isometry3d
-leastSquaresMotion(const std::vector<FeaturePair>& pairs,
-                   const std::vector<double>& weights,
-                   MotionModel model,
-                   MotionSolver solver)
-{
-  std::vector<Eigen::Vector3d> source, target;
-  for (const FeaturePair& pair : pairs) {
-    source.push_back(pair.source);
-    target.push_back(pair.target);
+/** \brief Minimises Eq. 2 and counts how often. */
+class MotionFitter {
+public:
+  MotionFitter(MotionModel model, MotionSolver solver, EgomotionReport& report)
+  : model_(model)
+  , solver_(solver)
+  , report_(report)
+  {}
+
+  MotionModel
+  model() const
+  {
+    return model_;
   }
-  return fitMotion(source, target, weights, model, solver).T_target_source;
-}
+
+  /** \param[in] weights one per pair; if empty, all are 1 */
+  MotionFit
+  fit(const std::vector<FeaturePair>& pairs, const std::vector<double>& weights) const
+  {
+    std::vector<Eigen::Vector3d> source, target;
+    for (const FeaturePair& pair : pairs) {
+      source.push_back(pair.source);
+      target.push_back(pair.target);
+    }
+    MotionFit fit = fitMotion(source, target, weights, model_, solver_);
+    ++report_.fits;
+    report_.iterations += fit.iterations;
+    return fit;
+  }
+
+private:
+  MotionModel model_;
+  MotionSolver solver_;
+  EgomotionReport& report_;
+};
 
 /** \brief The motion with the minimum sum of distances, on which most pairs agree. */
 Eigen::Isometry3d
-medianMotion(const std::vector<FeaturePair>& pairs,
-             MotionModel model,
-             MotionSolver solver)
+medianMotion(const std::vector<FeaturePair>& pairs, const MotionFitter& fitter)
 {
   constexpr int iterations = 10;
   constexpr double min_distance = 0.01; // metres
   std::vector<double> weights(pairs.size(), 1);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (int i = 0; i < iterations; ++i) {
-    motion = leastSquaresMotion(pairs, weights, model, solver);
+    motion = fitter.fit(pairs, weights).T_target_source;
     for (std::size_t k = 0; k < pairs.size(); ++k)
       weights[k] = 1 / std::max((motion * pairs[k].source - pairs[k].target).norm(),
                                 min_distance);
@@ -95,17 +115,15 @@ misfit(const std::vector<FeaturePair>& pairs, const Eigen::Isometry3d& T_target_
  * near pairs dominate, which may belong to a person who walks by; with the minimum sum
  * of distances, the majority decides. */
 Eigen::Isometry3d
-bestMotion(const std::vector<FeaturePair>& pairs,
-           MotionModel model,
-           MotionSolver solver)
+bestMotion(const std::vector<FeaturePair>& pairs, const MotionFitter& fitter)
 {
   std::vector<double> precisions;
   for (const FeaturePair& pair : pairs)
     precisions.push_back(precisionOf(pair));
-  const Eigen::Isometry3d precise =
-      robustMotion(pairs, leastSquaresMotion(pairs, precisions, model, solver), model);
+  const Eigen::Isometry3d precise = robustMotion(
+      pairs, fitter.fit(pairs, precisions).T_target_source, fitter.model());
   const Eigen::Isometry3d fair =
-      robustMotion(pairs, medianMotion(pairs, model, solver), model);
+      robustMotion(pairs, medianMotion(pairs, fitter), fitter.model());
   return misfit(pairs, fair) < misfit(pairs, precise) ? fair : precise;
 }
 
@@ -113,12 +131,10 @@ bestMotion(const std::vector<FeaturePair>& pairs,
  * squares with full covariances. The second step is repeated from the motion with the
  * minimum sum of distances, and the better result is returned. */
 FeatureMotion
-featureMotion(const std::vector<FeaturePair>& pairs,
-              MotionModel model,
-              MotionSolver solver)
+featureMotion(const std::vector<FeaturePair>& pairs, const MotionFitter& fitter)
 {
   FeatureMotion motion;
-  motion.T_target_source = bestMotion(pairs, model, solver);
+  motion.T_target_source = bestMotion(pairs, fitter);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (squaredDistance(pairs[i], motion.T_target_source) < max_squared)
       motion.inliers.push_back(i);
@@ -134,12 +150,34 @@ pixelsOf(const std::vector<FeaturePair>& pairs)
   return pixels;
 }
 
+/** \brief Covariance of the motion of a fit with equal weights, from its residuals. */
+Matrix6
+covarianceOfFit(const std::vector<FeaturePair>& pairs,
+                const MotionFit& fit,
+                MotionModel model)
+{
+  NormalEquations equations;
+  for (const FeaturePair& pair : pairs) {
+    const Eigen::Vector3d point = fit.T_target_source * pair.source;
+    for (int axis = 0; axis < 3; ++axis)
+      equations.add(motionRow(point, Eigen::Vector3d::Unit(axis)),
+                    point[axis] - pair.target[axis],
+                    1);
+  }
+  const Matrix6 covariance = covarianceOf(equations, model);
+  const double freedoms = 3 * static_cast<double>(pairs.size()) -
+                          static_cast<double>(motionBasis(model).cols());
+  // infinite elements must remain so without residuals
+  return covariance.allFinite() ? Matrix6(fit.energy / freedoms * covariance)
+                                : covariance;
+}
+
 EgomotionFailure
-fewMatches(std::size_t matches)
+fewMatches(std::size_t matches, std::size_t needed)
 {
   return {EgomotionOutcome::FewMatches,
           std::to_string(matches) + " keypoints look alike, at least " +
-              std::to_string(min_features) + " are needed"};
+              std::to_string(needed) + " are needed"};
 }
 
 EgomotionFailure
@@ -148,6 +186,15 @@ noAgreement(std::size_t agreeing, std::size_t matches)
   return {EgomotionOutcome::Inconsistent,
           "only " + std::to_string(agreeing) + " of " + std::to_string(matches) +
               " matches agree on a motion: so few may agree by chance"};
+}
+
+/** \brief Minimum number of matches; in paper mode those that determine a motion. */
+std::size_t
+minMatches(const EgomotionSettings& settings)
+{
+  if (!settings.paper)
+    return min_features;
+  return settings.model == MotionModel::Planar ? 2 : 3;
 }
 
 /** \brief The steps of II-B.1. Each returns a failure if the next one is not possible.
@@ -162,6 +209,7 @@ public:
   , target_(target)
   , settings_(settings)
   , report_(report)
+  , fitter_(settings.model, settings.solver, report)
   {}
 
   std::optional<EgomotionFailure>
@@ -170,27 +218,57 @@ public:
     alike_ = alikePairs(source_, target_, settings_);
     solution.matches = pixelsOf(alike_);
     report_.matches = alike_.size();
-    if (alike_.size() < min_features)
-      return fewMatches(alike_.size());
+    if (alike_.size() < minMatches(settings_))
+      return fewMatches(alike_.size(), minMatches(settings_));
+    return std::nullopt;
+  }
+
+  /** \brief Eq. 1. */
+  std::optional<EgomotionFailure>
+  leaveOut()
+  {
+    consistent_ = consistentPairs(alike_, settings_.worst_out);
+    report_.consistent = consistent_.size();
+    report_.removed = alike_.size() - consistent_.size();
+    if (consistent_.size() < minMatches(settings_))
+      return noAgreement(consistent_.size(), alike_.size());
     return std::nullopt;
   }
 
   std::optional<EgomotionFailure>
   fit(EgomotionSolution& solution)
   {
-    const std::vector<FeaturePair> pairs = consistentPairs(alike_, settings_.worst_out);
-    report_.consistent = pairs.size();
-    if (pairs.size() < min_features)
-      return noAgreement(pairs.size(), alike_.size());
-    const FeatureMotion motion =
-        featureMotion(pairs, settings_.model, settings_.solver);
+    const FeatureMotion motion = featureMotion(consistent_, fitter_);
     T_target_source_ = motion.T_target_source;
     for (const std::size_t i : motion.inliers)
-      inliers_.push_back(pairs[i]);
+      inliers_.push_back(consistent_[i]);
     solution.inliers = pixelsOf(inliers_);
     report_.inliers = inliers_.size();
     if (!isAgreement(inliers_.size(), alike_.size()))
       return noAgreement(inliers_.size(), alike_.size());
+    return std::nullopt;
+  }
+
+  /** \brief The paper's last step: Eq. 2 in one fit, with B_ij = 1 for all matches that
+   * remain. */
+  std::optional<EgomotionFailure>
+  fitOnce(EgomotionSolution& solution)
+  {
+    solution.inliers = pixelsOf(consistent_);
+    report_.inliers = consistent_.size();
+    const MotionFit fit = fitter_.fit(consistent_, {});
+    report_.feature_residual =
+        std::sqrt(fit.energy / static_cast<double>(consistent_.size()));
+    if (!fit.has_converged)
+      report_.remarks.push_back("Eq. 2 had not converged after " +
+                                std::to_string(fit.iterations) + " iterations");
+    const Matrix6 covariance = covarianceOfFit(consistent_, fit, settings_.model);
+    if (!covariance.allFinite())
+      return EgomotionFailure{EgomotionOutcome::Unobservable,
+                              "the matches that remain lie on one line and leave a "
+                              "rotation open"};
+    const PlanarPose pose = planarPartOf(fit.T_target_source);
+    solution.estimate = {fit.T_target_source, {pose.x, pose.z, pose.theta}, covariance};
     return std::nullopt;
   }
 
@@ -243,7 +321,8 @@ private:
   const EgomotionView& target_;
   const EgomotionSettings& settings_;
   EgomotionReport& report_;
-  std::vector<FeaturePair> alike_, inliers_;
+  MotionFitter fitter_;
+  std::vector<FeaturePair> alike_, consistent_, inliers_;
   Eigen::Isometry3d T_target_source_ = Eigen::Isometry3d::Identity();
 };
 
@@ -267,7 +346,8 @@ run(const EgomotionView& source,
     EgomotionSolution& solution)
 {
   for (const auto& failure :
-       {failureOfView(target, "the target"), failureOfView(source, "the source")})
+       {failureOfView(target, "the target", settings.paper ? 1 : min_features),
+        failureOfView(source, "the source", settings.paper ? 1 : min_features)})
     if (failure)
       return failure;
   StepTimer timer(report);
@@ -276,6 +356,14 @@ run(const EgomotionView& source,
     return failure;
   timer.finish("match");
   progress.tell(0.6, "fit");
+  if (const auto failure = chain.leaveOut())
+    return failure;
+  if (settings.paper) {
+    const auto failure = chain.fitOnce(solution);
+    timer.finish("fit");
+    progress.tell(1.0, "fit");
+    return failure;
+  }
   if (const auto failure = chain.fit(solution))
     return failure;
   timer.finish("fit");
@@ -288,6 +376,29 @@ run(const EgomotionView& source,
 
 } // namespace
 
+PatchShifts
+shiftsOf(const EgomotionSettings& settings)
+{
+  const PatchShifts of_paper{1, 1};
+  return settings.shifts.value_or(settings.paper ? of_paper : PatchShifts{});
+}
+
+EgomotionSettings
+inMode(EgomotionSettings settings)
+{
+  settings.patches.ring_shifts = shiftsOf(settings).rings;
+  settings.patches.sector_shifts = shiftsOf(settings).sectors;
+  if (!settings.paper)
+    return settings;
+  constexpr double max_distortion = 1.15; // left open by the paper
+  settings.solver = MotionSolver::ConjugateGradient;
+  settings.refines = false;
+  settings.keypoints.most = std::numeric_limits<std::size_t>::max();
+  settings.worst_out.paper = true;
+  settings.worst_out.max_distortion = max_distortion;
+  return settings;
+}
+
 EgomotionSolution
 estimateEgomotion(const EgomotionView& source,
                   const EgomotionView& target,
@@ -296,6 +407,7 @@ estimateEgomotion(const EgomotionView& source,
                   EgomotionReport& report)
 {
   EgomotionSolution solution;
+  report.is_paper = settings.paper;
   report.source_points = source.points;
   report.target_points = target.points;
   report.source_keypoints = source.keypoints();

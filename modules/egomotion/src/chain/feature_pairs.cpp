@@ -33,11 +33,14 @@ differenceCovariance(const FeaturePair& pair, const Eigen::Isometry3d& T_target_
                                       T_target_source.linear().transpose();
 }
 
-/** \brief Gate for all motions within the bounds: no point can move farther. */
+/** \brief Gate for all motions within the bounds: no point can move farther. The paper
+ * has no bounds. */
 MatchGate
 gateOf(const EgomotionSettings& settings)
 {
   MatchGate gate;
+  if (settings.paper)
+    return gate;
   gate.distance = static_cast<float>(settings.max_translation);
   gate.distance_per_metre = static_cast<float>(2 * std::sin(settings.max_rotation / 2));
   return gate;

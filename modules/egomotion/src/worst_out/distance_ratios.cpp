@@ -10,13 +10,15 @@ namespace {
 
 constexpr std::size_t block = 256;
 
-/** Computes the ratios of a block, 0 for pairs that are skipped. NaN, which results
- * from overflowing squares, is counted as the largest ratio. */
+/** Computes the ratios of a block. NaN, which results from overflowing squares, is
+ * counted as the largest ratio.
+ * \param[in] near_ratio of pairs that are near in both clouds; 0: they are skipped */
 void
 ratiosOf(const float* const (&at)[6],
          std::size_t size,
          const float (&one)[6],
          float floor,
+         float near_ratio,
          float* ratios)
 {
   for (std::size_t k = 0; k < size; ++k) {
@@ -31,7 +33,7 @@ ratiosOf(const float* const (&at)[6],
     const float smaller = squares[0] > squares[1] ? squares[1] : squares[0];
     const float ratio = std::sqrt(larger / (smaller > floor ? smaller : floor));
     const float capped = ratio < max_ratio ? ratio : max_ratio;
-    ratios[k] = larger <= floor ? 0.0F : capped;
+    ratios[k] = larger <= floor ? near_ratio : capped;
   }
 }
 
@@ -69,6 +71,7 @@ void
 addRatios(const MatchPlaces& places,
           const float (&one)[6],
           float min_distance,
+          float near_ratio,
           int sign,
           RatioSums& sums)
 {
@@ -78,7 +81,7 @@ addRatios(const MatchPlaces& places,
     const float* at[6];
     for (int axis = 0; axis < 6; ++axis)
       at[axis] = places.coordinates[axis].data() + begin;
-    ratiosOf(at, size, one, min_distance * min_distance, ratios);
+    ratiosOf(at, size, one, min_distance * min_distance, near_ratio, ratios);
     double* const sum = sums.sums.data() + begin;
     std::int32_t* const count = sums.counts.data() + begin;
     for (std::size_t k = 0; k < size; ++k) {

@@ -47,14 +47,16 @@ struct RatioSums {
  * subtracts them (-1).
  *
  * The ratio is the larger distance divided by the smaller one, both at least the
- * minimum distance. A pair that is near in both clouds is skipped; a pair that is near
- * in only one of them is counted.
+ * minimum distance. A pair that is near in both clouds is skipped, or counted with a
+ * fixed ratio; a pair that is near in only one of them is counted.
  * \param[in] one source x y z, target x y z of the other match
+ * \param[in] near_ratio of pairs that are near in both clouds; 0: they are skipped
  * \param[in,out] sums one entry per match of \a places */
 void
 addRatios(const MatchPlaces& places,
           const float (&one)[6],
           float min_distance,
+          float near_ratio,
           int sign,
           RatioSums& sums);
 

@@ -3,6 +3,8 @@
 #include <pcl/egomotion/impl/worst_out_kernel.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace pcl::acmap {
 
@@ -25,7 +27,12 @@ addRatiosTo(std::size_t one,
   float at[6];
   for (int axis = 0; axis < 6; ++axis)
     at[axis] = others.coordinates[axis][one];
-  addRatios(places, at, static_cast<float>(settings.min_distance), sign, sums);
+  addRatios(places,
+            at,
+            static_cast<float>(settings.min_distance),
+            settings.paper ? 1.0F : 0.0F,
+            sign,
+            sums);
 }
 
 /** Eq. 1 of each match of \a places, as a mean over \a others. */
@@ -117,13 +124,24 @@ judge(const MatchPlaces& others,
   }
 }
 
+/** Replaces the settings that Eq. 1 as printed does not have. */
+WorstOutSettings
+asPrinted(WorstOutSettings settings)
+{
+  settings.min_distance = 0;
+  settings.min_matches = 1;
+  settings.sample = std::numeric_limits<std::size_t>::max();
+  return settings;
+}
+
 } // namespace
 
 WorstOutOutcome
 leaveWorstOut(const std::vector<Eigen::Vector3f>& source,
               const std::vector<Eigen::Vector3f>& target,
-              const WorstOutSettings& settings)
+              const WorstOutSettings& given)
 {
+  const WorstOutSettings settings = given.paper ? asPrinted(given) : given;
   WorstOutOutcome outcome;
   std::vector<std::int32_t> finite;
   for (std::size_t match = 0; match < source.size(); ++match)

@@ -52,6 +52,7 @@ Ballot::count(const Eigen::Vector3f& front, const VotingSettings& settings) cons
     result.normal = -result.normal;
   result.direction = solver.eigenvectors().col(0).cast<float>();
   result.saliency = static_cast<float>(ascending[2] - ascending[1]);
+  result.votes = static_cast<std::uint32_t>(votes_);
   result.vertex_class = classify(ascending, settings);
   return result;
 }

@@ -11,7 +11,7 @@ Voter::Voter(const Electorate& electorate,
 : electorate_(electorate)
 , settings_(settings)
 , radius_(static_cast<float>(radius))
-, squared_nearest_(static_cast<float>(nearest * nearest))
+, squared_nearest_(settings.paper ? 0 : static_cast<float>(nearest * nearest))
 , disc_(electorate.rings, electorate.points.size())
 , shares_(electorate.points.size())
 {}
@@ -21,8 +21,9 @@ Voter::vote(std::int32_t vertex)
 {
   // at a border, and for long edges, the disc may be too small: double the radius once
   const VotedNormal voted = voteWithin(vertex, radius_);
-  return voted.vertex_class == VertexClass::Unknown ? voteWithin(vertex, 2 * radius_)
-                                                    : voted;
+  return voted.vertex_class == VertexClass::Unknown && !settings_.paper
+             ? voteWithin(vertex, 2 * radius_)
+             : voted;
 }
 
 // The distance g of the centre of a triangle is the mean of those of its corners, and
@@ -59,13 +60,14 @@ Voter::voteWithin(std::int32_t vertex, float radius)
       if (!(square > squared_nearest_))
         continue;
       const float along = face.normal.dot(way);
-      const float weight = face.area * share(v) * share(corners[1]) *
-                           share(corners[2]) * (1 - along * along / square);
+      const float frontal = settings_.paper ? 1 : 1 - along * along / square; // ours
+      const float weight =
+          face.area * share(v) * share(corners[1]) * share(corners[2]) * frontal;
       ballot.add(face.normal - (2 * along / square) * way, weight); // Eq. 6
       front += weight * face.normal;
     }
   }
-  constexpr std::size_t min_votes = 3;
+  const std::size_t min_votes = settings_.paper ? 1 : 3;
   return ballot.votes() < min_votes ? noNormal() : ballot.count(front, settings_);
 }
 

@@ -69,13 +69,15 @@ turnToSensors(const PointView& points,
 void
 describe(const Electorate& electorate,
          const std::vector<VotedNormal>& normals,
+         bool paper,
          VotingReport& report)
 {
   for (std::size_t v = 0; v < electorate.points.size(); ++v)
     report.invalid_points += electorate.points[v].allFinite() ? 0 : 1;
   for (const Face& face : electorate.faces)
     report.degenerate_triangles += face.area > 0 ? 0 : 1;
-  for (const VotedNormal& voted : normals)
+  for (const VotedNormal& voted : normals) {
+    report.votes += voted.votes;
     switch (voted.vertex_class) {
     case VertexClass::Surface:
       ++report.surface;
@@ -89,11 +91,14 @@ describe(const Electorate& electorate,
     default:
       ++report.unknown;
     }
+  }
   if (report.triangles == 0)
     report.remarks.emplace_back("without triangles nobody votes: set a mesh");
   else if (report.unknown > 0)
-    report.remarks.push_back(std::to_string(report.unknown) +
-                             " vertices got less than 3 votes and have no normal");
+    report.remarks.push_back(
+        std::to_string(report.unknown) +
+        (paper ? " vertices got no vote" : " vertices got less than 3 votes") +
+        " and have no normal");
 }
 
 void
@@ -165,7 +170,7 @@ voteNormals(const PointView& points,
       voteCurvatures(points, electorate, report.radius, progress, result);
       timer.finish("curvatures");
     }
-    describe(electorate, result.normals, report);
+    describe(electorate, result.normals, settings.paper, report);
     progress.tell(1.0, "done");
     return result;
   });

@@ -29,17 +29,6 @@ count(const EntropyCells& observation, MapEntropyReport& report)
   report.cells += observation.cells.size();
 }
 
-void
-add(const MapEntropyReport& counts, MapEntropyReport& report)
-{
-  report.observations += counts.observations;
-  report.points += counts.points;
-  report.invalid_points += counts.invalid_points;
-  report.distant_points += counts.distant_points;
-  report.directed_points += counts.directed_points;
-  report.cells += counts.cells;
-}
-
 double
 weightOf(const std::vector<EntropyCells>& observations)
 {
@@ -91,7 +80,7 @@ MapEntropyEvaluator::evaluate(const std::vector<PlanarPose>& poses,
     throw BadArgumentException("each observation needs one pose");
   for (const PlanarPose& pose : poses)
     requirePlanarPose(pose);
-  add(state_->counts, report);
+  addCounts(state_->counts, report);
   if (gradient)
     gradient->assign(size, Eigen::Vector3d::Zero());
   std::vector<BinRange> ranges;

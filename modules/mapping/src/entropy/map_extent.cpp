@@ -122,7 +122,7 @@ requirePlanarPose(const PlanarPose& pose)
   requireInRange("theta of the pose", pose.theta, -1e3, 1e3, "rad");
 }
 
-void
+const MapEntropySettings&
 requireSmoothing(const MapEntropySettings& settings)
 {
   requireInRange("smoothing sigma_XZ",
@@ -130,6 +130,18 @@ requireSmoothing(const MapEntropySettings& settings)
                  0,
                  100 * settings.bin_size,
                  "m (100 bins)");
+  return settings;
+}
+
+void
+addCounts(const MapEntropyReport& counts, MapEntropyReport& report)
+{
+  report.observations += counts.observations;
+  report.points += counts.points;
+  report.invalid_points += counts.invalid_points;
+  report.distant_points += counts.distant_points;
+  report.directed_points += counts.directed_points;
+  report.cells += counts.cells;
 }
 
 } // namespace pcl::acmap

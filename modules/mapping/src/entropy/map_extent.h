@@ -56,8 +56,13 @@ remarkOnMap(const MapEntropyTerms& terms,
             const MapEntropySettings& settings,
             MapEntropyReport& report);
 
-/** \throws BadArgumentException when the smoothing is wider than 100 bins */
-void
+/** \brief Returns the settings.
+ * \throws BadArgumentException when the smoothing is wider than 100 bins */
+const MapEntropySettings&
 requireSmoothing(const MapEntropySettings& settings);
+
+/** \brief Adds the numbers of observations, points and cells. */
+void
+addCounts(const MapEntropyReport& counts, MapEntropyReport& report);
 
 } // namespace pcl::acmap

@@ -21,13 +21,12 @@ buildingDirection(const std::vector<EntropyCells>& observations,
 std::vector<PlanarPose>
 turnedMap(const std::vector<PlanarPose>& poses, double turn);
 
-/** \brief The paper's minimiser (II-B.2): random subsets of actions are changed, each
- * in proportion to its vote, which is the effect of its previous changes on the energy.
- * It uses Eq. 3 alone; for each bin size the energy never increases. */
+/** \brief The paper's minimiser (II-B.2): each vote changes a random subset of the
+ * actions at once, each in proportion to the effect of its previous changes on the
+ * energy, and is accepted if the energy decreases. The energy is Eq. 3 of all points.
+ * \return with the first pose as it was given, although a_0 is searched, too */
 std::vector<PlanarPose>
-votingSearch(const RectificationTask& task,
-             EntropySearch& search,
-             const std::vector<PlanarPose>& poses);
+votingSearch(const RectificationTask& task, const std::vector<PlanarPose>& poses);
 
 /** \brief Descent on the direction-aware entropy with the odometry as prior, from short
  * windows to the whole map, from coarse to fine, with increasing weight of the entropy.

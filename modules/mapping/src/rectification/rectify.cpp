@@ -57,6 +57,16 @@ shifted(std::vector<PlanarPose> poses, double times, const PlanarPose& place)
   return poses;
 }
 
+/** The corner of the bin that contains a place: shifted by it, points remain in their
+ * bins. */
+PlanarPose
+cornerOfBin(const PlanarPose& place, double bin_size)
+{
+  return {bin_size * std::floor(place.x / bin_size),
+          bin_size * std::floor(place.z / bin_size),
+          0};
+}
+
 /** Searches in a map whose building is aligned with the axes, if projections are
  * used. */
 std::vector<PlanarPose>
@@ -72,12 +82,15 @@ searchAlongAxes(const RectificationTask& task,
     turn = buildingDirection(
         firstOf(search.cells(level)), firstOf(poses), search.entropySettings(level));
   }
-  const PlanarPose& first = poses.front(); // avoids rounding far from the origin
-  const bool paper = settings.mode == RectificationMode::Paper;
-  const std::vector<PlanarPose> found = (paper ? votingSearch : guardedSearch)(
-      task, search, turnedMap(shifted(poses, -1, first), turn));
+  // Near the origin there is less rounding.
+  const bool is_paper = settings.mode == RectificationMode::Paper;
+  const PlanarPose middle =
+      is_paper ? cornerOfBin(poses.front(), settings.bin_size) : poses.front();
+  const std::vector<PlanarPose> start = turnedMap(shifted(poses, -1, middle), turn);
+  const std::vector<PlanarPose> found =
+      is_paper ? votingSearch(task, start) : guardedSearch(task, search, start);
   return task.report.outcome == RectificationOutcome::Rectified
-             ? shifted(turnedMap(found, -turn), 1, first)
+             ? shifted(turnedMap(found, -turn), 1, middle)
              : poses;
 }
 

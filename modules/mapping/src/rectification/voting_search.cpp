@@ -1,64 +1,103 @@
 #include "rectification_steps.h"
 
+#include "entropy/exact_entropy.h"
 #include "ray_evidence.h"
 
 #include <pcl/core/random.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::acmap {
 namespace {
 
+// The paper gives neither of these.
 const Eigen::Array3d unit_step(0.05, 0.05, 0.02); ///< m, m, rad
-constexpr double probe_spread = 0.5; ///< standard deviation of a probe, in steps
-constexpr double memory = 0.7;       ///< weight of the previous vote
-constexpr double full_effect = 0.02; ///< bits that result in a full vote
-constexpr double growth = 1.3, decay = 0.9, min_step = 0.04;
-constexpr int probes_a_round = 40;
-constexpr int evaluations_a_pose = 50; ///< for all levels
+constexpr double share_of_actions = 0.5; ///< probability that a vote changes an action
+constexpr double random_part = 0.5;      ///< standard deviation, in steps
+constexpr double memory = 0.9;           ///< weight of the earlier effects of an action
+constexpr double growth = 1.3, decay = 0.9, min_step = 0.1;
+constexpr std::size_t votes_a_round = 40, votes_a_pose = 50;
+constexpr std::size_t idle_votes_a_pose = 4; ///< without an accepted one: the end
 
-/** State of the search for one action. */
-struct ActionVotes {
-  Eigen::Array3d vote = Eigen::Array3d::Zero(); ///< in [-1, 1], towards lower energy
-  double step = 1;
-};
+using Actions = std::vector<PlanarAction>;
+
+/** p_0 = a_0, p_t = p_{t-1} (+) a_t */
+std::vector<PlanarPose>
+posesOf(const Actions& actions)
+{
+  std::vector<PlanarPose> poses;
+  for (const PlanarAction& action : actions) {
+    poses.push_back(moved(poses.empty() ? PlanarPose() : poses.back(), action));
+    poses.back().theta = std::remainder(poses.back().theta, 2 * M_PI); // many turns
+  }
+  return poses;
+}
+
+std::vector<PosedPoints>
+pointsOf(const std::vector<LevelledPoints>& observations)
+{
+  std::vector<PosedPoints> all;
+  for (const LevelledPoints& seen : observations) {
+    PosedPoints points;
+    if (!seen.points.empty())
+      points.points =
+          PointView(seen.points.data(), sizeof(seen.points[0]), seen.points.size());
+    points.weights = seen.weights.empty() ? nullptr : seen.weights.data();
+    all.push_back(points);
+  }
+  return all;
+}
+
+MapEntropySettings
+entropyOf(const RectificationSettings& settings)
+{
+  MapEntropySettings entropy;
+  entropy.bin_size = settings.bin_size;
+  entropy.smoothing = settings.smoothing < 0 ? settings.bin_size : settings.smoothing;
+  entropy.projection_weight = settings.projection_weight;
+  return entropy;
+}
 
 class VotingSearch {
 public:
-  VotingSearch(const std::vector<PlanarPose>& poses,
-               std::uint64_t seed,
-               const Progress& progress,
-               EntropyRectificationReport& report)
-  : start_(actionBetween({}, poses.front()))
+  VotingSearch(const RectificationTask& task, const std::vector<PlanarPose>& poses)
+  : task_(task)
+  , evaluator_(pointsOf(task.observations), entropyOf(task.settings), Progress())
+  , start_(actionBetween({}, poses.front()))
   , actions_{start_}
-  , voters_(poses.size())
-  , random_(seed)
-  , progress_(progress)
-  , report_(report)
+  , effects_(poses.size(), Eigen::Array3d::Zero())
+  , random_(task.settings.seed)
   {
     for (std::size_t t = 1; t < poses.size(); ++t)
       actions_.push_back(actionBetween(poses[t - 1], poses[t]));
   }
 
-  void
-  run(MapEntropyEvaluator& evaluator, double bin_size, std::size_t evaluations)
+  /** \return reason why there is no entropy, if so */
+  std::string
+  run()
   {
-    evaluator_ = &evaluator;
-    std::fill(voters_.begin(), voters_.end(), ActionVotes());
-    energy_ = energyOf(actions_);
+    EntropyRectificationReport& report = task_.report;
+    MapEntropyReport told;
+    energy_ = energyOf(actions_, told);
     if (std::isinf(energy_))
-      return;
-    const std::size_t end = evaluations_ + evaluations;
-    std::size_t idle = 0; // probes since the last accepted move
-    while (evaluations_ < end && idle < 4 * actions_.size()) {
-      for (int i = 0; i < probes_a_round; ++i)
-        idle = probe() ? 0 : idle + 1;
-      if (moveTogether())
-        idle = 0;
-      progress_.tell(shareDone(), "voting");
-      report_.steps.push_back({"voting", bin_size, energy_, 0, energy_});
+      return told.remarks.front();
+    evaluator_.keep();
+    const std::size_t most = votes_a_pose * actions_.size();
+    std::size_t last_accepted = 0;
+    while (report.votes < most &&
+           report.votes - last_accepted < idle_votes_a_pose * actions_.size()) {
+      if (vote())
+        last_accepted = report.votes;
+      task_.progress.tell(static_cast<double>(report.votes) / static_cast<double>(most),
+                          "voting");
+      if (report.votes % votes_a_round == 0)
+        tellStep();
     }
+    if (report.votes % votes_a_round != 0)
+      tellStep();
+    return "";
   }
 
   /** The result, with the first pose as it was given. */
@@ -70,135 +109,113 @@ public:
     return posesOf(actions);
   }
 
-  std::size_t
-  evaluations() const
-  {
-    return evaluations_;
-  }
-
 private:
-  double
-  shareDone() const
+  void
+  tellStep()
   {
-    const auto all = static_cast<double>(evaluations_a_pose * voters_.size());
-    return std::min(1.0, static_cast<double>(evaluations_) / all);
+    task_.report.steps.push_back(
+        {"voting", task_.settings.bin_size, energy_, 0, energy_});
   }
 
-  using Actions = std::vector<PlanarAction>;
-
-  static std::vector<PlanarPose>
-  posesOf(const Actions& actions)
+  double
+  energyOf(const Actions& actions, MapEntropyReport& told)
   {
-    std::vector<PlanarPose> poses;
-    for (const PlanarAction& action : actions) {
-      poses.push_back(moved(poses.empty() ? PlanarPose() : poses.back(), action));
-      poses.back().theta = std::remainder(poses.back().theta, 2 * M_PI); // many turns
+    ++task_.report.evaluations;
+    const MapEntropyTerms terms = evaluator_.evaluate(posesOf(actions), told);
+    return terms.points ? terms.total : std::numeric_limits<double>::infinity();
+  }
+
+  /** Draws at least two actions. */
+  std::vector<std::size_t>
+  drawSubset()
+  {
+    std::vector<std::size_t> subset;
+    while (subset.size() < 2) {
+      subset.clear();
+      for (std::size_t t = 0; t < actions_.size(); ++t)
+        if (random_.uniform() < share_of_actions)
+          subset.push_back(t);
     }
-    return poses;
+    return subset;
   }
 
+  /** Root mean square of the effects of all actions. */
   double
-  energyOf(const Actions& actions)
+  sizeOfEffects() const
   {
-    ++evaluations_;
-    MapEntropyReport ignored;
-    const MapEntropyTerms terms = evaluator_->evaluate(posesOf(actions), ignored);
-    return terms.points ? terms.total : INFINITY;
+    double sum = 0;
+    for (const Eigen::Array3d& effect : effects_)
+      sum += effect.square().sum();
+    return std::sqrt(sum / (3 * static_cast<double>(actions_.size())));
   }
 
-  static void
-  change(PlanarAction& action, const Eigen::Array3d& by)
-  {
-    action.dx += by[0];
-    action.dz += by[1];
-    action.dtheta += by[2];
-  }
-
-  /** Changes one action and updates its vote. \return whether the energy decreased */
+  /** Changes a subset of the actions at once, each in proportion to its previous effect
+   * on the energy. \return whether the energy decreased */
   bool
-  probe()
+  vote()
   {
-    const auto t = static_cast<std::size_t>(
-        random_.uniform(0, static_cast<double>(actions_.size())));
-    ActionVotes& voter = voters_[t];
-    Eigen::Array3d d;
-    for (double& part : d)
-      part = probe_spread * random_.normal();
-    if (random_.uniform() < 0.5)
-      d = d / 2 + voter.vote;
+    ++task_.report.votes;
+    const std::vector<std::size_t> subset = drawSubset();
+    const double size = sizeOfEffects();
     Actions tried = actions_;
-    change(tried[t], voter.step * unit_step * d);
-    const double energy = energyOf(tried);
-    const double effect = energy - energy_;
-    const double strength = std::min(1.0, std::abs(effect) / full_effect);
-    const double size = d.matrix().norm();
-    if (size > 0 && effect != 0)
-      voter.vote =
-          memory * voter.vote + (1 - memory) * strength * (effect < 0 ? d : -d) / size;
-    const bool better = effect < 0;
-    voter.step = better ? std::min(1.0, growth * voter.step)
-                        : std::max(min_step, decay * voter.step);
-    if (better) {
+    std::vector<Eigen::Array3d> changes(actions_.size()); // in steps
+    for (const std::size_t t : subset) {
+      for (double& part : changes[t])
+        part = random_part * random_.normal();
+      if (size > 0)
+        changes[t] -= effects_[t] / size;
+      const Eigen::Array3d change = step_ * unit_step * changes[t];
+      tried[t].dx += change[0];
+      tried[t].dz += change[1];
+      tried[t].dtheta += change[2];
+    }
+    MapEntropyReport ignored;
+    const double energy = energyOf(tried, ignored);
+    if (std::isfinite(energy))
+      for (const std::size_t t : subset)
+        effects_[t] = memory * effects_[t] +
+                      (1 - memory) * ((energy - energy_) / step_) * changes[t];
+    const bool is_better = energy < energy_;
+    step_ =
+        is_better ? std::min(1.0, growth * step_) : std::max(min_step, decay * step_);
+    if (is_better) {
       actions_ = std::move(tried);
       energy_ = energy;
+      evaluator_.keep();
+      ++task_.report.accepted_moves;
     }
-    return better;
+    return is_better;
   }
 
-  /** The paper's move: half of the actions are changed at once, each by its vote. */
-  bool
-  moveTogether()
-  {
-    std::vector<std::size_t> chosen;
-    for (std::size_t t = 0; t < actions_.size(); ++t)
-      if (random_.uniform() < 0.5)
-        chosen.push_back(t);
-    for (const double share : {1.0, 0.4, 0.16}) {
-      Actions tried = actions_;
-      for (const std::size_t t : chosen)
-        change(tried[t], share * voters_[t].step * unit_step * voters_[t].vote);
-      const double energy = energyOf(tried);
-      if (energy < energy_) {
-        actions_ = std::move(tried);
-        energy_ = energy;
-        return true;
-      }
-    }
-    return false;
-  }
-
+  const RectificationTask& task_;
+  ExactEntropyEvaluator evaluator_;
   PlanarAction start_;
   Actions actions_; ///< the first one is the first pose: it turns the map
-  std::vector<ActionVotes> voters_;
+  std::vector<Eigen::Array3d> effects_; ///< of each action: energy times change, mean
   Random random_;
-  const Progress& progress_;
-  EntropyRectificationReport& report_;
-  MapEntropyEvaluator* evaluator_ = nullptr;
   double energy_ = 0;
-  std::size_t evaluations_ = 0;
+  double step_ = 1; ///< in unit steps
 };
 
 } // namespace
 
 std::vector<PlanarPose>
-votingSearch(const RectificationTask& task,
-             EntropySearch& search,
-             const std::vector<PlanarPose>& poses)
+votingSearch(const RectificationTask& task, const std::vector<PlanarPose>& poses)
 {
   EntropyRectificationReport& report = task.report;
-  VotingSearch voting(poses, task.settings.seed, task.progress, report);
-  for (const double factor : {4.0, 2.0, 1.0}) {
-    const EntropyLevel level{factor * task.settings.bin_size, 1, false, false};
-    MapEntropyEvaluator evaluator(search.cells(level), search.entropySettings(level));
-    voting.run(evaluator, level.bin_size, evaluations_a_pose * poses.size() / 3);
-  }
-  report.evaluations += voting.evaluations();
-  report.outcome = RectificationOutcome::Rectified;
-  report.reason = "the entropy fell; paper mode asks nothing else";
+  VotingSearch voting(task, poses);
+  report.reason = voting.run();
+  measureQuality(task.observations, poses, report.before);
+  if (!report.reason.empty())
+    return poses;
+  const bool has_moved = report.accepted_moves > 0;
+  report.outcome =
+      has_moved ? RectificationOutcome::Rectified : RectificationOutcome::Kept;
+  report.reason = has_moved ? "the entropy fell; paper mode asks nothing else"
+                            : "no vote lowered the entropy";
   const RayEvidence rays(task.observations, task.settings.bin_size);
   rays.judge(poses, report.before);
   rays.judge(voting.poses(), report.after);
-  measureQuality(task.observations, poses, report.before);
   measureQuality(task.observations, voting.poses(), report.after);
   return voting.poses();
 }

@@ -174,8 +174,10 @@ void
 outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known)
 {
   using namespace outlines;
-  if (known.planes.empty())
-    return; // there may also be no spacing
+  for (KnownPlane& plane : known.planes)
+    plane.patch.area = 0; // of the outlines from here on; before, of its members
+  if (known.planes.empty() || !(known.spacing > 0))
+    return;
   const labeling::CandidateGrid grid(known, known.spacing, 0);
   const double reach = 2 * known.spacing;
   const double min_area = 4 * known.spacing * known.spacing;
@@ -183,7 +185,6 @@ outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes&
   for (std::size_t p = 0; p < known.planes.size(); ++p) {
     PlanePatch& patch = known.planes[p].patch;
     const CreaseSnap snap(grid, known.planes, p, reach);
-    patch.area = 0; // of the outlines from here on; before, of its members
     if (known.planes[p].trust != PlaneTrust::Strip)
       setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
                   min_area,

@@ -1,135 +1,248 @@
-#include "planes/plane_growth.h"
+#include "planes/paper_growth.h"
 
-#include "planes/neighbourhoods.h"
+#include "planes/radius_grid.h"
 
-#include <pcl/segmentation/impl/plane_clustering_kernel.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace pcl::acmap::planes {
 
 namespace {
 
-/** \brief Reports the progress of growing by the number of point pairs that were
- * visited: this number, and so the time, grows with the square of the number of points
- * within W_d. */
-class PairProgress {
+/** The hypotheses that support no plane so far. */
+class OpenHypotheses {
 public:
-  PairProgress(const CellGraph& graph,
-               const RadiusNeighbourhood& near,
-               const Progress& progress)
-  : progress_(progress)
-  , is_closed_(graph.size(), false)
+  OpenHypotheses(const CellGraph& graph, double reach)
+  : points_(graph.points)
+  , reach_(reach)
   {
-    constexpr std::size_t samples = 100;
-    constexpr double visits = 2; // per point: when it joins, and in the final check
-    const std::size_t step = 1 + graph.size() / samples;
-    std::size_t pairs = 0, points = 0;
-    for (std::size_t i = 0; i < graph.size(); i += step, ++points)
-      near.visit(static_cast<std::int32_t>(i), [&](std::int32_t) { ++pairs; });
-    pairs_each_ = visits * static_cast<double>(pairs) /
-                  std::max(1.0, static_cast<double>(points));
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (graph.hasNormal(i))
+        ++size_;
+      else
+        leaveOut(points_[i]);
+    index();
   }
 
+  bool
+  contains(std::int32_t i) const
+  {
+    return points_[static_cast<std::size_t>(i)].allFinite();
+  }
+
+  /** Calls visit (j) for each one that is nearer than W_d to hypothesis i, and for i
+   * itself. */
+  template <typename Visit>
   void
-  addPairs(std::size_t pairs)
+  visitNear(std::int32_t i, const Visit& visit) const
   {
-    pairs_ += static_cast<double>(pairs);
-    constexpr double pairs_between = 1 << 22; // a few hundredths of a second
-    if (pairs_ - told_ < pairs_between)
-      return;
-    told_ = pairs_;
-    const auto open = static_cast<double>(is_closed_.size() - closed_);
-    share_ = std::max(share_, pairs_ / (pairs_ + pairs_each_ * open));
-    progress_.tell(share_of_growth * share_, "growing");
+    grid_->visitNear(points_[static_cast<std::size_t>(i)], visit);
   }
 
-  /** \brief Marks the members of a region, which are no longer seeds. If regions are
-   * rejected and their members are visited again, the estimate for the remaining points
-   * is increased. */
   void
   close(const std::vector<std::int32_t>& members)
   {
-    for (const std::int32_t member : members) {
-      closed_ += is_closed_[static_cast<std::size_t>(member)] ? 0 : 1;
-      is_closed_[static_cast<std::size_t>(member)] = true;
-    }
-    if (closed_ > 0)
-      pairs_each_ = std::max(pairs_each_, pairs_ / static_cast<double>(closed_));
+    for (const std::int32_t member : members)
+      leaveOut(points_[static_cast<std::size_t>(member)]);
+    size_ -= members.size();
+    if (2 * size_ < indexed_)
+      index();
   }
 
 private:
-  static constexpr double share_of_growth = 0.85; ///< of all steps of the clustering
+  /** A point that is not finite is nobody's neighbour. */
+  static void
+  leaveOut(Eigen::Vector3d& point)
+  {
+    point.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
 
-  const Progress& progress_;
-  std::vector<bool> is_closed_;
-  std::size_t closed_ = 0;
-  double pairs_each_ = 0;       ///< expected per open point
-  double pairs_ = 0, told_ = 0; ///< visited so far, and at the last report
-  double share_ = 0;            ///< last reported; it never decreases
+  void
+  index()
+  {
+    grid_.emplace(points_, reach_);
+    indexed_ = size_;
+  }
+
+  std::vector<Eigen::Vector3d> points_; ///< NaN if not open
+  double reach_;                        ///< metres
+  std::optional<RadiusGrid> grid_;
+  std::size_t size_ = 0, indexed_ = 0;
 };
 
-/** \brief Points within W_d; the visited pairs are counted. */
-class CountedNeighbourhood {
+/** Is it a plane, or do the points lie on one line, within a thousandth of its
+ * length? */
+bool
+definesPlane(const PlaneFit& fit)
+{
+  constexpr double squared_width = 1e-6;
+  return fit.count >= 3 && fit.variances[1] > squared_width * fit.variances[2];
+}
+
+/** Tests one hypothesis after the other. */
+class PaperGrowth {
 public:
-  CountedNeighbourhood(const RadiusNeighbourhood& near, PairProgress& progress)
-  : near_(near)
-  , progress_(progress)
+  PaperGrowth(const CellGraph& graph,
+              const PaperThresholds& thresholds,
+              PlaneClusteringReport& report)
+  : graph_(graph)
+  , thresholds_(thresholds)
+  , report_(report)
+  , open_(graph, thresholds.member_distance)
   {}
 
-  template <typename Visit>
-  void
-  visit(std::int32_t element, const Visit& visit) const
+  bool
+  isOpen(std::int32_t i) const
   {
-    std::size_t pairs = 0;
-    near_.visit(element, [&](std::int32_t other) {
-      ++pairs;
-      visit(other);
-    });
-    progress_.addPairs(pairs);
+    return open_.contains(i);
+  }
+
+  /** Adds the plane of a hypothesis if it has enough supporters. */
+  void
+  test(std::int32_t i, std::vector<GrownPlane>& planes)
+  {
+    ++report_.tested_hypotheses;
+    collectCandidates(i);
+    GrownPlane plane = planeOf(i);
+    const std::size_t supporters = plane.members.size() - 1; // without i itself
+    if (supporters <= thresholds_.support || areCoincident(plane.members))
+      return;
+    open_.close(plane.members);
+    plane.area = graph_.areaOf(plane.members);
+    planes.push_back(std::move(plane));
   }
 
 private:
-  const RadiusNeighbourhood& near_;
-  PairProgress& progress_;
+  const Eigen::Vector3d&
+  point(std::int32_t i) const
+  {
+    return graph_.points[static_cast<std::size_t>(i)];
+  }
+
+  const Eigen::Vector3f&
+  normal(std::int32_t i) const
+  {
+    return graph_.normals[static_cast<std::size_t>(i)];
+  }
+
+  /** If all points coincide, there is no plane to estimate. */
+  bool
+  areCoincident(const std::vector<std::int32_t>& members) const
+  {
+    return std::all_of(members.begin(), members.end(), [&](std::int32_t member) {
+      return point(member) == point(members.front());
+    });
+  }
+
+  /** All hypotheses j other than i within W_d of p_i and W_n of n_i, in their order. */
+  void
+  collectCandidates(std::int32_t i)
+  {
+    const Eigen::Vector3d front = normal(i).cast<double>();
+    candidates_.clear();
+    open_.visitNear(i, [&](std::int32_t j) {
+      if (j != i && normal(j).cast<double>().dot(front) > thresholds_.cosine)
+        candidates_.push_back(j);
+    });
+    std::sort(candidates_.begin(), candidates_.end());
+  }
+
+  /** The plane of hypothesis i and its supporters: each candidate within W_t of the
+   * plane supports it, and the plane is estimated again with each of them, until none
+   * of the others does. Lengths are relative to p_i. */
+  GrownPlane
+  planeOf(std::int32_t i)
+  {
+    const Eigen::Vector3d front = normal(i).cast<double>().normalized();
+    Plane plane{front, 0};
+    Moments moments = momentsOf(Eigen::Vector3d::Zero());
+    GrownPlane grown;
+    grown.members.push_back(i);
+    for (bool has_grown = true; has_grown;) {
+      std::size_t left = 0;
+      for (const std::int32_t j : candidates_) {
+        const Eigen::Vector3d way = point(j) - point(i);
+        if (std::abs(plane.distance(way)) >= thresholds_.plane_distance) {
+          candidates_[left++] = j;
+          continue;
+        }
+        grown.members.push_back(j);
+        moments += momentsOf(way);
+        ++report_.reestimations;
+        const PlaneFit fit = fitPlane(moments);
+        if (definesPlane(fit))
+          plane = planeThrough(fit, front);
+      }
+      has_grown = left < candidates_.size();
+      candidates_.resize(left);
+    }
+    const Eigen::Vector3d& origin = point(i);
+    plane.offset -= plane.normal.dot(origin);
+    grown.plane = plane;
+    grown.moments.addShifted(moments, origin.x(), origin.y(), origin.z());
+    return grown;
+  }
+
+  const CellGraph& graph_;
+  PaperThresholds thresholds_;
+  PlaneClusteringReport& report_;
+  OpenHypotheses open_;
+  std::vector<std::int32_t> candidates_;
 };
 
 } // namespace
 
 std::vector<GrownPlane>
 growAsPaper(const CellGraph& graph,
-            const std::vector<std::int32_t>& seeds,
-            const PlaneLimits& limits,
-            double member_distance,
-            std::size_t min_support,
+            const std::vector<std::int32_t>& hypotheses,
+            const PaperThresholds& thresholds,
             const Progress& progress,
             PlaneClusteringReport& report)
 {
-  const RadiusNeighbourhood near(graph, member_distance);
-  PairProgress pairs(graph, near, progress);
-  std::vector<GrownPlane> grown;
-  std::vector<std::int32_t> owner(graph.size(), no_region);
-  std::int32_t next = 0;
-  growPlanes(graph,
-             CountedNeighbourhood(near, pairs),
-             limits,
-             seeds,
-             next,
-             owner,
-             [&](const std::vector<std::int32_t>& members, const PlaneRegion& region) {
-               pairs.close(members);
-               if (members.size() <= min_support) {
-                 ++report.small_regions;
-                 return false;
-               }
-               grown.push_back({members,
-                                region.moments(),
-                                region.plane(),
-                                graph.areaOf(members),
-                                PlaneTrust::Sure});
-               return true;
-             });
-  return grown;
+  constexpr std::size_t parts = 100;
+  constexpr double share_of_growth = 0.85; // of all steps of the clustering
+  PaperGrowth growth(graph, thresholds, report);
+  std::vector<GrownPlane> planes;
+  std::size_t told = 0;
+  for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+    if (h * parts >= told * hypotheses.size())
+      progress.tell(share_of_growth * static_cast<double>(told++) / parts, "growing");
+    if (growth.isOpen(hypotheses[h]))
+      growth.test(hypotheses[h], planes);
+  }
+  return planes;
+}
+
+void
+describeFit(const CellGraph& graph, const GrownPlane& grown, KnownPlane& known)
+{
+  PlanePatch& patch = known.patch;
+  double squares = 0;
+  for (const std::int32_t member : grown.members)
+    squares += std::pow(
+        grown.plane.distance(graph.points[static_cast<std::size_t>(member)]), 2);
+  const double count = grown.moments.count;
+  patch.rms = std::sqrt(squares / count);
+  patch.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  patch.effective_support = patch.covariance(0, 0);
+  const PlaneFit fit = fitPlane(grown.moments);
+  if (!definesPlane(fit) || count <= 3)
+    return;
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  patch.axis_v = normal.cross(fit.long_axis).normalized();
+  patch.axis_u = patch.axis_v.cross(normal);
+  const double variance = squares / (count - 3); // three parameters were estimated
+  const Eigen::Vector3d variances =
+      variance / count * Eigen::Vector3d(1 / fit.variances[2], 1 / fit.variances[1], 1);
+  if (variances.allFinite()) {
+    patch.covariance = variances.asDiagonal();
+    patch.effective_support = count;
+  }
+  known.half_size = (3 * fit.variances.reverse().head<2>()).cwiseSqrt();
 }
 
 } // namespace pcl::acmap::planes
@@ -138,7 +251,7 @@ double
 pcl::acmap::secondsOfPaperGrowth(const PointView& points, double member_distance)
 {
   constexpr std::size_t samples = 200;
-  constexpr double seconds_per_pair = 120e-9;
+  constexpr double seconds_per_pair = 2e-9;
   const std::size_t step = 1 + points.size() / samples;
   double pairs = 0, sampled = 0;
   for (std::size_t i = 0; i < points.size(); i += step, ++sampled)

@@ -1,6 +1,7 @@
 #include "labeling/label_points.h"
 #include "outlines/patch_outlines.h"
 #include "planes/known_planes.h"
+#include "planes/paper_growth.h"
 #include "planes/plane_growth.h"
 #include "planes/plane_merge.h"
 
@@ -18,14 +19,15 @@ namespace pcl::acmap {
 namespace planes {
 namespace {
 
-/** Hypotheses that are not at creases, in order of increasing curvature. */
+/** All hypotheses in order of increasing curvature; if noise-driven, those that are not
+ * at creases. */
 std::vector<std::int32_t>
-orderSeeds(const PlaneHypotheses& hypotheses, const CellGraph& graph)
+orderSeeds(const PlaneHypotheses& hypotheses, bool noise_driven, const CellGraph& graph)
 {
+  const bool omits_creases = noise_driven && !hypotheses.is_crease.empty();
   std::vector<std::int32_t> seeds;
   for (std::size_t i = 0; i < graph.size(); ++i)
-    if (graph.hasNormal(i) &&
-        (hypotheses.is_crease.empty() || !hypotheses.is_crease[i]))
+    if (graph.hasNormal(i) && (!omits_creases || !hypotheses.is_crease[i]))
       seeds.push_back(static_cast<std::int32_t>(i));
   const auto curvature = [&](std::int32_t seed) {
     const float known = hypotheses.curvatures[static_cast<std::size_t>(seed)];
@@ -55,31 +57,22 @@ automaticArea(const CellGraph& graph)
   return std::min(of_buildings, share * surface);
 }
 
-/** Grows all regions and merges those of one plane. */
+/** Grows all regions within the noise and merges those of one plane. */
 std::vector<GrownPlane>
 growAll(const CellGraph& graph,
         const std::vector<std::int32_t>& seeds,
-        const PlaneClusteringSettings& settings,
         const PlaneLimits& limits,
         double min_area,
         double merge_cosine,
-        const Progress& progress,
         PlaneClusteringReport& report)
 {
   std::vector<GrownPlane> grown =
-      settings.noise_driven ? growNoiseDriven(graph, seeds, limits, min_area, report)
-                            : growAsPaper(graph,
-                                          seeds,
-                                          limits,
-                                          settings.member_distance,
-                                          settings.min_support,
-                                          progress,
-                                          report);
+      growNoiseDriven(graph, seeds, limits, min_area, report);
   report.merged = mergePlanes(grown, merge_cosine, limits.distance / 2);
   if (limits.bow > 0)
     report.merged += joinContinued(graph, limits, merge_cosine, grown);
   raiseStrips(graph, grown);
-  const double noise = automaticDistance(graph); // W_t may be much larger
+  const double noise = automaticDistance(graph); // a given W_t may be much larger
   widenRims(graph, std::min(limits.distance, noise), grown);
   return grown;
 }
@@ -177,6 +170,10 @@ describe(const PlaneClusters& clusters,
     return;
   if (report.hypotheses == 0)
     report.remarks.emplace_back("no planes: no point off creases has a normal");
+  else if (report.tested_hypotheses > 0)
+    report.remarks.push_back("no planes: none of " +
+                             std::to_string(report.tested_hypotheses) +
+                             " hypotheses has enough supporters");
   else if (report.refuted_regions > 0)
     report.remarks.push_back("no planes: the source's points lie on none of " +
                              std::to_string(report.refuted_regions) + " regions");
@@ -196,10 +193,10 @@ growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
 {
   const bool is_distance_set = settings.plane_distance > 0;
   PlaneLimits limits;
-  limits.distance =
-      is_distance_set ? settings.plane_distance : automaticDistance(graph);
+  const double automatic =
+      settings.noise_driven ? automaticDistance(graph) : paper_plane_distance;
+  limits.distance = is_distance_set ? settings.plane_distance : automatic;
   limits.cosine = std::cos(settings.normal_angle);
-  limits.refit_always = !settings.noise_driven;
   if (settings.noise_driven && !is_distance_set) {
     limits.bow = 0.004;
     limits.max_bow = 0.01;
@@ -239,7 +236,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.spacing = graph.spacing;
     report.sigma = graph.sigma;
     report.plane_distance = limits.distance;
-    const std::vector<std::int32_t> seeds = orderSeeds(hypotheses, graph);
+    const std::vector<std::int32_t> seeds =
+        orderSeeds(hypotheses, settings.noise_driven, graph);
     report.hypotheses = seeds.size();
     timer.finish("cells");
 
@@ -247,9 +245,17 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
         settings.min_area > 0 ? settings.min_area : automaticArea(graph);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     std::vector<GrownPlane> grown;
-    if (graph.spacing > 0)
-      grown = growAll(
-          graph, seeds, settings, limits, min_area, merge_cosine, progress, report);
+    if (settings.noise_driven && graph.spacing > 0)
+      grown = growAll(graph, seeds, limits, min_area, merge_cosine, report);
+    else if (!settings.noise_driven)
+      grown = growAsPaper(graph,
+                          seeds,
+                          {settings.member_distance,
+                           limits.cosine,
+                           limits.distance,
+                           settings.min_support},
+                          progress,
+                          report);
     timer.finish("growing");
 
     KnownPlanes known = knownPlanes(graph, grown);
@@ -260,7 +266,10 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     labeling.cosine = merge_cosine;
     labeling.min_area = min_area;
     labeling.stray = std::max(automaticDistance(graph), 0.25 * graph.spacing);
-    if (settings.noise_driven && source.points.size() > 0)
+    if (!settings.noise_driven)
+      for (std::size_t p = 0; p < grown.size(); ++p)
+        describeFit(graph, grown[p], known.planes[p]);
+    else if (source.points.size() > 0)
       clusters.source_labels =
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
     else {

@@ -36,7 +36,7 @@ void
 PlaneRegion::add(std::size_t i)
 {
   moments_ += momentsOf(graph_->points[i]);
-  if (moments_.count < (limits_.refit_always ? first_fit : refit_at_))
+  if (moments_.count < refit_at_)
     return;
   refit();
   refit_at_ = moments_.count * refit_growth;

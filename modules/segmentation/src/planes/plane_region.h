@@ -22,7 +22,6 @@ struct Plane {
 struct PlaneLimits {
   double distance = 0; ///< W_t, metres
   double cosine = 0;   ///< of W_n
-  bool refit_always = false;
 
   /** Permitted bending of real surfaces and sensor data, as a fraction of the extent,
    * and its maximum in metres. */

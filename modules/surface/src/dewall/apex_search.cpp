@@ -10,24 +10,38 @@ SideFrame::SideFrame(const PointTree& tree,
                      std::int32_t a_index,
                      std::int32_t b_index,
                      std::int32_t opposite)
+: SideFrame(tree,
+            std::min(size.longest(a_index), size.longest(b_index)),
+            a_index,
+            b_index,
+            opposite)
+{}
+
+SideFrame::SideFrame(const PointTree& tree,
+                     double longest_at_ends,
+                     std::int32_t a_index,
+                     std::int32_t b_index,
+                     std::int32_t opposite)
+: SideFrame(tree, longest_at_ends, a_index, b_index)
+{
+  outward =
+      -perpendicular(origin, tree.position(b), tree.position(opposite)).normalized();
+}
+
+SideFrame::SideFrame(const PointTree& tree,
+                     double longest_at_ends,
+                     std::int32_t a_index,
+                     std::int32_t b_index)
 : a(a_index)
 , b(b_index)
 , origin(tree.position(a_index))
 , u(tree.position(b_index) - origin)
-, outward(-perpendicular(origin, tree.position(b_index), tree.position(opposite))
-               .normalized())
+, outward(Eigen::Vector3d::Zero())
 , half_length(u.norm() / 2)
-, longest(std::min(size.longest(a_index), size.longest(b_index)))
+, longest(longest_at_ends)
 {}
 
 namespace {
-
-/** \brief Can a search in floats use this length as its unit? */
-bool
-isWithinFloats(double length)
-{
-  return length > 1e-37 && length < 1e37;
-}
 
 /** \brief Keeps the nearest apex among points that are tested one by one. */
 class NearestApex {
@@ -109,15 +123,12 @@ isSphereEmptyOneByOne(const PointTree& tree,
 } // namespace
 
 ApexQuery
-apexQuery(const PointTree& tree,
-          const SizeConstraint& size,
-          const SideFrame& side,
-          const PassedOver& passed_over)
+apexQuery(const PointTree& tree, const SideFrame& side)
 {
-  ApexQuery query;
+  ApexQuery query{};
   query.a = side.a;
   query.b = side.b;
-  query.left_out = passed_over.point;
+  query.left_out = -1;
   query.leaf = tree.leafOf(side.a);
   const Eigen::Vector3d along = side.u / (2 * side.half_length);
   for (int axis = 0; axis < 3; ++axis) {
@@ -129,6 +140,17 @@ apexQuery(const PointTree& tree,
   query.length = static_cast<float>(2 * side.half_length);
   query.longest = static_cast<float>(side.longest);
   query.reach = static_cast<float>(reachFromMiddle(side));
+  return query;
+}
+
+ApexQuery
+apexQuery(const PointTree& tree,
+          const SizeConstraint& size,
+          const SideFrame& side,
+          const PassedOver& passed_over)
+{
+  ApexQuery query = apexQuery(tree, side);
+  query.left_out = passed_over.point;
   query.longest_at = size.longestOfLeaves();
   query.masks = passed_over.masks;
   query.first_masked = passed_over.first_leaf;

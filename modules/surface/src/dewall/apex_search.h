@@ -15,7 +15,7 @@ struct SideFrame {
   std::int32_t a, b;
   Eigen::Vector3d origin;  ///< position of a
   Eigen::Vector3d u;       ///< b - a
-  Eigen::Vector3d outward; ///< unit, in the plane of its triangle, off it
+  Eigen::Vector3d outward; ///< unit, in the plane of its triangle, off it; or zero
   double half_length;
   double longest; ///< maximum edge length at both ends
 
@@ -24,6 +24,25 @@ struct SideFrame {
             std::int32_t a,
             std::int32_t b,
             std::int32_t opposite);
+
+  /** \param[in] longest_at_ends maximum edge length at both ends */
+  SideFrame(const PointTree& tree,
+            double longest_at_ends,
+            std::int32_t a,
+            std::int32_t b,
+            std::int32_t opposite);
+
+  /** \brief Two points without a triangle: there is no plane beta. */
+  SideFrame(const PointTree& tree,
+            double longest_at_ends,
+            std::int32_t a,
+            std::int32_t b);
+
+  bool
+  hasHalfSpace() const
+  {
+    return !outward.isZero(0);
+  }
 };
 
 /** \brief Points that are skipped in a search for an apex. */
@@ -43,6 +62,18 @@ struct PassedOver {
                           (masks[leaf] >> (i - tree.firstOfLeaf(leaf)) & 1));
   }
 };
+
+/** \brief Can a search in floats use this length as its unit? */
+inline bool
+isWithinFloats(double length)
+{
+  return length > 1e-37 && length < 1e37;
+}
+
+/** \brief Returns the query in floats for the third point over an edge, without a limit
+ * of the other two edges. */
+ApexQuery
+apexQuery(const PointTree& tree, const SideFrame& side);
 
 /** \brief Returns the query in floats for the apex over an edge. */
 ApexQuery

@@ -1,7 +1,6 @@
 #include "mesh_steps.h"
 
 #include "ball_visit.h"
-#include "disjoint_sets.h"
 
 namespace pcl::acmap::dewall {
 
@@ -33,10 +32,10 @@ public:
       }
   }
 
-  DisjointSets&
-  sets()
+  DisjointSets
+  takeSets()
   {
-    return sets_;
+    return std::move(sets_);
   }
 
 private:
@@ -106,15 +105,23 @@ private:
 
 } // namespace
 
+DisjointSets
+findClusters(const PointTree& tree,
+             const SizeConstraint& size,
+             const std::vector<TriangleList>& lists)
+{
+  return Clustering(tree, size, lists).takeSets();
+}
+
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
               const std::vector<TriangleList>& lists)
 {
-  Clustering clustering(tree, size, lists);
+  DisjointSets clusters = findClusters(tree, size, lists);
   std::vector<std::int32_t> members(static_cast<std::size_t>(tree.size()));
   for (std::int32_t i = 0; i < tree.size(); ++i)
-    ++members[static_cast<std::size_t>(clustering.sets().find(i))];
+    ++members[static_cast<std::size_t>(clusters.find(i))];
   return static_cast<std::size_t>(
       std::count_if(members.begin(), members.end(), [](auto n) { return n >= 3; }));
 }

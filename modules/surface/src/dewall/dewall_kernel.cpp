@@ -21,9 +21,9 @@ namespace {
  * only from the calling thread; the tasks of other threads only count. */
 class Ticker {
 public:
-  Ticker(const Progress& progress, std::int32_t points)
+  Ticker(const Progress& progress, std::int32_t points, DeWallRule rule)
   : progress_(progress)
-  , expected_(4.0 * points)
+  , expected_((rule == DeWallRule::Strict ? 12.0 : 4.0) * points)
   {}
 
   void
@@ -75,12 +75,14 @@ remarkOnSearch(const Spacing& spacing, DeWallReport& report)
 }
 
 /** \brief Returns the triangle lists of the parts and of the last passes, and counts
- * the rejections of the parts. */
+ * the walls and rejections of the parts. */
 std::vector<TriangleList>
 listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
 {
+  const std::size_t divided = parts.size() / 2; // they come before the leaves
   std::vector<TriangleList> lists;
   for (Part& part : parts) {
+    report.walls += lists.size() < divided && !part.triangles.empty();
     lists.push_back({&part.triangles, static_cast<std::uint8_t>(part.node.depth)});
     report.refused_moebius += part.refused_moebius;
     report.removed_fans += part.removed_fans;
@@ -88,6 +90,46 @@ listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
   lists.push_back({&mesh.triangles(), TriangleMesh::no_wall});
   report.refused_moebius += mesh.refusedMoebius();
   return lists;
+}
+
+/** \brief Maximum number of points of a half that is not divided. */
+std::int32_t
+leafSizeOf(const DeWallSettings& settings)
+{
+  constexpr std::int32_t usual = 65536;
+  if (settings.leaf_size > 0)
+    return settings.leaf_size;
+  return settings.rule == DeWallRule::Strict ? 1 : usual;
+}
+
+/** \brief The guarded rules: walls and halves, then the last passes. */
+TriangleMesh
+guardedMesh(const PointTree& tree,
+            const SizeConstraint& size,
+            const Facing& facing,
+            const DeWallSettings& settings,
+            const std::function<void()>& tick,
+            StepTimer& timer,
+            DeWallReport& report)
+{
+  MeshArrays arrays(tree, facing);
+  std::vector<Part> parts =
+      buildTriangles(arrays, size, {settings.rule, leafSizeOf(settings)}, tick);
+  timer.finish("walls and halves");
+  std::vector<GrownTriangle> contradictions;
+  GrowingMesh mesh = joinParts(arrays, parts, contradictions);
+  report.refused_moebius = contradictions.size();
+  report.removed_fans =
+      finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
+  const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
+  timer.finish("last passes");
+  arrays.edges.clear(); // only the triangles are needed from here on
+  report.clusters = countClusters(tree, size, lists);
+  timer.finish("clusters");
+  TriangleMesh result = orientedMesh(
+      mesh, lists, settings.sensor_origin, settings.compute_wall_depth, report);
+  timer.finish("orientation");
+  return result;
 }
 
 TriangleMesh
@@ -120,25 +162,13 @@ triangulate(const PointView& view,
   const Facing facing = settings.is_single_view
                             ? Facing::towards(tree, settings.sensor_origin)
                             : Facing::byNormals(tree, settings.normals);
-  MeshArrays arrays(tree, facing);
-  Ticker ticker(progress, tree.size());
+  Ticker ticker(progress, tree.size(), settings.rule);
   const std::function<void()> tick = [&] { ticker(); };
-  std::vector<Part> parts =
-      buildTriangles(arrays, size, {settings.rule, settings.leaf_size}, tick);
-  timer.finish("walls and halves");
-  std::vector<GrownTriangle> contradictions;
-  GrowingMesh mesh = joinParts(arrays, parts, contradictions);
-  report.refused_moebius = contradictions.size();
-  report.removed_fans =
-      finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
-  const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
-  timer.finish("last passes");
-  arrays.edges.clear(); // only the triangles are needed from here on
-  report.clusters = countClusters(tree, size, lists);
-  timer.finish("clusters");
-  TriangleMesh result = orientedMesh(
-      mesh, lists, settings.sensor_origin, settings.compute_wall_depth, report);
-  timer.finish("orientation");
+  TriangleMesh result =
+      settings.rule == DeWallRule::Strict
+          ? literalMesh(
+                tree, size, facing, settings, leafSizeOf(settings), tick, timer, report)
+          : guardedMesh(tree, size, facing, settings, tick, timer, report);
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));
   progress.tell(1, "orientation");
@@ -163,9 +193,10 @@ requireWithinLimit(std::size_t bytes, std::size_t limit)
 } // namespace dewall
 
 std::size_t
-estimateDeWallMemory(std::size_t points, bool with_normals)
+estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
 {
-  constexpr std::size_t bytes_a_point = 170, bytes_a_normal = 12, rest = 1 << 20;
+  constexpr std::size_t bytes_a_normal = 12, rest = 1 << 20;
+  const std::size_t bytes_a_point = rule == DeWallRule::Strict ? 360 : 170;
   return rest + points * (bytes_a_point + (with_normals ? bytes_a_normal : 0));
 }
 
@@ -176,8 +207,9 @@ triangulateDeWall(const PointView& view,
                   DeWallReport& report)
 {
   const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
-  dewall::requireWithinLimit(estimateDeWallMemory(view.size(), with_facing),
-                             settings.memory_limit);
+  dewall::requireWithinLimit(
+      estimateDeWallMemory(view.size(), with_facing, settings.rule),
+      settings.memory_limit);
   return withThreads(settings.threads, [&] {
     return dewall::triangulate(view, settings, progress, report);
   });

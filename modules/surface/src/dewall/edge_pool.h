@@ -19,7 +19,7 @@ struct Edge {
   std::int32_t opposites; ///< XOR of the third corners of its triangles
   std::uint32_t component : 29; ///< component of its first triangle
   std::uint32_t ascending : 1;  ///< its first triangle runs from lower to higher end
-  std::uint32_t triangles : 2;  ///< their number, at most 2 with the guard; 3: more
+  std::uint32_t triangles : 2;  ///< their number, at most 2
 
   std::int32_t
   componentNumber() const

@@ -29,6 +29,18 @@ neighboursAgree(const std::vector<Eigen::Vector3f>& directions)
 
 } // namespace
 
+double
+areaFacing(const PointTree& tree,
+           const std::array<std::int32_t, 3>& corners,
+           const Eigen::Vector3d& sensor)
+{
+  const Eigen::Vector3d a = tree.position(corners[0]);
+  const Eigen::Vector3d b = tree.position(corners[1]), c = tree.position(corners[2]);
+  const Eigen::Vector3d view = sensor - (a + b + c) / 3;
+  const double distance = view.norm();
+  return distance > 0 ? (b - a).cross(c - a).dot(view) / (2 * distance) : 0.0;
+}
+
 Facing
 Facing::towards(const PointTree& tree, const Eigen::Vector3d& sensor)
 {

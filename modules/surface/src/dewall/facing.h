@@ -9,6 +9,13 @@
 
 namespace pcl::acmap::dewall {
 
+/** \brief Area of a triangle projected towards the sensor; negative if its back faces
+ * the sensor. */
+double
+areaFacing(const PointTree& tree,
+           const std::array<std::int32_t, 3>& corners,
+           const Eigen::Vector3d& sensor);
+
 /** \brief For each point, the direction towards the side from which it was measured, if
  * known. If it is known, the mesh is oriented by it from the first triangle on, and no
  * component ever has to be flipped. */

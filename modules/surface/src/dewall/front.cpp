@@ -104,7 +104,7 @@ bool
 Front::tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt)
 {
   const std::array<std::int32_t, 3> corners{side.b, side.a, apex};
-  return (rule_ != DeWallRule::Dense && !isSphereEmpty(tree_, corners)) ||
+  return (rule_ == DeWallRule::Paper && !isSphereEmpty(tree_, corners)) ||
          tryCandidate(side, apex, range, doubt);
 }
 
@@ -114,24 +114,22 @@ Front::tryCandidate(const Side& side,
                     const Range& range,
                     Doubt doubt)
 {
-  if (rule_ != DeWallRule::Strict) {
-    const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
-    if (verdict == GrowingMesh::Verdict::Blocked)
-      return false;
-    if (doubt != Doubt::MayBeContrary && mesh_.isContrary(side, apex)) {
-      contrary_.push_back(side);
-      return true;
-    }
-    if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
-      postponed_.push_back({side, apex, {}, 0});
-      return true;
-    }
-    const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
-    if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
-        doubt < Doubt::MayBridge) {
-      bridges_.push_back({side, apex, bridge, 0});
-      return true;
-    }
+  const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
+  if (verdict == GrowingMesh::Verdict::Blocked)
+    return false;
+  if (doubt != Doubt::MayBeContrary && mesh_.isContrary(side, apex)) {
+    contrary_.push_back(side);
+    return true;
+  }
+  if (verdict != GrowingMesh::Verdict::Fits && doubt == Doubt::Postpones) {
+    postponed_.push_back({side, apex, {}, 0});
+    return true;
+  }
+  const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
+  if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
+      doubt < Doubt::MayBridge) {
+    bridges_.push_back({side, apex, bridge, 0});
+    return true;
   }
   mesh_.add(side, apex);
   insertOpen({side.a, apex}, range);

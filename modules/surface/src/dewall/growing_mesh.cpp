@@ -158,8 +158,7 @@ GrowingMesh::attach(std::int32_t from,
     vertex(from).addOpenEdges(-1);
     vertex(to).addOpenEdges(-1);
   }
-  if (edge->triangles < 3)
-    ++edge->triangles;
+  ++edge->triangles;
 }
 
 void

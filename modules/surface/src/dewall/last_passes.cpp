@@ -70,8 +70,6 @@ finishMesh(GrowingMesh& mesh,
   MeshArrays& arrays = mesh.arrays();
   mesh.setOfWall(true);
   growAcrossPlanes(mesh, size, rule, parts, tick);
-  if (rule == DeWallRule::Strict)
-    return 0;
   std::vector<std::vector<GrownTriangle>*> lists;
   for (Part& part : parts)
     lists.push_back(&part.triangles);

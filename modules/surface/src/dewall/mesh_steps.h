@@ -1,5 +1,6 @@
 #pragma once
 
+#include "disjoint_sets.h"
 #include "growing_mesh.h"
 #include "point_tree.h"
 #include "range.h"
@@ -9,6 +10,7 @@
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
+#include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::dewall {
 
@@ -64,11 +66,17 @@ finishMesh(GrowingMesh& mesh,
            std::vector<GrownTriangle> removed,
            const std::function<void()>& tick);
 
-/** \brief Returns the number of connected clusters of at least three points ([P]
- * II-C.1): two points are connected if there is a chain of edges between them that
- * satisfies the size constraint. No triangle connects two clusters. The front is seeded
- * again in each cluster, so the clusters need not be known before, and counting starts
- * from the points that are connected by triangles. */
+/** \brief Returns the connected clusters ([P] II-C.1): two points are connected if there
+ * is a chain of edges between them that satisfies the size constraint. No triangle
+ * connects two clusters.
+ * \param[in] lists triangles of which the points are known to be connected; may be empty */
+DisjointSets
+findClusters(const PointTree& tree,
+             const SizeConstraint& size,
+             const std::vector<TriangleList>& lists);
+
+/** \brief Returns the number of clusters of at least three points. The front is seeded
+ * again in each cluster, so the clusters need not be known before. */
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
@@ -83,5 +91,19 @@ orientedMesh(GrowingMesh& grown,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report);
+
+/** \brief The mesh of the rule Strict, [P] II-C.1 as printed: clusters first, then each
+ * one is meshed as \ref buildLiterally describes. Each triangle faces the sensor. The
+ * report's counts of the mesh and the seconds of the steps are set.
+ * \param[in] leaf_size maximum number of points of a part without a splitting plane */
+TriangleMesh
+literalMesh(const PointTree& tree,
+            const SizeConstraint& size,
+            const Facing& facing,
+            const DeWallSettings& settings,
+            std::int32_t leaf_size,
+            const std::function<void()>& tick,
+            StepTimer& timer,
+            DeWallReport& report);
 
 } // namespace pcl::acmap::dewall

@@ -20,20 +20,6 @@ findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
   return components;
 }
 
-/** \brief Area of a triangle projected towards the sensor; negative if its back faces
- * the sensor. */
-double
-areaFacing(const PointTree& tree,
-           const std::array<std::int32_t, 3>& corners,
-           const Eigen::Vector3d& sensor)
-{
-  const Eigen::Vector3d a = tree.position(corners[0]);
-  const Eigen::Vector3d b = tree.position(corners[1]), c = tree.position(corners[2]);
-  const Eigen::Vector3d view = sensor - (a + b + c) / 3;
-  const double distance = view.norm();
-  return distance > 0 ? (b - a).cross(c - a).dot(view) / (2 * distance) : 0.0;
-}
-
 /** \brief Orients each component so that the larger area faces the sensor. */
 class Turning {
 public:

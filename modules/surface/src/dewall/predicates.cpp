@@ -101,6 +101,24 @@ winsTie(std::int32_t p,
   return p_follows_b != 0 ? (p_follows_b > 0) == (a < b) : p < q;
 }
 
+std::array<ExactApex, 2>
+exactApexes(const Apex& p, const Apex& q, const Eigen::Vector3d& u)
+{
+  const int exponent = commonExponent({&u, &p.from_a, &q.from_a});
+  const IntegerVector side = scaled(u, exponent);
+  return {ExactApex(scaled(p.from_a, exponent), side),
+          ExactApex(scaled(q.from_a, exponent), side)};
+}
+
+/** \brief Maximum rounding error of the difference between dot cross of one apex and
+ * cross dot of the other. */
+double
+errorOfCotangents(const Apex& p, const Apex& q, const Eigen::Vector3d& u)
+{
+  const double length_p = p.from_a.norm(), length_q = q.from_a.norm();
+  return 1e-14 * u.norm() * length_p * length_q * (2 * u.norm() + length_p + length_q);
+}
+
 } // namespace
 
 Apex
@@ -117,19 +135,34 @@ isNearerApex(const Apex& p,
              const Eigen::Vector3d& u)
 {
   const double left = p.dot * q.cross, right = q.dot * p.cross;
-  const double length_p = p.from_a.norm(), length_q = q.from_a.norm();
-  const double bound =
-      1e-14 * u.norm() * length_p * length_q * (2 * u.norm() + length_p + length_q);
+  const double bound = errorOfCotangents(p, q, u);
   if (left < right - bound)
     return true;
   if (left > right + bound)
     return false;
-  const int exponent = commonExponent({&u, &p.from_a, &q.from_a});
-  const IntegerVector side = scaled(u, exponent);
-  const std::array<ExactApex, 2> exact{ExactApex(scaled(p.from_a, exponent), side),
-                                       ExactApex(scaled(q.from_a, exponent), side)};
+  const std::array<ExactApex, 2> exact = exactApexes(p, q, u);
   const int sign = compareCotangents(exact[0], exact[1], &ExactApex::at_apex);
   return sign != 0 ? sign < 0 : winsTie(p.index, q.index, a, b, exact);
+}
+
+bool
+hasSmallerCircle(const Apex& p,
+                 const Apex& q,
+                 std::int32_t a,
+                 std::int32_t b,
+                 const Eigen::Vector3d& u)
+{
+  const double left = std::abs(p.dot) * q.cross, right = std::abs(q.dot) * p.cross;
+  const double bound = errorOfCotangents(p, q, u);
+  if (left < right - bound)
+    return true;
+  if (left > right + bound)
+    return false;
+  std::array<ExactApex, 2> exact = exactApexes(p, q, u);
+  for (ExactApex& apex : exact)
+    apex.at_apex = abs(apex.at_apex);
+  const int sign = compareCotangents(exact[0], exact[1], &ExactApex::at_apex);
+  return sign != 0 ? sign < 0 : isNearerApex(p, q, a, b, u);
 }
 
 } // namespace pcl::acmap::dewall

@@ -114,4 +114,16 @@ isNearerApex(const Apex& p,
              std::int32_t b,
              const Eigen::Vector3d& u);
 
+/** \brief Is the circle through a, b and p smaller than the one through a, b and q?
+ *
+ * Its radius is |ab| / (2 sin (angle apb)), so it is the smallest where the angle is
+ * closest to 90 degrees. Decided as \ref isNearerApex, which also decides between
+ * circles of the same size. The parameters are those of \ref isNearerApex. */
+bool
+hasSmallerCircle(const Apex& p,
+                 const Apex& q,
+                 std::int32_t a,
+                 std::int32_t b,
+                 const Eigen::Vector3d& u);
+
 } // namespace pcl::acmap::dewall

@@ -85,8 +85,7 @@ public:
       seedAt(leaf, PointTree::leaf_capacity);
     front_.advancePostponed(range_);
     front_.advanceContrary(range_);
-    if (settings_.rule != DeWallRule::Strict)
-      complete();
+    complete();
     finish();
   }
 

@@ -48,6 +48,11 @@ struct TreeSearch {
   /** Finds candidates, including each permitted point with the largest angle. */
   void (*apexes)(const TreeCells&, const ApexQuery&, SearchHits&);
 
+  /** Finds candidates, including the point whose circle through a and b is the smallest,
+   * at least among the points within the reach; their distances from a and b are not
+   * limited. */
+  void (*circles)(const TreeCells&, const ApexQuery&, SearchHits&);
+
   /** \brief Returns true if a point is certainly inside. If false, only the hits may be
    * inside. */
   bool (*ball)(const TreeCells&, const BallQuery&, SearchHits&);

@@ -2,6 +2,6 @@
 
 namespace pcl::acmap::dewall {
 
-const TreeSearch tree_search_avx2{findApexes, findInBall};
+const TreeSearch tree_search_avx2{findApexes<false>, findApexes<true>, findInBall};
 
 } // namespace pcl::acmap::dewall

@@ -2,6 +2,6 @@
 
 namespace pcl::acmap::dewall {
 
-const TreeSearch tree_search_base{findApexes, findInBall};
+const TreeSearch tree_search_base{findApexes<false>, findApexes<true>, findInBall};
 
 } // namespace pcl::acmap::dewall

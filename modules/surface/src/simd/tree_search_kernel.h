@@ -22,8 +22,11 @@ cotangentOf(float signed_square)
 
 /** Tests points as apexes, in units of the edge length: the angle apb is largest where
  * the signed square of its cotangent, (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p -
- * a)|^2, is minimal. A point is *sure* if it is permitted regardless of rounding: only
- * such points lower the limit for the others. */
+ * a)|^2, is minimal; the circle abp is smallest where the square without its sign is. A
+ * point is *sure* if it is permitted regardless of rounding: only such points lower the
+ * limit for the others.
+ * \param OfCircles selects the smallest circle, without a limit of the edge length */
+template <bool OfCircles>
 struct ApexVisitor {
   const TreeCells& tree;
   const ApexQuery& query;
@@ -102,7 +105,7 @@ struct ApexVisitor {
     const Lanes cx = uy * v[2] - uz * v[1], cy = uz * v[0] - ux * v[2],
                 cz = ux * v[1] - uy * v[0];
     const Lanes cross2 = cx * cx + cy * cy + cz * cz;
-    const Lanes square = dot * maxLanes(dot, -dot) / cross2;
+    const Lanes square = dot * (OfCircles ? dot : maxLanes(dot, -dot)) / cross2;
     const Lanes far2 = maxLanes(a2, b2);
     const Lanes doubt = allLanes(1e-6f) * (allLanes(1) + a2);
     const float sides = longest * scale, limit2 = sides * sides;
@@ -138,14 +141,18 @@ struct ApexVisitor {
       alive &= ~static_cast<unsigned>(query.masks[leaf]);
     if (!alive)
       return;
-    const float here = query.longest_at[leaf];
-    const float longest = here < query.longest ? here : query.longest;
+    float longest = unbounded;
+    if (!OfCircles) {
+      const float here = query.longest_at[leaf];
+      longest = here < query.longest ? here : query.longest;
+    }
     lookAt(first, alive & 0xff, longest);
     if (alive >> 8)
       lookAt(first + 8, alive >> 8, longest);
   }
 };
 
+template <bool OfCircles>
 void
 findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
 {
@@ -154,12 +161,12 @@ findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
     middle[axis] = query.at_a[axis] + query.along[axis] * (query.length / 2);
   hits.count = 0;
   float score[SearchHits::capacity];
-  ApexVisitor visitor{tree,
-                      query,
-                      hits,
-                      ballAt(middle, query.reach * (1 + 1e-5f)),
-                      1 / query.length,
-                      score};
+  ApexVisitor<OfCircles> visitor{tree,
+                                 query,
+                                 hits,
+                                 ballAt(middle, query.reach * (1 + 1e-5f)),
+                                 1 / query.length,
+                                 score};
   walkTree(tree, visitor, query.leaf);
   if (hits.count <= SearchHits::capacity)
     visitor.prune();

@@ -76,6 +76,22 @@ blendedColor(const Samples& samples, const std::vector<double>& gains)
   return color;
 }
 
+void
+clear(TextureChart& chart, std::size_t texels)
+{
+  chart.colors.values.assign(3 * texels, unknown_grey);
+  chart.kinds.assign(texels, TexelKind::None);
+}
+
+void
+setSeen(const std::array<std::uint8_t, 3>& color,
+        std::size_t texel,
+        TextureChart& chart)
+{
+  std::copy(color.begin(), color.end(), &chart.colors.values[3 * texel]);
+  chart.kinds[texel] = TexelKind::Seen;
+}
+
 /** Mean colour of the known texels among the eight neighbours. \return false if there
  * are none */
 bool
@@ -111,15 +127,19 @@ meanOfNeighbours(const TextureChart& chart,
 void
 blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart)
 {
-  chart.colors.values.assign(3 * canvas.mask.size(), unknown_grey);
-  chart.kinds.assign(canvas.mask.size(), TexelKind::None);
-  for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel) {
-    if (!(canvas.samples[texel].front().weight > 0))
-      continue;
-    const auto color = blendedColor(canvas.samples[texel], gains);
-    std::copy(color.begin(), color.end(), &chart.colors.values[3 * texel]);
-    chart.kinds[texel] = TexelKind::Seen;
-  }
+  clear(chart, canvas.mask.size());
+  for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel)
+    if (canvas.samples[texel].front().weight > 0)
+      setSeen(blendedColor(canvas.samples[texel], gains), texel, chart);
+}
+
+void
+average(const Canvas& canvas, TextureChart& chart)
+{
+  clear(chart, canvas.mask.size());
+  for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel)
+    if (canvas.points[texel].count > 0)
+      setSeen(canvas.points[texel].mean(), texel, chart);
 }
 
 void

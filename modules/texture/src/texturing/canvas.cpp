@@ -75,11 +75,13 @@ addRim(std::size_t width, std::size_t height, std::vector<TexelPlace>& mask)
 } // namespace
 
 double
-canvasBytes(const std::vector<PlanePatch>& planes, double texel_size)
+canvasBytes(const std::vector<PlanePatch>& planes,
+            double texel_size,
+            std::size_t bytes_per_texel)
 {
   constexpr std::size_t finished = 4; // bytes of colour and kind
   return texelsOf(gridsOf(planes, texel_size)) *
-         (sizeof(TexelPlace) + sizeof(Canvas::Samples) + finished);
+         static_cast<double>(sizeof(TexelPlace) + bytes_per_texel + finished);
 }
 
 std::vector<Canvas>
@@ -102,11 +104,9 @@ canvasesOf(const std::vector<PlanePatch>& planes,
         for (TextureChart& chart : chartsOf(**grid, p, k, most))
           canvases.emplace_back().chart = std::move(chart);
     }
-  for (Canvas& canvas : canvases) {
+  for (Canvas& canvas : canvases)
     canvas.mask =
         maskOf(canvas.chart, planes[canvas.chart.plane].polygons[canvas.chart.polygon]);
-    canvas.samples.resize(canvas.mask.size());
-  }
   return canvases;
 }
 

@@ -28,6 +28,30 @@ struct Sample {
   std::array<std::uint8_t, 3> color{};
 };
 
+/** The colours of some points, as their sum. */
+struct PointColors {
+  std::uint64_t count = 0;
+  std::array<std::uint64_t, 3> sums{};
+
+  void
+  add(const std::array<std::uint8_t, 3>& color)
+  {
+    ++count;
+    for (std::size_t k = 0; k < 3; ++k)
+      sums[k] += color[k];
+  }
+
+  /** The mean, rounded; not for a count of 0. */
+  std::array<std::uint8_t, 3>
+  mean() const
+  {
+    std::array<std::uint8_t, 3> color;
+    for (std::size_t k = 0; k < 3; ++k)
+      color[k] = static_cast<std::uint8_t>((sums[k] + count / 2) / count);
+    return color;
+  }
+};
+
 /** A chart during texturing. */
 struct Canvas {
   static constexpr std::size_t max_samples = 4;
@@ -35,7 +59,9 @@ struct Canvas {
 
   TextureChart chart; ///< without colours yet
   std::vector<TexelPlace> mask;
-  std::vector<Samples> samples; ///< best first
+  std::vector<Samples> samples;    ///< of each texel, best first; not in paper mode
+  std::vector<PointColors> points; ///< in each texel; in paper mode only
+  std::vector<std::int32_t> views; ///< in which these points are, ascending
 
   std::size_t
   index(std::int32_t column, std::int32_t row) const
@@ -45,13 +71,22 @@ struct Canvas {
            static_cast<std::size_t>(column);
   }
 
-  bool
-  holds(const Eigen::Vector2d& place) const
+  /** Where a position in texels is relative to the polygon. */
+  TexelPlace
+  at(const Eigen::Vector2d& place) const
   {
-    return place.x() >= 0 && place.y() >= 0 && place.x() < chart.colors.width &&
-           place.y() < chart.colors.height &&
-           mask[index(static_cast<std::int32_t>(place.x()),
-                      static_cast<std::int32_t>(place.y()))] != TexelPlace::Outside;
+    const bool is_on_chart = place.x() >= 0 && place.y() >= 0 &&
+                             place.x() < chart.colors.width &&
+                             place.y() < chart.colors.height;
+    return is_on_chart ? mask[texelAt(place)] : TexelPlace::Outside;
+  }
+
+  /** The texel of a position on the chart. */
+  std::size_t
+  texelAt(const Eigen::Vector2d& place) const
+  {
+    return index(static_cast<std::int32_t>(place.x()),
+                 static_cast<std::int32_t>(place.y()));
   }
 
   /** Keeps the sample if it is among the best ones of its texel. */
@@ -64,7 +99,8 @@ struct Canvas {
   }
 };
 
-/** The canvases of the polygons, in the order of the planes.
+/** The canvases of the polygons, in the order of the planes, without samples and
+ * points.
  * \param[in,out] left_out is increased by the number of polygons that cannot have a
  * canvas
  * \throws BadArgumentException when they have more than 2^28 texels */
@@ -74,8 +110,11 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            int most,
            std::size_t& left_out);
 
-/** Memory in bytes of the canvases and their charts. */
+/** Memory in bytes of the canvases and their charts.
+ * \param[in] bytes_per_texel of samples or points */
 double
-canvasBytes(const std::vector<PlanePatch>& planes, double texel_size);
+canvasBytes(const std::vector<PlanePatch>& planes,
+            double texel_size,
+            std::size_t bytes_per_texel);
 
 } // namespace pcl::acmap::texturing

@@ -11,12 +11,14 @@ namespace pcl::acmap::texturing {
 
 /** For each point of a view, the canvas that it colours, or -1: the canvas of the
  * closest plane that faces the sensor and whose polygon contains the projection of the
- * point (the last step of the paper). */
+ * point (the last step of the paper).
+ * \param[in] outermost texels in which the projection may be */
 std::vector<std::int32_t>
 nearestCanvases(const ColoredView& view,
                 const std::vector<PlanePatch>& planes,
                 const std::vector<Canvas>& canvases,
-                double maximum_distance);
+                double maximum_distance,
+                TexelPlace outermost);
 
 /** Offers the colours of a pinhole view to the texels that it sees.
  *
@@ -41,6 +43,14 @@ splat(const ColoredView& view,
       const std::vector<std::int32_t>& nearest,
       std::vector<Canvas>& canvases);
 
+/** Adds the colours of the points to the texels in which they are, and nothing else; for
+ * the paper mode. */
+void
+addPoints(const ColoredView& view,
+          std::int32_t number,
+          const std::vector<std::int32_t>& nearest,
+          std::vector<Canvas>& canvases);
+
 /** Exposure gains, one per view, for which the views agree on the texels that they
  * share: the least-squares solution in the logarithms of the brightness, with a prior
  * that keeps the gains near 1; views without shared texels get 1. Clipped samples are
@@ -54,6 +64,10 @@ exposureGains(const std::vector<Canvas>& canvases, std::size_t views);
  * wall. */
 void
 blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart);
+
+/** Colours each texel with the mean of its points. */
+void
+average(const Canvas& canvas, TextureChart& chart);
 
 /** Colours texels without a sample from their neighbours, ring by ring from the border
  * of the observed texels: at most \a distance texels, and the rim of the polygon one

@@ -62,7 +62,8 @@ std::vector<std::int32_t>
 nearestCanvases(const ColoredView& view,
                 const std::vector<PlanePatch>& planes,
                 const std::vector<Canvas>& canvases,
-                double maximum_distance)
+                double maximum_distance,
+                TexelPlace outermost)
 {
   const std::vector<std::int32_t> near =
       canvasesNear(view, planes, canvases, maximum_distance);
@@ -75,7 +76,7 @@ nearestCanvases(const ColoredView& view,
         const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
         const Eigen::Vector4d& plane = planes[canvas.chart.plane].coefficients;
         const double distance = std::abs(plane.head<3>().dot(point) + plane[3]);
-        if (distance < least && canvas.holds(placeOn(canvas.chart, point))) {
+        if (distance < least && canvas.at(placeOn(canvas.chart, point)) >= outermost) {
           least = distance;
           nearest[i] = c;
         }

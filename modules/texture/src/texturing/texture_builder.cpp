@@ -3,6 +3,7 @@
 #include <pcl/core/impl/parallel.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
+#include <algorithm>
 #include <set>
 
 namespace pcl::acmap {
@@ -14,7 +15,7 @@ struct TextureBuilder::State {
   TexturingSettings settings;
   std::vector<Canvas> canvases;
   std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
-  std::size_t invalid_points = 0, left_out = 0;
+  std::size_t invalid_points = 0, colored_points = 0, far_points = 0, left_out = 0;
 };
 
 TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
@@ -25,33 +26,61 @@ TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
   state_->settings = settings;
   state_->canvases = canvasesOf(
       planes, settings.texel_size, settings.maximum_texture_size, state_->left_out);
+  for (Canvas& canvas : state_->canvases)
+    if (settings.paper)
+      canvas.points.resize(canvas.mask.size());
+    else
+      canvas.samples.resize(canvas.mask.size());
 }
 
 double
 texturingMemory(const std::vector<PlanePatch>& planes,
                 const TexturingSettings& settings)
 {
-  return canvasBytes(planes, settings.texel_size);
+  return canvasBytes(planes,
+                     settings.texel_size,
+                     settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples));
 }
 
 TextureBuilder::~TextureBuilder() = default;
 
 void
-TextureBuilder::add(const ColoredView& view)
+TextureBuilder::add(const ColoredView& given)
 {
   State& state = *state_;
+  ColoredView view = given;
+  if (state.settings.paper) { // only the points count, from wherever they were seen
+    view.width = 0;
+    view.has_eye = false;
+  }
   const auto number = static_cast<std::int32_t>(state.views++);
+  std::size_t finite = 0;
   for (std::size_t i = 0; i < view.points.size(); ++i)
-    state.invalid_points += view.points[i].allFinite() ? 0 : 1;
+    finite += view.points[i].allFinite() ? 1 : 0;
+  state.invalid_points += view.points.size() - finite;
   if (!view.colors && view.points.size() > 0) {
     ++state.colorless;
     return;
   }
   withThreads(state.settings.threads, [&] {
-    const std::vector<std::int32_t> nearest = nearestCanvases(
-        view, state.planes, state.canvases, state.settings.maximum_distance);
-    if (const std::optional<Pinhole> camera =
-            fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
+    const std::vector<std::int32_t> nearest =
+        nearestCanvases(view,
+                        state.planes,
+                        state.canvases,
+                        state.settings.maximum_distance,
+                        state.settings.paper ? TexelPlace::Inside : TexelPlace::Rim);
+    const auto near = static_cast<std::size_t>(
+        std::count_if(nearest.begin(), nearest.end(), [](std::int32_t canvas) {
+          return canvas >= 0;
+        }));
+    state.colored_points += near;
+    state.far_points += finite - near;
+    if (state.settings.paper) {
+      ++state.splatted;
+      addPoints(view, number, nearest, state.canvases);
+    }
+    else if (const std::optional<Pinhole> camera =
+                 fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
       ++state.pinholes;
       paintPinhole(view, *camera, number, nearest, state.planes, state.canvases);
     }
@@ -71,6 +100,7 @@ observationsOf(const std::vector<Canvas>& canvases, std::size_t planes)
   std::vector<std::set<std::int32_t>> seen(planes);
   for (const Canvas& canvas : canvases) {
     std::set<std::int32_t>& views = seen[canvas.chart.plane];
+    views.insert(canvas.views.begin(), canvas.views.end());
     std::int32_t last = -1;
     for (const auto& samples : canvas.samples)
       for (const Sample& sample : samples)
@@ -132,10 +162,13 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
     report.splatted = state.splatted;
     report.colorless = state.colorless;
     report.invalid_points = state.invalid_points;
+    report.colored_points = state.colored_points;
+    report.far_points = state.far_points;
     report.charts = state.canvases.size();
     report.texel_size = state.settings.texel_size;
     progress.tell(0.0, "exposure");
-    report.gains = state.settings.correct_exposure
+    const bool is_paper = state.settings.paper;
+    report.gains = state.settings.correct_exposure && !is_paper
                        ? exposureGains(state.canvases, state.views)
                        : std::vector<double>(state.views, 1.0);
     timer.finish("exposure");
@@ -147,8 +180,13 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
     map.charts.resize(state.canvases.size());
     oneapi::tbb::parallel_for(std::size_t{0}, map.charts.size(), [&](std::size_t c) {
       map.charts[c] = state.canvases[c].chart;
-      blend(report.gains, state.canvases[c], map.charts[c]);
-      fillHoles(state.settings.fill_distance, state.canvases[c].mask, map.charts[c]);
+      if (is_paper)
+        average(state.canvases[c], map.charts[c]);
+      else
+        blend(report.gains, state.canvases[c], map.charts[c]);
+      fillHoles(is_paper ? 0 : state.settings.fill_distance,
+                state.canvases[c].mask,
+                map.charts[c]);
     });
     for (std::size_t c = 0; c < map.charts.size(); ++c)
       count(state.canvases[c], map.charts[c], report);

@@ -211,11 +211,6 @@ private:
   Eigen::Isometry3d T_camera_map_;
 };
 
-struct Mean {
-  std::uint64_t count = 0;
-  std::array<std::uint64_t, 3> sums{};
-};
-
 /** Indices of the points of one canvas, in ascending order. */
 using Points = std::vector<std::size_t>;
 
@@ -225,29 +220,17 @@ splatOnto(const ColoredView& view,
           const Points& points,
           Canvas& canvas)
 {
-  std::vector<Mean> means(canvas.mask.size());
+  std::vector<PointColors> sums(canvas.mask.size());
   for (const std::size_t i : points) {
     const Eigen::Vector2d place =
         placeOn(canvas.chart, view.T_map_camera * view.points[i].cast<double>());
-    const std::size_t texel = canvas.index(static_cast<std::int32_t>(place.x()),
-                                           static_cast<std::int32_t>(place.y()));
-    if (canvas.mask[texel] != TexelPlace::Inside)
-      continue;
-    ++means[texel].count;
-    const Rgb color = colorOf(view, i);
-    for (std::size_t k = 0; k < 3; ++k)
-      means[texel].sums[k] += color[k];
+    const std::size_t texel = canvas.texelAt(place);
+    if (canvas.mask[texel] == TexelPlace::Inside)
+      sums[texel].add(colorOf(view, i));
   }
-  for (std::size_t t = 0; t < means.size(); ++t) {
-    const Mean& mean = means[t];
-    if (mean.count == 0)
-      continue;
-    Sample sample{static_cast<float>(mean.count), number, {}};
-    for (std::size_t k = 0; k < 3; ++k)
-      sample.color[k] =
-          static_cast<std::uint8_t>((mean.sums[k] + mean.count / 2) / mean.count);
-    canvas.offer(t, sample);
-  }
+  for (std::size_t t = 0; t < sums.size(); ++t)
+    if (sums[t].count > 0)
+      canvas.offer(t, {static_cast<float>(sums[t].count), number, sums[t].mean()});
 }
 
 } // namespace
@@ -295,6 +278,23 @@ splat(const ColoredView& view,
   for (std::size_t c = 0; c < canvases.size(); ++c)
     if (!points[c].empty())
       splatOnto(view, number, points[c], canvases[c]);
+}
+
+void
+addPoints(const ColoredView& view,
+          std::int32_t number,
+          const std::vector<std::int32_t>& nearest,
+          std::vector<Canvas>& canvases)
+{
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    if (nearest[i] < 0)
+      continue;
+    Canvas& canvas = canvases[static_cast<std::size_t>(nearest[i])];
+    const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
+    canvas.points[canvas.texelAt(placeOn(canvas.chart, point))].add(colorOf(view, i));
+    if (canvas.views.empty() || canvas.views.back() != number)
+      canvas.views.push_back(number);
+  }
 }
 
 } // namespace pcl::acmap::texturing

@@ -41,6 +41,8 @@ struct WorstOutReport : Report {
  * Time O(n^2) once and O(n) per removal, memory O(n). For more than \ref setSampleSize
  * matches, Eq. 1 is a mean over an evenly chosen sample, which is cleaned first; the
  * time is then O(n).
+ *
+ * In paper mode (\ref setPaperMode) Eq. 1 is computed as printed.
  * \code
  * pcl::registration::CorrespondenceRejectorWorstOut rejector;
  * rejector.setInputSource<pcl::PointXYZRGB> (now);
@@ -118,6 +120,24 @@ public:
   getSampleSize() const
   {
     return settings_.sample;
+  }
+
+  /** \brief If true, Eq. 1 is computed as printed (default false): D_ij is the sum over
+   * all matches (k, l), those of near points and (i, j) itself included, divided by
+   * their number |M|. Two distances of 0 have the ratio 1, so that D_ij of a perfect
+   * match is 1; a distance of 0 in one cloud only has the ratio 1000. Minimum distance,
+   * minimum number of matches and sample size have no effect then; only
+   * \ref setMaximumDistortion has, which the paper leaves open. */
+  void
+  setPaperMode(bool paper)
+  {
+    settings_.paper = paper;
+  }
+
+  bool
+  getPaperMode() const
+  {
+    return settings_.paper;
   }
 
   const WorstOutReport&

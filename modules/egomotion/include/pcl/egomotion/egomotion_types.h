@@ -40,7 +40,9 @@ struct EgomotionEstimate {
   /** The same motion on the floor; for a Rigid motion, its planar part. */
   PlanarAction action;
   /** Covariance of small motions (tx, ty, tz in metres, rx, ry, rz in radians) in the
-   * target's frame after T_target_source; rows outside the Planar model are 0. */
+   * target's frame after T_target_source; rows outside the Planar model are 0. In paper
+   * mode, where points have no sigma, from the residuals of the fit: that of least
+   * squares with equal and independent errors. The paper gives none. */
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
@@ -52,10 +54,16 @@ struct EgomotionReport : Report {
   std::size_t source_keypoints = 0, target_keypoints = 0;
   std::size_t matches = 0;     ///< similar in appearance
   std::size_t consistent = 0;  ///< matches that remain after leaving the worst out
-  std::size_t inliers = 0;     ///< consistent matches within three standard deviations
+  std::size_t removed = 0;     ///< matches removed by leaving the worst out
+  bool is_paper = false;       ///< was the run in paper mode?
+  std::size_t fits = 0;        ///< minimisations of Eq. 2; 1 in paper mode
+  std::size_t iterations = 0;  ///< of the conjugate gradient method in all these fits
+  std::size_t inliers = 0;     ///< consistent matches within three standard deviations;
+                               ///< in paper mode all consistent ones
   double feature_residual = 0; ///< RMS between inliers after the motion, metres
-  double feature_chi = 0;  ///< the same in standard deviations: 1 if sigma is correct
-  bool is_refined = false; ///< did the surfaces improve the motion?
+  double feature_chi = 0; ///< the same in standard deviations: 1 if sigma is correct; 0
+                          ///< in paper mode
+  bool is_refined = false;       ///< did the surfaces improve the motion?
   std::size_t surface_pairs = 0; ///< number of surface blocks that were compared
   double surface_before =
       0;                    ///< RMS between surfaces under the features' motion, metres

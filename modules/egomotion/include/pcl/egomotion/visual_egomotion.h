@@ -28,6 +28,8 @@ namespace pcl {
  * together with the features. The result is accepted if it fits better and brings the
  * surfaces nearer.
  *
+ * In paper mode (\ref setPaperMode) it does what the paper says and nothing else.
+ *
  * If a view has no features, the matches do not agree, or a direction is not determined
  * (\ref EgomotionOutcome), there is no motion rather than a wrong one; the report gives
  * the reason.
@@ -158,6 +160,49 @@ public:
   getRefinement() const
   {
     return settings_.refines;
+  }
+
+  /** \brief Sets the number of scales (rings) and rotations (sectors) of the log-polar
+   * patches that are tried in either direction (default 0 and 0; in paper mode 1 and 1).
+   * A ring is a factor of 1.31, a sector 15 degrees.
+   * \throws BadArgumentException unless within [0, 10] and [0, 12] */
+  void
+  setMaximumShifts(int rings, int sectors);
+
+  int
+  getMaximumRingShifts() const
+  {
+    return acmap::shiftsOf(settings_).rings;
+  }
+
+  int
+  getMaximumSectorShifts() const
+  {
+    return acmap::shiftsOf(settings_).sectors;
+  }
+
+  /** \brief If true, II-B.1 is done as printed (default false): all strict local maxima
+   * of the gradient at full size that have a point; matches that are strong, distinct
+   * and mutual, under shifts of rings and sectors; Eq. 1 as printed
+   * (registration::CorrespondenceRejectorWorstOut::setPaperMode) up to 1.15, which the
+   * paper leaves open; Eq. 2 with B_ij = 1 in one fit by conjugate gradient. There is no
+   * bound of the motion, no refinement and no check of the result, except that the
+   * matches must determine the motion.
+   *
+   * Settings that contradict this have no effect while it is on: maximum translation,
+   * rotation and keypoints, refinement, solver. The motion model is used as set: the
+   * paper's action is Planar. */
+  void
+  setPaperMode(bool paper)
+  {
+    settings_.paper = paper;
+    kept_.clear();
+  }
+
+  bool
+  getPaperMode() const
+  {
+    return settings_.paper;
   }
 
   /** \brief Sets the number of threads (0 = all, default); the result is the same. */

@@ -10,6 +10,7 @@
 #include <pcl/features/voting_types.h>
 #include <pcl/point_types.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ namespace pcl {
  * (surface), eps (l2 - l3) (crease) and eps eta l3 (corner) gives the class of the
  * vertex. The last factor of the weight is an addition to the method: it suppresses
  * triangles that are seen edge-on from the vertex, whose votes would point backwards.
+ * \ref setPaperMode takes this and all other additions back.
  *
  * Any triangle or polygon mesh can be used; polygons are split into fans. For noisy
  * points apply VoxelConsolidation and DeWallTriangulation first. If the points have a
@@ -35,7 +37,7 @@ namespace pcl {
  * saw the vertex, otherwise to the side from which the faces are counter-clockwise.
  *
  * Output: unit normals, `curvature` = 1 - (l1 - l2) / (l1 + l2 + l3), 0 on a plane; NaN
- * at vertices with fewer than three votes. Metres. Takes O(n) times the number of
+ * at vertices with fewer than three votes, in paper mode without a vote. Metres. Takes O(n) times the number of
  * triangles per disc; the result is bitwise identical for every number of threads.
  * \code
  * pcl::NormalVectorVoting<pcl::PointXYZ> voting;
@@ -73,6 +75,22 @@ public:
     return triangles_;
   }
 
+  /** \brief Uses the weights of Page et al. as they are (default false):
+   * w_i = A_i exp (-g_i / (g_max / 3)), without the factor (1 - (n_i u)^2), eps = 2 and
+   * eta = 2. All triangles within g_max vote, however near they are, and only those:
+   * the radius is not doubled where few vote, and one vote is enough for a normal. */
+  void
+  setPaperMode(bool paper_mode)
+  {
+    paper_mode_ = paper_mode;
+  }
+
+  bool
+  getPaperMode() const
+  {
+    return paper_mode_;
+  }
+
   /** \brief Sets g_max, the maximum geodesic distance of the votes.
    * \param[in] radius metres; 0 (default) for automatic: 2.5 mean edges, or 8 times the
    * noise if that is more, up to 8 mean edges
@@ -82,27 +100,23 @@ public:
 
   /** \brief Sets eps, the weight of a crease relative to a surface: two equal faces
    * whose normals differ by 2 phi are a crease if sin^2 phi >= 1 / (2 + eps). The
-   * default of 12 detects the edges of walls within a voxel; Page et al. use 2.
+   * default of 12 detects the edges of walls within a voxel; Page et al. use 2, the
+   * default in paper mode.
    * \throws BadArgumentException unless it is above 0 and finite */
   void
   setCreaseWeight(double eps);
 
   double
-  getCreaseWeight() const
-  {
-    return crease_weight_;
-  }
+  getCreaseWeight() const;
 
-  /** \brief Sets eta, the weight of a corner relative to a crease (default 0.3).
+  /** \brief Sets eta, the weight of a corner relative to a crease (default 0.3; in
+   * paper mode 2).
    * \throws BadArgumentException unless it is above 0 and finite */
   void
   setCornerWeight(double eta);
 
   double
-  getCornerWeight() const
-  {
-    return corner_weight_;
-  }
+  getCornerWeight() const;
 
   /** \brief Sets the sensor positions of the observations given by the field `view` of
    * the points, in metres, in the frame of the cloud.
@@ -171,8 +185,9 @@ protected:
 
 private:
   std::vector<TriangleMesh::Triangle> triangles_;
-  double crease_weight_ = 12;
-  double corner_weight_ = 0.3;
+  bool paper_mode_ = false;
+  std::optional<double> crease_weight_;
+  std::optional<double> corner_weight_;
   std::vector<Eigen::Vector3f> viewpoints_;
   bool compute_curvatures_ = false;
   PointCloud<Label> classes_;

@@ -26,7 +26,8 @@ struct VotingReport : Report {
   std::size_t surface = 0;
   std::size_t crease = 0;
   std::size_t corner = 0;
-  std::size_t unknown = 0; ///< with fewer than three votes: their normal is NaN
+  std::size_t unknown = 0; ///< with too few votes: their normal is NaN
+  std::size_t votes = 0;   ///< counted ones, over all vertices
 
   double radius = 0;    ///< metres; geodesic radius g_max, as used
   double mean_edge = 0; ///< metres
@@ -46,6 +47,7 @@ visitFields(const VotingReport& report, Visitor&& visit)
   visit("crease", report.crease);
   visit("corner", report.corner);
   visit("unknown", report.unknown);
+  visit("votes", report.votes);
   visit("radius", report.radius);
   visit("mean_edge", report.mean_edge);
   visit("sigma", report.sigma);

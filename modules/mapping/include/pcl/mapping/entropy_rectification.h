@@ -29,14 +29,17 @@ namespace pcl {
  * the poses are unchanged and the report contains the reason.
  *
  * Paper mode minimises Eq. 3 alone, E = H(q_XZ) + mu (H(q_X) + H(q_Z)), along the main
- * directions of the building, by voting on random subsets of actions; for each bin size
- * the energy never increases. This mode has no verification.
+ * directions of the building, with each given point counted in its bin, by voting: each
+ * vote changes a random subset of the actions at once, each action in proportion to the
+ * effect of its previous changes on the energy, and is accepted if the energy decreases.
+ * This mode has no verification.
  *
  * Poses are translated in the XZ plane (y is vertical) and rotated about y; heights and
  * tilts are unchanged. Normals should be given (\ref VoxelConsolidation computes them);
  * they are oriented towards the sensor. Units are metres and radians. The time is O(n)
  * once for n points, plus some hundred evaluations of the entropy, each O(cells +
- * bins). The result is bitwise the same for any number of threads.
+ * bins); in Paper mode 50 evaluations per observation, each O(n + bins). The result is
+ * bitwise the same for any number of threads.
  * \code
  * pcl::EntropyRectification<pcl::PointNormal> rectification;
  * for (std::size_t i = 0; i < clouds.size (); ++i)
@@ -103,8 +106,8 @@ public:
     return settings_.mode;
   }
 
-  /** \brief Sets the edge length of the finest bins (default 0.1 m); the search begins
-   * with four times this value.
+  /** \brief Sets the edge length of the finest bins (default 0.1 m); the search in
+   * Guarded mode begins with four times this value, Paper mode uses only these.
    * \throws BadArgumentException unless within [0.001, 25] m */
   void
   setBinSize(double metres);
@@ -141,6 +144,21 @@ public:
     return settings_.projection_weight;
   }
 
+  /** \brief Sets sigma_XZ, the standard deviation of the Gaussian, in Paper mode
+   * (default: the bin size; 0: no smoothing). Guarded mode always smooths by one bin of
+   * each of its levels.
+   * \throws BadArgumentException unless within [0, 1000] m; \ref compute also refuses
+   * more than 100 bins */
+  void
+  setSmoothing(double metres);
+
+  /** \brief sigma_XZ as it was set, metres; negative: the bin size. */
+  double
+  getSmoothing() const
+  {
+    return settings_.smoothing;
+  }
+
   /** \brief Sets the expected errors of the odometry. If the rays indicate it, twice or
    * four times as much is permitted.
    * \throws BadArgumentException naming the value */
@@ -169,6 +187,7 @@ public:
   /** \brief Rectifies the poses, always starting from the given ones, regardless of
    * earlier results.
    * \throws InitFailedException without an observation
+   * \throws BadArgumentException when sigma_XZ exceeds 100 bins (Paper mode)
    * \throws CancelledException when the progress callback requested to stop; nothing is
    * changed */
   void

@@ -13,7 +13,7 @@ enum class RectificationMode {
   /** Descent on the direction-aware entropy with an odometry prior, verified by
    * rays. */
   Guarded,
-  /** Voting on subsets of actions, on the entropy of Eq. 3 alone. */
+  /** Voting on subsets of actions, on the exact entropy of Eq. 3 of all points. */
   Paper
 };
 
@@ -94,9 +94,11 @@ struct EntropyRectificationReport : Report {
   std::string reason; ///< reason of the outcome, one line
   std::size_t observations = 0, points = 0, invalid_points = 0;
   std::size_t evaluations = 0; ///< of the energy of the whole map, or equivalent
-  double odometry_scale = 1;   ///< factor of OdometryNoise that the rays preferred
-  double strongest_action = 0; ///< largest residual of an action, in sigmas
-  double disagreement = 0;     ///< metres, rms, between the two best candidates
+  std::size_t votes = 0; ///< Paper: changes of a subset of actions that were tried
+  std::size_t accepted_moves = 0; ///< Paper: votes that lowered the energy
+  double odometry_scale = 1;      ///< factor of OdometryNoise that the rays preferred
+  double strongest_action = 0;    ///< largest residual of an action, in sigmas
+  double disagreement = 0;        ///< metres, rms, between the two best candidates
   std::vector<RectificationStep> steps;
   MapEvidence before, after;  ///< after: of the best candidate, even if refused
   std::vector<double> moved;  ///< metres, for each observation

@@ -142,6 +142,25 @@ public:
   /** \name Steps */
   ///@{
 
+  /** \brief Sets all steps to the paper's way, or back to the default one (Accurate).
+   *
+   * Paper, II-A to II-C with nothing added: the median of the shots' disparities
+   * (\ref DisparityFusion::Method), the paper's egomotion
+   * (\ref VisualEgomotion::setPaperMode), the voting of \ref RectificationMode::Paper
+   * on raw points, no refinement of quantised depth, \ref PlaneMapping::setMode, and
+   * the colours of points (\ref PlaneTexturing::setPaperMode). Other settings of the
+   * steps stay. A step that is set later replaces what this call set: each departure
+   * from the paper can be taken back alone. Discards the frames of the current
+   * observation: to be called before they are added. */
+  void
+  setMode(MappingMode mode);
+
+  MappingMode
+  getMode() const
+  {
+    return mode_;
+  }
+
   /** \brief Settings of the fusion of frames and of their projection. */
   DisparityFusion&
   fusion()
@@ -168,7 +187,8 @@ public:
   }
 
   /** \brief Sets how the map is rectified. If its odometry noise is the default one,
-   * that of estimated poses is used. */
+   * that of estimated poses is used. Its input are the consolidated points of each
+   * observation, in \ref RectificationMode::Paper the raw ones. */
   void
   setRectification(const Rectification& rectification)
   {
@@ -325,6 +345,7 @@ private:
   std::vector<std::optional<Eigen::Isometry3d>> poses_;
   std::optional<ObservationSequence> sequence_;
   bool has_poses_ = false; ///< of the sequence
+  MappingMode mode_ = MappingMode::Accurate;
   DisparityFusion fusion_;
   DisparityBackProjection projection_;
   std::vector<boost::signals2::scoped_connection> connections_;

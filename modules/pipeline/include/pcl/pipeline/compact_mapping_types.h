@@ -16,6 +16,7 @@ namespace pcl {
  * report. Its seconds are those of the steps, its remarks those of all steps.
  * \ingroup pipeline */
 struct CompactMappingReport : Report {
+  MappingMode mode = MappingMode::Accurate; ///< as \ref CompactMapping::setMode set it
   std::optional<VisualOdometryResult> odometry; ///< if the poses were unknown
   std::optional<SequenceConsolidationReport> consolidation;
   std::optional<EntropyRectificationReport> rectification;

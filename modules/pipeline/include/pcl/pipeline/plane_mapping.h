@@ -100,6 +100,24 @@ public:
     return sensor_;
   }
 
+  /** \brief Sets all steps to the paper's way, or back to the default one (Accurate).
+   *
+   * Paper: raw points are never consolidated and no plane is searched for in a picture;
+   * the mesh is that of \ref DeWallRule::Strict, with its loops as outlines; votes and
+   * hypotheses are the literal ones of \ref NormalVectorVoting and
+   * \ref PlaneHypothesisClustering. The mesh construction becomes a new
+   * DeWallTriangulation; other settings of the steps stay. A step that is set later
+   * replaces what this call set: each departure from the paper can be taken back
+   * alone. */
+  void
+  setMode(MappingMode mode);
+
+  MappingMode
+  getMode() const
+  {
+    return mode_;
+  }
+
   /** \brief Sets which clouds are consolidated (default WhereNoisy). */
   void
   setConsolidationPolicy(ConsolidationPolicy policy)
@@ -215,6 +233,7 @@ private:
   TriangleMesh input_mesh_;
   std::vector<Eigen::Vector3f> viewpoints_;
   DepthSensor sensor_ = DepthSensor::Automatic;
+  MappingMode mode_ = MappingMode::Accurate;
   ConsolidationPolicy policy_ = ConsolidationPolicy::WhereNoisy;
   bool compute_mesh_ = true;
   Consolidation consolidation_;

@@ -21,10 +21,17 @@
 
 namespace pcl {
 
+/** \brief How PlaneMapping and CompactMapping compute their result. \ingroup pipeline */
+enum class MappingMode {
+  Accurate, ///< with all that acmap adds to the paper
+  Paper     ///< every step as the paper has it, with nothing added
+};
+
 /** \brief Which clouds PlaneMapping consolidates. \ingroup pipeline */
 enum class ConsolidationPolicy {
   WhereNoisy, ///< those whose noise is large compared with their spacing
-  Always      ///< all, also organized views
+  Always,     ///< all, also organized views
+  Never       ///< none: raw points are triangulated in space, also those of one view
 };
 
 /** \brief Planes of a cloud, and the mesh on which they were found.
@@ -49,6 +56,8 @@ struct MappedPlanes {
  * report.
  * \ingroup pipeline */
 struct PlaneMappingReport : Report {
+  MappingMode mode = MappingMode::Accurate; ///< as \ref PlaneMapping::setMode set it
+  std::size_t consolidated_points = 0; ///< on which planes were found; 0: on raw points
   std::optional<NoiseScale> noise_scale; ///< of a cloud in space
   std::optional<ConsolidationReport> consolidation;
   std::optional<DepthPlaneReport> depth_planes; ///< if planes were found in a picture

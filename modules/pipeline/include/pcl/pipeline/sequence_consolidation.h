@@ -20,21 +20,22 @@ struct ConsolidatedObservations {
   std::vector<std::size_t> places;
   Trajectory trajectory; ///< T_map_camera of each observation
 
-  /** \brief Consolidated points with normals (NaN if there is none); sensor frame,
+  /** \brief Consolidated points with normals, or raw points (\ref
+   * SequenceConsolidation::setRawPoints); NaN where there is no normal; sensor frame,
    * metres. */
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
 
   /** \brief Surface area that each of these points represents, in units of the smallest
-   * voxel. */
+   * voxel; empty for raw points, which weigh the same. */
   std::vector<std::vector<float>> weights;
 };
 
 /** \brief Report of SequenceConsolidation on its last run. \ingroup pipeline */
 struct SequenceConsolidationReport : Report {
   std::size_t points = 0;          ///< finite points of all observations
-  std::size_t representatives = 0; ///< points of all consolidated clouds
-  double min_voxel_size = 0;       ///< metres
-  double max_voxel_size = 0;       ///< metres
+  std::size_t representatives = 0; ///< points of all consolidated clouds; 0 if raw
+  double min_voxel_size = 0;       ///< metres; 0 if raw
+  double max_voxel_size = 0;       ///< metres; 0 if raw
   bool colored = false;            ///< Does an observation have colours?
 };
 
@@ -55,6 +56,20 @@ public:
     skip_broken_ = skip;
   }
 
+  /** \brief Takes the points as they were measured, as the paper does (default false):
+   * nothing is consolidated. */
+  void
+  setRawPoints(bool raw)
+  {
+    raw_points_ = raw;
+  }
+
+  bool
+  getRawPoints() const
+  {
+    return raw_points_;
+  }
+
   /** \brief Reads and consolidates a sequence with poses.
    * \throws InputFileException if an observation cannot be read and none may be
    * skipped, none can be read, all poses are the same though there are several, or the
@@ -64,7 +79,15 @@ public:
   compute(const ObservationSequence& sequence, ConsolidatedObservations& result);
 
 private:
+  void
+  consolidate(const std::string& path,
+              const PointCloudFile& seen,
+              const PointCloud<PointNormal>::Ptr& points,
+              ConsolidatedObservations& found,
+              SequenceConsolidationReport& report) const;
+
   bool skip_broken_ = false;
+  bool raw_points_ = false;
 };
 
 } // namespace pcl

@@ -10,7 +10,9 @@ namespace pcl {
 struct PlaneClusteringReport : Report {
   std::size_t points = 0;
   std::size_t invalid_points = 0; ///< not finite
-  std::size_t hypotheses = 0;     ///< points with a normal, off creases
+  std::size_t hypotheses = 0; ///< points with a normal; if noise-driven, off creases
+  std::size_t tested_hypotheses = 0; ///< unless noise-driven; of those, not on a plane
+  std::size_t reestimations = 0;     ///< unless noise-driven; one per supporter found
   std::size_t planes = 0;
   std::size_t points_on_planes = 0;
   std::size_t small_regions = 0;  ///< too small, or unverifiable without a source
@@ -35,6 +37,8 @@ visitFields(const PlaneClusteringReport& report, Visitor&& visit)
   visit("points", report.points);
   visit("invalid_points", report.invalid_points);
   visit("hypotheses", report.hypotheses);
+  visit("tested_hypotheses", report.tested_hypotheses);
+  visit("reestimations", report.reestimations);
   visit("planes", report.planes);
   visit("points_on_planes", report.points_on_planes);
   visit("small_regions", report.small_regions);

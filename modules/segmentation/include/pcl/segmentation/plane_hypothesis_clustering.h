@@ -21,31 +21,32 @@ namespace pcl {
 /** \brief Finds all planes of a cloud with normals in one deterministic call.
  *
  * This is the clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point
- * is a hypothesis (p_i, n_i). Planes are grown from seeds, starting at the hypothesis
- * with the minimum curvature (if the normals were set by \ref setInputNormals; normals
- * of PointT are used in the order of the points). A point joins a plane if it is within
- * W_d of one of its points, within W_n of its normal and within W_t of the plane. The
- * plane is estimated again with its supporters, and accepted if there are more than W_h
- * of them. These are the defaults.
+ * is a hypothesis (p_i, n_i). Hypotheses are tried in the order of their curvature, if
+ * the normals were set by \ref setInputNormals, otherwise in the order of the points.
  *
- * With \ref setNoiseDriven, the mesh defines which points are neighbours, the noise of
- * the points defines how far they may be from the plane, and the area decides which
- * planes are accepted: with the paper's W_t of 0.25 m, doors are merged with their
- * walls. Coplanar regions are merged, however far apart they are; curved surfaces are
- * recognised and counted. If the cloud from which the points were consolidated is also
- * given (\ref setSourceCloud), its points verify the planes, narrow planes between
- * larger ones (reveals of doors) are found as well, and each plane is fitted to its
- * points along the rays of their sensors.
+ * By default, planes are grown as the noise and the mesh allow: the mesh defines which
+ * points are neighbours, the noise of the points defines how far they may be from the
+ * plane, and the area decides which planes are accepted. Coplanar regions are merged,
+ * however far apart they are; curved surfaces are recognised and counted. If the cloud
+ * from which the points were consolidated is also given (\ref setSourceCloud), its
+ * points verify the planes, narrow planes between larger ones (reveals of doors) are
+ * found as well, and each plane is fitted to its points along the rays of their sensors.
+ *
+ * With \ref setNoiseDriven (false), the planes are those of the paper to the letter. A
+ * hypothesis i is supported by each other hypothesis j whose point is within W_d of p_i
+ * and within W_t of the plane, and whose normal is within W_n of n_i. The plane is
+ * estimated again with every supporter, and accepted if there are more than W_h of them.
+ * Nothing is merged, added or removed afterwards. Such planes are at most 2 W_d = 1.6 m
+ * across, so that one wall comes as many planes, and with a W_t of 0.25 m doors are part
+ * of their walls.
  *
  * Units are metres, in the frame of the cloud. Plane normals have the direction of the
  * normals of the points. The result is the same in every run and for any number of
- * threads. The time is O(n) with a mesh; otherwise each point is compared with all
- * points within W_d, so raw clouds should be reduced to their noise scale first.
+ * threads. The time is O(n); with the paper's thresholds, O(n m) for m points within W_d.
  * \code
  * pcl::PlaneHypothesisClustering<pcl::PointNormal> clustering;
  * clustering.setInputCloud (consolidated);
  * clustering.setTriangles (mesh.polygons);
- * clustering.setNoiseDriven (true);
  * std::vector<pcl::PlanePatch> planes;
  * clustering.segment (planes);
  * \endcode
@@ -67,8 +68,8 @@ public:
     normals_ = normals;
   }
 
-  /** \brief Sets the classes that NormalVectorVoting assigned to the points: no plane
-   * is seeded at a crease. */
+  /** \brief Sets the classes that NormalVectorVoting assigned to the points: if
+   * noise-driven, no plane is seeded at a crease. */
   void
   setVertexClasses(const PointCloud<Label>::ConstPtr& classes)
   {
@@ -76,7 +77,7 @@ public:
   }
 
   /** \brief Sets the mesh whose vertices the points are. The outlines of the planes are
-   * computed from it, and with \ref setNoiseDriven the neighbourhoods as well. */
+   * computed from it, and if noise-driven the neighbourhoods as well. */
   void
   setTriangles(const std::vector<Vertices>& polygons);
 
@@ -86,8 +87,7 @@ public:
     triangles_ = std::move(mesh.triangles);
   }
 
-  /** \brief Sets the cloud from which the input was consolidated; used with
-   * \ref setNoiseDriven.
+  /** \brief Sets the cloud from which the input was consolidated; used if noise-driven.
    * \param[in] cloud it is kept until another one is set
    * \param[in] viewpoints sensor positions of the observations to which the field
    * `view` of the cloud refers, in metres; without that field, the sensor position of
@@ -115,13 +115,14 @@ public:
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
   /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
-   * compare each point with all others within W_d.
-   * \return seconds on a processor of 2020; 0 without a cloud, with \ref setNoiseDriven,
-   * and if no point has a normal */
+   * compare each hypothesis without a plane with all others within W_d.
+   * \return seconds on a processor of 2020, if every twentieth point is on no plane; 0
+   * without a cloud, if noise-driven, and if no point has a normal */
   double
   estimateSeconds() const;
 
-  /** \brief Uses noise and mesh instead of the paper's thresholds (default false). */
+  /** \brief Grows planes as noise and mesh allow (default true), or, if false, by the
+   * paper's thresholds, to the letter. */
   void
   setNoiseDriven(bool noise_driven)
   {
@@ -134,8 +135,8 @@ public:
     return noise_driven_;
   }
 
-  /** \brief Sets W_d in metres (default 0.8): the maximum distance of a point from the
-   * nearest supporter of the plane.
+  /** \brief Sets W_d in metres (default 0.8): the maximum distance of a supporter from
+   * the point of the hypothesis. Not used if noise-driven.
    * \throws BadArgumentException unless it is above 0 and finite, here and below */
   void
   setClusterTolerance(double distance);
@@ -156,19 +157,17 @@ public:
     return normal_angle_;
   }
 
-  /** \brief Sets W_t in metres (default 0.25; if noise-driven, it is computed from the
-   * noise). */
+  /** \brief Sets W_t in metres (default: computed from the noise; with the paper's
+   * thresholds 0.25). */
   void
   setDistanceThreshold(double distance);
 
+  /** \brief 0: computed from the noise. */
   double
-  getDistanceThreshold() const
-  {
-    return plane_distance_.value_or(noise_driven_ ? 0 : paper_distance);
-  }
+  getDistanceThreshold() const;
 
-  /** \brief Sets W_h (default 50): a plane needs more supporters than this. Not used if
-   * noise-driven. */
+  /** \brief Sets W_h (default 50): a hypothesis needs more supporters than this, itself
+   * not counted. Not used if noise-driven. */
   void
   setMinClusterSize(std::size_t support)
   {
@@ -253,15 +252,13 @@ private:
   std::vector<Eigen::Vector3f>
   gatherNormals() const;
 
-  static constexpr double paper_distance = 0.25;
-
   PointCloud<Normal>::ConstPtr normals_;
   PointCloud<Label>::ConstPtr classes_;
   std::vector<TriangleMesh::Triangle> triangles_;
   shared_ptr<const void> source_;
   acmap::PointView source_points_;
   acmap::SensorView source_sensors_;
-  bool noise_driven_ = false;
+  bool noise_driven_ = true;
   double member_distance_ = 0.8;
   double normal_angle_ = 0.39269908169872414;
   std::optional<double> plane_distance_;

@@ -26,12 +26,12 @@ namespace pcl {
  * With the rules \c Paper and \c Dense, every result has at most two triangles per
  * edge, one fan per vertex, no degenerate or duplicate faces, one orientation per
  * component (towards `sensor_origin_` of the cloud), and no edge that violates the size
- * constraint. With \c Paper, no input point is inside the smallest sphere through the
- * corners of a triangle by more than the relative tolerance 1e-6 of its radius. The
- * same input gives bitwise the same result for any number of threads.
+ * constraint. With \c Paper and \c Strict, no input point is inside the smallest sphere
+ * through the corners of a triangle by more than the relative tolerance 1e-6 of its
+ * radius. The same input gives bitwise the same result for any number of threads.
  *
  * Coordinates are in metres. The time is O(n log n), the memory at most 170 bytes per
- * point.
+ * point, with \c Strict more (\ref acmap::estimateDeWallMemory).
  * \code
  * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
  * dewall.setInputCloud (cloud);
@@ -75,8 +75,9 @@ public:
   }
 
   /** \brief Sets the number of points up to which a part is triangulated without a further
-   * wall (default 65536). The mesh depends on it.
-   * \throws BadArgumentException unless within [3, 2^31 - 1] */
+   * wall. The mesh depends on it.
+   * \param[in] points 0 (default) is automatic: 65536, with \ref DeWallRule::Strict 1
+   * \throws BadArgumentException when it is negative */
   void
   setLeafSize(int points);
 
@@ -156,7 +157,7 @@ private:
 
   DeWallRule rule_ = DeWallRule::Paper;
   double maximum_edge_length_ = 0;
-  int leaf_size_ = 65536;
+  int leaf_size_ = 0;
   bool compute_wall_depth_ = false;
   std::size_t memory_limit_ = 0;
 };

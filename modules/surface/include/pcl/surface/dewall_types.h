@@ -15,8 +15,9 @@ enum class DeWallRule {
   /** The Delaunay-nearest apex without the sphere test, with the same guard. It covers
    * noisy surfaces more densely. */
   Dense,
-  /** The paper's rule as published, without the guard. The mesh is not manifold; it is
-   * for study only. */
+  /** II-C.1 and Fig. 6 as printed: connected clusters first, walls down to single points,
+   * no guard and no further pass. The mesh is not manifold; it is for comparison with the
+   * paper. */
   Strict
 };
 
@@ -27,9 +28,11 @@ struct DeWallReport : Report {
   std::size_t duplicate_points = 0; ///< repeated positions, skipped
   std::size_t used_points = 0;      ///< corners of at least one triangle
   std::size_t clusters = 0;         ///< connected clusters of at least three points
+  std::size_t walls = 0;            ///< splitting planes at which triangles were built
   std::size_t triangles = 0;
   std::size_t edges = 0;
   std::size_t boundary_edges = 0;  ///< edges with one triangle
+  std::size_t crowded_edges = 0;   ///< edges with more than two, only with Strict
   std::size_t components = 0;      ///< connected by edges of triangles
   std::size_t refused_moebius = 0; ///< triangles rejected for orientability
   std::size_t removed_fans = 0;    ///< triangles removed for one fan per vertex
@@ -48,9 +51,11 @@ visitFields(const DeWallReport& report, Visitor&& visit)
   visit("duplicate_points", report.duplicate_points);
   visit("used_points", report.used_points);
   visit("clusters", report.clusters);
+  visit("walls", report.walls);
   visit("triangles", report.triangles);
   visit("edges", report.edges);
   visit("boundary_edges", report.boundary_edges);
+  visit("crowded_edges", report.crowded_edges);
   visit("components", report.components);
   visit("refused_moebius", report.refused_moebius);
   visit("removed_fans", report.removed_fans);
@@ -65,7 +70,7 @@ namespace acmap {
  * Measured on raw clouds, the most demanding ones.
  * \return bytes, an upper bound \ingroup surface */
 ACMAP_EXPORT std::size_t
-estimateDeWallMemory(std::size_t points, bool with_normals);
+estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule);
 
 } // namespace acmap
 } // namespace pcl

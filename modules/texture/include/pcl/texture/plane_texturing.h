@@ -30,6 +30,7 @@ struct TexturingSettings;
  * image border). The samples are brought to a common exposure with one gain per view,
  * and those that agree with their median are averaged. Holes are filled from their
  * borders over a few texels; the remaining texels stay unknown (\ref TexelKind).
+ * \ref setPaperMode leaves only the points.
  *
  * Lengths are in metres, in the frame of the planes; colours are as in the clouds. The
  * time is O(n p + t v) for n points, p planes near a view, t texels and v views that
@@ -98,6 +99,22 @@ public:
     return observations_.size();
   }
 
+  /** \brief Colours the planes as the paper does (default false): the colour of each
+   * point goes to its closest plane within the maximum distance, and a texel has the mean
+   * colour of its points in all observations. Nothing is projected into images, exposures
+   * stay as they are, points behind a plane count too, and no hole is filled. */
+  void
+  setPaperMode(bool paper_mode)
+  {
+    paper_mode_ = paper_mode;
+  }
+
+  bool
+  getPaperMode() const
+  {
+    return paper_mode_;
+  }
+
   /** \brief Sets the edge length of a texel (default 0.02 m).
    * \throws BadArgumentException unless within [1e-4, 10] m */
   void
@@ -132,8 +149,8 @@ public:
     return maximum_texture_size_;
   }
 
-  /** \brief Sets how far holes are filled from their borders (default 5 texels; 0: only
-   * the texels next to the polygon that interpolation needs).
+  /** \brief Sets how far holes are filled from their borders (default 5 texels; 0, and
+   * in paper mode: only the texels next to the polygon that interpolation needs).
    * \throws BadArgumentException unless within [0, 1000] */
   void
   setFillDistance(int texels);
@@ -145,7 +162,7 @@ public:
   }
 
   /** \brief Enables the correction of the observations to a common exposure (default
-   * true). */
+   * true; not used in paper mode). */
   void
   setCorrectExposure(bool correct)
   {
@@ -186,6 +203,7 @@ private:
   std::vector<PlanePatch> planes_;
   bool has_planes_ = false;
   std::vector<Observation> observations_;
+  bool paper_mode_ = false;
   double texel_size_ = 0.02;
   double maximum_distance_ = 0.3;
   int maximum_texture_size_ = 4096;

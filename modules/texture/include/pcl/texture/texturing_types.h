@@ -22,6 +22,8 @@ struct TexturingReport : Report {
                                   ///< falls into
   std::size_t colorless = 0;      ///< of these, without colour; they are ignored
   std::size_t invalid_points = 0; ///< points of all observations that are not finite
+  std::size_t colored_points = 0; ///< with a plane within the maximum distance
+  std::size_t far_points = 0;     ///< finite, but without such a plane
   std::size_t charts = 0;
   std::size_t texels = 0;    ///< inside the polygons
   std::size_t seen = 0;      ///< of these, coloured by observations
@@ -40,6 +42,8 @@ visitFields(const TexturingReport& report, Visitor&& visit)
   visit("splatted", report.splatted);
   visit("colorless", report.colorless);
   visit("invalid_points", report.invalid_points);
+  visit("colored_points", report.colored_points);
+  visit("far_points", report.far_points);
   visit("charts", report.charts);
   visit("texels", report.texels);
   visit("seen", report.seen);

@@ -18,6 +18,11 @@
 
 namespace pcl::acmap {
 
+/** \brief Scales (rings) and rotations (sectors) that are tried in either direction. */
+struct PatchShifts {
+  int rings = 0, sectors = 0;
+};
+
 /** \brief Settings of \ref estimateEgomotion; see VisualEgomotion. */
 struct EgomotionSettings {
   MotionModel model = MotionModel::Planar;
@@ -27,9 +32,21 @@ struct EgomotionSettings {
   bool refines = true;                ///< use surfaces and brightness as well
   KeypointSettings keypoints;
   LogPolarSettings patches;
+  std::optional<PatchShifts> shifts; ///< of patches; default: see \ref shiftsOf
   WorstOutSettings worst_out;
+  bool paper = false;   ///< II-B.1 as printed, see \ref inMode
   unsigned threads = 0; ///< 0 = all
 };
+
+/** \brief The shifts of patches that are tried: those that are set; otherwise none, or,
+ * in paper mode, one in each direction. */
+ACMAP_EXPORT PatchShifts
+shiftsOf(const EgomotionSettings& settings);
+
+/** \brief The settings of a run: in paper mode, whatever the paper does not have is
+ * switched off. \ref prepareView and \ref estimateEgomotion take them. */
+ACMAP_EXPORT EgomotionSettings
+inMode(EgomotionSettings settings);
 
 /** \brief A view of a camera, one value per pixel. */
 struct CameraView {

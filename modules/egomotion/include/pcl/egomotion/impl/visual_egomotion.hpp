@@ -69,13 +69,23 @@ VisualEgomotion<PointT>::setMaximumKeypoints(std::size_t keypoints)
 }
 
 template <typename PointT>
+void
+VisualEgomotion<PointT>::setMaximumShifts(int rings, int sectors)
+{
+  const acmap::LogPolarSettings& patches = settings_.patches;
+  acmap::requireInRange("ring shifts", rings, 0, patches.rings - 2, "rings");
+  acmap::requireInRange("sector shifts", sectors, 0, patches.sectors / 2, "sectors");
+  settings_.shifts = acmap::PatchShifts{rings, sectors};
+}
+
+template <typename PointT>
 std::shared_ptr<const acmap::EgomotionView>
 VisualEgomotion<PointT>::prepared(const PointCloudConstPtr& cloud)
 {
   for (const Prepared& kept : kept_)
     if (kept.cloud == cloud)
       return kept.view;
-  return acmap::prepareView(acmap::cameraViewOf(*cloud), settings_);
+  return acmap::prepareView(acmap::cameraViewOf(*cloud), acmap::inMode(settings_));
 }
 
 template <typename PointT>
@@ -95,7 +105,7 @@ VisualEgomotion<PointT>::compute()
     progress.tell(0.5, "look");
     timer.finish("look");
     const acmap::EgomotionSolution solution = acmap::estimateEgomotion(
-        *source.view, *target.view, settings_, progress, report);
+        *source.view, *target.view, acmap::inMode(settings_), progress, report);
     matches_ = acmap::correspondencesOf(*source_, *target_, solution.matches);
     inliers_ = acmap::correspondencesOf(*source_, *target_, solution.inliers);
     kept_ = {target, source};

@@ -17,6 +17,7 @@ struct WorstOutSettings {
   double min_distance = 0.05;   ///< metres; shorter distances are set to this
   std::size_t min_matches = 6;  ///< if fewer remain, none is kept
   std::size_t sample = 1000;    ///< matches over which Eq. 1 is averaged, at most 1e6
+  bool paper = false;           ///< Eq. 1 as printed; only max_distortion is used then
 };
 
 /** \brief Result of \ref leaveWorstOut. */
@@ -32,6 +33,10 @@ struct WorstOutOutcome {
  * removal, O(n) memory. Pairs within the minimum distance in both clouds are skipped; a
  * match without any valid pair is removed. If there are more than `sample` matches,
  * evenly chosen ones are cleaned and then used to evaluate Eq. 1 for the others.
+ *
+ * In paper mode D_ij is the sum over all matches (k, l), near ones and (i, j) itself
+ * included, divided by their number. Two distances of 0 have the ratio 1; a distance of
+ * 0 in one cloud only has the largest ratio, 1000.
  * \param[in] source, target equally many points, metres; a match with a point that is
  * not finite is removed first */
 ACMAP_EXPORT WorstOutOutcome

@@ -48,6 +48,22 @@ NormalVectorVoting<PointInT>::setCornerWeight(double eta)
 }
 
 template <typename PointInT>
+double
+NormalVectorVoting<PointInT>::getCreaseWeight() const
+{
+  return crease_weight_.value_or(paper_mode_ ? acmap::page_weight
+                                             : acmap::VotingSettings().crease_weight);
+}
+
+template <typename PointInT>
+double
+NormalVectorVoting<PointInT>::getCornerWeight() const
+{
+  return corner_weight_.value_or(paper_mode_ ? acmap::page_weight
+                                             : acmap::VotingSettings().corner_weight);
+}
+
+template <typename PointInT>
 void
 NormalVectorVoting<PointInT>::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 {
@@ -79,8 +95,9 @@ NormalVectorVoting<PointInT>::computeFeature(PointCloudOut& output)
 {
   acmap::VotingSettings settings;
   settings.radius = search_radius_;
-  settings.crease_weight = crease_weight_;
-  settings.corner_weight = corner_weight_;
+  settings.paper = paper_mode_;
+  settings.crease_weight = getCreaseWeight();
+  settings.corner_weight = getCornerWeight();
   settings.compute_curvatures = compute_curvatures_;
   settings.threads = threads_;
   VotingReport report;

@@ -7,6 +7,7 @@
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/voting_types.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::acmap {
@@ -16,9 +17,13 @@ struct VotingSettings {
   double radius = 0;          ///< geodesic radius, metres; 0: automatic
   double crease_weight = 12;  ///< eps
   double corner_weight = 0.3; ///< eta
+  bool paper = false;         ///< weights and votes of Page et al., without ours
   bool compute_curvatures = false;
   unsigned threads = 0; ///< 0: all
 };
+
+/** \brief eps and eta of Page et al. */
+inline constexpr double page_weight = 2;
 
 /** \brief Principal curvatures at a vertex, 1/m; the first one has the larger
  * magnitude. */
@@ -33,6 +38,7 @@ struct VotedNormal {
   Eigen::Vector3f normal;    ///< unit; NaN for VertexClass::Unknown
   Eigen::Vector3f direction; ///< unit, e3: along the crease; NaN if unknown
   float saliency = 0;        ///< (l1 - l2) / (l1 + l2 + l3); NaN if unknown
+  std::uint32_t votes = 0;   ///< number of triangles that voted, 0 if unknown
 
   VertexClass vertex_class = VertexClass::Unknown;
 };

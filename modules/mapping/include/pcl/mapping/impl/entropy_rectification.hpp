@@ -99,6 +99,14 @@ EntropyRectification<PointT>::setProjectionWeight(double mu)
 
 template <typename PointT>
 void
+EntropyRectification<PointT>::setSmoothing(double metres)
+{
+  acmap::requireInRange("smoothing sigma_XZ", metres, 0, 1000, "m");
+  settings_.smoothing = metres;
+}
+
+template <typename PointT>
+void
 EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
 {
   acmap::requireInRange("odometry noise, length", noise.length, 1e-6, 1e3, "m");

@@ -19,6 +19,7 @@ struct RectificationSettings {
   double bin_size = 0.1;         ///< metres, of the finest level
   double entropy_weight = 1;     ///< factor of the weights of the levels
   double projection_weight = -1; ///< mu; negative: 0 (Guarded), 0.1 (Paper)
+  double smoothing = -1;         ///< metres, sigma_XZ (Paper); negative: the bin size
   OdometryNoise odometry;
   std::uint64_t seed = 1;
 };

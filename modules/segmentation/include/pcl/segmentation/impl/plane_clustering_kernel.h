@@ -15,21 +15,24 @@ namespace pcl::acmap {
 
 /** \brief Settings of \ref clusterPlanes; see PlaneHypothesisClustering. */
 struct PlaneClusteringSettings {
-  bool noise_driven = false;
-  double member_distance = 0.8;     ///< W_d, metres; not used where there is a mesh
+  bool noise_driven = true;         ///< else the paper to the letter
+  double member_distance = 0.8;     ///< W_d, metres; unless noise-driven
   double normal_angle = 0.39269908; ///< W_n, radians
-  double plane_distance = 0.25;     ///< W_t, metres; 0 is automatic
+  double plane_distance = 0;        ///< W_t, metres; 0: by the noise, or the paper's
   std::size_t min_support = 50;     ///< W_h; unless noise-driven
   double min_area = 0;              ///< square metres; noise-driven; 0 is automatic
   bool regular = false;             ///< rotate planes to be parallel or perpendicular
   unsigned threads = 0;             ///< 0: all
 };
 
+/** \brief The paper's W_t, metres. */
+inline constexpr double paper_plane_distance = 0.25;
+
 /** \brief The hypotheses (p_i, n_i), and the mesh between them. */
 struct PlaneHypotheses {
   PointView points;
   std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
-  std::vector<std::uint8_t> is_crease;  ///< no plane is seeded there; may be empty
+  std::vector<std::uint8_t> is_crease;  ///< no seed if noise-driven; may be empty
   std::vector<float> curvatures; ///< seed order: ascending, NaN last; may be empty
   std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
 };
@@ -61,10 +64,10 @@ isUnit(const Eigen::Vector3f& normal)
   return std::abs(normal.squaredNorm() - 1) < 1e-5F;
 }
 
-/** \brief Estimates how long the paper's growth of planes takes: it compares each point
- * with all others within W_d several times.
+/** \brief Estimates how long the paper's growth of planes takes: each hypothesis that is
+ * on no plane is compared with all others within W_d.
  * \param[in] member_distance W_d, metres
- * \return seconds on a processor of 2020, for noisy points; clear planes take a twentieth
+ * \return seconds on a processor of 2020, if every twentieth point is on no plane
  * \ingroup segmentation */
 ACMAP_EXPORT double
 secondsOfPaperGrowth(const PointView& points, double member_distance);

@@ -46,6 +46,13 @@ PlaneHypothesisClustering<PointT>::setDistanceThreshold(double distance)
 }
 
 template <typename PointT>
+double
+PlaneHypothesisClustering<PointT>::getDistanceThreshold() const
+{
+  return plane_distance_.value_or(noise_driven_ ? 0 : acmap::paper_plane_distance);
+}
+
+template <typename PointT>
 void
 PlaneHypothesisClustering<PointT>::setMinArea(double area)
 {

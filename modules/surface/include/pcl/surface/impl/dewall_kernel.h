@@ -34,10 +34,10 @@ struct DeWallSettings {
 
   NeighbourDistances neighbours; ///< measures the spacing; empty: the tree does
 
-  /** Halves with at most this number of points are not divided further. The mesh
-   * depends on this number, so it must not depend on anything else, such as the number
-   * of threads. */
-  std::int32_t leaf_size = 65536;
+  /** Halves with at most this number of points are not divided further; 0: 65536, with
+   * Strict 1. The mesh depends on this number, so it must not depend on anything else,
+   * such as the number of threads. */
+  std::int32_t leaf_size = 0;
 };
 
 /** \brief The kernel of DeWallTriangulation, independent of PCL's point types.

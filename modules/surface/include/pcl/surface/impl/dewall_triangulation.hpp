@@ -42,8 +42,11 @@ template <typename PointInT>
 void
 DeWallTriangulation<PointInT>::setLeafSize(int points)
 {
-  acmap::requireInRange(
-      "leaf size", points, 3, std::numeric_limits<int>::max(), "points");
+  acmap::requireInRange("leaf size",
+                        points,
+                        0,
+                        std::numeric_limits<int>::max(),
+                        "points (0 = automatic)");
   leaf_size_ = points;
 }
 

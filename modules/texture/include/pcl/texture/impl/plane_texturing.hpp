@@ -102,6 +102,7 @@ PlaneTexturing<PointT>::settings() const
   settings.maximum_texture_size = maximum_texture_size_;
   settings.fill_distance = fill_distance_;
   settings.correct_exposure = correct_exposure_;
+  settings.paper = paper_mode_;
   settings.threads = threads_;
   return settings;
 }

@@ -18,6 +18,7 @@ struct TexturingSettings {
   int maximum_texture_size = 4096; ///< texels per side; larger polygons are tiled
   int fill_distance = 5;           ///< texels; how far holes are filled
   bool correct_exposure = true;
+  bool paper = false;   ///< each point colours its closest plane, and nothing else does
   unsigned threads = 0; ///< 0: all
 };
 
