@@ -60,12 +60,14 @@ TEST_F(PlaneInputs, ACloudWithoutNoiseIsMeshedAsItIs)
     const auto planes = planesOf(exact, more);
     EXPECT_FALSE(hasConsolidated());
     EXPECT_NE(run_.out.find("consolidated: no"), std::string::npos) << run_.out;
-    ASSERT_EQ(planes.size(), 5U);
+    const bool is_paper = !more.empty(); // with planes of at most 1.6 m
+    EXPECT_TRUE(is_paper ? planes.size() > 5 : planes.size() == 5) << planes.size();
     for (const Eigen::Vector4d& truth : roomPlanes())
       EXPECT_FALSE(matchOf(planes, truth, 0.01, 1e-4).is_null());
     const auto labels = labelsOfFile(labels_);
     ASSERT_EQ(labels.size(), room.size());
-    EXPECT_EQ(std::count(labels.begin(), labels.end(), 0U), 0);
+    const auto left = std::count(labels.begin(), labels.end(), 0U);
+    EXPECT_LE(left, is_paper ? static_cast<std::ptrdiff_t>(room.size() / 10) : 0);
   }
   EXPECT_EQ(planesOf(exact, {"--consolidate", "auto"}).size(), 5U);
   EXPECT_TRUE(hasConsolidated());
