@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace pcl::acmap::test {
@@ -123,6 +124,7 @@ TEST_F(PlaneCorridor, TheMeshAloneDoesToo)
         << name;
 }
 
+/** Pieces of at most 1.6 m, without stragglers. */
 TEST_F(PlaneCorridor, ThePapersThresholdsFindPiecesOfWallsAndSwallowTheDoors)
 {
   // each 16th raw point, next to the trajectory that knows the views
@@ -162,6 +164,8 @@ TEST_F(PlaneCorridor, ThePapersThresholdsFindPiecesOfWallsAndSwallowTheDoors)
     }
     EXPECT_GT(pieces, 1U) << name;
   }
+  for (const auto& plane : planes)
+    EXPECT_LT(plane.at("area"), M_PI * 0.8 * 0.8);
   EXPECT_TRUE(
       matchOf(planes, coefficientsOf(truthOf("doors left")), 1, 0.01).is_null());
   EXPECT_EQ(labelsOfFile(path("paper.pcd")).size(), some.width);

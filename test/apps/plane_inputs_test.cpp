@@ -72,7 +72,10 @@ TEST_F(PlaneInputs, ACloudWithoutNoiseIsMeshedAsItIs)
   EXPECT_GT(pieces.size(), planes.size());
   for (const Eigen::Vector4d& truth : roomPlanes())
     EXPECT_FALSE(matchOf(pieces, truth, 0.01, 1e-4).is_null());
-  EXPECT_EQ(labelsOfFile(labels_).size(), room.size());
+  const auto pieces_of_points = labelsOfFile(labels_);
+  ASSERT_EQ(pieces_of_points.size(), room.size());
+  EXPECT_LE(std::count(pieces_of_points.begin(), pieces_of_points.end(), 0U),
+            static_cast<std::ptrdiff_t>(room.size() / 10));
 
   EXPECT_EQ(planesOf(exact, {"--consolidate", "auto"}).size(), 5U);
   EXPECT_TRUE(hasConsolidated());
