@@ -17,12 +17,17 @@ constexpr double max_distortion = 1.15;
 
 /** Two small views of a room; the points of some pixels are missing, and those of others
  * have moved by half a metre, so that Eq. 1 has matches to remove. */
-class PaperModeOracle : public testing::TestWithParam<std::tuple<int, int, int>> {
+class PaperModeKeypoints : public testing::Test {
 protected:
   static Cloud::Ptr
-  spoiledView(const Eigen::Isometry3d& pose, std::uint64_t seed, float moved)
+  spoiledView(const Eigen::Isometry3d& pose,
+              std::uint64_t seed,
+              float moved,
+              double gain = 1)
   {
     RoomCamera camera;
+    camera.gain = gain;
+    camera.offset = 128 - 128 * gain;
     camera.width = 120;
     camera.height = 90;
     camera.focal_length = 100;
@@ -48,13 +53,21 @@ protected:
   }
 };
 
+/** Parameters: seed, shifts of rings and of sectors. */
+class PaperModeOracle : public PaperModeKeypoints,
+                        public testing::WithParamInterface<std::tuple<int, int, int>> {
+};
+
 } // namespace
 
 TEST_P(PaperModeOracle, everyStepIsTheNaiveOne)
 {
   const auto [number, ring_shifts, sector_shifts] = GetParam();
   const auto seed = static_cast<std::uint64_t>(number);
-  const Cloud::Ptr source = spoiledView(now, seed, 0.5F);
+  // it approaches by a fifth and rolls by a sector, so that shifts matter
+  const bool shifts = ring_shifts > 0;
+  const Cloud::Ptr source = spoiledView(
+      shifts ? before * poseOf({0.1, 0, 0.7}, 0.05, 0, 0.24) : now, seed, 0.5F);
   const Cloud::Ptr target = spoiledView(before, seed, 0);
   VisualEgomotion<PointXYZRGBSigma> egomotion;
   egomotion.setPaperMode(true);
@@ -70,6 +83,10 @@ TEST_P(PaperModeOracle, everyStepIsTheNaiveOne)
   const NaiveMatches matches =
       naiveMatches(*source, *target, ring_shifts, sector_shifts);
   EXPECT_EQ(pixelsOf(egomotion.getMatches()), matches);
+  if (shifts) {
+    EXPECT_NE(matches, naiveMatches(*source, *target, 0, sector_shifts));
+    EXPECT_NE(matches, naiveMatches(*source, *target, ring_shifts, 0));
+  }
 
   NaiveMatches kept;
   for (const std::size_t i :
@@ -94,6 +111,18 @@ TEST_P(PaperModeOracle, everyStepIsTheNaiveOne)
       EXPECT_NEAR(estimate->covariance(rows[i], rows[j]),
                   covariance(i, j),
                   1e-5 * std::sqrt(covariance(i, i) * covariance(j, j)));
+}
+
+TEST_F(PaperModeKeypoints, faintMaximaCountAsWell)
+{
+  const Cloud::Ptr view = spoiledView(now, 1, 0, 0.05);
+  VisualEgomotion<PointXYZRGBSigma> egomotion;
+  egomotion.setPaperMode(true);
+  egomotion.setInputSource(view);
+  egomotion.setInputTarget(view);
+  egomotion.compute();
+  EXPECT_EQ(egomotion.getReport().source_keypoints, naiveKeypoints(*view).size());
+  EXPECT_GT(egomotion.getReport().matches, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(SeedsAndShifts,
