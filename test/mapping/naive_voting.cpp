@@ -59,7 +59,7 @@ naiveVoting(const PosedClouds& map,
   result.energy = energyOf(actions);
   double step = 1;
   const std::size_t most = 50 * actions.size();
-  for (std::size_t idle = 0; result.votes < most && idle < 4 * actions.size(); ++idle) {
+  while (result.votes < most) {
     ++result.votes;
     std::vector<bool> changes(actions.size(), false);
     for (std::size_t count = 0; count < 2;) {
@@ -84,13 +84,12 @@ naiveVoting(const PosedClouds& map,
         past[t][k] =
             0.9 * past[t][k] + 0.1 * (energy - result.energy) / step * change[t][k];
     const bool better = energy < result.energy;
-    step = better ? std::fmin(1, 1.3 * step) : std::fmax(0.1, 0.9 * step);
+    step = better ? std::fmin(1, 1.3 * step) : std::fmax(0.02, 0.9 * step);
     if (!better)
       continue;
     actions = tried;
     result.energy = energy;
     ++result.accepted;
-    idle = static_cast<std::size_t>(-1);
   }
   actions[0] = actionsOf(map.poses)[0];
   result.poses = pathOf(actions);

@@ -190,7 +190,7 @@ TEST(PaperMode, nothingIsRectifiedUnlessAVoteWasAccepted)
   expectWholeReport(rectification);
   EXPECT_EQ(report.outcome, RectificationOutcome::Kept) << report.reason;
   EXPECT_EQ(report.accepted_moves, 0U);
-  EXPECT_EQ(report.votes, 4 * world.truth.poses.size());
+  EXPECT_EQ(report.votes, 50 * world.truth.poses.size());
   EXPECT_TRUE(isUntouched(rectification, odometry));
 }
 

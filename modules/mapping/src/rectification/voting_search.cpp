@@ -17,9 +17,8 @@ const Eigen::Array3d unit_step(0.05, 0.05, 0.02); ///< m, m, rad
 constexpr double share_of_actions = 0.5; ///< probability that a vote changes an action
 constexpr double random_part = 0.5;      ///< standard deviation, in steps
 constexpr double memory = 0.9;           ///< weight of the earlier effects of an action
-constexpr double growth = 1.3, decay = 0.9, min_step = 0.1;
+constexpr double growth = 1.3, decay = 0.9, min_step = 0.02;
 constexpr std::size_t votes_a_round = 40, votes_a_pose = 50;
-constexpr std::size_t idle_votes_a_pose = 4; ///< without an accepted one: the end
 
 using Actions = std::vector<PlanarAction>;
 
@@ -85,11 +84,8 @@ public:
       return told.remarks.front();
     evaluator_.keep();
     const std::size_t most = votes_a_pose * actions_.size();
-    std::size_t last_accepted = 0;
-    while (report.votes < most &&
-           report.votes - last_accepted < idle_votes_a_pose * actions_.size()) {
-      if (vote())
-        last_accepted = report.votes;
+    while (report.votes < most) {
+      vote();
       task_.progress.tell(static_cast<double>(report.votes) / static_cast<double>(most),
                           "voting");
       if (report.votes % votes_a_round == 0)
@@ -150,8 +146,8 @@ private:
   }
 
   /** Changes a subset of the actions at once, each in proportion to its previous effect
-   * on the energy. \return whether the energy decreased */
-  bool
+   * on the energy. */
+  void
   vote()
   {
     ++task_.report.votes;
@@ -184,7 +180,6 @@ private:
       evaluator_.keep();
       ++task_.report.accepted_moves;
     }
-    return is_better;
   }
 
   const RectificationTask& task_;
