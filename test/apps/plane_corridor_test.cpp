@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace pcl::acmap::test {
@@ -153,6 +154,8 @@ TEST_F(PlaneCorridor, ThePapersThresholdsFindPiecesOfWallsAndSwallowTheDoors)
   EXPECT_EQ(report.at("consolidated_points"), 0);
   EXPECT_GT(report.at("mesh").at("walls"), 0);
   const auto planes = jsonOfFile(path("paper.json")).at("planes");
+  for (const auto& plane : planes)
+    EXPECT_LT(plane.at("area"), M_PI * 0.8 * 0.8);
   for (const char* name : {"right wall", "left wall", "floor", "ceiling"}) {
     const Eigen::Vector4d truth = coefficientsOf(truthOf(name));
     std::size_t pieces = 0;
