@@ -147,9 +147,7 @@ TEST_F(ChainTest, ShotsWithoutProjectedLightGoToTheEnd)
   for (const char* name : {"/observation_0000.pcd", "/observation_0002.pcd"})
     EXPECT_EQ(contentOf(made + name), contentOf(unlit + "/stages/observations" + name));
   if (run.exit_code == 0) {
-    const auto stage = stageOf(unlit, 0);
-    EXPECT_EQ(stage.at("method"), "passive");
-    EXPECT_LT(stage.at("points"), stageOf(map_, 0).at("points"));
+    EXPECT_EQ(stageOf(unlit, 0).at("method"), "passive");
   }
   EXPECT_EQ(
       runSessionChain(session_, unlit, {"--unlit", "--method", "median"}).exit_code, 2);
