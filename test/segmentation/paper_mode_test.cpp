@@ -191,9 +191,9 @@ TEST(PaperMode, everySupporterMovesThePlane)
   for (const bool is_last : {true, false}) {
     Hypotheses cloud;
     cloud.push_back(hypothesis({0, 0, 0}, {0, 0, 1}));
-    cloud.push_back(hypothesis({0.3, 0.3, 0.2}, {0, 0, 1}));
-    cloud.push_back(hypothesis({0.3, 0, 0.2}, {0, 0, 1}));
-    const PointNormal far = hypothesis({0.6, 0, 0.4}, {0, 0, 1});
+    cloud.push_back(hypothesis({0.2, 0.3, 0.24}, {0, 0, 1}));
+    cloud.push_back(hypothesis({0.2, 0, 0.24}, {0, 0, 1}));
+    const PointNormal far = hypothesis({0.5, 0, 0.6}, {0, 0, 1});
     cloud.insert(is_last ? cloud.end() : cloud.begin() + 1, far);
     EXPECT_EQ(supportOf(cloud, 2), 4U) << "wherever it is in the order";
   }

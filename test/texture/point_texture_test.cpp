@@ -96,7 +96,7 @@ TEST(PointTexture, isTheNaiveOneForPictures)
   const std::vector<View> views = {lookAt(screens, {{0, 0, 0.3}}),
                                    lookAt(screens, {{0.5, 0, 0.6}, -0.15, 0, 0.7}),
                                    lookAt(screens, {{-0.4, -0.5, 0.4}, 0.1, -0.6})};
-  compareWithNaive(texturingOf(planesOfWallAndFloor(), views), views);
+  compareWithNaive(texturingOf(makeRoomPlanes(), views), views);
 }
 
 PointCloud<PointXYZRGB>::Ptr
