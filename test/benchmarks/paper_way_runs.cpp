@@ -98,7 +98,7 @@ setTexture(CompactMapping& mapping)
 }
 
 double
-compactnessOf(const CompactMap& map, std::size_t points)
+compactnessOf(CompactMap map, std::size_t points)
 {
   const test::TemporaryFolder folder;
   saveCompactMap(folder.path(""), map);
