@@ -105,10 +105,6 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
       "how shots are fused: spacetime (all at once), median (of the shots' own "
       "disparities, as the paper) or statistical (mean of those that agree)")
       ->each([&](const std::string&) { options.has_method = true; });
-  app.add_flag("--unlit",
-               options.unlit,
-               "Passive stereo: match the first shot without projected light of each "
-               "observation, instead of those under patterns");
   const auto depth = [&](const char* name, double& value, const char* purpose) {
     app.add_option(name, value, purpose)
         ->type_name("M")
@@ -140,6 +136,15 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
 }
 
 void
+addUnlit(CLI::App& app, StereoOptions& options)
+{
+  app.add_flag("--unlit",
+               options.unlit,
+               "Passive stereo: match the first shot without projected light of each "
+               "observation, instead of those under patterns");
+}
+
+void
 addOptions(Tool& tool, StereoOptions& options)
 {
   CLI::App& app = tool.options();
@@ -150,6 +155,7 @@ addOptions(Tool& tool, StereoOptions& options)
       ->required();
   addLists(app, options);
   addStereoChoices(app, options);
+  addUnlit(app, options);
   app.add_flag("--disparity",
                options.disparity,
                "Write disparities too, as PFM and as pictures; image lists always do");

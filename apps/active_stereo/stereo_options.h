@@ -62,6 +62,10 @@ addOptions(Tool& tool, StereoOptions& options);
 void
 addStereoChoices(CLI::App& app, StereoOptions& options);
 
+/** \brief The same for a choice that a whole session has. */
+void
+addUnlit(CLI::App& app, StereoOptions& options);
+
 /** \brief Refuses options that exclude each other, and places for the results that
  * cannot be used.
  * \throws UsageError, OutputFileException naming them */

@@ -25,6 +25,7 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
   CLI::App& app = tool.options();
   inGroup(tool, stereo_group, [&] {
     addStereoChoices(app, options.stereo);
+    addUnlit(app, options.stereo);
     app.add_option("--poses",
                    options.stereo.poses,
                    "Known poses of the session's observations, TUM's form, one row "

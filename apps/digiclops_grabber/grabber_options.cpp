@@ -288,7 +288,7 @@ requireSense(Tool& tool, const GrabberOptions& options)
   else
     requireSenseOfCamera(app, options);
   channelOrderOf(options.channel_order);
-  requireDepthOrder(options.stereo);
+  requireStereoSense(options.stereo);
   requirePlaces(options);
   tool.requireReportWritable({options.rigPath()});
 }
