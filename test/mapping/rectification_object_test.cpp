@@ -251,8 +251,9 @@ TEST(EntropyRectification, smoothingIsThatOfPaperMode)
     EXPECT_TRUE(haveSamePoses(usual, same));
     EXPECT_EQ(haveSamePoses(usual, wide), mode == RectificationMode::Guarded);
     wide.setSmoothing(100.1 * wide.getBinSize());
-    if (mode == RectificationMode::Paper)
+    if (mode == RectificationMode::Paper) {
       EXPECT_THROW(wide.compute(), BadArgumentException);
+    }
   }
 }
 
