@@ -108,7 +108,11 @@ paint(const SimulatedScene& scene,
     painted.seconds +=
         measureCost([&] {
           const auto nearest = texturing::nearestCanvases(
-              view, planes, painted.canvases, settings.maximum_distance);
+              view,
+              planes,
+              painted.canvases,
+              settings.maximum_distance,
+              texturing::TexelPlace::Rim);
           texturing::paintPinhole(
               view,
               *fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)),

@@ -49,8 +49,9 @@ expectSameSearch(const PosedClouds& map,
 TEST(VotingOracle, posesAndEnergiesAreTheNaiveOnes)
 {
   std::size_t accepted = 0;
-  // The library's energies have the rounding of floats, by which the poses differ
-  // slightly. With seeds 6 and 9 a point is so near to the border of a bin that they decide.
+  // The library rounds to floats, so that a point at the border of a bin may be in the
+  // next one. With seeds 6 and 9 one or two votes are decided otherwise, probably for
+  // this reason.
   for (const std::uint64_t seed : {1, 2, 3, 7, 8}) {
     SCOPED_TRACE(seed);
     NaiveEntropySettings settings;
