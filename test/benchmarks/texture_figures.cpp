@@ -107,12 +107,11 @@ paint(const SimulatedScene& scene,
     const ColoredView view = viewOf(seen, trajectory.poses[v]);
     painted.seconds +=
         measureCost([&] {
-          const auto nearest = texturing::nearestCanvases(
-              view,
-              planes,
-              painted.canvases,
-              settings.maximum_distance,
-              texturing::TexelPlace::Rim);
+          const auto nearest = texturing::nearestCanvases(view,
+                                                          planes,
+                                                          painted.canvases,
+                                                          settings.maximum_distance,
+                                                          texturing::TexelPlace::Rim);
           texturing::paintPinhole(
               view,
               *fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)),
