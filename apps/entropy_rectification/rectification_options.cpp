@@ -92,7 +92,7 @@ requireSense(const RectificationOptions& options)
   if (options.mode != RectificationMode::Paper)
     throw UsageError("--smoothing needs --mode paper");
   constexpr double max_bins = 100;
-  if (*options.smoothing > max_bins * options.binSize())
+  if (!(*options.smoothing <= max_bins * options.binSize()))
     throw UsageError("--smoothing is more than 100 bins");
 }
 

@@ -3,6 +3,7 @@
 #include "paper_way_runs.h"
 #include "temporary_folder.h"
 #include "test_data.h"
+#include "units.h"
 
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/map_comparison.h>
@@ -30,8 +31,6 @@ constexpr char usage[] =
     "mapped;\n"
     "where raw points are meshed, at most so many points of them, each n-th one. The\n"
     "kitchen comes from the folder that ACMAP_TEST_DATA names.\n";
-
-constexpr double centi = 100, milli = 1000;
 
 /** Figures of a map that are not those of its run. */
 struct PaperWayScores {
