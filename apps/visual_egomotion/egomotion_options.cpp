@@ -73,10 +73,14 @@ addOptions(Tool& tool, EgomotionOptions& options)
       ->type_name("OUT_DIR")
       ->required();
   addMotionChoices(app, options);
-  app.add_flag("--paper",
-               options.paper,
-               "As the paper has it and nothing else: one scale, Eq. 1 as printed, "
-               "Eq. 2 in one fit; bounds, --keypoints and refinement have no effect");
+  CLI::Option* const paper =
+      app.add_flag("--paper",
+                   options.paper,
+                   "As the paper has it and nothing else: one scale, Eq. 1 as printed, "
+                   "Eq. 2 in one fit");
+  for (const char* departure :
+       {"--max-translation", "--max-rotation", "--keypoints", "--no-refinement"})
+    paper->excludes(app.get_option(departure));
   app.add_flag("--pictures",
                options.pictures,
                "Draw the matches of each pair too, before and after rejection");

@@ -88,6 +88,10 @@ TEST(EgomotionTool, PaperModeIsOneFitPerPair)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
+  for (const char* departure : {"--keypoints", "--max-translation", "--max-rotation"})
+    EXPECT_EQ(runEgomotion({hall().session, "-o", output, "--paper", departure, "20"})
+                  .exit_code,
+              2);
   const ToolRun run = runEgomotion({hall().session, "-o", output, "--paper"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json report = reportOf(output);
