@@ -113,17 +113,24 @@ findClusters(const PointTree& tree,
   return Clustering(tree, size, lists).takeSets();
 }
 
+std::vector<std::int32_t>
+clusterSizes(DisjointSets& clusters, std::int32_t points)
+{
+  std::vector<std::int32_t> sizes(static_cast<std::size_t>(points));
+  for (std::int32_t i = 0; i < points; ++i)
+    ++sizes[static_cast<std::size_t>(clusters.find(i))];
+  return sizes;
+}
+
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
               const std::vector<TriangleList>& lists)
 {
   DisjointSets clusters = findClusters(tree, size, lists);
-  std::vector<std::int32_t> members(static_cast<std::size_t>(tree.size()));
-  for (std::int32_t i = 0; i < tree.size(); ++i)
-    ++members[static_cast<std::size_t>(clusters.find(i))];
-  return static_cast<std::size_t>(
-      std::count_if(members.begin(), members.end(), [](auto n) { return n >= 3; }));
+  const std::vector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
+  return static_cast<std::size_t>(std::count_if(
+      sizes.begin(), sizes.end(), [](auto n) { return n >= min_cluster; }));
 }
 
 } // namespace pcl::acmap::dewall

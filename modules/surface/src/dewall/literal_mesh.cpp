@@ -11,15 +11,12 @@ namespace {
 std::vector<std::vector<std::int32_t>>
 membersOf(const PointTree& tree, DisjointSets clusters)
 {
-  constexpr std::int32_t least = 3;
-  std::vector<std::int32_t> sizes(static_cast<std::size_t>(tree.size()));
-  for (std::int32_t i = 0; i < tree.size(); ++i)
-    ++sizes[static_cast<std::size_t>(clusters.find(i))];
+  const std::vector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   std::vector<std::int32_t> places(sizes.size(), -1);
   std::vector<std::vector<std::int32_t>> members;
   for (std::int32_t i = 0; i < tree.size(); ++i) {
     const auto root = static_cast<std::size_t>(clusters.find(i));
-    if (sizes[root] < least)
+    if (sizes[root] < min_cluster)
       continue;
     if (places[root] < 0) {
       places[root] = static_cast<std::int32_t>(members.size());

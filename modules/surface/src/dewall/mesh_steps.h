@@ -75,6 +75,14 @@ findClusters(const PointTree& tree,
              const SizeConstraint& size,
              const std::vector<TriangleList>& lists);
 
+/** \brief Points of the smallest cluster that may have a triangle. */
+constexpr std::int32_t min_cluster = 3;
+
+/** \brief Number of points of each cluster, at the index of its representative; 0 for
+ * all other points. */
+std::vector<std::int32_t>
+clusterSizes(DisjointSets& clusters, std::int32_t points);
+
 /** \brief Returns the number of clusters of at least three points. The front is seeded
  * again in each cluster, so the clusters need not be known before. */
 std::size_t
