@@ -204,14 +204,14 @@ void
 countDepths(const PCLPointCloud2& cloud, double depth_scale, RgbdImport& import)
 {
   const std::size_t offset = findField(cloud, "z")->offset;
-  const auto most = static_cast<double>(import.depths.size() - 1);
+  const auto maximum = static_cast<double>(import.depths.size() - 1);
   bool is_empty = true;
   for (std::size_t i = 0; i < rowsOf(cloud); ++i) {
     float z = 0;
     std::memcpy(&z, &cloud.data[i * cloud.point_step + offset], sizeof z);
     if (!(z > 0.0F))
       continue;
-    const double number = std::min(std::round(z * depth_scale), most);
+    const double number = std::min(std::round(z * depth_scale), maximum);
     ++import.depths[static_cast<std::size_t>(number)];
     is_empty = false;
   }

@@ -50,13 +50,13 @@ pictureOf(const DisparityImage& disparities)
     return greys;
   std::sort(found.begin(), found.end());
   const std::size_t cut = found.size() / 100;
-  const float least = found[cut];
-  const float range = std::max(found[found.size() - 1 - cut] - least, min_range);
+  const float minimum = found[cut];
+  const float range = std::max(found[found.size() - 1 - cut] - minimum, min_range);
   for (std::size_t i = 0; i < greys.size(); ++i) {
     const float disparity = disparities.values[i];
     if (!std::isfinite(disparity))
       continue;
-    const float share = std::clamp((disparity - least) / range, 0.0F, 1.0F);
+    const float share = std::clamp((disparity - minimum) / range, 0.0F, 1.0F);
     greys[i] =
         static_cast<std::uint8_t>(std::lround(darkest + share * (brightest - darkest)));
   }
@@ -95,9 +95,9 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
                      shortNumber(disparityBaseline(rig)) + " m");
   const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
   SearchRange range;
-  range.least = static_cast<int>(std::max(from, 0.0));
+  range.minimum = static_cast<int>(std::max(from, 0.0));
   range.count = std::clamp(
-      static_cast<int>(to) - range.least + 1, fewest_disparities, max_disparities);
+      static_cast<int>(to) - range.minimum + 1, fewest_disparities, max_disparities);
   return range;
 }
 
@@ -111,7 +111,7 @@ ShotFusion::ShotFusion(const TrinocularRig& rig,
                     std::to_string(rig.width) + " x " + std::to_string(rig.height) +
                     " pixels");
   TrinocularMatching matching;
-  matching.setXOffset(range_.least);
+  matching.setXOffset(range_.minimum);
   matching.setMaxDisparity(range_.count);
   if (options.correlation)
     matching.setCorrelationThreshold(*options.correlation);

@@ -15,13 +15,13 @@ namespace pcl::acmap {
 
 /** \brief The disparities that are searched. */
 struct SearchRange {
-  int least = 0; ///< px
-  int count = 0; ///< number of disparities, starting at the minimum
+  int minimum = 0; ///< px
+  int count = 0;   ///< number of disparities, starting at the minimum
 
   int
-  most() const
+  maximum() const
   {
-    return least + count - 1;
+    return minimum + count - 1;
   }
 };
 

@@ -336,13 +336,13 @@ public:
     const SearchRange& range = fusion_.range();
     // it is above the requested one if image or matcher limit the disparities
     const double nearest =
-        std::max(options_.nearest, depthOf(source_.rig(), range.most()));
+        std::max(options_.nearest, depthOf(source_.rig(), range.maximum()));
     log.details = {{"input", options_.hasLists() ? options_.rig : options_.session},
                    {"output", options_.output},
                    {"frames", source_.isRectifying() ? "raw" : "rectified"},
                    {"method", options_.isPassive() ? "passive" : options_.method},
-                   {"least_disparity", range.least},
-                   {"most_disparity", range.most()},
+                   {"least_disparity", range.minimum},
+                   {"most_disparity", range.maximum()},
                    {"least_depth", nearest},
                    {"most_depth", options_.farthest},
                    {"has_poses", !options_.poses.empty()},
@@ -359,7 +359,7 @@ public:
                                                     : ", taken as rectified"));
     log.tell("method", methodText());
     log.tell("searched",
-             std::to_string(range.least) + " to " + std::to_string(range.most()) +
+             std::to_string(range.minimum) + " to " + std::to_string(range.maximum()) +
                  " px, depths of " + shortNumber(nearest) + " to " +
                  shortNumber(options_.farthest) + " m");
     results_.tellPoints(log);

@@ -66,7 +66,7 @@ misspelling(const std::string& word, const std::string& name)
 std::vector<std::string>
 nearestNames(const std::string& word, const CLI::App& app)
 {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t maximum = 3;
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames())
@@ -75,7 +75,7 @@ nearestNames(const std::string& word, const CLI::App& app)
   std::sort(found.begin(), found.end());
   std::vector<std::string> names;
   for (const auto& [distance, name] : found)
-    if (distance == found.front().first && names.size() < most)
+    if (distance == found.front().first && names.size() < maximum)
       names.push_back(name);
   return names;
 }

@@ -106,11 +106,11 @@ drawText(cv::Mat3b& image,
 }
 
 double
-roundLength(double most)
+roundLength(double maximum)
 {
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  const double power = std::pow(10.0, std::floor(std::log10(maximum)));
   for (const double factor : {5.0, 2.0})
-    if (factor * power <= most)
+    if (factor * power <= maximum)
       return factor * power;
   return power;
 }

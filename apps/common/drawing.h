@@ -56,7 +56,7 @@ drawText(cv::Mat3b& image,
 /** \brief A round length for ticks and scale bars: the maximum of 1, 2 and 5 times
  * powers of ten that is not above \a most, which is finite and above 0. */
 double
-roundLength(double most);
+roundLength(double maximum);
 
 /** \brief A plot with axes, ticks and a grid: x to the right and y upwards. */
 class Plot {

@@ -37,25 +37,25 @@ quantiles(std::vector<float>& values)
   const auto low = values.begin() + static_cast<std::ptrdiff_t>(tenth);
   const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(tenth);
   std::nth_element(values.begin(), low, values.end());
-  const float least = *low;
+  const float minimum = *low;
   std::nth_element(values.begin(), high, values.end());
-  return {least, *high};
+  return {minimum, *high};
 }
 
 std::string
 farRemark(const PointView& points, const CloudExtent& extent)
 {
-  const Eigen::Vector3d center = (extent.least + extent.most) / 2;
+  const Eigen::Vector3d center = (extent.minimum + extent.maximum) / 2;
   std::size_t count = 0, farthest = 0;
-  double most = far_extents * extent.diagonal();
-  const double limit = most;
+  double maximum = far_extents * extent.diagonal();
+  const double limit = maximum;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double distance = (points[i].cast<double>() - center).norm();
     if (!(distance > limit))
       continue;
     ++count;
-    if (distance > most) {
-      most = distance;
+    if (distance > maximum) {
+      maximum = distance;
       farthest = i;
     }
   }
@@ -64,7 +64,7 @@ farRemark(const PointView& points, const CloudExtent& extent)
   return (count == 1 ? "one point lies far away from all others, "
                      : std::to_string(count) + " points lie far away from all others, "
                                                "the farthest ") +
-         std::string("at a distance of ") + shortNumber(most) + " m (point " +
+         std::string("at a distance of ") + shortNumber(maximum) + " m (point " +
          std::to_string(points.index(farthest)) + ")";
 }
 
@@ -87,8 +87,8 @@ millimetreRemark(double median_spacing, double extent, double scale)
 std::string
 coarsenessRemark(const CloudExtent& extent)
 {
-  const double farthest =
-      std::max(extent.least.cwiseAbs().maxCoeff(), extent.most.cwiseAbs().maxCoeff());
+  const double farthest = std::max(extent.minimum.cwiseAbs().maxCoeff(),
+                                   extent.maximum.cwiseAbs().maxCoeff());
   const double step = farthest * double{std::numeric_limits<float>::epsilon()};
   if (step <= coarse_step || extent.diagonal() > suspicious_extent)
     return {};
@@ -111,7 +111,7 @@ cloudExtent(const PointView& points)
         values.push_back(p[axis]);
     extent.finite_points = values.size();
     if (!values.empty())
-      std::tie(extent.least[axis], extent.most[axis]) = quantiles(values);
+      std::tie(extent.minimum[axis], extent.maximum[axis]) = quantiles(values);
   }
   return extent;
 }

@@ -12,14 +12,14 @@ namespace pcl::acmap {
 
 /** \brief Extent of most points of a cloud, robust against outliers. */
 struct CloudExtent {
-  Eigen::Vector3d least = Eigen::Vector3d::Zero(); ///< metres, 10 % quantile per axis
-  Eigen::Vector3d most = Eigen::Vector3d::Zero();  ///< metres, 90 % quantile per axis
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero(); ///< metres, 10 % quantile per axis
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero(); ///< metres, 90 % quantile per axis
   std::size_t finite_points = 0;
 
   double
   diagonal() const
   {
-    return (most - least).norm();
+    return (maximum - minimum).norm();
   }
 };
 

@@ -25,12 +25,12 @@ rangeOf(std::vector<float> values)
 {
   constexpr std::size_t few = 500; // fraction 1 / 500 at each end
   const auto skipped = static_cast<std::ptrdiff_t>(values.size() / few);
-  const auto least = values.begin() + skipped;
-  std::nth_element(values.begin(), least, values.end());
-  const double first = *least;
-  const auto most = values.end() - 1 - skipped;
-  std::nth_element(values.begin(), most, values.end());
-  return {first, *most};
+  const auto minimum = values.begin() + skipped;
+  std::nth_element(values.begin(), minimum, values.end());
+  const double first = *minimum;
+  const auto maximum = values.end() - 1 - skipped;
+  std::nth_element(values.begin(), maximum, values.end());
+  return {first, *maximum};
 }
 
 /** The number of points per pixel that is shown as black. */
@@ -100,7 +100,7 @@ PlanContents::extent() const
   };
   extent.width = pixels(box.sizes().x());
   extent.height = pixels(box.sizes().y());
-  extent.least =
+  extent.minimum =
       box.center() - 0.5 * extent.pixel * Eigen::Vector2d(extent.width, extent.height);
   return extent;
 }

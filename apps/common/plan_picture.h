@@ -11,16 +11,16 @@ namespace pcl::acmap {
 
 /** \brief The part of the xz plane that a plan shows, x to the right and z upwards. */
 struct PlanExtent {
-  Eigen::Vector2d least = Eigen::Vector2d::Zero(); ///< x, z; metres
-  double pixel = 1;                                ///< metres
-  int width = 1, height = 1;                       ///< pixels
+  Eigen::Vector2d minimum = Eigen::Vector2d::Zero(); ///< x, z; metres
+  double pixel = 1;                                  ///< metres
+  int width = 1, height = 1;                         ///< pixels
 
   /** \brief Column and row of a point. */
   Eigen::Vector2d
   pixelOf(const Eigen::Vector3d& in_map) const
   {
-    return {(in_map.x() - least.x()) / pixel,
-            height - 1 - (in_map.z() - least.y()) / pixel};
+    return {(in_map.x() - minimum.x()) / pixel,
+            height - 1 - (in_map.z() - minimum.y()) / pixel};
   }
 };
 

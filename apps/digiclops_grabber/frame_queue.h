@@ -15,8 +15,8 @@ namespace pcl::acmap {
 class FrameQueue {
 public:
   /** \param[in] most maximum number of waiting frames, at least 1 */
-  explicit FrameQueue(std::size_t most)
-  : most_(most)
+  explicit FrameQueue(std::size_t maximum)
+  : maximum_(maximum)
   {}
 
   /** \brief Adds a frame; blocks while the queue is full. Once the queue is closed, the
@@ -25,7 +25,7 @@ public:
   push(const TrinocularFrame::ConstPtr& frame)
   {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return is_closed_ || frames_.size() < most_; });
+    changed_.wait(lock, [&] { return is_closed_ || frames_.size() < maximum_; });
     if (!is_closed_)
       frames_.push_back(frame);
     changed_.notify_all();
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  const std::size_t most_;
+  const std::size_t maximum_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<TrinocularFrame::ConstPtr> frames_;

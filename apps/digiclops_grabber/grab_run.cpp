@@ -472,8 +472,8 @@ public:
       const StereoResults& results = clouds_->results;
       results.warnOfRemarks(log_);
       details["method"] = options_.stereo.method;
-      details["least_disparity"] = clouds_->fusion.range().least;
-      details["most_disparity"] = clouds_->fusion.range().most();
+      details["least_disparity"] = clouds_->fusion.range().minimum;
+      details["most_disparity"] = clouds_->fusion.range().maximum();
       details["points"] = results.points;
       details["matched_share"] = results.matchedShare();
       details["observations"] = results.observations;

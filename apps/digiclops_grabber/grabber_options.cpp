@@ -20,17 +20,17 @@ CLI::Option*
 addNumberOrAuto(CLI::App& app,
                 const std::string& name,
                 NumberOrAuto& target,
-                double least,
-                double most,
+                double minimum,
+                double maximum,
                 const std::string& description)
 {
-  const auto fault = [least, most](const std::string& text) {
+  const auto fault = [minimum, maximum](const std::string& text) {
     double number = 0;
     const bool fits = text == "auto" || (CLI::detail::lexical_cast(text, number) &&
-                                         number >= least && number <= most);
+                                         number >= minimum && number <= maximum);
     return fits ? std::string()
-                : text + " is neither auto nor a number from " + shortNumber(least) +
-                      " to " + shortNumber(most);
+                : text + " is neither auto nor a number from " + shortNumber(minimum) +
+                      " to " + shortNumber(maximum);
   };
   return app
       .add_option_function<std::string>(

@@ -33,9 +33,9 @@ energiesAboveLowest(const std::vector<RectificationStep>& steps)
   std::map<std::pair<std::string, double>, double> lowest;
   for (const RectificationStep& step : steps)
     if (std::isfinite(step.energy)) {
-      double& least =
+      double& minimum =
           lowest.try_emplace({step.search, step.bin_size}, step.energy).first->second;
-      least = std::min(least, step.energy);
+      minimum = std::min(minimum, step.energy);
     }
   std::vector<double> heights;
   for (const RectificationStep& step : steps)
@@ -56,9 +56,9 @@ shownRange(std::vector<double> heights)
     return {0, 1};
   std::sort(heights.begin(), heights.end());
   const std::size_t left_out = heights.size() / 40; // zero if there are few
-  const double most = heights[heights.size() - 1 - left_out];
-  const double spare = std::max(0.05 * most, 1e-6);
-  return {-0.5 * spare, most + spare};
+  const double maximum = heights[heights.size() - 1 - left_out];
+  const double spare = std::max(0.05 * maximum, 1e-6);
+  return {-0.5 * spare, maximum + spare};
 }
 
 RgbImage
@@ -69,7 +69,7 @@ energyPicture(const std::vector<RectificationStep>& steps)
   const std::vector<double> heights = energiesAboveLowest(steps);
   const EnergyRange range = shownRange(heights);
   Plot plot({width, height},
-            {Eigen::Vector2d(0, range.least), Eigen::Vector2d(last, range.most)},
+            {Eigen::Vector2d(0, range.minimum), Eigen::Vector2d(last, range.maximum)},
             "steps of the search",
             "energy above the lowest");
   std::vector<std::string> searches;

@@ -20,12 +20,12 @@ energiesAboveLowest(const std::vector<RectificationStep>& steps);
 
 /** \brief Range of energies in a picture. */
 struct EnergyRange {
-  double least, most;
+  double minimum, maximum;
 
   double
   length() const
   {
-    return most - least;
+    return maximum - minimum;
   }
 };
 

@@ -151,11 +151,11 @@ areOnAFloor(const Poses& poses)
 Eigen::Vector3d
 checkLevel(const MapObservations& observations, StageLog& log)
 {
-  constexpr double most = 10; // degrees
+  constexpr double maximum = 10; // degrees
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d floor = floorNormalOf(observations).value_or(y);
   const double tilt = degrees * std::acos(std::min(1.0, floor.y()));
-  if (tilt <= most)
+  if (tilt <= maximum)
     return y;
   log.warn(
       "floors and ceilings lie " + std::to_string(std::lround(tilt)) +

@@ -65,7 +65,7 @@ struct MappedSession {
 };
 
 constexpr double farthest = 1e6; // metres
-constexpr std::size_t most = 1000000;
+constexpr std::size_t maximum = 1000000;
 
 Eigen::Vector3d
 cornerOf(const YamlNode& node)
@@ -113,13 +113,13 @@ requireSameWay(const MappedSession& map, const FilmedSession& session)
     throw InputFileException(what + "it has " + std::to_string(map.after.poses.size()) +
                              " poses, the session " +
                              std::to_string(session.trajectory.poses.size()));
-  constexpr double least = 0.5, share = 0.1;
+  constexpr double minimum = 0.5, share = 0.1;
   double way = 0;
   const auto& truth = session.trajectory.poses;
   for (std::size_t i = 1; i < truth.size(); ++i)
     way += (truth[i].translation() - truth[i - 1].translation()).norm();
   const double error = absoluteTrajectoryError(map.after.poses, truth).unaligned;
-  if (!(error <= least + share * way))
+  if (!(error <= minimum + share * way))
     throw InputFileException(what + "its places are " + std::to_string(error) +
                              " m from the true ones");
 }
@@ -136,14 +136,14 @@ loadFilmedSession(const std::string& folder)
   FilmedSession session;
   session.folder = folder;
   session.scene = truth.at("scene").text();
-  session.observations = truth.at("observations").count(1, most);
-  session.patterns = truth.at("patterns").count(1, most);
-  for (const YamlNode& plane : truth.at("planes").list(1, most)) {
+  session.observations = truth.at("observations").count(1, maximum);
+  session.patterns = truth.at("patterns").count(1, maximum);
+  for (const YamlNode& plane : truth.at("planes").list(1, maximum)) {
     constexpr double level = 0.7; // cosine
     const auto& coefficients = plane.at("coefficients").list(4, 4);
     if (std::abs(coefficients[1].number(-farthest, farthest)) > level)
       continue;
-    for (const YamlNode& rectangle : plane.at("rectangles").list(1, most))
+    for (const YamlNode& rectangle : plane.at("rectangles").list(1, maximum))
       session.uprights.push_back(endsOf(rectangle));
   }
   session.trajectory = loadTrajectory(folder + "/" + trajectory_name);
@@ -527,7 +527,7 @@ public:
   {
     TrinocularMatching matching;
     matching.setInputRig(rectifier_.rig());
-    matching.setXOffset(range_.least);
+    matching.setXOffset(range_.minimum);
     matching.setMaxDisparity(range_.count);
     matching.setNumberOfThreads(threads_);
     // also for the shot without a pattern, which would otherwise be filled with guesses
@@ -576,8 +576,8 @@ public:
       return;
     std::sort(found.begin(), found.end());
     const std::size_t cut = found.size() / 100;
-    least_ = found[cut];
-    most_ = std::max(found[found.size() - 1 - cut], least_ + 1e-3f);
+    minimum_ = found[cut];
+    maximum_ = std::max(found[found.size() - 1 - cut], minimum_ + 1e-3f);
   }
 
   cv::Mat3b
@@ -586,7 +586,7 @@ public:
     cv::Mat1b levels(disparity.height, disparity.width), invalid(levels.size());
     for (std::size_t i = 0; i < disparity.values.size(); ++i) {
       const float value = disparity.values[i];
-      const float share = (value - least_) / (most_ - least_);
+      const float share = (value - minimum_) / (maximum_ - minimum_);
       invalid.data[i] = std::isfinite(value) ? 0 : 1;
       // the colour scale begins with a blue that is hard to tell from black
       const float level = invalid.data[i] ? 0 : 25 + 230 * share;
@@ -600,7 +600,7 @@ public:
   }
 
 private:
-  float least_ = 0, most_ = 1; // px
+  float minimum_ = 0, maximum_ = 1; // px
 };
 
 /** The reference image, lighter. */
@@ -628,9 +628,9 @@ surfaceOf(const PointCloud<PointXYZRGBSigma>& observation)
     const auto depth = [&](std::int32_t i) {
       return observation[static_cast<std::size_t>(i)].z;
     };
-    const auto [least, most] = std::minmax({depth(a), depth(b), depth(c)});
+    const auto [minimum, maximum] = std::minmax({depth(a), depth(b), depth(c)});
     if (std::isfinite(depth(a) + depth(b) + depth(c)) &&
-        most - least <= largest_step * least)
+        maximum - minimum <= largest_step * minimum)
       mesh.triangles.push_back({a, b, c});
   };
   for (std::int32_t y = 0; y + 1 < height; ++y)
@@ -736,9 +736,9 @@ public:
     // metres by which the extent is widened for the true walls
     constexpr double beyond = 0.8;
     const PlanExtent seen = contents.extent();
-    contents.addPlace({seen.least.x() + seen.pixel * seen.width + beyond,
+    contents.addPlace({seen.minimum.x() + seen.pixel * seen.width + beyond,
                        0,
-                       seen.least.y() + seen.pixel * seen.height / 2});
+                       seen.minimum.y() + seen.pixel * seen.height / 2});
     extent_ = contents.extent();
   }
 

@@ -35,8 +35,8 @@ texturingOf(const std::vector<PlanePatch>& planes,
   texturing.setNumberOfThreads(controls.threads);
   texturing.setProgressCallback(controls.progress);
   // within the range of an integer, but beyond the memory of any machine
-  constexpr double most = 1e18;
-  requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), most)),
+  constexpr double maximum = 1e18;
+  requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), maximum)),
                 "painting the planes");
   return texturing;
 }

@@ -102,9 +102,9 @@ drawTrajectory(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& pos
 void
 drawDirections(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& poses)
 {
-  constexpr std::size_t most = 80; // number of strokes that can be distinguished
-  constexpr double stroke = 16;    // pixels
-  for (std::size_t i = 0; i < poses.size(); i += 1 + poses.size() / most) {
+  constexpr std::size_t maximum = 80; // number of strokes that can be distinguished
+  constexpr double stroke = 16;       // pixels
+  for (std::size_t i = 0; i < poses.size(); i += 1 + poses.size() / maximum) {
     if (!poses[i])
       continue;
     const Eigen::Vector3d ahead = poses[i]->linear().col(2);
@@ -159,9 +159,9 @@ trajectoryPicture(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>&
 {
   const PlanExtent extent = extentOf(poses, truth);
   const cv::Size size(extent.width, extent.height);
-  const Eigen::Vector2d most =
-      extent.least + extent.pixel * Eigen::Vector2d(size.width - 1, size.height - 1);
-  Plot plot(size, {extent.least, most}, "x [m]", "z [m]");
+  const Eigen::Vector2d maximum =
+      extent.minimum + extent.pixel * Eigen::Vector2d(size.width - 1, size.height - 1);
+  Plot plot(size, {extent.minimum, maximum}, "x [m]", "z [m]");
   for (std::size_t i = 1; i < truth.size(); ++i)
     drawLine(plot.inside(),
              extent.pixelOf(truth[i - 1].translation()),

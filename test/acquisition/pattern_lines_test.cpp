@@ -20,14 +20,15 @@ manyLines(const PatternLaw& changed = {})
  * distribution. */
 double
 chiSquare(const std::vector<PatternLine>& lines,
-          double least,
-          double most,
+          double minimum,
+          double maximum,
           int bins,
           const std::function<double(const PatternLine&)>& valueOf)
 {
   std::vector<double> counts(static_cast<std::size_t>(bins));
   for (const PatternLine& line : lines) {
-    const double bin = std::floor((valueOf(line) - least) / (most - least) * bins);
+    const double bin =
+        std::floor((valueOf(line) - minimum) / (maximum - minimum) * bins);
     if (bin < 0 || bin >= bins)
       return std::numeric_limits<double>::infinity();
     ++counts[static_cast<std::size_t>(bin)];

@@ -132,19 +132,19 @@ TEST_F(SessionDisk, ThatHangsDoesNotKeepUpThoseWhoMayWait)
 
 TEST_F(SessionDisk, IsWaitedForWhenTooManyWait)
 {
-  constexpr std::uint64_t most = 2;
+  constexpr std::uint64_t maximum = 2;
   TrinocularRecorder recorder(session_, rig_);
-  recorder.setMostWaiting(most);
+  recorder.setMostWaiting(maximum);
   disk_hangs = true;
   std::atomic<std::uint64_t> taken{0};
   std::thread camera([&] {
     for (std::uint64_t i = 0; i < 8; ++i, ++taken)
       recorder.record(recordedFrame(rig_, i));
   });
-  while (taken < most + 1) // one more, as one is being written
+  while (taken < maximum + 1) // one more, as one is being written
     std::this_thread::yield();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_EQ(taken, most + 1);
+  EXPECT_EQ(taken, maximum + 1);
   disk_hangs = false;
   camera.join();
   recorder.finish();

@@ -44,9 +44,9 @@ protected:
       frame.images[i] = loadCameraImage(images_[i][0]);
     TrinocularMatching matching;
     matching.setInputRig(loadTrinocularRig(rig_));
-    const int least = report["least_disparity"], most = report["most_disparity"];
-    matching.setXOffset(least);
-    matching.setMaxDisparity(most - least + 1);
+    const int minimum = report["least_disparity"], maximum = report["most_disparity"];
+    matching.setXOffset(minimum);
+    matching.setMaxDisparity(maximum - minimum + 1);
     MatchedDisparity matched;
     matching.match(frame, matched);
     return matched.disparity;

@@ -77,13 +77,13 @@ TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
 {
   const std::string out = folder_.path("thin");
   const std::size_t all = jsonOfFile(map_ + "/report.json").at("finite_points");
-  constexpr std::size_t most = 30000;
-  ASSERT_GT(all, 2 * most);
+  constexpr std::size_t maximum = 30000;
+  ASSERT_GT(all, 2 * maximum);
   const ToolRun run =
-      runChain(posedObservations(), out, {"--max-points", std::to_string(most)});
+      runChain(posedObservations(), out, {"--max-points", std::to_string(maximum)});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   std::size_t every = 1;
-  while ((all + every - 1) / every > most)
+  while ((all + every - 1) / every > maximum)
     every *= 2;
   EXPECT_THAT(run.err, HasSubstr("--max-points"));
   EXPECT_THAT(run.err, HasSubstr("each " + std::to_string(every) + "th"));
@@ -99,7 +99,7 @@ TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
   }
   ASSERT_EQ(seen_by.size(), 3u);
   for (const auto& [view, points] : seen_by)
-    EXPECT_GT(points, most / 10) << view;
+    EXPECT_GT(points, maximum / 10) << view;
 }
 
 } // namespace

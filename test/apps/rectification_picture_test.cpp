@@ -50,12 +50,12 @@ TEST(PlanExtent, HoldsThePointsButStraysAndAllPlaces)
   const PlanExtent extent = floorContents().extent();
   EXPECT_NEAR(extent.pixel * extent.width, 10, 1);
   EXPECT_NEAR(extent.pixel * extent.height, 5, 1);
-  EXPECT_LE(extent.least.x(), 0);
-  EXPECT_LE(extent.least.y(), 100);
+  EXPECT_LE(extent.minimum.x(), 0);
+  EXPECT_LE(extent.minimum.y(), 100);
   PlanContents with_place = floorContents();
   with_place.addPlace({5, 0, 80});
   const PlanExtent higher = with_place.extent();
-  EXPECT_LT(higher.least.y(), 80);
+  EXPECT_LT(higher.minimum.y(), 80);
   EXPECT_NEAR(higher.pixel * higher.height, 25, 1.5);
 }
 
@@ -89,8 +89,8 @@ TEST(PlanPicture, ShowsXToTheRightAndZUpwards)
       if (colorAt(image, column, row) != Color{255, 255, 255}) {
         ++dark;
         EXPECT_NEAR(
-            extent.least.x() + (column + 0.5) * extent.pixel, 2.5, extent.pixel);
-        EXPECT_NEAR(extent.least.y() + (image.height - row - 0.5) * extent.pixel,
+            extent.minimum.x() + (column + 0.5) * extent.pixel, 2.5, extent.pixel);
+        EXPECT_NEAR(extent.minimum.y() + (image.height - row - 0.5) * extent.pixel,
                     104,
                     2 * extent.pixel);
       }
@@ -107,11 +107,11 @@ TEST(PlanPicture, MorePointsAreDarkerAndTheWayIsALine)
     plan.add({5, 0, 104});
   const RgbImage image = plan.draw({}, red);
   const auto level = [&](double x) {
-    int least = 255;
-    const auto column = static_cast<int>((x - extent.least.x()) / extent.pixel);
+    int minimum = 255;
+    const auto column = static_cast<int>((x - extent.minimum.x()) / extent.pixel);
     for (int row = 0; row < image.height / 2; ++row)
-      least = std::min<int>(least, colorAt(image, column, row)[0]);
-    return least;
+      minimum = std::min<int>(minimum, colorAt(image, column, row)[0]);
+    return minimum;
   };
   EXPECT_EQ(level(2), 0);
   EXPECT_GT(level(5), 30);
@@ -158,9 +158,9 @@ TEST(Drawing, LinesThatLeaveThePictureAreCut)
 
 TEST(Drawing, RoundLengthsAreOneTwoOrFive)
 {
-  for (const auto& [most, length] :
+  for (const auto& [maximum, length] :
        {std::pair{1.0, 1.0}, {1.99, 1.0}, {2.0, 2.0}, {49.0, 20.0}, {0.07, 0.05}})
-    EXPECT_NEAR(roundLength(most), length, 1e-12 * length) << most;
+    EXPECT_NEAR(roundLength(maximum), length, 1e-12 * length) << maximum;
 }
 
 std::vector<RectificationStep>
@@ -229,14 +229,14 @@ struct Place {
 Place
 placeOf(const RgbImage& image, int channel)
 {
-  constexpr int first_row = 25, least_difference = 60;
+  constexpr int first_row = 25, minimum_difference = 60;
   Place place;
   int last_column = -1000;
   for (int column = 0; column < image.width; ++column)
     for (int row = first_row; row < image.height; ++row) {
       const Color color = colorAt(image, column, row);
-      if (color[channel] - color[(channel + 1) % 3] < least_difference ||
-          color[channel] - color[(channel + 2) % 3] < least_difference)
+      if (color[channel] - color[(channel + 1) % 3] < minimum_difference ||
+          color[channel] - color[(channel + 2) % 3] < minimum_difference)
         continue;
       place.highest_row = std::min(place.highest_row, row);
       place.lines += column > last_column + 10 ? 1 : 0;

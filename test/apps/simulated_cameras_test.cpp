@@ -78,11 +78,12 @@ public:
     constexpr int tries = 40;
     constexpr double farthest = 2.0; // px
     double best = 0;
-    double least = difference(column, row, 0, std::numeric_limits<double>::infinity());
+    double minimum =
+        difference(column, row, 0, std::numeric_limits<double>::infinity());
     for (int i = 1; i <= tries; ++i)
       for (const double at : {farthest * i / tries, -farthest * i / tries})
-        if (const double off = difference(column, row, at, least); off < least) {
-          least = off;
+        if (const double off = difference(column, row, at, minimum); off < minimum) {
+          minimum = off;
           best = at;
         }
     return best;
@@ -105,11 +106,11 @@ private:
 
   /** \param[in] most at which the sum over the window may end */
   double
-  difference(int column, int row, double offset, double most) const
+  difference(int column, int row, double offset, double maximum) const
   {
     const Eigen::Vector2d shift = offset * step_.normalized();
     double sum = 0;
-    for (int y = row - reach; y <= row + reach && sum < most; ++y)
+    for (int y = row - reach; y <= row + reach && sum < maximum; ++y)
       for (int x = column - reach; x <= column + reach; ++x) {
         const Eigen::Vector2d there =
             Eigen::Vector2d(x, y) + double(disparities_.at(x, y)) * step_ + shift;

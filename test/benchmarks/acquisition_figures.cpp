@@ -151,7 +151,7 @@ void
 printDisk(const std::string& name, const std::vector<TrinocularFrame::Ptr>& frames)
 {
   constexpr std::size_t rounds = 5;
-  constexpr double most = 0.9; // quantile over all frames
+  constexpr double maximum = 0.9; // quantile over all frames
   std::vector<double> waits;
   for (std::size_t round = 0; round < rounds; ++round) {
     const test::TemporaryFolder folder;
@@ -164,7 +164,7 @@ printDisk(const std::string& name, const std::vector<TrinocularFrame::Ptr>& fram
   MarkdownRow()
       .text(name)
       .number(milli * median(waits), 1)
-      .number(milli * quantile(waits, most), 1)
+      .number(milli * quantile(waits, maximum), 1)
       .print();
 }
 

@@ -164,7 +164,7 @@ comparePoints(const std::vector<ChainView>& views)
   for (std::size_t i = 0; i < given.size(); ++i)
     apart.push_back((agreement.T_given_found * found[i] - given[i]).norm());
   agreement.median = median(apart);
-  agreement.most = quantile(apart, 0.95);
+  agreement.maximum = quantile(apart, 0.95);
   return agreement;
 }
 
@@ -197,9 +197,9 @@ comparePlanes(const std::vector<PlanePatch>& reference,
         std::abs(plane.coefficients.head<3>().dot(middle) + plane.coefficients[3]));
   }
   agreement.angle = median(angles);
-  agreement.angle_most = quantile(angles, 1);
+  agreement.angle_maximum = quantile(angles, 1);
   agreement.offset = median(offsets);
-  agreement.offset_most = quantile(offsets, 1);
+  agreement.offset_maximum = quantile(offsets, 1);
   return agreement;
 }
 

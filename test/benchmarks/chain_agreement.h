@@ -11,7 +11,7 @@ namespace pcl::acmap::bench {
  * motion that aligns them best. */
 struct PointAgreement {
   Eigen::Isometry3d T_given_found = Eigen::Isometry3d::Identity();
-  double median = 0, most = 0; ///< metres; \a most is the 95 % quantile
+  double median = 0, maximum = 0; ///< metres; \a most is the 95 % quantile
 };
 
 PointAgreement
@@ -19,13 +19,14 @@ comparePoints(const std::vector<ChainView>& views);
 
 /** \brief Comparison of the planes of a map with those of a reference. */
 struct PlaneAgreement {
-  std::size_t planes = 0;           ///< planes of the reference that have a partner
-  double area = 0;                  ///< fraction of the reference's area that is near a
-                                    ///< partner
-  double angle = 0, angle_most = 0; ///< degrees, median and maximum over all partners
+  std::size_t planes = 0; ///< planes of the reference that have a partner
+  double area = 0;        ///< fraction of the reference's area that is near a
+                          ///< partner
+  double angle = 0,
+         angle_maximum = 0; ///< degrees, median and maximum over all partners
 
   /** Metres, as above, at the centre of the common area. */
-  double offset = 0, offset_most = 0;
+  double offset = 0, offset_maximum = 0;
 };
 
 /** \brief A sample of the reference is near a plane of the map if the distance to its
@@ -39,8 +40,8 @@ comparePlanes(const std::vector<PlanePatch>& reference,
 
 /** \brief Distance between the same surface in two views. */
 struct SurfaceAgreement {
-  std::size_t pieces = 0;      ///< found in both views
-  double median = 0, most = 0; ///< metres; \a most is the 90 % quantile
+  std::size_t pieces = 0;         ///< found in both views
+  double median = 0, maximum = 0; ///< metres; \a most is the 90 % quantile
 };
 
 /** \brief Registers views with each other and measures distances across the surfaces

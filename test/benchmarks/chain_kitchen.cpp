@@ -56,7 +56,7 @@ printPath(const ChainWay& way, const ChainRun& run)
       .number(centi * tenth.translation_rms, 1)
       .number(tenth.rotation_rms / degree, 2)
       .number(centi * points.median, 1)
-      .number(centi * points.most, 1)
+      .number(centi * points.maximum, 1)
       .print();
 }
 
@@ -73,7 +73,7 @@ printSurfaces(const ChainWay& way, const ChainRun& run)
         compareSurfaces(run.views, step, &ChainView::found);
     row.count(surfaces.pieces)
         .number(milli * surfaces.median, 1)
-        .number(milli * surfaces.most, 1);
+        .number(milli * surfaces.maximum, 1);
   }
   row.print();
 }
@@ -96,9 +96,9 @@ printMap(const ChainWay& way, const ChainRun& run, const ChainRun& reference)
       .count(planes.planes)
       .number(100 * planes.area, 0)
       .number(planes.angle, 2)
-      .number(planes.angle_most, 2)
+      .number(planes.angle_maximum, 2)
       .number(milli * planes.offset, 1)
-      .number(milli * planes.offset_most, 1)
+      .number(milli * planes.offset_maximum, 1)
       .text(std::to_string(std::lround(run.compactness)) + " : 1")
       .number(run.seconds, 1)
       .number(1e-9 * static_cast<double>(run.peak_memory), 2)

@@ -59,12 +59,13 @@ private:
 void
 requireAlike(const CameraImage& ours, const cv::Mat& theirs)
 {
-  constexpr double most = 4; // mean difference on noise, in grey levels: cv::remap has
-                             // steps of 1/32 px
+  constexpr double maximum =
+      4; // mean difference on noise, in grey levels: cv::remap has
+         // steps of 1/32 px
   double sum = 0;
   for (std::size_t i = 0; i < ours.values.size(); ++i)
     sum += std::abs(int{ours.values[i]} - int{theirs.data[i]});
-  if (sum > most * static_cast<double>(ours.values.size()))
+  if (sum > maximum * static_cast<double>(ours.values.size()))
     throw std::runtime_error("cv::remap gives other images");
 }
 
@@ -141,7 +142,7 @@ void
 printCosts(const std::string& name, const ConversionCosts& costs)
 {
   constexpr double reach = 4; // multiple of three grey images
-  const auto least = [](const std::vector<double>& values) {
+  const auto minimum = [](const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
   };
   const auto row = [&](const std::string& kind, const auto& of) {
@@ -157,7 +158,7 @@ printCosts(const std::string& name, const ConversionCosts& costs)
         .print();
   };
   row("median", median);
-  row("least", least);
+  row("least", minimum);
 }
 
 } // namespace

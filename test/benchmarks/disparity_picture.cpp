@@ -81,24 +81,24 @@ colorAt(const CameraImage& image, std::size_t pixel)
 double
 middleDepth(const DisparityImage& disparity, const TrinocularRig& rig)
 {
-  constexpr double most = 0.9;
+  constexpr double maximum = 0.9;
   std::vector<double> depths;
   for (std::size_t i = 0; i < disparity.values.size(); ++i)
     if (disparity.values[i] > 0)
       depths.push_back(pointOf(rig, i, disparity.values[i]).z());
-  return std::max(median(depths), quantile(depths, most) / 2);
+  return std::max(median(depths), quantile(depths, maximum) / 2);
 }
 
 } // namespace
 
 CameraImage
-coloredDisparity(const DisparityImage& image, float least, float most)
+coloredDisparity(const DisparityImage& image, float minimum, float maximum)
 {
   constexpr float brightest = 255.0f;
   cv::Mat_<uchar> levels(image.height, image.width);
   std::transform(
       image.values.begin(), image.values.end(), levels.begin(), [&](float disparity) {
-        const float share = (disparity - least) / (most - least);
+        const float share = (disparity - minimum) / (maximum - minimum);
         return cv::saturate_cast<uchar>(std::isnan(share) ? 0.0f : brightest * share);
       });
   cv::Mat colors;

@@ -10,7 +10,7 @@ namespace pcl::acmap::bench {
  * \param[in] least px
  * \param[in] most px */
 CameraImage
-coloredDisparity(const DisparityImage& image, float least, float most);
+coloredDisparity(const DisparityImage& image, float minimum, float maximum);
 
 /** \brief Renders the points of a view from a position beside and above it, looking at
  * their centre; the picture has the same size.

@@ -84,7 +84,7 @@ printTime(const std::string& sequence,
 void
 timePair(const EgomotionSequence& sequence)
 {
-  constexpr double most = 120; // ms
+  constexpr double maximum = 120; // ms
   const std::vector<EgomotionMethod> peers = {gicpMethod(0.5),
                                               ndtMethod(1),
                                               ndtMethod(0.5),
@@ -100,7 +100,7 @@ timePair(const EgomotionSequence& sequence)
     for (std::size_t i = 0; i < peers.size(); ++i)
       others[i].push_back(measureCost([&] { peers[i].motion(sequence, 1, 0); }).cpu);
   }
-  printTime(sequence.name, "acmap, both views", median(whole), most);
+  printTime(sequence.name, "acmap, both views", median(whole), maximum);
   for (const auto& [name, seconds] : medianStages(first))
     printTime("", name, seconds);
   printTime(sequence.name, "acmap, the view before is kept", sumOf(medianStages(next)));

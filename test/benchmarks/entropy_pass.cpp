@@ -78,8 +78,8 @@ motionOf(const PlanarPose& pose, double bin_size)
 EntropyPass::EntropyPass(const EntropyMap& map, double bin_size)
 : bin_size_(bin_size)
 {
-  Eigen::Array2f least = Eigen::Array2f::Constant(std::numeric_limits<float>::max());
-  Eigen::Array2f most = -least;
+  Eigen::Array2f minimum = Eigen::Array2f::Constant(std::numeric_limits<float>::max());
+  Eigen::Array2f maximum = -minimum;
   for (std::size_t i = 0; i < map.points.size(); ++i) {
     Observation& observation = observations_.emplace_back();
     observation.pose = map.poses[i];
@@ -91,15 +91,15 @@ EntropyPass::EntropyPass(const EntropyMap& map, double bin_size)
       observation.z.push_back(z);
       const Eigen::Array2f place(motion.c * x + motion.s * z + motion.x0,
                                  motion.c * z - motion.s * x + motion.z0);
-      least = least.min(place);
-      most = most.max(place);
+      minimum = minimum.min(place);
+      maximum = maximum.max(place);
     }
   }
-  x0_ = std::floor(least[0]) - 1;
-  z0_ = std::floor(least[1]) - 1;
-  row_ = static_cast<std::int32_t>(most[1] - z0_) + 2;
+  x0_ = std::floor(minimum[0]) - 1;
+  z0_ = std::floor(minimum[1]) - 1;
+  row_ = static_cast<std::int32_t>(maximum[1] - z0_) + 2;
   counts_.resize(static_cast<std::size_t>(row_) *
-                 (static_cast<std::size_t>(most[0] - x0_) + 2));
+                 (static_cast<std::size_t>(maximum[0] - x0_) + 2));
 }
 
 template <typename Visit>

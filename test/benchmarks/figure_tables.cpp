@@ -96,21 +96,21 @@ printCoverageRow(const std::string& name,
                  const std::function<Triangles(const SheetCloud&)>& mesh)
 {
   Coverage mean;
-  Coverage most;
+  Coverage maximum;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const SheetCloud sheet = makeSheet(seed);
     const Coverage coverage = test::measureCoverage(sheet, mesh(sheet));
     mean.uncovered += coverage.uncovered / static_cast<double>(seeds);
     mean.overlapped += coverage.overlapped / static_cast<double>(seeds);
-    most.uncovered = std::max(most.uncovered, coverage.uncovered);
-    most.overlapped = std::max(most.overlapped, coverage.overlapped);
+    maximum.uncovered = std::max(maximum.uncovered, coverage.uncovered);
+    maximum.overlapped = std::max(maximum.overlapped, coverage.overlapped);
   }
   MarkdownRow()
       .text(name)
       .number(mean.uncovered, 3)
-      .number(most.uncovered, 3)
+      .number(maximum.uncovered, 3)
       .number(mean.overlapped, 3)
-      .number(most.overlapped, 3)
+      .number(maximum.overlapped, 3)
       .print();
 }
 
@@ -231,9 +231,9 @@ printBunny()
     MarkdownRow()
         .text(mesher.name)
         .number(there.mean / unit, 3)
-        .number(there.most / unit, 3)
+        .number(there.maximum / unit, 3)
         .number(back.mean / unit, 3)
-        .number(back.most / unit, 3)
+        .number(back.maximum / unit, 3)
         .number((there.mean + back.mean) / 2 / unit, 3)
         .count(test::countMesh(model.points, mesh).boundary_loops)
         .count(countForeignHoles(model.points, mesh, model.triangles, 3 * unit))

@@ -49,7 +49,7 @@ printSpread(const std::vector<CropCost>& costs)
 {
   const auto [min_raw, max_raw] = std::minmax_element(
       costs.begin(), costs.end(), [](auto& a, auto& b) { return a.raw < b.raw; });
-  const auto [least, most] =
+  const auto [minimum, maximum] =
       std::minmax_element(costs.begin(), costs.end(), [](auto& a, auto& b) {
         return a.consolidated < b.consolidated;
       });
@@ -58,7 +58,7 @@ printSpread(const std::vector<CropCost>& costs)
       .text("")
       .text(timesOf(max_raw->raw, min_raw->raw))
       .text("")
-      .text(timesOf(most->consolidated, least->consolidated))
+      .text(timesOf(maximum->consolidated, minimum->consolidated))
       .print();
 }
 

@@ -132,10 +132,10 @@ printTableRow(const TableView& table, const OneViewFinder& finder)
     const std::size_t common = overlaps.common(f, 0);
     best = std::max(
         best, percent(common, overlaps.truthSize(0) + overlaps.foundSize(f) - common));
-    const std::int32_t most = overlaps.majority(f);
-    if (most <= 0)
+    const std::int32_t maximum = overlaps.majority(f);
+    if (maximum <= 0)
       continue;
-    const auto box = static_cast<std::size_t>(most);
+    const auto box = static_cast<std::size_t>(maximum);
     if (2 * overlaps.common(f, box) >= overlaps.foundSize(f)) {
       ++faces[box];
       on_faces += overlaps.common(f, box);

@@ -194,12 +194,13 @@ printLogRuns(const Configure& configure, bool has_reach)
   printRunsHead();
   constexpr double none = 0, seconds = 15;
   std::vector<RunGroup> groups;
-  const auto add = [&](const char* name, const Maps& maps, double level, double most) {
-    groups.push_back(
-        {groupName(name, level),
-         runAll(maps, level, seeds, configure),
-         has_reach ? RunsReach{most, none, no_reach, seconds} : RunsReach{}});
-  };
+  const auto add =
+      [&](const char* name, const Maps& maps, double level, double maximum) {
+        groups.push_back(
+            {groupName(name, level),
+             runAll(maps, level, seeds, configure),
+             has_reach ? RunsReach{maximum, none, no_reach, seconds} : RunsReach{}});
+      };
   add("logs", logs, 0.5, 0.15);
   add("logs", logs, 1, 0.1);
   add("logs", logs, 2, 0.1);

@@ -47,8 +47,11 @@ matcherOf(const SgbmSetting& setting)
   constexpr int small_step = 8, large_step = 32; // penalties of OpenCV's samples
   constexpr int uniqueness = 5, speckle_size = 100, speckle_range = 2, check = 1;
   constexpr int block = 5, area = block * block;
-  const auto matcher = cv::StereoSGBM::create(
-      setting.least, setting.disparities, block, small_step * area, large_step * area);
+  const auto matcher = cv::StereoSGBM::create(setting.minimum,
+                                              setting.disparities,
+                                              block,
+                                              small_step * area,
+                                              large_step * area);
   matcher->setPreFilterCap(setting.prefilter);
   if (setting.filters) {
     matcher->setDisp12MaxDiff(check);
@@ -62,13 +65,13 @@ matcherOf(const SgbmSetting& setting)
 }
 
 DisparityImage
-inPixels(const cv::Mat& steps, int least)
+inPixels(const cv::Mat& steps, int minimum)
 {
   DisparityImage image{steps.cols, steps.rows, {}};
   image.values.reserve(steps.total());
   constexpr int scale = cv::StereoMatcher::DISP_SCALE;
   for (const short value : cv::Mat_<short>(steps))
-    image.values.push_back(value >= least * scale
+    image.values.push_back(value >= minimum * scale
                                ? static_cast<float>(value) / scale
                                : std::numeric_limits<float>::quiet_NaN());
   return image;
@@ -89,12 +92,12 @@ sgbmDisparity(const TrinocularFrame& frame,
     reference = mirroredOf(reference);
     neighbour = mirroredOf(neighbour);
   }
-  const int more = setting.padded ? setting.least + setting.disparities : 0;
+  const int more = setting.padded ? setting.minimum + setting.disparities : 0;
   cv::Mat steps;
   matcherOf(setting)->compute(
       widened(reference, more), widened(neighbour, more), steps);
   steps = steps.colRange(more, steps.cols);
-  return inPixels(mirrored ? mirroredOf(steps) : steps, setting.least);
+  return inPixels(mirrored ? mirroredOf(steps) : steps, setting.minimum);
 }
 
 std::vector<DisparityImage>

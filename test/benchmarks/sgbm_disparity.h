@@ -10,7 +10,7 @@ namespace pcl::acmap::bench {
 
 /** \brief Parameters of OpenCV's StereoSGBM. */
 struct SgbmSetting {
-  int least = 0;        ///< px
+  int minimum = 0;      ///< px
   int disparities = 64; ///< a multiple of 16
   int prefilter = 15;   ///< grey levels, clipping of its gradients; the default
 

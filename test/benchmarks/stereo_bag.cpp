@@ -83,7 +83,7 @@ printSgbm(const std::string& name,
           int prefilter)
 {
   const std::vector<DisparityImage> images =
-      sgbmDisparities(frames, bag.rig, {bag_least, bag_disparities, prefilter});
+      sgbmDisparities(frames, bag.rig, {bag_minimum, bag_disparities, prefilter});
   MethodErrors single(bag);
   for (const DisparityImage& image : images)
     single.add(image);

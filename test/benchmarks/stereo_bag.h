@@ -6,7 +6,7 @@
 
 namespace pcl::acmap::bench {
 
-inline constexpr int bag_least = 48;       ///< px, start of the search range
+inline constexpr int bag_minimum = 48;     ///< px, start of the search range
 inline constexpr int bag_disparities = 64; ///< px, size of the search range
 
 /** \brief Do the images of the bag exist? Prints a message if not. */

@@ -51,7 +51,7 @@ TrinocularMatching
 bagMatching()
 {
   TrinocularMatching matching;
-  matching.setXOffset(bag_least);
+  matching.setXOffset(bag_minimum);
   matching.setMaxDisparity(bag_disparities);
   return matching;
 }

@@ -123,10 +123,10 @@ loadMotorcycle()
 int
 rangeOf(const DisparityImage& truth)
 {
-  float most = 0;
+  float maximum = 0;
   for (const float disparity : truth.values)
-    most = std::isnan(disparity) ? most : std::max(most, disparity);
-  return (static_cast<int>(most) / range_step + 1) * range_step;
+    maximum = std::isnan(disparity) ? maximum : std::max(maximum, disparity);
+  return (static_cast<int>(maximum) / range_step + 1) * range_step;
 }
 
 /** Minimum disparity that the tool searches if the maximum is at the minimum depth. */
@@ -167,7 +167,7 @@ sgbmErrorsOf(const TexturedPair& pair, bool filters)
 {
   SgbmSetting setting;
   setting.disparities = rangeOf(pair.shots.truth);
-  setting.least = leastOf(setting.disparities);
+  setting.minimum = leastOf(setting.disparities);
   setting.filters = filters;
   DisparityErrors errors;
   errors.add(sgbmDisparity(*pair.shots.frames.front(), pair.shots.rig, setting),

@@ -21,13 +21,13 @@ struct Showing {
   StereoShots shots;
   TrinocularFrame::ConstPtr off;
   TrinocularMatching matching;
-  float least; // px, minimum of the colour map
-  float most;
+  float minimum; // px, minimum of the colour map
+  float maximum;
 
   CameraImage
   colored(const DisparityImage& disparity) const
   {
-    return coloredDisparity(disparity, least, most);
+    return coloredDisparity(disparity, minimum, maximum);
   }
 
   CameraImage
@@ -92,9 +92,9 @@ putPlace(PictureSheet& sheet, int row, const Showing& showing)
 Showing
 corridorAt(std::size_t view)
 {
-  constexpr float most = 42.0f; // px: 1.2 m
+  constexpr float maximum = 42.0f; // px: 1.2 m
   SimulatedShots taken = takeShots(standardScene("corridor"), view);
-  return {std::move(taken.shots), std::move(taken.off), {}, 0.0f, most};
+  return {std::move(taken.shots), std::move(taken.off), {}, 0.0f, maximum};
 }
 
 void
@@ -114,8 +114,8 @@ void
 saveBag(const std::string& path)
 {
   constexpr int rows = 3, smaller = 2;
-  constexpr float least = 70.0f, most = 86.0f; // px
-  const Showing bag{loadBag(), loadPassiveBag(), bagMatching(), least, most};
+  constexpr float minimum = 70.0f, maximum = 86.0f; // px
+  const Showing bag{loadBag(), loadPassiveBag(), bagMatching(), minimum, maximum};
   PictureSheet sheet(columns, rows, bag.shots.rig.width, bag.shots.rig.height, smaller);
   putFusion(sheet, bag);
   sheet.save(path);

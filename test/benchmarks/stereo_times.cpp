@@ -20,10 +20,10 @@ double
 leastSeconds(const std::function<void()>& function)
 {
   constexpr std::size_t rounds = 5;
-  double least = measureCost(function).cpu;
+  double minimum = measureCost(function).cpu;
   for (std::size_t round = 1; round < rounds; ++round)
-    least = std::min(least, measureCost(function).cpu);
-  return least;
+    minimum = std::min(minimum, measureCost(function).cpu);
+  return minimum;
 }
 
 double

@@ -43,12 +43,12 @@ public:
   double
   distance(const Eigen::Vector3d& p) const
   {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const auto& [squared, triangle] : tree_.nearest(p, 8))
-      least = std::min(least, distanceTo(p, triangle));
-    for (const std::int32_t triangle : tree_.within(p, least + reach_))
-      least = std::min(least, distanceTo(p, triangle));
-    return least;
+      minimum = std::min(minimum, distanceTo(p, triangle));
+    for (const std::int32_t triangle : tree_.within(p, minimum + reach_))
+      minimum = std::min(minimum, distanceTo(p, triangle));
+    return minimum;
   }
 
 private:
@@ -134,7 +134,7 @@ measureDistance(const Points& from_points,
   for (const Eigen::Vector3d& sample : sampleByArea(from_points, from, samples, seed)) {
     const double distance = surface.distance(sample);
     result.mean += distance / static_cast<double>(samples);
-    result.most = std::max(result.most, distance);
+    result.maximum = std::max(result.maximum, distance);
   }
   return result;
 }

@@ -9,7 +9,7 @@ namespace pcl::acmap::bench {
 /** \brief Distances from samples of one surface to another, metres. */
 struct SurfaceDistance {
   double mean = 0;
-  double most = 0;
+  double maximum = 0;
 };
 
 /** \brief Distance of a point to the nearest point of a triangle. */

@@ -69,9 +69,9 @@ struct DisparityFusionTraits {
   static bool
   isEmpty(const Output& output)
   {
-    const std::uint32_t most =
+    const std::uint32_t maximum =
         *std::max_element(output.end() - 64 * 48, output.end()); // support
-    return output.size() != 3u * 64 * 48 || most != 4;
+    return output.size() != 3u * 64 * 48 || maximum != 4;
   }
 
   static Output

@@ -232,8 +232,8 @@ TEST_F(MapFile, MutationsNeverCrash)
   saveMapFile(folder_.path("map.json"), makeSampleMap());
   const std::string whole = contentOf(folder_.path("map.json"));
   Random random(4);
-  const auto below = [&](std::size_t most) {
-    return static_cast<std::size_t>(random.bits() % most);
+  const auto below = [&](std::size_t maximum) {
+    return static_cast<std::size_t>(random.bits() % maximum);
   };
   int refused = 0;
   for (int round = 0; round < 2000; ++round) {

@@ -83,14 +83,18 @@ loopArea(const Loop& loop)
 
 /** A loop around a centre with a random radius. */
 Loop
-makeStar(
-    Random& random, std::size_t points, float x, float y, double least, double most)
+makeStar(Random& random,
+         std::size_t points,
+         float x,
+         float y,
+         double minimum,
+         double maximum)
 {
   Loop loop;
   for (std::size_t i = 0; i < points; ++i) {
     const double angle =
         2 * M_PI * static_cast<double>(i) / static_cast<double>(points);
-    const double radius = least + (most - least) * random.uniform();
+    const double radius = minimum + (maximum - minimum) * random.uniform();
     loop.emplace_back(x + static_cast<float>(radius * std::cos(angle)),
                       y + static_cast<float>(radius * std::sin(angle)),
                       0.0F);

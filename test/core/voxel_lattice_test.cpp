@@ -167,8 +167,8 @@ TEST(CoarserVoxels, keepTheWitness)
     VoxelHit hit;
     ASSERT_TRUE(voxels.lattice.locate(cloud.points[i], hit));
     const float range = (*sensors[i] - cloud.points[i]).norm();
-    float& least = nearest.emplace(voxelKey(hit.place), range).first->second;
-    least = std::min(least, range);
+    float& minimum = nearest.emplace(voxelKey(hit.place), range).first->second;
+    minimum = std::min(minimum, range);
   }
   for (const VoxelCell& cell : voxels.cells) {
     const auto witness = static_cast<std::size_t>(cell.witness);

@@ -84,7 +84,7 @@ TEST_F(KeypointOracle, maximaAreThoseOfEightNeighbours)
 {
   KeypointSettings settings;
   settings.min_gradient = 4;
-  settings.most = 100000;
+  settings.maximum = 100000;
   const std::vector<std::int32_t> pixels = found(settings);
   ASSERT_GT(pixels.size(), 50u);
   EXPECT_EQ(counts_.maxima, pixels.size());
@@ -103,7 +103,7 @@ TEST_F(KeypointOracle, maximaAreThoseOfEightNeighbours)
 TEST_F(KeypointOracle, pixelsWithoutPlaceAreCountedAndLeftOut)
 {
   KeypointSettings settings;
-  settings.most = 100000;
+  settings.maximum = 100000;
   const std::vector<std::int32_t> all = found(settings);
   for (std::size_t i = 0; i < has_place_.size(); ++i)
     has_place_[i] = i % 3 == 0;
@@ -119,19 +119,19 @@ TEST_F(KeypointOracle, pixelsWithoutPlaceAreCountedAndLeftOut)
 
 /** Selects in rounds: each one takes the strongest remaining keypoint of each tile. */
 std::vector<std::int32_t>
-naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t most)
+naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t maximum)
 {
   std::vector<double> sorted;
   for (const auto& [pixel, gradient] : gradients)
     sorted.push_back(gradient);
   std::sort(sorted.rbegin(), sorted.rend());
-  const double least = sorted[most - 1] / 2;
+  const double minimum = sorted[maximum - 1] / 2;
   std::vector<std::int32_t> chosen;
-  while (chosen.size() < most) {
+  while (chosen.size() < maximum) {
     std::map<std::pair<int, int>, std::int32_t> best;
     for (const auto& [pixel, gradient] : gradients) {
       const std::pair cell(pixel % width / 32, pixel / width / 24);
-      if (gradient >= least &&
+      if (gradient >= minimum &&
           (!best.count(cell) || gradient > gradients.at(best.at(cell))))
         best[cell] = pixel;
     }
@@ -142,7 +142,7 @@ naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t mos
       return gradients.at(a) > gradients.at(b);
     });
     for (const std::int32_t pixel : round) {
-      if (chosen.size() < most)
+      if (chosen.size() < maximum)
         chosen.push_back(pixel);
       gradients.erase(pixel);
     }
@@ -154,16 +154,17 @@ naiveChoice(std::map<std::int32_t, double> gradients, int width, std::size_t mos
 TEST_F(KeypointOracle, cellsGiveTheirStrongestInTurn)
 {
   KeypointSettings settings;
-  settings.most = 100000;
+  settings.maximum = 100000;
   const NaiveGradient naive(image_);
   std::map<std::int32_t, double> gradients;
   for (const std::int32_t pixel : found(settings))
     gradients[pixel] = naive.at(pixel % image_.width, pixel / image_.width);
-  for (const std::size_t most : {1, 10, 40, 100}) {
-    ASSERT_GT(gradients.size(), most);
-    settings.most = most;
-    EXPECT_EQ(found(settings), naiveChoice(gradients, image_.width, most)) << most;
-    EXPECT_EQ(counts_.left_out, gradients.size() - most);
+  for (const std::size_t maximum : {1, 10, 40, 100}) {
+    ASSERT_GT(gradients.size(), maximum);
+    settings.maximum = maximum;
+    EXPECT_EQ(found(settings), naiveChoice(gradients, image_.width, maximum))
+        << maximum;
+    EXPECT_EQ(counts_.left_out, gradients.size() - maximum);
   }
 }
 

@@ -87,8 +87,8 @@ TEST_P(FittedMotion, noStepLeadsFurtherDown)
                (problem.target[i] - motion * problem.source[i]).squaredNorm();
       return sum;
     };
-    const double least = energy(found.T_target_source);
-    EXPECT_NEAR(found.energy, least, 1e-12 * least);
+    const double minimum = energy(found.T_target_source);
+    EXPECT_NEAR(found.energy, minimum, 1e-12 * minimum);
     for (int direction = 0; direction < 6; ++direction) {
       // x, z and the rotation about y are 0, 2 and 4
       if (model_ == MotionModel::Planar && direction % 2 != 0)
@@ -100,7 +100,7 @@ TEST_P(FittedMotion, noStepLeadsFurtherDown)
         else
           moved.prerotate(
               Eigen::AngleAxisd(step, Eigen::Vector3d::Unit(direction - 3)));
-        EXPECT_GT(energy(moved), least) << "seed " << seed << ", " << direction;
+        EXPECT_GT(energy(moved), minimum) << "seed " << seed << ", " << direction;
       }
     }
   }

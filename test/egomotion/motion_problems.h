@@ -58,10 +58,10 @@ difference(const Eigen::Isometry3d& a,
            const Eigen::Isometry3d& b,
            const std::vector<Eigen::Vector3d>& points)
 {
-  double most = (a.linear() - b.linear()).cwiseAbs().maxCoeff();
+  double maximum = (a.linear() - b.linear()).cwiseAbs().maxCoeff();
   for (const Eigen::Vector3d& point : points)
-    most = std::max(most, (a * point - b * point).norm());
-  return most;
+    maximum = std::max(maximum, (a * point - b * point).norm());
+  return maximum;
 }
 
 } // namespace pcl::acmap::test

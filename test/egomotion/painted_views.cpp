@@ -63,10 +63,10 @@ paint(const Wallpaper& paper, const ViewChange& change)
 }
 
 std::vector<std::int32_t>
-keypointsOf(const GreyImage& image, std::size_t most)
+keypointsOf(const GreyImage& image, std::size_t maximum)
 {
   KeypointSettings settings;
-  settings.most = most;
+  settings.maximum = maximum;
   KeypointCounts counts;
   return gradientMaxima(
       image, std::vector<std::uint8_t>(image.values.size(), 1), settings, counts);

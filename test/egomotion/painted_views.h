@@ -51,7 +51,7 @@ paint(const Wallpaper& paper, const ViewChange& change = {});
 
 /** \brief Maxima of the gradient that are not close to the border. */
 std::vector<std::int32_t>
-keypointsOf(const GreyImage& image, std::size_t most = 400);
+keypointsOf(const GreyImage& image, std::size_t maximum = 400);
 
 Eigen::Vector2d
 placeOf(std::int32_t pixel, const GreyImage& image);

@@ -85,7 +85,7 @@ private:
   keypointsOf(const GreyImage& image)
   {
     KeypointSettings settings;
-    settings.most = 400;
+    settings.maximum = 400;
     KeypointCounts counts;
     return gradientMaxima(
         image, std::vector<std::uint8_t>(image.values.size(), 1), settings, counts);

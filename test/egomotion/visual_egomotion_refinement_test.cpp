@@ -24,7 +24,7 @@ RoomViewPair
 randomPair(std::uint64_t seed, MotionModel model, const Room& now, const Room& before)
 {
   Random random(seed);
-  const auto value = [&](double most) { return random.uniform(-most, most); };
+  const auto value = [&](double maximum) { return random.uniform(-maximum, maximum); };
   const bool is_rigid = model == MotionModel::Rigid;
   Eigen::Isometry3d motion = poseOf({value(0.15), 0, value(0.2)}, value(0.1));
   if (is_rigid)

@@ -18,7 +18,7 @@ double
 naiveDistortion(std::int32_t match,
                 const std::vector<std::int32_t>& others,
                 const StereoMatches& matches,
-                double least)
+                double minimum)
 {
   const auto at = [](const std::vector<Eigen::Vector3f>& places, std::int32_t k) {
     return places[static_cast<std::size_t>(k)].cast<double>().eval();
@@ -28,9 +28,9 @@ naiveDistortion(std::int32_t match,
   for (const std::int32_t other : others) {
     const double a = (at(matches.source, match) - at(matches.source, other)).norm();
     const double b = (at(matches.target, match) - at(matches.target, other)).norm();
-    if (other == match || std::max(a, b) <= least)
+    if (other == match || std::max(a, b) <= minimum)
       continue;
-    const double ratio = std::max(a, least) / std::max(b, least);
+    const double ratio = std::max(a, minimum) / std::max(b, minimum);
     sum += std::max(ratio, 1 / ratio);
     ++count;
   }
@@ -40,11 +40,11 @@ naiveDistortion(std::int32_t match,
 double
 naiveWorst(const std::vector<std::int32_t>& left,
            const StereoMatches& matches,
-           double least)
+           double minimum)
 {
   double worst = 0;
   for (const std::int32_t match : left)
-    worst = std::max(worst, naiveDistortion(match, left, matches, least));
+    worst = std::max(worst, naiveDistortion(match, left, matches, minimum));
   return worst;
 }
 
@@ -128,10 +128,10 @@ TEST(WorstOutAsPrinted, isTheSumOverAllMatchesByTheirNumber)
     for (std::size_t i = 0; i < left.size(); ++i)
       left[i] = static_cast<std::int32_t>(i);
     const auto worst = [&] {
-      double most = 0;
+      double maximum = 0;
       for (const std::int32_t match : left)
-        most = std::max(most, printedDistortion(match, left, matches));
-      return most;
+        maximum = std::max(maximum, printedDistortion(match, left, matches));
+      return maximum;
     };
     ASSERT_GE(outcome.removed.size(), 20u);
     for (const std::int32_t removed : outcome.removed) {

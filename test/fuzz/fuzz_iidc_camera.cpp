@@ -47,7 +47,7 @@ useFeature(pcl::IidcCamera& camera, pcl::IidcFeature feature)
   accepts([&] {
     const auto physical = camera.feature(feature).physical;
     test::require(!physical || (std::isfinite(physical->value) &&
-                                physical->least <= physical->most));
+                                physical->minimum <= physical->maximum));
   });
   accepts([&] { camera.setValue(feature, 100); });
   accepts([&] { camera.setPhysical(feature, 0.01F); });

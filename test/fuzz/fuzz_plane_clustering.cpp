@@ -184,13 +184,13 @@ requireOnPlanes(const ClusteringTask& task, const PlaneClusters& found)
 {
   if (task.settings.noise_driven || !task.style.isModerate())
     return;
-  const double most = 2 * task.settings.member_distance;
+  const double maximum = 2 * task.settings.member_distance;
   for (std::size_t i = 0; i < found.labels.size(); ++i) {
     if (found.labels[i] < 0)
       continue;
     const Eigen::Vector4d& plane = found.patches[found.labels[i]].coefficients;
     const Eigen::Vector3d point = task.mesh.points[i].cast<double>();
-    require(std::abs(plane.head<3>().dot(point) + plane[3]) <= most);
+    require(std::abs(plane.head<3>().dot(point) + plane[3]) <= maximum);
   }
 }
 

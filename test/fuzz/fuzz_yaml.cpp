@@ -13,20 +13,20 @@ namespace {
 void
 walk(const YamlNode& node, int& left)
 {
-  constexpr std::size_t most = std::size_t{1} << 31;
+  constexpr std::size_t maximum = std::size_t{1} << 31;
   if (left-- <= 0)
     return;
   test::acceptedBy([&] { return node.text().size(); });
   test::acceptedBy([&] { return node.boolean(); });
   if (const auto number = test::acceptedBy([&] { return node.number(-1e9, 1e9); }))
     test::require(std::abs(*number) <= 1e9);
-  if (const auto count = test::acceptedBy([&] { return node.count(1, most); }))
-    test::require(*count >= 1 && *count <= most);
+  if (const auto count = test::acceptedBy([&] { return node.count(1, maximum); }))
+    test::require(*count >= 1 && *count <= maximum);
   switch (node.kind()) {
   case YamlNode::Kind::scalar:
     break;
   case YamlNode::Kind::list:
-    for (const YamlNode& value : node.list(0, most))
+    for (const YamlNode& value : node.list(0, maximum))
       walk(value, left);
     break;
   case YamlNode::Kind::map:

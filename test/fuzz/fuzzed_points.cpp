@@ -62,10 +62,10 @@ PointStyle::point(FuzzedBytes& bytes) const
 }
 
 std::vector<Eigen::Vector3f>
-fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t most)
+fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t maximum)
 {
   std::vector<Eigen::Vector3f> points;
-  while (bytes.left() > 0 && points.size() < most)
+  while (bytes.left() > 0 && points.size() < maximum)
     points.push_back(style.point(bytes));
   return points;
 }

@@ -36,7 +36,7 @@ struct PointStyle {
 
 /** \brief Points of one style, until the end of the bytes or \a most points. */
 std::vector<Eigen::Vector3f>
-fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t most);
+fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t maximum);
 
 /** \brief Unit normal, or NaN for zero bytes. */
 Eigen::Vector3f

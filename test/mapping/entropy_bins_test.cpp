@@ -125,11 +125,11 @@ TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
 /** 0, powers of two, and other numbers; from \a least to 1 / least. */
 template <typename Number>
 std::vector<Number>
-numbersFrom(double least)
+numbersFrom(double minimum)
 {
   Random random(4);
   std::vector<double> values{
-      0, 1, 2, 0.5, std::sqrt(0.5), std::sqrt(2.0), least, 1 / least};
+      0, 1, 2, 0.5, std::sqrt(0.5), std::sqrt(2.0), minimum, 1 / minimum};
   for (int i = 0; i < 100000; ++i)
     values.push_back(std::exp(random.uniform(-40, 40)));
   for (int i = 0; i < 1000; ++i)
@@ -209,7 +209,7 @@ TEST(EntropyBins, smoothingIsConvolution)
   loops.smoothAcross(&scene.bins[row * 40], 40, by, 40, &across[4]);
   loops.takeFromLevels(&across[4], by, {0.5F, levels.data()}, 40, out.data());
   loops.takeLogarithms(&across[4], by, 40, logarithms.data());
-  double most = 0;
+  double maximum = 0;
   for (std::int64_t j = 0; j < 40; ++j) {
     double wanted = 0;
     for (std::int64_t a = -radius; a <= radius; ++a)
@@ -225,9 +225,9 @@ TEST(EntropyBins, smoothingIsConvolution)
                 1e-5 * (1 + wanted));
     EXPECT_NEAR(
         static_cast<double>(logarithms[at]), wanted > 0 ? std::log2(wanted) : 0, 1e-5);
-    most = std::max(most, wanted);
+    maximum = std::max(maximum, wanted);
   }
-  EXPECT_GT(most, 1);
+  EXPECT_GT(maximum, 1);
 }
 
 TEST(FilledRuns, areAllBlocksNearMarks)

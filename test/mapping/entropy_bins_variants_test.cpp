@@ -78,12 +78,12 @@ TEST(EntropyBins, allVariantsGiveTheSameBytes)
 std::vector<float>
 edgeBins(std::size_t size)
 {
-  constexpr float most = std::numeric_limits<float>::max();
+  constexpr float maximum = std::numeric_limits<float>::max();
   const std::vector<float> edges{0,
                                  -0.0F,
                                  std::numeric_limits<float>::denorm_min(),
                                  1e-39F,
-                                 most,
+                                 maximum,
                                  std::numeric_limits<float>::infinity(),
                                  std::numeric_limits<float>::quiet_NaN(),
                                  -1};

@@ -109,7 +109,7 @@ boundOf(const NaiveEntropySettings& settings)
 
 TEST(FastEntropy, staysWithinItsBoundOfTheExactOne)
 {
-  double most = 0;
+  double maximum = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     for (const bool directions : {false, true})
       for (const double sigma : {0.0, 0.1}) {
@@ -121,10 +121,10 @@ TEST(FastEntropy, staysWithinItsBoundOfTheExactOne)
             std::abs(entropy.compute().total - entropy.computeExact().total);
         EXPECT_LE(difference, boundOf(settings));
         if (sigma > 0 && !directions)
-          most = std::max(most, difference);
+          maximum = std::max(maximum, difference);
       }
-  EXPECT_LT(most, 0.1) << "in practice";
-  RecordProperty("most_bits", std::to_string(most));
+  EXPECT_LT(maximum, 0.1) << "in practice";
+  RecordProperty("most_bits", std::to_string(maximum));
 }
 
 TEST(FastEntropy, staysWithinItsBoundForOnePoint)

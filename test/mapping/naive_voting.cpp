@@ -58,8 +58,8 @@ naiveVoting(const PosedClouds& map,
   NaiveVoting result;
   result.energy = energyOf(actions);
   double step = 1;
-  const std::size_t most = 50 * actions.size();
-  while (result.votes < most) {
+  const std::size_t maximum = 50 * actions.size();
+  while (result.votes < maximum) {
     ++result.votes;
     std::vector<bool> changes(actions.size(), false);
     for (std::size_t count = 0; count < 2;) {

@@ -57,7 +57,7 @@ TEST(Descent, theValueNeverRisesAndStepsAreShort)
 {
   Eigen::VectorXd u = Eigen::Vector2d(-40, 60);
   Eigen::VectorXd last = u, gradient(2);
-  double least = rosenbrock(u, gradient);
+  double minimum = rosenbrock(u, gradient);
   std::size_t steps = 0, calls = 0;
   const Objective counted = [&](const Eigen::VectorXd& at, Eigen::VectorXd& by) {
     ++calls;
@@ -65,10 +65,10 @@ TEST(Descent, theValueNeverRisesAndStepsAreShort)
   };
   const std::size_t evaluations =
       descend(counted, u, 0, [&](const Eigen::VectorXd& at, double value) {
-        EXPECT_LT(value, least);
+        EXPECT_LT(value, minimum);
         EXPECT_EQ(value, rosenbrock(at, gradient));
         EXPECT_LE((at - last).cwiseAbs().maxCoeff(), 3 + 1e-9);
-        least = value;
+        minimum = value;
         last = at;
         ++steps;
       });

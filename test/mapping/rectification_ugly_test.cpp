@@ -200,11 +200,11 @@ TEST(RectificationUgly, farFromTheOriginWorksAsNearIt)
 TEST(RectificationUgly, posesAtTheEndOfTheWorldAreTaken)
 {
   PosedClouds map = driftedRoom(39);
-  double most = 0;
+  double maximum = 0;
   for (const PlanarPose& pose : map.poses)
-    most = std::max(most, pose.x);
+    maximum = std::max(maximum, pose.x);
   for (PlanarPose& pose : map.poses)
-    pose.x += 1e9 - most;
+    pose.x += 1e9 - maximum;
   for (const RectificationMode mode : modes) {
     Rectification rectification = rectificationOf(map, map.poses);
     rectification.setMode(mode);

@@ -80,9 +80,9 @@ TEST(MapRows, HalvesUntilTheyFit)
                                         {1, 1, 1, 1, 1, 1, 1},
                                         {200, 3, 3},
                                         {5, 500}})
-    for (const std::size_t most : {1u, 2u, 3u, 7u, 16u, 33u, 100000u}) {
+    for (const std::size_t maximum : {1u, 2u, 3u, 7u, 16u, 33u, 100000u}) {
       MapRows rows(0, true);
-      rows.setMaximum(most);
+      rows.setMaximum(maximum);
       int first = 0;
       for (std::size_t view = 0; view < sizes.size(); ++view) {
         PointCloudFile file = line(first, sizes[view]);
@@ -90,10 +90,10 @@ TEST(MapRows, HalvesUntilTheyFit)
         first += sizes[view];
       }
       std::size_t every = 1;
-      while (expectedOf(sizes, every).size() > most)
+      while (expectedOf(sizes, every).size() > maximum)
         every *= 2;
-      EXPECT_EQ(rows.every(), every) << most;
-      EXPECT_TRUE(rowsOf(rows.finish()) == expectedOf(sizes, every)) << most;
+      EXPECT_EQ(rows.every(), every) << maximum;
+      EXPECT_TRUE(rowsOf(rows.finish()) == expectedOf(sizes, every)) << maximum;
     }
 }
 

@@ -71,11 +71,11 @@ NumberSummary::json() const
 bool
 NumberSummary::agreesWith(const NumberSummary& stored) const
 {
-  const double most = stored.unit();
+  const double maximum = stored.unit();
   return count == stored.count && missing == stored.missing &&
-         std::abs(mean - stored.mean) <= most &&
-         std::abs(spread - stored.spread) <= most &&
-         std::abs(order - stored.order) <= most;
+         std::abs(mean - stored.mean) <= maximum &&
+         std::abs(spread - stored.spread) <= maximum &&
+         std::abs(order - stored.order) <= maximum;
 }
 
 nlohmann::json

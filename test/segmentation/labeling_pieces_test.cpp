@@ -52,7 +52,7 @@ TEST(CandidateGrid, holdsTheVoxelsOwnPlaneWhereManyAreNear)
   VoxelHit hit;
   ASSERT_TRUE(grid.lattice().locate(own.cast<float>(), hit));
   const labeling::Candidates& there = grid[grid.find(voxelKey(hit.place))];
-  EXPECT_EQ(there.size, labeling::Candidates::most);
+  EXPECT_EQ(there.size, labeling::Candidates::maximum);
   EXPECT_EQ(there.home, 8);
   EXPECT_TRUE(there.holds(8));
   EXPECT_EQ(there.planes[0], 8) << "before its neighbours'";

@@ -44,10 +44,11 @@ planesOf(const Hypotheses& cloud)
 
 /** The support of the only plane. */
 std::size_t
-supportOf(const Hypotheses& cloud, std::size_t least = 50)
+supportOf(const Hypotheses& cloud, std::size_t minimum = 50)
 {
-  const Clustered found = clusterAsPaper(
-      cloud, [&](PaperClustering& clustering) { clustering.setMinClusterSize(least); });
+  const Clustered found = clusterAsPaper(cloud, [&](PaperClustering& clustering) {
+    clustering.setMinClusterSize(minimum);
+  });
   EXPECT_EQ(found.patches.size(), 1U);
   return found.patches.empty() ? 0 : found.patches[0].support;
 }
@@ -111,15 +112,15 @@ TEST(PaperMode, distanceIsToTheHypothesis)
   const Clustered found = clusterAsPaper(wall);
   EXPECT_GE(found.patches.size(), 7U);
   EXPECT_EQ(found.report.merged, 0U);
-  std::vector<double> least(found.patches.size(), 1e9), most(least.size(), -1e9);
+  std::vector<double> minimum(found.patches.size(), 1e9), maximum(minimum.size(), -1e9);
   for (std::size_t i = 0; i < wall.size(); ++i)
     if (found.labels[i] >= 0) {
       const auto plane = static_cast<std::size_t>(found.labels[i]);
-      least[plane] = std::min(least[plane], double{wall[i].x});
-      most[plane] = std::max(most[plane], double{wall[i].x});
+      minimum[plane] = std::min(minimum[plane], double{wall[i].x});
+      maximum[plane] = std::max(maximum[plane], double{wall[i].x});
     }
-  for (std::size_t p = 0; p < least.size(); ++p)
-    EXPECT_LT(most[p] - least[p], 1.6);
+  for (std::size_t p = 0; p < minimum.size(); ++p)
+    EXPECT_LT(maximum[p] - minimum[p], 1.6);
 }
 
 TEST(PaperMode, normalsDifferByLessThanAnEighthOfPi)

@@ -85,14 +85,14 @@ countCrossings(const FlatLoop& a, const FlatLoop& b)
 double
 distanceToLine(const FlatLoop& loop, const Eigen::Vector2d& place)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Eigen::Vector2d way = loop[(i + 1) % loop.size()] - loop[i];
     const double along =
         std::clamp((place - loop[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (loop[i] + along * way - place).norm());
+    minimum = std::min(minimum, (loop[i] + along * way - place).norm());
   }
-  return least;
+  return minimum;
 }
 
 void

@@ -104,16 +104,16 @@ planeNamed(const SeenRoom& room, const std::string& name)
 double
 distanceTo(const TruthPlane& plane, const Eigen::Vector3d& place)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const SimulatedRectangle& rectangle : plane.rectangles) {
     const Eigen::Vector3d off = place - rectangle.corner;
     const auto along = [&](const Eigen::Vector3d& edge) {
       return std::clamp(off.dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge;
     };
-    least = std::min(least,
-                     (off - along(rectangle.edge_u) - along(rectangle.edge_v)).norm());
+    minimum = std::min(
+        minimum, (off - along(rectangle.edge_u) - along(rectangle.edge_v)).norm());
   }
-  return least;
+  return minimum;
 }
 
 } // namespace pcl::acmap::test

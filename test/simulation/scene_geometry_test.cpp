@@ -66,10 +66,10 @@ TEST(SceneGeometry, DegenerateSurfacesAreRefused)
 TEST(SceneGeometry, BoxesLookOutwards)
 {
   SceneGeometry scene;
-  const Eigen::Vector3d least(1, 2, 3), most(2, 4, 6);
-  scene.addBox("box", least, most, {});
+  const Eigen::Vector3d minimum(1, 2, 3), maximum(2, 4, 6);
+  scene.addBox("box", minimum, maximum, {});
   ASSERT_EQ(scene.planes().size(), 6u);
-  const Eigen::Vector3d middle = 0.5 * (least + most);
+  const Eigen::Vector3d middle = 0.5 * (minimum + maximum);
   double area = 0;
   for (const TruthPlane& plane : scene.planes()) {
     EXPECT_LT(plane.coefficients.head<3>().dot(middle) + plane.coefficients[3], 0.0)

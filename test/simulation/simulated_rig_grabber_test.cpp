@@ -252,7 +252,7 @@ TEST(SimulatedRigGrabber, DistortedAndTurnedCamerasBendAnEdge)
   const SimulatedRigGrabber grabber(scene, {}, calibration, light);
   const CameraImage image = grabber.observe(0)[0]->image(RigCamera::Horizontal);
   // In each row, the edge x = 0.9 at z = 2 separates bright and dark pixels.
-  double least = 1e9, most = 0;
+  double minimum = 1e9, maximum = 0;
   for (double y = -0.8; y <= 0.8; y += 0.02) {
     const Eigen::Vector2d at = projectPoint(
         left, left.T_reference_camera.inverse() * Eigen::Vector3d(0.9, y, 2));
@@ -263,10 +263,10 @@ TEST(SimulatedRigGrabber, DistortedAndTurnedCamerasBendAnEdge)
     ASSERT_LT(column + 2, image.width);
     EXPECT_EQ(valueAt(image, column - 1, row), 50) << y;
     EXPECT_EQ(valueAt(image, column + 2, row), 5) << y;
-    least = std::min(least, at.x());
-    most = std::max(most, at.x());
+    minimum = std::min(minimum, at.x());
+    maximum = std::max(maximum, at.x());
   }
-  EXPECT_GT(most - least, 3.0); // distortion bends the straight edge
+  EXPECT_GT(maximum - minimum, 3.0); // distortion bends the straight edge
 }
 
 TEST(SimulatedRigGrabber, NonsenseIsRefused)

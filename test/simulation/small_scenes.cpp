@@ -69,8 +69,8 @@ clutter(std::uint64_t seed)
                       {vector(4), vector(1.5), random.uniform(0.05, 0.5)},
                       {},
                       true);
-    const Eigen::Vector3d least = vector(4);
-    scene.addBox("box " + number, least, least + vector(0.4).cwiseAbs().eval(), {});
+    const Eigen::Vector3d minimum = vector(4);
+    scene.addBox("box " + number, minimum, minimum + vector(0.4).cwiseAbs().eval(), {});
   }
   return scene;
 }

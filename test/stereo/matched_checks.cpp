@@ -42,8 +42,8 @@ expectSound(const MatchedDisparity& matched,
       has_both
           ? std::max(1.0, std::abs(rig.baseline_horizontal / rig.baseline_vertical))
           : 1.0;
-  const double least = matching.getXOffset() - 2 * pixel;
-  const double most = matching.getXOffset() + matching.getMaxDisparity() + 2 * pixel;
+  const double minimum = matching.getXOffset() - 2 * pixel;
+  const double maximum = matching.getXOffset() + matching.getMaxDisparity() + 2 * pixel;
   const auto pixels =
       static_cast<std::size_t>(rig.width) * static_cast<std::size_t>(rig.height);
   EXPECT_EQ(matched.disparity.width, rig.width);
@@ -56,7 +56,7 @@ expectSound(const MatchedDisparity& matched,
   for (std::size_t i = 0; i < pixels; ++i) {
     const auto d = static_cast<double>(matched.disparity.values[i]);
     const auto sigma = static_cast<double>(matched.sigma[i]);
-    const bool is_whole = d > least && d < most && sigma > 0 &&
+    const bool is_whole = d > minimum && d < maximum && sigma > 0 &&
                           std::isfinite(matched.sigma[i]) && matched.support[i] >= 1 &&
                           matched.support[i] <= shots;
     const bool is_void = std::isnan(d) && std::isnan(sigma) &&

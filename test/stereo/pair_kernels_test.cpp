@@ -27,13 +27,13 @@ public:
   std::vector<float>
   floats(std::size_t size)
   {
-    constexpr float most = std::numeric_limits<float>::max();
+    constexpr float maximum = std::numeric_limits<float>::max();
     static const float edges[] = {0.0F,
                                   -0.0F,
                                   std::numeric_limits<float>::denorm_min(),
                                   -3e-39F,
-                                  most,
-                                  -most,
+                                  maximum,
+                                  -maximum,
                                   std::numeric_limits<float>::infinity(),
                                   std::numeric_limits<float>::quiet_NaN()};
     std::vector<float> all(size);
@@ -46,11 +46,11 @@ public:
 
   template <typename Integer>
   std::vector<Integer>
-  integers(std::size_t size, double least, double most)
+  integers(std::size_t size, double minimum, double maximum)
   {
     std::vector<Integer> all(size);
     for (Integer& one : all)
-      one = static_cast<Integer>(random_.uniform(least, most));
+      one = static_cast<Integer>(random_.uniform(minimum, maximum));
     return all;
   }
 
@@ -205,14 +205,14 @@ TEST_F(PairKernelVariants, CorrelateWindows)
 
 /** The paths of one row, and the results of a variant for the previous row. */
 struct Paths {
-  std::vector<std::int16_t> costs[3], least[3];
+  std::vector<std::int16_t> costs[3], minimum[3];
 
   Paths(Draw& draw, std::size_t width, std::size_t stride)
   {
     const std::size_t slot = stride + disparity_block;
     for (std::size_t path = 0; path < 3; ++path) {
       costs[path].assign(disparity_block + (width + 2) * slot, 30000);
-      least[path] = draw.integers<std::int16_t>(width + 2, 0, 500);
+      minimum[path] = draw.integers<std::int16_t>(width + 2, 0, 500);
       for (std::size_t x = 0; x < width + 2; ++x) {
         const auto drawn = draw.integers<std::int16_t>(stride, 500, 6000);
         std::copy(drawn.begin(),
@@ -229,7 +229,7 @@ struct Paths {
     PathRows rows{};
     for (std::size_t path = 0; path < 3; ++path) {
       rows.costs[path] = costs[path].data() + disparity_block;
-      rows.least[path] = least[path].data();
+      rows.minimum[path] = minimum[path].data();
     }
     return rows;
   }
@@ -263,7 +263,7 @@ TEST_F(PairKernelVariants, Follow)
       ASSERT_EQ(run(pair_kernels_avx2, wide), run(pair_kernels_base, plain));
       for (std::size_t path = 0; path < 3; ++path) {
         ASSERT_EQ(wide.costs[path], plain.costs[path]);
-        ASSERT_EQ(wide.least[path], plain.least[path]);
+        ASSERT_EQ(wide.minimum[path], plain.minimum[path]);
       }
     }
   });
@@ -276,13 +276,13 @@ TEST_F(PairKernelVariants, FindWinners)
     auto sums = draw.integers<std::int16_t>(width * stride, -5, 5);
     const int disparities = static_cast<int>(stride - shots);
     const auto run = [&](const PairKernels& kernels) {
-      std::vector<std::int16_t> index(width), least(width + stride, 32767),
+      std::vector<std::int16_t> index(width), minimum(width + stride, 32767),
           pixel(width + stride, -1);
       kernels.findWinners(
           {sums.data(), static_cast<int>(width), static_cast<int>(stride)},
           disparities,
-          {index.data(), least.data(), pixel.data()});
-      index.insert(index.end(), least.begin(), least.end());
+          {index.data(), minimum.data(), pixel.data()});
+      index.insert(index.end(), minimum.begin(), minimum.end());
       index.insert(index.end(), pixel.begin(), pixel.end());
       return index;
     };

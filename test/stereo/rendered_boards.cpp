@@ -177,8 +177,8 @@ std::vector<Eigen::Isometry3d>
 boardPoses(std::size_t count)
 {
   Random random(11);
-  const auto within = [&](double least, double most) {
-    return random.uniform(least, most);
+  const auto within = [&](double minimum, double maximum) {
+    return random.uniform(minimum, maximum);
   };
   std::vector<Eigen::Isometry3d> poses;
   for (std::size_t i = 0; i < count; ++i) {

@@ -56,10 +56,10 @@ public:
 
 private:
   int
-  whole(int least, int most)
+  whole(int minimum, int maximum)
   {
-    return least + static_cast<int>(random_.bits() %
-                                    static_cast<std::uint64_t>(most - least + 1));
+    return minimum + static_cast<int>(random_.bits() % static_cast<std::uint64_t>(
+                                                           maximum - minimum + 1));
   }
 
   double

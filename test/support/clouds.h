@@ -20,8 +20,8 @@ toPoint(const Eigen::Vector3d& p);
 struct SheetCloud {
   Cloud cloud;
   std::vector<Eigen::Vector2d> parameters;
-  Eigen::Vector2d least = Eigen::Vector2d::Zero(); ///< minimum (u, v) of the surface
-  Eigen::Vector2d most = Eigen::Vector2d::Zero();
+  Eigen::Vector2d minimum = Eigen::Vector2d::Zero(); ///< minimum (u, v) of the surface
+  Eigen::Vector2d maximum = Eigen::Vector2d::Zero();
   double spacing = 1;
 };
 

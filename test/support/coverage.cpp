@@ -9,11 +9,11 @@ namespace {
 /** Counts, for each sample point of a rectangle, the triangles above it. */
 class Raster {
 public:
-  Raster(const Eigen::Vector2d& least, const Eigen::Vector2d& most, double step)
-  : least_(least)
+  Raster(const Eigen::Vector2d& minimum, const Eigen::Vector2d& maximum, double step)
+  : minimum_(minimum)
   , step_(step)
-  , columns_(std::max(0, static_cast<int>((most.x() - least.x()) / step)))
-  , rows_(std::max(0, static_cast<int>((most.y() - least.y()) / step)))
+  , columns_(std::max(0, static_cast<int>((maximum.x() - minimum.x()) / step)))
+  , rows_(std::max(0, static_cast<int>((maximum.y() - minimum.y()) / step)))
   , counts_(static_cast<std::size_t>(columns_) * rows_, 0)
   {}
 
@@ -21,9 +21,9 @@ public:
   add(const std::array<Eigen::Vector2d, 3>& corners)
   {
     const Eigen::Vector2d low =
-        (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - least_) / step_;
+        (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - minimum_) / step_;
     const Eigen::Vector2d high =
-        (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) - least_) / step_;
+        (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) - minimum_) / step_;
     const int last_row = std::min(rows_ - 1, static_cast<int>(std::floor(high.y())));
     const int last_column =
         std::min(columns_ - 1, static_cast<int>(std::floor(high.x())));
@@ -54,7 +54,7 @@ private:
   Eigen::Vector2d
   sample(int column, int row) const
   {
-    return least_ + step_ * Eigen::Vector2d(column + 0.5137, row + 0.4791);
+    return minimum_ + step_ * Eigen::Vector2d(column + 0.5137, row + 0.4791);
   }
 
   static bool
@@ -69,7 +69,7 @@ private:
     return turns == 3 || turns == -3;
   }
 
-  Eigen::Vector2d least_;
+  Eigen::Vector2d minimum_;
   double step_;
   int columns_;
   int rows_;
@@ -85,7 +85,7 @@ measureCoverage(const SheetCloud& sheet,
                 double resolution)
 {
   const Eigen::Vector2d rim = Eigen::Vector2d::Constant(margin * sheet.spacing);
-  Raster raster(sheet.least + rim, sheet.most - rim, sheet.spacing / resolution);
+  Raster raster(sheet.minimum + rim, sheet.maximum - rim, sheet.spacing / resolution);
   for (const Triangle& face : mesh)
     raster.add({sheet.parameters[face[0]],
                 sheet.parameters[face[1]],

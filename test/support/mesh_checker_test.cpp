@@ -109,16 +109,16 @@ TEST(MeshChecker, treeFindsWhatBruteForceFinds)
   std::size_t occupied = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const double radius = 0.001 * static_cast<double>(i);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& point : points)
-      least = std::min(least, (point - queries[i]).squaredNorm());
-    EXPECT_EQ(tree.findWithin(queries[i], radius) >= 0, least < radius * radius);
-    EXPECT_EQ(tree.nearest(queries[i], 1).front().first, least);
+      minimum = std::min(minimum, (point - queries[i]).squaredNorm());
+    EXPECT_EQ(tree.findWithin(queries[i], radius) >= 0, minimum < radius * radius);
+    EXPECT_EQ(tree.nearest(queries[i], 1).front().first, minimum);
     const auto inside = std::count_if(points.begin(), points.end(), [&](const auto& p) {
       return (p - queries[i]).squaredNorm() <= radius * radius;
     });
     EXPECT_EQ(tree.within(queries[i], radius).size(), static_cast<std::size_t>(inside));
-    occupied += least < radius * radius;
+    occupied += minimum < radius * radius;
   }
   EXPECT_GT(occupied, 20U);
   EXPECT_LT(occupied, 180U);

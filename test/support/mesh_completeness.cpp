@@ -175,8 +175,8 @@ nearestApexes(const Points& points,
               std::int32_t behind)
 {
   constexpr double tie = 1e-5;
-  double least = std::numeric_limits<double>::infinity();
-  double min_doubtful = least;
+  double minimum = std::numeric_limits<double>::infinity();
+  double min_doubtful = minimum;
   std::vector<std::pair<double, Triangle>> candidates;
   const Eigen::Vector3d& a = points[edge.first];
   const Eigen::Vector3d& b = points[edge.second];
@@ -196,12 +196,12 @@ nearestApexes(const Points& points,
       continue;
     }
     candidates.emplace_back(distance, triangle);
-    least = std::min(least, distance);
+    minimum = std::min(minimum, distance);
   }
   Triangles nearest;
-  if (min_doubtful > least + tie)
+  if (min_doubtful > minimum + tie)
     for (const auto& [distance, triangle] : candidates)
-      if (distance <= least + tie)
+      if (distance <= minimum + tie)
         nearest.push_back(triangle);
   return nearest;
 }

@@ -19,14 +19,14 @@ ReferenceTree::build(std::size_t begin, std::size_t end)
 {
   if (end - begin <= leaf_size)
     return;
-  Eigen::Vector3d least = points_[order_[begin]];
-  Eigen::Vector3d most = least;
+  Eigen::Vector3d minimum = points_[order_[begin]];
+  Eigen::Vector3d maximum = minimum;
   for (std::size_t i = begin; i < end; ++i) {
-    least = least.cwiseMin(points_[order_[i]]);
-    most = most.cwiseMax(points_[order_[i]]);
+    minimum = minimum.cwiseMin(points_[order_[i]]);
+    maximum = maximum.cwiseMax(points_[order_[i]]);
   }
   int axis = 0;
-  (most - least).maxCoeff(&axis);
+  (maximum - minimum).maxCoeff(&axis);
   const std::size_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin,
                    order_.begin() + middle,

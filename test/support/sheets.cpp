@@ -15,16 +15,16 @@ sampleSheet(const SheetSampling& sampling, const Place& place)
   Random random(sampling.seed);
   SheetCloud sheet;
   sheet.spacing = sampling.spacing;
-  sheet.most =
+  sheet.maximum =
       Eigen::Vector2d(sampling.columns - 1, sampling.rows - 1) / 2 * sampling.spacing;
-  sheet.least = -sheet.most;
+  sheet.minimum = -sheet.maximum;
   const double reach = sampling.jitter * sampling.spacing;
   for (int row = 0; row < sampling.rows; ++row)
     for (int column = 0; column < sampling.columns; ++column) {
       const double u =
-          sheet.least.x() + column * sampling.spacing + random.uniform(-reach, reach);
+          sheet.minimum.x() + column * sampling.spacing + random.uniform(-reach, reach);
       const double v =
-          sheet.least.y() + row * sampling.spacing + random.uniform(-reach, reach);
+          sheet.minimum.y() + row * sampling.spacing + random.uniform(-reach, reach);
       const double height = sampling.noise * sampling.spacing * random.normal();
       sheet.parameters.emplace_back(u, v);
       sheet.cloud.push_back(toPoint(place(u, v, height)));
@@ -70,7 +70,7 @@ makeGradedPlane(const SheetSampling& sampling, double growth)
       sheet.cloud.push_back(
           toPoint({place.x(), place.y(), sampling.noise * spacing * random.normal()}));
     }
-    sheet.most = {u, width};
+    sheet.maximum = {u, width};
     sheet.spacing = spacing;
     u += spacing;
   }
@@ -110,7 +110,7 @@ makeCorner(const SheetSampling& sampling)
     each.seed += static_cast<std::uint64_t>(side);
     const SheetCloud sheet = makeJitteredPlane(each);
     const Eigen::Vector2d center =
-        sheet.most + Eigen::Vector2d::Constant(each.spacing / 2);
+        sheet.maximum + Eigen::Vector2d::Constant(each.spacing / 2);
     for (const PointXYZ& p : sheet.cloud) {
       const float place[3] = {p.x + static_cast<float>(center.x()),
                               p.y + static_cast<float>(center.y()),

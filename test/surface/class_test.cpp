@@ -74,8 +74,8 @@ TEST(DeWallClass, wallOfTheFirstPlaneIsCutByOnePlane)
   EXPECT_LT(first_wall, depth.size() / 10);
   EXPECT_TRUE((greatest_low.array() <= min_high.array()).any());
   const auto deepest =
-      std::accumulate(depth.begin(), depth.end(), 0, [](int most, int d) {
-        return d == TriangleMesh::no_wall ? most : std::max(most, d);
+      std::accumulate(depth.begin(), depth.end(), 0, [](int maximum, int d) {
+        return d == TriangleMesh::no_wall ? maximum : std::max(maximum, d);
       });
   EXPECT_GE(deepest, 4);
   EXPECT_LE(deepest, 10);

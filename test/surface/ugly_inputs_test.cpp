@@ -115,13 +115,13 @@ TEST(DeWallUgly, needlesAreBuiltOnce)
 
 TEST(DeWallUgly, spheresMayLeaveTheFloats)
 {
-  const float near = 1e35F, most = std::numeric_limits<float>::max();
+  const float near = 1e35F, maximum = std::numeric_limits<float>::max();
   Cloud cloud;
   cloud.push_back({1.00005996F * near, 1.00007976F * near, 0});
-  cloud.push_back({most, 1.00007204F * near, 0});
+  cloud.push_back({maximum, 1.00007204F * near, 0});
   cloud.push_back({0, 1.00007016F * near, 0}); // its sphere with the two others has a
                                                // radius of 2e43 m
-  cloud.push_back({-most, -most, 0});          // inside that sphere, by 3e38 m
+  cloud.push_back({-maximum, -maximum, 0});    // inside that sphere, by 3e38 m
   const DeWallResult result = triangulate(cloud, {DeWallRule::Paper});
   MeshDemands demands;
   demands.empty_spheres = true;

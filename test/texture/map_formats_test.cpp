@@ -312,11 +312,11 @@ TEST_F(MapFormats, GlbIsExactFarOut)
       turnedBack(Eigen::Vector3d::Map(node.translation.data()));
   EXPECT_LT((middle - place).norm(), 10);
   const int wall = model.meshes[0].primitives[0].attributes.at("POSITION");
-  const auto& least = model.accessors[static_cast<std::size_t>(wall)].minValues;
-  const auto& most = model.accessors[static_cast<std::size_t>(wall)].maxValues;
-  EXPECT_EQ(Eigen::Vector3d::Map(least.data()) + middle - place,
+  const auto& minimum = model.accessors[static_cast<std::size_t>(wall)].minValues;
+  const auto& maximum = model.accessors[static_cast<std::size_t>(wall)].maxValues;
+  EXPECT_EQ(Eigen::Vector3d::Map(minimum.data()) + middle - place,
             Eigen::Vector3d(-1, -1, 5));
-  EXPECT_EQ(Eigen::Vector3d::Map(most.data()) + middle - place,
+  EXPECT_EQ(Eigen::Vector3d::Map(maximum.data()) + middle - place,
             Eigen::Vector3d(2, 1, 5));
 }
 

@@ -96,12 +96,12 @@ lookAt(const std::vector<Screen>& screens, const Shot& shot)
       const Eigen::Vector3d ray = view.T_map_camera.linear() * in_camera;
       PointXYZRGB& point = view.cloud->at(column, row);
       point = PointXYZRGB(nan, nan, nan, 0, 0, 0);
-      double least = std::numeric_limits<double>::max();
+      double minimum = std::numeric_limits<double>::max();
       for (const Screen& screen : screens) {
         const std::optional<double> depth = meet(screen, shot.eye, ray);
-        if (!depth || *depth >= least)
+        if (!depth || *depth >= minimum)
           continue;
-        least = *depth;
+        minimum = *depth;
         const Rgb color = screen.color(shot.eye + *depth * ray);
         point.getVector3fMap() = (*depth * in_camera).cast<float>();
         point.r = static_cast<std::uint8_t>(std::lround(color[0] * shot.brightness));

@@ -190,13 +190,13 @@ TEST(PlaneTexturing, ExposuresAreBalancedWithoutAStep)
   ASSERT_EQ(gains.size(), 2u);
   EXPECT_NEAR(gains[1] / gains[0], 1 / 0.8, 0.02 / 0.8);
   EXPECT_NEAR(gains[1] * gains[0], 1, 0.02);
-  int least = 255, most = 0;
+  int minimum = 255, maximum = 0;
   forTexels(map, TexelKind::Seen, [&](const auto&, const auto* color, const auto&) {
-    least = std::min<int>(least, color[0]);
-    most = std::max<int>(most, color[0]);
+    minimum = std::min<int>(minimum, color[0]);
+    maximum = std::max<int>(maximum, color[0]);
   });
-  EXPECT_LE(most - least, 4);
-  EXPECT_NEAR((most + least) / 2.0, 150 * std::sqrt(0.8), 3);
+  EXPECT_LE(maximum - minimum, 4);
+  EXPECT_NEAR((maximum + minimum) / 2.0, 150 * std::sqrt(0.8), 3);
 }
 
 TEST(PlaneTexturing, ExposuresAreKeptOnDemand)

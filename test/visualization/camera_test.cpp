@@ -41,15 +41,15 @@ filled(const Camera& camera, const Points& points, double aspect)
   const Vector3d ahead = (camera.focus - camera.position).normalized();
   const Vector3d right = ahead.cross(camera.up);
   const double slope = std::tan(camera.view_angle / 2 * M_PI / 180);
-  double most = 0;
+  double maximum = 0;
   for (const Eigen::Vector3f& point : points) {
     const Vector3d d = point.cast<double>() - camera.position;
     const double depth = d.dot(ahead) * slope;
-    most = std::max({most,
-                     std::abs(d.dot(right)) / (depth * aspect),
-                     std::abs(d.dot(camera.up)) / depth});
+    maximum = std::max({maximum,
+                        std::abs(d.dot(right)) / (depth * aspect),
+                        std::abs(d.dot(camera.up)) / depth});
   }
-  return most;
+  return maximum;
 }
 
 TEST(Camera, FitsTheSceneIntoThePicture)

@@ -31,9 +31,9 @@ public:
     forEachRise(dark, bright, [&](std::size_t, std::size_t, int rise) {
       ++counts[static_cast<std::size_t>(std::max(rise, 0))];
     });
-    const int least = std::max(2, topPercent(counts) / 2);
+    const int minimum = std::max(2, topPercent(counts) / 2);
     forEachRise(dark, bright, [&](std::size_t camera, std::size_t i, int rise) {
-      if (rise >= least)
+      if (rise >= minimum)
         indices_[camera].push_back(i);
     });
     for (const auto& indices : indices_)

@@ -65,12 +65,12 @@ RandomLinePattern::setNumberOfLines(int lines)
 }
 
 void
-RandomLinePattern::setLineWidths(int least, int most)
+RandomLinePattern::setLineWidths(int minimum, int maximum)
 {
-  acmap::requireInRange("most line width", most, 1, 64, "px");
-  acmap::requireInRange("least line width", least, 1, most, "px");
-  min_line_width_ = least;
-  max_line_width_ = most;
+  acmap::requireInRange("maximum line width", maximum, 1, 64, "px");
+  acmap::requireInRange("minimum line width", minimum, 1, maximum, "px");
+  min_line_width_ = minimum;
+  max_line_width_ = maximum;
 }
 
 void

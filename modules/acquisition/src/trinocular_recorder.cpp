@@ -190,10 +190,11 @@ TrinocularRecorder::~TrinocularRecorder() = default;
 void
 TrinocularRecorder::setMostWaiting(std::size_t frames)
 {
-  constexpr std::size_t most = 1000;
-  if (frames > most)
-    throw BadArgumentException("most waiting: " + std::to_string(frames) +
-                               " frames; legal is [0, " + std::to_string(most) + ']');
+  constexpr std::size_t maximum = 1000;
+  if (frames > maximum)
+    throw BadArgumentException("maximum waiting: " + std::to_string(frames) +
+                               " frames; legal is [0, " + std::to_string(maximum) +
+                               ']');
   state_->max_waiting = frames;
 }
 

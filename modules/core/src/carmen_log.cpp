@@ -186,11 +186,11 @@ readScan(Words& words, const ByteSource& source)
 }
 
 std::size_t
-countBetween(const std::vector<float>& readings, double least, double below)
+countBetween(const std::vector<float>& readings, double minimum, double below)
 {
   return static_cast<std::size_t>(
       std::count_if(readings.begin(), readings.end(), [=](float reading) {
-        return reading >= least && reading < below;
+        return reading >= minimum && reading < below;
       }));
 }
 
@@ -211,12 +211,13 @@ rangeWithoutEcho(std::vector<float>& readings)
   const auto top = readings.end() - 1 - readings.size() / beams_to_a_wild_one;
   std::nth_element(readings.begin(), top, readings.end());
   const double reading = *top;
-  const double least = (1.0 - width) * reading;
+  const double minimum = (1.0 - width) * reading;
   const std::size_t here =
-      countBetween(readings, least, std::numeric_limits<double>::infinity());
-  const std::size_t less = countBetween(readings, (1.0 - 2.0 * width) * reading, least);
+      countBetween(readings, minimum, std::numeric_limits<double>::infinity());
+  const std::size_t less =
+      countBetween(readings, (1.0 - 2.0 * width) * reading, minimum);
   if (here > clear_excess * (less + 1))
-    return static_cast<float>(least);
+    return static_cast<float>(minimum);
   return std::nextafter(*std::max_element(top, readings.end()),
                         std::numeric_limits<float>::infinity());
 }

@@ -43,13 +43,13 @@ findCoordinate(const Fields& source, const char* name, const ByteSource& file)
 std::size_t
 placeFields(Fields& source, const ByteSource& file)
 {
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t maximum = std::numeric_limits<std::int32_t>::max();
   std::int64_t end = 0;
   std::size_t needed = 0;
   for (SourceField& field : source) {
     const std::int64_t begin = end;
     end += static_cast<std::int64_t>(sizeOfType(field.datatype)) * field.count;
-    if (end < 0 || end > most)
+    if (end < 0 || end > maximum)
       file.fail("header puts a field at byte " + std::to_string(end) + " of a point");
     field.offset = static_cast<std::size_t>(begin);
     if (!field.isPadding())

@@ -67,10 +67,10 @@ JsonCursor::floatNumber() const
 }
 
 std::int64_t
-JsonCursor::integer(std::int64_t least, std::int64_t most) const
+JsonCursor::integer(std::int64_t minimum, std::int64_t maximum) const
 {
   const auto outside = [&] {
-    fail("is outside of " + std::to_string(least) + " to " + std::to_string(most));
+    fail("is outside of " + std::to_string(minimum) + " to " + std::to_string(maximum));
   };
   if (!value_->is_number_integer())
     fail("is no whole number");
@@ -80,7 +80,7 @@ JsonCursor::integer(std::int64_t least, std::int64_t most) const
           std::uint64_t{std::numeric_limits<std::int64_t>::max()})
     outside();
   const auto number = value_->get<std::int64_t>();
-  if (number < least || number > most)
+  if (number < minimum || number > maximum)
     outside();
   return number;
 }

@@ -50,7 +50,7 @@ public:
 
   /** \brief An integer in [least, most]. */
   std::int64_t
-  integer(std::int64_t least, std::int64_t most) const;
+  integer(std::int64_t minimum, std::int64_t maximum) const;
 
   std::string
   text() const;

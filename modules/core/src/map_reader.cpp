@@ -101,8 +101,8 @@ planeOf(const JsonCursor& json, std::size_t number)
   const JsonCursor coefficients = json.at("coefficients");
   plane.coefficients = coefficients.vector<4>();
   requireNone(acmap::faultOfCoefficients(plane.coefficients), coefficients);
-  constexpr auto most = std::numeric_limits<std::int64_t>::max();
-  if (json.at("id").integer(0, most) != static_cast<std::int64_t>(number))
+  constexpr auto maximum = std::numeric_limits<std::int64_t>::max();
+  if (json.at("id").integer(0, maximum) != static_cast<std::int64_t>(number))
     json.at("id").fail("is not " + std::to_string(number) +
                        ": planes are numbered in their order");
   plane.center = json.at("center").vector<3>();
@@ -111,7 +111,7 @@ planeOf(const JsonCursor& json, std::size_t number)
   plane.axis_u = axes[0].vector<3>();
   plane.axis_v = axes[1].vector<3>();
   plane.covariance = covarianceOf(json.at("covariance"));
-  plane.support = static_cast<std::size_t>(json.at("support").integer(0, most));
+  plane.support = static_cast<std::size_t>(json.at("support").integer(0, maximum));
   plane.effective_support = json.at("effective_support").numberOrNan();
   plane.rms = json.at("rmse").numberOrNan();
   plane.area = json.at("area").number();
@@ -156,8 +156,8 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
 std::vector<std::int32_t>
 observationsOf(const JsonCursor& json, std::size_t poses)
 {
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  const std::int64_t last = poses ? static_cast<std::int64_t>(poses) - 1 : most;
+  constexpr std::int64_t maximum = std::numeric_limits<std::int32_t>::max();
+  const std::int64_t last = poses ? static_cast<std::int64_t>(poses) - 1 : maximum;
   std::vector<std::int32_t> numbers;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const auto number = static_cast<std::int32_t>(json[i].integer(0, last));

@@ -99,8 +99,8 @@ isUpright(const FacedPlane& facing, const Vector3d& up)
 std::vector<Vector3d>
 candidatesFor(const std::vector<FacedPlane>& facings, const Vector3d& expected)
 {
-  constexpr std::size_t most = 30;
-  const std::size_t count = std::min(facings.size(), most);
+  constexpr std::size_t maximum = 30;
+  const std::size_t count = std::min(facings.size(), maximum);
   std::vector<Vector3d> candidates = {expected};
   const auto add = [&](const Vector3d& direction) {
     if (direction.norm() > 0.1)
@@ -132,8 +132,8 @@ refined(const std::vector<FacedPlane>& facings, const Vector3d& up)
   constexpr double weight = 1e-3; // keeps the component that no plane determines
   squares -= weight * area * up * up.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
-  const Vector3d least = solver.eigenvectors().col(0);
-  return std::copysign(1.0, least.dot(up)) * least;
+  const Vector3d minimum = solver.eigenvectors().col(0);
+  return std::copysign(1.0, minimum.dot(up)) * minimum;
 }
 
 } // namespace

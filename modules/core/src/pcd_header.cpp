@@ -55,13 +55,13 @@ readSizes(Words& words, std::string_view key, const ByteSource& source)
 std::vector<std::int64_t>
 readFieldCounts(Words& words, const ByteSource& source)
 {
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t maximum = std::numeric_limits<std::int32_t>::max();
   std::vector<std::int64_t> counts;
   for (std::string_view word; words.next(word);) {
     std::int64_t& count = counts.emplace_back();
     if (!storeNumber(
             word, PCLPointField::INT64, reinterpret_cast<std::uint8_t*>(&count)) ||
-        count < -most || count > most)
+        count < -maximum || count > maximum)
       source.failAtLine("COUNT " + inQuotes(word) + " is not a count");
   }
   return counts;

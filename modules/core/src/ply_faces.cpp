@@ -53,8 +53,8 @@ public:
   nextList(const PlyProperty& list, std::vector<double>& values)
   {
     const double length = next(list.length_datatype);
-    const auto most = static_cast<double>(source_.remaining());
-    if (!(length >= 0) || (!text_ && length > most) ||
+    const auto maximum = static_cast<double>(source_.remaining());
+    if (!(length >= 0) || (!text_ && length > maximum) ||
         (text_ && length > static_cast<double>(ByteSource::maximum_line)))
       source_.fail("list " + inQuotes(list.name) + " has an impossible length");
     values.resize(static_cast<std::size_t>(length));

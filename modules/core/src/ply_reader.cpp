@@ -179,13 +179,13 @@ PlyRows::skip(const PlyElement& element)
       nextRow(element, row);
     return;
   }
-  const std::uint64_t least = element.leastBytes();
-  if (element.rows > source_.remaining() / least)
+  const std::uint64_t minimum = element.leastBytes();
+  if (element.rows > source_.remaining() / minimum)
     source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
                  inQuotes(element.name) + ", " + std::to_string(source_.remaining()) +
                  " bytes follow");
   if (!element.hasList())
-    return source_.skip(element.rows * least);
+    return source_.skip(element.rows * minimum);
   for (std::uint64_t row = 0; row < element.rows; ++row)
     for (const PlyProperty& property : element.properties) {
       if (property.isList())

@@ -128,8 +128,8 @@ valueOfType(std::uint8_t datatype, const std::uint8_t* from)
 float
 narrowed(double value)
 {
-  constexpr double most = std::numeric_limits<float>::max();
-  if (std::abs(value) > most)
+  constexpr double maximum = std::numeric_limits<float>::max();
+  if (std::abs(value) > maximum)
     return static_cast<float>(
         std::copysign(std::numeric_limits<double>::infinity(), value));
   return static_cast<float>(value);

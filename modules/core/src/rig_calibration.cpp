@@ -84,16 +84,17 @@ requireSoundCamera(const std::string& name,
 {
   using acmap::requireInRange;
   constexpr double farthest_center = 1e6;
-  const auto inPixels = [&](const char* key, double value, double least, double most) {
-    requireInRange(name + ": " + key, value, least, most, "px");
-  };
+  const auto inPixels =
+      [&](const char* key, double value, double minimum, double maximum) {
+        requireInRange(name + ": " + key, value, minimum, maximum, "px");
+      };
   inPixels("focal_x", camera.focal_x, 1.0, acmap::longest_camera_focal_length);
   inPixels("focal_y", camera.focal_y, 1.0, acmap::longest_camera_focal_length);
   inPixels("center_x", camera.center_x, -farthest_center, farthest_center);
   inPixels("center_y", camera.center_y, -farthest_center, farthest_center);
-  const double most = acmap::largest_camera_distortion;
+  const double maximum = acmap::largest_camera_distortion;
   for (const double value : camera.distortion)
-    requireInRange(name + ": distortion", value, -most, most, "(no unit)");
+    requireInRange(name + ": distortion", value, -maximum, maximum, "(no unit)");
   const std::string fault =
       acmap::faultOfPlace(camera.T_reference_camera, is_reference);
   if (!fault.empty())

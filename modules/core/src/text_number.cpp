@@ -51,8 +51,8 @@ storeInteger(std::string_view word, std::uint8_t* to)
     if (std::isnan(real))
       real = 0.0;
     const double limit = std::ldexp(1.0, std::numeric_limits<Value>::digits);
-    const double least = std::numeric_limits<Value>::is_signed ? -limit : 0.0;
-    if (real < least || real >= limit || real != std::floor(real))
+    const double minimum = std::numeric_limits<Value>::is_signed ? -limit : 0.0;
+    if (real < minimum || real >= limit || real != std::floor(real))
       return false;
     value = static_cast<Value>(real);
   }

@@ -17,7 +17,7 @@ public:
   explicit Words(std::string_view line, Separators separators = Separators::blanks)
   : at_(line.data())
   , end_(line.data() + line.size())
-  , least_(separators == Separators::blanks ? blank : comma)
+  , minimum_(separators == Separators::blanks ? blank : comma)
   {}
 
   /** \return false at the end of the line */
@@ -50,12 +50,12 @@ private:
   separates(char c) const
   {
     static constexpr auto table = kinds();
-    return table[static_cast<unsigned char>(c)] >= least_;
+    return table[static_cast<unsigned char>(c)] >= minimum_;
   }
 
   const char* at_;
   const char* end_;
-  std::uint8_t least_;
+  std::uint8_t minimum_;
 };
 
 /** \brief Parses a complete word as a number, including `nan` and `inf`, independent of

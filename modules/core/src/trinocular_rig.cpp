@@ -27,8 +27,8 @@ constexpr double largest_disparity_sigma = 1000.0;
 struct RealKey {
   const char* name;
   double TrinocularRig::*value;
-  double least;
-  double most;
+  double minimum;
+  double maximum;
   const char* unit;
 };
 
@@ -62,7 +62,7 @@ requireSoundRig(const TrinocularRig& rig)
   acmap::requireInRange("width", rig.width, 1, max_pixels, "px");
   acmap::requireInRange("height", rig.height, 1, max_pixels, "px");
   for (const RealKey& key : realKeys())
-    acmap::requireInRange(key.name, rig.*key.value, key.least, key.most, key.unit);
+    acmap::requireInRange(key.name, rig.*key.value, key.minimum, key.maximum, key.unit);
 }
 
 TrinocularRig
@@ -79,7 +79,7 @@ acmap::readTrinocularRig(const YamlNode& map)
   rig.width = static_cast<int>(map.at("width").count(1, max_pixels));
   rig.height = static_cast<int>(map.at("height").count(1, max_pixels));
   for (const RealKey& key : realKeys())
-    rig.*key.value = map.at(key.name).number(key.least, key.most);
+    rig.*key.value = map.at(key.name).number(key.minimum, key.maximum);
   return rig;
 }
 

@@ -48,13 +48,13 @@ YamlNode::requireKeys(const std::vector<std::string>& known) const
 }
 
 const std::vector<YamlNode>&
-YamlNode::list(std::size_t least, std::size_t most) const
+YamlNode::list(std::size_t minimum, std::size_t maximum) const
 {
-  if (kind_ == Kind::list && values_.size() >= least && values_.size() <= most)
+  if (kind_ == Kind::list && values_.size() >= minimum && values_.size() <= maximum)
     return values_;
   const std::string length =
-      least == most ? std::to_string(least)
-                    : std::to_string(least) + " to " + std::to_string(most);
+      minimum == maximum ? std::to_string(minimum)
+                         : std::to_string(minimum) + " to " + std::to_string(maximum);
   fail("a list of " + length + " values is needed here" +
        (kind_ == Kind::list ? ", not of " + std::to_string(values_.size()) : ""));
 }
@@ -68,26 +68,26 @@ YamlNode::text() const
 }
 
 double
-YamlNode::number(double least, double most) const
+YamlNode::number(double minimum, double maximum) const
 {
   double value = 0;
-  if (parseNumber(text(), value) && std::isfinite(value) && value >= least &&
-      value <= most)
+  if (parseNumber(text(), value) && std::isfinite(value) && value >= minimum &&
+      value <= maximum)
     return value;
   std::ostringstream fault;
-  fault << inQuotes(text_) << " is refused: a number within [" << least << ", " << most
-        << "] is needed here";
+  fault << inQuotes(text_) << " is refused: a number within [" << minimum << ", "
+        << maximum << "] is needed here";
   fail(fault.str());
 }
 
 std::size_t
-YamlNode::count(std::size_t least, std::size_t most) const
+YamlNode::count(std::size_t minimum, std::size_t maximum) const
 {
   std::uint64_t value = 0;
-  if (parseCount(text(), value) && value >= least && value <= most)
+  if (parseCount(text(), value) && value >= minimum && value <= maximum)
     return static_cast<std::size_t>(value);
   fail(inQuotes(text_) + " is refused: a whole number within [" +
-       std::to_string(least) + ", " + std::to_string(most) + "] is needed here");
+       std::to_string(minimum) + ", " + std::to_string(maximum) + "] is needed here");
 }
 
 bool

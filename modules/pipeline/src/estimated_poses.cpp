@@ -38,12 +38,12 @@ textOf(const EstimatedPoses& poses, const std::string& made_of)
 OdometryNoise
 noiseIn(const acmap::YamlNode& node)
 {
-  constexpr double most = 1e6;
+  constexpr double maximum = 1e6;
   const std::vector<acmap::YamlNode>& values = node.list(4, 4);
-  return {values[0].number(0, most),
-          values[1].number(0, most),
-          values[2].number(0, most),
-          values[3].number(0, most)};
+  return {values[0].number(0, maximum),
+          values[1].number(0, maximum),
+          values[2].number(0, maximum),
+          values[3].number(0, maximum)};
 }
 
 } // namespace
@@ -79,10 +79,10 @@ loadEstimatedPoses(const std::string& folder, const std::string& made_of)
   if ((made != nullptr ? made->text() : std::string()) != made_of)
     return std::nullopt;
   EstimatedPoses poses;
-  constexpr std::size_t most = 10000000;
+  constexpr std::size_t maximum = 10000000;
   std::size_t next = 0;
-  for (const acmap::YamlNode& place : document.at("observations").list(1, most)) {
-    poses.places.push_back(place.count(next, most));
+  for (const acmap::YamlNode& place : document.at("observations").list(1, maximum)) {
+    poses.places.push_back(place.count(next, maximum));
     next = poses.places.back() + 1;
   }
   if (const acmap::YamlNode* noise = document.find("odometry_noise"))

@@ -83,12 +83,12 @@ Loop
 largestRim(const PlanePatch& patch)
 {
   Loop largest;
-  double most = 0;
+  double maximum = 0;
   for (const PlanePolygon& polygon : patch.polygons) {
     AreaMoments moments;
     moments.add(polygon.outer, patch);
-    if (moments.area > most) {
-      most = moments.area;
+    if (moments.area > maximum) {
+      maximum = moments.area;
       largest = polygon.outer;
     }
   }

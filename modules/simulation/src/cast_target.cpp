@@ -37,29 +37,30 @@ std::optional<PixelBox>
 boxOf(const Polygon& points, const TrinocularRig& rig)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Eigen::Array2d least(infinity, infinity);
-  Eigen::Array2d most = -least;
+  Eigen::Array2d minimum(infinity, infinity);
+  Eigen::Array2d maximum = -minimum;
   const Eigen::Array2d center(rig.center_x, rig.center_y);
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Array2d pixel =
         rig.focal_length * point.head<2>().array() / point.z() + center;
-    least = least.min(pixel);
-    most = most.max(pixel);
+    minimum = minimum.min(pixel);
+    maximum = maximum.max(pixel);
   }
   const Eigen::Array2d last(rig.width - 1, rig.height - 1);
-  least = (least.floor() - 1.0).max(0.0);
-  most = (most.ceil() + 1.0).min(last);
-  if ((least > most).any())
+  minimum = (minimum.floor() - 1.0).max(0.0);
+  maximum = (maximum.ceil() + 1.0).min(last);
+  if ((minimum > maximum).any())
     return {};
-  const Eigen::Array2i first = least.cast<int>();
-  const Eigen::Array2i end = most.cast<int>();
+  const Eigen::Array2i first = minimum.cast<int>();
+  const Eigen::Array2i end = maximum.cast<int>();
   return PixelBox{first.x(), end.x(), first.y(), end.y()};
 }
 
 std::optional<PixelBox>
 boxOfPolygon(const Polygon& polygon, const TrinocularRig& rig, const DepthRange& range)
 {
-  const Polygon before = clipped(clipped(polygon, range.least, 1.0), range.most, -1.0);
+  const Polygon before =
+      clipped(clipped(polygon, range.minimum, 1.0), range.maximum, -1.0);
   return before.empty() ? std::nullopt : boxOf(before, rig);
 }
 
@@ -140,11 +141,11 @@ public:
         std::minmax_element(around.begin(),
                             around.end(),
                             [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    if (farthest->z() < range_.least || nearest->z() > range_.most)
+    if (farthest->z() < range_.minimum || nearest->z() > range_.maximum)
       return {};
     // A cylinder that reaches behind the camera is tested for all pixels; this is rare.
     const PixelBox everywhere{0, rig_.width - 1, 0, rig_.height - 1};
-    const auto box = nearest->z() < range_.least ? everywhere : boxOf(around, rig_);
+    const auto box = nearest->z() < range_.minimum ? everywhere : boxOf(around, rig_);
     if (!box)
       return {};
     return CastTarget{-1, *box, target};

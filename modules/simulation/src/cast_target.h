@@ -11,13 +11,13 @@ namespace pcl::acmap {
 
 /** \brief Range of valid depths, metres; nearer surfaces touch the lens. */
 struct DepthRange {
-  double least = 1e-3;
-  double most = 0;
+  double minimum = 1e-3;
+  double maximum = 0;
 
   bool
   contains(double depth) const // false for NaN
   {
-    return depth >= least && depth <= most;
+    return depth >= minimum && depth <= maximum;
   }
 };
 

@@ -18,13 +18,13 @@ using Table = std::array<float, table_size>;
 double
 quantile(double share)
 {
-  double least = -9.0;
-  double most = 9.0;
+  double minimum = -9.0;
+  double maximum = 9.0;
   for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (least + most);
-    (0.5 * std::erfc(-middle * std::sqrt(0.5)) < share ? least : most) = middle;
+    const double middle = 0.5 * (minimum + maximum);
+    (0.5 * std::erfc(-middle * std::sqrt(0.5)) < share ? minimum : maximum) = middle;
   }
-  return 0.5 * (least + most);
+  return 0.5 * (minimum + maximum);
 }
 
 Table

@@ -100,7 +100,7 @@ castView(const SceneGeometry& scene,
   if (!(reach > 0.0))
     acmap::refuseArgument("reach", reach, "above 0 m");
   DepthRange range;
-  range.most = reach;
+  range.maximum = reach;
   const std::vector<CastTarget> targets =
       targetsOf(scene, rig, T_scene_camera.inverse(), range);
 

@@ -138,12 +138,12 @@ SceneGeometry::addRectangle(const std::string& name,
 
 void
 SceneGeometry::addBox(const std::string& name,
-                      const Eigen::Vector3d& least,
-                      const Eigen::Vector3d& most,
+                      const Eigen::Vector3d& minimum,
+                      const Eigen::Vector3d& maximum,
                       const SurfaceLook& look,
                       const BoxFaces& faces)
 {
-  const Eigen::Vector3d size = most - least;
+  const Eigen::Vector3d size = maximum - minimum;
   for (int axis = 0; axis < 3; ++axis)
     acmap::requireInRange(
         name + ": length of an edge", size[axis], shortest_edge, farthest, "m");
@@ -153,12 +153,12 @@ SceneGeometry::addBox(const std::string& name,
     if (wanted)
       extended.addRectangle(name + " " + face, name + " " + face, shape, look);
   };
-  add(faces.left, "left", {least, z, y});
-  add(faces.right, "right", {least + x, y, z});
-  add(faces.top, "top", {least, x, z});
-  add(faces.bottom, "bottom", {least + y, z, x});
-  add(faces.front, "front", {least, y, x});
-  add(faces.back, "back", {least + z, x, y});
+  add(faces.left, "left", {minimum, z, y});
+  add(faces.right, "right", {minimum + x, y, z});
+  add(faces.top, "top", {minimum, x, z});
+  add(faces.bottom, "bottom", {minimum + y, z, x});
+  add(faces.front, "front", {minimum, y, x});
+  add(faces.back, "back", {minimum + z, x, y});
   *this = std::move(extended);
 }
 

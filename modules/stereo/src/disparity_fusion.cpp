@@ -83,10 +83,10 @@ struct DisparityFusion::State {
     const auto statistic = method == Method::Median
                                ? acmap::ShotStatistic::Median
                                : acmap::ShotStatistic::ConsistentMean;
-    const std::size_t least = std::min(static_cast<std::size_t>(minimum_support),
-                                       observation->matched.size());
+    const std::size_t minimum = std::min(static_cast<std::size_t>(minimum_support),
+                                         observation->matched.size());
     MatchedDisparity fused = acmap::withThreads(threads, [&] {
-      return acmap::fuseShots(observation->matched, statistic, least);
+      return acmap::fuseShots(observation->matched, statistic, minimum);
     });
     timer.finish("fusion");
     shown.tell(1.0, "fusion");
@@ -171,7 +171,7 @@ DisparityFusion::getPassive() const
 void
 DisparityFusion::setLeastGain(double share)
 {
-  acmap::requireInRange("least gain", share, 0.0, 1.0, "of the pixels");
+  acmap::requireInRange("minimum gain", share, 0.0, 1.0, "of the pixels");
   state_->min_gain = share;
 }
 

@@ -61,9 +61,9 @@ acmap::DisparityRange
 scaledRange(const acmap::DisparityRange& range, double ratio, int side)
 {
   const double last = std::ceil((range.first + range.count - 1) * ratio);
-  const double most = std::min<double>(last, side);
-  const double first = std::min(std::floor(range.first * ratio), most);
-  return {static_cast<int>(first), static_cast<int>(most - first) + 1};
+  const double maximum = std::min<double>(last, side);
+  const double first = std::min(std::floor(range.first * ratio), maximum);
+  return {static_cast<int>(first), static_cast<int>(maximum - first) + 1};
 }
 
 } // namespace
@@ -136,7 +136,7 @@ TrinocularMatching::getInputRig() const
 void
 TrinocularMatching::setXOffset(int offset)
 {
-  acmap::requireInRange("least disparity", offset, 0, 4095, "px");
+  acmap::requireInRange("minimum disparity", offset, 0, 4095, "px");
   x_offset_ = offset;
 }
 

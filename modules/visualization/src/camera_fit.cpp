@@ -77,9 +77,9 @@ middleOffset(const std::vector<Vector3d>& seen,
       slopes.push_back((p[axis] - offset) / (distance - p.z()));
   if (slopes.empty())
     return offset;
-  const double least = quantile(slopes, cut_share);
-  const double most = quantile(slopes, 1 - cut_share);
-  return offset + (least + most) / 2 * distance;
+  const double minimum = quantile(slopes, cut_share);
+  const double maximum = quantile(slopes, 1 - cut_share);
+  return offset + (minimum + maximum) / 2 * distance;
 }
 
 } // namespace
@@ -92,10 +92,10 @@ RobustBox::RobustBox(const std::vector<Eigen::Vector3f>& points)
     std::transform(points.begin(), points.end(), values.begin(), [&](const auto& p) {
       return p[axis];
     });
-    const double least = quantile(values, outside);
-    const double most = quantile(values, 1 - outside);
-    middle[axis] = (least + most) / 2;
-    half[axis] = (most - least) / 2;
+    const double minimum = quantile(values, outside);
+    const double maximum = quantile(values, 1 - outside);
+    middle[axis] = (minimum + maximum) / 2;
+    half[axis] = (maximum - minimum) / 2;
   }
 }
 
@@ -138,17 +138,17 @@ setDepths(Camera& camera,
           const RobustBox& box)
 {
   const Vector3d ahead = camera.focus - camera.position;
-  double least = ahead.norm(), most = least;
+  double minimum = ahead.norm(), maximum = minimum;
   for (const Eigen::Vector3f& point : points) {
     const Vector3d p = point.cast<double>();
     if (!box.contains(p, stray_factor))
       continue;
     const double depth = (p - camera.position).dot(ahead.normalized());
-    least = std::min(least, depth);
-    most = std::max(most, depth);
+    minimum = std::min(minimum, depth);
+    maximum = std::max(maximum, depth);
   }
-  camera.far = most * 1.05;
-  camera.near = std::max(least * 0.95, camera.far * 1e-3);
+  camera.far = maximum * 1.05;
+  camera.near = std::max(minimum * 0.95, camera.far * 1e-3);
 }
 
 } // namespace pcl::acmap

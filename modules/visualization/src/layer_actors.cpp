@@ -29,8 +29,8 @@ sceneOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh, const SceneView& 
 std::vector<Eigen::Vector3f>
 someOf(const std::vector<Eigen::Vector3f>& points)
 {
-  constexpr std::size_t most = 200000;
-  const std::size_t step = points.size() / most + 1;
+  constexpr std::size_t maximum = 200000;
+  const std::size_t step = points.size() / maximum + 1;
   std::vector<Eigen::Vector3f> some;
   for (std::size_t i = 0; i < points.size(); i += step)
     some.push_back(points[i]);
@@ -55,10 +55,10 @@ cutForPlan(const LayerMaking& making, const Trajectory& trajectory, Scene& point
   const auto level = eyeLevel(trajectory, up);
   if (!level)
     return;
-  const auto most = static_cast<float>(*level + headroom);
+  const auto maximum = static_cast<float>(*level + headroom);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
-    if (points.points[i].dot(up.cast<float>()) > most)
+    if (points.points[i].dot(up.cast<float>()) > maximum)
       continue;
     points.points[kept] = points.points[i];
     if (!points.colors.empty())

@@ -84,13 +84,13 @@ std::pair<double, double>
 endsAlong(const Points& samples, const RobustBox& box, const Vector3d& direction)
 {
   constexpr double stray_factor = 3;
-  double least = INFINITY, most = -INFINITY;
+  double minimum = INFINITY, maximum = -INFINITY;
   for (const Eigen::Vector3f& sample : samples)
     if (box.contains(sample.cast<double>(), stray_factor)) {
-      least = std::min(least, sample.cast<double>().dot(direction));
-      most = std::max(most, sample.cast<double>().dot(direction));
+      minimum = std::min(minimum, sample.cast<double>().dot(direction));
+      maximum = std::max(maximum, sample.cast<double>().dot(direction));
     }
-  return {least, most};
+  return {minimum, maximum};
 }
 
 Camera

@@ -85,11 +85,11 @@ MapDrawing::drawn(std::vector<MapFaces> faces) const
 }
 
 double
-roundLength(double most)
+roundLength(double maximum)
 {
-  const double power = std::pow(10, std::floor(std::log10(most)));
+  const double power = std::pow(10, std::floor(std::log10(maximum)));
   for (const double digit : {5.0, 2.0})
-    if (digit * power <= most)
+    if (digit * power <= maximum)
       return digit * power;
   return power;
 }

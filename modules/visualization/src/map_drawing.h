@@ -76,7 +76,7 @@ private:
 
 /** \brief The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
 double
-roundLength(double most);
+roundLength(double maximum);
 
 /** \brief A length as text: "5 m", "20 cm", "2 km". */
 std::string

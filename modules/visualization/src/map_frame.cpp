@@ -34,13 +34,13 @@ wallDirection(const CompactMap& map, const Vector3d& up)
 double
 extentAlong(const std::vector<Eigen::Vector3f>& samples, const Vector3d& direction)
 {
-  double least = INFINITY, most = -INFINITY;
+  double minimum = INFINITY, maximum = -INFINITY;
   for (const Eigen::Vector3f& sample : samples) {
     const double place = sample.cast<double>().dot(direction);
-    least = std::min(least, place);
-    most = std::max(most, place);
+    minimum = std::min(minimum, place);
+    maximum = std::max(maximum, place);
   }
-  return most - least;
+  return maximum - minimum;
 }
 
 /** \brief Flips a direction so that its largest component is positive. */

@@ -214,8 +214,8 @@ boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles)
   edges.reserve(triangles.size() * 3);
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [least, most] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      edges.push_back({least, most});
+      const auto [minimum, maximum] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      edges.push_back({minimum, maximum});
     }
   std::sort(edges.begin(), edges.end());
   std::vector<std::array<std::int32_t, 2>> single;

@@ -33,10 +33,10 @@ using Color = std::array<std::uint8_t, 3>;
 
 // A wall, floor or side of a box: a rectangle perpendicular to one axis.
 struct Rectangle {
-  int axis;       // 0 = x, 1 = y, 2 = z
-  double at;      // metres along that axis
-  Vector3d least; // metres; the component along the axis is ignored
-  Vector3d most;
+  int axis;         // 0 = x, 1 = y, 2 = z
+  double at;        // metres along that axis
+  Vector3d minimum; // metres; the component along the axis is ignored
+  Vector3d maximum;
   Color color;
 };
 
@@ -46,13 +46,13 @@ constexpr double left = -2.0, right = 2.0, ceiling = -1.2, ground = 1.3, end = 3
 
 void
 addBox(std::vector<Rectangle>& scene,
-       const Vector3d& least,
-       const Vector3d& most,
+       const Vector3d& minimum,
+       const Vector3d& maximum,
        Color c)
 {
   for (int axis = 0; axis < 3; ++axis) {
-    scene.push_back({axis, least[axis], least, most, c});
-    scene.push_back({axis, most[axis], least, most, c});
+    scene.push_back({axis, minimum[axis], minimum, maximum, c});
+    scene.push_back({axis, maximum[axis], minimum, maximum, c});
   }
 }
 
@@ -91,7 +91,7 @@ distanceTo(const Rectangle& rectangle, const Vector3d& ray)
   const Vector3d p = ray * t;
   for (int axis = 0; axis < 3; ++axis)
     if (axis != rectangle.axis &&
-        (p[axis] < rectangle.least[axis] || p[axis] > rectangle.most[axis]))
+        (p[axis] < rectangle.minimum[axis] || p[axis] > rectangle.maximum[axis]))
       return {};
   return t;
 }

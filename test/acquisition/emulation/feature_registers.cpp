@@ -18,11 +18,11 @@ constexpr std::uint32_t value_bits = 0x00000FFF;
 
 struct FeatureShape {
   Feature feature;
-  std::uint32_t least;
-  std::uint32_t most;
+  std::uint32_t minimum;
+  std::uint32_t maximum;
   std::uint32_t value;
-  float absolute_least; ///< equal to absolute_most if there is no absolute value
-  float absolute_most;
+  float absolute_minimum; ///< equal to absolute_most if there is no absolute value
+  float absolute_maximum;
 };
 
 constexpr std::array<FeatureShape, 6> shapes = {{
@@ -37,7 +37,7 @@ constexpr std::array<FeatureShape, 6> shapes = {{
 bool
 hasAbsolute(const FeatureShape& shape)
 {
-  return shape.absolute_least < shape.absolute_most;
+  return shape.absolute_minimum < shape.absolute_maximum;
 }
 
 /** \brief Offset of a feature in tables that have the low half 0x80 after the high
@@ -73,18 +73,19 @@ floatOf(std::uint32_t bits)
 float
 absoluteValue(const FeatureShape& shape, std::uint32_t value)
 {
-  const float part = static_cast<float>(value - shape.least) /
-                     static_cast<float>(shape.most - shape.least);
-  return shape.absolute_least + part * (shape.absolute_most - shape.absolute_least);
+  const float part = static_cast<float>(value - shape.minimum) /
+                     static_cast<float>(shape.maximum - shape.minimum);
+  return shape.absolute_minimum +
+         part * (shape.absolute_maximum - shape.absolute_minimum);
 }
 
 std::uint32_t
 wholeValue(const FeatureShape& shape, float absolute)
 {
-  const float part =
-      (absolute - shape.absolute_least) / (shape.absolute_most - shape.absolute_least);
-  return shape.least + static_cast<std::uint32_t>(std::lround(
-                           part * static_cast<float>(shape.most - shape.least)));
+  const float part = (absolute - shape.absolute_minimum) /
+                     (shape.absolute_maximum - shape.absolute_minimum);
+  return shape.minimum + static_cast<std::uint32_t>(std::lround(
+                             part * static_cast<float>(shape.maximum - shape.minimum)));
 }
 
 void
@@ -94,7 +95,7 @@ addFeature(RegisterMap& registers, const FeatureShape& shape)
   const std::uint32_t absolute = hasAbsolute(shape) ? has_absolute : 0;
   // Readable, can be switched on and off, automatic and manual.
   registers.fix(feature_inquiry + at,
-                present | absolute | 0x0F000000 | shape.least << 12 | shape.most);
+                present | absolute | 0x0F000000 | shape.minimum << 12 | shape.maximum);
   registers.keep(feature_status + at,
                  present | feature_on | shape.value,
                  absolute | feature_on | feature_auto | value_bits);
@@ -102,8 +103,8 @@ addFeature(RegisterMap& registers, const FeatureShape& shape)
     return;
   const std::uint32_t csr = absoluteOf(shape.feature);
   registers.fix(absolute_csr + at, (command_base + csr) / 4);
-  registers.fix(csr, bitsOf(shape.absolute_least));
-  registers.fix(csr + 4, bitsOf(shape.absolute_most));
+  registers.fix(csr, bitsOf(shape.absolute_minimum));
+  registers.fix(csr + 4, bitsOf(shape.absolute_maximum));
   registers.keep(csr + 8, bitsOf(absoluteValue(shape, shape.value)));
 }
 
@@ -144,15 +145,15 @@ FeatureRegisters::written(std::uint32_t offset)
     // The active one of the two values determines the other.
     if (state & absolute_control) {
       float absolute = floatOf(registers_.at(value));
-      if (!(absolute >= shape.absolute_least)) // also if it is NaN
-        absolute = shape.absolute_least;
-      absolute = std::min(absolute, shape.absolute_most);
+      if (!(absolute >= shape.absolute_minimum)) // also if it is NaN
+        absolute = shape.absolute_minimum;
+      absolute = std::min(absolute, shape.absolute_maximum);
       registers_.set(value, bitsOf(absolute));
       registers_.set(status, (state & ~value_bits) | wholeValue(shape, absolute));
     }
     else {
       const std::uint32_t whole =
-          std::clamp(state & value_bits, shape.least, shape.most);
+          std::clamp(state & value_bits, shape.minimum, shape.maximum);
       registers_.set(status, (state & ~value_bits) | whole);
       registers_.set(value, bitsOf(absoluteValue(shape, whole)));
     }

@@ -20,7 +20,7 @@ StreamEndpoint::hasFrame()
 }
 
 std::optional<StreamPart>
-StreamEndpoint::next(std::size_t most)
+StreamEndpoint::next(std::size_t maximum)
 {
   if (halted_)
     return StreamPart{{}, -EPIPE, false};
@@ -28,11 +28,11 @@ StreamEndpoint::next(std::size_t most)
     return StreamPart{};
   if (!hasFrame())
     return std::nullopt;
-  return partOfFrame(most);
+  return partOfFrame(maximum);
 }
 
 StreamPart
-StreamEndpoint::partOfFrame(std::size_t most)
+StreamEndpoint::partOfFrame(std::size_t maximum)
 {
   StreamPart part;
   const FrameFault fault = frame_->fault;
@@ -40,7 +40,7 @@ StreamEndpoint::partOfFrame(std::size_t most)
                       fault == FrameFault::Error;
   const std::size_t size = frame_->bytes.size();
   const std::size_t end = breaks ? size / 2 : size;
-  const std::size_t count = std::min(most, end - sent_);
+  const std::size_t count = std::min(maximum, end - sent_);
   if (count == size)
     part.bytes = std::move(frame_->bytes);
   else

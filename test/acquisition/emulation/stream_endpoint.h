@@ -26,7 +26,7 @@ public:
 
   /** \brief Next part of the stream; nothing if there is no data yet. */
   std::optional<StreamPart>
-  next(std::size_t most);
+  next(std::size_t maximum);
 
   void
   clearHalt()
@@ -38,7 +38,7 @@ private:
   bool
   hasFrame();
   StreamPart
-  partOfFrame(std::size_t most);
+  partOfFrame(std::size_t maximum);
 
   EmulatedIidcCamera& camera_;
   std::optional<CameraFrame> frame_; ///< being sent

@@ -91,13 +91,13 @@ UsbClient::write(std::uint32_t offset, std::uint32_t value)
 
 int
 UsbClient::receive(std::vector<std::uint8_t>& bytes,
-                   std::size_t most,
+                   std::size_t maximum,
                    unsigned timeout_ms)
 {
-  bytes.resize(most);
+  bytes.resize(maximum);
   int count = 0;
   const int error = libusb_bulk_transfer(
-      handle_, 0x81, bytes.data(), static_cast<int>(most), &count, timeout_ms);
+      handle_, 0x81, bytes.data(), static_cast<int>(maximum), &count, timeout_ms);
   bytes.resize(static_cast<std::size_t>(count));
   return error;
 }

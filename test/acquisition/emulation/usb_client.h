@@ -57,7 +57,7 @@ public:
 
   /** \brief Receives one transfer of the stream, of at most this many bytes. */
   int
-  receive(std::vector<std::uint8_t>& bytes, std::size_t most, unsigned timeout_ms);
+  receive(std::vector<std::uint8_t>& bytes, std::size_t maximum, unsigned timeout_ms);
 
 private:
   libusb_context* context_ = nullptr;

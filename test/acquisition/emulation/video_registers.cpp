@@ -13,7 +13,7 @@ constexpr std::uint32_t width = 640;
 constexpr std::uint32_t height = 480;
 constexpr std::uint32_t unit = 8; ///< pixels, of sizes and positions
 constexpr std::uint32_t packet_unit = 4;
-constexpr std::uint32_t packet_most = 4096; ///< S400
+constexpr std::uint32_t packet_maximum = 4096; ///< S400
 
 // Offsets in a mode of Format_7.
 constexpr std::uint32_t position = 0x008;
@@ -132,7 +132,7 @@ VideoRegisters::settle(std::uint32_t base)
   registers_.set(base + value_setting, present);
   registers_.set(base + pixels, columns * rows);
   registers_.set(base + bytes_low, columns * rows * pixelBytes(coding));
-  registers_.set(base + packet_limits, packet_unit << 16 | packet_most);
+  registers_.set(base + packet_limits, packet_unit << 16 | packet_maximum);
   checkPacket(base);
 }
 
@@ -141,7 +141,7 @@ VideoRegisters::checkPacket(std::uint32_t base)
 {
   const std::uint32_t chosen = registers_.at(base + packet_size) >> 16;
   const std::uint32_t flags = registers_.at(base + value_setting) & ~error_2;
-  if (chosen == 0 || chosen % packet_unit != 0 || chosen > packet_most) {
+  if (chosen == 0 || chosen % packet_unit != 0 || chosen > packet_maximum) {
     registers_.set(base + value_setting, flags | error_2);
     return;
   }
@@ -152,7 +152,7 @@ VideoRegisters::checkPacket(std::uint32_t base)
   // The low half recommends a packet size, for 15 frames per second with 8000 packets.
   const std::uint32_t wish = (total * 15 / 8000 + packet_unit) / packet_unit;
   registers_.set(base + packet_size,
-                 chosen << 16 | std::min(wish * packet_unit, packet_most));
+                 chosen << 16 | std::min(wish * packet_unit, packet_maximum));
 }
 
 void

@@ -39,12 +39,12 @@ TEST_F(IidcFeatures, TellWhatTheyCan)
   EXPECT_TRUE(gain.can_be_off);
   EXPECT_TRUE(gain.is_on);
   EXPECT_FALSE(gain.is_automatic);
-  EXPECT_EQ(gain.least, 16U);
-  EXPECT_EQ(gain.most, 683U);
+  EXPECT_EQ(gain.minimum, 16U);
+  EXPECT_EQ(gain.maximum, 683U);
   EXPECT_EQ(gain.value, 16U);
   ASSERT_TRUE(gain.physical);
-  EXPECT_FLOAT_EQ(gain.physical->least, 0);
-  EXPECT_FLOAT_EQ(gain.physical->most, 24);
+  EXPECT_FLOAT_EQ(gain.physical->minimum, 0);
+  EXPECT_FLOAT_EQ(gain.physical->maximum, 24);
   EXPECT_FALSE(camera_.feature(IidcFeature::Pan).physical);
   EXPECT_FALSE(camera_.feature(IidcFeature::Sharpness).is_there);
 }

@@ -24,7 +24,7 @@ inline constexpr unsigned cgal_neighbours = 48;
 /** \brief Maximum angle between the normals of a point and of its plane, degrees. With
  * CGAL's default of 25, noise of a depth camera removes 5 % of the points from their
  * planes. */
-inline constexpr double cgal_most_angle = 45;
+inline constexpr double cgal_maximum_angle = 45;
 
 /** \brief Computes the normals with pca_estimate_normals on one thread. */
 CgalPoints

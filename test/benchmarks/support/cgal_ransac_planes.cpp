@@ -23,7 +23,7 @@ parametersFor(const PlaneInput& input)
   Ransac::Parameters parameters;
   parameters.min_points = input.leastSupport();
   parameters.epsilon = input.tolerance;
-  parameters.normal_threshold = std::cos(cgal_most_angle * M_PI / 180);
+  parameters.normal_threshold = std::cos(cgal_maximum_angle * M_PI / 180);
   parameters.cluster_epsilon = spacings_to_neighbour * input.spacing;
   return parameters;
 }

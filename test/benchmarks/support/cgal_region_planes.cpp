@@ -25,7 +25,7 @@ regionsByCgal(const PlaneInput& input)
 {
   const CgalPoints points = cgalPointsOf(input);
   Query query(points, cgal_neighbours);
-  Fit fit(points, input.tolerance, cgal_most_angle, input.leastSupport());
+  Fit fit(points, input.tolerance, cgal_maximum_angle, input.leastSupport());
   Sorting sorting(points, query);
   sorting.sort();
   Growing growing(points, query, fit, sorting.seed_map());

@@ -79,14 +79,16 @@ private:
     constexpr double min_area = 1e-12; // seen edge-on
     if (std::abs(area) < min_area)
       return;
-    Eigen::Array3d least = place[0].array().min(place[1].array()).min(place[2].array());
-    Eigen::Array3d most = place[0].array().max(place[1].array()).max(place[2].array());
-    const int first_i = std::max(0, static_cast<int>(std::ceil(least[0])));
-    const int first_j = std::max(0, static_cast<int>(std::ceil(least[1])));
+    Eigen::Array3d minimum =
+        place[0].array().min(place[1].array()).min(place[2].array());
+    Eigen::Array3d maximum =
+        place[0].array().max(place[1].array()).max(place[2].array());
+    const int first_i = std::max(0, static_cast<int>(std::ceil(minimum[0])));
+    const int first_j = std::max(0, static_cast<int>(std::ceil(minimum[1])));
     const int last_i =
-        std::min(surface.cells[0] - 1, static_cast<int>(std::floor(most[0])));
+        std::min(surface.cells[0] - 1, static_cast<int>(std::floor(maximum[0])));
     const int last_j =
-        std::min(surface.cells[1] - 1, static_cast<int>(std::floor(most[1])));
+        std::min(surface.cells[1] - 1, static_cast<int>(std::floor(maximum[1])));
     for (int i = first_i; i <= last_i; ++i)
       for (int j = first_j; j <= last_j; ++j) {
         const double x = i - place[0].x();

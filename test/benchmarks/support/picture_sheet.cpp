@@ -49,8 +49,8 @@ PictureSheet::meanOf(const CameraImage& image, int x, int y, int channel) const
       sum += image.values[static_cast<std::size_t>(
           image.channels * ((smaller_ * y + dy) * image.width + smaller_ * x + dx) +
           channel)];
-  const int most = brightest * smaller_ * smaller_;
-  const int level = (sum * levels + most / 2) / most;
+  const int maximum = brightest * smaller_ * smaller_;
+  const int level = (sum * levels + maximum / 2) / maximum;
   return static_cast<std::uint8_t>(level * brightest / levels);
 }
 

@@ -25,8 +25,8 @@ PlaneInput::leastSupport() const
 double
 toleranceFor(double sigma)
 {
-  constexpr double least = 0.002;
-  return std::max(least, 3 * sigma);
+  constexpr double minimum = 0.002;
+  return std::max(minimum, 3 * sigma);
 }
 
 PlaneInput

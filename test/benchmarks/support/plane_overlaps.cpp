@@ -39,8 +39,9 @@ PlaneOverlaps::majority(std::size_t found) const
   if (labelledSize(found) == 0)
     return -1;
   const auto row = common_.begin() + static_cast<std::ptrdiff_t>(found * truths());
-  const auto most = std::max_element(row, row + static_cast<std::ptrdiff_t>(truths()));
-  return static_cast<std::int32_t>(most - row);
+  const auto maximum =
+      std::max_element(row, row + static_cast<std::ptrdiff_t>(truths()));
+  return static_cast<std::int32_t>(maximum - row);
 }
 
 } // namespace pcl::acmap::bench

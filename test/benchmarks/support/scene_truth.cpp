@@ -128,11 +128,11 @@ const TruthSurface&
 SceneTruth::nearest(const Eigen::Vector3d& point) const
 {
   std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const double distance = surfaces_[i].distance(point);
-    if (distance < least) {
-      least = distance;
+    if (distance < minimum) {
+      minimum = distance;
       best = i;
     }
   }
@@ -145,12 +145,12 @@ SceneTruth::distanceToOthers(const Eigen::Vector3d& point,
                              bool parallel) const
 {
   constexpr double parallel_cosine = 0.9;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const TruthSurface& other : surfaces_)
     if (other.plane != own.plane &&
         (parallel || std::abs(other.normal.dot(own.normal)) < parallel_cosine))
-      least = std::min(least, other.distance(point));
-  return least;
+      minimum = std::min(minimum, other.distance(point));
+  return minimum;
 }
 
 double

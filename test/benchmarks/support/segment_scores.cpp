@@ -99,12 +99,12 @@ labelsRight(const PlaneOverlaps& overlaps)
 {
   std::size_t points = 0, right = 0;
   for (std::size_t t = 0; t < overlaps.truths(); ++t) {
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (std::size_t f = 0; f < overlaps.founds(); ++f)
       if (overlaps.majority(f) == static_cast<std::int32_t>(t))
-        most = std::max(most, overlaps.common(f, t));
+        maximum = std::max(maximum, overlaps.common(f, t));
     points += overlaps.truthSize(t);
-    right += most;
+    right += maximum;
   }
   return percent(right, points);
 }

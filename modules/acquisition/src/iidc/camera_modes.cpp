@@ -54,7 +54,7 @@ applyValues(const RegisterAccess& registers,
 
 struct PacketRange {
   std::size_t unit;
-  std::size_t most;
+  std::size_t maximum;
 };
 
 PacketRange
@@ -62,12 +62,12 @@ packetRange(const RegisterAccess& registers, const IidcMode& mode)
 {
   const std::uint32_t range = registers.read(iidc::scalable::packet_range);
   const PacketRange packets{range >> 16, range & 0xFFFF};
-  if (packets.unit == 0 || packets.unit > packets.most)
+  if (packets.unit == 0 || packets.unit > packets.maximum)
     refuse(CameraFault::Malformed,
            registers,
            "packets of mode " + mode.text() + " in steps of " +
-               std::to_string(packets.unit) + " up to " + std::to_string(packets.most) +
-               " bytes");
+               std::to_string(packets.unit) + " up to " +
+               std::to_string(packets.maximum) + " bytes");
   return packets;
 }
 
@@ -78,9 +78,9 @@ packetsOfFrame(const RegisterAccess& registers,
                const IidcMode& mode,
                std::size_t packet_bytes)
 {
-  const std::size_t least = (mode.bytes() + packet_bytes - 1) / packet_bytes;
+  const std::size_t minimum = (mode.bytes() + packet_bytes - 1) / packet_bytes;
   const std::size_t told = registers.tryRead(iidc::scalable::packets).value_or(0);
-  return told >= least && told <= least + 1 ? told : least;
+  return told >= minimum && told <= minimum + 1 ? told : minimum;
 }
 
 struct FixedMode {
@@ -213,7 +213,7 @@ setScalableMode(const RegisterAccess& camera, const IidcMode& mode, float rate)
   const PacketRange range = packetRange(registers, mode);
   const double wanted = static_cast<double>(mode.bytes()) * static_cast<double>(rate) /
                         packets_per_second;
-  std::size_t packet = range.most / range.unit * range.unit;
+  std::size_t packet = range.maximum / range.unit * range.unit;
   if (rate > 0)
     packet = std::min(
         packet,

@@ -176,10 +176,10 @@ CameraState::applyRate(const RegisterAccess& camera) const
 {
   const IidcFeatureState rate = readFeature(camera, IidcFeature::FrameRate);
   constexpr float min_rate = 1e-3F; // Hz, the smallest rate that setMode accepts
-  if (!rate.physical || !rate.can_be_set || rate.physical->most < min_rate)
+  if (!rate.physical || !rate.can_be_set || rate.physical->maximum < min_rate)
     return 0;
   const float possible =
-      std::clamp(wanted.rate, rate.physical->least, rate.physical->most);
+      std::clamp(wanted.rate, rate.physical->minimum, rate.physical->maximum);
   setAgain(camera, IidcFeature::FrameRate, PhysicalSetting{possible});
   return possible;
 }

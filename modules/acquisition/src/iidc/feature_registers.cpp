@@ -10,8 +10,8 @@ namespace pcl::acmap {
 namespace {
 
 /** Offsets of the registers of a physical value: minimum, maximum and current value. */
-constexpr std::uint64_t physical_least = 0;
-constexpr std::uint64_t physical_most = 4;
+constexpr std::uint64_t physical_minimum = 0;
+constexpr std::uint64_t physical_maximum = 4;
 constexpr std::uint64_t physical_now = 8;
 
 std::uint64_t
@@ -45,11 +45,11 @@ readPhysical(const RegisterAccess& camera, IidcFeature feature)
   if (!registers)
     return std::nullopt;
   const IidcFeatureState::Physical physical{
-      floatOf(registers->tryRead(physical_least).value_or(0)),
-      floatOf(registers->tryRead(physical_most).value_or(0)),
+      floatOf(registers->tryRead(physical_minimum).value_or(0)),
+      floatOf(registers->tryRead(physical_maximum).value_or(0)),
       floatOf(registers->tryRead(physical_now).value_or(0))};
-  if (!std::isfinite(physical.least) || !std::isfinite(physical.most) ||
-      !std::isfinite(physical.value) || physical.least > physical.most)
+  if (!std::isfinite(physical.minimum) || !std::isfinite(physical.maximum) ||
+      !std::isfinite(physical.value) || physical.minimum > physical.maximum)
     return std::nullopt;
   return physical;
 }
@@ -99,7 +99,7 @@ setSteps(const RegisterAccess& camera,
          unsigned value)
 {
   requireAble(camera, feature, state.can_be_set, "set");
-  requireInRange(nameOf(feature), value, state.least, state.most, "steps");
+  requireInRange(nameOf(feature), value, state.minimum, state.maximum, "steps");
   const std::uint64_t status = registerOf(iidc::feature_status, feature);
   // White balance has a second value in the bits above, which must not change.
   const std::uint32_t second = feature == IidcFeature::WhiteBalance
@@ -121,8 +121,8 @@ setPhysical(const RegisterAccess& camera,
               "set in physical units");
   requireInRange(nameOf(feature),
                  value,
-                 state.physical->least,
-                 state.physical->most,
+                 state.physical->minimum,
+                 state.physical->maximum,
                  unitOf(feature));
   camera.write(registerOf(iidc::feature_status, feature),
                iidc::feature::is_there | iidc::feature::has_physical |
@@ -149,8 +149,8 @@ readFeature(const RegisterAccess& camera, IidcFeature feature)
   state.can_be_off = (inquiry & can_be_off) != 0;
   state.is_on = (status & is_on) != 0;
   state.is_automatic = (status & is_automatic) != 0;
-  state.least = (inquiry >> 12) & value;
-  state.most = inquiry & value;
+  state.minimum = (inquiry >> 12) & value;
+  state.maximum = inquiry & value;
   state.value = status & value;
   if ((inquiry & has_physical) != 0)
     state.physical = readPhysical(camera, feature);

@@ -22,8 +22,8 @@ RegisterAccess::behind(std::uint64_t offset) const
 {
   const std::uint32_t quadlets = tryRead(offset).value_or(0);
   // The register space has 28 bits; the largest block of registers must fit into it.
-  constexpr std::uint64_t most = (0x10000000 - iidc::scalable::bytes) / 4;
-  if (quadlets == 0 || quadlets > most)
+  constexpr std::uint64_t maximum = (0x10000000 - iidc::scalable::bytes) / 4;
+  if (quadlets == 0 || quadlets > maximum)
     return std::nullopt;
   return RegisterAccess(bus_, iidc::register_space + 4 * std::uint64_t{quadlets});
 }

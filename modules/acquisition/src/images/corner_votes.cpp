@@ -21,14 +21,14 @@ constexpr std::array neighbours{RigCamera::Horizontal, RigCamera::Vertical};
 int
 stepsOf(const RigCalibration& calibration)
 {
-  double most = 1;
+  double maximum = 1;
   for (const CameraCalibration& camera : calibration.cameras)
-    most = std::max(most,
-                    std::max(camera.focal_x, camera.focal_y) *
-                        camera.T_reference_camera.translation().norm() / nearest);
+    maximum = std::max(maximum,
+                       std::max(camera.focal_x, camera.focal_y) *
+                           camera.T_reference_camera.translation().norm() / nearest);
   // With very long baselines, points at smaller depths are outside the image.
   const double farthest = 4.0 * std::max(calibration.width, calibration.height);
-  return static_cast<int>(std::ceil(std::min(most, farthest)));
+  return static_cast<int>(std::ceil(std::min(maximum, farthest)));
 }
 
 /** Positions of a reference corner in a neighbour image, by step of the inverse

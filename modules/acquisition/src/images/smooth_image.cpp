@@ -57,7 +57,7 @@ SmoothImage::SmoothImage(const CameraImage& image)
 std::vector<cv::Point>
 SmoothImage::corners() const
 {
-  constexpr int most = 200;
+  constexpr int maximum = 200;
   constexpr double min_quality = 0.01; // relative to the strongest corner
   constexpr int max_in_a_row = 60;
   constexpr int window = 5; // px
@@ -70,7 +70,7 @@ SmoothImage::corners() const
   std::vector<cv::Point> corners;
   cv::goodFeaturesToTrack(smoother,
                           corners,
-                          most,
+                          maximum,
                           min_quality,
                           std::max(1, grey_.cols / max_in_a_row),
                           is_whole,

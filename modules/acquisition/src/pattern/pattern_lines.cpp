@@ -15,9 +15,9 @@ constexpr int min_intensity = 64;
 constexpr int max_intensity = 255;
 
 int
-uniformInteger(Random& random, int least, int most)
+uniformInteger(Random& random, int minimum, int maximum)
 {
-  return static_cast<int>(std::floor(random.uniform(least, most + 1.0)));
+  return static_cast<int>(std::floor(random.uniform(minimum, maximum + 1.0)));
 }
 
 std::array<std::uint8_t, 3>
@@ -56,7 +56,7 @@ ceiledQuotient(std::int64_t n, std::int64_t d)
 struct Band {
   std::int64_t x;
   std::int64_t y;
-  std::int64_t least;
+  std::int64_t minimum;
   std::int64_t end;
 };
 
@@ -76,15 +76,15 @@ bandOf(const PatternLine& line)
 std::pair<std::int64_t, std::int64_t>
 columnsOf(const Band& band, std::int64_t doubled_row, std::int32_t width)
 {
-  const std::int64_t least = band.least - band.y * doubled_row;
+  const std::int64_t minimum = band.minimum - band.y * doubled_row;
   const std::int64_t end = band.end - band.y * doubled_row;
   if (band.x == 0)
-    return {0, least <= 0 && 0 < end ? width : 0};
+    return {0, minimum <= 0 && 0 < end ? width : 0};
   // x (2 column - (width - 1)) is within [least, end); x < 0 reverses the bounds
   const std::int64_t step = 2 * std::abs(band.x);
   const std::int64_t middle = std::abs(band.x) * (width - 1);
   const auto [from, to] =
-      band.x > 0 ? std::pair{least, end} : std::pair{-end + 1, -least + 1};
+      band.x > 0 ? std::pair{minimum, end} : std::pair{-end + 1, -minimum + 1};
   return {std::max<std::int64_t>(0, ceiledQuotient(from + middle, step)),
           std::min<std::int64_t>(width, ceiledQuotient(to + middle, step))};
 }

@@ -97,12 +97,13 @@ double
 sideLobeOf(const std::vector<int>& values, int range)
 {
   const RunningSums sums(values);
-  const std::size_t most = std::min(static_cast<std::size_t>(range), values.size() / 2);
+  const std::size_t maximum =
+      std::min(static_cast<std::size_t>(range), values.size() / 2);
   double before = 1;
   double highest = 0;
   bool fallen = false;
   bool ended = false;
-  for (std::size_t shift = 1; shift <= most; ++shift) {
+  for (std::size_t shift = 1; shift <= maximum; ++shift) {
     const double correlation = selfCorrelation(values, sums, shift);
     ended = ended || (fallen && correlation > before);
     if (ended)

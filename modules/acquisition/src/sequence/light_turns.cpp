@@ -23,17 +23,17 @@ TurnEnd
 endOf(const LightTurn& turn, double tail)
 {
   double sum = 0;
-  double least = turn.back().level;
-  double most = least;
+  double minimum = turn.back().level;
+  double maximum = minimum;
   std::size_t samples = 0;
   for (const LightSample& sample : turn)
     if (sample.delay >= tail || &sample == &turn.back()) {
       sum += sample.level;
-      least = std::min(least, sample.level);
-      most = std::max(most, sample.level);
+      minimum = std::min(minimum, sample.level);
+      maximum = std::max(maximum, sample.level);
       ++samples;
     }
-  return {sum / static_cast<double>(samples), (most - least) / 2};
+  return {sum / static_cast<double>(samples), (maximum - minimum) / 2};
 }
 
 } // namespace

@@ -30,7 +30,7 @@ template <typename Predicate>
 std::string
 remarkOn(const TrinocularFrame& frame,
          const Predicate& predicate,
-         double least,
+         double minimum,
          const std::string& what)
 {
   std::string cameras;
@@ -38,7 +38,7 @@ remarkOn(const TrinocularFrame& frame,
     if (frame.images[camera].empty())
       continue;
     const double share = shareOf(frame.images[camera], predicate);
-    if (share >= least)
+    if (share >= minimum)
       cameras += (cameras.empty() ? "" : ", ") +
                  std::string(nameOf(static_cast<RigCamera>(camera))) +
                  " camera: " + std::to_string(std::lround(100.0 * share)) +

@@ -115,7 +115,7 @@ saveSessionSummary(const std::string& folder, const SessionSummary& summary)
 SessionSummary
 readSessionSummary(const YamlNode& map)
 {
-  constexpr std::size_t most = std::size_t{1} << 31;
+  constexpr std::size_t maximum = std::size_t{1} << 31;
   requireFormat(map, file_formats::session, "version");
   map.requireKeys({"version", "rig", "frames", "observations", "patterns", "cameras"});
   SessionSummary summary;
@@ -123,9 +123,9 @@ readSessionSummary(const YamlNode& map)
   if (fs::path(summary.rig).filename() != summary.rig || summary.rig == ".." ||
       summary.rig == "." || summary.rig.find('\0') != std::string::npos)
     map.at("rig").fail("must name a file in the folder of the session");
-  summary.frames = map.at("frames").count(0, most);
-  summary.observations = map.at("observations").count(0, most);
-  summary.patterns = map.at("patterns").count(0, most);
+  summary.frames = map.at("frames").count(0, maximum);
+  summary.observations = map.at("observations").count(0, maximum);
+  summary.patterns = map.at("patterns").count(0, maximum);
   summary.cameras = readCameras(map.at("cameras"));
   return summary;
 }

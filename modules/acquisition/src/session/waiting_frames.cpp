@@ -20,13 +20,13 @@ WaitingFrames::~WaitingFrames()
 }
 
 void
-WaitingFrames::add(TrinocularFrame frame, std::size_t most)
+WaitingFrames::add(TrinocularFrame frame, std::size_t maximum)
 {
   std::unique_lock lock(mutex_);
   if (!thread_.joinable())
     thread_ = std::thread([this] { run(); });
   // The frame that is being written is still in the queue, but does not wait.
-  changed_.wait(lock, [&] { return frames_.size() <= most; });
+  changed_.wait(lock, [&] { return frames_.size() <= maximum; });
   frames_.push_back(std::move(frame));
   changed_.notify_all();
 }

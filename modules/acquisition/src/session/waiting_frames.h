@@ -28,7 +28,7 @@ public:
 
   /** \brief Waits until fewer than \a most frames are waiting, then adds a frame. */
   void
-  add(TrinocularFrame frame, std::size_t most);
+  add(TrinocularFrame frame, std::size_t maximum);
 
   /** \brief Waits until all frames are written. */
   void

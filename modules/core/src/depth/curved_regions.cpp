@@ -68,9 +68,9 @@ bendOf(const TileMoments& tiles, const TileRegion& region)
   hessian << 2 * c[3], c[4], c[4], 2 * c[5];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(hessian);
   const Eigen::Array2d bends = axes.eigenvalues().cwiseAbs();
-  const int most = bends[0] > bends[1] ? 0 : 1;
-  bend.direction = axes.eigenvectors().col(most);
-  bend.sign = axes.eigenvalues()[most] < 0 ? -1 : 1;
+  const int maximum = bends[0] > bends[1] ? 0 : 1;
+  bend.direction = axes.eigenvectors().col(maximum);
+  bend.sign = axes.eigenvalues()[maximum] < 0 ? -1 : 1;
   return bend;
 }
 

@@ -24,16 +24,16 @@ enum class Junction : std::int8_t {
 /** Planes near each tile, and types of the edges between planes. */
 class PlaneNeighbourhood {
 public:
-  static constexpr std::size_t most = 6;
+  static constexpr std::size_t maximum = 6;
 
   struct Near {
-    std::array<std::int32_t, most> planes;
+    std::array<std::int32_t, maximum> planes;
     std::size_t size = 0;
 
     void
     add(std::int32_t plane)
     {
-      if (plane == no_plane || size == most ||
+      if (plane == no_plane || size == maximum ||
           std::find(planes.begin(), planes.begin() + size, plane) !=
               planes.begin() + size)
         return;

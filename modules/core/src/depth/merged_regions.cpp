@@ -91,8 +91,8 @@ isOnePlane(const TileRegion& a,
   Moments both = a.moments;
   both += b.moments;
   const InversePlane plane = fitInverse(both).plane;
-  const double most = max_excess * deviation.on(plane);
-  return excess(a, plane) < most && excess(b, plane) < most &&
+  const double maximum = max_excess * deviation.on(plane);
+  return excess(a, plane) < maximum && excess(b, plane) < maximum &&
          isParallel(a.fit.plane, plane, tiltOf(a, deviation)) &&
          isParallel(b.fit.plane, plane, tiltOf(b, deviation));
 }

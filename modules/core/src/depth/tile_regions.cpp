@@ -195,10 +195,10 @@ tiltOf(const TileRegion& region, const PixelDeviation& deviation)
   const double xx = m.xx - m.count * xm * xm, xy = m.xy - m.count * xm * ym;
   const double yy = m.yy - m.count * ym * ym;
   const double half = (xx + yy) / 2;
-  const double least =
+  const double minimum =
       half - std::sqrt(std::max(half * half - (xx * yy - xy * xy), 0.0));
   return deviation.on(region.fit.plane) *
-         std::sqrt(pixels_of_shared_noise / std::max(least, 1e-12)) /
+         std::sqrt(pixels_of_shared_noise / std::max(minimum, 1e-12)) /
          region.fit.plane.norm();
 }
 

@@ -36,9 +36,9 @@ public:
   on(const InversePlane& plane) const
   {
     constexpr double misplaced = 0.6; // pixels; the same for a Kinect and for stereo
-    constexpr double most = 2;        // steeper slopes are depth edges
+    constexpr double maximum = 2;     // steeper slopes are depth edges
     const double slope = plane.head<2>().cwiseQuotient(focal_).norm();
-    const double off = std::min(misplaced * slope, most * sigma_);
+    const double off = std::min(misplaced * slope, maximum * sigma_);
     return std::sqrt(sigma_ * sigma_ + off * off);
   }
 

@@ -12,7 +12,7 @@ namespace {
 std::uint64_t
 readNumber(const ImageBytes& bytes, std::size_t& at)
 {
-  constexpr std::uint64_t most = std::uint64_t{1} << 31;
+  constexpr std::uint64_t maximum = std::uint64_t{1} << 31;
   while (at < bytes.size() && (std::isspace(bytes[at]) != 0 || bytes[at] == '#'))
     if (bytes[at++] == '#')
       while (at < bytes.size() && bytes[at] != '\n')
@@ -22,7 +22,7 @@ readNumber(const ImageBytes& bytes, std::size_t& at)
   std::uint64_t number = 0;
   while (at < bytes.size() && std::isdigit(bytes[at]) != 0) {
     number = 10 * number + (bytes[at++] - '0');
-    if (number >= most)
+    if (number >= maximum)
       throw DamagedImage("has too high a number in its header");
   }
   return number;

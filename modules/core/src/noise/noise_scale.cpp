@@ -39,9 +39,9 @@ extentOf(const std::vector<Eigen::Vector3f>& sample)
       values.push_back(point[axis]);
     const auto tenth = static_cast<std::ptrdiff_t>(values.size() / 10);
     std::nth_element(values.begin(), values.begin() + tenth, values.end());
-    const double least = values[static_cast<std::size_t>(tenth)];
+    const double minimum = values[static_cast<std::size_t>(tenth)];
     std::nth_element(values.begin(), values.end() - 1 - tenth, values.end());
-    extent = std::max(extent, *(values.end() - 1 - tenth) - least);
+    extent = std::max(extent, *(values.end() - 1 - tenth) - minimum);
   }
   return extent;
 }

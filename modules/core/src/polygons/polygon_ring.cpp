@@ -21,7 +21,7 @@ public:
     extend(polygon.outer);
     for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
       extend(hole);
-    const double extent = (most_ - least_).maxCoeff();
+    const double extent = (maximum_ - minimum_).maxCoeff();
     // A power of two: most points are exactly on the grid, and straight edges stay
     // straight.
     scale_ = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 0.0;
@@ -30,8 +30,8 @@ public:
   GridPoint
   operator()(const Eigen::Vector3f& point) const
   {
-    return {std::llround((point[first_] - least_.x()) * scale_),
-            std::llround((point[second_] - least_.y()) * scale_)};
+    return {std::llround((point[first_] - minimum_.x()) * scale_),
+            std::llround((point[second_] - minimum_.y()) * scale_)};
   }
 
 private:
@@ -41,8 +41,8 @@ private:
     for (const Eigen::Vector3f& p : loop)
       if (p.allFinite()) {
         const Eigen::Vector2d place(p[first_], p[second_]);
-        least_ = empty_ ? place : Eigen::Vector2d(least_.cwiseMin(place));
-        most_ = empty_ ? place : Eigen::Vector2d(most_.cwiseMax(place));
+        minimum_ = empty_ ? place : Eigen::Vector2d(minimum_.cwiseMin(place));
+        maximum_ = empty_ ? place : Eigen::Vector2d(maximum_.cwiseMax(place));
         empty_ = false;
       }
   }
@@ -50,8 +50,8 @@ private:
   int first_ = 0;
   int second_ = 1;
   bool empty_ = true;
-  Eigen::Vector2d least_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d most_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d minimum_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d maximum_ = Eigen::Vector2d::Zero();
   double scale_ = 0;
 };
 

@@ -52,14 +52,15 @@ private:
   struct Ear {
     Ear(const GridPoint& a, const GridPoint& b, const GridPoint& c)
     : corners{a, b, c}
-    , least{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})}
-    , most{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}
+    , minimum{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})}
+    , maximum{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}
     {}
 
     bool
     mayHold(const GridPoint& p) const
     {
-      return p.x >= least.x && p.x <= most.x && p.y >= least.y && p.y <= most.y;
+      return p.x >= minimum.x && p.x <= maximum.x && p.y >= minimum.y &&
+             p.y <= maximum.y;
     }
 
     std::int64_t
@@ -69,8 +70,8 @@ private:
     }
 
     GridPoint corners[3];
-    GridPoint least;
-    GridPoint most;
+    GridPoint minimum;
+    GridPoint maximum;
   };
 
   RingNode&
@@ -239,17 +240,17 @@ private:
   clipSmallest()
   {
     std::int32_t best = ring_;
-    std::int64_t least = 0;
+    std::int64_t minimum = 0;
     std::int32_t v = ring_;
     do {
       const std::int64_t area = turnAt(v);
-      if (area > 0 && (least == 0 || area < least)) {
-        least = area;
+      if (area > 0 && (minimum == 0 || area < minimum)) {
+        minimum = area;
         best = v;
       }
       v = node(v).next;
     } while (v != ring_);
-    if (least > 0)
+    if (minimum > 0)
       clip(best);
     else
       unlink(best);

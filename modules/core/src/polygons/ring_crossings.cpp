@@ -50,13 +50,13 @@ leadsThrough(const GridPoint& from, const GridPoint& to, const Corners& triangle
   const GridPoint ends[2] = {from, to};
   if (isParted(triangle, ends, 2))
     return false;
-  int least = 1, most = -1;
+  int minimum = 1, maximum = -1;
   for (const GridPoint& corner : triangle) {
     const int side = signOf(turn(from, to, corner));
-    least = std::min(least, side);
-    most = std::max(most, side);
+    minimum = std::min(minimum, side);
+    maximum = std::max(maximum, side);
   }
-  return least < 0 && most > 0;
+  return minimum < 0 && maximum > 0;
 }
 
 } // namespace

@@ -55,14 +55,14 @@ toVoxelCell(const CellSums& sums, double edge)
   return cell;
 }
 
-CellTable::CellTable(std::size_t most)
+CellTable::CellTable(std::size_t maximum)
 {
   int bits = min_bits;
-  while (bits < max_bits && std::size_t{1} << bits < 2 * most)
+  while (bits < max_bits && std::size_t{1} << bits < 2 * maximum)
     ++bits;
   slots_.assign(std::size_t{1} << bits, Slot{no_key, 0});
   shift_ = 64 - bits;
-  cells.reserve(most);
+  cells.reserve(maximum);
 }
 
 std::size_t

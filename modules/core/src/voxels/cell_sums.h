@@ -67,7 +67,7 @@ toVoxelCell(const CellSums& sums, double edge);
 class CellTable {
 public:
   /** \param[in] most expected number of cells, which may be exceeded */
-  explicit CellTable(std::size_t most = 0);
+  explicit CellTable(std::size_t maximum = 0);
 
   /** \brief Returns the index of the cell of a key; the cell is created if it does not
    * exist. */

@@ -11,8 +11,9 @@ namespace pcl::acmap {
 namespace {
 
 struct Box {
-  Eigen::Array3f least = Eigen::Array3f::Constant(std::numeric_limits<float>::max());
-  Eigen::Array3f most = Eigen::Array3f::Constant(std::numeric_limits<float>::lowest());
+  Eigen::Array3f minimum = Eigen::Array3f::Constant(std::numeric_limits<float>::max());
+  Eigen::Array3f maximum =
+      Eigen::Array3f::Constant(std::numeric_limits<float>::lowest());
 };
 
 Box
@@ -27,14 +28,14 @@ boxOf(const PointView& points)
           const Eigen::Array3f p = points[i];
           if (!p.allFinite())
             continue;
-          box.least = box.least.min(p);
-          box.most = box.most.max(p);
+          box.minimum = box.minimum.min(p);
+          box.maximum = box.maximum.max(p);
         }
         return box;
       },
       [](Box& box, const Box& next) {
-        box.least = box.least.min(next.least);
-        box.most = box.most.max(next.most);
+        box.minimum = box.minimum.min(next.minimum);
+        box.maximum = box.maximum.max(next.maximum);
       });
 }
 
@@ -68,13 +69,13 @@ VoxelLattice::VoxelLattice(const PointView& points, double edge)
 {
   const Box box = boxOf(points);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  if ((box.least <= box.most).all())
-    middle = (box.least.cast<double>() + box.most.cast<double>()) / 2;
+  if ((box.minimum <= box.maximum).all())
+    middle = (box.minimum.cast<double>() + box.maximum.cast<double>()) / 2;
   // A multiple of this stays even after several halvings, so that coarser lattices keep
   // the voxels together.
   constexpr std::int64_t even = 64;
   constexpr double half = (1 << (voxel_axis_bits - 1)) - 2 * margin - even;
-  const double reach = (box.most.cast<double>() - middle.array()).maxCoeff() / edge;
+  const double reach = (box.maximum.cast<double>() - middle.array()).maxCoeff() / edge;
   if (reach > half)
     middle = medianPoint(points);
   for (int axis = 0; axis < 3; ++axis) {

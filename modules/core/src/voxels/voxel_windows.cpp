@@ -24,8 +24,8 @@ VoxelWindows::Cursor::firstCellFrom(VoxelKey key) const
 {
   const auto& cells = windows_.voxels_.cells;
   const auto found = std::lower_bound(
-      cells.begin(), cells.end(), key, [](const VoxelCell& cell, VoxelKey least) {
-        return cell.key < least;
+      cells.begin(), cells.end(), key, [](const VoxelCell& cell, VoxelKey minimum) {
+        return cell.key < minimum;
       });
   return static_cast<std::size_t>(found - cells.begin());
 }

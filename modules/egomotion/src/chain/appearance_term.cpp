@@ -46,12 +46,12 @@ isOtherSurface(const AppearanceLevel& target,
                const Eigen::Vector2d& pixel,
                double depth)
 {
-  constexpr double most = 0.05; // relative to the depth
+  constexpr double maximum = 0.05; // relative to the depth
   const std::size_t at = static_cast<std::size_t>(std::lround(pixel.y())) *
                              static_cast<std::size_t>(target.width) +
                          static_cast<std::size_t>(std::lround(pixel.x()));
   const double seen = target.points[at].z();
-  return std::abs(seen - depth) > most * depth; // false for NaN
+  return std::abs(seen - depth) > maximum * depth; // false for NaN
 }
 
 /** \brief Calls use (pixel of the source, point in the target's frame, sample). */

@@ -52,9 +52,9 @@ beyondText(double moved, double turned, const EgomotionSettings& settings)
 double
 mostDifference(const SurfaceBlock& one, const SurfaceBlock& other, double distance)
 {
-  constexpr double least = 0.02;       // relative to the depth
+  constexpr double minimum = 0.02;     // relative to the depth
   constexpr double max_deviations = 2; // standard deviations of the noise
-  return std::max(least,
+  return std::max(minimum,
                   max_deviations * std::sqrt(one.variance + other.variance) /
                       std::abs(distance));
 }
@@ -79,9 +79,9 @@ shareOf(const EgomotionView& one,
       continue;
     const double depth = seen->normal.dot(seen->center);
     const double behind = seen->normal.dot(point) / depth - 1;
-    const double most = mostDifference(block, *seen, depth);
-    contradicted += behind < -most;
-    agreeing += std::abs(behind) <= most;
+    const double maximum = mostDifference(block, *seen, depth);
+    contradicted += behind < -maximum;
+    agreeing += std::abs(behind) <= maximum;
   }
   const std::size_t told = agreeing + contradicted;
   return told > 0 ? static_cast<double>(contradicted) / static_cast<double>(told) : 0;

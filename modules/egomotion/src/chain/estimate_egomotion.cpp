@@ -393,7 +393,7 @@ inMode(EgomotionSettings settings)
   constexpr double max_distortion = 1.15; // left open by the paper
   settings.solver = MotionSolver::ConjugateGradient;
   settings.refines = false;
-  settings.keypoints.most = std::numeric_limits<std::size_t>::max();
+  settings.keypoints.maximum = std::numeric_limits<std::size_t>::max();
   settings.worst_out.paper = true;
   settings.worst_out.max_distortion = max_distortion;
   return settings;

@@ -57,10 +57,10 @@ planeThrough(const PointSums& sums)
   plane.normal = solver.eigenvectors().col(0);
   if (plane.normal.dot(plane.center) > 0)
     plane.normal = -plane.normal;
-  const double least = std::max(solver.eigenvalues()[0], 0.0);
-  plane.roughness = std::sqrt(least);
+  const double minimum = std::max(solver.eigenvalues()[0], 0.0);
+  plane.roughness = std::sqrt(minimum);
   plane.slope = -plane.normal.dot(plane.center.normalized());
-  plane.flatness = solver.eigenvalues()[1] / std::max(least, 1e-12);
+  plane.flatness = solver.eigenvalues()[1] / std::max(minimum, 1e-12);
   return plane;
 }
 

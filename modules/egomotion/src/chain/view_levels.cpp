@@ -81,7 +81,7 @@ halvedPoints(const std::vector<Eigen::Vector3f>& points,
 float
 imageNoise(const GreyImage& image)
 {
-  constexpr float least = 0.3F; // grey levels, noise of rounding to integers
+  constexpr float minimum = 0.3F; // grey levels, noise of rounding to integers
   constexpr int step = 3;
   std::vector<float> curvatures;
   for (int y = 1; y + 1 < image.height; y += step)
@@ -94,11 +94,11 @@ imageNoise(const GreyImage& image)
                                     above[-1] + above[1] + below[-1] + below[1]));
     }
   if (curvatures.empty())
-    return least;
+    return minimum;
   const auto middle =
       curvatures.begin() + static_cast<std::ptrdiff_t>(curvatures.size() / 2);
   std::nth_element(curvatures.begin(), middle, curvatures.end());
-  return std::max(*middle / 6 / 0.6745F, least); // 6: length of the filter
+  return std::max(*middle / 6 / 0.6745F, minimum); // 6: length of the filter
 }
 
 std::vector<ViewLevel>

@@ -62,9 +62,9 @@ dropWeak(std::vector<GradientMaximum>& maxima, std::size_t wanted)
     strengths.push_back(maximum.squared_gradient);
   const auto last = strengths.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
   std::nth_element(strengths.begin(), last, strengths.end(), std::greater<>());
-  const float least = min_share * *last;
+  const float minimum = min_share * *last;
   const auto is_weak = [&](const GradientMaximum& maximum) {
-    return maximum.squared_gradient < least;
+    return maximum.squared_gradient < minimum;
   };
   maxima.erase(std::remove_if(maxima.begin(), maxima.end(), is_weak), maxima.end());
 }
@@ -78,16 +78,16 @@ spreadChoice(std::vector<GradientMaximum> maxima,
              const KeypointSettings& settings)
 {
   std::vector<std::int32_t> pixels;
-  if (maxima.size() <= settings.most) {
+  if (maxima.size() <= settings.maximum) {
     for (const GradientMaximum& maximum : maxima)
       pixels.push_back(maximum.pixel);
     return pixels;
   }
-  dropWeak(maxima, settings.most);
+  dropWeak(maxima, settings.maximum);
   std::vector<KeypointCandidate> candidates = inTurns(maxima, width, settings);
-  const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(settings.most);
+  const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(settings.maximum);
   std::nth_element(candidates.begin(), end, candidates.end());
-  for (std::size_t k = 0; k < settings.most; ++k)
+  for (std::size_t k = 0; k < settings.maximum; ++k)
     pixels.push_back(candidates[k].maximum.pixel);
   std::sort(pixels.begin(), pixels.end());
   return pixels;
@@ -116,12 +116,12 @@ squaredGradient(const GreyImage& image)
 /** Marks the pixels of a row that are strict maxima. It has no branches, because the
  * comparisons are unpredictable. */
 void
-markMaxima(const float* row, int width, float least, std::uint8_t* is_maximum)
+markMaxima(const float* row, int width, float minimum, std::uint8_t* is_maximum)
 {
   const float *const above = row - width, *const below = row + width;
   for (int x = 2; x < width - 2; ++x) {
     const float value = row[x];
-    is_maximum[x] = (value >= least) & (value > row[x - 1]) & (value > row[x + 1]) &
+    is_maximum[x] = (value >= minimum) & (value > row[x - 1]) & (value > row[x + 1]) &
                     (value > above[x - 1]) & (value > above[x]) &
                     (value > above[x + 1]) & (value > below[x - 1]) &
                     (value > below[x]) & (value > below[x + 1]);
@@ -130,12 +130,12 @@ markMaxima(const float* row, int width, float least, std::uint8_t* is_maximum)
 
 /** Maxima of a row; only pixels whose neighbours all have a gradient are considered. */
 std::vector<GradientMaximum>
-maximaOfRow(const GreyImage& gradient, int y, float least)
+maximaOfRow(const GreyImage& gradient, int y, float minimum)
 {
   const int width = gradient.width;
   const float* const row = gradient.values.data() + std::ptrdiff_t{y} * width;
   std::vector<std::uint8_t> is_maximum(static_cast<std::size_t>(width));
-  markMaxima(row, width, least, is_maximum.data());
+  markMaxima(row, width, minimum, is_maximum.data());
   std::vector<GradientMaximum> maxima;
   for (int x = 0; x < width; ++x)
     if (is_maximum[static_cast<std::size_t>(x)])
@@ -144,12 +144,12 @@ maximaOfRow(const GreyImage& gradient, int y, float least)
 }
 
 std::vector<GradientMaximum>
-maximaOf(const GreyImage& gradient, float least)
+maximaOf(const GreyImage& gradient, float minimum)
 {
   std::vector<std::vector<GradientMaximum>> rows(
       static_cast<std::size_t>(gradient.height));
   oneapi::tbb::parallel_for(2, std::max(gradient.height - 2, 2), [&](int y) {
-    rows[static_cast<std::size_t>(y)] = maximaOfRow(gradient, y, least);
+    rows[static_cast<std::size_t>(y)] = maximaOfRow(gradient, y, minimum);
   });
   std::vector<GradientMaximum> maxima;
   for (const std::vector<GradientMaximum>& row : rows)
@@ -165,16 +165,16 @@ gradientMaxima(const GreyImage& image,
                const KeypointSettings& settings,
                KeypointCounts& counts)
 {
-  const float least = settings.min_gradient * settings.min_gradient;
+  const float minimum = settings.min_gradient * settings.min_gradient;
   std::vector<GradientMaximum> maxima = withThreads(
-      settings.threads, [&] { return maximaOf(squaredGradient(image), least); });
+      settings.threads, [&] { return maximaOf(squaredGradient(image), minimum); });
   counts.maxima = maxima.size();
   const auto has_none = [&](const GradientMaximum& maximum) {
     return !has_place[static_cast<std::size_t>(maximum.pixel)];
   };
   maxima.erase(std::remove_if(maxima.begin(), maxima.end(), has_none), maxima.end());
   counts.without_place = counts.maxima - maxima.size();
-  counts.left_out = maxima.size() - std::min(maxima.size(), settings.most);
+  counts.left_out = maxima.size() - std::min(maxima.size(), settings.maximum);
   return spreadChoice(std::move(maxima), image.width, settings);
 }
 

@@ -36,11 +36,11 @@ applyGate(const PatchPlaces& rows,
 {
   const std::size_t size = columns.u.size();
   if (std::isfinite(gate.image_distance)) {
-    const float most = gate.image_distance * gate.image_distance;
+    const float maximum = gate.image_distance * gate.image_distance;
     const float u = rows.u[row], v = rows.v[row];
     for (std::size_t j = 0; j < size; ++j) {
       const float right = columns.u[j] - u, down = columns.v[j] - v;
-      scores[j] = right * right + down * down <= most ? scores[j] : no_score;
+      scores[j] = right * right + down * down <= maximum ? scores[j] : no_score;
     }
   }
   if (std::isfinite(gate.distance)) {
@@ -48,9 +48,9 @@ applyGate(const PatchPlaces& rows,
     const float reach = rows.reach[row];
     for (std::size_t j = 0; j < size; ++j) {
       const float a = columns.x[j] - x, b = columns.y[j] - y, c = columns.z[j] - z;
-      const float most = reach + columns.reach[j];
+      const float maximum = reach + columns.reach[j];
       // The comparison is false if a point is NaN.
-      scores[j] = a * a + b * b + c * c <= most * most ? scores[j] : no_score;
+      scores[j] = a * a + b * b + c * c <= maximum * maximum ? scores[j] : no_score;
     }
   }
 }

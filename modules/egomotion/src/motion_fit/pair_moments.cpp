@@ -20,16 +20,16 @@ countingPairs(const std::vector<Eigen::Vector3d>& source,
               const std::vector<double>& weights)
 {
   std::vector<WeighedPair> pairs;
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     if (!doesCount(source, target, weights, i))
       continue;
     pairs.push_back({source[i], target[i], weightOf(weights, i)});
-    most = std::max(most, pairs.back().weight);
+    maximum = std::max(maximum, pairs.back().weight);
   }
   double sum = 0;
   for (WeighedPair& pair : pairs)
-    sum += pair.weight /= most;
+    sum += pair.weight /= maximum;
   for (WeighedPair& pair : pairs)
     pair.weight /= sum;
   return pairs;

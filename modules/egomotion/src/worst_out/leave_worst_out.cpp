@@ -52,11 +52,11 @@ std::size_t
 worstOf(const RatioSums& sums)
 {
   std::size_t worst = 0;
-  double most = sums.distortion(0);
+  double maximum = sums.distortion(0);
   for (std::size_t place = 1; place < sums.sums.size(); ++place)
-    if (const double distortion = sums.distortion(place); distortion > most) {
+    if (const double distortion = sums.distortion(place); distortion > maximum) {
       worst = place;
-      most = distortion;
+      maximum = distortion;
     }
   return worst;
 }

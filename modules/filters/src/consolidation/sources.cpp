@@ -75,8 +75,8 @@ representativesOf(const PointView& points,
       const VoxelKey key =
           voxelKey(hit.place, sensor ? octantTowards(point, *sensor) : 0);
       const auto cell = std::lower_bound(
-          cells.begin(), cells.end(), key, [](const VoxelCell& c, VoxelKey least) {
-            return c.key < least;
+          cells.begin(), cells.end(), key, [](const VoxelCell& c, VoxelKey minimum) {
+            return c.key < minimum;
           });
       result[i] = of_cell[static_cast<std::size_t>(cell - cells.begin())];
     }

@@ -29,16 +29,16 @@ displacing(const std::vector<Candidate>& candidates,
   // a point that left its voxel is only needed if there would be a hole without it
   const double radius =
       edge * (candidate.strayed > 0 ? min_distance_of_strays : min_distance);
-  double least = radius * radius;
+  double minimum = radius * radius;
   std::int32_t found = -1;
   const Eigen::Vector3f& point = candidate.representative.point;
   kept.visitNear(point, [&](std::uint32_t other) {
     const Candidate& earlier = candidates[other];
     const double distance = (earlier.representative.point - point).squaredNorm();
     const auto name = static_cast<std::int32_t>(other);
-    if ((distance < least || (distance == least && name < found)) &&
+    if ((distance < minimum || (distance == minimum && name < found)) &&
         !areOpposite(earlier, candidate)) {
-      least = distance;
+      minimum = distance;
       found = name;
     }
     return false;

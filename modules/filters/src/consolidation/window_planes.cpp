@@ -145,7 +145,7 @@ separateSides(const VoxelMoments& voxels,
            noise.expectedThickness(noiseOf(voxels, parts, side.normal, side.thickness));
   };
   SidesOfVoxel best;
-  double least = std::max(thick_factor, 0.6 * excess(whole));
+  double minimum = std::max(thick_factor, 0.6 * excess(whole));
   for (const unsigned bit : {4u, 2u, 1u}) {
     const double low = pointsOfMiddle(voxels, parts, bit, 0);
     const double high = pointsOfMiddle(voxels, parts, bit, bit);
@@ -160,9 +160,9 @@ separateSides(const VoxelMoments& voxels,
         both && second.count >= enough_points && !second.normal.isZero();
     const double worst =
         has_second ? std::max(excess(first), excess(second)) : excess(first);
-    if (first.count == whole.count || !(worst < least))
+    if (first.count == whole.count || !(worst < minimum))
       continue;
-    least = worst;
+    minimum = worst;
     best = {true, first, has_second, second};
   }
   return best;

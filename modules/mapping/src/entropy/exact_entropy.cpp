@@ -45,8 +45,8 @@ CountedPoints::CountedPoints(const PosedPoints& observation,
                              const MapEntropySettings& settings,
                              MapEntropyReport& report)
 : bin_size_(settings.bin_size)
-, least_(infinity, infinity)
-, most_(-infinity, -infinity)
+, minimum_(infinity, infinity)
+, maximum_(-infinity, -infinity)
 {
   const PointWeights weights(observation.weights, largest);
   equal_weight_ = observation.weights ? 0 : static_cast<double>(weights[0]);
@@ -69,8 +69,8 @@ CountedPoints::CountedPoints(const PosedPoints& observation,
     if (weights[i] == 0)
       continue;
     const Eigen::Array2d place = Eigen::Array2f(point[0], point[2]).cast<double>();
-    least_ = least_.min(place);
-    most_ = most_.max(place);
+    minimum_ = minimum_.min(place);
+    maximum_ = maximum_.max(place);
     extent_.add(place, static_cast<double>(weights[i]));
     x_.push_back(point[0]);
     z_.push_back(point[2]);
@@ -103,9 +103,9 @@ CountedPoints::countAlike(const PlanarMotion& motion,
   const auto min_x = static_cast<double>(window.min_x);
   const auto min_z = static_cast<double>(window.min_z);
   const std::int64_t depth = depthOf(window);
-  const double most = std::max(std::max(std::abs(min_x), std::abs(min_z)),
-                               static_cast<double>(sums.size()));
-  const double rounding = 1e-14 * most;
+  const double maximum = std::max(std::max(std::abs(min_x), std::abs(min_z)),
+                                  static_cast<double>(sums.size()));
+  const double rounding = 1e-14 * maximum;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const Eigen::Vector2d place =
         motion.place(static_cast<double>(x_[i]), static_cast<double>(z_[i]));
@@ -128,8 +128,8 @@ BinRange
 CountedPoints::rangeUnder(const PlanarMotion& motion) const
 {
   BinRange range;
-  for (const double x : {least_[0], most_[0]})
-    for (const double z : {least_[1], most_[1]}) {
+  for (const double x : {minimum_[0], maximum_[0]})
+    for (const double z : {minimum_[1], maximum_[1]}) {
       const Eigen::Vector2d corner = motion.place(x, z) / bin_size_;
       for (const int rounding : {-1, 1})
         range.add(binOf(corner[0]) + rounding, binOf(corner[1]) + rounding);

@@ -80,7 +80,7 @@ private:
   std::vector<std::uint16_t> weights_;    ///< empty: all are equal
   std::vector<WallDirection> directions_; ///< empty: they are not used
   double equal_weight_;
-  Eigen::Array2d least_, most_; ///< corners of the points, metres
+  Eigen::Array2d minimum_, maximum_; ///< corners of the points, metres
   MapExtent extent_;
 };
 

@@ -46,8 +46,8 @@ MapExtent::dimensions(double bin_size) const
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
   const double minor = std::sqrt(std::max(solver.eigenvalues()[0], 0.0));
   const double major = std::sqrt(std::max(solver.eigenvalues()[1], 0.0));
-  const double least = std::max(1e-4 * bin_size, 1e-7 * major);
-  return (major > least) + (minor > least);
+  const double minimum = std::max(1e-4 * bin_size, 1e-7 * major);
+  return (major > minimum) + (minor > minimum);
 }
 
 bool
@@ -69,14 +69,14 @@ canHaveGrid(const std::vector<BinRange>& ranges,
   }
   BinRange all;
   std::size_t widest = 0;
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     all.add(ranges[i]);
     const double bins =
         ranges[i].isEmpty() ? 0 : EntropyGrid::binsOf(ranges[i], settings);
-    if (bins > most)
+    if (bins > maximum)
       widest = i;
-    most = std::max(most, bins);
+    maximum = std::max(maximum, bins);
   }
   if (all.isEmpty()) {
     report.remarks.emplace_back("no finite point: no entropy");
@@ -89,7 +89,7 @@ canHaveGrid(const std::vector<BinRange>& ranges,
   text << "the map takes " << bins << " bins of " << settings.bin_size
        << " m, of which " << maximum_entropy_bins
        << " are allowed: no entropy. The widest observation, " << widest << ", takes "
-       << most << " alone";
+       << maximum << " alone";
   report.remarks.push_back(text.str());
   return false;
 }

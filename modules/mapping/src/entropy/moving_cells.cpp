@@ -100,30 +100,31 @@ MovingCells::add(const EntropyCell& cell, Arrays& arrays)
 void
 MovingCells::setOutline()
 {
-  Eigen::Array4d most = Eigen::Array4d::Constant(-std::numeric_limits<double>::max());
-  Eigen::Array4d least = -most;
+  Eigen::Array4d maximum =
+      Eigen::Array4d::Constant(-std::numeric_limits<double>::max());
+  Eigen::Array4d minimum = -maximum;
   for (const Arrays* arrays : {&plain_, &directed_})
     for (std::size_t i = 0; i < arrays->x.size(); ++i) {
       const auto x = static_cast<double>(arrays->x[i]);
       const auto z = static_cast<double>(arrays->z[i]);
       const Eigen::Array4d reach(x, x + z, z, z - x);
-      most = most.max(reach);
-      least = least.min(reach);
+      maximum = maximum.max(reach);
+      minimum = minimum.min(reach);
     }
   const auto corners = [](double x, double diagonal, double z) {
     return std::array<Eigen::Vector2d, 2>{Eigen::Vector2d(x, diagonal - x),
                                           Eigen::Vector2d(diagonal - z, z)};
   };
-  const auto right = corners(most[0], most[1], most[2]);
-  const auto left = corners(least[0], least[1], least[2]);
+  const auto right = corners(maximum[0], maximum[1], maximum[2]);
+  const auto left = corners(minimum[0], minimum[1], minimum[2]);
   outline_ = {right[0],
               right[1],
-              {most[2] - most[3], most[2]},
-              {least[0], most[3] + least[0]},
+              {maximum[2] - maximum[3], maximum[2]},
+              {minimum[0], maximum[3] + minimum[0]},
               left[0],
               left[1],
-              {least[2] - least[3], least[2]},
-              {most[0], least[3] + most[0]}};
+              {minimum[2] - minimum[3], minimum[2]},
+              {maximum[0], minimum[3] + maximum[0]}};
 }
 
 CellMotion

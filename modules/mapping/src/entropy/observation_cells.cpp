@@ -87,16 +87,16 @@ addCells(EntropyCellSums* first,
          EntropyCells& to)
 {
   EntropyCellSums all = *first;
-  std::uint64_t most = first->weight;
+  std::uint64_t maximum = first->weight;
   for (const EntropyCellSums* quarter = first + 1; quarter < last; ++quarter) {
-    most = std::max(most, quarter->weight);
+    maximum = std::max(maximum, quarter->weight);
     all.weight += quarter->weight;
     all.x += quarter->x;
     all.z += quarter->z;
     all.normal_x += quarter->normal_x;
     all.normal_z += quarter->normal_z;
   }
-  if (2 * most < all.weight) {
+  if (2 * maximum < all.weight) {
     to.cells.push_back(toCell(all, bin_size, unit));
     return;
   }

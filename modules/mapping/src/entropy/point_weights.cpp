@@ -15,9 +15,9 @@ namespace {
 void
 requireFiniteWeights(const float* weights, std::size_t size)
 {
-  constexpr float most = std::numeric_limits<float>::max();
+  constexpr float maximum = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < size; ++i)
-    if (!(weights[i] >= 0 && weights[i] <= most))
+    if (!(weights[i] >= 0 && weights[i] <= maximum))
       refuseArgument("weight of point " + std::to_string(i),
                      static_cast<double>(weights[i]),
                      "finite and not negative");

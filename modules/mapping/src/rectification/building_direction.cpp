@@ -20,12 +20,12 @@ buildingDirection(const std::vector<EntropyCells>& observations,
 {
   MapEntropyEvaluator evaluator(observations, settings);
   double best = 0;
-  double least = INFINITY;
+  double minimum = INFINITY;
   const auto look = [&](double turn) {
     MapEntropyReport ignored;
     const MapEntropyTerms terms = evaluator.evaluate(turnedMap(poses, turn), ignored);
-    if (terms.points && terms.along_x + terms.along_z < least) {
-      least = terms.along_x + terms.along_z;
+    if (terms.points && terms.along_x + terms.along_z < minimum) {
+      minimum = terms.along_x + terms.along_z;
       best = turn;
     }
   };

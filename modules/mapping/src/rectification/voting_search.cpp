@@ -83,11 +83,11 @@ public:
     if (std::isinf(energy_))
       return told.remarks.front();
     evaluator_.keep();
-    const std::size_t most = votes_a_pose * actions_.size();
-    while (report.votes < most) {
+    const std::size_t maximum = votes_a_pose * actions_.size();
+    while (report.votes < maximum) {
       vote();
-      task_.progress.tell(static_cast<double>(report.votes) / static_cast<double>(most),
-                          "voting");
+      task_.progress.tell(
+          static_cast<double>(report.votes) / static_cast<double>(maximum), "voting");
       if (report.votes % votes_a_round == 0)
         tellStep();
     }

@@ -35,12 +35,12 @@ pinholeOf(const YamlNode& camera)
 }
 
 Eigen::RowVector3d
-threeNumbersOf(const YamlNode& node, double most)
+threeNumbersOf(const YamlNode& node, double maximum)
 {
   Eigen::RowVector3d numbers;
   const std::vector<YamlNode>& list = node.list(3, 3);
   for (std::size_t i = 0; i < 3; ++i)
-    numbers[static_cast<Eigen::Index>(i)] = list[i].number(-most, most);
+    numbers[static_cast<Eigen::Index>(i)] = list[i].number(-maximum, maximum);
   return numbers;
 }
 
@@ -86,11 +86,12 @@ loadPinhole(const std::string& path)
     const TrinocularRig rig = loadTrinocularRig(path);
     return {rig.focal_length, rig.focal_length, rig.center_x, rig.center_y};
   }
-  constexpr double least = 1e-6;
-  constexpr double most = 1e6;
+  constexpr double minimum = 1e-6;
+  constexpr double maximum = 1e6;
   const std::vector<double> m = acmap::loadSquareMatrix(path, 3);
-  const bool is_sound = std::min(m[0], m[4]) >= least && std::max(m[0], m[4]) <= most &&
-                        std::max(std::abs(m[2]), std::abs(m[5])) <= most;
+  const bool is_sound = std::min(m[0], m[4]) >= minimum &&
+                        std::max(m[0], m[4]) <= maximum &&
+                        std::max(std::abs(m[2]), std::abs(m[5])) <= maximum;
   if (!is_sound || m[1] != 0 || m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1)
     throw InputFileException(
         path + ": is no matrix of a camera: fx 0 cx, 0 fy cy, 0 0 1 is needed");

@@ -32,7 +32,7 @@ void
 Candidates::add(std::int32_t plane)
 {
   const auto end = planes.begin() + size;
-  if (size < most && std::find(planes.begin(), end, plane) == end)
+  if (size < maximum && std::find(planes.begin(), end, plane) == end)
     planes[size++] = plane;
 }
 

@@ -11,8 +11,8 @@ namespace pcl::acmap::labeling {
 
 /** Planes near a voxel: at most \a most of them, those of the voxel itself first. */
 struct Candidates {
-  static constexpr std::size_t most = 6;
-  std::array<std::int32_t, most> planes;
+  static constexpr std::size_t maximum = 6;
+  std::array<std::int32_t, maximum> planes;
   std::int32_t home = -1; ///< plane of a hypothesis in the voxel itself, -1 for none
   std::uint8_t size = 0;
   bool has_strangers = false;  ///< the voxel contains points without a plane

@@ -27,14 +27,14 @@ gatherStragglers(double distance, const CandidateGrid& grid, KnownPlanes& known)
     if (known.labels[i] >= 0 || !grid.lattice().locate(point, hit))
       continue;
     const std::int32_t entry = grid.find(voxelKey(hit.place));
-    double least = distance;
+    double minimum = distance;
     for (std::size_t k = 0; entry >= 0 && k < grid[entry].size; ++k) {
       const std::int32_t plane = grid[entry].planes[k];
       const Eigen::Vector4d& its =
           known.planes[static_cast<std::size_t>(plane)].patch.coefficients;
       const double off = std::abs(its.head<3>().dot(point.cast<double>()) + its[3]);
-      if (off < least) {
-        least = off;
+      if (off < minimum) {
+        minimum = off;
         known.labels[i] = plane;
       }
     }

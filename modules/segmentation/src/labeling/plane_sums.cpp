@@ -98,7 +98,7 @@ public:
   : grid_(grid)
   , coarseness_(coarseness)
   , numbers_(planes)
-  , known_(grid.size() * Candidates::most, -1)
+  , known_(grid.size() * Candidates::maximum, -1)
   {}
 
   std::size_t
@@ -109,7 +109,7 @@ public:
     const auto place = std::find(begin, begin + candidates.size, plane) - begin;
     if (place == candidates.size) // the list of near planes is limited
       return lookUp(entry, plane);
-    std::int32_t& known = known_[static_cast<std::size_t>(entry) * Candidates::most +
+    std::int32_t& known = known_[static_cast<std::size_t>(entry) * Candidates::maximum +
                                  static_cast<std::size_t>(place)];
     if (known < 0)
       known = static_cast<std::int32_t>(lookUp(entry, plane));

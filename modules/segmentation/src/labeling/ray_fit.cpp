@@ -22,11 +22,11 @@ movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to)
 }
 
 bool
-knowsTilt(const FitSums& sums, double most)
+knowsTilt(const FitSums& sums, double maximum)
 {
   const Eigen::Matrix3d covariance = sums.matrix.inverse();
   const auto isKnown = [&](double variance) { // false for NaN or < 0
-    return variance >= 0 && variance <= most * most;
+    return variance >= 0 && variance <= maximum * maximum;
   };
   return isKnown(covariance(0, 0)) && isKnown(covariance(1, 1));
 }

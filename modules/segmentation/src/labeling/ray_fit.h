@@ -43,7 +43,7 @@ movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to);
 /** Are the standard deviations of both slopes at most \a most, in radians? Not if the
  * points are on one line. */
 bool
-knowsTilt(const FitSums& sums, double most);
+knowsTilt(const FitSums& sums, double maximum);
 
 /** Sets centre and axes of a patch from the distribution of its points; axis_u is along
  * the largest variance.

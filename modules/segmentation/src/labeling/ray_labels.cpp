@@ -39,15 +39,15 @@ std::int32_t
 RayLabels::choose(const Sight& sight, const Candidates& candidates) const
 {
   constexpr double max_sigmas = 4.5;
-  double least = max_sigmas * max_sigmas, min_seen = least;
+  double minimum = max_sigmas * max_sigmas, min_seen = minimum;
   std::int32_t nearest = -1, seen = -1;
   for (std::size_t k = 0; k < candidates.size; ++k) {
     const auto plane = static_cast<std::size_t>(candidates.planes[k]);
     const Crossing crossing(sight, planes_[plane].patch);
     const double square =
         crossing.off * crossing.off / noise_.variance(crossing, planes_[plane]);
-    if (square < least) {
-      least = square;
+    if (square < minimum) {
+      minimum = square;
       nearest = candidates.planes[k];
     }
     if (square < min_seen && candidates.size > 1 &&

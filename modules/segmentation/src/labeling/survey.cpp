@@ -21,7 +21,7 @@ Survey::Survey(const PointView& points,
 }
 
 Survey
-Survey::thinned(std::size_t most, const CandidateGrid& grid) const
+Survey::thinned(std::size_t maximum, const CandidateGrid& grid) const
 {
   std::vector<std::size_t> counts(grid.size(), 0);
   for (const std::int32_t entry : entries_)
@@ -32,7 +32,8 @@ Survey::thinned(std::size_t most, const CandidateGrid& grid) const
     if (entries_[i] < 0)
       continue;
     // A hash is used because every n-th point could be one column of the view.
-    const std::size_t step = counts[static_cast<std::size_t>(entries_[i])] / most + 1;
+    const std::size_t step =
+        counts[static_cast<std::size_t>(entries_[i])] / maximum + 1;
     if ((i * 0x9e3779b97f4a7c15u >> 32) % step != 0)
       continue;
     few.entries_.push_back(entries_[i]);

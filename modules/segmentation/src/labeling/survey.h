@@ -14,7 +14,7 @@ public:
   /** A sample of about \a most points of each voxel at most. Each point represents
    * several ones, see count. */
   Survey
-  thinned(std::size_t most, const CandidateGrid& grid) const;
+  thinned(std::size_t maximum, const CandidateGrid& grid) const;
 
   std::size_t
   size() const

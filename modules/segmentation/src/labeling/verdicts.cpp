@@ -29,8 +29,8 @@ isRefuted(const PlaneSums& sums, const KnownPlane& plane)
   const double chi = std::sqrt(sums.chi / static_cast<double>(sums.points));
   if (plane.trust == PlaneTrust::Sure)
     return !(chi <= 2 * max_chi);
-  const double most = plane.trust == PlaneTrust::Strip ? max_strip_chi : max_chi;
-  if (sums.points < min_points || !(chi <= most))
+  const double maximum = plane.trust == PlaneTrust::Strip ? max_strip_chi : max_chi;
+  if (sums.points < min_points || !(chi <= maximum))
     return true;
   return plane.trust == PlaneTrust::Small && !knowsTilt(sums.best(), max_tilt);
 }

@@ -40,7 +40,7 @@ nextEdge(std::vector<RimEdge>& rim,
   };
   const Eigen::Vector2d back = place(edge.from) - place(edge.to);
   RimEdge* best = nullptr;
-  double least = 0;
+  double minimum = 0;
   auto candidate = std::lower_bound(
       rim.begin(), rim.end(), edge.to, [](const RimEdge& e, std::int32_t vertex) {
         return e.from < vertex;
@@ -53,8 +53,8 @@ nextEdge(std::vector<RimEdge>& rim,
         std::atan2(way.x() * back.y() - way.y() * back.x(), way.dot(back));
     if (clockwise <= 0)
       clockwise += 2 * M_PI;
-    if (!best || clockwise < least) {
-      least = clockwise;
+    if (!best || clockwise < minimum) {
+      minimum = clockwise;
       best = &*candidate;
     }
   }

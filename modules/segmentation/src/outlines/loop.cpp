@@ -40,13 +40,13 @@ markKept(const Loop& loop,
   while (!stretches.empty()) {
     const auto [first, last] = stretches.back();
     stretches.pop_back();
-    double most = tolerance * tolerance;
+    double maximum = tolerance * tolerance;
     std::size_t farthest = first;
     for (std::size_t i = first + 1; i < last; ++i) {
       const double square =
           squaredDistance(loop[i], loop[first], loop[last % loop.size()]);
-      if (square > most) {
-        most = square;
+      if (square > maximum) {
+        maximum = square;
         farthest = i;
       }
     }

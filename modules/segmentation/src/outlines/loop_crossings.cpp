@@ -209,24 +209,24 @@ private:
   cut()
   {
     std::vector<std::vector<std::int32_t>> cuts(edges_.size());
-    const auto least = [&](const LoopEdge& e, int axis) {
+    const auto minimum = [&](const LoopEdge& e, int axis) {
       return std::min(at(e.from)[axis], at(e.to)[axis]) - distance_;
     };
-    const auto most = [&](const LoopEdge& e, int axis) {
+    const auto maximum = [&](const LoopEdge& e, int axis) {
       return std::max(at(e.from)[axis], at(e.to)[axis]);
     };
     std::vector<std::size_t> order(edges_.size());
     for (std::size_t i = 0; i < order.size(); ++i)
       order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return least(edges_[a], 0) < least(edges_[b], 0);
+      return minimum(edges_[a], 0) < minimum(edges_[b], 0);
     });
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = i + 1; k < order.size(); ++k) {
         const LoopEdge &e = edges_[order[i]], &f = edges_[order[k]];
-        if (least(f, 0) > most(e, 0))
+        if (minimum(f, 0) > maximum(e, 0))
           break;
-        if (least(f, 1) <= most(e, 1) && least(e, 1) <= most(f, 1))
+        if (minimum(f, 1) <= maximum(e, 1) && minimum(e, 1) <= maximum(f, 1))
           cutPair(order[i], order[k], cuts);
       }
     std::vector<LoopEdge> pieces;

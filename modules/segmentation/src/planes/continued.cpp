@@ -60,9 +60,9 @@ joinWhereBent(const PlaneLimits& limits, double cosine, GrownPlane& a, GrownPlan
   const PlaneFit fit = fitPlane(both);
   const Plane common = planeThrough(fit, a.plane.normal);
   const double extent = std::sqrt(12 * fit.variances[2]);
-  const double most = std::min(limits.bow * extent, limits.max_warp);
+  const double maximum = std::min(limits.bow * extent, limits.max_warp);
   const double off = std::max(excess(a, common), excess(b, common));
-  if (off > most)
+  if (off > maximum)
     return false;
   takeIn(a, b, common);
   a.warp = std::max(a.warp, off);

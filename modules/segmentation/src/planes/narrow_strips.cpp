@@ -56,14 +56,14 @@ raise(const CellGraph& graph,
   constexpr double across = 0.3; // cosine between strip and normal of its neighbour
   const Eigen::Vector3d along = longAxis(strip);
   const Eigen::Vector3d before = strip.plane.normal;
-  std::size_t most = 0;
+  std::size_t maximum = 0;
   for (const auto& [neighbour, count] :
        neighbouringPlanes(graph, planes, owner, strip)) {
     const Eigen::Vector3d& wall =
         planes[static_cast<std::size_t>(neighbour)].plane.normal;
-    if (count <= most || std::abs(wall.dot(along)) > across)
+    if (count <= maximum || std::abs(wall.dot(along)) > across)
       continue;
-    most = count;
+    maximum = count;
     const Eigen::Vector3d normal = along.cross(wall).normalized();
     strip.plane.normal = normal.dot(before) < 0 ? Eigen::Vector3d(-normal) : normal;
     strip.plane.offset = -strip.plane.normal.dot(strip.moments.mean());

@@ -29,22 +29,22 @@ pinholeAround(const std::vector<Eigen::Vector2d>& slopes, double focal_length)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double longest_side = 8192; // px
-  Eigen::Array2d least(infinity, infinity);
-  Eigen::Array2d most = -least;
+  Eigen::Array2d minimum(infinity, infinity);
+  Eigen::Array2d maximum = -minimum;
   for (const Eigen::Vector2d& slope : slopes)
     if (slope.allFinite()) {
-      least = least.min(slope.array());
-      most = most.max(slope.array());
+      minimum = minimum.min(slope.array());
+      maximum = maximum.max(slope.array());
     }
-  if (!(least <= most).all())
+  if (!(minimum <= maximum).all())
     throw BadArgumentException("a camera whose pixels look nowhere: its distortion has "
                                "no inverse");
   TrinocularRig pinhole;
   pinhole.focal_length =
-      std::min(focal_length, longest_side / (most - least).maxCoeff());
-  pinhole.center_x = 1.0 - pinhole.focal_length * least.x();
-  pinhole.center_y = 1.0 - pinhole.focal_length * least.y();
-  const Eigen::Array2d size = pinhole.focal_length * (most - least) + 3.0;
+      std::min(focal_length, longest_side / (maximum - minimum).maxCoeff());
+  pinhole.center_x = 1.0 - pinhole.focal_length * minimum.x();
+  pinhole.center_y = 1.0 - pinhole.focal_length * minimum.y();
+  const Eigen::Array2d size = pinhole.focal_length * (maximum - minimum) + 3.0;
   pinhole.width = static_cast<int>(std::ceil(size.x()));
   pinhole.height = static_cast<int>(std::ceil(size.y()));
   return pinhole;

@@ -31,7 +31,7 @@ PinholeScene::PinholeScene(const SceneGeometry& scene,
 , rows_((pinhole.height + tile_size - 1) / tile_size)
 , tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_))
 {
-  range_.most = std::numeric_limits<double>::infinity();
+  range_.maximum = std::numeric_limits<double>::infinity();
   const Eigen::Isometry3d T_pinhole_scene = T_scene_pinhole.inverse();
   for (std::size_t i = 0; i < scene.surfaces().size(); ++i)
     if (auto target = targetOf(scene.surfaces()[i],
@@ -80,7 +80,7 @@ PinholeScene::sees(const Eigen::Vector3d& point) const
   const double limit = point.z() - slack;
   for (const std::uint32_t i : tileOf(ray)) {
     const double depth = depthOf(targets_[i], ray, range_);
-    if (depth >= range_.least && depth < limit)
+    if (depth >= range_.minimum && depth < limit)
       return false;
   }
   return true;

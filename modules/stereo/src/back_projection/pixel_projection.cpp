@@ -65,15 +65,15 @@ PixelProjection::place(std::size_t pixel, PointXYZRGBSigma& point) const
   const double disparity = matched_.disparity.values[pixel];
   const bool is_known = std::isfinite(disparity);
   const double z = focal_baseline_ / disparity;
-  if (is_known && disparity > 0.0 && z >= limits_.least && z <= limits_.largest) {
+  if (is_known && disparity > 0.0 && z >= limits_.minimum && z <= limits_.largest) {
     setPlace(pixel, z, point);
     return &PixelCounts::points;
   }
   point.x = point.y = point.z = point.sigma = std::numeric_limits<float>::quiet_NaN();
   if (!is_known)
     return &PixelCounts::invalid;
-  return disparity > 0.0 && z < limits_.least ? &PixelCounts::too_near
-                                              : &PixelCounts::too_far;
+  return disparity > 0.0 && z < limits_.minimum ? &PixelCounts::too_near
+                                                : &PixelCounts::too_far;
 }
 
 void
@@ -90,8 +90,8 @@ PixelProjection::setPlace(std::size_t pixel, double z, PointXYZRGBSigma& point) 
   // From the derivative of z, along a ray of this length at z = 1.
   const double sigma =
       disparitySigma(pixel) * z * z / focal_baseline_ * std::sqrt(x * x + y * y + 1.0);
-  constexpr double most = std::numeric_limits<float>::max();
-  point.sigma = static_cast<float>(std::min(sigma, most));
+  constexpr double maximum = std::numeric_limits<float>::max();
+  point.sigma = static_cast<float>(std::min(sigma, maximum));
 }
 
 double

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 /** \brief Depths in metres; both limits are valid depths. */
 struct DepthLimits {
-  double least = 0.0;
+  double minimum = 0.0;
   double largest = 0.0;
 };
 

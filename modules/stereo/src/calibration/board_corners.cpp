@@ -62,10 +62,10 @@ order(const cv::Mat& grey, const CalibrationBoard& board, Corners& corners)
 float
 leastSpacing(const Corners& corners, const CalibrationBoard& board)
 {
-  float least = std::numeric_limits<float>::max();
+  float minimum = std::numeric_limits<float>::max();
   const auto columns = static_cast<std::size_t>(board.columns);
   const auto length = [&](std::size_t a, std::size_t b) {
-    least = std::min(least, static_cast<float>(cv::norm(corners[a] - corners[b])));
+    minimum = std::min(minimum, static_cast<float>(cv::norm(corners[a] - corners[b])));
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if ((i + 1) % columns != 0)
@@ -73,7 +73,7 @@ leastSpacing(const Corners& corners, const CalibrationBoard& board)
     if (i + columns < corners.size())
       length(i, i + columns);
   }
-  return least;
+  return minimum;
 }
 
 /** \brief Moves each corner to the intersection of the edges around it. The window
@@ -90,11 +90,14 @@ refine(const cv::Mat& grey, float spacing, Corners& corners)
 }
 
 std::string
-faultOf(const cv::Mat& grey, const cv::Size& size, const Corners& corners, float least)
+faultOf(const cv::Mat& grey,
+        const cv::Size& size,
+        const Corners& corners,
+        float minimum)
 {
-  if (least < min_spacing)
-    return "the board is too small: its corners are " + std::to_string(cvRound(least)) +
-           " px apart";
+  if (minimum < min_spacing)
+    return "the board is too small: its corners are " +
+           std::to_string(cvRound(minimum)) + " px apart";
   const double blur = cv::estimateChessboardSharpness(grey, size, corners)[0];
   if (blur > max_blur)
     return "blurred: its edges are " + std::to_string(cvRound(blur)) + " px wide";

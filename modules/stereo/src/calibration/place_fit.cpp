@@ -74,13 +74,13 @@ errorsOfBestShot(const std::vector<BoardPair>& pairs,
                  const CameraCalibration& neighbour)
 {
   std::vector<double> best;
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (const BoardPair& pair : pairs) {
     std::vector<double> errors =
         errorsOf(pairs, points, neighbour, pair.T_reference_neighbour().inverse());
     const double limit = outlierLimit(errors, 0.0);
-    if (limit < least) {
-      least = limit;
+    if (limit < minimum) {
+      minimum = limit;
       best = std::move(errors);
     }
   }

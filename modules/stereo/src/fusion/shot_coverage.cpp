@@ -90,12 +90,12 @@ ShotCoverage::share(double deviation) const
   const double samples = shots_ + (with_dark ? 1 : 0);
   if (samples < 2)
     return 0;
-  const double least = unit * deviation * samples;
+  const double minimum = unit * deviation * samples;
   // These are integers below 2^53, which doubles represent exactly.
   const auto isToldApart = [&](std::size_t i) {
     const double dark = with_dark ? dark_[i] : 0;
     const double sum = sums_[i] + dark;
-    return samples * (squares_[i] + dark * dark) - sum * sum >= least * least;
+    return samples * (squares_[i] + dark * dark) - sum * sum >= minimum * minimum;
   };
   const std::size_t told_apart = parallelReduceChunks(
       last_.size(),

@@ -29,9 +29,9 @@ square(float value)
 }
 
 float
-varianceOf(const ShotDisparity& shot, float least)
+varianceOf(const ShotDisparity& shot, float minimum)
 {
-  return square(shot.sigma) + square(least);
+  return square(shot.sigma) + square(minimum);
 }
 
 /** \brief Lower median of the absolute deviations from the lower median. */

@@ -220,11 +220,11 @@ peakOf(const RefinementWindow& window)
 float
 sigmaOf(const Peak& peak, float values)
 {
-  constexpr float most = 1.0F;
+  constexpr float maximum = 1.0F;
   const float noise = 2.0F * std::max(1.0F - peak.correlation, 1e-6F);
   const float information =
       independent_share * values * std::max(peak.curvature, 1e-6F);
-  return std::min(std::sqrt(noise / information), most);
+  return std::min(std::sqrt(noise / information), maximum);
 }
 
 } // namespace

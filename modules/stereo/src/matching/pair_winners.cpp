@@ -25,7 +25,7 @@ public:
       // The padding before the first slot is the same as that behind each slot.
       costs_[path].assign(
           static_cast<std::size_t>(disparity_block + (width + 2) * slot_), never);
-      least_[path].assign(static_cast<std::size_t>(width + 2), 0);
+      minimum_[path].assign(static_cast<std::size_t>(width + 2), 0);
       for (int x = 0; x < width + 2; ++x)
         std::fill_n(costs_[path].begin() + disparity_block + x * slot_, stride, 0);
     }
@@ -37,7 +37,7 @@ public:
     PathRows rows{};
     for (std::size_t path = 0; path < 3; ++path) {
       rows.costs[path] = costs_[path].data() + disparity_block;
-      rows.least[path] = least_[path].data();
+      rows.minimum[path] = minimum_[path].data();
     }
     return rows;
   }
@@ -45,7 +45,7 @@ public:
 private:
   std::int64_t slot_;
   std::vector<std::int16_t> costs_[3];
-  std::vector<std::int16_t> least_[3];
+  std::vector<std::int16_t> minimum_[3];
 };
 
 /** Sums the costs of 3 x 3 pixels by disparity. Sums along paths are not suitable: in a
@@ -72,8 +72,9 @@ uniquenessOf(const std::vector<int>& sums, int best)
   for (int i = 0; i < static_cast<int>(sums.size()); ++i)
     if (std::abs(i - best) > 1)
       other = std::min(other, sums[static_cast<std::size_t>(i)]);
-  const int least = std::max(sums[static_cast<std::size_t>(best)], smallest);
-  return static_cast<std::uint8_t>(std::clamp(100 * (other - least) / least, 0, 100));
+  const int minimum = std::max(sums[static_cast<std::size_t>(best)], smallest);
+  return static_cast<std::uint8_t>(
+      std::clamp(100 * (other - minimum) / minimum, 0, 100));
 }
 
 void
@@ -154,12 +155,12 @@ PathSums::findInRow(int y, const DisparityRange& range, PairWinners& winners)
   const CostRow sums = sums_.row(y);
   const auto width = static_cast<std::size_t>(sums.width);
   const std::size_t begin = static_cast<std::size_t>(y) * width;
-  target_least_.assign(width + static_cast<std::size_t>(sums.stride), 32767);
-  target_pixel_.assign(target_least_.size(), -1);
+  target_minimum_.assign(width + static_cast<std::size_t>(sums.stride), 32767);
+  target_pixel_.assign(target_minimum_.size(), -1);
   pairKernels().findWinners(
       sums,
       range.count,
-      {&winners.index[begin], target_least_.data(), target_pixel_.data()});
+      {&winners.index[begin], target_minimum_.data(), target_pixel_.data()});
   for (std::size_t x = 0; x < width; ++x) {
     const bool is_seen = x >= static_cast<std::size_t>(range.first);
     winners.matched_by[begin + x] =

@@ -49,7 +49,7 @@ private:
   findInRow(int y, const DisparityRange& range, PairWinners&);
 
   CostVolume sums_;
-  std::vector<std::int16_t> target_least_;
+  std::vector<std::int16_t> target_minimum_;
   std::vector<std::int16_t> target_pixel_;
 };
 

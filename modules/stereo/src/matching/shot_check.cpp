@@ -42,10 +42,10 @@ requireStereoRig(const TrinocularRig& rig)
     throw BadArgumentException(
         "baseline_horizontal = 0 and baseline_vertical = 0 m are refused: the rig must "
         "have a neighbour");
-  constexpr double most = 16.0;
+  constexpr double maximum = 16.0;
   const double ratio = std::abs(rig.baseline_horizontal / rig.baseline_vertical);
   if (rig.baseline_horizontal != 0.0 && rig.baseline_vertical != 0.0 &&
-      !(ratio >= 1.0 / most && ratio <= most))
+      !(ratio >= 1.0 / maximum && ratio <= maximum))
     throw BadArgumentException(
         "baseline_horizontal = " + std::to_string(rig.baseline_horizontal) +
         " m and baseline_vertical = " + std::to_string(rig.baseline_vertical) +

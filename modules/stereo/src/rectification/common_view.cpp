@@ -78,8 +78,8 @@ commonRotation(const RigCalibration& calibration)
 
 /** \brief The region that all cameras see, on the plane z = 1 of the common frame. */
 struct CommonBounds {
-  Eigen::Vector2d least = Eigen::Vector2d::Constant(-1e9);
-  Eigen::Vector2d most = Eigen::Vector2d::Constant(1e9);
+  Eigen::Vector2d minimum = Eigen::Vector2d::Constant(-1e9);
+  Eigen::Vector2d maximum = Eigen::Vector2d::Constant(1e9);
 };
 
 Eigen::Vector2d
@@ -108,12 +108,12 @@ narrow(const RigCalibration& calibration,
     return seenAt(camera, R_common_camera, column, row);
   };
   for (int row = 0; row < calibration.height; ++row) {
-    window.least.x() = std::max(window.least.x(), at(0, row).x());
-    window.most.x() = std::min(window.most.x(), at(right, row).x());
+    window.minimum.x() = std::max(window.minimum.x(), at(0, row).x());
+    window.maximum.x() = std::min(window.maximum.x(), at(right, row).x());
   }
   for (int column = 0; column < calibration.width; ++column) {
-    window.least.y() = std::max(window.least.y(), at(column, 0).y());
-    window.most.y() = std::min(window.most.y(), at(column, bottom).y());
+    window.minimum.y() = std::max(window.minimum.y(), at(column, 0).y());
+    window.maximum.y() = std::min(window.maximum.y(), at(column, bottom).y());
   }
 }
 
@@ -121,12 +121,12 @@ narrow(const RigCalibration& calibration,
 void
 setPinhole(const CommonBounds& window, TrinocularRig& rig)
 {
-  const Eigen::Vector2d extent = window.most - window.least;
+  const Eigen::Vector2d extent = window.maximum - window.minimum;
   const Eigen::Vector2d pixels(rig.width - 1, rig.height - 1);
   if (!(extent.minCoeff() > 0.01))
     throw BadArgumentException("the cameras' views have no common part");
   rig.focal_length = pixels.cwiseQuotient(extent).maxCoeff();
-  const Eigen::Vector2d middle = 0.5 * (window.least + window.most);
+  const Eigen::Vector2d middle = 0.5 * (window.minimum + window.maximum);
   rig.center_x = 0.5 * pixels.x() - rig.focal_length * middle.x();
   rig.center_y = 0.5 * pixels.y() - rig.focal_length * middle.y();
 }

@@ -37,7 +37,7 @@ store(Value* to, const Vector& vector)
 
 template <typename Vector>
 ACMAP_INLINE Vector
-least(const Vector& a, const Vector& b)
+minimum(const Vector& a, const Vector& b)
 {
   return a < b ? a : b;
 }
@@ -45,18 +45,18 @@ least(const Vector& a, const Vector& b)
 ACMAP_INLINE std::int16_t
 leastOf(Shorts v)
 {
-  v = least(v,
-            __builtin_shufflevector(
-                v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
-  v = least(v,
-            __builtin_shufflevector(
-                v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
-  v = least(v,
-            __builtin_shufflevector(
-                v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
-  v = least(v,
-            __builtin_shufflevector(
-                v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
+  v = minimum(v,
+              __builtin_shufflevector(
+                  v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+  v = minimum(v,
+              __builtin_shufflevector(
+                  v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+  v = minimum(v,
+              __builtin_shufflevector(
+                  v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+  v = minimum(v,
+              __builtin_shufflevector(
+                  v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
   return v[0];
 }
 

@@ -49,14 +49,14 @@ struct PathPenalties {
  * never wins. */
 struct PathRows {
   std::int16_t* costs[3];
-  std::int16_t* least[3];
+  std::int16_t* minimum[3];
 };
 
 /** \brief Index of the best disparity of each pixel, and the best pixel for each
  * position in the neighbour's row. */
 struct RowWinners {
-  std::int16_t* index;        ///< per pixel
-  std::int16_t* target_least; ///< per pixel of the neighbour's row (index + pixel)
+  std::int16_t* index;          ///< per pixel
+  std::int16_t* target_minimum; ///< per pixel of the neighbour's row (index + pixel)
   std::int16_t* target_pixel;
 };
 

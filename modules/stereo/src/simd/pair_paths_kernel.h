@@ -16,7 +16,7 @@ using pcl::acmap::RowWinners;
 /** State of a path: costs of its last pixel, and their minimum. */
 struct PathStep {
   const std::int16_t* before;
-  std::int16_t least;
+  std::int16_t minimum;
   std::int16_t large; ///< P2
   std::int16_t* after;
 };
@@ -26,9 +26,9 @@ ACMAP_INLINE Shorts
 stepAt(const PathStep& step, const Shorts& cost, std::int16_t small, int i)
 {
   const std::int16_t* const at = step.before + i;
-  const Shorts beside = least(load<Shorts>(at - 1), load<Shorts>(at + 1)) + small;
-  const Shorts jump = Shorts{} + static_cast<std::int16_t>(step.least + step.large);
-  return cost + least(least(load<Shorts>(at), beside), jump) - step.least;
+  const Shorts beside = minimum(load<Shorts>(at - 1), load<Shorts>(at + 1)) + small;
+  const Shorts jump = Shorts{} + static_cast<std::int16_t>(step.minimum + step.large);
+  return cost + minimum(minimum(load<Shorts>(at), beside), jump) - step.minimum;
 }
 
 template <bool adds>
@@ -49,7 +49,7 @@ followPixel(const std::int16_t* costs,
     for (int path = 0; path < 4; ++path) {
       const Shorts value = stepAt(steps[path], cost, small, i);
       store(steps[path].after + i, value);
-      all[path] = least(all[path], value);
+      all[path] = minimum(all[path], value);
       sum += (UnsignedShorts)value;
     }
     store(sums + i, sum);
@@ -83,7 +83,7 @@ followRow(const CostRow& costs,
     for (int path = 0; path < 3; ++path) {
       const std::int64_t from = at + (path - 1) * ahead;
       steps[path + 1] = {before.costs[path] + from * slot,
-                         before.least[path][from],
+                         before.minimum[path][from],
                          penalties.above[path][x],
                          after.costs[path] + at * slot};
     }
@@ -96,7 +96,7 @@ followRow(const CostRow& costs,
                           sums + static_cast<std::int64_t>(x) * costs.stride);
     min_of_row = found[0];
     for (int path = 0; path < 3; ++path)
-      after.least[path][at] = found[path + 1];
+      after.minimum[path][at] = found[path + 1];
   }
 }
 
@@ -130,10 +130,10 @@ comparable(const std::int16_t* sums, int i, int disparities)
 ACMAP_INLINE void
 offerToTarget(const Shorts& value, int x, int at, const RowWinners& winners)
 {
-  const Shorts held = load<Shorts>(winners.target_least + at);
+  const Shorts held = load<Shorts>(winners.target_minimum + at);
   const Shorts pixel = load<Shorts>(winners.target_pixel + at);
   const auto better = value < held;
-  store(winners.target_least + at, better ? value : held);
+  store(winners.target_minimum + at, better ? value : held);
   store(winners.target_pixel + at,
         better ? Shorts{} + static_cast<std::int16_t>(x) : pixel);
 }

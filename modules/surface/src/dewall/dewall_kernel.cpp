@@ -60,7 +60,7 @@ whyEmpty(const SizeConstraint& size)
 {
   std::ostringstream reason;
   reason << "no triangle: no three points within the maximum edge length ("
-         << size.least() << " to " << size.largest() << " m) that are not on a line";
+         << size.minimum() << " to " << size.largest() << " m) that are not on a line";
   return reason.str();
 }
 
@@ -155,7 +155,7 @@ triangulate(const PointView& view,
   const SizeConstraint size = settings.maximum_edge_length > 0
                                   ? SizeConstraint(tree, settings.maximum_edge_length)
                                   : SizeConstraint(tree, spacing);
-  report.min_maximum_edge = size.least();
+  report.min_maximum_edge = size.minimum();
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 

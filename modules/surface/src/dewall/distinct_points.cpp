@@ -22,10 +22,10 @@ hash(const std::array<float, 3>& position)
 /** \brief Open-addressing set of positions. */
 class PositionSet {
 public:
-  explicit PositionSet(std::size_t most)
+  explicit PositionSet(std::size_t maximum)
   {
     std::size_t slots = 16;
-    while (slots < 2 * most)
+    while (slots < 2 * maximum)
       slots *= 2;
     slots_.assign(slots, -1);
   }

@@ -100,12 +100,12 @@ GrowingMesh::steepestCosine(const Side& side,
 {
   const Eigen::Vector3d a = tree_.position(side.a), b = tree_.position(side.b),
                         p = tree_.position(apex);
-  double least = cosineOfTurn(a, b, tree_.position(base->opposites), p);
+  double minimum = cosineOfTurn(a, b, tree_.position(base->opposites), p);
   if (at_a)
-    least = std::min(least, cosineOfTurn(a, p, tree_.position(at_a->opposites), b));
+    minimum = std::min(minimum, cosineOfTurn(a, p, tree_.position(at_a->opposites), b));
   if (at_b)
-    least = std::min(least, cosineOfTurn(b, p, tree_.position(at_b->opposites), a));
-  return least;
+    minimum = std::min(minimum, cosineOfTurn(b, p, tree_.position(at_b->opposites), a));
+  return minimum;
 }
 
 GrowingMesh::Verdict

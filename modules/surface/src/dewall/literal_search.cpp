@@ -132,18 +132,18 @@ LiteralPoints::nearestAcross(std::int32_t p1, const SplittingPlane& alpha) const
   const Eigen::Vector3d centre = own_.position(p1);
   const bool is_left = isLeft(p1, alpha);
   double radius = longest(p1);
-  double least = radius * radius;
+  double minimum = radius * radius;
   std::int32_t best = -1;
   visitBall(own_, p1, centre, radius, [&](auto, std::int32_t first, std::int32_t end) {
     for (std::int32_t i = first; i < end; ++i) {
       const double squared = (own_.position(i) - centre).squaredNorm();
       const bool is_nearer =
-          squared < least ||
-          (squared == least && (best < 0 || source(i) < source(best)));
+          squared < minimum ||
+          (squared == minimum && (best < 0 || source(i) < source(best)));
       if (!is_nearer || isLeft(i, alpha) == is_left)
         continue;
       best = i;
-      least = squared;
+      minimum = squared;
       radius = std::sqrt(squared);
     }
   });

@@ -17,15 +17,15 @@ using IntegerVector = std::array<Integer, 3>;
 int
 commonExponent(std::initializer_list<const Eigen::Vector3d*> vectors)
 {
-  int least = 1 << 20;
+  int minimum = 1 << 20;
   for (const Eigen::Vector3d* v : vectors)
     for (int axis = 0; axis < 3; ++axis)
       if ((*v)[axis] != 0) {
         int exponent = 0;
         std::frexp((*v)[axis], &exponent);
-        least = std::min(least, exponent - 53);
+        minimum = std::min(minimum, exponent - 53);
       }
-  return least;
+  return minimum;
 }
 
 IntegerVector

@@ -27,7 +27,7 @@ floatBelow(double length)
 SizeConstraint::SizeConstraint(const PointTree& tree, double maximum_edge_length)
 : tree_(tree)
 , longest_(static_cast<std::size_t>(tree.leafCount()), floatBelow(maximum_edge_length))
-, least_(maximum_edge_length)
+, minimum_(maximum_edge_length)
 , largest_(maximum_edge_length)
 {}
 
@@ -37,8 +37,8 @@ SizeConstraint::SizeConstraint(const PointTree& tree, const Spacing& spacing)
   longest_.reserve(spacing.eighth.size());
   for (const double eighth : spacing.eighth)
     longest_.push_back(floatBelow(reach * eighth));
-  const auto [least, largest] = std::minmax_element(longest_.begin(), longest_.end());
-  least_ = *least;
+  const auto [minimum, largest] = std::minmax_element(longest_.begin(), longest_.end());
+  minimum_ = *minimum;
   largest_ = *largest;
 }
 

@@ -50,9 +50,9 @@ public:
   }
 
   double
-  least() const
+  minimum() const
   {
-    return least_;
+    return minimum_;
   }
 
   double
@@ -64,7 +64,7 @@ public:
 private:
   const PointTree& tree_;
   std::vector<float> longest_;
-  double least_ = 0, largest_ = 0;
+  double minimum_ = 0, largest_ = 0;
 };
 
 } // namespace pcl::acmap::dewall

@@ -68,15 +68,15 @@ squaredDistances(const SiblingBoxes& boxes, const Ball& ball)
 ACMAP_INLINE unsigned
 membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inward)
 {
-  Lanes most = allLanes(0), size = allLanes(0);
+  Lanes maximum = allLanes(0), size = allLanes(0);
   for (int axis = 0; axis < 3; ++axis) {
     const float w = inward[axis];
     const Lanes far = loadLanes(w > 0 ? boxes.high[axis] : boxes.low[axis]);
     const Lanes forward = (far - allLanes(origin[axis])) * allLanes(w);
-    most += forward;
+    maximum += forward;
     size += maxLanes(forward, -forward);
   }
-  return bitsOf(most >= allLanes(-1e-6f) * size);
+  return bitsOf(maximum >= allLanes(-1e-6f) * size);
 }
 
 /** Returns a bit for each member of a group of a level; only the highest level may have

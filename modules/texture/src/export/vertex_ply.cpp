@@ -25,14 +25,14 @@ coverOf(const ChartSurface& surface, const RgbImage& image)
     const auto corner = [&](std::size_t i) {
       return surface.places[static_cast<std::size_t>(triangle[i % 3])];
     };
-    const auto [least, most] =
+    const auto [minimum, maximum] =
         std::minmax({corner(0).y(), corner(1).y(), corner(2).y()});
     const auto last = std::min<std::int32_t>(
-        image.height - 1, static_cast<std::int32_t>(std::floor(most - 0.5 + slack)));
-    for (auto row = static_cast<std::int32_t>(std::ceil(least - 0.5 - slack));
+        image.height - 1, static_cast<std::int32_t>(std::floor(maximum - 0.5 + slack)));
+    for (auto row = static_cast<std::int32_t>(std::ceil(minimum - 0.5 - slack));
          row <= last;
          ++row) {
-      const double y = std::clamp(row + 0.5, least, most);
+      const double y = std::clamp(row + 0.5, minimum, maximum);
       double from = std::numeric_limits<double>::infinity();
       double to = -from;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -66,12 +66,13 @@ struct VertexGrid {
 
   /** All vertices form one row, and the size of a row in bytes is a 32 bit number in a
    * cloud. */
-  static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / step;
+  static constexpr std::size_t maximum =
+      std::numeric_limits<std::uint32_t>::max() / step;
 
   std::int32_t
   appendVertex(const Eigen::Vector3f& place, const std::uint8_t* color)
   {
-    if (vertices == most)
+    if (vertices == maximum)
       throw BadArgumentException("a map has more than 2^28 - 1 texels for map.ply");
     const std::uint8_t packed[4] = {color[2], color[1], color[0], 255};
     data.resize(data.size() + step);

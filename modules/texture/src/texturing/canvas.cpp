@@ -87,7 +87,7 @@ canvasBytes(const std::vector<PlanePatch>& planes,
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
            double texel_size,
-           int most,
+           int maximum,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
@@ -101,7 +101,7 @@ canvasesOf(const std::vector<PlanePatch>& planes,
     for (std::size_t k = 0; k < planes[p].polygons.size(); ++k, ++grid) {
       left_out += *grid ? 0 : 1;
       if (*grid)
-        for (TextureChart& chart : chartsOf(**grid, p, k, most))
+        for (TextureChart& chart : chartsOf(**grid, p, k, maximum))
           canvases.emplace_back().chart = std::move(chart);
     }
   for (Canvas& canvas : canvases)

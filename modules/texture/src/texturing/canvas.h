@@ -107,7 +107,7 @@ struct Canvas {
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
            double texel_size,
-           int most,
+           int maximum,
            std::size_t& left_out);
 
 /** Memory in bytes of the canvases and their charts.

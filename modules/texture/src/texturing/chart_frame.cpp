@@ -11,8 +11,9 @@ namespace {
 /** A bounding rectangle of a polygon; the axes are unit vectors in the plane. */
 struct Rectangle {
   Eigen::Vector3d u, v;
-  Eigen::Vector2d least, most; ///< bounds along u and v, relative to the centre of the
-                               ///< plane, in metres
+  Eigen::Vector2d minimum,
+      maximum; ///< bounds along u and v, relative to the centre of the
+               ///< plane, in metres
   double area = 0;
 };
 
@@ -26,15 +27,15 @@ rectangleAlong(const PlanePatch& plane,
   box.u = u;
   box.v = u.cross(normal); // points down if u points right and the normal towards the
                            // viewer
-  box.least.setConstant(std::numeric_limits<double>::max());
-  box.most = -box.least;
+  box.minimum.setConstant(std::numeric_limits<double>::max());
+  box.maximum = -box.minimum;
   for (const Eigen::Vector3f& corner : outer) {
     const Eigen::Vector3d way = corner.cast<double>() - plane.center;
     const Eigen::Vector2d place(way.dot(box.u), way.dot(box.v));
-    box.least = box.least.cwiseMin(place);
-    box.most = box.most.cwiseMax(place);
+    box.minimum = box.minimum.cwiseMin(place);
+    box.maximum = box.maximum.cwiseMax(place);
   }
-  box.area = (box.most - box.least).prod();
+  box.area = (box.maximum - box.minimum).prod();
   return box;
 }
 
@@ -118,14 +119,14 @@ gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size)
   if (!isSound(plane, outer))
     return std::nullopt;
   const Rectangle box = upright(plane, outer, smallestRectangle(plane, outer));
-  const Eigen::Vector2d size = box.most - box.least;
+  const Eigen::Vector2d size = box.maximum - box.minimum;
   if (!(size.minCoeff() > min_side))
     return std::nullopt;
   const Eigen::Vector3d foot =
       plane.center -
       (plane.coefficients.head<3>().dot(plane.center) + plane.coefficients[3]) *
           plane.coefficients.head<3>();
-  return ChartGrid{foot + box.least[0] * box.u + box.least[1] * box.v,
+  return ChartGrid{foot + box.minimum[0] * box.u + box.minimum[1] * box.v,
                    texel_size * box.u,
                    texel_size * box.v,
                    std::ceil(size[0] / texel_size),
@@ -133,13 +134,16 @@ gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size)
 }
 
 std::vector<TextureChart>
-chartsOf(const ChartGrid& grid, std::size_t plane_number, std::size_t polygon, int most)
+chartsOf(const ChartGrid& grid,
+         std::size_t plane_number,
+         std::size_t polygon,
+         int maximum)
 {
   const auto columns = static_cast<std::int64_t>(grid.columns);
   const auto rows = static_cast<std::int64_t>(grid.rows);
   std::vector<TextureChart> charts;
-  for (std::int64_t top = 0; top < rows; top += most)
-    for (std::int64_t left = 0; left < columns; left += most) {
+  for (std::int64_t top = 0; top < rows; top += maximum)
+    for (std::int64_t left = 0; left < columns; left += maximum) {
       TextureChart& chart = charts.emplace_back();
       chart.plane = plane_number;
       chart.polygon = polygon;
@@ -148,9 +152,9 @@ chartsOf(const ChartGrid& grid, std::size_t plane_number, std::size_t polygon, i
       chart.origin = grid.origin + static_cast<double>(left) * chart.texel_u +
                      static_cast<double>(top) * chart.texel_v;
       chart.colors.width =
-          static_cast<std::int32_t>(std::min<std::int64_t>(most, columns - left));
+          static_cast<std::int32_t>(std::min<std::int64_t>(maximum, columns - left));
       chart.colors.height =
-          static_cast<std::int32_t>(std::min<std::int64_t>(most, rows - top));
+          static_cast<std::int32_t>(std::min<std::int64_t>(maximum, rows - top));
     }
   return charts;
 }

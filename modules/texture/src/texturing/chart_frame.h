@@ -25,7 +25,7 @@ std::vector<TextureChart>
 chartsOf(const ChartGrid& grid,
          std::size_t plane_number,
          std::size_t polygon,
-         int most);
+         int maximum);
 
 /** Projection of a point onto the plane, in texels of a chart: (0, 0) is the outer
  * corner of the first texel. */

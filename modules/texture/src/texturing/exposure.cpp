@@ -27,9 +27,9 @@ bool
 tells(const Sample& sample)
 {
   constexpr int dark = 12, bright = 245;
-  const auto [least, most] =
+  const auto [minimum, maximum] =
       std::minmax_element(sample.color.begin(), sample.color.end());
-  return sample.weight > 0 && *most > dark && *most<bright&& * least> 0;
+  return sample.weight > 0 && *maximum > dark && *maximum<bright&& * minimum> 0;
 }
 
 void

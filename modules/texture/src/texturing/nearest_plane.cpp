@@ -71,13 +71,14 @@ nearestCanvases(const ColoredView& view,
   parallelForChunks(nearest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
-      double least = maximum_distance;
+      double minimum = maximum_distance;
       for (const std::int32_t c : near) {
         const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
         const Eigen::Vector4d& plane = planes[canvas.chart.plane].coefficients;
         const double distance = std::abs(plane.head<3>().dot(point) + plane[3]);
-        if (distance < least && canvas.at(placeOn(canvas.chart, point)) >= outermost) {
-          least = distance;
+        if (distance < minimum &&
+            canvas.at(placeOn(canvas.chart, point)) >= outermost) {
+          minimum = distance;
           nearest[i] = c;
         }
       }

@@ -95,14 +95,14 @@ struct IidcFeatureState {
   bool can_be_off = false;
   bool is_on = false;
   bool is_automatic = false;
-  unsigned least = 0; ///< minimum of the value
-  unsigned most = 0;  ///< maximum of the value
-  unsigned value = 0; ///< current value, in the camera's own units
+  unsigned minimum = 0; ///< minimum of the value
+  unsigned maximum = 0; ///< maximum of the value
+  unsigned value = 0;   ///< current value, in the camera's own units
 
   /** \brief The same in physical units; empty if the camera does not know them. */
   struct Physical {
-    float least = 0;
-    float most = 0;
+    float minimum = 0;
+    float maximum = 0;
     float value = 0;
   };
   std::optional<Physical> physical;

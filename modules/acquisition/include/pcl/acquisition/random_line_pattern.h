@@ -89,7 +89,7 @@ public:
    * should be two pixels of the projector per pixel of the camera.
    * \throws BadArgumentException unless 1 <= least <= most <= 64 px */
   void
-  setLineWidths(int least, int most);
+  setLineWidths(int minimum, int maximum);
 
   int
   getLeastLineWidth() const

@@ -25,9 +25,10 @@ public:
 
   /** \brief Uniform in [least, most). */
   double
-  uniform(double least = 0.0, double most = 1.0)
+  uniform(double minimum = 0.0, double maximum = 1.0)
   {
-    return least + (most - least) * (static_cast<double>(bits() >> 11) * 0x1.0p-53);
+    return minimum +
+           (maximum - minimum) * (static_cast<double>(bits() >> 11) * 0x1.0p-53);
   }
 
   /** \brief Normal with mean 0 and standard deviation 1 (Marsaglia's polar method). */

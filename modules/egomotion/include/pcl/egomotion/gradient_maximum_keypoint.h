@@ -75,7 +75,7 @@ public:
   std::size_t
   getMaximumKeypoints() const
   {
-    return settings_.most;
+    return settings_.maximum;
   }
 
   /** \brief Sets the number of threads (0 = all, default); the result is the same. */

@@ -144,7 +144,7 @@ public:
   std::size_t
   getMaximumKeypoints() const
   {
-    return settings_.keypoints.most;
+    return settings_.keypoints.maximum;
   }
 
   /** \brief If true, surfaces and brightness refine the motion of the features (default

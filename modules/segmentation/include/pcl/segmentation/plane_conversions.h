@@ -63,10 +63,10 @@ toPlanarRegion(const PlanePatch& patch, PlanarRegion<PointT>& region)
     contour.push_back(point);
   }
   const Eigen::Matrix3d spread = acmap::spreadOf(patch);
-  constexpr std::size_t most = std::numeric_limits<unsigned>::max();
+  constexpr std::size_t maximum = std::numeric_limits<unsigned>::max();
   region = PlanarRegion<PointT>(patch.center.cast<float>(),
                                 spread.cast<float>(),
-                                static_cast<unsigned>(std::min(patch.support, most)),
+                                static_cast<unsigned>(std::min(patch.support, maximum)),
                                 contour,
                                 patch.coefficients.cast<float>());
   const double thickness = patch.rms * patch.rms;

@@ -139,8 +139,8 @@ public:
    * \throws BadArgumentException as \ref addRectangle */
   void
   addBox(const std::string& name,
-         const Eigen::Vector3d& least,
-         const Eigen::Vector3d& most,
+         const Eigen::Vector3d& minimum,
+         const Eigen::Vector3d& maximum,
          const SurfaceLook& look,
          const BoxFaces& faces = {});
 

@@ -43,7 +43,7 @@ takeThread(Arena& arena)
  * all; rethrows the first exception. */
 template <typename Work>
 void
-fork(std::size_t most, const Work& work)
+fork(std::size_t maximum, const Work& work)
 {
   Arena& here = arena();
   std::mutex mutex;
@@ -59,7 +59,7 @@ fork(std::size_t most, const Work& work)
     }
   };
   std::vector<std::thread> threads;
-  while (threads.size() + 1 < most && takeThread(here))
+  while (threads.size() + 1 < maximum && takeThread(here))
     threads.emplace_back([&] {
       entered = &here;
       guarded();

@@ -26,14 +26,14 @@ refuseArgument(const std::string& name, double value, const std::string& legal)
 inline void
 requireInRange(const std::string& name,
                double value,
-               double least,
-               double most,
+               double minimum,
+               double maximum,
                const std::string& unit)
 {
-  if (std::isfinite(value) && value >= least && value <= most)
+  if (std::isfinite(value) && value >= minimum && value <= maximum)
     return;
   std::ostringstream legal;
-  legal << "within [" << least << ", " << most << "] " << unit;
+  legal << "within [" << minimum << ", " << maximum << "] " << unit;
   refuseArgument(name, value, legal.str());
 }
 

@@ -53,7 +53,7 @@ public:
    * \param[in] most maximum length
    * \throws InputFileException when this is not a list of such a length */
   const std::vector<YamlNode>&
-  list(std::size_t least, std::size_t most) const;
+  list(std::size_t minimum, std::size_t maximum) const;
 
   /** \throws InputFileException when this is not a scalar or is empty */
   const std::string&
@@ -61,11 +61,11 @@ public:
 
   /** \brief Returns a finite number in [least, most]. */
   double
-  number(double least, double most) const;
+  number(double minimum, double maximum) const;
 
   /** \brief Returns an integer in [least, most]. */
   std::size_t
-  count(std::size_t least, std::size_t most) const;
+  count(std::size_t minimum, std::size_t maximum) const;
 
   /** \brief `true` or `false`. */
   bool

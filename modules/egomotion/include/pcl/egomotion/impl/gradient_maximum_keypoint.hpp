@@ -50,7 +50,7 @@ GradientMaximumKeypoint<PointT>::setMaximumKeypoints(std::size_t keypoints)
 {
   acmap::requireInRange(
       "maximum keypoints", static_cast<double>(keypoints), 1.0, 1e6, "keypoints");
-  settings_.most = keypoints;
+  settings_.maximum = keypoints;
 }
 
 template <typename PointT>

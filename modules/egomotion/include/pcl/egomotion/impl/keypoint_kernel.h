@@ -17,7 +17,7 @@ struct GreyImage {
 /** \brief Settings of \ref gradientMaxima; see GradientMaximumKeypoint. */
 struct KeypointSettings {
   float min_gradient = 0.5F;             ///< grey levels per pixel
-  std::size_t most = 1000;               ///< maximum number of keypoints
+  std::size_t maximum = 1000;            ///< maximum number of keypoints
   int cell_width = 32, cell_height = 24; ///< size of the cells for spreading, pixels
   unsigned threads = 0;                  ///< 0 = all
 };

@@ -64,7 +64,7 @@ VisualEgomotion<PointT>::setMaximumKeypoints(std::size_t keypoints)
 {
   acmap::requireInRange(
       "maximum keypoints", static_cast<double>(keypoints), 10, 100000, "keypoints");
-  settings_.keypoints.most = keypoints;
+  settings_.keypoints.maximum = keypoints;
   kept_.clear();
 }
 

@@ -17,7 +17,7 @@ template <typename PointT>
 void
 DepthPlaneSegmentation<PointT>::setMinArea(double area)
 {
-  acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
+  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2");
   min_area_ = area;
 }
 

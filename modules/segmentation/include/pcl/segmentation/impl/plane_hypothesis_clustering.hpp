@@ -56,7 +56,7 @@ template <typename PointT>
 void
 PlaneHypothesisClustering<PointT>::setMinArea(double area)
 {
-  acmap::requireInRange("least area", area, 0.0, 1e12, "m^2");
+  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2");
   min_area_ = area;
 }
 
