@@ -35,8 +35,8 @@ drawOutline(const PlaneOutline& outline, std::size_t index, cv::Mat3b image)
         const Eigen::Vector2d at = pixelOf(polygon[l][k]);
         const bool is_shared = !outline.edges[edge].partners.empty();
         const Color& color = is_shared ? green : l > 0 ? blue : red;
-        drawLine(image, at, pixelOf(polygon[l][(k + 1) % polygon[l].size()]), 1, color);
-        drawDot(image, at, 2, color);
+        drawLine(image, at, pixelOf(polygon[l][(k + 1) % polygon[l].size()]), 2, color);
+        drawDot(image, at, 3, color);
       }
   std::ostringstream title;
   title.precision(3);

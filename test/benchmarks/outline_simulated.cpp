@@ -22,12 +22,19 @@ struct JudgedScene {
   double seconds = 0; ///< of the outlines
 };
 
-JudgedCloud
-observed(SimulatedScene scene)
+/** \brief A scene whose sensor gives a point for every pixel in reach. */
+SimulatedScene
+withAllPixels(SimulatedScene scene)
 {
   scene.sensor.points = static_cast<std::size_t>(scene.rig.width) *
                         static_cast<std::size_t>(scene.rig.height);
   scene.sensor.views_with_one_more = 0;
+  return scene;
+}
+
+JudgedCloud
+observed(const SimulatedScene& scene)
+{
   const SimulatedCloud all = makeSceneCloud(scene);
   const auto file = std::make_shared<PointCloudFile>();
   file->cloud = cloudOf(all.merged);
@@ -35,11 +42,12 @@ observed(SimulatedScene scene)
 }
 
 JudgedScene
-judgeScene(const std::string& name, const OutlineOptions& options)
+judge(const std::string& name,
+      const SimulatedScene& scene,
+      const VisibleTruth& truth,
+      const OutlineOptions& options)
 {
-  const SimulatedScene scene = standardScene(name);
   const JudgedMap map = makeJudgedMap(name, options, [&] { return observed(scene); });
-  const VisibleTruth truth = findVisibleTruth(scene);
   const std::vector<PlaneOutline> outlines =
       makeOutlines(map.planes, scene.views.front());
   return {name,
@@ -140,8 +148,12 @@ printSimulatedOutlines(const std::vector<std::string>& names,
                        const OutlineOptions& options)
 {
   std::vector<JudgedScene> scenes;
-  for (const std::string& name : names)
-    scenes.push_back(judgeScene(name, options));
+  for (const std::string& name : names) {
+    const SimulatedScene scene = standardScene(name);
+    const VisibleTruth truth = findVisibleTruth(scene);
+    scenes.push_back(judge(name, scene, truth, options));
+    scenes.push_back(judge(name + "_all_pixels", withAllPixels(scene), truth, options));
+  }
   std::cout << "\n### Outlines of simulated scenes\n";
   printCreases(scenes);
   printAreas(scenes);

@@ -4,8 +4,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief Outlines of simulated scenes, with true poses and all points that the cameras
- * see, compared with the visible truth.
+/** \brief Outlines of simulated scenes with true poses, compared with the visible truth:
+ * with the points of the scene's sensor, and with one for every pixel in reach.
  * \param[in] scenes names of standard scenes */
 void
 printSimulatedOutlines(const std::vector<std::string>& scenes,

@@ -39,7 +39,7 @@ bool
 isNear(const PlaneOutline& outline, const VisibleFace& face)
 {
   constexpr double max_angle = 5 * degree;
-  constexpr double max_offset = 0.05; // metres, mean of the corners
+  constexpr double max_offset = 0.03; // metres, mean of the corners
   if (outline.coefficients.head<3>().dot(face.coefficients.head<3>()) <
       std::cos(max_angle))
     return false;
@@ -121,18 +121,27 @@ scoreCreases(const std::vector<PlaneOutline>& outlines,
              const VisibleTruth& truth,
              OutlineScores& scores)
 {
-  constexpr double near = 0.01; // metres
+  constexpr double near = 0.01, far = 0.5; // metres
   std::vector<std::vector<const PlaneOutline*>> planes(truth.faces.size());
   for (std::size_t p = 0; p < outlines.size(); ++p)
     if (scores.face_of_plane[p] >= 0)
       planes[static_cast<std::size_t>(scores.face_of_plane[p])].push_back(&outlines[p]);
   std::array<std::size_t, 2> faces{};
   std::vector<OutlineEdge> shared; // of these faces
+  const auto distanceTo = [&](std::size_t face, const Eigen::Vector3d& place) {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (const PlaneOutline* plane : planes[face])
+      minimum = std::min(minimum, plane->distanceWithin(place));
+    return minimum;
+  };
   for (const CreaseSample& sample : truth.creases) {
     scores.creases += raster_cell;
-    if (planes[sample.faces[0]].empty() || planes[sample.faces[1]].empty())
+    const double distance = std::max(distanceTo(sample.faces[0], sample.place),
+                                     distanceTo(sample.faces[1], sample.place));
+    if (distance > far)
       continue;
     scores.found += raster_cell;
+    scores.gaps += distance > near ? raster_cell : 0;
     if (faces != sample.faces) {
       faces = sample.faces;
       shared = sharedEdges(outlines, scores.face_of_plane, faces[0], faces[1]);
@@ -141,14 +150,6 @@ scoreCreases(const std::vector<PlaneOutline>& outlines,
           return edge.distance(sample.place) <= near;
         }))
       scores.shared += raster_cell;
-    const auto isReached = [&](std::size_t face) {
-      return std::any_of(
-          planes[face].begin(), planes[face].end(), [&](const PlaneOutline* plane) {
-            return plane->distanceWithin(sample.place) <= near;
-          });
-    };
-    if (!isReached(faces[0]) || !isReached(faces[1]))
-      scores.gaps += raster_cell;
   }
 }
 

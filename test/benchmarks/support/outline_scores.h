@@ -13,14 +13,16 @@ namespace pcl::acmap::bench {
 struct OutlineScores {
   /** \brief Plane of the truth for each plane of the map, -1 for none: the face with
    * the largest part of its outline, if that is at least half of it, the normals are
-   * within 5 degrees and the corners within 5 cm of the true plane on average. */
+   * within 5 degrees and the corners within 3 cm of the true plane on average. */
   std::vector<std::int32_t> face_of_plane;
   double unmatched_area = 0; ///< of planes without a face
 
   double creases = 0; ///< see VisibleTruth::creases
-  double found = 0;   ///< of these, both faces have planes of the map
-  double shared = 0;  ///< of these, within 1 cm of an edge that both planes have
-  double gaps = 0;    ///< of the found, an outline ends more than 1 cm away
+  /** \brief Of these, both faces have planes of the map whose outlines are within 0.5 m:
+   * a face may consist of several parts. */
+  double found = 0;
+  double shared = 0; ///< of these, within 1 cm of an edge that both planes have
+  double gaps = 0;   ///< of the found, an outline ends more than 1 cm away
 
   // of the faces that have planes of the map
   double seen = 0;

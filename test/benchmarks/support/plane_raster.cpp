@@ -29,9 +29,8 @@ makePlaneFrame(const Eigen::Vector4d& coefficients)
   const Eigen::Vector3d normal = coefficients.head<3>();
   PlaneFrame frame;
   frame.origin = -coefficients[3] * normal;
-  int flattest = 0;
-  normal.cwiseAbs().minCoeff(&flattest);
-  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(flattest);
+  const Eigen::Vector3d axis =
+      Eigen::Vector3d::Unit(std::abs(normal.x()) < 0.8 ? 0 : 2);
   frame.u = (axis - axis.dot(normal) * normal).normalized();
   frame.v = normal.cross(frame.u);
   return frame;

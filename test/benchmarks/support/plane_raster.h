@@ -32,8 +32,8 @@ struct PlaneFrame {
   }
 };
 
-/** \brief A frame of a plane a x + b y + c z + d = 0 whose u is as close as possible to
- * a coordinate axis. */
+/** \brief A frame of a plane a x + b y + c z + d = 0; u is the projection of the x axis,
+ * or of the z axis for planes that face along x: level for floors and walls. */
 PlaneFrame
 makePlaneFrame(const Eigen::Vector4d& coefficients);
 

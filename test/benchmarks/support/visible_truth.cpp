@@ -235,6 +235,28 @@ addCrease(const std::vector<TruthPlane>& planes,
   }
 }
 
+/** \brief The true planes of a scene, those that are in one plane as one. */
+std::vector<TruthPlane>
+distinctPlanes(const SceneGeometry& geometry)
+{
+  constexpr double same = 1e-6;
+  std::vector<TruthPlane> planes;
+  for (const TruthPlane& plane : geometry.planes()) {
+    const auto known =
+        std::find_if(planes.begin(), planes.end(), [&](const TruthPlane& other) {
+          return (other.coefficients - plane.coefficients).norm() < same;
+        });
+    if (known == planes.end()) {
+      planes.push_back(plane);
+      continue;
+    }
+    known->name += " and " + plane.name;
+    known->rectangles.insert(
+        known->rectangles.end(), plane.rectangles.begin(), plane.rectangles.end());
+  }
+  return planes;
+}
+
 /** \brief Is a place a corner of the face's boundary, and was the face seen around it?
  */
 bool
@@ -286,7 +308,7 @@ VisibleTruth::seenArea() const
 VisibleTruth
 findVisibleTruth(const SimulatedScene& scene)
 {
-  const std::vector<TruthPlane>& planes = scene.geometry.planes();
+  const std::vector<TruthPlane> planes = distinctPlanes(scene.geometry);
   VisibleTruth truth;
   Sight sight(scene);
   for (const TruthPlane& plane : planes)

@@ -11,7 +11,8 @@
 
 namespace pcl::acmap::bench {
 
-/** \brief A true plane with the part of it that the cameras saw. */
+/** \brief A true plane with the part of it that the cameras saw. Several of a scene that
+ * lie in one plane, such as the tops of two tables, are one face. */
 struct VisibleFace {
   std::string name;
   Eigen::Vector4d coefficients = Eigen::Vector4d::Zero();
