@@ -1,0 +1,18 @@
+#pragma once
+
+#include "outline_maps.h"
+
+namespace pcl::acmap::bench {
+
+/** \brief Outlines of simulated scenes with true poses, compared with the visible truth:
+ * with the points of the scene's sensor, and with one for every pixel in reach.
+ * \param[in] scenes names of standard scenes */
+void
+printSimulatedOutlines(const std::vector<std::string>& scenes,
+                       const OutlineOptions& options);
+
+/** \brief Outlines of real scans, without truth. */
+void
+printScanOutlines(const OutlineOptions& options);
+
+} // namespace pcl::acmap::bench
