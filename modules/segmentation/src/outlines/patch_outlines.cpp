@@ -96,7 +96,7 @@ setPolygons(const std::vector<Loop>& shaped,
     return signedArea(*a) > signedArea(*b);
   });
   for (const Loop* rim : rims) {
-    patch.polygons.push_back({lift(*rim, frame), {}, {}});
+    patch.polygons.push_back({lift(*rim, frame), {}});
     patch.area += signedArea(*rim);
   }
   for (const Loop& loop : loops) {

@@ -31,7 +31,7 @@ struct PlanePolygon {
   std::vector<std::vector<Eigen::Vector3f>> holes;
   /** \brief One for each point, of the outer boundary first, then of each hole: that to
    * the next point. Empty if the polygon has no known neighbours. */
-  std::vector<PolygonEdge> edges;
+  std::vector<PolygonEdge> edges{};
 };
 
 /** \brief A plane of a building with its attributes. \ingroup core */
