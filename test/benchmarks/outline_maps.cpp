@@ -1,5 +1,6 @@
 #include "outline_maps.h"
 
+#include "cpu_time.h"
 #include "outline_picture.h"
 
 #include <pcl/core/map_file.h>
@@ -22,15 +23,18 @@ findJudgedMap(const JudgedCloud& cloud)
   PlaneMapping mapping;
   mapping.setInputCloud(cloud.cloud);
   mapping.setViewpoints(cloud.viewpoints);
+  double begin = 0, seconds = 0; // wall time would tell of the machine's other load
+  bool is_outlining = false;
+  mapping.setProgressCallback([&](double, const std::string& step) {
+    if (is_outlining)
+      seconds += processSeconds() - begin;
+    is_outlining = step == "outlines";
+    begin = processSeconds();
+    return true;
+  });
   MappedPlanes found;
   mapping.compute(found);
-  JudgedMap map{std::move(found.planes), 0};
-  const PlaneMappingReport& report = mapping.getReport();
-  if (report.planes)
-    for (const auto& [step, seconds] : report.planes->seconds)
-      if (step == "outlines")
-        map.seconds += seconds;
-  return map;
+  return {std::move(found.planes), seconds};
 }
 
 void

@@ -21,7 +21,7 @@ struct OutlineOptions {
 /** \brief A map whose outlines are judged. */
 struct JudgedMap {
   std::vector<PlanePatch> planes;
-  double seconds = 0; ///< of the outlines, wall time; NaN for a map from a file
+  double seconds = 0; ///< CPU time of the outlines; NaN for a map from a file
 };
 
 /** \brief A cloud with the sensor positions of its field `view`. */

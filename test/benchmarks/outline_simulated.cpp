@@ -82,7 +82,7 @@ printCreases(const std::vector<JudgedScene>& scenes)
              "polygons that cross themselves",
              "holes",
              "slivers",
-             "outlines, s"});
+             "outlines, CPU s"});
   for (const JudgedScene& scene : scenes) {
     const OutlineScores& scores = scene.scores;
     const auto spurious = std::count(
