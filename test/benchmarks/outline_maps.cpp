@@ -2,6 +2,7 @@
 
 #include "cpu_time.h"
 #include "outline_picture.h"
+#include "simulated_clouds.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/pipeline/plane_mapping.h>
@@ -9,6 +10,15 @@
 #include <limits>
 
 namespace pcl::acmap::bench {
+
+JudgedCloud
+observeScene(const SimulatedScene& scene)
+{
+  const SimulatedCloud all = makeSceneCloud(scene);
+  const auto file = std::make_shared<PointCloudFile>();
+  file->cloud = cloudOf(all.merged);
+  return {file, all.sensorOrigins()};
+}
 
 JudgedMap
 readJudgedMap(const std::string& name, const OutlineOptions& options)

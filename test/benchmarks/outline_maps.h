@@ -2,6 +2,7 @@
 
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/simulation/simulated_scene.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +30,10 @@ struct JudgedCloud {
   std::shared_ptr<const PointCloudFile> cloud;
   std::vector<Eigen::Vector3f> viewpoints;
 };
+
+/** \brief All views of a scene, with their true poses. */
+JudgedCloud
+observeScene(const SimulatedScene& scene);
 
 /** \brief Finds the planes of a cloud with the defaults of PlaneMapping, or reads them,
  * and saves and draws them, as the options say.
