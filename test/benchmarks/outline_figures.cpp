@@ -8,7 +8,7 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_outline_figures [--save DIR] [--from DIR] [--pictures DIR]\n"
-    "       [corridor_survey] [office] [l_corridor] [loop] [scans]\n"
+    "       [corridor_survey] [office] [l_corridor] [loop] [polyfit] [scans]\n"
     "Prints as Markdown tables how the outlines of planes agree with what the cameras\n"
     "saw; without a name all of them. Real clouds are read from the folder named by "
     "the\n"
@@ -39,6 +39,7 @@ main(int argc, char** argv)
       names.push_back(argv[i]);
   }
   std::set<std::string> known(scenes.begin(), scenes.end());
+  known.insert("polyfit");
   known.insert("scans");
   Sections sections;
   if (const auto exit_code = Sections::read(
@@ -48,6 +49,12 @@ main(int argc, char** argv)
   for (const std::string& scene : scenes)
     if (sections.isWanted(scene.c_str()))
       wanted.push_back(scene);
+  if (sections.isWanted("polyfit"))
+#ifdef ACMAP_HAVE_POLYFIT
+    printPolyfitOutlines(scenes, options);
+#else
+    std::cerr << "polyfit: left out, built without CGAL or GLPK\n";
+#endif
   if (!wanted.empty())
     printSimulatedOutlines(wanted, options);
   if (sections.isWanted("scans"))

@@ -1,6 +1,8 @@
 #include "outline_maps.h"
 
+#include "cpu_time.h"
 #include "outline_picture.h"
+#include "simulated_clouds.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/pipeline/plane_mapping.h>
@@ -8,6 +10,15 @@
 #include <limits>
 
 namespace pcl::acmap::bench {
+
+JudgedCloud
+observeScene(const SimulatedScene& scene)
+{
+  const SimulatedCloud all = makeSceneCloud(scene);
+  const auto file = std::make_shared<PointCloudFile>();
+  file->cloud = cloudOf(all.merged);
+  return {file, all.sensorOrigins()};
+}
 
 JudgedMap
 readJudgedMap(const std::string& name, const OutlineOptions& options)
@@ -22,15 +33,18 @@ findJudgedMap(const JudgedCloud& cloud)
   PlaneMapping mapping;
   mapping.setInputCloud(cloud.cloud);
   mapping.setViewpoints(cloud.viewpoints);
+  double begin = 0, seconds = 0; // wall time would tell of the machine's other load
+  bool is_outlining = false;
+  mapping.setProgressCallback([&](double, const std::string& step) {
+    if (is_outlining)
+      seconds += processSeconds() - begin;
+    is_outlining = step == "outlines";
+    begin = processSeconds();
+    return true;
+  });
   MappedPlanes found;
   mapping.compute(found);
-  JudgedMap map{std::move(found.planes), 0};
-  const PlaneMappingReport& report = mapping.getReport();
-  if (report.planes)
-    for (const auto& [step, seconds] : report.planes->seconds)
-      if (step == "outlines")
-        map.seconds += seconds;
-  return map;
+  return {std::move(found.planes), seconds};
 }
 
 void

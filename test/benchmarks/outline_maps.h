@@ -2,6 +2,7 @@
 
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/simulation/simulated_scene.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ struct OutlineOptions {
 /** \brief A map whose outlines are judged. */
 struct JudgedMap {
   std::vector<PlanePatch> planes;
-  double seconds = 0; ///< of the outlines, wall time; NaN for a map from a file
+  double seconds = 0; ///< CPU time of the outlines; NaN for a map from a file
 };
 
 /** \brief A cloud with the sensor positions of its field `view`. */
@@ -29,6 +30,10 @@ struct JudgedCloud {
   std::shared_ptr<const PointCloudFile> cloud;
   std::vector<Eigen::Vector3f> viewpoints;
 };
+
+/** \brief All views of a scene, with their true poses. */
+JudgedCloud
+observeScene(const SimulatedScene& scene);
 
 /** \brief Finds the planes of a cloud with the defaults of PlaneMapping, or reads them,
  * and saves and draws them, as the options say.

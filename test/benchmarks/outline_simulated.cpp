@@ -2,7 +2,6 @@
 
 #include "markdown_row.h"
 #include "outline_scores.h"
-#include "simulated_clouds.h"
 #include "statistics.h"
 #include "units.h"
 
@@ -32,22 +31,14 @@ withAllPixels(SimulatedScene scene)
   return scene;
 }
 
-JudgedCloud
-observed(const SimulatedScene& scene)
-{
-  const SimulatedCloud all = makeSceneCloud(scene);
-  const auto file = std::make_shared<PointCloudFile>();
-  file->cloud = cloudOf(all.merged);
-  return {file, all.sensorOrigins()};
-}
-
 JudgedScene
 judge(const std::string& name,
       const SimulatedScene& scene,
       const VisibleTruth& truth,
       const OutlineOptions& options)
 {
-  const JudgedMap map = makeJudgedMap(name, options, [&] { return observed(scene); });
+  const JudgedMap map =
+      makeJudgedMap(name, options, [&] { return observeScene(scene); });
   const std::vector<PlaneOutline> outlines =
       makeOutlines(map.planes, scene.views.front());
   return {name,
@@ -82,7 +73,7 @@ printCreases(const std::vector<JudgedScene>& scenes)
              "polygons that cross themselves",
              "holes",
              "slivers",
-             "outlines, s"});
+             "outlines, CPU s"});
   for (const JudgedScene& scene : scenes) {
     const OutlineScores& scores = scene.scores;
     const auto spurious = std::count(

@@ -11,6 +11,13 @@ void
 printSimulatedOutlines(const std::vector<std::string>& scenes,
                        const OutlineOptions& options);
 
+/** \brief The surfaces that PolyFit makes of the same scenes, knowing the true planes,
+ * beside ours. Must be called before any thread is started.
+ * \param[in] scenes names of standard scenes */
+void
+printPolyfitOutlines(const std::vector<std::string>& scenes,
+                     const OutlineOptions& options);
+
 /** \brief Outlines of real scans, without truth. */
 void
 printScanOutlines(const OutlineOptions& options);

@@ -235,9 +235,10 @@ addCrease(const std::vector<TruthPlane>& planes,
   }
 }
 
-/** \brief The true planes of a scene, those that are in one plane as one. */
+/** \brief The true planes of a scene, those that are in one plane as one.
+ * \param[out] place of each true plane among them */
 std::vector<TruthPlane>
-distinctPlanes(const SceneGeometry& geometry)
+distinctPlanes(const SceneGeometry& geometry, std::vector<std::size_t>& place)
 {
   constexpr double same = 1e-6;
   std::vector<TruthPlane> planes;
@@ -246,6 +247,7 @@ distinctPlanes(const SceneGeometry& geometry)
         std::find_if(planes.begin(), planes.end(), [&](const TruthPlane& other) {
           return (other.coefficients - plane.coefficients).norm() < same;
         });
+    place.push_back(static_cast<std::size_t>(known - planes.begin()));
     if (known == planes.end()) {
       planes.push_back(plane);
       continue;
@@ -308,8 +310,9 @@ VisibleTruth::seenArea() const
 VisibleTruth
 findVisibleTruth(const SimulatedScene& scene)
 {
-  const std::vector<TruthPlane> planes = distinctPlanes(scene.geometry);
   VisibleTruth truth;
+  const std::vector<TruthPlane> planes =
+      distinctPlanes(scene.geometry, truth.face_of_plane);
   Sight sight(scene);
   for (const TruthPlane& plane : planes)
     truth.faces.push_back(makeFace(plane, sight));
