@@ -74,29 +74,46 @@ mainDirection(std::size_t own,
   return std::cos(angle) * patch.axis_u + std::sin(angle) * patch.axis_v;
 }
 
-/** Calls visit (y, from, to) for the cells of each row whose centres are in a triangle. */
-template <typename Visit>
+/** Adds the cells whose centres are in a triangle. */
 void
-visitTriangle(const std::array<Eigen::Vector2d, 3>& corners, const Visit& visit)
+fillTriangle(const std::array<Eigen::Vector2d, 3>& corners, CellSet& cells)
 {
   const auto [low, high] =
       std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-  const int last = static_cast<int>(std::floor(high - 0.5));
-  for (int y = static_cast<int>(std::ceil(low - 0.5)); y <= last; ++y) {
-    double from = std::numeric_limits<double>::infinity(), to = -from;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector2d &a = corners[k], &b = corners[(k + 1) % 3];
-      if (std::min(a.y(), b.y()) > y + 0.5 || std::max(a.y(), b.y()) < y + 0.5)
+  const bool is_left_turn = cross(Eigen::Vector2d(corners[1] - corners[0]),
+                                  Eigen::Vector2d(corners[2] - corners[0])) > 0;
+  // each side bounds the rows from the left or from the right
+  struct Bound {
+    double x = 0, slope = 0;
+    bool is_left = false, is_used = false;
+  };
+  std::array<Bound, 3> bounds;
+  const int first = static_cast<int>(std::ceil(low - 0.5));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d &a = corners[k], &b = corners[(k + 1) % 3];
+    if (a.y() == b.y())
+      continue;
+    const double slope = (b.x() - a.x()) / (b.y() - a.y());
+    bounds[k] = {a.x() + (first + 0.5 - a.y()) * slope,
+                 slope,
+                 (b.y() < a.y()) == is_left_turn,
+                 true};
+  }
+  for (int y = first; y + 0.5 <= high; ++y) {
+    double from = -std::numeric_limits<double>::infinity(), to = -from;
+    for (Bound& bound : bounds) {
+      if (!bound.is_used)
         continue;
-      const double share = a.y() == b.y() ? 0 : (y + 0.5 - a.y()) / (b.y() - a.y());
-      const double x = a.x() + share * (b.x() - a.x());
-      from = std::min({from, x, a.y() == b.y() ? b.x() : x});
-      to = std::max({to, x, a.y() == b.y() ? b.x() : x});
+      if (bound.is_left)
+        from = std::max(from, bound.x);
+      else
+        to = std::min(to, bound.x);
+      bound.x += bound.slope;
     }
     if (from <= to)
-      visit(y,
-            static_cast<int>(std::ceil(from - 0.5)),
-            static_cast<int>(std::floor(to - 0.5)) + 1);
+      cells.addRun(y,
+                   static_cast<int>(std::ceil(from - 0.5)),
+                   static_cast<int>(std::floor(to - 0.5)) + 1);
   }
 }
 
@@ -168,30 +185,39 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
          std::vector<PlaneRaster>& rasters)
 {
   const double max_off = known.spacing / 2;
-  const auto labelOf = [&](std::int32_t corner) {
-    return known.labels[static_cast<std::size_t>(corner)];
-  };
-  const auto pointOf = [&](std::int32_t corner) -> Eigen::Vector3d {
-    return known.points[static_cast<std::size_t>(corner)].cast<double>();
-  };
+  std::vector<Eigen::Vector2d> places(
+      known.labels.size()); // in the raster of the plane
+  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (known.labels[i] >= 0)
+        places[i] = rasters[static_cast<std::size_t>(known.labels[i])].placeOf(
+            known.points[i].cast<double>());
+  });
   for (const TriangleMesh::Triangle& t : triangles) {
-    std::array<std::int32_t, 3> labels{labelOf(t[0]), labelOf(t[1]), labelOf(t[2])};
-    std::sort(labels.begin(), labels.end());
-    const std::int32_t plane = labels[1];
-    if (plane < 0 || labels[2] != plane || (labels[0] != plane && labels[0] >= 0))
+    std::int32_t plane = -1, strangers = 0;
+    bool is_one = true;
+    for (const std::int32_t corner : t) {
+      const std::int32_t label = known.labels[static_cast<std::size_t>(corner)];
+      strangers += label < 0 ? 1 : 0;
+      is_one &= label < 0 || plane < 0 || label == plane;
+      plane = std::max(plane, label);
+    }
+    if (!is_one || strangers > 1)
       continue;
     PlaneRaster& raster = rasters[static_cast<std::size_t>(plane)];
     std::array<Eigen::Vector2d, 3> corners;
     bool is_near = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d point = pointOf(t[k]);
-      is_near &= labelOf(t[k]) == plane ||
-                 std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
+      const auto corner = static_cast<std::size_t>(t[k]);
+      corners[k] = places[corner];
+      if (known.labels[corner] >= 0)
+        continue;
+      const Eigen::Vector3d point = known.points[corner].cast<double>();
+      is_near = std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
       corners[k] = raster.placeOf(point);
     }
     if (is_near)
-      visitTriangle(corners,
-                    [&](int y, int from, int to) { raster.seen.addRun(y, from, to); });
+      fillTriangle(corners, raster.seen);
   }
 }
 

@@ -142,13 +142,13 @@ private:
   }
 
   /** The corners of a polyline, straightened; without its ends. */
-  static Loop
+  Loop
   innerCorners(const Loop& rim,
-               Straightening straightening,
-               std::vector<RimLine>& lines)
+               const Boundary& boundary,
+               std::vector<RimLine>& lines) const
   {
-    if (straightening == Straightening::Lines) {
-      lines = rimLines(rim, 1);
+    if (boundary.straightening == Straightening::Lines) {
+      lines = rimLines(rim, noiseOf(rim, rasters_[boundary.plane]));
       return cornersOf(lines, rim);
     }
     constexpr double tolerance = 0.9;
@@ -161,9 +161,33 @@ private:
     return corners;
   }
 
+  /** Noise of a rim in cells: where no sensor looked past it, it is where the evidence
+   * fades, which is less certain than where a surface ends. */
+  static double
+  noiseOf(const Loop& rim, const PlaneRaster& raster)
+  {
+    constexpr double of_rims = 1, of_frontiers = 2, min_share = 0.25;
+    constexpr int nearest = 1, farthest = 4; // cells beyond
+    int all = 0, free = 0;
+    for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
+      const Eigen::Vector2d way = rim[i + 1] - rim[i];
+      const Eigen::Vector2d outwards(way.y(), -way.x());
+      const Eigen::Vector2d middle = (rim[i] + rim[i + 1]) / 2;
+      for (int off = nearest; off <= farthest; ++off) {
+        const Eigen::Vector2d at = middle + (off + 0.5) * outwards;
+        ++all;
+        free += raster.free.has(static_cast<int>(std::floor(at.x())),
+                                static_cast<int>(std::floor(at.y())))
+                    ? 1
+                    : 0;
+      }
+    }
+    return free > min_share * all ? of_rims : of_frontiers;
+  }
+
   /** A boundary without creases begins at the corner farthest from its middle. */
-  static void
-  addWhole(const Boundary& boundary, std::vector<OutlinePoint>& points)
+  void
+  addWhole(const Boundary& boundary, std::vector<OutlinePoint>& points) const
   {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& corner : boundary.contour)
@@ -178,8 +202,7 @@ private:
     std::rotate(rim.begin(), farthest, rim.end());
     rim.push_back(rim.front());
     std::vector<RimLine> lines;
-    for (const Eigen::Vector2d& corner :
-         innerCorners(rim, boundary.straightening, lines))
+    for (const Eigen::Vector2d& corner : innerCorners(rim, boundary, lines))
       addOwn(corner, points);
     if (lines.empty())
       addOwn(rim.front(), points);
@@ -234,7 +257,7 @@ private:
     for (std::size_t i = 0; i <= piece.count; ++i)
       rim.push_back(boundary.contour[(piece.first + i) % boundary.contour.size()]);
     std::vector<RimLine> lines;
-    const Loop corners = innerCorners(rim, boundary.straightening, lines);
+    const Loop corners = innerCorners(rim, boundary, lines);
     const RimLine* const first = lines.empty() ? nullptr : &lines.front();
     const RimLine* const last = lines.empty() ? nullptr : &lines.back();
     addRimEnd(before, boundary.plane, rim.front(), first, -1, points);

@@ -11,6 +11,7 @@ constexpr double max_fill = 10, cut = 6, kept = 7;
 constexpr double closing = 3, opening = 1.6;
 constexpr std::int64_t min_part = 36;
 constexpr std::int64_t max_hole = 144, max_hole_without_sensors = 36;
+constexpr double sliver = 0.01; // m^2
 
 struct CellPlace {
   int x, y;
@@ -124,7 +125,9 @@ fillHoles(const PlaneRaster& raster, bool knows_sensors, CellSet& cells)
   const std::vector<std::vector<CellRun>> parts = partsOf(cells.complement(), true);
   for (std::size_t i = 1; i < parts.size(); ++i) { // the first one is the outside
     const std::int64_t size = sizeOf(parts[i]);
-    if (size > (knows_sensors ? max_hole : max_hole_without_sensors))
+    const bool is_sliver =
+        static_cast<double>(size) * raster.cell * raster.cell < sliver;
+    if (!is_sliver && size > (knows_sensors ? max_hole : max_hole_without_sensors))
       continue;
     const auto share = [&](const CellSet& set) {
       return static_cast<double>(countOf(parts[i], set)) / static_cast<double>(size);
