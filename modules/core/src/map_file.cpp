@@ -4,6 +4,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/map_topology.h>
 #include <pcl/core/output_file.h>
 
 #include <nlohmann/json.hpp>
@@ -119,6 +120,26 @@ chartsOfPlanes(const CompactMap& map)
   return charts;
 }
 
+Json
+jsonOf(const MapEdge& edge)
+{
+  Json planes = {edge.planes[0]};
+  if (edge.planes[1] >= 0)
+    planes.push_back(edge.planes[1]);
+  return {{"vertices", edge.vertices},
+          {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
+          {"planes", std::move(planes)}};
+}
+
+Json
+jsonOf(const MapFace& face)
+{
+  return {{"plane", face.plane},
+          {"polygon", face.polygon},
+          {"outer", face.outer},
+          {"holes", face.holes}};
+}
+
 using Write = std::function<void(const std::string&)>;
 
 /** Writes one element per line. */
@@ -129,6 +150,27 @@ writeLines(const Write& write,
 {
   for (std::size_t i = 0; i < count; ++i)
     write((i ? ",\n" : "\n") + line(i).dump());
+}
+
+/** Writes vertices, edges and faces, if there are any. */
+void
+writeTopology(const Write& write, const MapTopology& topology)
+{
+  if (topology.faces.empty())
+    return;
+  write("\n],\"vertices\":[");
+  writeLines(write, topology.vertices.size(), [&](std::size_t i) {
+    const Eigen::Vector3f& p = topology.vertices[i];
+    return Json{shortest(p.x()), shortest(p.y()), shortest(p.z())};
+  });
+  write("\n],\"edges\":[");
+  writeLines(write, topology.edges.size(), [&](std::size_t i) {
+    return jsonOf(topology.edges[i]);
+  });
+  write("\n],\"faces\":[");
+  writeLines(write, topology.faces.size(), [&](std::size_t i) {
+    return jsonOf(topology.faces[i]);
+  });
 }
 
 bool
@@ -159,6 +201,7 @@ acmap::writeMap(const CompactMap& map, const Write& write)
       plane["charts"] = charts[id];
     return plane;
   });
+  writeTopology(write, topologyOf(map.planes));
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
     writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {

@@ -39,8 +39,15 @@ requirePlane(const PlanePatch& plane, std::size_t index)
     const PlanePolygon& polygon = plane.polygons[i];
     const std::string name = "polygons[" + std::to_string(i) + "].";
     require(name + "outer", faultOfLoop(polygon.outer));
-    for (std::size_t k = 0; k < polygon.holes.size(); ++k)
+    std::size_t points = polygon.outer.size();
+    for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
       require(name + "holes[" + std::to_string(k) + "]", faultOfLoop(polygon.holes[k]));
+      points += polygon.holes[k].size();
+    }
+    if (!polygon.edges.empty() && polygon.edges.size() != points)
+      require(name + "edges",
+              "are " + std::to_string(polygon.edges.size()) + " for " +
+                  std::to_string(points) + " points");
   }
 }
 

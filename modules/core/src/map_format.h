@@ -2,6 +2,7 @@
 
 #include <pcl/core/compact_map.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,6 +11,10 @@
 namespace pcl::acmap {
 
 class ByteSource;
+
+/** \brief The names of \ref EdgeKind in files. */
+inline constexpr std::array<const char*, 5> edge_kinds{
+    "open", "crease", "contact", "rim", "frontier"};
 
 /** \brief Describes what is wrong with the equation of a plane, as a continuation of
  * the name of its coefficients; empty if it is valid. */

@@ -117,6 +117,16 @@ fillTriangle(const std::array<Eigen::Vector2d, 3>& corners, CellSet& cells)
   }
 }
 
+bool
+isAtRim(const CellSet& seen, const Eigen::Vector2d& place)
+{
+  constexpr int reach = 3;
+  const int x = static_cast<int>(std::floor(place.x()));
+  const int y = static_cast<int>(std::floor(place.y()));
+  return !(seen.has(x - reach, y) && seen.has(x + reach, y) && seen.has(x, y - reach) &&
+           seen.has(x, y + reach));
+}
+
 } // namespace
 
 void
@@ -216,9 +226,19 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
       is_near = std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
       corners[k] = raster.placeOf(point);
     }
-    if (is_near)
-      fillTriangle(corners, raster.seen);
+    if (!is_near)
+      continue;
+    fillTriangle(corners, raster.seen);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (known.labels[static_cast<std::size_t>(t[k])] < 0)
+        raster.rim_points.push_back(corners[k]);
   }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (known.labels[i] >= 0) {
+      PlaneRaster& raster = rasters[static_cast<std::size_t>(known.labels[i])];
+      if (isAtRim(raster.seen, places[i]))
+        raster.rim_points.push_back(places[i]);
+    }
 }
 
 void

@@ -19,9 +19,10 @@ struct PlaneRaster {
   Eigen::Vector3d axis_v = Eigen::Vector3d::UnitY();
   double cell = 0; ///< edge length of a cell, metres
 
-  CellSet seen;    ///< covered by the surface
-  CellSet free;    ///< a sensor looked through
-  CellSet barrier; ///< beyond a crease
+  CellSet seen;                            ///< covered by the surface
+  std::vector<Eigen::Vector2d> rim_points; ///< corners of faces near the end of these
+  CellSet free;                            ///< a sensor looked through
+  CellSet barrier;                         ///< beyond a crease
 
   Eigen::Vector2d
   placeOf(const Eigen::Vector3d& point) const
@@ -49,7 +50,8 @@ std::vector<PlaneRaster>
 rastersOf(const KnownPlanes& known);
 
 /** Marks the cells covered by the faces of the planes: those with three corners on the
- * plane, or with two where the third is on no plane and nearly on this one. */
+ * plane, or with two where the third is on no plane and nearly on this one. Sets the
+ * points near rims. */
 void
 addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
          const KnownPlanes& known,

@@ -132,6 +132,44 @@ rimLines(const Loop& rim, double noise)
   return lines;
 }
 
+void
+refineLines(const Loop& rim,
+            const std::vector<Eigen::Vector2d>& points,
+            std::vector<RimLine>& lines)
+{
+  constexpr double bin = 2, inside = 2, outside = 1.5, at_corners = 1; // cells
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  for (RimLine& line : lines) {
+    const Eigen::Vector2d outwards(line.direction.y(), -line.direction.x());
+    double begin = (rim[line.from] - line.middle).dot(line.direction);
+    double end = (rim[line.to] - line.middle).dot(line.direction);
+    if (end - begin > 4 * at_corners + bin) {
+      begin += at_corners;
+      end -= at_corners;
+    }
+    if (!(end > begin))
+      continue;
+    std::vector<double> outermost(static_cast<std::size_t>((end - begin) / bin) + 1,
+                                  none);
+    for (const Eigen::Vector2d& point : points) {
+      const double along = (point - line.middle).dot(line.direction);
+      const double off = (point - line.middle).dot(outwards);
+      if (along < begin || along > end || off < -inside || off > outside)
+        continue;
+      double& farthest = outermost[static_cast<std::size_t>((along - begin) / bin)];
+      farthest = std::max(farthest, off);
+    }
+    outermost.erase(std::remove(outermost.begin(), outermost.end(), none),
+                    outermost.end());
+    if (outermost.empty())
+      continue;
+    double sum = 0;
+    for (const double off : outermost)
+      sum += off;
+    line.middle += sum / static_cast<double>(outermost.size()) * outwards;
+  }
+}
+
 Loop
 cornersOf(const std::vector<RimLine>& lines, const Loop& rim)
 {

@@ -31,6 +31,14 @@ struct RimLine {
 std::vector<RimLine>
 rimLines(const Loop& rim, double noise);
 
+/** Moves lines, which follow the cells, to the outermost points of the surface along them.
+ * \param[in] rim with the surface on its left
+ * \param[in] points of the surface near its rims, in cells */
+void
+refineLines(const Loop& rim,
+            const std::vector<Eigen::Vector2d>& points,
+            std::vector<RimLine>& lines);
+
 /** The corners of a polyline along lines: their intersections, or if these are far from
  * the break point, the break point projected onto both. First and last corner are left
  * out. */

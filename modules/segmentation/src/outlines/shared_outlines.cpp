@@ -148,7 +148,9 @@ private:
                std::vector<RimLine>& lines) const
   {
     if (boundary.straightening == Straightening::Lines) {
-      lines = rimLines(rim, noiseOf(rim, rasters_[boundary.plane]));
+      const PlaneRaster& raster = rasters_[boundary.plane];
+      lines = rimLines(rim, noiseOf(rim, raster));
+      refineLines(rim, raster.rim_points, lines);
       return cornersOf(lines, rim);
     }
     constexpr double tolerance = 0.9;
