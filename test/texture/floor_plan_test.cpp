@@ -130,29 +130,48 @@ TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
     }
 }
 
-/** The same rooms in the frame of a scanner, z up, far from the origin. */
-TEST(FloorPlan, IsDrawnAlongTheFloorOfAnyFrame)
+/** Moves a map. */
+CompactMap
+moved(CompactMap map, const Eigen::Isometry3d& T_out_map)
 {
-  Eigen::Isometry3d T_out_map(Eigen::Translation3d(100, -50, 7));
-  T_out_map.rotate(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()));
-  CompactMap map = makeRooms();
+  const auto move = [&](Loop& loop) {
+    for (Vector3f& place : loop)
+      place = (T_out_map * place.cast<double>()).cast<float>();
+  };
   for (PlanePatch& plane : map.planes) {
     const Eigen::Vector3d normal = T_out_map.linear() * plane.coefficients.head<3>();
     plane.coefficients << normal,
         plane.coefficients[3] - normal.dot(T_out_map.translation());
     for (PlanePolygon& polygon : plane.polygons) {
-      for (Vector3f& place : polygon.outer)
-        place = (T_out_map * place.cast<double>()).cast<float>();
+      move(polygon.outer);
       for (Loop& hole : polygon.holes)
-        for (Vector3f& place : hole)
-          place = (T_out_map * place.cast<double>()).cast<float>();
+        move(hole);
     }
   }
-  const FloorPlan plan = makeFloorPlan(map);
+  return map;
+}
+
+/** The same rooms in the frame of a scanner, z up, far from the origin. */
+TEST(FloorPlan, IsDrawnAlongTheFloorOfAnyFrame)
+{
+  Eigen::Isometry3d T_out_map(Eigen::Translation3d(100, -50, 7));
+  T_out_map.rotate(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()));
+  const FloorPlan plan = makeFloorPlan(moved(makeRooms(), T_out_map));
   EXPECT_TRUE(plan.up.isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
   ASSERT_EQ(plan.rooms.size(), 2U);
   EXPECT_NEAR(plan.rooms[0].area, 12, 0.15);
   EXPECT_EQ(plan.openings.size(), 3U);
+}
+
+TEST(FloorPlan, IsAlignedWithTheWalls)
+{
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()));
+  const FloorPlan plan = makeFloorPlan(moved(makeRooms(), turn));
+  expectRooms(plan);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_NEAR((wall.to - wall.from).cwiseAbs().minCoeff(), 0, 1e-5);
+  EXPECT_GT(plan.x_axis.x(), 0.8);
+  EXPECT_TRUE(plan.y_axis.isApprox(plan.up.cross(plan.x_axis), 1e-9));
 }
 
 /** A cupboard hides a part of the wall, so that the wall has a gap at the section. */

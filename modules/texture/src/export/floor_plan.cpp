@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -200,6 +201,7 @@ public:
       else if (cosine < -level_cosine)
         ceilings.push_back(&plane);
     }
+    alignWithWalls(map);
     chooseHeights(floors, ceilings);
   }
 
@@ -226,6 +228,26 @@ private:
   flat(const Wall& wall, double along) const
   {
     return flat(wall.point(along, plan_.cut));
+  }
+
+  /** \brief Turns the axes by at most 45 degrees, so that walls are along them, if most
+   * walls are at right angles. */
+  void
+  alignWithWalls(const CompactMap& map)
+  {
+    std::complex<double> sum = 0; // of directions modulo 90 degrees
+    double area = 0;
+    for (const Wall& wall : walls_) {
+      const Vector2d normal = flat(wall.normal());
+      sum += map.planes[wall.plane()].area *
+             std::polar(1.0, 4 * std::atan2(normal.y(), normal.x()));
+      area += map.planes[wall.plane()].area;
+    }
+    if (!(std::abs(sum) > 0.5 * area))
+      return;
+    const Eigen::AngleAxisd turn(std::arg(sum) / 4, plan_.up);
+    plan_.x_axis = turn * plan_.x_axis;
+    plan_.y_axis = turn * plan_.y_axis;
   }
 
   /** \brief Height of a level plane, at its first corner. */

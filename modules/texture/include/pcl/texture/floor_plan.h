@@ -59,6 +59,9 @@ struct FloorPlan {
 
 /** \brief Makes a floor plan from the polygons of a map.
  *
+ * The x axis is that of the map, projected; if most walls are at right angles, both axes
+ * are turned by up to 45 degrees, so that walls are along them.
+ *
  * The floor is the level plane with the largest area that faces up, with all such planes
  * within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
  * this is less: above tables, below the heads of doors. Walls are where the section cuts
