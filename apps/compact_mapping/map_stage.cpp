@@ -12,6 +12,7 @@
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/texture/floor_plan.h>
 #include <pcl/visualization/map_snapshot.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -229,6 +230,7 @@ makeMap(const ChainOptions& options,
   StepTimer timer(log.report);
 
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
+  saveFloorPlan(folder.path("plan.svg"), makeFloorPlan(mapped.map));
   saveNormals(folder.path("mesh.ply"), mapped.found);
   if (sequence.is_rectified)
     takeAlong(chain, folder);

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <pcl/core/compact_map.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/core/export.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief A straight piece of a wall in a floor plan, metres, in the frame of the plan.
+ * \ingroup texture */
+struct PlanWall {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero(); ///< the seen side is on the left
+  std::size_t plane = 0;                        ///< index in the map
+};
+
+/** \brief An opening of a wall, metres. \ingroup texture */
+struct PlanOpening {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  std::size_t plane = 0;  ///< of the wall, index in the map
+  bool is_window = false; ///< the wall continues below it; else a door or a passage
+};
+
+/** \brief Space between walls and openings. \ingroup texture */
+struct PlanRoom {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< inside, far from its border
+
+  /** \brief Square metres, with what is enclosed by its floor and its walls, such as
+   * the floor below furniture. */
+  double area = 0;
+  double seen_area = 0; ///< square metres, of the map's floor
+};
+
+/** \brief A section of a map above its floor, seen from above. Metres.
+ *
+ * A point p of the map is at (p . x_axis, p . y_axis) of the plan, at the height p . up.
+ * \ingroup texture */
+struct FloorPlan {
+  Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d y_axis = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
+  double floor = 0; ///< height of the floor
+  double cut = 0;   ///< height of the section
+  std::vector<PlanWall> walls;
+  std::vector<PlanOpening> openings;
+  std::vector<PlanRoom> rooms; ///< by decreasing area
+
+  /** \brief Loops of the floor's polygons; a point is on the floor if it is inside of an
+   * odd number of the loops of one polygon. */
+  std::vector<std::vector<std::vector<Eigen::Vector2d>>> floors;
+};
+
+/** \brief Makes a floor plan from the polygons of a map.
+ *
+ * The x axis is that of the map, projected; if most walls are at right angles, both axes
+ * are turned by up to 45 degrees, so that walls are along them.
+ *
+ * The floor is the level plane with the largest area that faces up, with all such planes
+ * within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
+ * this is less: above tables, below the heads of doors. Walls are where the section cuts
+ * polygons of upright planes. A gap in the section of a plane from 0.4 to 4 m wide is an
+ * opening if the plane continues above or below it, and no other wall is within a metre in
+ * front of it: that would be a piece of furniture that hides the wall. Rooms are the parts
+ * of the floor between walls and openings of which at least a square metre was seen. Without a floor
+ * there are no rooms, and the lowest corner of a wall is the floor's height.
+ *
+ * Takes the time of filling the floor with cells of 2 cm, or 4000 along its longer side.
+ * \param[in] map its planes and trajectory; see \ref upDirection. Polygons that are not
+ * finite are left out.
+ * \return an empty plan for a map without upright and level planes \ingroup texture */
+ACMAP_EXPORT FloorPlan
+makeFloorPlan(const CompactMap& map);
+
+/** \brief Writes a floor plan as SVG 1.1 with a scale of 1 : 100: the floor, walls,
+ * doors and windows, the area of each room, and a scale bar. Coordinates are metres with
+ * millimetres as decimals.
+ * \throws OutputFileException when the file could not be written \ingroup texture */
+ACMAP_EXPORT void
+saveFloorPlan(const std::string& path, const FloorPlan& plan);
+
+} // namespace pcl

@@ -1,0 +1,565 @@
+#include <pcl/texture/floor_plan.h>
+
+#include <pcl/core/map_up.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double level_cosine = 0.98;  // 11 degrees
+constexpr double upright_cosine = 0.2; // the same from the vertical
+
+/** \brief Part of a wall along its horizontal direction, metres. */
+struct Interval {
+  double begin, end;
+};
+
+bool
+isFinite(const PlanePatch& plane)
+{
+  const auto areFinite = [](const std::vector<Eigen::Vector3f>& loop) {
+    return std::all_of(
+        loop.begin(), loop.end(), [](const auto& place) { return place.allFinite(); });
+  };
+  return plane.coefficients.allFinite() &&
+         std::all_of(plane.polygons.begin(),
+                     plane.polygons.end(),
+                     [&](const PlanePolygon& polygon) {
+                       return areFinite(polygon.outer) &&
+                              std::all_of(polygon.holes.begin(),
+                                          polygon.holes.end(),
+                                          areFinite);
+                     });
+}
+
+std::vector<std::vector<Vector3d>>
+loopsOf(const PlanePolygon& polygon)
+{
+  std::vector<std::vector<Vector3d>> loops(1 + polygon.holes.size());
+  const auto take = [](const std::vector<Eigen::Vector3f>& from,
+                       std::vector<Vector3d>& to) {
+    for (const Eigen::Vector3f& place : from)
+      to.push_back(place.cast<double>());
+  };
+  take(polygon.outer, loops[0]);
+  for (std::size_t hole = 0; hole < polygon.holes.size(); ++hole)
+    take(polygon.holes[hole], loops[hole + 1]);
+  return loops;
+}
+
+/** \brief An upright plane. */
+class Wall {
+public:
+  Wall(const PlanePatch& patch, std::size_t plane, const Vector3d& up)
+  : plane_(plane)
+  , up_(up)
+  , normal_((patch.coefficients.head<3>() - patch.coefficients.head<3>().dot(up) * up)
+                .normalized())
+  , along_(normal_.cross(up))
+  {
+    for (const PlanePolygon& polygon : patch.polygons)
+      polygons_.push_back(loopsOf(polygon));
+    origin_ = patch.polygons.front().outer.front().cast<double>();
+    for (const auto& loops : polygons_)
+      for (const Vector3d& place : loops.front()) {
+        minimum_ = std::min(minimum_, place.dot(up));
+        maximum_ = std::max(maximum_, place.dot(up));
+      }
+  }
+
+  std::size_t
+  plane() const
+  {
+    return plane_;
+  }
+
+  double
+  lowest() const
+  {
+    return minimum_;
+  }
+
+  double
+  highest() const
+  {
+    return maximum_;
+  }
+
+  const Vector3d&
+  normal() const
+  {
+    return normal_;
+  }
+
+  /** \brief Where a level plane at this height cuts the polygons, ascending. */
+  std::vector<Interval>
+  section(double height) const
+  {
+    std::vector<Interval> intervals;
+    for (const auto& loops : polygons_) {
+      std::vector<double> crossings;
+      for (const std::vector<Vector3d>& loop : loops)
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Vector3d &a = loop[k], &b = loop[(k + 1) % loop.size()];
+          const double above_a = a.dot(up_) - height, above_b = b.dot(up_) - height;
+          if ((above_a > 0) != (above_b > 0))
+            crossings.push_back(
+                (a + above_a / (above_a - above_b) * (b - a) - origin_).dot(along_));
+        }
+      std::sort(crossings.begin(), crossings.end());
+      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        intervals.push_back({crossings[k], crossings[k + 1]});
+    }
+    return joined(std::move(intervals));
+  }
+
+  /** \brief A point of the wall at a height above the origin of the map. */
+  Vector3d
+  point(double along, double height) const
+  {
+    return origin_ + along * along_ + (height - origin_.dot(up_)) * up_;
+  }
+
+  bool
+  covers(double along, double height) const
+  {
+    const std::vector<Interval> intervals = section(height);
+    return std::any_of(intervals.begin(), intervals.end(), [&](const Interval& one) {
+      return one.begin <= along && along <= one.end;
+    });
+  }
+
+private:
+  /** \brief Polygons may touch or overlap. */
+  static std::vector<Interval>
+  joined(std::vector<Interval> intervals)
+  {
+    std::sort(intervals.begin(), intervals.end(), [](const auto& a, const auto& b) {
+      return a.begin < b.begin;
+    });
+    std::vector<Interval> result;
+    for (const Interval& one : intervals)
+      if (result.empty() || one.begin > result.back().end)
+        result.push_back(one);
+      else
+        result.back().end = std::max(result.back().end, one.end);
+    return result;
+  }
+
+  std::size_t plane_;
+  Vector3d up_, normal_, along_, origin_;
+  std::vector<std::vector<std::vector<Vector3d>>> polygons_;
+  double minimum_ = std::numeric_limits<double>::infinity();
+  double maximum_ = -std::numeric_limits<double>::infinity();
+};
+
+/** \brief Do two segments have a point in common? */
+bool
+meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
+{
+  const auto side = [](const Vector2d& p, const Vector2d& q, const Vector2d& r) {
+    return (q - p).x() * (r - p).y() - (q - p).y() * (r - p).x();
+  };
+  return (side(a, b, c) > 0) != (side(a, b, d) > 0) &&
+         (side(c, d, a) > 0) != (side(c, d, b) > 0);
+}
+
+/** \brief Makes a plan. */
+class PlanMaker {
+public:
+  explicit PlanMaker(const CompactMap& map)
+  {
+    plan_.up = upDirection(map);
+    const Vector3d& up = plan_.up;
+    const Vector3d right =
+        std::abs(up.x()) < 0.8 ? Vector3d::UnitX() : Vector3d::UnitY();
+    plan_.x_axis = (right - right.dot(up) * up).normalized();
+    plan_.y_axis = up.cross(plan_.x_axis);
+    std::vector<const PlanePatch*> floors, ceilings;
+    for (std::size_t p = 0; p < map.planes.size(); ++p) {
+      const PlanePatch& plane = map.planes[p];
+      if (plane.polygons.empty() || plane.polygons.front().outer.empty() ||
+          !isFinite(plane))
+        continue;
+      const double cosine = plane.coefficients.head<3>().dot(up);
+      if (std::abs(cosine) < upright_cosine)
+        walls_.emplace_back(plane, p, up);
+      else if (cosine > level_cosine)
+        floors.push_back(&plane);
+      else if (cosine < -level_cosine)
+        ceilings.push_back(&plane);
+    }
+    alignWithWalls(map);
+    chooseHeights(floors, ceilings);
+  }
+
+  FloorPlan
+  make()
+  {
+    for (const Wall& wall : walls_)
+      for (const Interval& piece : wall.section(plan_.cut))
+        plan_.walls.push_back(
+            {flat(wall, piece.begin), flat(wall, piece.end), wall.plane()});
+    for (const Wall& wall : walls_)
+      addOpenings(wall);
+    return plan_;
+  }
+
+private:
+  Vector2d
+  flat(const Vector3d& place) const
+  {
+    return {place.dot(plan_.x_axis), place.dot(plan_.y_axis)};
+  }
+
+  Vector2d
+  flat(const Wall& wall, double along) const
+  {
+    return flat(wall.point(along, plan_.cut));
+  }
+
+  /** \brief Turns the axes by at most 45 degrees, so that walls are along them, if most
+   * walls are at right angles. */
+  void
+  alignWithWalls(const CompactMap& map)
+  {
+    std::complex<double> sum = 0; // of directions modulo 90 degrees
+    double area = 0;
+    for (const Wall& wall : walls_) {
+      const Vector2d normal = flat(wall.normal());
+      sum += map.planes[wall.plane()].area *
+             std::polar(1.0, 4 * std::atan2(normal.y(), normal.x()));
+      area += map.planes[wall.plane()].area;
+    }
+    if (!(std::abs(sum) > 0.5 * area))
+      return;
+    const Eigen::AngleAxisd turn(std::arg(sum) / 4, plan_.up);
+    plan_.x_axis = turn * plan_.x_axis;
+    plan_.y_axis = turn * plan_.y_axis;
+  }
+
+  /** \brief Height of a level plane, at its first corner. */
+  double
+  heightOf(const PlanePatch& plane) const
+  {
+    return plane.polygons.front().outer.front().cast<double>().dot(plan_.up);
+  }
+
+  static const PlanePatch*
+  largest(const std::vector<const PlanePatch*>& planes)
+  {
+    const auto maximum = std::max_element(
+        planes.begin(), planes.end(), [](const PlanePatch* a, const PlanePatch* b) {
+          return a->area < b->area;
+        });
+    return maximum == planes.end() ? nullptr : *maximum;
+  }
+
+  void
+  chooseHeights(const std::vector<const PlanePatch*>& floors,
+                const std::vector<const PlanePatch*>& ceilings)
+  {
+    constexpr double step = 0.3, above_tables = 1.5; // metres
+    constexpr double share = 0.6;
+    const PlanePatch* const floor = largest(floors);
+    if (floor)
+      plan_.floor = heightOf(*floor);
+    else if (!walls_.empty())
+      plan_.floor = std::min_element(walls_.begin(),
+                                     walls_.end(),
+                                     [](const Wall& a, const Wall& b) {
+                                       return a.lowest() < b.lowest();
+                                     })
+                        ->lowest();
+    plan_.cut = plan_.floor + above_tables;
+    const PlanePatch* const ceiling = largest(ceilings);
+    if (ceiling && heightOf(*ceiling) > plan_.floor)
+      plan_.cut =
+          std::min(plan_.cut, plan_.floor + share * (heightOf(*ceiling) - plan_.floor));
+    for (const PlanePatch* plane : floors)
+      if (std::abs(heightOf(*plane) - plan_.floor) <= step)
+        for (const PlanePolygon& polygon : plane->polygons) {
+          auto& loops = plan_.floors.emplace_back();
+          for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
+            loops.emplace_back();
+            for (const Vector3d& place : loop)
+              loops.back().push_back(flat(place));
+          }
+        }
+  }
+
+  void
+  addOpenings(const Wall& wall)
+  {
+    constexpr double narrowest = 0.4, widest = 4; // metres
+    constexpr double height_step = 0.1, above_floor = 0.2;
+    const std::vector<Interval> pieces = wall.section(plan_.cut);
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+      const double begin = pieces[k].end, end = pieces[k + 1].begin;
+      if (end - begin < narrowest || end - begin > widest || isHidden(wall, begin, end))
+        continue;
+      const auto isCovered = [&](double from, double to) {
+        for (double height = from; height < to; height += height_step)
+          if (wall.covers((begin + end) / 2, height))
+            return true;
+        return false;
+      };
+      const bool is_window = isCovered(plan_.floor + above_floor, plan_.cut);
+      if (is_window || isCovered(plan_.cut, wall.highest()))
+        plan_.openings.push_back(
+            {flat(wall, begin), flat(wall, end), wall.plane(), is_window});
+    }
+  }
+
+  /** \brief Does another wall stand in front of the middle of a gap? */
+  bool
+  isHidden(const Wall& wall, double begin, double end) const
+  {
+    constexpr double from = 0.02, reach = 1; // metres
+    const Vector2d middle = flat(wall, (begin + end) / 2);
+    const Vector2d front = flat(wall.normal());
+    return std::any_of(
+        plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
+          return meet(
+              middle + from * front, middle + reach * front, other.from, other.to);
+        });
+  }
+
+  FloorPlan plan_;
+  std::vector<Wall> walls_;
+};
+
+/** \brief The floor as square cells that walls and openings divide into rooms. */
+class FloorCells {
+public:
+  explicit FloorCells(const FloorPlan& plan)
+  {
+    Eigen::AlignedBox2d box;
+    for (const auto& polygon : plan.floors)
+      for (const auto& loop : polygon)
+        for (const Vector2d& place : loop)
+          box.extend(place);
+    if (box.isEmpty() || !(box.sizes().minCoeff() > 0))
+      return;
+    cell_ = std::max(0.02, box.sizes().maxCoeff() / 4000);
+    origin_ =
+        box.min() - Vector2d::Constant(2 * cell_); // with a border around the floor
+    columns_ = static_cast<std::size_t>(box.sizes().x() / cell_) + 5;
+    rows_ = static_cast<std::size_t>(box.sizes().y() / cell_) + 5;
+    kinds_.assign(columns_ * rows_, Kind::Unseen);
+    is_wall_.assign(kinds_.size(), 0);
+    parts_.assign(kinds_.size(), none);
+    for (const auto& polygon : plan.floors)
+      fill(polygon);
+    for (const PlanWall& wall : plan.walls)
+      addWall(wall.from, wall.to);
+    for (const PlanOpening& opening : plan.openings)
+      addWall(opening.from, opening.to);
+  }
+
+  std::vector<PlanRoom>
+  rooms()
+  {
+    std::vector<PlanRoom> rooms;
+    if (kinds_.empty())
+      return rooms;
+    std::int32_t parts = 0;
+    spread(0, outdoors, [&](std::size_t index) {
+      return kinds_[index] == Kind::Unseen && !is_wall_[index];
+    });
+    for (std::size_t index = 0; index < kinds_.size(); ++index)
+      if (parts_[index] == none && !is_wall_[index])
+        spread(index, parts++, [&](std::size_t next) { return !is_wall_[next]; });
+    shareWalls();
+    const std::vector<std::size_t> centers = findCenters(parts);
+    std::vector<PlanRoom> of_parts(centers.size());
+    const double area = cell_ * cell_;
+    for (std::size_t index = 0; index < kinds_.size(); ++index)
+      if (parts_[index] >= 0) {
+        PlanRoom& room = of_parts[static_cast<std::size_t>(parts_[index])];
+        room.area += area;
+        room.seen_area += kinds_[index] == Kind::Floor ? area : 0;
+      }
+    constexpr double min_area = 1; // square metres
+    for (std::size_t part = 0; part < centers.size(); ++part)
+      if (of_parts[part].seen_area >= min_area) {
+        of_parts[part].center = placeOf(centers[part]);
+        rooms.push_back(of_parts[part]);
+      }
+    std::stable_sort(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) {
+      return a.area > b.area;
+    });
+    return rooms;
+  }
+
+private:
+  enum class Kind : std::uint8_t { Unseen, Floor };
+  static constexpr std::int32_t none = -1, outdoors = -2; // instead of a part
+
+  Vector2d
+  placeOf(std::size_t index) const
+  {
+    return origin_ + cell_ * Vector2d(static_cast<double>(index % columns_) + 0.5,
+                                      static_cast<double>(index / columns_) + 0.5);
+  }
+
+  void
+  fill(const std::vector<std::vector<Vector2d>>& polygon)
+  {
+    for (std::size_t row = 0; row < rows_; ++row) {
+      const double y = placeOf(row * columns_).y();
+      std::vector<double> crossings;
+      for (const std::vector<Vector2d>& loop : polygon)
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Vector2d &a = loop[k], &b = loop[(k + 1) % loop.size()];
+          if ((a.y() > y) != (b.y() > y))
+            crossings.push_back(a.x() +
+                                (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+      std::sort(crossings.begin(), crossings.end());
+      const auto columnAt = [&](double x) {
+        return static_cast<std::size_t>(std::ceil((x - origin_.x()) / cell_ - 0.5));
+      };
+      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        for (std::size_t column = columnAt(crossings[k]);
+             column < columnAt(crossings[k + 1]);
+             ++column)
+          kinds_[row * columns_ + column] = Kind::Floor;
+    }
+  }
+
+  /** \brief Marks the cells of a line, a little longer than it is: outlines may end
+   * before the corner of a room. */
+  void
+  addWall(const Vector2d& from, const Vector2d& to)
+  {
+    constexpr double longer = 0.15; // metres
+    const double length = (to - from).norm();
+    if (!(length > 0))
+      return;
+    for (double at = -longer; at <= length + longer; at += cell_ / 2) {
+      const Vector2d place = (from + at / length * (to - from) - origin_) / cell_;
+      // the cells of the border stay free, so that the outdoors is connected
+      if (place.minCoeff() >= 1 && place.x() < static_cast<double>(columns_ - 1) &&
+          place.y() < static_cast<double>(rows_ - 1))
+        is_wall_[static_cast<std::size_t>(place.y()) * columns_ +
+                 static_cast<std::size_t>(place.x())] = 1;
+    }
+  }
+
+  template <typename Visitor>
+  void
+  forEachBeside(std::size_t index, const Visitor& visit) const
+  {
+    if (index >= columns_)
+      visit(index - columns_);
+    if (index % columns_ > 0)
+      visit(index - 1);
+    if ((index + 1) % columns_ > 0)
+      visit(index + 1);
+    if (index + columns_ < kinds_.size())
+      visit(index + columns_);
+  }
+
+  /** \brief Gives a part to a cell and to all cells connected with it that have none and
+   * may belong to it. */
+  template <typename Belongs>
+  void
+  spread(std::size_t start, std::int32_t part, const Belongs& belongs)
+  {
+    std::vector<std::size_t> open{start};
+    parts_[start] = part;
+    while (!open.empty()) {
+      const std::size_t index = open.back();
+      open.pop_back();
+      forEachBeside(index, [&](std::size_t next) {
+        if (parts_[next] == none && belongs(next)) {
+          parts_[next] = part;
+          open.push_back(next);
+        }
+      });
+    }
+  }
+
+  /** \brief Floor below the line of a wall belongs to the part beside it. */
+  void
+  shareWalls()
+  {
+    std::vector<std::size_t> open;
+    for (std::size_t index = 0; index < parts_.size(); ++index)
+      if (parts_[index] >= 0)
+        open.push_back(index);
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const std::size_t index = open[k];
+      forEachBeside(index, [&](std::size_t next) {
+        if (parts_[next] == none && kinds_[next] == Kind::Floor) {
+          parts_[next] = parts_[index];
+          open.push_back(next);
+        }
+      });
+    }
+  }
+
+  /** \brief For each part a cell with the maximum distance, along rows and columns, from
+   * the cells that are not in it. */
+  std::vector<std::size_t>
+  findCenters(std::int32_t parts) const
+  {
+    std::vector<std::int32_t> distances(parts_.size());
+    std::vector<std::size_t> shell, next_shell;
+    for (std::size_t index = 0; index < parts_.size(); ++index)
+      forEachBeside(index, [&](std::size_t next) {
+        if (parts_[index] >= 0 && parts_[next] != parts_[index] &&
+            distances[index] == 0) {
+          distances[index] = 1;
+          shell.push_back(index);
+        }
+      });
+    std::vector<std::size_t> centers(static_cast<std::size_t>(parts));
+    for (std::int32_t distance = 2; !shell.empty(); ++distance) {
+      next_shell.clear();
+      for (const std::size_t index : shell) {
+        centers[static_cast<std::size_t>(parts_[index])] = index;
+        forEachBeside(index, [&](std::size_t next) {
+          if (parts_[next] == parts_[index] && distances[next] == 0) {
+            distances[next] = distance;
+            next_shell.push_back(next);
+          }
+        });
+      }
+      shell.swap(next_shell);
+    }
+    return centers;
+  }
+
+  Vector2d origin_ = Vector2d::Zero();
+  double cell_ = 0;
+  std::size_t columns_ = 0, rows_ = 0;
+  std::vector<Kind> kinds_;
+  std::vector<std::uint8_t> is_wall_;
+  std::vector<std::int32_t> parts_;
+};
+
+} // namespace
+
+FloorPlan
+makeFloorPlan(const CompactMap& map)
+{
+  FloorPlan plan = PlanMaker(map).make();
+  plan.rooms = FloorCells(plan).rooms();
+  return plan;
+}
+
+} // namespace pcl

@@ -1,0 +1,261 @@
+#include "temporary_folder.h"
+
+#include <pcl/texture/floor_plan.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <limits>
+#include <numeric>
+
+namespace pcl::acmap::test {
+namespace {
+
+using Eigen::Vector3f;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Loop = std::vector<Vector3f>;
+
+/** A plane with one polygon; its area is that of the outer loop. */
+PlanePatch
+makePlane(const Vector3f& normal,
+          const Loop& outer,
+          const std::vector<Loop>& holes = {})
+{
+  PlanePatch plane;
+  plane.coefficients << normal.cast<double>(),
+      -normal.cast<double>().dot(outer.front().cast<double>());
+  plane.polygons.push_back({outer, holes});
+  Vector3f twice = Vector3f::Zero();
+  for (std::size_t k = 0; k < outer.size(); ++k)
+    twice += outer[k].cross(outer[(k + 1) % outer.size()]);
+  plane.area = 0.5 * std::abs(twice.dot(normal));
+  return plane;
+}
+
+/** Two rooms of 4 x 3 m and 2 x 3 m, 2.6 m high, floor at y = 1, y down: the wall
+ * between them, 0.1 m thick and seen from both sides, has a door of 0.9 x 2 m; the far
+ * wall of the larger one has a window of 1.2 x 1 m. */
+CompactMap
+makeRooms()
+{
+  const float low = 1, high = -1.6F;
+  const auto upright = [&](float x0, float z0, float x1, float z1) {
+    return Loop{{x0, low, z0}, {x1, low, z1}, {x1, high, z1}, {x0, high, z0}};
+  };
+  const auto partition = [&](float x, const Vector3f& normal) {
+    return makePlane(normal,
+                     {{x, low, 0},
+                      {x, low, 1},
+                      {x, -1, 1},
+                      {x, -1, 1.9F},
+                      {x, low, 1.9F},
+                      {x, low, 3},
+                      {x, high, 3},
+                      {x, high, 0}});
+  };
+  CompactMap map;
+  map.planes = {
+      makePlane(-Vector3f::UnitY(),
+                {{0, low, 0}, {6.1F, low, 0}, {6.1F, low, 3}, {0, low, 3}},
+                {{{1, low, 1}, {1, low, 2}, {2, low, 2}, {2, low, 1}}}),
+      makePlane(Vector3f::UnitY(),
+                {{0, high, 0}, {0, high, 3}, {6.1F, high, 3}, {6.1F, high, 0}}),
+      makePlane(Vector3f::UnitX(), upright(0, 0, 0, 3)),
+      makePlane(-Vector3f::UnitX(), upright(6.1F, 3, 6.1F, 0)),
+      makePlane(Vector3f::UnitZ(), upright(6.1F, 0, 0, 0)),
+      makePlane(-Vector3f::UnitZ(),
+                upright(0, 3, 6.1F, 3),
+                {{{1, 0, 3}, {1, -1, 3}, {2.2F, -1, 3}, {2.2F, 0, 3}}}),
+      partition(4, -Vector3f::UnitX()),
+      partition(4.1F, Vector3f::UnitX())};
+  return map;
+}
+
+double
+lengthOf(const PlanOpening& opening)
+{
+  return (opening.to - opening.from).norm();
+}
+
+double
+lengthOf(const std::vector<PlanWall>& walls)
+{
+  return std::accumulate(
+      walls.begin(), walls.end(), 0.0, [](double sum, const PlanWall& wall) {
+        return sum + (wall.to - wall.from).norm();
+      });
+}
+
+void
+expectRooms(const FloorPlan& plan)
+{
+  // the whole floor was seen but for a square metre, which the larger room encloses
+  ASSERT_EQ(plan.rooms.size(), 2U);
+  EXPECT_NEAR(plan.rooms[0].area, 12, 0.15);
+  EXPECT_NEAR(plan.rooms[0].seen_area, 11, 0.15);
+  EXPECT_NEAR(plan.rooms[1].area, 6, 0.15);
+  EXPECT_NEAR(plan.rooms[1].seen_area, 6, 0.15);
+  ASSERT_EQ(plan.openings.size(), 3U); // the window, and the door on both sides
+  EXPECT_NEAR(lengthOf(plan.openings[0]), 1.2, 1e-5);
+  EXPECT_TRUE(plan.openings[0].is_window);
+  EXPECT_EQ(plan.openings[0].plane, 5U);
+  for (const std::size_t door : {1U, 2U}) {
+    EXPECT_NEAR(lengthOf(plan.openings[door]), 0.9, 1e-5);
+    EXPECT_FALSE(plan.openings[door].is_window);
+    EXPECT_EQ(plan.openings[door].plane, 5 + door);
+  }
+  EXPECT_EQ(plan.walls.size(), 9U);
+  EXPECT_NEAR(lengthOf(plan.walls), 2 * 6.1 + 4 * 3 - 1.2 - 2 * 0.9, 1e-4);
+}
+
+TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
+{
+  const FloorPlan plan = makeFloorPlan(makeRooms());
+  expectRooms(plan);
+  EXPECT_TRUE(plan.up.isApprox(-Eigen::Vector3d::UnitY(), 1e-9));
+  EXPECT_TRUE(plan.y_axis.isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
+  EXPECT_NEAR(plan.floor, -1, 1e-6);
+  EXPECT_NEAR(plan.cut, 0.5, 1e-6);
+  EXPECT_GT(plan.rooms[0].center.x(), 0);
+  EXPECT_LT(plan.rooms[0].center.x(), 4);
+  EXPECT_GT(plan.rooms[1].center.x(), 4.1);
+  // seen from the left: the wall at x = 0 is seen from the side of larger x
+  for (const PlanWall& wall : plan.walls)
+    if (wall.plane == 2) {
+      EXPECT_GT(wall.from.y(), wall.to.y());
+    }
+}
+
+/** Moves a map. */
+CompactMap
+moved(CompactMap map, const Eigen::Isometry3d& T_out_map)
+{
+  const auto move = [&](Loop& loop) {
+    for (Vector3f& place : loop)
+      place = (T_out_map * place.cast<double>()).cast<float>();
+  };
+  for (PlanePatch& plane : map.planes) {
+    const Eigen::Vector3d normal = T_out_map.linear() * plane.coefficients.head<3>();
+    plane.coefficients << normal,
+        plane.coefficients[3] - normal.dot(T_out_map.translation());
+    for (PlanePolygon& polygon : plane.polygons) {
+      move(polygon.outer);
+      for (Loop& hole : polygon.holes)
+        move(hole);
+    }
+  }
+  return map;
+}
+
+/** The same rooms in the frame of a scanner, z up, far from the origin. */
+TEST(FloorPlan, IsDrawnAlongTheFloorOfAnyFrame)
+{
+  Eigen::Isometry3d T_out_map(Eigen::Translation3d(100, -50, 7));
+  T_out_map.rotate(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()));
+  const FloorPlan plan = makeFloorPlan(moved(makeRooms(), T_out_map));
+  EXPECT_TRUE(plan.up.isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
+  ASSERT_EQ(plan.rooms.size(), 2U);
+  EXPECT_NEAR(plan.rooms[0].area, 12, 0.15);
+  EXPECT_EQ(plan.openings.size(), 3U);
+}
+
+TEST(FloorPlan, IsAlignedWithTheWalls)
+{
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()));
+  const FloorPlan plan = makeFloorPlan(moved(makeRooms(), turn));
+  expectRooms(plan);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_NEAR((wall.to - wall.from).cwiseAbs().minCoeff(), 0, 1e-5);
+  EXPECT_GT(plan.x_axis.x(), 0.8);
+  EXPECT_TRUE(plan.y_axis.isApprox(plan.up.cross(plan.x_axis), 1e-9));
+}
+
+/** A cupboard hides a part of the wall, so that the wall has a gap at the section. */
+TEST(FloorPlan, FurnitureIsNoOpening)
+{
+  CompactMap map = makeRooms();
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitZ(),
+      {{0.9F, 1, 2.5F}, {2.3F, 1, 2.5F}, {2.3F, -1, 2.5F}, {0.9F, -1, 2.5F}}));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 2U);
+  EXPECT_FALSE(plan.openings[0].is_window);
+  EXPECT_FALSE(plan.openings[1].is_window);
+}
+
+TEST(FloorPlan, LowRoomsAreCutBelowTheirCeiling)
+{
+  CompactMap map = makeRooms();
+  for (PlanePatch& plane : map.planes) {
+    for (Vector3f& place : plane.polygons[0].outer)
+      place.y() = 1 + (place.y() - 1) / 2;
+    plane.coefficients[3] =
+        -plane.coefficients.head<3>().dot(plane.polygons[0].outer[0].cast<double>());
+  }
+  EXPECT_NEAR(makeFloorPlan(map).cut, -1 + 0.6 * 1.3, 1e-6);
+}
+
+TEST(FloorPlan, UglyMapsGiveWhatTheyHave)
+{
+  const FloorPlan nothing = makeFloorPlan({});
+  EXPECT_THAT(nothing.walls, IsEmpty());
+  EXPECT_THAT(nothing.rooms, IsEmpty());
+
+  CompactMap without_floor = makeRooms();
+  without_floor.planes.erase(without_floor.planes.begin(),
+                             without_floor.planes.begin() + 2);
+  const FloorPlan walls = makeFloorPlan(without_floor);
+  EXPECT_NEAR(walls.floor, -1, 1e-6);
+  EXPECT_EQ(walls.walls.size(), 9U);
+  EXPECT_THAT(walls.rooms, IsEmpty());
+
+  CompactMap not_finite = makeRooms();
+  not_finite.planes[5].polygons[0].outer[0].x() =
+      std::numeric_limits<float>::quiet_NaN();
+  not_finite.planes[2].polygons.clear();
+  const FloorPlan rest = makeFloorPlan(not_finite);
+  EXPECT_EQ(rest.walls.size(), 6U);
+  EXPECT_EQ(rest.rooms.size(), 2U);
+
+  CompactMap flat; // a floor without an extent
+  flat.planes = {makePlane(-Vector3f::UnitY(), {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}})};
+  EXPECT_THAT(makeFloorPlan(flat).rooms, IsEmpty());
+}
+
+std::size_t
+countOf(const std::string& part, const std::string& text)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos;
+       at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(FloorPlan, IsSavedAsSvg)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.path("plan.svg");
+  saveFloorPlan(path, makeFloorPlan(makeRooms()));
+  const std::string text = contentOf(path);
+  EXPECT_THAT(text, HasSubstr("width=\"81.000mm\" height=\"50.000mm\""));
+  EXPECT_THAT(text, HasSubstr("<title>"));
+  EXPECT_EQ(countOf("<line", text), 9U + 3U + 3U); // walls, openings, scale bar
+  EXPECT_EQ(countOf("<path", text), 1U);
+  EXPECT_EQ(countOf(" m²</text>", text), 2U);
+  EXPECT_EQ(countOf("<g ", text), countOf("</g>", text));
+  // the corner (0, 0) of the plan, below the margin of a metre: y points down
+  EXPECT_THAT(text, HasSubstr("M1.000 4.000L7.100 4.000"));
+  saveFloorPlan(path, makeFloorPlan(makeRooms()));
+  EXPECT_EQ(contentOf(path), text);
+  EXPECT_NO_THROW(saveFloorPlan(path, {}));
+  EXPECT_THAT(contentOf(path), HasSubstr("</svg>"));
+  EXPECT_THROW(saveFloorPlan(folder.path("none/plan.svg"), {}), OutputFileException);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
