@@ -86,8 +86,8 @@ displayExposure(const std::vector<TextureChart>& charts)
     }
   const auto luminance = static_cast<double>(levelAbove(luminances, bright_share));
   const auto limit = static_cast<double>(levelAbove(maxima, clipped_share));
-  const double exposure = std::min(bright_level / std::max(luminance, 1.0),
-                                   255 / std::max(limit, 1.0));
+  const double exposure =
+      std::min(bright_level / std::max(luminance, 1.0), 255 / std::max(limit, 1.0));
   return std::clamp(exposure, 1.0, maximum);
 }
 
