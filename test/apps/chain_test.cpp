@@ -27,8 +27,8 @@ TEST_F(ChainTest, GoesFromShotsToAMap)
                            "map.pcd",
                            "trajectory.txt",
                            "trajectory_before.txt",
-                           "plan.png",
-                           "energy.png",
+                           "pictures/plan.png",
+                           "pictures/energy.png",
                            "report.json",
                            "report.html"})
     EXPECT_TRUE(fs::exists(map_ + "/" + name)) << name;
