@@ -107,7 +107,8 @@ TEST_F(ChainReuse, WhatTheNewMapHasNotIsRemoved)
 {
   std::ofstream(map_ + "/mine.txt") << "mine";
   EXPECT_EQ(made({"--no-rectification"}), Stages{"map"});
-  for (const char* name : {"trajectory_before.txt", "pictures/energy.png", "pictures/plan.png"})
+  for (const char* name :
+       {"trajectory_before.txt", "pictures/energy.png", "pictures/plan.png"})
     EXPECT_FALSE(fs::exists(map_ + "/" + name)) << name;
   EXPECT_TRUE(fs::exists(map_ + "/map.json"));
   EXPECT_EQ(contentOf(map_ + "/mine.txt"), "mine");
@@ -148,7 +149,8 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
     EXPECT_FALSE(fs::exists(map_ + "/" + name)) << name;
     EXPECT_NE(other.out.find(name, line), std::string::npos) << other.out;
   }
-  EXPECT_TRUE(fs::exists(map_ + "/pictures/plan.png")) << "of the rectification, still the same";
+  EXPECT_TRUE(fs::exists(map_ + "/pictures/plan.png"))
+      << "of the rectification, still the same";
 }
 
 TEST_F(ChainReuse, WhatSomebodyChangedSinceIsNotRemoved)
