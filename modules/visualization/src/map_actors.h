@@ -7,8 +7,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Faces with the colours of their charts, without lighting; those without any
- * known colour are grey, with lighting.
+/** \brief Faces with the colours of their charts, without lighting; those without a
+ * chart are grey, with lighting, and so are all if no chart has a known colour.
  * \param[in] exposure of the map */
 Actors
 actorsOfTextures(const std::vector<MapFaces>& faces, double exposure, bool hide_backs);

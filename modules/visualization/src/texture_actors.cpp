@@ -65,16 +65,19 @@ placesOf(const MapFaces& part)
 }
 
 vtkSmartPointer<vtkActor>
-frontOf(const MapFaces& part, double exposure, vtkPolyData* data)
+frontOf(const MapFaces& part,
+        const TextureChart* chart,
+        double exposure,
+        vtkPolyData* data)
 {
   auto front = actorOf(data, front_color, false);
   front->GetProperty()->SetInterpolationToFlat();
   front->GetProperty()->BackfaceCullingOn();
-  if (part.chart && hasKnownTexels(*part.chart)) {
+  if (chart) {
     data->GetPointData()->SetTCoords(placesOf(part));
     front->GetProperty()->SetColor(1, 1, 1);
     front->GetProperty()->LightingOff();
-    front->SetTexture(textureOf(*part.chart, exposure));
+    front->SetTexture(textureOf(*chart, exposure));
   }
   return front;
 }
@@ -84,12 +87,17 @@ frontOf(const MapFaces& part, double exposure, vtkPolyData* data)
 Actors
 actorsOfTextures(const std::vector<MapFaces>& faces, double exposure, bool hide_backs)
 {
+  const bool is_colorless =
+      std::none_of(faces.begin(), faces.end(), [](const MapFaces& part) {
+        return part.chart && hasKnownTexels(*part.chart);
+      });
   Actors actors;
   for (const MapFaces& part : faces) {
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOf(part.points));
     data->SetPolys(cellsOf(part.faces));
-    actors.push_back(frontOf(part, exposure, data));
+    actors.push_back(
+        frontOf(part, is_colorless ? nullptr : part.chart, exposure, data));
     if (hide_backs)
       continue;
     const auto back = actorOf(data, back_color, false);

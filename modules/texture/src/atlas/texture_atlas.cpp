@@ -115,13 +115,16 @@ packedPictures(const CompactMap& map,
 {
   Pictures pictures;
   pictures.own.resize(surfaces.size());
+  const bool is_colorless =
+      std::none_of(map.charts.begin(), map.charts.end(), hasColor);
   const auto draw = [&](std::size_t i, std::int32_t min_halvings) {
     const ChartSurface& surface = surfaces[i];
     const bool has_chart = surface.chart != ChartSurface::no_chart;
     const TextureChart* const chart = has_chart ? &map.charts[surface.chart] : nullptr;
     if (!chart || !hasColor(*chart)) {
       const Eigen::Vector3d normal = map.planes[surface.plane].coefficients.head<3>();
-      pictures.own[i] = plainPicture(chart, shadeOf(normal, up));
+      pictures.own[i] =
+          plainPicture(chart, is_colorless ? shadeOf(normal, up) : unknown_grey);
       return;
     }
     PictureSettings settings;

@@ -29,8 +29,8 @@ struct CompactMapOutputs {
  * All charts are packed into few pages texture_0.png ..., whose sides are powers of two
  * and at most 4096; the page of kinds_0.png has the kinds of the texels. map.obj and
  * map.glb show the same pages. Their colours are those of the map multiplied by
- * CompactMap::exposure. Unknown texels are grey there; polygons without any known colour
- * are shaded by their normals. There are at most four pages: the charts of larger maps
+ * CompactMap::exposure. Unknown texels are grey there, and a map without any known
+ * colour is shaded by its normals. There are at most four pages: the charts of larger maps
  * are halved until they fit, as are charts with a side of more than 4088 texels.
  *
  * The files are moved into place together, after all of them have been written
