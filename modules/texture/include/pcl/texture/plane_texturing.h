@@ -141,8 +141,8 @@ public:
   }
 
   /** \brief Sets the maximum width and height of a chart in texels (default 4088, which
-   * fits into a page of \ref saveCompactMap); larger polygons get several charts. \throws BadArgumentException unless within
-   * [16, 65500] */
+   * fits into a page of a saved map); larger polygons get several charts.
+   * \throws BadArgumentException unless within [16, 65500] */
   void
   setMaximumTextureSize(int texels);
 
