@@ -4,6 +4,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/map_check.h>
 #include <pcl/core/map_topology.h>
 #include <pcl/core/output_file.h>
 
@@ -93,8 +94,16 @@ jsonOf(const TextureChart& chart)
                {"texel_v", jsonOf(chart.texel_v)},
                {"width", chart.colors.width},
                {"height", chart.colors.height}};
+  const auto place = [&](const char* key, const std::optional<Eigen::Vector2i>& at) {
+    if (at)
+      json[key] = {at->x(), at->y()};
+  };
+  place("at", chart.image_place);
+  if (chart.halvings > 0)
+    json["halvings"] = chart.halvings;
   if (!chart.kinds_image.empty())
     json["kinds"] = chart.kinds_image;
+  place("kinds_at", chart.kinds_place);
   return json;
 }
 
@@ -192,7 +201,10 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   write("{\"version\":" + Json(ACMAP_VERSION).dump());
   if (!hasPlanesAlone(map)) // files with only planes are older than the format numbers
     write(",\"format\":" + std::to_string(file_formats::map));
-  write(",\"unit\":\"m\",\"frame\":\"of the input\",\"planes\":[");
+  write(",\"unit\":\"m\",\"frame\":\"of the input\"");
+  if (map.exposure != 1)
+    write(",\"exposure\":" + Json(map.exposure).dump());
+  write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);
     if (!map.observations.empty() && !map.observations[id].empty())

@@ -132,6 +132,17 @@ imageNameOf(const JsonCursor& json)
   return name;
 }
 
+Eigen::Vector2i
+placeOf(const JsonCursor& json)
+{
+  json.requireSize(2);
+  Eigen::Vector2i place;
+  for (const Eigen::Index i : {0, 1})
+    place[i] = static_cast<std::int32_t>(
+        json[static_cast<std::size_t>(i)].integer(0, acmap::maximum_texels));
+  return place;
+}
+
 TextureChart
 chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
 {
@@ -144,8 +155,15 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
     json.at("polygon").fail("is " + std::to_string(polygon) + ", the plane has " +
                             std::to_string(polygons));
   chart.image = imageNameOf(json.at("image"));
+  if (json.has("at"))
+    chart.image_place = placeOf(json.at("at"));
+  if (json.has("halvings"))
+    chart.halvings = static_cast<std::int32_t>(
+        json.at("halvings").integer(0, std::numeric_limits<std::int32_t>::max()));
   if (json.has("kinds"))
     chart.kinds_image = imageNameOf(json.at("kinds"));
+  if (json.has("kinds_at"))
+    chart.kinds_place = placeOf(json.at("kinds_at"));
   chart.origin = json.at("origin").vector<3>();
   chart.texel_u = json.at("texel_u").vector<3>();
   chart.texel_v = json.at("texel_v").vector<3>();
@@ -153,6 +171,7 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
        {std::pair{"width", &chart.colors.width}, {"height", &chart.colors.height}})
     *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
   requireNone(acmap::faultOfFrame(chart), json);
+  requireNone(acmap::faultOfPlace(chart), json);
   return chart;
 }
 
@@ -260,6 +279,10 @@ acmap::readMap(const std::string& name, ByteSource& source)
     const JsonCursor poses = file.at("trajectory");
     for (std::size_t i = 0; i < poses.size(); ++i)
       appendPose(poses[i], map.trajectory);
+  }
+  if (file.has("exposure")) {
+    map.exposure = file.at("exposure").number();
+    requireNone(faultOfExposure(map.exposure), file.at("exposure"));
   }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
