@@ -215,6 +215,10 @@ TEST(DeWallLiteralWalls, areCountedForEveryRule)
     EXPECT_EQ(triangulateInLeaves(cloud, {rule, 3}, 50).report.crowded_edges, 0U);
   }
   EXPECT_EQ(triangulateInLeaves(cloud, {strict, 3}, 1000).report.walls, 0U);
+  Cloud large = makeGrid(256, 256, 1, ExactPlane::Level);
+  EXPECT_EQ(triangulate(large, {DeWallRule::Paper, 2}).report.walls, 0U);
+  large.emplace_back(-1.0F, 0.0F, large[0].z);
+  EXPECT_EQ(triangulate(large, {DeWallRule::Paper, 2}).report.walls, 1U);
 }
 
 /** p1 is on the plane; its nearest point on the other side is not the nearest to the
