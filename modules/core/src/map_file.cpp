@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <functional>
@@ -161,12 +162,23 @@ writeLines(const Write& write,
     write((i ? ",\n" : "\n") + line(i).dump());
 }
 
-/** Writes vertices, edges and faces, if there are any. */
-void
-writeTopology(const Write& write, const MapTopology& topology)
+bool
+tellsEdges(const std::vector<PlanePatch>& planes)
 {
-  if (topology.faces.empty())
+  return std::any_of(planes.begin(), planes.end(), [](const PlanePatch& plane) {
+    return std::any_of(plane.polygons.begin(),
+                       plane.polygons.end(),
+                       [](const PlanePolygon& one) { return !one.edges.empty(); });
+  });
+}
+
+/** Writes vertices, edges and faces, if the planes tell what is beyond their edges. */
+void
+writeTopology(const Write& write, const std::vector<PlanePatch>& planes)
+{
+  if (!tellsEdges(planes))
     return;
+  const MapTopology topology = topologyOf(planes);
   write("\n],\"vertices\":[");
   writeLines(write, topology.vertices.size(), [&](std::size_t i) {
     const Eigen::Vector3f& p = topology.vertices[i];
@@ -213,7 +225,7 @@ acmap::writeMap(const CompactMap& map, const Write& write)
       plane["charts"] = charts[id];
     return plane;
   });
-  writeTopology(write, topologyOf(map.planes));
+  writeTopology(write, map.planes);
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
     writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {

@@ -222,7 +222,8 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
   std::map<std::array<std::int32_t, 2>, MapEdge> known;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     MapEdge edge;
-    const JsonCursor ends = edges[i].at("vertices"), sides = edges[i].at("planes");
+    const JsonCursor item = edges[i];
+    const JsonCursor ends = item.at("vertices"), sides = item.at("planes");
     ends.requireSize(2);
     if (sides.size() < 1 || sides.size() > 2)
       sides.fail("are " + std::to_string(sides.size()) + ", 1 or 2 are needed");
@@ -230,7 +231,7 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
       edge.vertices[k] = static_cast<std::int32_t>(ends[k].integer(0, last));
     for (std::size_t k = 0; k < sides.size(); ++k)
       edge.planes[k] = static_cast<std::int32_t>(sides[k].integer(0, last_plane));
-    edge.kind = kindOf(edges[i].at("kind"));
+    edge.kind = kindOf(item.at("kind"));
     known.emplace(edge.vertices, edge);
   }
   for (const MapFace& face : topology.faces) {
@@ -302,7 +303,7 @@ acmap::readMap(const std::string& name, ByteSource& source)
       requireNone(faultOfTexels(texels), charts[k]);
     }
   }
-  if (file.has("edges"))
+  if (file.has("edges") && file.has("vertices"))
     readEdges(file, map.planes);
   return map;
 }

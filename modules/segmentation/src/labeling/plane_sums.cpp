@@ -61,6 +61,7 @@ findShadows(const Survey& survey,
             const std::vector<KnownPlane>& planes)
 {
   constexpr double squared_reach = 20.25; // the same as for labelling
+  constexpr double max_turn = -0.5;       // cosine; else it is the back of a thin wall
   std::vector<std::size_t> points(planes.size(), 0);
   std::vector<std::map<std::int32_t, std::size_t>> shared(planes.size());
   for (std::size_t i = 0; i < survey.size(); ++i) {
@@ -74,6 +75,9 @@ findShadows(const Survey& survey,
       if (other >= labels[i])
         continue;
       const KnownPlane& caster = planes[static_cast<std::size_t>(other)];
+      if (caster.patch.coefficients.head<3>().dot(
+              planes[own].patch.coefficients.head<3>()) < max_turn)
+        continue;
       const Crossing crossing(survey.sight(i), caster.patch);
       if (crossing.off * crossing.off <
               squared_reach * noise.variance(crossing, caster) &&

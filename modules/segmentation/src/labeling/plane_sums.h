@@ -47,7 +47,8 @@ sumPlanes(const Survey& survey,
 /** Returns for each plane the number of a previous plane that explains most of its
  * points, -1 for none: the points are within the noise of that plane, and the
  * intersections of their rays with it are in voxels of its hypotheses. Points scattered
- * by a noisy wall form such a shadow; a door that is set back does not. */
+ * by a noisy wall form such a shadow; a door that is set back does not, nor does the other
+ * side of a thin wall. */
 std::vector<std::int32_t>
 findShadows(const Survey& survey,
             const std::vector<std::int32_t>& labels,

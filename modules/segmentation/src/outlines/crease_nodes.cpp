@@ -8,6 +8,12 @@
 
 namespace pcl::acmap::outlines {
 
+namespace {
+
+constexpr double same_end = 2; // spacings within which ends are one
+
+} // namespace
+
 CreaseNodes::CreaseNodes(const Creases& creases,
                          const std::vector<PlaneRaster>& rasters,
                          double spacing)
@@ -122,12 +128,11 @@ CreaseNodes::settleCorners()
   }
 }
 
-/** Ends near a corner are that corner; others within a spacing and a half of each other
- * are one. */
+/** Ends near a corner are that corner; others within two spacings of each other are one. */
 void
 CreaseNodes::settleEnds(std::size_t number)
 {
-  const double reach = 1.5 * spacing_;
+  const double reach = same_end * spacing_;
   std::vector<double>& ends = ends_[number];
   std::vector<Place>& places = places_[number];
   const Crease& crease = creases_.creases[number];
@@ -170,7 +175,7 @@ CreaseNodes::find(const CreasePoint& point) const
   if (point.third >= 0)
     return corners_.at(cornerOf(point));
   const std::vector<Place>& places = places_[static_cast<std::size_t>(point.crease)];
-  const double reach = 1.5 * spacing_;
+  const double reach = same_end * spacing_;
   const Place* best = nullptr;
   for (const Place& place : places) {
     const auto rank = [&](const Place& one) {
