@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::acmap::outlines {
 
@@ -74,46 +75,42 @@ mainDirection(std::size_t own,
   return std::cos(angle) * patch.axis_u + std::sin(angle) * patch.axis_v;
 }
 
-/** Adds the cells whose centres are in a triangle. */
+/** Adds the cells whose centres are in a triangle. Each side bounds the rows from the
+ * left or from the right, which is chosen without a branch. */
 void
 fillTriangle(const std::array<Eigen::Vector2d, 3>& corners, CellSet& cells)
 {
-  const auto [low, high] =
-      std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-  const bool is_left_turn = cross(Eigen::Vector2d(corners[1] - corners[0]),
-                                  Eigen::Vector2d(corners[2] - corners[0])) > 0;
-  // each side bounds the rows from the left or from the right
-  struct Bound {
-    double x = 0, slope = 0;
-    bool is_left = false, is_used = false;
-  };
-  std::array<Bound, 3> bounds;
-  const int first = static_cast<int>(std::ceil(low - 0.5));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double turn = cross(Eigen::Vector2d(corners[1] - corners[0]),
+                            Eigen::Vector2d(corners[2] - corners[0]));
+  if (turn == 0)
+    return;
+  const double low = std::min({corners[0].y(), corners[1].y(), corners[2].y()});
+  const double high = std::max({corners[0].y(), corners[1].y(), corners[2].y()});
+  const int first = std::max(static_cast<int>(low + 0.5) - 1, 0);
+  const int last = std::min(static_cast<int>(high + 0.5) - 1, cells.height() - 1);
+  std::array<double, 3> left, left_slopes, right, right_slopes;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector2d &a = corners[k], &b = corners[(k + 1) % 3];
-    if (a.y() == b.y())
-      continue;
-    const double slope = (b.x() - a.x()) / (b.y() - a.y());
-    bounds[k] = {a.x() + (first + 0.5 - a.y()) * slope,
-                 slope,
-                 (b.y() < a.y()) == is_left_turn,
-                 true};
+    const double rise = b.y() - a.y();
+    const double slope = rise == 0 ? 0 : (b.x() - a.x()) / rise;
+    const double x = a.x() + (first + 0.5 - a.y()) * slope;
+    const bool is_left = rise * turn<0, is_right = rise * turn> 0;
+    left[k] = is_left ? x : -infinity;
+    left_slopes[k] = is_left ? slope : 0;
+    right[k] = is_right ? x : infinity;
+    right_slopes[k] = is_right ? slope : 0;
   }
-  for (int y = first; y + 0.5 <= high; ++y) {
-    double from = -std::numeric_limits<double>::infinity(), to = -from;
-    for (Bound& bound : bounds) {
-      if (!bound.is_used)
-        continue;
-      if (bound.is_left)
-        from = std::max(from, bound.x);
-      else
-        to = std::min(to, bound.x);
-      bound.x += bound.slope;
+  for (int y = first; y <= last; ++y) {
+    const double from = std::max({left[0], left[1], left[2], 0.0});
+    const double to =
+        std::min({right[0], right[1], right[2], static_cast<double>(cells.width())});
+    if (from <= to && y + 0.5 >= low)
+      cells.addRun(y, static_cast<int>(from + 0.5), static_cast<int>(to + 0.5));
+    for (std::size_t k = 0; k < 3; ++k) {
+      left[k] += left_slopes[k];
+      right[k] += right_slopes[k];
     }
-    if (from <= to)
-      cells.addRun(y,
-                   static_cast<int>(std::ceil(from - 0.5)),
-                   static_cast<int>(std::floor(to - 0.5)) + 1);
   }
 }
 
@@ -241,6 +238,34 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
     }
 }
 
+namespace {
+
+/** Points that follow one another, which are near each other in a consolidated cloud. */
+struct RayBlock {
+  static constexpr std::size_t length = 64;
+
+  Eigen::AlignedBox3f box; ///< of the points that have a sensor
+  std::vector<std::pair<Eigen::Vector3f, Eigen::Vector3f>> rays; ///< sensor, point
+};
+
+std::vector<RayBlock>
+rayBlocksOf(const PointView& points, const SensorView& sensors)
+{
+  std::vector<RayBlock> blocks((points.size() + RayBlock::length - 1) /
+                               RayBlock::length);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f* const sensor = sensors[i];
+    if (!sensor || !points[i].allFinite())
+      continue;
+    RayBlock& block = blocks[i / RayBlock::length];
+    block.box.extend(points[i]);
+    block.rays.emplace_back(*sensor, points[i]);
+  }
+  return blocks;
+}
+
+} // namespace
+
 void
 addFreeRays(const KnownPlanes& known,
             const SensorView& sensors,
@@ -248,36 +273,33 @@ addFreeRays(const KnownPlanes& known,
 {
   if (!sensors.isKnown())
     return;
-  constexpr double max_tests = 2e8; // above, a part of the rays is evidence enough
-  const double behind = 2 * known.spacing;
-  const double tests =
-      static_cast<double>(known.points.size()) * static_cast<double>(rasters.size());
-  const auto step =
-      static_cast<std::size_t>(std::ceil(std::max(tests / max_tests, 1.0)));
+  const std::vector<RayBlock> blocks = rayBlocksOf(known.points, sensors);
+  const auto limit = static_cast<float>(-2 * known.spacing);
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
     PlaneRaster& raster = rasters[p];
     if (raster.seen.width() == 0)
       return;
     const Eigen::Vector3f normal = raster.normal.cast<float>();
     const auto offset = static_cast<float>(raster.offset);
-    const auto limit = static_cast<float>(-behind);
-    for (std::size_t i = 0; i < known.points.size(); i += step) {
-      const Eigen::Vector3f point = known.points[i];
-      if (!(normal.dot(point) + offset < limit))
+    const Eigen::Array2d size(raster.free.width(), raster.free.height());
+    for (const RayBlock& block : blocks) {
+      const Eigen::Vector3f half = block.box.sizes() / 2;
+      if (block.rays.empty() ||
+          normal.dot(block.box.center()) + offset - normal.cwiseAbs().dot(half) >=
+              limit)
         continue;
-      const Eigen::Vector3f* const sensor = sensors[i];
-      if (!sensor || !(normal.dot(*sensor) + offset > 0))
-        continue;
-      const Eigen::Vector3d from = sensor->cast<double>(), to = point.cast<double>();
-      const double front = raster.normal.dot(from) + raster.offset;
-      const double back = raster.normal.dot(to) + raster.offset;
-      if (!(front > 0 && back < 0))
-        continue;
-      const Eigen::Vector2d place =
-          raster.placeOf(from + front / (front - back) * (to - from));
-      const auto size = Eigen::Vector2d(raster.free.width(), raster.free.height());
-      if ((place.array() >= 0).all() && (place.array() < size.array()).all())
-        raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
+      for (const auto& [sensor, point] : block.rays) {
+        const float back = normal.dot(point) + offset;
+        const float front = normal.dot(sensor) + offset;
+        if (!(back < limit && front > 0))
+          continue;
+        const double share = static_cast<double>(front) / (front - back);
+        const Eigen::Vector3d from = sensor.cast<double>();
+        const Eigen::Array2d place =
+            raster.placeOf(from + share * (point.cast<double>() - from));
+        if ((place >= 0).all() && (place < size).all())
+          raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
+      }
     }
   });
 }
