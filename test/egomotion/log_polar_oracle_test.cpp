@@ -376,7 +376,7 @@ TEST(PatchWaves, boundEveryScoreFromAbove)
     const auto patches = patchesOf(rings, sectors, noise);
     std::vector<std::array<std::int16_t, PatchWaves::size>> numbers(patches.size());
     for (std::size_t i = 0; i < patches.size(); ++i)
-      waves.numbersOf(patches[i].data(), numbers[i].data());
+      waves.numbersOf(patches[i].data(), 0, 1, numbers[i].data());
     double looseness = 0;
     for (std::size_t i = 0; i < patches.size(); ++i)
       for (std::size_t j = 0; j < patches.size(); ++j) {

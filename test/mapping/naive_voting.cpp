@@ -83,7 +83,8 @@ naiveVoting(const PosedClouds& map,
       for (std::size_t k = 0; k < 3 && changes[t]; ++k)
         past[t][k] =
             0.9 * past[t][k] + 0.1 * (energy - result.energy) / step * change[t][k];
-    const bool better = energy < result.energy;
+    // A map that is shifted by whole bins has the same energy, whatever rounding says.
+    const bool better = energy < result.energy - 1e-12;
     step = better ? std::fmin(1, 1.3 * step) : std::fmax(0.02, 0.9 * step);
     if (!better)
       continue;

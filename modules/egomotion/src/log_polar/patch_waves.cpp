@@ -66,19 +66,29 @@ PatchWaves::PatchWaves(int rings, int sectors)
 }
 
 void
-PatchWaves::numbersOf(const std::int16_t* samples, std::int16_t* numbers) const
+PatchWaves::numbersOf(const std::int16_t* samples,
+                      std::size_t stride,
+                      std::size_t count,
+                      std::int16_t* numbers) const
 {
-  using Samples = Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>;
-  const Eigen::VectorXf patch =
-      Eigen::Map<const Samples>(samples, waves_.cols()).cast<float>();
-  const Eigen::VectorXf amplitudes = waves_ * patch;
-  std::fill_n(numbers, size, std::int16_t{0});
-  for (Eigen::Index k = 0; k < amplitudes.size(); ++k)
-    numbers[k] = static_cast<std::int16_t>(std::lround(amplitudes[k]));
-  // Rounded up by more than the error of the squares.
-  const double rest = double{patch.squaredNorm()} - double{amplitudes.squaredNorm()};
-  numbers[size - 1] = static_cast<std::int16_t>(
-      std::ceil(std::sqrt(std::max(rest, 0.0) + 1e-5 * score_of_one)));
+  using Samples = Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Map<const Samples, 0, Eigen::OuterStride<>> given(
+      samples,
+      waves_.cols(),
+      static_cast<Eigen::Index>(count),
+      Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+  const Eigen::MatrixXf patches = given.cast<float>();
+  const Eigen::MatrixXf amplitudes = waves_ * patches;
+  std::fill_n(numbers, count * size, std::int16_t{0});
+  for (Eigen::Index i = 0; i < patches.cols(); ++i, numbers += size) {
+    for (Eigen::Index k = 0; k < amplitudes.rows(); ++k)
+      numbers[k] = static_cast<std::int16_t>(std::lround(amplitudes(k, i)));
+    // Rounded up by more than the error of the squares.
+    const double rest =
+        double{patches.col(i).squaredNorm()} - double{amplitudes.col(i).squaredNorm()};
+    numbers[size - 1] = static_cast<std::int16_t>(
+        std::ceil(std::sqrt(std::max(rest, 0.0) + 1e-5 * score_of_one)));
+  }
 }
 
 std::int32_t

@@ -20,10 +20,15 @@ public:
 
   PatchWaves(int rings, int sectors);
 
-  /** \param[in] samples of a patch as integers, ring by ring
-   * \param[out] numbers \ref size integers */
+  /** \brief Computes the numbers of some patches; several at once take less time.
+   * \param[in] samples of the patches as integers, ring by ring
+   * \param[in] stride from a patch to the next one
+   * \param[out] numbers \ref size integers for each patch */
   void
-  numbersOf(const std::int16_t* samples, std::int16_t* numbers) const;
+  numbersOf(const std::int16_t* samples,
+            std::size_t stride,
+            std::size_t count,
+            std::int16_t* numbers) const;
 
   /** \brief A score that is above \a score has a product of numbers above this one;
    * the difference is more than the rounding of the numbers can make. */

@@ -65,21 +65,21 @@ ScoreTable::packColumns(Scale& scale) const
   scale.numbers.resize(stride() * PatchWaves::size);
   const auto patch_length =
       static_cast<std::size_t>(settings_.rings * settings_.sectors);
-  oneapi::tbb::parallel_for(std::size_t{0}, size, [&](std::size_t j) {
-    std::int16_t* const samples = &scale.columns[j * length];
-    takeSamples(&columns_.patches.samples[j * patch_length] +
-                    scale.column_begin * settings_.sectors,
-                scale.rings,
-                0,
-                samples);
-    std::array<std::int16_t, PatchWaves::size> numbers{};
-    scale.waves.numbersOf(samples, numbers.data());
-    std::int16_t* const to =
-        &scale.numbers[j / score_columns * score_columns * PatchWaves::size];
-    for (std::size_t k = 0; k < PatchWaves::size; k += 2) {
-      to[score_columns * k + 2 * (j % score_columns)] = numbers[k];
-      to[score_columns * k + 2 * (j % score_columns) + 1] = numbers[k + 1];
-    }
+  oneapi::tbb::parallel_for(std::size_t{0}, column_blocks_, [&](std::size_t block) {
+    const std::size_t begin = block * score_columns;
+    for (std::size_t j = begin; j < std::min(begin + score_columns, size); ++j)
+      takeSamples(&columns_.patches.samples[j * patch_length] +
+                      scale.column_begin * settings_.sectors,
+                  scale.rings,
+                  0,
+                  &scale.columns[j * length]);
+    std::array<std::int16_t, score_columns * PatchWaves::size> numbers;
+    scale.waves.numbersOf(
+        &scale.columns[begin * length], length, score_columns, numbers.data());
+    std::int16_t* to = &scale.numbers[begin * PatchWaves::size];
+    for (std::size_t k = 0; k < PatchWaves::size; k += 2)
+      for (std::size_t j = 0; j < score_columns; ++j, to += 2)
+        std::copy_n(&numbers[j * PatchWaves::size + k], 2, to);
   });
 }
 
@@ -95,15 +95,14 @@ ScoreTable::raiseScoresOf(const std::int32_t* rows,
       static_cast<std::size_t>(settings_.rings * settings_.sectors);
   std::vector<std::int16_t> samples(count * length);
   std::vector<std::int16_t> numbers(score_rows * PatchWaves::size);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     takeSamples(
         &rows_.patches.samples[static_cast<std::size_t>(rows[i]) * patch_length] +
             scale.row_begin * settings_.sectors,
         scale.rings,
         turn,
         &samples[i * length]);
-    scale.waves.numbersOf(&samples[i * length], &numbers[i * PatchWaves::size]);
-  }
+  scale.waves.numbersOf(samples.data(), length, count, numbers.data());
   std::vector<std::uint8_t> found(score_rows * column_blocks_);
   findPairs()(
       {numbers.data(), scale.numbers.data(), column_blocks_, PatchWaves::size / 2},

@@ -42,8 +42,9 @@ struct LogPolarReport : Report {
  *
  * Output: `index_query` in the source, `index_match` in the target, `distance` in
  * squared metres; \ref getScores returns the coefficients. Matches are ordered by
- * source index. Time: O(n m) for n and m keypoints, one matrix product per shift; the
- * result is the same for every number of threads.
+ * source index. Time: O(n m) for n and m keypoints under each shift; most pairs are
+ * excluded by a bound from 32 numbers of each patch, which does not change the result.
+ * It is the same for every number of threads.
  * \code
  * pcl::registration::CorrespondenceEstimationLogPolar<pcl::PointXYZRGB> matcher;
  * matcher.setInputSource (now);
