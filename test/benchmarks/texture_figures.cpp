@@ -3,16 +3,21 @@
 #include "markdown_row.h"
 #include "sections.h"
 #include "simulated_clouds.h"
+#include "temporary_folder.h"
 #include "texture_seams.h"
 #include "timing.h"
 #include "voted_hypotheses.h"
 #include "voted_mesh.h"
 
+#include "atlas/chart_picture.h"
 #include "texturing/canvas_painting.h"
 
 #include <pcl/core/random.h>
+#include <pcl/texture/compact_map_folder.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <set>
 
@@ -20,11 +25,13 @@ namespace pcl::acmap::bench {
 namespace {
 
 constexpr char usage[] =
-    "Usage: acmap_bench_texture_figures [views] [exposure]\n"
+    "Usage: acmap_bench_texture_figures [views] [exposure] [stored]\n"
     "Prints how well the views of the corridor are drawn again from its compact map,\n"
     "and what is seen of the borders between views, as Markdown tables. With exposure "
     "the\n"
-    "views are brighter and darker by up to a quarter.\n";
+    "views are brighter and darker by up to a quarter; with stored the map is saved "
+    "with\n"
+    "several tolerances of its colours and loaded again.\n";
 
 constexpr std::uint64_t seed = 1;
 
@@ -102,6 +109,8 @@ paint(const SimulatedScene& scene,
   std::size_t left_out = 0;
   painted.canvases = texturing::canvasesOf(
       planes, settings.texel_size, settings.maximum_texture_size, left_out);
+  for (texturing::Canvas& canvas : painted.canvases)
+    canvas.samples.resize(canvas.mask.size());
   for (std::size_t v = 0; v < trajectory.poses.size(); ++v) {
     const SimulatedObservation seen = observeWith(scene, v, exposures[v]);
     const ColoredView view = viewOf(seen, trajectory.poses[v]);
@@ -208,6 +217,92 @@ printRow(const std::string& name,
       .print();
 }
 
+/** Differences of the known texels of two maps, levels of 255. */
+struct ColorErrors {
+  double rms = 0;
+  double most_of_999 = 0; ///< of 99.9 % of the texels, the largest of a channel
+};
+
+ColorErrors
+errorsOf(const CompactMap& stored, const CompactMap& painted)
+{
+  std::array<std::size_t, 256> counts{};
+  double squares = 0;
+  std::size_t texels = 0;
+  for (std::size_t c = 0; c < painted.charts.size(); ++c) {
+    const TextureChart& chart = painted.charts[c];
+    for (std::size_t t = 0; t < chart.kinds.size(); ++t) {
+      if (chart.kinds[t] == TexelKind::None)
+        continue;
+      int largest = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int off = std::abs(int{chart.colors.values[3 * t + k]} -
+                                 int{stored.charts[c].colors.values[3 * t + k]});
+        largest = std::max(largest, off);
+        squares += off * off / 3.0;
+      }
+      ++counts[static_cast<std::size_t>(largest)];
+      ++texels;
+    }
+  }
+  ColorErrors errors;
+  errors.rms = std::sqrt(squares / static_cast<double>(texels));
+  std::size_t level = 0;
+  for (std::size_t sum = counts[0]; 1000 * sum < 999 * texels; sum += counts[level])
+    ++level;
+  errors.most_of_999 = static_cast<double>(level);
+  return errors;
+}
+
+/** The map with its colours as they are stored with some tolerances. */
+void
+printStored(const SimulatedScene& scene,
+            const Trajectory& trajectory,
+            const std::vector<PlanePatch>& planes)
+{
+  const std::vector<double> exposures(trajectory.poses.size(), 1.0);
+  Painted painted = paint(scene, trajectory, planes, exposures);
+  painted.map.exposure = texturing::displayExposure(painted.map.charts);
+  printHead({"color_tolerance",
+             "texels in the pages, %",
+             "charts of one texel",
+             "map.glb, bytes",
+             "difference, rms",
+             "99.9 % of the texels",
+             "SSIM of views drawn again",
+             "saving, CPU s"});
+  for (const double tolerance : {0.0, 0.75, 1.5, 3.0}) {
+    const test::TemporaryFolder folder;
+    CompactMapOutputs outputs;
+    outputs.color_tolerance = tolerance;
+    const double seconds = measureCost([&] {
+                             saveCompactMap(folder.path("map"), painted.map, outputs);
+                           }).cpu;
+    std::int64_t all = 0, kept = 0;
+    std::size_t single = 0;
+    for (const TextureChart& chart : painted.map.charts) {
+      const auto size = halvedSize(chart.colors, chart.halvings).cast<std::int64_t>();
+      all += std::int64_t{chart.colors.width} * chart.colors.height;
+      kept += size.prod();
+      single += size.prod() == 1 ? 1 : 0;
+    }
+    Painted stored;
+    stored.map = loadCompactMap(folder.path("map"));
+    stored.gains = painted.gains;
+    const ColorErrors errors = errorsOf(stored.map, painted.map);
+    MarkdownRow()
+        .number(tolerance, 2)
+        .number(100 * static_cast<double>(kept) / static_cast<double>(all), 1)
+        .count(single)
+        .count(std::filesystem::file_size(folder.path("map/map.glb")))
+        .number(errors.rms, 2)
+        .number(errors.most_of_999, 0)
+        .number(redraw(scene, trajectory, stored, exposures).mean, 3)
+        .number(seconds, 2)
+        .print();
+  }
+}
+
 std::vector<double>
 randomExposures(std::size_t views)
 {
@@ -227,23 +322,24 @@ main(int argc, char** argv)
   using namespace pcl::acmap::bench;
   Sections sections;
   if (const auto exit_code =
-          Sections::read(argc, argv, {"views", "exposure"}, usage, sections))
+          Sections::read(argc, argv, {"views", "exposure", "stored"}, usage, sections))
     return *exit_code;
   SceneData corridor("corridor");
   const SimulatedCloud& whole = corridor.whole();
   const std::vector<pcl::PlanePatch> planes = planesOf(whole);
   const pcl::Trajectory& trajectory = whole.merged.trajectory;
-  printHead({"views",
-             "number",
-             "charts",
-             "texels",
-             "SSIM of views drawn again",
-             "10 cm from rims: step across borders of views",
-             "inside",
-             "ratio",
-             "ratio everywhere",
-             "exposure left, %",
-             "CPU s"});
+  if (sections.isWanted("views") || sections.isWanted("exposure"))
+    printHead({"views",
+               "number",
+               "charts",
+               "texels",
+               "SSIM of views drawn again",
+               "10 cm from rims: step across borders of views",
+               "inside",
+               "ratio",
+               "ratio everywhere",
+               "exposure left, %",
+               "CPU s"});
   if (sections.isWanted("views"))
     printRow("as they are",
              corridor.scene(),
@@ -256,5 +352,9 @@ main(int argc, char** argv)
              trajectory,
              planes,
              randomExposures(trajectory.poses.size()));
+  if (sections.isWanted("stored")) {
+    std::cout << '\n';
+    printStored(corridor.scene(), trajectory, planes);
+  }
   return 0;
 }

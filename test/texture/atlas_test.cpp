@@ -1,6 +1,7 @@
 #include "atlas/chart_picture.h"
 #include "atlas/rectangle_packing.h"
 #include "atlas/texture_atlas.h"
+#include "export/map_writers.h"
 #include "temporary_folder.h"
 #include "texturing/canvas_painting.h"
 #include "texturing/intensity_greys.h"
@@ -273,20 +274,53 @@ TEST(TextureAtlas, ManyChartsHaveFewFilesAndOneMaterial)
   }
 }
 
+/** An atlas of pages of 256 x 256 with all texels. */
+TextureAtlas
+smallAtlasOf(const CompactMap& map)
+{
+  AtlasLimits limits;
+  limits.longest_page = 256;
+  return atlasOf(map, surfacesOf(map), -Eigen::Vector3d::UnitY(), 0, limits);
+}
+
+int
+patternAt(int column, int row)
+{
+  return (column ^ row) & 127;
+}
+
+TEST(TextureAtlas, ASecondPageIsBegunWhenTheFirstIsFull)
+{
+  const CompactMap map = mapOf({chartOf(240, 140, patternAt),
+                                chartOf(40, 30, patternAt),
+                                chartOf(240, 130, patternAt)});
+  const TextureAtlas atlas = smallAtlasOf(map);
+  ASSERT_EQ(atlas.pages.size(), 2U);
+  EXPECT_EQ(atlas.places[0].page, 0U);
+  EXPECT_EQ(atlas.places[1].page, 0U) << "the first page has room for it";
+  EXPECT_EQ(atlas.places[2].page, 1U);
+  EXPECT_THAT(atlas.halvings, testing::Each(0));
+  const TemporaryFolder folder;
+  writeObj(folder.path("map.obj"), map, surfacesOf(map), atlas);
+  writeMtl(folder.path("map.mtl"), map, {"a.png", "b.png"});
+  const std::string obj = contentOf(folder.path("map.obj"));
+  const std::size_t second = obj.find("usemtl page_1");
+  EXPECT_LT(obj.find("usemtl page_0"), second);
+  EXPECT_LT(obj.find("# plane 1"), second);
+  EXPECT_GT(obj.find("# plane 2"), second);
+  EXPECT_THAT(contentOf(folder.path("map.mtl")), testing::HasSubstr("map_Kd b.png"));
+}
+
 TEST(TextureAtlas, ALargeMapIsHalvedUntilItFits)
 {
   // five pages would be needed for all texels, and no page is as wide as the last chart
-  std::vector<TextureChart> charts(
-      5, chartOf(4000, 3000, [](int column, int row) { return (column ^ row) & 127; }));
-  charts.push_back(
-      chartOf(5000, 10, [](int column, int) { return column & 64 ? 9 : 99; }));
-  const CompactMap map = mapOf(charts);
-  const TextureAtlas atlas =
-      atlasOf(map, surfacesOf(map), -Eigen::Vector3d::UnitY(), 0);
+  std::vector<TextureChart> charts(5, chartOf(240, 180, patternAt));
+  charts.push_back(chartOf(300, 10, patternAt));
+  const TextureAtlas atlas = smallAtlasOf(mapOf(charts));
   EXPECT_LE(atlas.pages.size(), 4U);
   EXPECT_THAT(atlas.halvings, testing::Each(1));
   for (const RgbImage& page : atlas.pages)
-    EXPECT_LE(std::max(page.width, page.height), 4096);
+    EXPECT_LE(std::max(page.width, page.height), 256);
 }
 
 TEST(TextureAtlas, WithoutColoursNormalsShade)

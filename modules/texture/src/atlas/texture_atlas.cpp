@@ -13,10 +13,8 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr std::int32_t margin = 4;          // texels around a picture
-constexpr std::int32_t alignment = 16;      // of the blocks of a JPEG
-constexpr std::int32_t longest_page = 4096; // which every graphics card supports
-constexpr std::size_t maximum_pages = 4;
+constexpr std::int32_t margin = 4;     // texels around a picture
+constexpr std::int32_t alignment = 16; // of the blocks of a JPEG
 
 /** Shade of a surface without colours: bright if it faces a light above and aside. */
 std::uint8_t
@@ -74,7 +72,7 @@ struct Pictures {
 
 /** Packs the pictures; those of one equal texel share a place. */
 void
-pack(Pictures& pictures)
+pack(Pictures& pictures, std::int32_t longest_page)
 {
   std::map<std::vector<std::uint8_t>, std::size_t> plain;
   std::vector<Eigen::Vector2i> sizes;
@@ -99,7 +97,7 @@ pack(Pictures& pictures)
 
 /** Halvings without which a chart is longer than a page. */
 std::int32_t
-neededHalvings(const TextureChart& chart)
+neededHalvings(const TextureChart& chart, std::int32_t longest_page)
 {
   std::int32_t halvings = 0;
   while (halvedSize(chart.colors, halvings).maxCoeff() > longest_page - 2 * margin)
@@ -111,7 +109,8 @@ Pictures
 packedPictures(const CompactMap& map,
                const std::vector<ChartSurface>& surfaces,
                const Eigen::Vector3d& up,
-               double tolerance)
+               double tolerance,
+               const AtlasLimits& limits)
 {
   Pictures pictures;
   pictures.own.resize(surfaces.size());
@@ -130,14 +129,15 @@ packedPictures(const CompactMap& map,
     PictureSettings settings;
     settings.exposure = map.exposure;
     settings.tolerance = tolerance;
-    settings.min_halvings = std::max(neededHalvings(*chart), min_halvings);
+    settings.min_halvings =
+        std::max(neededHalvings(*chart, limits.longest_page), min_halvings);
     pictures.own[i] = pictureOf(*chart, coverOf(surface, chart->colors), settings);
   };
   for (std::int32_t min_halvings = 0;; ++min_halvings) {
     oneapi::tbb::parallel_for(
         std::size_t{0}, surfaces.size(), [&](std::size_t i) { draw(i, min_halvings); });
-    pack(pictures);
-    if (pictures.packing.pages.size() <= maximum_pages)
+    pack(pictures, limits.longest_page);
+    if (pictures.packing.pages.size() <= limits.maximum_pages)
       return pictures;
   }
 }
@@ -148,9 +148,10 @@ TextureAtlas
 atlasOf(const CompactMap& map,
         const std::vector<ChartSurface>& surfaces,
         const Eigen::Vector3d& up,
-        double tolerance)
+        double tolerance,
+        const AtlasLimits& limits)
 {
-  const Pictures pictures = packedPictures(map, surfaces, up, tolerance);
+  const Pictures pictures = packedPictures(map, surfaces, up, tolerance, limits);
   TextureAtlas atlas;
   atlas.halvings.resize(map.charts.size());
   for (const Eigen::Vector2i& size : pictures.packing.pages) {

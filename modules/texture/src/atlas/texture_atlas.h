@@ -17,9 +17,15 @@ struct AtlasPlace {
   double scale = 0; ///< texels of the page per texel of the chart
 };
 
+/** \brief What readers of a map can be expected to display. */
+struct AtlasLimits {
+  std::int32_t longest_page = 4096; ///< power of two; of every graphics card
+  std::size_t maximum_pages = 4;    ///< of a quarter of a gigabyte of memory
+};
+
 /** \brief All charts of a map in few images. */
 struct TextureAtlas {
-  std::vector<RgbImage> pages;        ///< sides are powers of two, at most 4096
+  std::vector<RgbImage> pages;        ///< sides are powers of two
   std::vector<AtlasPlace> places;     ///< of each surface
   std::vector<std::int32_t> halvings; ///< of each chart
 
@@ -49,7 +55,8 @@ TextureAtlas
 atlasOf(const CompactMap& map,
         const std::vector<ChartSurface>& surfaces,
         const Eigen::Vector3d& up,
-        double tolerance);
+        double tolerance,
+        const AtlasLimits& limits = {});
 
 /** \brief The kinds of those charts that were not seen completely, in few images. */
 struct KindAtlas {
