@@ -83,8 +83,7 @@ run(const Options& options, const RunControls& controls, StageLog& log)
   stopIfInterrupted();
   for (const std::string& name :
        pcl::saveCompactMap(options.output, map, options.texture.outputs))
-    if (name.rfind("texture_", 0) != 0)
-      log.tell("file", options.output + "/" + name);
+    log.tell("file", options.output + "/" + name);
   timer.finish("write");
   log.details["planes"] = planes.size();
 }

@@ -34,6 +34,12 @@ set_target_properties(
   turbojpeg PROPERTIES IMPORTED_LOCATION "${TURBOJPEG_LIBRARY}"
                        INTERFACE_INCLUDE_DIRECTORIES "${TURBOJPEG_INCLUDE_DIR}")
 
+# stb has headers only, among them the one that packs rectangles.
+find_path(STB_INCLUDE_DIR stb_rect_pack.h PATH_SUFFIXES stb REQUIRED)
+mark_as_advanced(STB_INCLUDE_DIR)
+add_library(stb INTERFACE IMPORTED)
+set_target_properties(stb PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${STB_INCLUDE_DIR}")
+
 # libusb has one for pkg-config alone.
 acmap_if_chosen(needs_libusb acquisition)
 if(needs_libusb)

@@ -21,11 +21,13 @@ trajectoryOf(const py::object& self)
 }
 
 std::vector<std::string>
-saveMap(const ReportedMap& reported, const std::string& folder)
+saveMap(const ReportedMap& reported, const std::string& folder, double color_tolerance)
 {
   const py::gil_scoped_release others_may_run;
-  CompactMap map = reported.map; // its charts get the names of their images
-  return saveCompactMap(folder, map);
+  CompactMap map = reported.map; // its charts get their places in the pages
+  CompactMapOutputs outputs;
+  outputs.color_tolerance = color_tolerance;
+  return saveCompactMap(folder, map, outputs);
 }
 
 ReportedMap
@@ -40,9 +42,11 @@ readMap(const std::string& folder)
 }
 
 constexpr const char* about_saving =
-    R"(Writes the map into a folder, which is made if it is missing: map.json, one image per
-texture, map.obj and map.glb. An older map there stays whole if it fails. Returns the
-names of the files. Raises OSError.)";
+    R"(Writes the map into a folder, which is made if it is missing: map.json, the textures
+packed into few images, map.obj and map.glb. Textures are stored at a lower resolution
+where that changes them by less than color_tolerance, levels of 255; 0 keeps all texels.
+An older map there stays whole if it fails. Returns the names of the files. Raises
+OSError and ValueError.)";
 
 } // namespace
 
@@ -92,7 +96,16 @@ bindCompactMap(py::module_& module)
                     &ReportedMap::report,
                     "outcome of the rectification, counts of the steps, seconds and "
                     "remarks; None for a map from a folder")
-      .def("save", &saveMap, about_saving, "folder"_a);
+      .def_property_readonly(
+          "exposure",
+          [](const ReportedMap& reported) { return reported.map.exposure; },
+          "factor of the colours in the images of the saved map, so that these are "
+          "neither dark nor overexposed")
+      .def("save",
+           &saveMap,
+           about_saving,
+           "folder"_a,
+           "color_tolerance"_a = CompactMapOutputs().color_tolerance);
   module.def(
       "read_map",
       &readMap,

@@ -54,7 +54,7 @@ drawText(cv::Mat3b& image,
          double share = 0);
 
 /** \brief A round length for ticks and scale bars: the maximum of 1, 2 and 5 times
- * powers of ten that is not above \a most, which is finite and above 0. */
+ * powers of ten that is not above \a maximum, which is finite and above 0. */
 double
 roundLength(double maximum);
 

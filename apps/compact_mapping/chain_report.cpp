@@ -33,7 +33,7 @@ picturesIn(const std::string& folder, double tilt, bool is_raw)
   Json pictures = Json::array();
   std::error_code error;
   for (const auto& [name, caption] : captions)
-    if (fs::exists(fs::path(folder) / name, error)) {
+    if (fs::exists(fs::path(folder) / pictureName(name), error)) {
       std::string text = is_raw && std::string_view(name) == mesh_name
                              ? "The mesh of the raw points."
                              : caption;
@@ -41,7 +41,7 @@ picturesIn(const std::string& folder, double tilt, bool is_raw)
         text +=
             " Drawn along the floor, from which the frame of the map is tilted by " +
             shortNumber(tilt) + " degrees.";
-      pictures.push_back({{"file", name}, {"caption", text}});
+      pictures.push_back({{"file", pictureName(name)}, {"caption", text}});
     }
   return pictures;
 }

@@ -25,7 +25,8 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Draws mesh.png, planes.png, outside.png, inside.png and floor_plan.png.
+/** \brief Draws pictures/mesh.png, planes.png, outside.png, inside.png and
+ * floor_plan.png.
  * \throws OutputFileException when one could not be written */
 void
 savePictures(const OutputFolder& folder,
@@ -33,17 +34,17 @@ savePictures(const OutputFolder& folder,
              const CompactMap& map)
 {
   const UnlimitedMemory while_drawing;
-  saveSnapshot(
-      folder.path("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
-  savePicture(folder.path("planes.png"), found);
+  const auto place = [&](const char* name) { return folder.path(pictureName(name)); };
+  saveSnapshot(place("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
+  savePicture(place("planes.png"), found);
   const std::pair<const char*, MapView::Place> places[] = {
       {"outside.png", MapView::Place::Outside},
       {"inside.png", MapView::Place::Inside},
       {"floor_plan.png", MapView::Place::Plan}};
-  for (const auto& [name, place] : places) {
+  for (const auto& [name, from] : places) {
     MapView map_view;
-    map_view.place = place;
-    saveMapSnapshot(folder.path(name), map, map_view);
+    map_view.place = from;
+    saveMapSnapshot(place(name), map, map_view);
   }
 }
 
@@ -150,13 +151,16 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
 void
 takeAlong(const Chain& chain, const OutputFolder& folder)
 {
-  for (const char* name : {"trajectory_before.txt", "plan.png", "energy.png"}) {
+  const auto copy = [&](const char* name, const std::string& to) {
     const fs::path from = fs::path(chain.folderOf("rectification")) / name;
     std::error_code error;
-    fs::copy_file(from, folder.path(name), error);
+    fs::copy_file(from, folder.path(to), error);
     if (error)
-      throw OutputFileException(folder.name() + "/" + name + ": " + error.message());
-  }
+      throw OutputFileException(folder.name() + "/" + to + ": " + error.message());
+  };
+  copy("trajectory_before.txt", "trajectory_before.txt");
+  for (const char* name : {"plan.png", "energy.png"})
+    copy(name, pictureName(name));
 }
 
 /** \brief Draws the pictures. A failure is reported as a warning, and the map is
@@ -170,6 +174,16 @@ drawPictures(const OutputFolder& folder, const Mapped& mapped, StageLog& log)
   catch (const InitFailedException& error) {
     log.warn("not all pictures could be drawn: " + std::string(error.what()));
   }
+}
+
+/** \brief Names of the files of the map, relative to its folder. */
+std::vector<std::string>
+filesOf(const OutputFolder& folder)
+{
+  std::vector<std::string> names = filesIn(folder.path(""));
+  for (const std::string& name : filesIn(folder.path(pictureName(""))))
+    names.push_back(pictureName(name));
+  return names;
 }
 
 /** \brief Reports the planes in the order of map.json, which has more details. */
@@ -230,6 +244,7 @@ makeMap(const ChainOptions& options,
   StepTimer timer(log.report);
 
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
+  fs::create_directories(folder.path(pictureName("")));
   saveFloorPlan(folder.path("plan.svg"), makeFloorPlan(mapped.map));
   saveNormals(folder.path("mesh.ply"), mapped.found);
   if (sequence.is_rectified)
@@ -239,7 +254,7 @@ makeMap(const ChainOptions& options,
     drawPictures(folder, mapped, log);
   timer.finish("pictures");
   stopIfInterrupted();
-  std::vector<std::string> names = filesIn(folder.path(""));
+  std::vector<std::string> names = filesOf(folder);
   folder.commit();
   tellMap(options, mapped, log);
   return names;

@@ -406,7 +406,7 @@ reportPage(const Json& report, const std::string& picture_folder)
        {"energy",
         listOf(details, "steps/energy").empty()
             ? nothing
-            : pictureOf(picture_folder, "energy.png", "")},
+            : pictureOf(picture_folder, "pictures/energy.png", "")},
        {"planes", planesOf(details)},
        {"times", timesOf(values)}});
   // Nothing remains of a line with only the begin or end of a section.

@@ -19,6 +19,15 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* state_name = "stage.json";
+const std::string picture_folder = "pictures/";
+
+/** Is a name from a state file that of a result? */
+bool
+isResultName(const std::string& name)
+{
+  const bool is_picture = name.rfind(picture_folder, 0) == 0;
+  return isPlainName(is_picture ? name.substr(picture_folder.size()) : name);
+}
 
 /** Reads stage.json of the folder.
  * \return a discarded value if it is missing or damaged
@@ -99,7 +108,7 @@ StageFolder::earlierResults() const
     Json entries = Json::array();
     for (const Json& entry :
          state.at(state.at("finished").get<bool>() ? "results" : "earlier"))
-      if (entry.at(0).is_string() && isPlainName(entry.at(0).get<std::string>()))
+      if (entry.at(0).is_string() && isResultName(entry.at(0).get<std::string>()))
         entries.push_back(entry);
     return entries;
   }
@@ -238,6 +247,12 @@ filesIn(const std::string& folder)
       names.push_back(name);
   }
   return names;
+}
+
+std::string
+pictureName(const std::string& name)
+{
+  return picture_folder + name;
 }
 
 Json

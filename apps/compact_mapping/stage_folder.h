@@ -99,6 +99,11 @@ private:
 std::vector<std::string>
 filesIn(const std::string& folder);
 
+/** \brief Name of a picture, relative to the folder of the results: they have a folder
+ * of their own. */
+std::string
+pictureName(const std::string& name);
+
 /** \brief Names, sizes and times of files, by which changes are detected; a missing
  * file has only a name. */
 nlohmann::ordered_json

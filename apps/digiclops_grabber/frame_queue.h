@@ -14,7 +14,7 @@ namespace pcl::acmap {
  * them. */
 class FrameQueue {
 public:
-  /** \param[in] most maximum number of waiting frames, at least 1 */
+  /** \param[in] maximum maximum number of waiting frames, at least 1 */
   explicit FrameQueue(std::size_t maximum)
   : maximum_(maximum)
   {}

@@ -111,7 +111,7 @@ TEST_F(ChainInterruption, AMapThatIsThereSurvivesTheNextOnesInterruption)
   EXPECT_THAT(differing(resultsIn(map_), before), IsEmpty());
   // and its files are recorded, so that a later map replaces them
   EXPECT_EQ(runAgain({"--no-rectification"}).exit_code, 0);
-  EXPECT_FALSE(fs::exists(map_ + "/energy.png"));
+  EXPECT_FALSE(fs::exists(map_ + "/pictures/energy.png"));
 }
 
 TEST_F(ChainInterruption, AKilledRunKeepsItsObservationsAndLeavesNothingThatStays)

@@ -107,7 +107,8 @@ TEST_F(ChainReuse, WhatTheNewMapHasNotIsRemoved)
 {
   std::ofstream(map_ + "/mine.txt") << "mine";
   EXPECT_EQ(made({"--no-rectification"}), Stages{"map"});
-  for (const char* name : {"trajectory_before.txt", "energy.png", "plan.png"})
+  for (const char* name :
+       {"trajectory_before.txt", "pictures/energy.png", "pictures/plan.png"})
     EXPECT_FALSE(fs::exists(map_ + "/" + name)) << name;
   EXPECT_TRUE(fs::exists(map_ + "/map.json"));
   EXPECT_EQ(contentOf(map_ + "/mine.txt"), "mine");
@@ -128,8 +129,11 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
   ASSERT_EQ(runTool(ACMAP_COMPACT_MAPPING, command).exit_code, 0);
   EXPECT_EQ(madeStages(map_), Stages{"map"});
   const auto with_pictures = resultsIn(map_);
-  const char* const pictures[] = {
-      "inside.png", "outside.png", "floor_plan.png", "planes.png", "mesh.png"};
+  const char* const pictures[] = {"pictures/inside.png",
+                                  "pictures/outside.png",
+                                  "pictures/floor_plan.png",
+                                  "pictures/planes.png",
+                                  "pictures/mesh.png"};
   for (const char* name : pictures)
     EXPECT_EQ(with_pictures.count(name), 1U) << name;
 
@@ -145,14 +149,15 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
     EXPECT_FALSE(fs::exists(map_ + "/" + name)) << name;
     EXPECT_NE(other.out.find(name, line), std::string::npos) << other.out;
   }
-  EXPECT_TRUE(fs::exists(map_ + "/plan.png")) << "of the rectification, still the same";
+  EXPECT_TRUE(fs::exists(map_ + "/pictures/plan.png"))
+      << "of the rectification, still the same";
 }
 
 TEST_F(ChainReuse, WhatSomebodyChangedSinceIsNotRemoved)
 {
-  std::ofstream(map_ + "/energy.png") << "mine";
+  std::ofstream(map_ + "/pictures/energy.png") << "mine";
   EXPECT_EQ(made({"--no-rectification"}), Stages{"map"});
-  EXPECT_EQ(contentOf(map_ + "/energy.png"), "mine");
+  EXPECT_EQ(contentOf(map_ + "/pictures/energy.png"), "mine");
 }
 
 TEST_F(ChainReuse, FilesOfTheUserAmongStagesAreNotDeleted)

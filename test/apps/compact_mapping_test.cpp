@@ -98,13 +98,13 @@ TEST(CompactMapping, PicturesNeedAnXServer)
   const auto names = {
       "mesh.png", "planes.png", "outside.png", "inside.png", "floor_plan.png"};
   for (const char* name : names)
-    EXPECT_EQ(contentOf(map + "/" + name).substr(0, 4), "\x89PNG") << name;
+    EXPECT_EQ(contentOf(map + "/pictures/" + name).substr(0, 4), "\x89PNG") << name;
   const ToolRun without = runMapping(
       {corridor().session, "-o", folder.path("m2"), "--no-pictures"}, seeing);
   EXPECT_EQ(without.exit_code, 0);
   EXPECT_EQ(without.err, "");
   for (const char* name : names)
-    EXPECT_FALSE(fs::exists(folder.path("m2/") + name)) << name;
+    EXPECT_FALSE(fs::exists(folder.path("m2/pictures/") + name)) << name;
 }
 
 TEST(CompactMapping, OneColouredCloudDoes)

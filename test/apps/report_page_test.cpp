@@ -66,7 +66,8 @@ std::string
 pageOf(const Json& report)
 {
   const TemporaryFolder folder;
-  for (const char* name : {"inside.png", "energy.png"})
+  std::filesystem::create_directory(folder.path("pictures"));
+  for (const char* name : {"inside.png", "pictures/energy.png"})
     savePng(folder.path(name), {2, 2, std::vector<std::uint8_t>(12, 90)});
   return reportPage(report, folder.path(""));
 }

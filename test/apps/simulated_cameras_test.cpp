@@ -104,7 +104,7 @@ public:
 private:
   static constexpr int reach = 6; // px
 
-  /** \param[in] most at which the sum over the window may end */
+  /** \param[in] maximum at which the sum over the window may end */
   double
   difference(int column, int row, double offset, double maximum) const
   {

@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 #include "tool_cases.h"
 
+#include <pcl/core/file_format.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <gmock/gmock.h>
@@ -73,7 +74,7 @@ TEST(PlaneTexturingTool, OptionsDoWhatTheySay)
             countOf(plain, TexelKind::Filled));
   EXPECT_EQ(mapOf({"--jpeg", "--ply"}).charts.size(), plain.charts.size());
   EXPECT_TRUE(fs::exists(folder.path("t/map.ply")));
-  EXPECT_TRUE(fs::exists(folder.path("t/texture_0000.jpg")));
+  EXPECT_TRUE(fs::exists(folder.path("t/texture_0.jpg")));
 }
 
 TEST(PlaneTexturingTool, OneCloudInTheFrameOfThePlanesDoes)
@@ -114,9 +115,10 @@ TEST(PlaneTexturingTool, PlanesOfNoUseAreRefused)
   const std::string whole = contentOf(corridor().planes);
   refuse(folder.write("half.json", whole.substr(0, whole.size() / 2)), 3, "half.json");
   std::string newer = whole;
-  const std::size_t format = newer.find("\"format\":1");
+  const std::string own = "\"format\":" + std::to_string(file_formats::map);
+  const std::size_t format = newer.find(own);
   ASSERT_NE(format, std::string::npos);
-  newer.replace(format, 10, "\"format\":99");
+  newer.replace(format, own.size(), "\"format\":99");
   refuse(folder.write("newer.json", newer), 3, "99");
   refuse(folder.write("no.json", R"({"version":"0.1.0","planes":[]})"), 4, "no plane");
   EXPECT_FALSE(fs::exists(folder.path("t")));

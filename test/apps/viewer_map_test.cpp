@@ -4,6 +4,7 @@
 #include "tool_cases.h"
 #include "virtual_display.h"
 
+#include <pcl/core/file_format.h>
 #include <pcl/core/map_file.h>
 #include <pcl/texture/compact_map_folder.h>
 
@@ -284,14 +285,14 @@ TEST_F(ViewerOfMaps, RefusesFoldersAndMapsThatAreNone)
 
 TEST_F(ViewerOfMaps, RefusesAnImageThatIsMissing)
 {
-  fs::remove(folder_.path("room/texture_0002.png"));
-  expectNoPicture(run(room_), 3, "texture_0002.png");
+  fs::remove(folder_.path("room/texture_0.png"));
+  expectNoPicture(run(room_), 3, "texture_0.png");
   EXPECT_EQ(run(folder_.path("room/map.json")).exit_code, 0) << "needs no image";
 }
 
 TEST_F(ViewerOfMaps, RefusesAVersionItDoesNotKnow)
 {
-  edit("\"format\":1", "\"format\":99");
+  edit("\"format\":" + std::to_string(file_formats::map), "\"format\":99");
   expectNoPicture(run(room_), 3, "99");
 }
 

@@ -11,7 +11,7 @@ namespace pcl::acmap::bench {
  * motion that aligns them best. */
 struct PointAgreement {
   Eigen::Isometry3d T_given_found = Eigen::Isometry3d::Identity();
-  double median = 0, maximum = 0; ///< metres; \a most is the 95 % quantile
+  double median = 0, maximum = 0; ///< metres; \a maximum is the 95 % quantile
 };
 
 PointAgreement
@@ -41,7 +41,7 @@ comparePlanes(const std::vector<PlanePatch>& reference,
 /** \brief Distance between the same surface in two views. */
 struct SurfaceAgreement {
   std::size_t pieces = 0;         ///< found in both views
-  double median = 0, maximum = 0; ///< metres; \a most is the 90 % quantile
+  double median = 0, maximum = 0; ///< metres; \a maximum is the 90 % quantile
 };
 
 /** \brief Registers views with each other and measures distances across the surfaces

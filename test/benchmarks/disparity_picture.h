@@ -7,8 +7,8 @@
 namespace pcl::acmap::bench {
 
 /** \brief Disparities as colours, from blue (minimum) to red; black for invalid ones.
- * \param[in] least px
- * \param[in] most px */
+ * \param[in] minimum px
+ * \param[in] maximum px */
 CameraImage
 coloredDisparity(const DisparityImage& image, float minimum, float maximum);
 

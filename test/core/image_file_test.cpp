@@ -332,7 +332,7 @@ TEST_F(ImageFile, LyingHeadersAreRefused)
   EXPECT_THAT(grayFault(pngClaiming(0x80000000, 1)), HasSubstr("image: PNG: "));
 
   const std::string jpeg = textOfBytes(encodeJpeg(sampleImage(), 80));
-  const std::size_t frame = jpeg.find("\xff\xc0");
+  const std::size_t frame = jpeg.find("\xff\xc2");
   ASSERT_NE(frame, std::string::npos);
   const auto claiming = [&](const std::string& height_and_width) {
     return withBytes(jpeg, frame + 5, height_and_width);

@@ -71,6 +71,7 @@ TEST_F(MapFile, EverythingComesBack)
   const CompactMap back = reloaded(map);
   expectSamePlanes(back, map);
   expectSameCharts(back, map, false);
+  EXPECT_EQ(back.exposure, map.exposure);
   EXPECT_EQ(back.observations, map.observations);
   EXPECT_EQ(back.trajectory.stamps, map.trajectory.stamps);
   ASSERT_EQ(back.trajectory.poses.size(), map.trajectory.poses.size());
@@ -130,8 +131,8 @@ TEST_F(MapFile, FaultsAreNamed)
   for (const auto& [pointer, value, word] :
        std::vector<std::tuple<std::string, Json, std::string>>{
            {"/format",
-            2,
-            "was written by a newer acmap (format 2; this one reads up to 1)"},
+            3,
+            "was written by a newer acmap (format 3; this one reads up to 2)"},
            {"/format", "one", "format is no whole number"},
            {"/unit", "mm", "unit is not \"m\""},
            {"/planes", 3, "planes is no array"},
@@ -161,6 +162,14 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/charts/1/kinds", 2, "charts[1].kinds is no text"},
            {"/planes/0/charts/0/image", "\n.png", "image has letters that are not"},
            {"/planes/0/charts/1/kinds", "\u00fc.png", "kinds has letters that are not"},
+           {"/planes/0/charts/1/at", {1}, "charts[1].at has 1 elements"},
+           {"/planes/0/charts/1/at/0", -1, "charts[1].at[0] is outside"},
+           {"/planes/0/charts/1/at/1", 268435457, "charts[1].at[1] is outside"},
+           {"/planes/0/charts/1/halvings", 29, "charts[1] is halved 29 times"},
+           {"/planes/0/charts/1/halvings", -1, "charts[1].halvings is outside"},
+           {"/planes/0/charts/1/kinds_at/1", 1.5, "kinds_at[1] is no whole number"},
+           {"/exposure", 0, "exposure is not within 0.001 and 1000"},
+           {"/exposure", nullptr, "exposure is no number"},
            {"/planes/0/charts/0/origin/0", nullptr, "origin[0] is no number"},
            {"/planes/0/charts/0/texel_u",
             {0, 0, 0},

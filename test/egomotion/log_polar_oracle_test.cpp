@@ -1,5 +1,7 @@
 #include "painted_views.h"
 
+#include "log_polar/normalized_samples.h"
+#include "log_polar/score_table.h"
 #include "simd/score_kernels.h"
 
 #include <pcl/core/impl/simd_choice.h>
@@ -8,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -253,53 +256,70 @@ TEST_F(LogPolarOracle, patchesAreSamplesOfTheSmoothedImage)
   EXPECT_NEAR(squares, 1, 1e-4);
 }
 
-/** Runs one variant on rows and columns of random samples. */
-std::vector<std::int32_t>
-scoresOf(RaiseScores raise, std::size_t pairs, std::size_t blocks, int range)
+std::vector<std::int16_t>
+draw(std::size_t size, int range)
 {
-  Random random(4);
-  const auto draw = [&](std::size_t size) {
-    std::vector<std::int16_t> samples(size);
-    for (std::int16_t& sample : samples)
-      sample = static_cast<std::int16_t>(std::lround(random.uniform(-range, range)));
-    return samples;
-  };
-  const auto rows = draw(score_rows * 2 * pairs);
-  const auto columns = draw(blocks * score_columns * 2 * pairs);
-  const std::size_t stride = blocks * score_columns;
-  std::vector<std::int32_t> scores(score_rows * stride, 1000), naive = scores;
-  raise({rows.data(), columns.data(), blocks, pairs}, scores.data());
+  Random random(4 + size);
+  std::vector<std::int16_t> samples(size);
+  for (std::int16_t& sample : samples)
+    sample = static_cast<std::int16_t>(std::lround(random.uniform(-range, range)));
+  return samples;
+}
+
+/** Runs one variant on rows and columns of random samples, with some minimums. */
+std::vector<std::uint8_t>
+foundBy(FindPairs find, std::size_t pairs, std::size_t blocks, int range)
+{
+  const auto rows = draw(score_rows * 2 * pairs, range);
+  const auto columns = draw(blocks * score_columns * 2 * pairs, range);
+  std::vector<std::int32_t> sums(score_rows * blocks * score_columns);
   for (std::size_t i = 0; i < score_rows; ++i)
-    for (std::size_t j = 0; j < stride; ++j) {
-      std::int64_t sum = 0;
+    for (std::size_t j = 0; j < blocks * score_columns; ++j)
       for (std::size_t k = 0; k < 2 * pairs; ++k) {
         const std::size_t block = j / score_columns * score_columns * 2 * pairs;
-        sum += rows[i * 2 * pairs + k] * columns[block + (k / 2) * 2 * score_columns +
-                                                 2 * (j % score_columns) + k % 2];
+        sums[i * blocks * score_columns + j] +=
+            rows[i * 2 * pairs + k] * columns[block + (k / 2) * 2 * score_columns +
+                                              2 * (j % score_columns) + k % 2];
       }
-      naive[i * stride + j] =
-          std::max(naive[i * stride + j], static_cast<std::int32_t>(sum));
-    }
-  EXPECT_EQ(scores, naive);
-  return scores;
+  std::vector<std::uint8_t> all;
+  for (const std::int32_t minimum : {sums.front(), sums.front() + 1, 0, sums.back()}) {
+    std::vector<std::uint8_t> found(score_rows * blocks), naive(found.size());
+    find({rows.data(), columns.data(), blocks, pairs}, minimum, found.data());
+    for (std::size_t place = 0; place < sums.size(); ++place)
+      if (sums[place] >= minimum)
+        naive[place / score_columns] |=
+            static_cast<std::uint8_t>(1 << place % score_columns);
+    EXPECT_EQ(found, naive);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
 }
 
 TEST(ScoreKernels, everyVariantGivesTheNaiveSums)
 {
   for (const auto& [pairs, blocks, range] :
        {std::tuple(1, 1, 32000), std::tuple(144, 5, 2000), std::tuple(7, 2, 8000)}) {
-    const auto wanted = scoresOf(raiseScoresBase,
-                                 static_cast<std::size_t>(pairs),
-                                 static_cast<std::size_t>(blocks),
-                                 range);
-    EXPECT_EQ(scoresOf(raiseScores(),
-                       static_cast<std::size_t>(pairs),
-                       static_cast<std::size_t>(blocks),
-                       range),
+    const auto wanted = foundBy(findPairsBase,
+                                static_cast<std::size_t>(pairs),
+                                static_cast<std::size_t>(blocks),
+                                range);
+    EXPECT_EQ(foundBy(findPairs(),
+                      static_cast<std::size_t>(pairs),
+                      static_cast<std::size_t>(blocks),
+                      range),
               wanted);
   }
+  for (std::size_t length = 0; length <= 20 * score_samples; length += score_samples) {
+    const auto a = draw(length, 2000), b = draw(length, 1999);
+    std::int32_t sum = 0;
+    for (std::size_t k = 0; k < length; ++k)
+      sum += a[k] * b[k];
+    EXPECT_EQ(productOfBase(a.data(), b.data(), length), sum);
+    EXPECT_EQ(productOf()(a.data(), b.data(), length), sum);
+  }
 #ifdef ACMAP_SIMD_AVX2
-  EXPECT_EQ(raiseScores() == raiseScoresAvx2, isAvx2Chosen());
+  EXPECT_EQ(findPairs() == findPairsAvx2, isAvx2Chosen());
+  EXPECT_EQ(productOf() == productOfAvx2, isAvx2Chosen());
 #endif
 }
 
@@ -309,13 +329,71 @@ TEST(ScoreKernels, bothGiveTheSameForAllSizes)
   if (!__builtin_cpu_supports("avx2"))
     GTEST_SKIP() << "this processor has no AVX2";
   for (std::size_t pairs = 0; pairs <= 40; ++pairs)
-    for (std::size_t blocks = 0; blocks <= 5; ++blocks)
+    for (std::size_t blocks = 1; blocks <= 5; ++blocks)
       for (const int range : {1, 5000})
-        ASSERT_EQ(scoresOf(raiseScoresAvx2, pairs, blocks, range),
-                  scoresOf(raiseScoresBase, pairs, blocks, range))
+        ASSERT_EQ(foundBy(findPairsAvx2, pairs, blocks, range),
+                  foundBy(findPairsBase, pairs, blocks, range))
             << pairs << " pairs, " << blocks << " blocks";
 }
 #endif
+
+/** Patches of integers as matching makes them: waves under white noise.
+ * \param[in] noise amplitude relative to the waves */
+std::vector<std::vector<std::int16_t>>
+patchesOf(int rings, int sectors, double noise)
+{
+  Random random(7);
+  const auto size = static_cast<std::size_t>(rings * sectors);
+  std::vector<std::vector<std::int16_t>> patches;
+  for (int patch = 0; patch < 60; ++patch) {
+    // every second one is nearly the one before
+    const bool is_alike = patch % 2 == 1;
+    const double ring = random.uniform(0, 6), sector = random.uniform(0, 6);
+    std::vector<float> samples(size);
+    for (std::size_t k = 0; k < size; ++k)
+      samples[k] = static_cast<float>(
+          is_alike ? patches.back()[k] + random.uniform(-300, 300)
+                   : std::sin(ring + 0.4 * double(k / std::size_t(sectors))) +
+                         std::cos(sector + 6.2831853 * double(k) / sectors) +
+                         noise * random.uniform(-1, 1));
+    normalizeSamples(samples.data(), size);
+    std::vector<std::int16_t> integers;
+    for (const float sample : samples)
+      integers.push_back(static_cast<std::int16_t>(std::lround(sample * score_length)));
+    patches.push_back(integers);
+  }
+  return patches;
+}
+
+TEST(PatchWaves, boundEveryScoreFromAbove)
+{
+  for (const auto& [rings, sectors, noise] : {std::tuple(12, 24, 0.3),
+                                              std::tuple(11, 24, 3.0),
+                                              std::tuple(12, 24, 0.0),
+                                              std::tuple(5, 9, 1.0),
+                                              std::tuple(2, 4, 1.0)}) {
+    const PatchWaves waves(rings, sectors);
+    const auto patches = patchesOf(rings, sectors, noise);
+    std::vector<std::array<std::int16_t, PatchWaves::size>> numbers(patches.size());
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      waves.numbersOf(patches[i].data(), numbers[i].data());
+    double looseness = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      for (std::size_t j = 0; j < patches.size(); ++j) {
+        std::int64_t score = 0, bound = 0;
+        for (std::size_t k = 0; k < patches[i].size(); ++k)
+          score += patches[i][k] * patches[j][k];
+        for (std::size_t k = 0; k < PatchWaves::size; ++k)
+          bound += numbers[i][k] * numbers[j][k];
+        EXPECT_GE(bound, PatchWaves::boundOf(static_cast<std::int32_t>(score)));
+        EXPECT_LE(bound, std::numeric_limits<std::int32_t>::max());
+        looseness += static_cast<double>(bound - score) /
+                     static_cast<double>(patches.size() * patches.size());
+      }
+    const double allowed = noise < 1 ? 0.1 : 2; // without noise, all waves are long
+    EXPECT_LT(looseness, allowed * score_length * score_length);
+  }
+}
 
 } // namespace
 } // namespace pcl::acmap::test

@@ -34,7 +34,7 @@ struct PointStyle {
   point(FuzzedBytes& bytes) const;
 };
 
-/** \brief Points of one style, until the end of the bytes or \a most points. */
+/** \brief Points of one style, until the end of the bytes or \a maximum points. */
 std::vector<Eigen::Vector3f>
 fuzzedPoints(FuzzedBytes& bytes, const PointStyle& style, std::size_t maximum);
 

@@ -122,7 +122,7 @@ TEST(EntropyBins, forcesAreTheDerivativesOfFilling)
     }
 }
 
-/** 0, powers of two, and other numbers; from \a least to 1 / least. */
+/** 0, powers of two, and other numbers; from \a minimum to 1 / least. */
 template <typename Number>
 std::vector<Number>
 numbersFrom(double minimum)

@@ -61,6 +61,29 @@ TEST(ExactEntropyEvaluator, movedObservationsAloneAreCountedAgainWithoutADiffere
   }
 }
 
+TEST(ExactEntropyEvaluator, keptPosesAreNotCountedAgain)
+{
+  const PosedClouds map = makeRoomViews(4, 100, 63);
+  ExactEntropyEvaluator evaluator(posedPoints(map), {}, Progress());
+  MapEntropyReport report;
+  const auto countedFor = [&](const std::vector<PlanarPose>& poses) {
+    evaluator.evaluate(poses, report);
+    return evaluator.counted();
+  };
+  EXPECT_EQ(countedFor(map.poses), 4U) << "for the first time";
+  EXPECT_EQ(countedFor(map.poses), 0U);
+  evaluator.keep();
+  std::vector<PlanarPose> tried = map.poses;
+  tried[1].x += 0.1;
+  tried[3].theta += 0.1;
+  EXPECT_EQ(countedFor(tried), 2U);
+  EXPECT_EQ(countedFor(map.poses), 0U) << "as they are kept";
+  EXPECT_EQ(countedFor(tried), 2U);
+  evaluator.keep();
+  EXPECT_EQ(countedFor(tried), 0U);
+  EXPECT_EQ(countedFor(map.poses), 2U) << "no more than one pose is kept";
+}
+
 TEST(ExactEntropyEvaluator, orderAndDensityOfThePointsDoNotMatter)
 {
   const PosedClouds map = makeRoomViews(3, 5000, 62);

@@ -141,8 +141,14 @@ TEST(ClusteringInvariance, farFromTheOriginIsAsGood)
     });
     return together(board, placedAt(board, 0, 0, 5));
   };
-  const std::vector<PlanePatch> wanted = clusterOn(makeBoardsAt(0)).patches;
-  const std::vector<PlanePatch> found = clusterOn(makeBoardsAt(1e6)).patches;
+  const auto planesAt = [&](double far) { // the boards are equally large
+    std::vector<PlanePatch> patches = clusterOn(makeBoardsAt(far)).patches;
+    std::sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+      return a.center.z() < b.center.z();
+    });
+    return patches;
+  };
+  const std::vector<PlanePatch> wanted = planesAt(0), found = planesAt(1e6);
   ASSERT_EQ(wanted.size(), 2U);
   ASSERT_EQ(found.size(), 2U);
   for (std::size_t p = 0; p < 2; ++p) {

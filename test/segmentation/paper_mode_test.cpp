@@ -136,12 +136,35 @@ TEST(PaperMode, normalsDifferByLessThanAnEighthOfPi)
 /** The plane's own normal, which the points determine, is that of the others. */
 TEST(PaperMode, normalsAreComparedWithThatOfTheHypothesis)
 {
+  const auto tilted = [](double angle) {
+    return hypothesis({0.1, 0.1, 0},
+                      {std::sin(angle * degree), 0, std::cos(angle * degree)});
+  };
   for (const double angle : {22.0, 23.0}) {
     Hypotheses cloud;
-    cloud.push_back(hypothesis(
-        {0.1, 0.1, 0}, {std::sin(angle * degree), 0, std::cos(angle * degree)}));
+    cloud.push_back(tilted(angle));
     addGrid(cloud, 10, 10, 0);
     EXPECT_EQ(supportOf(cloud), angle < 22.5 ? 101U : 100U) << angle;
+  }
+  // The last one is 20 degrees from the hypothesis and 35 from the plane, or 25 and 10.
+  for (const double angle : {35.0, -10.0}) {
+    Hypotheses cloud;
+    cloud.push_back(tilted(15));
+    addGrid(cloud, 10, 10, 0);
+    cloud.push_back(tilted(angle));
+    EXPECT_EQ(supportOf(cloud), angle > 0 ? 102U : 101U) << angle;
+  }
+}
+
+/** The normal says which side of a wall is seen, wherever the camera is. */
+TEST(PaperMode, planeFacesWhereItsHypothesisDoes)
+{
+  for (const double side : {1.0, -1.0}) {
+    Hypotheses cloud;
+    addGrid(cloud, 10, 10, 0, {0, 0, side});
+    const Clustered found = clusterAsPaper(cloud);
+    ASSERT_EQ(found.patches.size(), 1U);
+    EXPECT_GT(side * found.patches[0].coefficients[2], 0.9999);
   }
 }
 

@@ -87,7 +87,11 @@ makeSampleMap()
   map.planes = {makePlane(), PlanePatch()};
   map.planes[1].coefficients = {0, 1, 0, -0.5};
   map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
+  map.charts[1].image_place = {7, 9};
+  map.charts[1].halvings = 2;
   map.charts[1].kinds_image = "kinds.png";
+  map.charts[1].kinds_place = {0, 3};
+  map.exposure = 7.0 / 3;
   map.observations = {{0, 1}, {}};
   map.trajectory.stamps = {0.1, 1e9 + 1.0 / 3};
   Eigen::Isometry3d pose(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));
@@ -117,7 +121,10 @@ expectSameCharts(const CompactMap& map, const CompactMap& wanted, bool with_imag
     EXPECT_TRUE(sameBits(chart.texel_u, other.texel_u));
     EXPECT_TRUE(sameBits(chart.texel_v, other.texel_v));
     EXPECT_EQ(chart.image, other.image);
+    EXPECT_EQ(chart.image_place, other.image_place);
+    EXPECT_EQ(chart.halvings, other.halvings);
     EXPECT_EQ(chart.kinds_image, other.kinds_image);
+    EXPECT_EQ(chart.kinds_place, other.kinds_place);
     EXPECT_EQ(chart.colors.width, other.colors.width);
     EXPECT_EQ(chart.colors.height, other.colors.height);
     if (with_images) {

@@ -1,193 +1,135 @@
 #include "figure_six.h"
 
 #include <algorithm>
-#include <deque>
-#include <set>
-#include <tuple>
+#include <limits>
 
 namespace pcl::acmap::test {
 namespace {
 
-using Index = std::int32_t;
-using Side = Triangle; // a side of the first two corners, and the third one
-using Part = std::vector<Index>;
-
-struct FigureSix {
-  const Points& points;
-  double longest;
-  std::size_t leaf_size;
-  Part cluster{};
-  std::set<Triangle> found{};
-
-  double
-  squared(Index i, Index j) const
-  {
-    return (points[i] - points[j]).squaredNorm();
-  }
-
-  double
-  dot(Index at, Index i, Index j) const
-  {
-    return (points[i] - points[at]).dot(points[j] - points[at]);
-  }
-
-  /** Square of twice the area. */
-  double
-  area(Index a, Index b, Index c) const
-  {
-    return squared(a, b) * squared(a, c) - dot(a, b, c) * dot(a, b, c);
-  }
-
-  bool
-  isNear(Index i, Index j) const
-  {
-    return squared(i, j) <= longest * longest;
-  }
-
-  bool
-  isBefore(Index i, Index j, int axis) const
-  {
-    return std::tie(points[i][axis], i) < std::tie(points[j][axis], j);
-  }
-
-  /** Of circles of one size: the larger angle a p b, then as if the point with the lowest
-   * index were lowered. */
-  bool
-  winsTie(Index a, Index b, Index p, Index q) const
-  {
-    if ((dot(p, a, b) < 0) != (dot(q, a, b) < 0))
-      return dot(p, a, b) < 0;
-    if (std::min(p, q) < std::min(a, b))
-      return p < q;
-    const auto [low, high] = std::minmax(a, b);
-    const double of_p = dot(low, high, p) * std::sqrt(area(a, b, q));
-    const double of_q = dot(low, high, q) * std::sqrt(area(a, b, p));
-    return of_p != of_q ? of_p > of_q : p < q;
-  }
-
-  /** |ap| |bp| / area is twice the ratio of the radius to |ab|. */
-  bool
-  isSmaller(Index a, Index b, Index p, Index q) const
-  {
-    const double left = squared(a, p) * squared(b, p) * area(a, b, q);
-    const double right = squared(a, q) * squared(b, q) * area(a, b, p);
-    return left != right ? left < right : winsTie(a, b, p, q);
-  }
-
-  bool
-  isBeyondBeta(const Side& side, Index p) const
-  {
-    const auto [a, b, c] = side;
-    return c < 0 || dot(a, c, p) * squared(a, b) < dot(a, b, c) * dot(a, b, p);
-  }
-
-  Index
-  third(const Side& side) const
-  {
-    const auto [a, b, c] = side;
-    Index best = -1;
-    for (const Index p : cluster)
-      if (p != a && p != b && area(a, b, p) > 0 && isBeyondBeta(side, p) &&
-          (best < 0 || isSmaller(a, b, p, best)))
-        best = p;
-    if (best < 0 || !isNear(a, best) || !isNear(b, best))
-      return -1;
-    const auto [center, radius] =
-        smallestCircumsphere(points[a], points[b], points[best]);
-    for (Index i = 0; i < Index(points.size()); ++i)
-      if (i != a && i != b && i != best &&
-          (points[i] - center).norm() < (1 - 1e-6) * radius)
-        return -1;
-    return best;
-  }
-
-  Triangle
-  first(Index plane, int axis) const
-  {
-    std::set<std::pair<double, Index>> nearest;
-    for (const Index i : cluster)
-      nearest.emplace(std::abs(points[i][axis] - points[plane][axis]), i);
-    for (const auto& [distance, p1] : nearest) {
-      std::set<std::pair<double, Index>> across;
-      for (const Index j : cluster)
-        if (isBefore(j, plane, axis) != isBefore(p1, plane, axis))
-          across.emplace(squared(p1, j), j);
-      const Index p2 = across.begin()->second;
-      if (const Index p3 = isNear(p1, p2) ? third({p1, p2, -1}) : -1; p3 >= 0)
-        return {p1, p2, p3};
-    }
-    return {-1, -1, -1};
-  }
-
-  bool
-  add(Triangle corners)
-  {
-    std::sort(corners.begin(), corners.end());
-    return found.insert(corners).second;
-  }
-
-  void
-  build(Part part, std::deque<Side> cut)
-  {
-    Eigen::AlignedBox3d box;
-    for (const Index i : part)
-      box.extend(points[i]);
-    int axis = 0;
-    box.sizes().maxCoeff(&axis);
-    std::sort(part.begin(), part.end(), [&](Index i, Index j) {
-      return isBefore(i, j, axis);
-    });
-    const auto middle = part.begin() + part.size() / 2;
-    const Index plane = *middle;
-    std::deque<Side> halves[2];
-    const auto insert = [&](const Side& side) {
-      const bool a = isBefore(side[0], plane, axis), b = isBefore(side[1], plane, axis);
-      (part.size() <= leaf_size || a != b ? cut : halves[a ? 0 : 1]).push_back(side);
-    };
-    if (cut.empty())
-      if (const auto [a, b, c] = first(plane, axis); c >= 0) {
-        add({a, b, c});
-        for (const Side& side : {Side{a, b, c}, Side{b, c, a}, Side{c, a, b}})
-          insert(side);
-      }
-    while (!cut.empty()) {
-      const Side side = cut.front();
-      cut.pop_front();
-      const auto [a, b, c] = side;
-      if (const Index p = third(side); p >= 0 && add({a, b, p})) {
-        insert({a, p, b});
-        insert({p, b, a});
-      }
-    }
-    if (!halves[0].empty())
-      build(Part(part.begin(), middle), halves[0]);
-    if (!halves[1].empty())
-      build(Part(middle, part.end()), halves[1]);
-  }
-};
+template <typename Part, typename Key>
+Part
+sorted(Part part, const Key& key)
+{
+  std::sort(part.begin(), part.end(), [&](auto i, auto j) { return key(i) < key(j); });
+  return part;
+}
 
 } // namespace
 
-Triangles
-figureSix(const Points& points, double longest, std::size_t leaf_size)
+/** Of circles of one size: the larger angle a p b, then as if the point with the lowest
+ * index were lowered. Points on one line with a and b have an infinite circle. */
+FigureSix::Circle
+FigureSix::circle(Index a, Index b, Index p) const
 {
-  FigureSix naive{points, longest, leaf_size};
-  std::set<Index> rest;
-  for (Index i = 0; i < Index(points.size()); ++i)
-    rest.insert(i);
-  while (!rest.empty()) {
-    naive.cluster = {*rest.begin()};
-    rest.erase(rest.begin());
-    for (std::size_t next = 0; next < naive.cluster.size(); ++next)
-      for (const Index j : Part(rest.begin(), rest.end()))
-        if (naive.isNear(naive.cluster[next], j)) {
-          naive.cluster.push_back(j);
-          rest.erase(j);
-        }
-    if (naive.cluster.size() >= 3)
-      naive.build(naive.cluster, {});
+  const double area = dot(a, b, b) * dot(a, p, p) - dot(a, b, p) * dot(a, b, p);
+  const auto [low, high] = std::minmax(a, b);
+  return {area > 0 ? dot(a, p, p) * dot(b, p, p) / area : none,
+          dot(p, a, b) >= 0,
+          p < low ? p : std::numeric_limits<Index>::max(),
+          -dot(low, high, p) / std::sqrt(area),
+          p};
+}
+
+FigureSix::Index
+FigureSix::third(const Side& side)
+{
+  const auto [known, is_new] = thirds_.emplace(side, -1);
+  if (!is_new)
+    return known->second;
+  const auto [a, b, c] = side;
+  Circle best{none, false, -1, 0, -1};
+  for (const Index p : cluster_)
+    if (p != a && p != b && // beyond beta, c is not
+        (c < 0 || dot(a, c, p) * dot(a, b, b) < dot(a, b, c) * dot(a, b, p)))
+      best = std::min(best, circle(a, b, p));
+  const Index p = std::get<4>(best);
+  if (p < 0 || !isNear(a, p) || !isNear(b, p))
+    return -1;
+  const auto [center, radius] =
+      smallestCircumsphere(points_[a], points_[b], points_[p]);
+  for (Index i = 0; i < Index(points_.size()); ++i)
+    if (i != a && i != b && i != p &&
+        (points_[i] - center).norm() < (1 - 1e-6) * radius)
+      return -1;
+  return known->second = p;
+}
+
+Triangle
+FigureSix::first(const std::function<bool(Index)>& isLeft, Index plane, int axis)
+{
+  for (const Index p1 : sorted(cluster_, [&](Index i) {
+         return std::pair(std::abs(points_[i][axis] - points_[plane][axis]), i);
+       })) {
+    const Part across = sorted(cluster_, [&](Index j) {
+      return std::tuple(isLeft(j) == isLeft(p1), dot(p1, j, j), j);
+    });
+    const Index p2 = across.front();
+    if (const Index p3 = isNear(p1, p2) ? third({p1, p2, -1}) : -1; p3 >= 0)
+      return {p1, p2, p3};
   }
-  return {naive.found.begin(), naive.found.end()};
+  return {-1, -1, -1};
+}
+
+void
+FigureSix::build(Part part, std::deque<Side> cut)
+{
+  Eigen::AlignedBox3d box;
+  for (const Index i : part)
+    box.extend(points_[i]);
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const auto place = [&](Index i) { return std::pair(points_[i][axis], i); };
+  part = sorted(part, place);
+  const auto middle = part.begin() + part.size() / 2;
+  const auto isLeft = [&](Index i) { return place(i) < place(*middle); };
+  const bool has_plane = part.size() > leaf_size_;
+  const std::size_t before = found_.size();
+  std::deque<Side> left, right;
+  const auto add = [&](Triangle corners, const std::vector<Side>& sides) {
+    std::sort(corners.begin(), corners.end());
+    if (std::find(found_.begin(), found_.end(), corners) != found_.end())
+      return;
+    found_.push_back(corners);
+    for (const Side& side : sides) {
+      const bool is_cut = !has_plane || isLeft(side[0]) != isLeft(side[1]);
+      (is_cut ? cut : isLeft(side[0]) ? left : right).push_back(side);
+    }
+  };
+  if (cut.empty())
+    if (const auto [a, b, c] = first(isLeft, *middle, axis); c >= 0)
+      add({a, b, c}, {{a, b, c}, {b, c, a}, {c, a, b}});
+  for (; !cut.empty(); cut.pop_front()) {
+    const auto [a, b, c] = cut.front();
+    if (const Index p = third({a, b, c}); p >= 0)
+      add({a, b, p}, {{a, p, b}, {p, b, a}});
+  }
+  walls_ += has_plane && found_.size() > before;
+  if (!left.empty())
+    build(Part(part.begin(), middle), left);
+  if (!right.empty())
+    build(Part(middle, part.end()), right);
+}
+
+Triangles
+FigureSix::mesh(std::size_t leaf_size)
+{
+  leaf_size_ = leaf_size;
+  walls_ = 0;
+  found_.clear();
+  std::vector<bool> is_taken(points_.size());
+  for (Index seed = 0; seed < Index(points_.size()); ++seed) {
+    cluster_ = is_taken[seed] ? Part() : Part{seed};
+    is_taken[seed] = true;
+    for (std::size_t next = 0; next < cluster_.size(); ++next)
+      for (Index j = 0; j < Index(points_.size()); ++j)
+        if (!is_taken[j] && isNear(cluster_[next], j)) {
+          cluster_.push_back(j);
+          is_taken[j] = true;
+        }
+    if (cluster_.size() >= 3)
+      build(cluster_, {});
+  }
+  return found_;
 }
 
 } // namespace pcl::acmap::test

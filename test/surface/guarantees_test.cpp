@@ -1,5 +1,8 @@
 #include "dewall_runs.h"
 
+#include <map>
+#include <utility>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -16,6 +19,26 @@ TEST_P(DeWallGuarantees, holdOnEveryCloud)
   const DeWallResult result = triangulate(case_.cloud, run_);
   EXPECT_TRUE(keepsGuarantees(result, run_));
   EXPECT_GT(result.mesh.triangles.size(), 0U);
+}
+
+/** The largest turn from a triangle to its neighbour is 127 degrees. */
+TEST_P(DeWallGuarantees, noTriangleIsFoldedBack)
+{
+  const DeWallResult result = triangulate(case_.cloud, run_);
+  std::map<std::pair<int, int>, int> third; // of the first triangle at a side
+  for (const Triangle& t : result.mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+      const auto [side, is_first] = third.emplace(std::minmax(a, b), c);
+      if (is_first)
+        continue;
+      const Eigen::Vector3d along = (result.points[b] - result.points[a]).normalized();
+      const auto across = [&](int corner) {
+        const Eigen::Vector3d way = result.points[corner] - result.points[a];
+        return Eigen::Vector3d(way - way.dot(along) * along).normalized();
+      };
+      EXPECT_LT(across(c).dot(across(side->second)), 0.6 + 1e-6);
+    }
 }
 
 TEST_P(DeWallGuarantees, holdWhenDividedIntoSmallLeaves)

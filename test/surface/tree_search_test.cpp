@@ -1,5 +1,6 @@
 #include "clouds.h"
 #include "dewall/apex_search.h"
+#include "dewall/third_point.h"
 #include "simd/tree_search.h"
 
 #include <pcl/core/random.h>
@@ -112,6 +113,39 @@ TEST(TreeSearch, findsTheApexOfBruteForce)
       ASSERT_EQ(findApex(*tree, size, side, passed_over),
                 apexByBruteForce(*tree, size, side, passed_over));
     }
+  }
+}
+
+/** The third point of the first triangle: on either side, within the size constraint. */
+TEST(TreeSearch, findsTheThirdPointOfBruteForce)
+{
+  for (const Cloud& cloud : clouds()) {
+    const auto tree = treeOf(cloud);
+    const SizeConstraint size(*tree, 3);
+    Random random(8);
+    std::size_t found = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+      const std::int32_t a = pickPoint(*tree, random), b = pickPoint(*tree, random);
+      const auto isAccepted = [](std::int32_t i) { return i % 3 != 0; };
+      if (a == b)
+        continue;
+      std::int32_t best = -1;
+      double smallest = std::numeric_limits<double>::infinity();
+      for (std::int32_t i = 0; i < tree->size(); ++i) {
+        const Eigen::Vector3d &p = tree->position(a), &q = tree->position(b),
+                              &r = tree->position(i);
+        if (i == a || i == b || !isAccepted(i) || (r - p).norm() > 3 ||
+            (r - q).norm() > 3 || isDegenerate(p, q, r))
+          continue;
+        if (const double radius = smallestSphere(p, q, r).radius; radius < smallest) {
+          smallest = radius;
+          best = i;
+        }
+      }
+      ASSERT_EQ(findThirdPoint(*tree, size, a, b, isAccepted), best);
+      found += best >= 0;
+    }
+    EXPECT_GT(found, 10U);
   }
 }
 

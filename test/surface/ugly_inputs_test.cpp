@@ -190,6 +190,11 @@ TEST(DeWallUgly, twoClustersFarApart)
   const DeWallResult result = triangulate(cloud, {DeWallRule::Paper, 0.06});
   EXPECT_TRUE(keepsGuarantees(result, {DeWallRule::Paper, 0.06}));
   EXPECT_EQ(result.report.clusters, 2U);
+  cloud.emplace_back(-10.0F, 0.0F, 0.0F);
+  cloud.emplace_back(-10.0F, 0.01F, 0.0F);
+  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Strict})
+    EXPECT_EQ(triangulate(cloud, {rule, 0.06}).report.clusters, 2U)
+        << "two points are none";
   EXPECT_NEAR(static_cast<double>(result.report.triangles),
               2.0 * static_cast<double>(each),
               0.02 * static_cast<double>(each));

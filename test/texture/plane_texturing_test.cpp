@@ -1,5 +1,7 @@
 #include "painted_maps.h"
 
+#include <pcl/conversions.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,6 +57,61 @@ TEST(PlaneTexturing, ChartsStandUprightAndLookAtTheOneWhoSees)
   EXPECT_LT((map.charts[0].origin - Eigen::Vector3d(-1.5, -1.2, 3)).norm(), 1e-6);
   EXPECT_NEAR(map.charts[0].colors.width, 150, 1);
   EXPECT_NEAR(map.charts[0].colors.height, 120, 1);
+}
+
+/** Points on the wall with an intensity that rises with x, as a cloud in memory and as one
+ * of a file; both without colour. */
+TEST(PlaneTexturing, IntensityIsGreyWhereThereIsNoColour)
+{
+  const PointCloud<PointXYZI>::Ptr cloud(new PointCloud<PointXYZI>);
+  for (int i = 0; i < 140; ++i)
+    for (int j = 0; j < 100; ++j) {
+      PointXYZI point;
+      point.x = 0.02F * static_cast<float>(i) - 1.39F;
+      point.y = 0.02F * static_cast<float>(j) - 0.99F;
+      point.z = 3;
+      point.intensity = 1000 * (point.x + 1.39F);
+      cloud->push_back(point);
+    }
+  PlaneTexturing<PointXYZI> own;
+  own.setPlanes(planesOfWallAndFloor());
+  own.addObservation(cloud);
+  CompactMap map;
+  own.texture(map);
+  EXPECT_GT(own.getReport().seen, 13000U);
+  EXPECT_EQ(own.getReport().colorless, 0U);
+  forTexels(map,
+            TexelKind::Seen,
+            [&](const TextureChart&, const std::uint8_t* color, const auto& place) {
+              const double level =
+                  std::min(255.0, 230 * (place.x() + 1.39) / (0.99 * 2.78));
+              EXPECT_NEAR(color[0], level, 3);
+              EXPECT_EQ(color[0], color[2]);
+            });
+
+  const PCLPointCloud2::Ptr file(new PCLPointCloud2);
+  toPCLPointCloud2(*cloud, *file);
+  PlaneTexturing<PointXYZRGB> loaded;
+  loaded.setPlanes(planesOfWallAndFloor());
+  loaded.addObservationLoader([&]() -> std::optional<TexturedObservation> {
+    return TexturedObservation{file, Eigen::Isometry3d::Identity(), 0, false};
+  });
+  CompactMap again;
+  loaded.texture(again);
+  EXPECT_EQ(again.charts[0].colors.values, map.charts[0].colors.values);
+}
+
+TEST(PlaneTexturing, MapsKnowTheirExposure)
+{
+  std::vector<View> dark = views();
+  for (View& view : dark)
+    for (PointXYZRGB& point : *view.cloud)
+      for (std::uint8_t* const value : {&point.r, &point.g, &point.b})
+        *value = static_cast<std::uint8_t>(*value / 4);
+  const CompactMap bright_map = painted(texturingOf(planesOfWallAndFloor(), views()));
+  const CompactMap dark_map = painted(texturingOf(planesOfWallAndFloor(), dark));
+  EXPECT_GE(bright_map.exposure, 1);
+  EXPECT_NEAR(dark_map.exposure, 4 * bright_map.exposure, 0.4) << bright_map.exposure;
 }
 
 TEST(PlaneTexturing, TurnedPolygonsGetTheSmallestRectangle)

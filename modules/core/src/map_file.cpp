@@ -4,6 +4,8 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/map_check.h>
+#include <pcl/core/map_topology.h>
 #include <pcl/core/output_file.h>
 
 #include <nlohmann/json.hpp>
@@ -92,8 +94,16 @@ jsonOf(const TextureChart& chart)
                {"texel_v", jsonOf(chart.texel_v)},
                {"width", chart.colors.width},
                {"height", chart.colors.height}};
+  const auto place = [&](const char* key, const std::optional<Eigen::Vector2i>& at) {
+    if (at)
+      json[key] = {at->x(), at->y()};
+  };
+  place("at", chart.image_place);
+  if (chart.halvings > 0)
+    json["halvings"] = chart.halvings;
   if (!chart.kinds_image.empty())
     json["kinds"] = chart.kinds_image;
+  place("kinds_at", chart.kinds_place);
   return json;
 }
 
@@ -119,6 +129,26 @@ chartsOfPlanes(const CompactMap& map)
   return charts;
 }
 
+Json
+jsonOf(const MapEdge& edge)
+{
+  Json planes = {edge.planes[0]};
+  if (edge.planes[1] >= 0)
+    planes.push_back(edge.planes[1]);
+  return {{"vertices", edge.vertices},
+          {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
+          {"planes", std::move(planes)}};
+}
+
+Json
+jsonOf(const MapFace& face)
+{
+  return {{"plane", face.plane},
+          {"polygon", face.polygon},
+          {"outer", face.outer},
+          {"holes", face.holes}};
+}
+
 using Write = std::function<void(const std::string&)>;
 
 /** Writes one element per line. */
@@ -129,6 +159,27 @@ writeLines(const Write& write,
 {
   for (std::size_t i = 0; i < count; ++i)
     write((i ? ",\n" : "\n") + line(i).dump());
+}
+
+/** Writes vertices, edges and faces, if there are any. */
+void
+writeTopology(const Write& write, const MapTopology& topology)
+{
+  if (topology.faces.empty())
+    return;
+  write("\n],\"vertices\":[");
+  writeLines(write, topology.vertices.size(), [&](std::size_t i) {
+    const Eigen::Vector3f& p = topology.vertices[i];
+    return Json{shortest(p.x()), shortest(p.y()), shortest(p.z())};
+  });
+  write("\n],\"edges\":[");
+  writeLines(write, topology.edges.size(), [&](std::size_t i) {
+    return jsonOf(topology.edges[i]);
+  });
+  write("\n],\"faces\":[");
+  writeLines(write, topology.faces.size(), [&](std::size_t i) {
+    return jsonOf(topology.faces[i]);
+  });
 }
 
 bool
@@ -150,7 +201,10 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   write("{\"version\":" + Json(ACMAP_VERSION).dump());
   if (!hasPlanesAlone(map)) // files with only planes are older than the format numbers
     write(",\"format\":" + std::to_string(file_formats::map));
-  write(",\"unit\":\"m\",\"frame\":\"of the input\",\"planes\":[");
+  write(",\"unit\":\"m\",\"frame\":\"of the input\"");
+  if (map.exposure != 1)
+    write(",\"exposure\":" + Json(map.exposure).dump());
+  write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);
     if (!map.observations.empty() && !map.observations[id].empty())
@@ -159,6 +213,7 @@ acmap::writeMap(const CompactMap& map, const Write& write)
       plane["charts"] = charts[id];
     return plane;
   });
+  writeTopology(write, topologyOf(map.planes));
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
     writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {

@@ -3,6 +3,7 @@
 #include "trajectory_text.h"
 
 #include <pcl/core/impl/chart_clip.h>
+#include <pcl/core/impl/map_check.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -39,8 +40,15 @@ requirePlane(const PlanePatch& plane, std::size_t index)
     const PlanePolygon& polygon = plane.polygons[i];
     const std::string name = "polygons[" + std::to_string(i) + "].";
     require(name + "outer", faultOfLoop(polygon.outer));
-    for (std::size_t k = 0; k < polygon.holes.size(); ++k)
+    std::size_t points = polygon.outer.size();
+    for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
       require(name + "holes[" + std::to_string(k) + "]", faultOfLoop(polygon.holes[k]));
+      points += polygon.holes[k].size();
+    }
+    if (!polygon.edges.empty() && polygon.edges.size() != points)
+      require(name + "edges",
+              "are " + std::to_string(polygon.edges.size()) + " for " +
+                  std::to_string(points) + " points");
   }
 }
 
@@ -59,9 +67,9 @@ requireChart(const CompactMap& map, std::size_t index)
            index,
            "is of polygon " + std::to_string(chart.polygon) + " of " +
                std::to_string(polygons));
-  const std::string fault = faultOfFrame(chart);
-  if (!fault.empty())
-    refuse("chart", index, fault);
+  for (const std::string& fault : {faultOfFrame(chart), faultOfPlace(chart)})
+    if (!fault.empty())
+      refuse("chart", index, fault);
   for (const std::string& name : {chart.image, chart.kinds_image})
     if (const std::string unsound = faultOfImageName(name); !unsound.empty())
       refuse("chart", index, "has an image whose name " + unsound);
@@ -108,6 +116,28 @@ faultOfLoop(const std::vector<Eigen::Vector3f>& loop)
 }
 
 std::string
+faultOfExposure(double exposure)
+{
+  constexpr double maximum = 1000;
+  const bool is_legal = exposure >= 1 / maximum && exposure <= maximum;
+  return is_legal ? "" : "is not within 0.001 and 1000";
+}
+
+std::string
+faultOfPlace(const TextureChart& chart)
+{
+  constexpr std::int32_t max_halvings = 28; // of the longest side
+  for (const std::optional<Eigen::Vector2i>& place :
+       {chart.image_place, chart.kinds_place})
+    if (place && (place->minCoeff() < 0 || place->maxCoeff() > maximum_texels))
+      return "is at (" + std::to_string(place->x()) + ", " +
+             std::to_string(place->y()) + ") of an image, 0 to 2^28 are legal";
+  if (chart.halvings < 0 || chart.halvings > max_halvings)
+    return "is halved " + std::to_string(chart.halvings) + " times, 0 to 28 are legal";
+  return "";
+}
+
+std::string
 faultOfTexels(std::int64_t texels)
 {
   if (texels <= maximum_texels)
@@ -126,6 +156,9 @@ faultOfImageName(const std::string& name)
 void
 requireConsistent(const CompactMap& map)
 {
+  if (const std::string fault = faultOfExposure(map.exposure); !fault.empty())
+    throw BadArgumentException("exposure = " + std::to_string(map.exposure) +
+                               " of a map " + fault);
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
   std::int64_t texels = 0;

@@ -2,6 +2,7 @@
 
 #include <pcl/core/compact_map.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,6 +11,10 @@
 namespace pcl::acmap {
 
 class ByteSource;
+
+/** \brief The names of \ref EdgeKind in files. */
+inline constexpr std::array<const char*, 5> edge_kinds{
+    "open", "crease", "contact", "rim", "frontier"};
 
 /** \brief Describes what is wrong with the equation of a plane, as a continuation of
  * the name of its coefficients; empty if it is valid. */
@@ -20,6 +25,15 @@ faultOfCoefficients(const Eigen::Vector4d& coefficients);
 std::string
 faultOfLoop(const std::vector<Eigen::Vector3f>& loop);
 
+/** \brief As above, for the factor of the colours in files. */
+std::string
+faultOfExposure(double exposure);
+
+/** \brief Describes what is wrong with the place of a chart in its files, as a
+ * continuation of the name of the chart; empty if it is valid. */
+std::string
+faultOfPlace(const TextureChart& chart);
+
 /** \brief As above, for the number of texels of all charts so far, as a continuation of
  * the name of the last chart. */
 std::string
@@ -29,11 +43,6 @@ faultOfTexels(std::int64_t texels);
  * image. */
 std::string
 faultOfImageName(const std::string& name);
-
-/** \brief Checks that a map can be stored in a map file and read again.
- * \throws BadArgumentException for invalid planes, charts, observations or poses */
-void
-requireConsistent(const CompactMap& map);
 
 /** \brief Implementation of \ref loadMapFile.
  * \param[in] name file name in messages

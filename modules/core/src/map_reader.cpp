@@ -5,9 +5,12 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/map_file.h>
+#include <pcl/core/map_topology.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace pcl {
 
@@ -129,6 +132,17 @@ imageNameOf(const JsonCursor& json)
   return name;
 }
 
+Eigen::Vector2i
+placeOf(const JsonCursor& json)
+{
+  json.requireSize(2);
+  Eigen::Vector2i place;
+  for (const Eigen::Index i : {0, 1})
+    place[i] = static_cast<std::int32_t>(
+        json[static_cast<std::size_t>(i)].integer(0, acmap::maximum_texels));
+  return place;
+}
+
 TextureChart
 chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
 {
@@ -141,8 +155,15 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
     json.at("polygon").fail("is " + std::to_string(polygon) + ", the plane has " +
                             std::to_string(polygons));
   chart.image = imageNameOf(json.at("image"));
+  if (json.has("at"))
+    chart.image_place = placeOf(json.at("at"));
+  if (json.has("halvings"))
+    chart.halvings = static_cast<std::int32_t>(
+        json.at("halvings").integer(0, std::numeric_limits<std::int32_t>::max()));
   if (json.has("kinds"))
     chart.kinds_image = imageNameOf(json.at("kinds"));
+  if (json.has("kinds_at"))
+    chart.kinds_place = placeOf(json.at("kinds_at"));
   chart.origin = json.at("origin").vector<3>();
   chart.texel_u = json.at("texel_u").vector<3>();
   chart.texel_v = json.at("texel_v").vector<3>();
@@ -150,6 +171,7 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
        {std::pair{"width", &chart.colors.width}, {"height", &chart.colors.height}})
     *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
   requireNone(acmap::faultOfFrame(chart), json);
+  requireNone(acmap::faultOfPlace(chart), json);
   return chart;
 }
 
@@ -166,6 +188,68 @@ observationsOf(const JsonCursor& json, std::size_t poses)
     numbers.push_back(number);
   }
   return numbers;
+}
+
+EdgeKind
+kindOf(const JsonCursor& json)
+{
+  const std::string text = json.text();
+  const auto kind = std::find(acmap::edge_kinds.begin(), acmap::edge_kinds.end(), text);
+  if (kind == acmap::edge_kinds.end())
+    json.fail("is no kind of an edge: open, crease, contact, rim or frontier");
+  return static_cast<EdgeKind>(kind - acmap::edge_kinds.begin());
+}
+
+/** Reads the edges of a map into its polygons. The vertices must be those of the
+ * polygons in the order of \ref topologyOf. */
+void
+readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
+{
+  const MapTopology topology = topologyOf(planes);
+  const JsonCursor vertices = file.at("vertices");
+  vertices.requireSize(topology.vertices.size());
+  for (std::size_t i = 0; i < topology.vertices.size(); ++i) {
+    const JsonCursor point = vertices[i];
+    point.requireSize(3);
+    const Eigen::Vector3f place(
+        point[0].floatNumber(), point[1].floatNumber(), point[2].floatNumber());
+    if (place != topology.vertices[i])
+      point.fail("is not that point of the polygons");
+  }
+  const JsonCursor edges = file.at("edges");
+  const auto last = static_cast<std::int64_t>(topology.vertices.size()) - 1;
+  const auto last_plane = static_cast<std::int64_t>(planes.size()) - 1;
+  std::map<std::array<std::int32_t, 2>, MapEdge> known;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    MapEdge edge;
+    const JsonCursor ends = edges[i].at("vertices"), sides = edges[i].at("planes");
+    ends.requireSize(2);
+    if (sides.size() < 1 || sides.size() > 2)
+      sides.fail("are " + std::to_string(sides.size()) + ", 1 or 2 are needed");
+    for (std::size_t k = 0; k < 2; ++k)
+      edge.vertices[k] = static_cast<std::int32_t>(ends[k].integer(0, last));
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      edge.planes[k] = static_cast<std::int32_t>(sides[k].integer(0, last_plane));
+    edge.kind = kindOf(edges[i].at("kind"));
+    known.emplace(edge.vertices, edge);
+  }
+  for (const MapFace& face : topology.faces) {
+    PlanePatch& plane = planes[static_cast<std::size_t>(face.plane)];
+    PlanePolygon& polygon = plane.polygons[static_cast<std::size_t>(face.polygon)];
+    std::vector<std::vector<std::int32_t>> loops = face.holes;
+    loops.insert(loops.begin(), face.outer);
+    for (const std::vector<std::int32_t>& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
+        const auto edge = known.find({low, high});
+        if (edge == known.end())
+          edges.fail("have none from vertex " + std::to_string(low) + " to " +
+                     std::to_string(high));
+        const std::array<std::int32_t, 2>& sides = edge->second.planes;
+        polygon.edges.push_back(
+            {edge->second.kind, sides[0] == face.plane ? sides[1] : sides[0]});
+      }
+  }
 }
 
 void
@@ -196,6 +280,10 @@ acmap::readMap(const std::string& name, ByteSource& source)
     for (std::size_t i = 0; i < poses.size(); ++i)
       appendPose(poses[i], map.trajectory);
   }
+  if (file.has("exposure")) {
+    map.exposure = file.at("exposure").number();
+    requireNone(faultOfExposure(map.exposure), file.at("exposure"));
+  }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -214,6 +302,8 @@ acmap::readMap(const std::string& name, ByteSource& source)
       requireNone(faultOfTexels(texels), charts[k]);
     }
   }
+  if (file.has("edges"))
+    readEdges(file, map.planes);
   return map;
 }
 

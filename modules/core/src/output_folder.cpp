@@ -17,14 +17,16 @@ normalized(const std::string& path)
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/** \throws OutputFileException when the folder could not be listed completely */
+/** Lists a folder with one of the iterators of its entries.
+ * \throws OutputFileException when it could not be listed completely */
+template <typename Iterator>
 std::vector<fs::path>
 entriesOf(const fs::path& folder, const std::string& name)
 {
   std::vector<fs::path> entries;
   std::error_code error;
-  fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+  Iterator entry(folder, error);
+  for (; !error && entry != Iterator(); entry.increment(error))
     entries.push_back(entry->path());
   if (error)
     throw OutputFileException(name + ": " + error.message());
@@ -95,7 +97,7 @@ std::vector<std::string>
 OutputFolder::names() const
 {
   std::vector<std::string> names;
-  for (const fs::path& entry : entriesOf(folder_, name_))
+  for (const fs::path& entry : entriesOf<fs::directory_iterator>(folder_, name_))
     if (!isHiddenFolderName(entry.filename().string()))
       names.push_back(entry.filename().string());
   std::sort(names.begin(), names.end());
@@ -125,19 +127,31 @@ OutputFolder::commit()
 void
 OutputFolder::putFilesInPlace() const
 {
-  const std::vector<fs::path> files = entriesOf(files_, name_);
   const auto fail = [&](const fs::path& place, const std::string& fault) {
     throw OutputFileException(place.string() + ": " + fault);
   };
   std::error_code error;
+  std::vector<fs::path> names, folders; // relative to the folder
+  for (const fs::path& entry :
+       entriesOf<fs::recursive_directory_iterator>(files_, name_))
+    (fs::is_directory(entry, error) ? folders : names)
+        .push_back(entry.lexically_relative(files_));
   // all or none, as far as this can be detected beforehand
-  for (const fs::path& file : files)
-    if (fs::is_directory(folder_ / file.filename(), error))
-      fail(folder_ / file.filename(), "is a folder");
-  for (const fs::path& file : files) {
-    fs::rename(file, folder_ / file.filename(), error);
+  for (const fs::path& name : names)
+    if (fs::is_directory(folder_ / name, error))
+      fail(folder_ / name, "is a folder");
+  for (const fs::path& name : folders)
+    if (fs::exists(folder_ / name, error) && !fs::is_directory(folder_ / name, error))
+      fail(folder_ / name, "is a file");
+  for (const fs::path& name : folders) {
+    fs::create_directories(folder_ / name, error);
     if (error)
-      fail(folder_ / file.filename(), error.message());
+      fail(folder_ / name, error.message());
+  }
+  for (const fs::path& name : names) {
+    fs::rename(files_ / name, folder_ / name, error);
+    if (error)
+      fail(folder_ / name, error.message());
   }
 }
 

@@ -7,10 +7,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Faces with the colours of their charts, without lighting; the others are
- * grey, with lighting. */
+/** \brief Faces with the colours of their charts, without lighting; those without a
+ * chart are grey, with lighting, and so are all if no chart has a known colour.
+ * \param[in] exposure of the map */
 Actors
-actorsOfTextures(const std::vector<MapFaces>& faces, bool hide_backs);
+actorsOfTextures(const std::vector<MapFaces>& faces, double exposure, bool hide_backs);
 
 /** \brief Faces in the colours of their planes.
  * \param[in] opacity 0 to 1 */

@@ -37,7 +37,7 @@ MapDrawing::drawnFaces() const
 Actors
 MapDrawing::textures() const
 {
-  return actorsOfTextures(drawn(cutFaces(map_, faces_)), hides_backs_);
+  return actorsOfTextures(drawn(cutFaces(map_, faces_)), map_.exposure, hides_backs_);
 }
 
 Actors

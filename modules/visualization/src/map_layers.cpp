@@ -57,7 +57,8 @@ addPlaneLayer(vtkRenderer& renderer, const CompactMap& map, bool hide_backs)
 vtkProp*
 addTextureLayer(vtkRenderer& renderer, const CompactMap& map, bool hide_backs)
 {
-  return add(renderer, actorsOfTextures(cutFaces(map, facesOf(map)), hide_backs));
+  return add(renderer,
+             actorsOfTextures(cutFaces(map, facesOf(map)), map.exposure, hide_backs));
 }
 
 vtkProp*

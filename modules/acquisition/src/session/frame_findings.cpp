@@ -25,7 +25,7 @@ shareOf(const CameraImage& image, const Predicate& predicate)
 }
 
 /** \brief A remark that names the cameras whose fraction of values that fulfil the
- * predicate is at least \a least; empty if there are none. */
+ * predicate is at least \a minimum; empty if there are none. */
 template <typename Predicate>
 std::string
 remarkOn(const TrinocularFrame& frame,

@@ -26,7 +26,7 @@ public:
   WaitingFrames&
   operator=(const WaitingFrames&) = delete;
 
-  /** \brief Waits until fewer than \a most frames are waiting, then adds a frame. */
+  /** \brief Waits until fewer than \a maximum frames are waiting, then adds a frame. */
   void
   add(TrinocularFrame frame, std::size_t maximum);
 

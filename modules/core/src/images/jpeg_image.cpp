@@ -117,7 +117,7 @@ encodeJpeg(const RgbImage& image, int quality)
                                  &size,
                                  TJSAMP_420,
                                  quality,
-                                 TJFLAG_ACCURATEDCT);
+                                 TJFLAG_ACCURATEDCT | TJFLAG_PROGRESSIVE);
   const std::unique_ptr<std::uint8_t, Free> owner(bytes);
   if (result != 0)
     throw BadArgumentException(std::string("image cannot be a JPEG: ") +

@@ -66,7 +66,7 @@ toVoxelCell(const CellSums& sums, double edge);
 /** \brief The cells of some points, found by key in an open-addressing hash table. */
 class CellTable {
 public:
-  /** \param[in] most expected number of cells, which may be exceeded */
+  /** \param[in] maximum expected number of cells, which may be exceeded */
   explicit CellTable(std::size_t maximum = 0);
 
   /** \brief Returns the index of the cell of a key; the cell is created if it does not

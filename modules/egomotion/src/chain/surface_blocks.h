@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/egomotion/impl/egomotion_kernel.h>
+
 #include <Eigen/Core>
 
 #include <vector>

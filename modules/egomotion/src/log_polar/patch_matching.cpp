@@ -19,14 +19,29 @@ struct BestMatch {
   std::int32_t second = no_score;
 };
 
-/** Ratio of the distances of the best and the second best score from 1. Without the
- * noise term, two nearly identical patches could differ by any factor. */
+/** Without this term of noise, two nearly identical patches could differ by any factor.
+ */
+constexpr float noise = 0.003F;
+
+/** Ratio of the distances of the best and the second best score from 1. */
 float
 ambiguityOf(const BestMatch& candidate)
 {
-  constexpr float noise = 0.003F;
   return (1 - coefficientOf(candidate.target.score) + noise) /
          (1 - coefficientOf(candidate.second) + noise);
+}
+
+/** A score below which neither a best nor a second best one has an effect on matches:
+ * even of the weakest best score it is distinct. */
+std::int32_t
+minimumOfInterest(const LogPolarSettings& settings)
+{
+  constexpr float rounding = 1e-3F, lowest = -1.01F;
+  const float second =
+      1 + noise - (1 + noise - settings.min_score) / settings.max_ambiguity;
+  const float minimum = std::min(settings.min_score, second) - rounding;
+  return static_cast<std::int32_t>(std::max(minimum, lowest) * score_length *
+                                   score_length);
 }
 
 /** The steps of \ref matchPatches. */
@@ -41,6 +56,7 @@ public:
   , target_(target)
   , gate_(gate)
   , settings_(settings)
+  , minimum_(minimumOfInterest(settings))
   , counts_(counts)
   {}
 
@@ -62,11 +78,11 @@ private:
     std::iota(rows.begin(), rows.end(), 0);
     std::vector<BestMatch> candidates(rows.size());
     oneapi::tbb::combinable<ColumnBests> parts([&] { return ColumnBests(targets); });
-    const ScoreTable table(source_, target_, gate_, settings_);
+    const ScoreTable table(source_, target_, gate_, settings_, minimum_);
     table.forEachRow(rows, [&](std::size_t row, const std::int32_t* scores) {
       const auto source = static_cast<std::int32_t>(row);
       parts.local().add(source, scores);
-      candidates[row] = {source, bestOf(scores, targets), no_score};
+      candidates[row] = {source, bestOf(scores, targets), minimum_};
       findSecond(scores, target_.places, candidates[row].target.index, candidates[row]);
     });
     ColumnBests bests(targets);
@@ -95,7 +111,7 @@ private:
     std::vector<std::int32_t> rows;
     for (const BestMatch& candidate : candidates)
       rows.push_back(candidate.target.index);
-    const ScoreTable table(target_, source_, gate_, settings_);
+    const ScoreTable table(target_, source_, gate_, settings_, minimum_);
     table.forEachRow(rows, [&](std::size_t k, const std::int32_t* scores) {
       findSecond(scores, source_.places, candidates[k].source, candidates[k]);
     });
@@ -137,6 +153,7 @@ private:
   PlacedPatches source_, target_;
   const MatchGate& gate_;
   const LogPolarSettings& settings_;
+  std::int32_t minimum_; ///< lower scores may be left out, and count as this one
   MatchCounts& counts_;
 };
 

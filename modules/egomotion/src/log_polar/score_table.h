@@ -2,6 +2,7 @@
 
 #include "../simd/score_kernels.h"
 #include "patch_places.h"
+#include "patch_waves.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -28,13 +29,15 @@ struct PlacedPatches {
 };
 
 /** \brief Scores of all pairs of patches that pass the gate: the maxima over all
- * shifts, computed by rows. */
+ * shifts, computed by rows. A score below \a minimum is either told or \ref no_score:
+ * most pairs are excluded by \ref PatchWaves. */
 class ScoreTable {
 public:
   ScoreTable(const PlacedPatches& rows,
              const PlacedPatches& columns,
              const MatchGate& gate,
-             const LogPolarSettings& settings);
+             const LogPolarSettings& settings,
+             std::int32_t minimum);
 
   /** \brief Calls use (k, scores of row which[k] with all columns), in any order. */
   template <typename Use>
@@ -54,8 +57,11 @@ public:
 private:
   /** The rings that both patches have in common at a difference in scale. */
   struct Scale {
-    int row_begin = 0, column_begin = 0, rings = 0;
-    std::vector<std::int16_t> columns; ///< in the layout of ScoreFactors
+    int row_begin, column_begin, rings;
+    PatchWaves waves;
+    std::vector<std::int16_t> columns; ///< samples, one patch after another
+    std::vector<std::int16_t>
+        numbers; ///< of the columns, in the layout of ScoreFactors
   };
 
   std::size_t
@@ -64,10 +70,12 @@ private:
     return column_blocks_ * score_columns;
   }
 
+  /** Length of the samples of a patch, padded by zeros. */
   std::size_t
-  pairsOf(const Scale& scale) const
+  lengthOf(const Scale& scale) const
   {
-    return static_cast<std::size_t>(scale.rings * settings_.sectors + 1) / 2;
+    const auto samples = static_cast<std::size_t>(scale.rings * settings_.sectors);
+    return (samples + score_samples - 1) / score_samples * score_samples;
   }
 
   /** Converts samples of some rings to integers, rotated by \a turn sectors. */
@@ -77,12 +85,21 @@ private:
   void
   packColumns(Scale& scale) const;
 
+  /** Raises the scores of some rows at one scale and turn. */
+  void
+  raiseScoresOf(const std::int32_t* rows,
+                std::size_t count,
+                const Scale& scale,
+                int turn,
+                std::int32_t* scores) const;
+
   std::vector<std::int32_t>
   scoresOf(const std::int32_t* rows, std::size_t count) const;
 
   PlacedPatches rows_, columns_;
   MatchGate gate_;
   LogPolarSettings settings_;
+  std::int32_t minimum_;
   std::size_t column_blocks_;
   std::vector<Scale> scales_;
 };

@@ -6,23 +6,40 @@ namespace pcl::acmap {
 
 namespace {
 
-RaiseScores
-chooseVariant()
+struct Variants {
+  FindPairs find = findPairsBase;
+  ProductOf product = productOfBase;
+};
+
+Variants
+chooseVariants()
 {
 #ifdef ACMAP_SIMD_AVX2
   if (isAvx2Chosen())
-    return raiseScoresAvx2;
+    return {findPairsAvx2, productOfAvx2};
 #endif
-  return raiseScoresBase;
+  return {};
+}
+
+const Variants&
+variants()
+{
+  static const Variants chosen = chooseVariants();
+  return chosen;
 }
 
 } // namespace
 
-RaiseScores
-raiseScores()
+FindPairs
+findPairs()
 {
-  static const RaiseScores variant = chooseVariant();
-  return variant;
+  return variants().find;
+}
+
+ProductOf
+productOf()
+{
+  return variants().product;
 }
 
 } // namespace pcl::acmap

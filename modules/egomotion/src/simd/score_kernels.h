@@ -20,20 +20,40 @@ struct ScoreFactors {
   std::size_t pairs;
 };
 
-/** \brief The loop that takes most of the time of a matching, in variants for different
- * processors; all variants give the same bytes.
- * \param[in,out] scores of score_rows by all columns, row by row: each is replaced by
- * the sum of products if that is larger */
-using RaiseScores = void (*)(const ScoreFactors& factors, std::int32_t* scores);
+/** \brief Finds the pairs of a row and a column whose sum of products is at least a
+ * minimum. Most of the time of a matching is spent here; all variants for different
+ * processors give the same bytes.
+ * \param[out] found score_rows by column_blocks, row by row: one bit per column of a
+ * block, the first one is the lowest bit */
+using FindPairs = void (*)(const ScoreFactors& factors,
+                           std::int32_t minimum,
+                           std::uint8_t* found);
+
+/** \brief Lengths of samples are multiples of this. */
+constexpr std::size_t score_samples = 16;
+
+/** \brief The sum of the products of two patches of \a length samples. */
+using ProductOf = std::int32_t (*)(const std::int16_t* a,
+                                   const std::int16_t* b,
+                                   std::size_t length);
 
 void
-raiseScoresBase(const ScoreFactors& factors, std::int32_t* scores);
+findPairsBase(const ScoreFactors& factors, std::int32_t minimum, std::uint8_t* found);
 
 void
-raiseScoresAvx2(const ScoreFactors& factors, std::int32_t* scores);
+findPairsAvx2(const ScoreFactors& factors, std::int32_t minimum, std::uint8_t* found);
 
-/** \brief The variant for this processor. */
-RaiseScores
-raiseScores();
+std::int32_t
+productOfBase(const std::int16_t* a, const std::int16_t* b, std::size_t length);
+
+std::int32_t
+productOfAvx2(const std::int16_t* a, const std::int16_t* b, std::size_t length);
+
+/** \brief The variants for this processor. */
+FindPairs
+findPairs();
+
+ProductOf
+productOf();
 
 } // namespace pcl::acmap

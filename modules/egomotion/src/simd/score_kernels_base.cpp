@@ -3,9 +3,15 @@
 namespace pcl::acmap {
 
 void
-raiseScoresBase(const ScoreFactors& factors, std::int32_t* scores)
+findPairsBase(const ScoreFactors& factors, std::int32_t minimum, std::uint8_t* found)
 {
-  raiseAll(factors, scores);
+  findAll(factors, minimum, found);
+}
+
+std::int32_t
+productOfBase(const std::int16_t* a, const std::int16_t* b, std::size_t length)
+{
+  return productOfAll(a, b, length);
 }
 
 } // namespace pcl::acmap

@@ -249,8 +249,9 @@ ExactEntropyEvaluator::evaluate(const std::vector<PlanarPose>& poses,
   for (const PlanarPose& pose : poses)
     requirePlanarPose(pose);
   addCounts(counts_, report);
+  counted_ = 0;
   oneapi::tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
-    observations_[i].move(poses[i]);
+    counted_ += observations_[i].move(poses[i]) ? 1 : 0;
   });
   std::vector<BinRange> ranges;
   BinRange all;
@@ -283,13 +284,17 @@ ExactEntropyEvaluator::keep()
     }
 }
 
-void
+bool
 ExactEntropyEvaluator::Observation::move(const PlanarPose& pose)
 {
-  if (kept && areSame(kept->pose, pose))
+  if (kept && areSame(kept->pose, pose)) {
     tried.reset();
-  else if (!tried || !areSame(tried->pose, pose))
-    tried = points.fill(pose);
+    return false;
+  }
+  if (tried && areSame(tried->pose, pose))
+    return false;
+  tried = points.fill(pose);
+  return true;
 }
 
 MapEntropyTerms

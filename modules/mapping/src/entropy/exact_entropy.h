@@ -7,6 +7,8 @@
 
 #include <pcl/mapping/impl/map_entropy_kernel.h>
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -107,12 +109,20 @@ public:
   void
   keep();
 
+  /** \brief Number of observations that the last evaluation counted. */
+  std::size_t
+  counted() const
+  {
+    return counted_;
+  }
+
 private:
   struct Observation {
     CountedPoints points;
     std::optional<FilledBins> kept, tried;
 
-    void
+    /** \brief Returns true if the points have to be counted. */
+    bool
     move(const PlanarPose& pose);
 
     /** \brief The bins under the last pose. */
@@ -131,6 +141,7 @@ private:
   MapEntropySettings settings_;
   MapEntropyReport counts_;
   std::vector<Observation> observations_;
+  std::atomic<std::size_t> counted_{0};
   EntropyGrid grid_;
   std::vector<double> sums_; ///< of the weights in each bin, 0 between evaluations
 };

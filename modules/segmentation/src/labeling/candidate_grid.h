@@ -9,7 +9,7 @@
 
 namespace pcl::acmap::labeling {
 
-/** Planes near a voxel: at most \a most of them, those of the voxel itself first. */
+/** Planes near a voxel: at most \a maximum of them, those of the voxel itself first. */
 struct Candidates {
   static constexpr std::size_t maximum = 6;
   std::array<std::int32_t, maximum> planes;

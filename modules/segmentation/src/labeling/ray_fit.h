@@ -40,7 +40,7 @@ struct FitSums {
 FitSums
 movedSums(const FitSums& sums, const PlanePatch& from, const PlanePatch& to);
 
-/** Are the standard deviations of both slopes at most \a most, in radians? Not if the
+/** Are the standard deviations of both slopes at most \a maximum, in radians? Not if the
  * points are on one line. */
 bool
 knowsTilt(const FitSums& sums, double maximum);

@@ -11,7 +11,7 @@ class Survey {
 public:
   Survey(const PointView& points, const SensorView& sensors, const CandidateGrid& grid);
 
-  /** A sample of about \a most points of each voxel at most. Each point represents
+  /** A sample of about \a maximum points of each voxel at most. Each point represents
    * several ones, see count. */
   Survey
   thinned(std::size_t maximum, const CandidateGrid& grid) const;

@@ -28,7 +28,37 @@ farthestFrom(const Loop& loop, const Eigen::Vector2d& point)
   return best;
 }
 
-/** Marks the points to be kept between two points that are kept. */
+/** Finds the first intersection of the segment that begins at \a i with a later one.
+ * \return where that one begins, 0 for none */
+std::size_t
+firstCrossing(const Loop& loop, std::size_t i, Eigen::Vector2d& place)
+{
+  const std::size_t size = loop.size();
+  for (std::size_t j = i + 2; j < size; ++j)
+    if (segmentsCross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % size], place))
+      return j;
+  return 0;
+}
+
+} // namespace
+
+bool
+segmentsCross(const Eigen::Vector2d& a,
+              const Eigen::Vector2d& b,
+              const Eigen::Vector2d& c,
+              const Eigen::Vector2d& d,
+              Eigen::Vector2d& place)
+{
+  const double c_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(c - a));
+  const double d_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(d - a));
+  const double a_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(a - c));
+  const double b_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(b - c));
+  if (!(c_side * d_side < 0 && a_side * b_side < 0))
+    return false;
+  place = c + c_side / (c_side - d_side) * (d - c);
+  return true;
+}
+
 void
 markKept(const Loop& loop,
          std::size_t begin,
@@ -57,39 +87,6 @@ markKept(const Loop& loop,
     stretches.emplace_back(farthest, last);
   }
 }
-
-/** \param[out] place intersection of the segments ab and cd
- * \return whether there is an intersection in the interior of both */
-bool
-segmentsCross(const Eigen::Vector2d& a,
-              const Eigen::Vector2d& b,
-              const Eigen::Vector2d& c,
-              const Eigen::Vector2d& d,
-              Eigen::Vector2d& place)
-{
-  const double c_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(c - a));
-  const double d_side = cross(Eigen::Vector2d(b - a), Eigen::Vector2d(d - a));
-  const double a_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(a - c));
-  const double b_side = cross(Eigen::Vector2d(d - c), Eigen::Vector2d(b - c));
-  if (!(c_side * d_side < 0 && a_side * b_side < 0))
-    return false;
-  place = c + c_side / (c_side - d_side) * (d - c);
-  return true;
-}
-
-/** Finds the first intersection of the segment that begins at \a i with a later one.
- * \return where that one begins, 0 for none */
-std::size_t
-firstCrossing(const Loop& loop, std::size_t i, Eigen::Vector2d& place)
-{
-  const std::size_t size = loop.size();
-  for (std::size_t j = i + 2; j < size; ++j)
-    if (segmentsCross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % size], place))
-      return j;
-  return 0;
-}
-
-} // namespace
 
 double
 cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)

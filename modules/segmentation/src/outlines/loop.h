@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::acmap::outlines {
@@ -19,6 +21,25 @@ signedArea(const Loop& loop);
 
 bool
 contains(const Loop& loop, const Eigen::Vector2d& point);
+
+/** Do the segments ab and cd cross in the interior of both?
+ * \param[out] place intersection */
+bool
+segmentsCross(const Eigen::Vector2d& a,
+              const Eigen::Vector2d& b,
+              const Eigen::Vector2d& c,
+              const Eigen::Vector2d& d,
+              Eigen::Vector2d& place);
+
+/** Marks the points of a loop, or of a polyline, that have to be kept between two points
+ * that are kept, so that all are within \a tolerance (Douglas and Peucker).
+ * \param[in] end number of the second one; the size of a loop is its first point */
+void
+markKept(const Loop& loop,
+         std::size_t begin,
+         std::size_t end,
+         double tolerance,
+         std::vector<std::uint8_t>& is_kept);
 
 /** Removes points while all of them are within \a tolerance of the simplified loop
  * (Douglas and Peucker). */

@@ -119,7 +119,7 @@ meshLoops(const PointView& points,
           const CreaseSnap& snap,
           double tolerance,
           const PatchFrame& frame,
-          Triangles& triangles)
+          Triangles triangles)
 {
   const std::vector<Eigen::Vector2d> places = flatten(points, frame, triangles);
   std::vector<Loop> loops;
@@ -168,31 +168,42 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 }
 
 } // namespace
+
+MeshOutlines::MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+                           const KnownPlanes& known)
+: known_(known)
+, grid_(known, known.spacing, 0)
+, of_planes_(trianglesOfPlanes(triangles, known))
+{}
+
+void
+MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
+{
+  const KnownPlane& own = known_.planes[plane];
+  const double spacing = known_.spacing;
+  const CreaseSnap snap(grid_, known_.planes, plane, 2 * spacing);
+  if (own.trust != PlaneTrust::Strip)
+    setPolygons(meshLoops(known_.points, snap, spacing, {own.patch}, of_planes_[plane]),
+                4 * spacing * spacing,
+                spacing,
+                patch);
+  if (patch.polygons.empty())
+    setPolygons(rectangles(known_, plane, snap), 0, spacing, patch);
+}
+
 } // namespace outlines
 
 void
-outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known)
+outlineFromMesh(const std::vector<TriangleMesh::Triangle>& triangles,
+                KnownPlanes& known)
 {
-  using namespace outlines;
   for (KnownPlane& plane : known.planes)
     plane.patch.area = 0; // of the outlines from here on; before, of its members
-  if (known.planes.empty() || !(known.spacing > 0))
+  if (known.planes.empty() || !(known.spacing > 0) || triangles.empty())
     return;
-  const labeling::CandidateGrid grid(known, known.spacing, 0);
-  const double reach = 2 * known.spacing;
-  const double min_area = 4 * known.spacing * known.spacing;
-  std::vector<Triangles> of_planes = trianglesOfPlanes(triangles, known);
-  for (std::size_t p = 0; p < known.planes.size(); ++p) {
-    PlanePatch& patch = known.planes[p].patch;
-    const CreaseSnap snap(grid, known.planes, p, reach);
-    if (known.planes[p].trust != PlaneTrust::Strip)
-      setPolygons(meshLoops(known.points, snap, known.spacing, {patch}, of_planes[p]),
-                  min_area,
-                  known.spacing,
-                  patch);
-    if (patch.polygons.empty() && !triangles.empty())
-      setPolygons(rectangles(known, p, snap), 0, known.spacing, patch);
-  }
+  const outlines::MeshOutlines mesh(triangles, known);
+  for (std::size_t p = 0; p < known.planes.size(); ++p)
+    mesh.outline(p, known.planes[p].patch);
 }
 
 } // namespace pcl::acmap

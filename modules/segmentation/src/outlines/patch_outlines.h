@@ -1,5 +1,6 @@
 #pragma once
 
+#include "labeling/candidate_grid.h"
 #include "outlines/loop.h"
 #include "planes/known_planes.h"
 
@@ -22,12 +23,33 @@ setPolygons(const std::vector<Loop>& shaped,
             double spacing,
             PlanePatch& patch);
 
+/** \brief The boundaries of the mesh on planes. */
+class MeshOutlines {
+public:
+  /** \param[in] known must outlive this object */
+  MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+               const KnownPlanes& known);
+
+  /** Sets the polygons of a plane: the boundaries of its mesh faces, moved onto the
+   * intersection lines with its neighbours and simplified with a tolerance of one
+   * spacing. Openings are kept. A plane without such a polygon, and a strip, gets
+   * rectangles where its points are.
+   * \param[in,out] patch of the plane, without polygons; their area is added to its */
+  void
+  outline(std::size_t plane, PlanePatch& patch) const;
+
+private:
+  const KnownPlanes& known_;
+  labeling::CandidateGrid grid_;
+  std::vector<std::vector<TriangleMesh::Triangle>> of_planes_;
+};
+
 } // namespace outlines
 
-/** Sets the polygons of each plane: the boundaries of its mesh faces, moved onto the
- * intersection lines with its neighbours and simplified with a tolerance of one
- * spacing. Openings are kept. The area of the plane is set to that of the polygons. */
+/** Sets the polygons of all planes to the boundaries of the mesh, as in the paper's mode.
+ * The area of each plane is set to that of its polygons. */
 void
-outlinePlanes(const std::vector<TriangleMesh::Triangle>& triangles, KnownPlanes& known);
+outlineFromMesh(const std::vector<TriangleMesh::Triangle>& triangles,
+                KnownPlanes& known);
 
 } // namespace pcl::acmap

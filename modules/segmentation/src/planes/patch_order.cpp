@@ -20,6 +20,11 @@ sortByArea(PlaneClusters& clusters)
     sorted.push_back(std::move(clusters.patches[static_cast<std::size_t>(patch)]));
   }
   clusters.patches = std::move(sorted);
+  for (PlanePatch& patch : clusters.patches)
+    for (PlanePolygon& polygon : patch.polygons)
+      for (PolygonEdge& edge : polygon.edges)
+        if (edge.neighbour >= 0)
+          edge.neighbour = numbers[static_cast<std::size_t>(edge.neighbour)];
   for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
     for (std::int32_t& label : *labels)
       label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];

@@ -1,5 +1,6 @@
 #include "labeling/label_points.h"
 #include "outlines/patch_outlines.h"
+#include "outlines/shared_outlines.h"
 #include "planes/known_planes.h"
 #include "planes/paper_growth.h"
 #include "planes/plane_growth.h"
@@ -284,7 +285,11 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     }
     progress.tell(0.9, "outlines");
     StepTimer outlines(report);
-    outlinePlanes(hypotheses.triangles, known);
+    if (settings.noise_driven)
+      report.contour_outlines =
+          outlineFromEvidence(hypotheses.triangles, hypotheses.sensors, known);
+    else
+      outlineFromMesh(hypotheses.triangles, known);
     outlines.finish("outlines");
     takeOver(std::move(known), clusters);
     describe(clusters, hypotheses, report);

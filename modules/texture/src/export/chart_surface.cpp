@@ -5,7 +5,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -110,6 +113,46 @@ surfacesOf(const CompactMap& map)
         surfaces.push_back(
             surfaceOfPolygon(i, trianglesOf(map.planes[i], map.planes[i].polygons[k])));
   return surfaces;
+}
+
+std::vector<bool>
+coverOf(const ChartSurface& surface, const RgbImage& image)
+{
+  constexpr double slack = 1e-9; // avoids gaps along the edges of triangles
+  std::vector<bool> cover(image.values.size() / 3);
+  for (const TriangleMesh::Triangle& triangle : surface.triangles) {
+    const auto corner = [&](std::size_t i) {
+      return surface.places[static_cast<std::size_t>(triangle[i % 3])];
+    };
+    const auto [minimum, maximum] =
+        std::minmax({corner(0).y(), corner(1).y(), corner(2).y()});
+    const auto last = std::min<std::int32_t>(
+        image.height - 1, static_cast<std::int32_t>(std::floor(maximum - 0.5 + slack)));
+    for (auto row = static_cast<std::int32_t>(std::ceil(minimum - 0.5 - slack));
+         row <= last;
+         ++row) {
+      const double y = std::clamp(row + 0.5, minimum, maximum);
+      double from = std::numeric_limits<double>::infinity();
+      double to = -from;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d a = corner(i);
+        const Eigen::Vector2d b = corner(i + 1);
+        if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y)
+          continue;
+        const double share = a.y() == b.y() ? 0.0 : (y - a.y()) / (b.y() - a.y());
+        const double x = a.x() + share * (b.x() - a.x());
+        from = std::min({from, x, a.y() == b.y() ? b.x() : x});
+        to = std::max({to, x, a.y() == b.y() ? b.x() : x});
+      }
+      const auto first = static_cast<std::int32_t>(std::ceil(from - 0.5 - slack));
+      const auto end = static_cast<std::int32_t>(std::floor(to - 0.5 + slack));
+      for (std::int32_t i = std::max(first, 0); i <= std::min(end, image.width - 1);
+           ++i)
+        cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+              static_cast<std::size_t>(i)] = true;
+    }
+  }
+  return cover;
 }
 
 } // namespace pcl::acmap

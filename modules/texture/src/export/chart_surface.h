@@ -29,4 +29,9 @@ struct ChartSurface {
 std::vector<ChartSurface>
 surfacesOf(const CompactMap& map);
 
+/** \brief For each texel of an image, is its centre inside one of the triangles of a
+ * surface? */
+std::vector<bool>
+coverOf(const ChartSurface& surface, const RgbImage& image);
+
 } // namespace pcl::acmap

@@ -2,13 +2,13 @@
 
 #include "export/map_writers.h"
 
+#include <pcl/core/impl/map_check.h>
 #include <pcl/core/map_file.h>
+#include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <filesystem>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -16,17 +16,19 @@ namespace pcl {
 
 namespace {
 
-using acmap::ChartSurface;
+using acmap::KindAtlas;
 using acmap::OutputFolder;
+using acmap::TextureAtlas;
 
 constexpr const char* map_name = "map.json";
 
-std::string
-imageName(std::size_t chart, const char* end)
+std::vector<std::string>
+pageNames(const std::string& what, std::size_t pages, const char* end)
 {
-  char name[64];
-  std::snprintf(name, sizeof(name), "texture_%04zu%s", chart, end);
-  return name;
+  std::vector<std::string> names;
+  for (std::size_t page = 0; page < pages; ++page)
+    names.push_back(what + "_" + std::to_string(page) + end);
+  return names;
 }
 
 void
@@ -46,38 +48,56 @@ requireWholeCharts(const CompactMap& map)
   }
 }
 
-bool
-isSeen(TexelKind kind)
-{
-  return kind == TexelKind::Seen;
-}
-
-/** \brief Assigns image names to the charts; restores the old names unless keep() is
- * called. */
-class ImageNames {
+/** \brief Sets where the charts are in the pages; restores the old places unless keep()
+ * is called. */
+class ChartPlaces {
 public:
-  ImageNames(std::vector<TextureChart>& charts, bool jpeg)
+  explicit ChartPlaces(std::vector<TextureChart>& charts)
   : charts_(charts)
   {
-    for (std::size_t i = 0; i < charts.size(); ++i) {
-      TextureChart& chart = charts[i];
-      before_.emplace_back(chart.image, chart.kinds_image);
-      chart.image = imageName(i, jpeg ? ".jpg" : ".png");
-      const bool all_seen =
-          std::all_of(chart.kinds.begin(), chart.kinds.end(), &isSeen);
-      chart.kinds_image = all_seen ? "" : imageName(i, "_kinds.png");
+    for (const TextureChart& chart : charts)
+      before_.emplace_back(chart.image,
+                           chart.image_place,
+                           chart.halvings,
+                           chart.kinds_image,
+                           chart.kinds_place);
+  }
+
+  ~ChartPlaces()
+  {
+    for (std::size_t i = 0; i < before_.size(); ++i)
+      placesOf(charts_[i]) = before_[i];
+  }
+
+  ChartPlaces(const ChartPlaces&) = delete;
+  ChartPlaces&
+  operator=(const ChartPlaces&) = delete;
+
+  /** \param[in] images file name of each page */
+  void
+  set(const TextureAtlas& atlas, const std::vector<std::string>& images)
+  {
+    for (std::size_t i = 0; i < charts_.size(); ++i) { // the first surfaces
+      charts_[i].image = images[atlas.places[i].page];
+      charts_[i].image_place = atlas.places[i].corner.cast<int>();
+      charts_[i].halvings = atlas.halvings[i];
     }
   }
 
-  ~ImageNames()
+  /** \param[in] images file name of each page */
+  void
+  set(const KindAtlas& atlas, const std::vector<std::string>& images)
   {
-    for (std::size_t i = 0; i < before_.size(); ++i)
-      std::tie(charts_[i].image, charts_[i].kinds_image) = before_[i];
+    for (TextureChart& chart : charts_) {
+      chart.kinds_image.clear();
+      chart.kinds_place.reset();
+    }
+    for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
+      TextureChart& chart = charts_[atlas.charts[k]];
+      chart.kinds_image = images[atlas.page_of[k]];
+      chart.kinds_place = atlas.places[k];
+    }
   }
-
-  ImageNames(const ImageNames&) = delete;
-  ImageNames&
-  operator=(const ImageNames&) = delete;
 
   void
   keep()
@@ -86,8 +106,20 @@ public:
   }
 
 private:
+  using Place = std::optional<Eigen::Vector2i>;
+
+  static std::tuple<std::string&, Place&, std::int32_t&, std::string&, Place&>
+  placesOf(TextureChart& chart)
+  {
+    return {chart.image,
+            chart.image_place,
+            chart.halvings,
+            chart.kinds_image,
+            chart.kinds_place};
+  }
+
   std::vector<TextureChart>& charts_;
-  std::vector<std::pair<std::string, std::string>> before_;
+  std::vector<std::tuple<std::string, Place, std::int32_t, std::string, Place>> before_;
 };
 
 /** \brief Writes the files of a map into a folder that is renamed into place later. */
@@ -99,23 +131,38 @@ public:
   : folder_(folder)
   , map_(map)
   , outputs_(outputs)
+  , surfaces_(acmap::surfacesOf(map))
+  , atlas_(acmap::atlasOf(map, surfaces_, upDirection(map), outputs.color_tolerance))
   {}
 
   std::vector<std::string>
-  writeAll()
+  writeAll(ChartPlaces& places)
   {
+    const std::vector<std::string> images = pageNames(
+        "texture", atlas_.pages.size(), outputs_.jpeg_images ? ".jpg" : ".png");
+    const KindAtlas kinds = acmap::kindAtlasOf(map_.charts);
+    const std::vector<std::string> kind_images =
+        pageNames("kinds", kinds.pages.size(), ".png");
+    places.set(atlas_, images);
+    places.set(kinds, kind_images);
     saveMapFile(place(map_name), map_);
-    for (const TextureChart& chart : map_.charts)
-      writeImages(chart);
-    const std::vector<ChartSurface> surfaces = acmap::surfacesOf(map_);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      writeBytes(images[i],
+                 outputs_.jpeg_images
+                     ? encodeJpeg(atlas_.pages[i], outputs_.jpeg_quality)
+                     : encodePng(atlas_.pages[i]));
+    for (std::size_t i = 0; i < kind_images.size(); ++i) {
+      const KindAtlas::Page& page = kinds.pages[i];
+      writeBytes(kind_images[i], encodePng(page.width, page.height, page.values));
+    }
     if (outputs_.obj) {
-      acmap::writeObj(place("map.obj"), map_, surfaces);
-      acmap::writeMtl(place(acmap::material_file_name), map_, surfaces);
+      acmap::writeObj(place("map.obj"), map_, surfaces_, atlas_);
+      acmap::writeMtl(place(acmap::material_file_name), map_, images);
     }
     if (outputs_.glb)
-      acmap::writeGlb(place("map.glb"), map_, surfaces, outputs_.jpeg_quality);
+      acmap::writeGlb(place("map.glb"), map_, surfaces_, atlas_, outputs_.jpeg_quality);
     if (outputs_.vertex_ply)
-      acmap::writeVertexPly(place("map.ply"), map_, surfaces);
+      acmap::writeVertexPly(place("map.ply"), map_, surfaces_);
     return names_;
   }
 
@@ -135,40 +182,15 @@ private:
     file.commit();
   }
 
-  void
-  writeImages(const TextureChart& chart)
-  {
-    const RgbImage image = acmap::withGrey(chart);
-    writeBytes(chart.image,
-               outputs_.jpeg_images ? encodeJpeg(image, outputs_.jpeg_quality)
-                                    : encodePng(image));
-    if (chart.kinds_image.empty())
-      return;
-    std::vector<std::uint8_t> kinds(chart.kinds.size());
-    std::transform(chart.kinds.begin(),
-                   chart.kinds.end(),
-                   kinds.begin(),
-                   [](TexelKind kind) { return static_cast<std::uint8_t>(kind); });
-    writeBytes(chart.kinds_image, encodePng(image.width, image.height, kinds));
-  }
-
   const OutputFolder& folder_;
   const CompactMap& map_;
   const CompactMapOutputs& outputs_;
+  std::vector<acmap::ChartSurface> surfaces_;
+  acmap::TextureAtlas atlas_;
   std::vector<std::string> names_;
 };
 
 } // namespace
-
-RgbImage
-acmap::withGrey(const TextureChart& chart)
-{
-  RgbImage image = chart.colors;
-  for (std::size_t i = 0; i < chart.kinds.size(); ++i)
-    if (chart.kinds[i] == TexelKind::None)
-      std::fill_n(&image.values[3 * i], 3, unknown_grey);
-  return image;
-}
 
 std::vector<std::string>
 saveCompactMap(const std::string& folder,
@@ -179,13 +201,19 @@ saveCompactMap(const std::string& folder,
     throw BadArgumentException(
         "jpeg_quality = " + std::to_string(outputs.jpeg_quality) +
         " is refused: it must be within [1, 100]");
+  constexpr double maximum_tolerance = 255;
+  if (!(outputs.color_tolerance >= 0 && outputs.color_tolerance <= maximum_tolerance))
+    throw BadArgumentException(
+        "color_tolerance = " + std::to_string(outputs.color_tolerance) +
+        " is refused: it must be within [0, 255]");
+  acmap::requireConsistent(map);
   requireWholeCharts(map);
-  ImageNames names(map.charts, outputs.jpeg_images);
+  ChartPlaces places(map.charts);
   OutputFolder target(folder);
   const std::vector<std::string> written =
-      MapFolderWriter(target, map, outputs).writeAll();
+      MapFolderWriter(target, map, outputs).writeAll(places);
   target.commit();
-  names.keep();
+  places.keep();
   return written;
 }
 

@@ -1,8 +1,12 @@
+#include "atlas/chart_picture.h"
+
 #include <pcl/core/image_file.h>
 #include <pcl/core/map_file.h>
 #include <pcl/texture/compact_map_folder.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace pcl {
 
@@ -24,34 +28,71 @@ public:
     return map_path_;
   }
 
+  /** Reads the colours and kinds of the charts. Each image is read once, and only one is
+   * in memory at a time. */
   void
-  read(TextureChart& chart) const
+  read(CompactMap& map) const
   {
-    if (chart.image.empty())
-      return; // a chart without colours
-    const std::string path = pathOf(chart.image);
-    RgbImage image = loadRgbImage(path);
-    requireSize(path, image.width, image.height, chart);
-    chart.colors = std::move(image);
-    const std::size_t texels = chart.colors.values.size() / 3;
-    chart.kinds.assign(texels, TexelKind::Seen);
-    if (!chart.kinds_image.empty())
-      readKinds(chart);
+    std::map<std::string, std::vector<TextureChart*>> of_image, of_kinds;
+    for (TextureChart& chart : map.charts) {
+      if (chart.image.empty())
+        continue; // a chart without colours
+      of_image[chart.image].push_back(&chart);
+      if (!chart.kinds_image.empty())
+        of_kinds[chart.kinds_image].push_back(&chart);
+    }
+    for (const auto& [name, charts] : of_image) {
+      const std::string path = pathOf(name);
+      const RgbImage image = loadRgbImage(path);
+      for (TextureChart* const chart : charts)
+        readColors(path, image, map.exposure, *chart);
+    }
+    for (const auto& [name, charts] : of_kinds) {
+      const std::string path = pathOf(name);
+      const GrayImage16 image = loadGrayImage16(path);
+      for (TextureChart* const chart : charts)
+        readKinds(path, image, *chart);
+    }
   }
 
 private:
-  void
-  readKinds(TextureChart& chart) const
+  static void
+  readColors(const std::string& path,
+             const RgbImage& image,
+             double exposure,
+             TextureChart& chart)
   {
-    const std::string path = pathOf(chart.kinds_image);
-    const GrayImage16 kinds = loadGrayImage16(path);
-    requireSize(path, kinds.width, kinds.height, chart);
-    for (std::size_t i = 0; i < kinds.values.size(); ++i) {
-      if (kinds.values[i] > static_cast<std::uint16_t>(TexelKind::Filled))
-        throw InputFileException(path + ": " + std::to_string(kinds.values[i]) +
-                                 " is no kind of a texel");
-      chart.kinds[i] = static_cast<TexelKind>(kinds.values[i]);
+    const Eigen::Vector2i size = acmap::halvedSize(chart.colors, chart.halvings);
+    const Eigen::Vector2i place =
+        requirePlace(path, {image.width, image.height}, chart.image_place, size);
+    RgbImage part{size.x(), size.y(), {}};
+    for (std::int32_t row = 0; row < size.y(); ++row) {
+      const std::uint8_t* const first = image.at(place.x(), place.y() + row);
+      part.values.insert(
+          part.values.end(), first, first + 3 * std::ptrdiff_t{size.x()});
     }
+    acmap::enlarge(part, exposure, chart);
+    chart.kinds.assign(chart.colors.values.size() / 3, TexelKind::Seen);
+  }
+
+  static void
+  readKinds(const std::string& path, const GrayImage16& image, TextureChart& chart)
+  {
+    const Eigen::Vector2i size(chart.colors.width, chart.colors.height);
+    const Eigen::Vector2i place =
+        requirePlace(path, {image.width, image.height}, chart.kinds_place, size);
+    std::size_t texel = 0;
+    for (std::int32_t row = 0; row < size.y(); ++row)
+      for (std::int32_t column = 0; column < size.x(); ++column, ++texel) {
+        const std::uint16_t kind = image.values[static_cast<std::size_t>(
+            std::int64_t{place.y() + row} * image.width + place.x() + column)];
+        if (kind > static_cast<std::uint16_t>(TexelKind::Filled))
+          throw InputFileException(path + ": " + std::to_string(kind) +
+                                   " is no kind of a texel");
+        chart.kinds[texel] = static_cast<TexelKind>(kind);
+        if (chart.kinds[texel] == TexelKind::None)
+          std::fill_n(&chart.colors.values[3 * texel], 3, unknown_grey);
+      }
   }
 
   /** Requires that images are directly in the folder, because maps can come from
@@ -72,19 +113,26 @@ private:
     return path.string();
   }
 
-  static void
-  requireSize(const std::string& path,
-              std::int32_t width,
-              std::int32_t height,
-              const TextureChart& chart)
+  /** Requires that a chart is inside of its image.
+   * \param[in] place nothing if the image has no other texels
+   * \return column and row of its first texel */
+  static Eigen::Vector2i
+  requirePlace(const std::string& path,
+               const Eigen::Vector2i& image,
+               const std::optional<Eigen::Vector2i>& place,
+               const Eigen::Vector2i& size)
   {
-    const auto text = [](std::int32_t columns, std::int32_t rows) {
-      return std::to_string(columns) + " x " + std::to_string(rows);
+    const auto text = [](const Eigen::Vector2i& v, const char* between) {
+      return std::to_string(v.x()) + between + std::to_string(v.y());
     };
-    if (width != chart.colors.width || height != chart.colors.height)
-      throw InputFileException(path + ": has " + text(width, height) +
-                               " pixels, the map says " +
-                               text(chart.colors.width, chart.colors.height));
+    const std::string fault = path + ": has " + text(image, " x ") +
+                              " pixels, the map says " + text(size, " x ");
+    if (!place && image != size)
+      throw InputFileException(fault);
+    // the difference cannot overflow
+    if (place && (place->array() > image.array() - size.array()).any())
+      throw InputFileException(fault + " of them at (" + text(*place, ", ") + ")");
+    return place.value_or(Eigen::Vector2i::Zero());
   }
 
   std::string folder_;
@@ -98,8 +146,7 @@ loadCompactMap(const std::string& folder)
 {
   const ImageReader images(folder);
   CompactMap map = loadMapFile(images.mapPath());
-  for (TextureChart& chart : map.charts)
-    images.read(chart);
+  images.read(map);
   return map;
 }
 

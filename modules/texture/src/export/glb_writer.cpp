@@ -13,8 +13,6 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr double linear_grey = 0.2159; // linear value of 128 in sRGB
-
 /** Shares of the emitted and of the reflected colour. Their sum is 1, so that uniform
  * light shows the observed colours. KHR_materials_unlit would express this directly,
  * but VTK 9.1, and therefore f3d, shows the textures of such materials white. Readers
@@ -34,11 +32,40 @@ middleOf(const std::vector<ChartSurface>& surfaces)
                        : Eigen::Vector3d(box.center().array().round());
 }
 
-/** \brief Fills a glTF model with surfaces, one by one. */
+/** \brief The surfaces of one page of the atlas. */
+struct PageMesh {
+  std::vector<Eigen::Vector3f> points; ///< relative to the middle
+  std::vector<Eigen::Vector2f> places; ///< texture coordinates, from the top left
+  std::vector<std::uint32_t> corners;  ///< three of each triangle
+};
+
+std::vector<PageMesh>
+meshesOf(const std::vector<ChartSurface>& surfaces,
+         const TextureAtlas& atlas,
+         const Eigen::Vector3d& middle)
+{
+  std::vector<PageMesh> meshes(atlas.pages.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const ChartSurface& surface = surfaces[i];
+    PageMesh& mesh = meshes[atlas.places[i].page];
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const Eigen::Vector3d& point : surface.points)
+      mesh.points.emplace_back((point - middle).cast<float>());
+    for (const Eigen::Vector2d& place : surface.places)
+      mesh.places.emplace_back(atlas.coordinates(i, place).cast<float>());
+    for (const TriangleMesh::Triangle& triangle : surface.triangles)
+      for (const std::int32_t corner : triangle)
+        mesh.corners.push_back(first + static_cast<std::uint32_t>(corner));
+  }
+  return meshes;
+}
+
+/** \brief Fills a glTF model with the pages of an atlas, one by one. */
 class GlbModel {
 public:
   GlbModel(const CompactMap& map,
            const std::vector<ChartSurface>& surfaces,
+           const TextureAtlas& atlas,
            int jpeg_quality)
   : map_(map)
   , quality_(jpeg_quality)
@@ -46,11 +73,14 @@ public:
   {
     model_.asset.version = "2.0";
     model_.asset.generator = "acmap";
+    model_.asset.extras = tinygltf::Value(
+        tinygltf::Value::Object{{"exposure", tinygltf::Value(map.exposure)}});
     model_.buffers.emplace_back();
     model_.meshes.emplace_back();
-    for (const ChartSurface& surface : surfaces)
-      if (!surface.triangles.empty())
-        append(surface);
+    const std::vector<PageMesh> meshes = meshesOf(surfaces, atlas, middle_);
+    for (std::size_t page = 0; page < meshes.size(); ++page)
+      if (!meshes[page].corners.empty())
+        append(meshes[page], atlas.pages[page], page);
     if (model_.meshes[0].primitives.empty()) { // glTF forbids empty arrays
       model_.meshes.clear();
       model_.buffers.clear();
@@ -79,32 +109,26 @@ public:
 
 private:
   void
-  append(const ChartSurface& surface)
+  append(const PageMesh& mesh, const RgbImage& page, std::size_t number)
   {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.attributes["POSITION"] = appendPoints(surface);
-    if (surface.chart != ChartSurface::no_chart)
-      primitive.attributes["TEXCOORD_0"] = appendPlaces(surface);
-    primitive.indices = appendAccessor(surface.triangles.data(),
-                                       surface.triangles.size() * 3,
-                                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                       TINYGLTF_TYPE_SCALAR);
-    primitive.material = surface.chart == ChartSurface::no_chart
-                             ? greyMaterial()
-                             : appendTexture(map_.charts[surface.chart]);
+    primitive.attributes["POSITION"] = appendPoints(mesh.points);
+    primitive.attributes["TEXCOORD_0"] = appendAccessor(mesh.places.data(),
+                                                        mesh.places.size(),
+                                                        TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                                        TINYGLTF_TYPE_VEC2);
+    primitive.indices = appendCorners(mesh);
+    primitive.material = appendMaterial(page, number);
     model_.meshes[0].primitives.push_back(primitive);
   }
 
   int
-  appendPoints(const ChartSurface& surface)
+  appendPoints(const std::vector<Eigen::Vector3f>& points)
   {
-    std::vector<Eigen::Vector3f> points;
     Eigen::AlignedBox3f box;
-    for (const Eigen::Vector3d& point : surface.points) {
-      points.emplace_back((point - middle_).cast<float>());
-      box.extend(points.back());
-    }
+    for (const Eigen::Vector3f& point : points)
+      box.extend(point);
     const int accessor = appendAccessor(points.data(),
                                         points.size(),
                                         TINYGLTF_COMPONENT_TYPE_FLOAT,
@@ -116,17 +140,18 @@ private:
   }
 
   int
-  appendPlaces(const ChartSurface& surface)
+  appendCorners(const PageMesh& mesh)
   {
-    const RgbImage& image = map_.charts[surface.chart].colors;
-    const Eigen::Array2d size(image.width, image.height);
-    std::vector<Eigen::Vector2f> places;
-    for (const Eigen::Vector2d& place : surface.places)
-      places.emplace_back((place.array() / size).cast<float>());
-    return appendAccessor(places.data(),
-                          places.size(),
-                          TINYGLTF_COMPONENT_TYPE_FLOAT,
-                          TINYGLTF_TYPE_VEC2);
+    if (mesh.points.size() >= std::numeric_limits<std::uint16_t>::max())
+      return appendAccessor(mesh.corners.data(),
+                            mesh.corners.size(),
+                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                            TINYGLTF_TYPE_SCALAR);
+    const std::vector<std::uint16_t> corners(mesh.corners.begin(), mesh.corners.end());
+    return appendAccessor(corners.data(),
+                          corners.size(),
+                          TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                          TINYGLTF_TYPE_SCALAR);
   }
 
   /** Appends bytes to the buffer, aligned to a multiple of four. */
@@ -165,34 +190,27 @@ private:
     return static_cast<int>(model_.accessors.size()) - 1;
   }
 
-  /** \param[in] level linear grey value, or factor of the texture, within [0, 1] */
   int
-  appendMaterial(const std::string& name, double level)
+  appendMaterial(const RgbImage& page, std::size_t number)
   {
+    const int texture = appendTexture(page);
     tinygltf::Material material;
-    material.name = name;
+    material.name = "page_" + std::to_string(number);
     material.doubleSided = true;
     material.pbrMetallicRoughness.metallicFactor = 0;
     material.pbrMetallicRoughness.roughnessFactor = 1;
-    material.pbrMetallicRoughness.baseColorFactor = {
-        lit * level, lit * level, lit * level, 1};
-    material.emissiveFactor.assign(3, emitted * level);
+    material.pbrMetallicRoughness.baseColorFactor = {lit, lit, lit, 1};
+    material.pbrMetallicRoughness.baseColorTexture.index = texture;
+    material.emissiveFactor.assign(3, emitted);
+    material.emissiveTexture.index = texture;
     model_.materials.push_back(material);
     return static_cast<int>(model_.materials.size()) - 1;
   }
 
   int
-  greyMaterial()
+  appendTexture(const RgbImage& page)
   {
-    if (grey_ < 0)
-      grey_ = appendMaterial("untextured", linear_grey);
-    return grey_;
-  }
-
-  int
-  appendTexture(const TextureChart& chart)
-  {
-    const std::vector<std::uint8_t> jpeg = encodeJpeg(withGrey(chart), quality_);
+    const std::vector<std::uint8_t> jpeg = encodeJpeg(page, quality_);
     tinygltf::Image image;
     image.mimeType = "image/jpeg";
     image.bufferView = appendView(jpeg.data(), jpeg.size(), 0);
@@ -209,11 +227,7 @@ private:
     texture.sampler = 0;
     texture.source = static_cast<int>(model_.images.size()) - 1;
     model_.textures.push_back(texture);
-    const int index = static_cast<int>(model_.textures.size()) - 1;
-    const int material = appendMaterial(chart.image, 1);
-    model_.materials.back().pbrMetallicRoughness.baseColorTexture.index = index;
-    model_.materials.back().emissiveTexture.index = index;
-    return material;
+    return static_cast<int>(model_.textures.size()) - 1;
   }
 
   void
@@ -236,7 +250,6 @@ private:
   const CompactMap& map_;
   int quality_;
   Eigen::Vector3d middle_;
-  int grey_ = -1;
   tinygltf::Model model_;
 };
 
@@ -246,10 +259,11 @@ void
 writeGlb(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces,
+         const TextureAtlas& atlas,
          int quality)
 {
   OutputFile file(path);
-  const std::string bytes = GlbModel(map, surfaces, quality).bytes(path);
+  const std::string bytes = GlbModel(map, surfaces, atlas, quality).bytes(path);
   file.write(bytes.data(), bytes.size());
   file.commit();
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "atlas/texture_atlas.h"
 #include "export/chart_surface.h"
 
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -13,23 +15,25 @@ constexpr const char* material_file_name = "map.mtl";
 Eigen::Matrix3d
 turnToYUp(const CompactMap& map);
 
-/** \brief Writes Wavefront OBJ, y up, with one group and one material per surface. The
- * origin of the texture coordinates is bottom left. The charts contain the names of
- * their images.
+/** \brief Writes Wavefront OBJ, y up, with one group and one material per page of the
+ * atlas. The origin of the texture coordinates is bottom left.
  * \throws OutputFileException */
 void
 writeObj(const std::string& path,
          const CompactMap& map,
-         const std::vector<ChartSurface>& surfaces);
+         const std::vector<ChartSurface>& surfaces,
+         const TextureAtlas& atlas);
 
-/** \brief Writes the material file for \ref writeObj. */
+/** \brief Writes the material file for \ref writeObj.
+ * \param[in] images file name of each page */
 void
 writeMtl(const std::string& path,
          const CompactMap& map,
-         const std::vector<ChartSurface>& surfaces);
+         const std::vector<std::string>& images);
 
-/** \brief Writes binary glTF 2.0, y up, with embedded images. Needs no extension: one
- * share of each colour is emitted, the rest is reflected.
+/** \brief Writes binary glTF 2.0, y up, with the pages as embedded images and one
+ * primitive per page. Needs no extension: one share of each colour is emitted, the rest
+ * is reflected.
  * \param[in] quality of the JPEG images, 1 to 100
  * \throws OutputFileException also when the file would be longer than 4 GiB or memory
  * runs out */
@@ -37,6 +41,7 @@ void
 writeGlb(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces,
+         const TextureAtlas& atlas,
          int quality);
 
 /** \brief Writes a PLY with a coloured vertex at the centre of each known texel, and
@@ -46,9 +51,5 @@ void
 writeVertexPly(const std::string& path,
                const CompactMap& map,
                const std::vector<ChartSurface>& surfaces);
-
-/** \brief The colours of a chart, with grey for unknown texels. */
-RgbImage
-withGrey(const TextureChart& chart);
 
 } // namespace pcl::acmap

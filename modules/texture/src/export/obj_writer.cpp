@@ -23,11 +23,9 @@ textOf(double value)
 }
 
 std::string
-materialOf(const ChartSurface& surface)
+materialOf(std::size_t page)
 {
-  return surface.chart == ChartSurface::no_chart
-             ? "untextured"
-             : "chart_" + std::to_string(surface.chart);
+  return "page_" + std::to_string(page);
 }
 
 /** Expresses the rotated coordinates by the original ones, such as "x, -y, -z". */
@@ -46,32 +44,28 @@ axesOf(const Eigen::Matrix3d& turn)
 /** Vertices, texture coordinates and faces of a surface; vertices and texture
  * coordinates have the same numbers. */
 std::string
-textOf(const ChartSurface& surface,
-       const CompactMap& map,
+textOf(const std::vector<ChartSurface>& surfaces,
+       std::size_t number,
+       const TextureAtlas& atlas,
        const Eigen::Matrix3d& turn,
        std::size_t first)
 {
-  std::string text = "g plane_" + std::to_string(surface.plane) + "_" +
-                     materialOf(surface) + "\nusemtl " + materialOf(surface) + "\n";
+  const ChartSurface& surface = surfaces[number];
+  std::string text = "# plane " + std::to_string(surface.plane) + "\n";
   for (const Eigen::Vector3d& point : surface.points) {
     const Eigen::Vector3d p = turn * point;
     text += "v " + textOf(p.x()) + " " + textOf(p.y()) + " " + textOf(p.z()) + "\n";
   }
-  double width = 1;
-  double height = 1;
-  if (surface.chart != ChartSurface::no_chart) {
-    width = map.charts[surface.chart].colors.width;
-    height = map.charts[surface.chart].colors.height;
+  for (const Eigen::Vector2d& place : surface.places) {
+    const Eigen::Vector2d at = atlas.coordinates(number, place);
+    text += "vt " + textOf(at.x()) + " " + textOf(1 - at.y()) + "\n";
   }
-  for (const Eigen::Vector2d& place : surface.places)
-    text +=
-        "vt " + textOf(place.x() / width) + " " + textOf(1 - place.y() / height) + "\n";
   for (const TriangleMesh::Triangle& triangle : surface.triangles) {
     text += "f";
     for (const std::int32_t corner : triangle) {
-      const std::string number =
+      const std::string index =
           std::to_string(first + static_cast<std::size_t>(corner));
-      text += " " + number + "/" + number;
+      text += " " + index + "/" + index;
     }
     text += "\n";
   }
@@ -98,7 +92,8 @@ turnToYUp(const CompactMap& map)
 void
 writeObj(const std::string& path,
          const CompactMap& map,
-         const std::vector<ChartSurface>& surfaces)
+         const std::vector<ChartSurface>& surfaces,
+         const TextureAtlas& atlas)
 {
   OutputFile file(path);
   const Eigen::Matrix3d turn = turnToYUp(map);
@@ -106,9 +101,14 @@ writeObj(const std::string& path,
         "# acmap: planes of a building; metres, y up: these are " + axesOf(turn) +
             " of the map's frame\nmtllib " + material_file_name + "\n");
   std::size_t first = 1;
-  for (const ChartSurface& surface : surfaces) {
-    write(file, textOf(surface, map, turn, first));
-    first += surface.points.size();
+  for (std::size_t page = 0; page < atlas.pages.size(); ++page) {
+    write(file, "g " + materialOf(page) + "\nusemtl " + materialOf(page) + "\n");
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (atlas.places[i].page != page)
+        continue;
+      write(file, textOf(surfaces, i, atlas, turn, first));
+      first += surfaces[i].points.size();
+    }
   }
   file.commit();
 }
@@ -116,24 +116,17 @@ writeObj(const std::string& path,
 void
 writeMtl(const std::string& path,
          const CompactMap& map,
-         const std::vector<ChartSurface>& surfaces)
+         const std::vector<std::string>& images)
 {
   OutputFile file(path);
-  write(file, "# acmap: images of the planes, which contain their light\n");
-  bool has_untextured = false;
-  for (const ChartSurface& surface : surfaces) {
-    if (surface.chart == ChartSurface::no_chart)
-      has_untextured = true;
-    else
-      write(file,
-            "newmtl " + materialOf(surface) +
-                "\nKa 0.3 0.3 0.3\nKd 0.7 0.7 0.7\nKs 0 0 0\nillum 1\nmap_Kd " +
-                map.charts[surface.chart].image + "\n");
-  }
-  if (has_untextured)
-    write(
-        file,
-        "newmtl untextured\nKa 0.15 0.15 0.15\nKd 0.35 0.35 0.35\nKs 0 0 0\nillum 1\n");
+  write(file,
+        "# acmap: images of the planes, which contain their light; exposure " +
+            textOf(map.exposure) + "\n");
+  for (std::size_t page = 0; page < images.size(); ++page)
+    write(file,
+          "newmtl " + materialOf(page) +
+              "\nKa 0.3 0.3 0.3\nKd 0.7 0.7 0.7\nKs 0 0 0\nillum 1\nmap_Kd " +
+              images[page] + "\n");
   file.commit();
 }
 

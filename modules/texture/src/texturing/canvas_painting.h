@@ -58,6 +58,11 @@ addPoints(const ColoredView& view,
 std::vector<double>
 exposureGains(const std::vector<Canvas>& canvases, std::size_t views);
 
+/** CompactMap::exposure for these charts: 95 % of the known texels get a luminance of at
+ * most 0.85, and at most 1 % of them are clipped; from 1 to 16. */
+double
+displayExposure(const std::vector<TextureChart>& charts);
+
 /** Colours the chart of a canvas. The samples of each texel are brought to a common
  * exposure; the colour is the mean of those that agree with the weighted median. So an
  * object that is visible in one view only leaves no trace where other views saw the

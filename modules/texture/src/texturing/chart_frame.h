@@ -20,7 +20,7 @@ gridOf(const PlanePatch& plane, std::size_t polygon, double texel_size);
 
 /** Charts of a polygon, without colours: several tiles if it has more texels than a
  * texture may have.
- * \param[in] most maximum number of texels per side */
+ * \param[in] maximum maximum number of texels per side */
 std::vector<TextureChart>
 chartsOf(const ChartGrid& grid,
          std::size_t plane_number,

@@ -3,6 +3,7 @@
 #include <Eigen/Sparse>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -52,7 +53,43 @@ addPairs(const std::array<Sample, Canvas::max_samples>& samples, Overlaps& overl
     }
 }
 
+/** The smallest level that at most a share of the counted texels exceed. */
+std::size_t
+levelAbove(const std::array<std::size_t, 256>& counts, double share)
+{
+  std::size_t all = 0;
+  for (const std::size_t count : counts)
+    all += count;
+  std::size_t brighter = 0, level = counts.size() - 1;
+  while (level > 0 && static_cast<double>(brighter + counts[level]) <=
+                          share * static_cast<double>(all))
+    brighter += counts[level--];
+  return level;
+}
+
 } // namespace
+
+double
+displayExposure(const std::vector<TextureChart>& charts)
+{
+  constexpr double bright_share = 0.05, bright_level = 0.85 * 255;
+  constexpr double clipped_share = 0.01, maximum = 16;
+  std::array<std::size_t, 256> luminances{}, maxima{};
+  for (const TextureChart& chart : charts)
+    for (std::size_t i = 0; i < chart.kinds.size(); ++i) {
+      if (chart.kinds[i] == TexelKind::None)
+        continue;
+      const std::uint8_t* const c = &chart.colors.values[3 * i];
+      // of Rec. 709, in units of 1/10000, so that it is exact
+      ++luminances[(2126U * c[0] + 7152U * c[1] + 722U * c[2]) / 10000U];
+      ++maxima[std::max({c[0], c[1], c[2]})];
+    }
+  const auto luminance = static_cast<double>(levelAbove(luminances, bright_share));
+  const auto limit = static_cast<double>(levelAbove(maxima, clipped_share));
+  const double exposure =
+      std::min(bright_level / std::max(luminance, 1.0), 255 / std::max(limit, 1.0));
+  return std::clamp(exposure, 1.0, maximum);
+}
 
 std::vector<double>
 exposureGains(const std::vector<Canvas>& canvases, std::size_t views)

@@ -1,4 +1,5 @@
 #include "texturing/canvas_painting.h"
+#include "texturing/intensity_greys.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/texture/impl/texturing_kernel.h>
@@ -14,6 +15,7 @@ struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
   TexturingSettings settings;
   std::vector<Canvas> canvases;
+  IntensityGreys greys;
   std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
   std::size_t invalid_points = 0, colored_points = 0, far_points = 0, left_out = 0;
 };
@@ -58,6 +60,11 @@ TextureBuilder::add(const ColoredView& given)
   for (std::size_t i = 0; i < view.points.size(); ++i)
     finite += view.points[i].allFinite() ? 1 : 0;
   state.invalid_points += view.points.size() - finite;
+  std::vector<std::uint32_t> greys;
+  if (!view.colors && view.intensities) {
+    greys = state.greys.packed(view.intensities, view.points.size());
+    view.colors = {greys.data(), sizeof(std::uint32_t)};
+  }
   if (!view.colors && view.points.size() > 0) {
     ++state.colorless;
     return;
@@ -190,6 +197,7 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
     });
     for (std::size_t c = 0; c < map.charts.size(); ++c)
       count(state.canvases[c], map.charts[c], report);
+    map.exposure = displayExposure(map.charts);
     timer.finish("blending");
     remark(state.left_out, report);
     progress.tell(1.0, "done");

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,17 @@ struct TextureChart {
   Eigen::Vector3d texel_v = Eigen::Vector3d::Zero(); ///< step of one row, metres
   RgbImage colors;
   std::vector<TexelKind> kinds; ///< one per texel, rows from the top
-  /** \brief Name of its file beside the map; empty if there is none. */
+
+  /** \brief Name of the file beside the map with its colours; empty if there is none. */
   std::string image;
+  /** \brief Column and row in this file of its first texel; nothing if the file has no
+   * other texels. */
+  std::optional<Eigen::Vector2i> image_place;
+  /** \brief How often width and height are halved in this file, rounded up. */
+  std::int32_t halvings = 0;
   /** \brief Name of the file of the kinds; empty if all are Seen. */
   std::string kinds_image;
+  std::optional<Eigen::Vector2i> kinds_place; ///< as image_place; never halved
 };
 
 /** \brief A map of textured planes that replaces a point cloud. \ingroup core */
@@ -52,6 +60,10 @@ struct CompactMap {
    * unknown. An observation is given by the index of its pose. */
   std::vector<std::vector<std::int32_t>> observations;
   Trajectory trajectory; ///< T_map_camera of the observations; may be empty
+
+  /** \brief Factor of the colours in files and pictures of the map, so that these are
+   * neither dark nor overexposed; the colours of the charts are those of the input. */
+  double exposure = 1;
 };
 
 } // namespace pcl

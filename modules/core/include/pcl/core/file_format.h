@@ -15,7 +15,7 @@ class YamlNode;
  * without it, the file has format 1. \ingroup core */
 namespace file_formats {
 
-inline constexpr std::size_t map = 1;     ///< map.json, PLANES.json
+inline constexpr std::size_t map = 2;     ///< map.json, PLANES.json
 inline constexpr std::size_t rig = 1;     ///< rig.yaml, rectified or calibrated
 inline constexpr std::size_t scene = 1;   ///< of pcl_simulated_rig
 inline constexpr std::size_t session = 1; ///< session.yaml, with the key version

@@ -10,8 +10,8 @@
 
 namespace pcl::acmap {
 
-/** \brief A folder whose result files appear together. Files are written into a
- * HiddenFolder, which is inside of the folder or, if the folder is new, beside it;
+/** \brief A folder whose result files appear together, also those in folders of it that
+ * the caller creates at \ref path. Files are written into a HiddenFolder, which is inside of the folder or, if the folder is new, beside it;
  * \ref commit renames them to their final paths. If the process fails before, the
  * folder is unchanged. The leftovers of a killed process are removed by the next
  * process that writes to this folder. \ingroup core */

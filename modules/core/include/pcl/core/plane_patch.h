@@ -8,12 +8,30 @@
 
 namespace pcl {
 
+/** \brief What is beyond an edge of a polygon. \ingroup core */
+enum class EdgeKind : std::uint8_t {
+  Open,    ///< not told: the sensors are unknown
+  Crease,  ///< another plane begins, and its polygon has the same edge
+  Contact, ///< the plane ends on another one that continues on both sides
+  Rim,     ///< nothing: sensors looked past it (an occluding edge)
+  Frontier ///< not seen
+};
+
+/** \brief An edge of a polygon. \ingroup core */
+struct PolygonEdge {
+  EdgeKind kind = EdgeKind::Open;
+  std::int32_t neighbour = -1; ///< plane of a crease or contact; otherwise -1
+};
+
 /** \brief A polygon in space, metres. Its outer boundary is counter-clockwise and its
  * holes are clockwise, as seen from the side to which the normal of the plane points.
  * \ingroup core */
 struct PlanePolygon {
   std::vector<Eigen::Vector3f> outer;
   std::vector<std::vector<Eigen::Vector3f>> holes;
+  /** \brief One for each point, of the outer boundary first, then of each hole: that to
+   * the next point. Empty if the polygon has no known neighbours. */
+  std::vector<PolygonEdge> edges{};
 };
 
 /** \brief A plane of a building with its attributes. \ingroup core */

@@ -21,6 +21,10 @@ struct PlaneClusteringReport : Report {
   std::size_t refuted_regions = 0; ///< not confirmed by the source
   std::size_t merged = 0;          ///< regions that were merged into another plane
 
+  /** \brief Number of boundaries that kept the corners of the evidence, because their
+   * straightened edges would cross. */
+  std::size_t contour_outlines = 0;
+
   std::size_t regular_planes = 0; ///< made parallel or perpendicular to larger
   double largest_turn = 0;        ///< radians; maximum rotation of these
 
@@ -46,6 +50,7 @@ visitFields(const PlaneClusteringReport& report, Visitor&& visit)
   visit("points_on_curved", report.points_on_curved);
   visit("refuted_regions", report.refuted_regions);
   visit("merged", report.merged);
+  visit("contour_outlines", report.contour_outlines);
   visit("regular_planes", report.regular_planes);
   visit("largest_turn", report.largest_turn);
   visit("spacing", report.spacing);

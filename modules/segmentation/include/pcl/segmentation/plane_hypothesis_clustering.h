@@ -252,12 +252,17 @@ private:
   std::vector<Eigen::Vector3f>
   gatherNormals() const;
 
+  /** The sensors of the points, which have the observations of the source. */
+  acmap::SensorView
+  pointSensors(const std::int32_t* chosen) const;
+
   PointCloud<Normal>::ConstPtr normals_;
   PointCloud<Label>::ConstPtr classes_;
   std::vector<TriangleMesh::Triangle> triangles_;
   shared_ptr<const void> source_;
   acmap::PointView source_points_;
   acmap::SensorView source_sensors_;
+  std::vector<Eigen::Vector3f> viewpoints_; ///< of the source
   bool noise_driven_ = true;
   double member_distance_ = 0.8;
   double normal_angle_ = 0.39269908169872414;
@@ -284,6 +289,9 @@ PlaneHypothesisClustering<PointT>::setSourceCloud(
                : acmap::PointView(&cloud->front().x, sizeof(SourceT), cloud->size());
   source_sensors_ =
       is_empty ? acmap::SensorView() : acmap::sensorsOf(*cloud, viewpoints);
+  viewpoints_ = is_empty ? std::vector<Eigen::Vector3f>() : viewpoints;
+  if (!is_empty && !acmap::has_view<SourceT>)
+    viewpoints_ = {cloud->sensor_origin_.template head<3>()};
 }
 
 } // namespace pcl

@@ -134,8 +134,8 @@ public:
 
   /** \brief Adds an axis-aligned box, as rectangles whose normals point outwards. Each
    * face has a plane of its own, "<name> top" and so on.
-   * \param[in] least corner with the minimum coordinates
-   * \param[in] most opposite corner
+   * \param[in] minimum corner with the minimum coordinates
+   * \param[in] maximum opposite corner
    * \throws BadArgumentException as \ref addRectangle */
   void
   addBox(const std::string& name,

@@ -32,6 +32,9 @@ struct TexturingSettings;
  * borders over a few texels; the remaining texels stay unknown (\ref TexelKind).
  * \ref setPaperMode leaves only the points.
  *
+ * Clouds without colour are painted with their field `intensity` as grey, if they have
+ * one; the first of them decides the scale.
+ *
  * Lengths are in metres, in the frame of the planes; colours are as in the clouds. The
  * time is O(n p + t v) for n points, p planes near a view, t texels and v views that
  * see them. The output is byte-identical for every number of threads.
@@ -137,9 +140,9 @@ public:
     return maximum_distance_;
   }
 
-  /** \brief Sets the maximum width and height of a chart in texels (default 4096);
-   * larger polygons get several charts. \throws BadArgumentException unless within
-   * [16, 65500] */
+  /** \brief Sets the maximum width and height of a chart in texels (default 4088, which
+   * fits into a page of a saved map); larger polygons get several charts.
+   * \throws BadArgumentException unless within [16, 65500] */
   void
   setMaximumTextureSize(int texels);
 
@@ -206,7 +209,7 @@ private:
   bool paper_mode_ = false;
   double texel_size_ = 0.02;
   double maximum_distance_ = 0.3;
-  int maximum_texture_size_ = 4096;
+  int maximum_texture_size_ = 4088;
   int fill_distance_ = 5;
   bool correct_exposure_ = true;
 };

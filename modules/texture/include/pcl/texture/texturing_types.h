@@ -20,7 +20,7 @@ struct TexturingReport : Report {
          ///< them
   std::size_t splatted = 0;       ///< of these, others; each point colours the texel it
                                   ///< falls into
-  std::size_t colorless = 0;      ///< of these, without colour; they are ignored
+  std::size_t colorless = 0;      ///< of these, without colour and intensity; ignored
   std::size_t invalid_points = 0; ///< points of all observations that are not finite
   std::size_t colored_points = 0; ///< with a plane within the maximum distance
   std::size_t far_points = 0;     ///< finite, but without such a plane

@@ -39,7 +39,7 @@ takeThread(Arena& arena)
   return false;
 }
 
-/** \brief Runs work () in this thread and in up to \a most - 1 others, and waits for
+/** \brief Runs work () in this thread and in up to \a maximum - 1 others, and waits for
  * all; rethrows the first exception. */
 template <typename Work>
 void

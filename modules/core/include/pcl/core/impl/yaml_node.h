@@ -49,8 +49,8 @@ public:
   void
   requireKeys(const std::vector<std::string>& known) const;
 
-  /** \param[in] least minimum length
-   * \param[in] most maximum length
+  /** \param[in] minimum minimum length
+   * \param[in] maximum maximum length
    * \throws InputFileException when this is not a list of such a length */
   const std::vector<YamlNode>&
   list(std::size_t minimum, std::size_t maximum) const;

@@ -41,7 +41,8 @@ struct LogPolarPatches {
 struct PatchMatch {
   std::int32_t source = 0, target = 0; ///< indices of the keypoints in the input
   float score = 0;                     ///< Pearson coefficient
-  float ambiguity = 0; ///< 1.003 - score, divided by 1.003 - second best of either
+  float ambiguity = 0; ///< 1.003 - score, divided by 1.003 - second best of either; a
+                       ///< second best that is too low to matter is not told apart
 };
 
 /** \brief Conditions for pairs that may be matched; all of them must be satisfied. */
@@ -63,8 +64,8 @@ logPolarPatches(const GreyImage& image,
                 const std::vector<std::int32_t>& pixels,
                 const LogPolarSettings& settings);
 
-/** \brief Matches patches and orders the matches by source; computes one matrix product
- * per shift.
+/** \brief Matches patches and orders the matches by source. All pairs are compared under
+ * all shifts; a bound from above spares most of them the sum over all samples.
  * \param[in] source_points, target_points metres, one for each keypoint in the input of
  * \ref logPolarPatches */
 ACMAP_EXPORT std::vector<PatchMatch>

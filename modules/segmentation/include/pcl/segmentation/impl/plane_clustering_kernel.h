@@ -35,6 +35,7 @@ struct PlaneHypotheses {
   std::vector<std::uint8_t> is_crease;  ///< no seed if noise-driven; may be empty
   std::vector<float> curvatures; ///< seed order: ascending, NaN last; may be empty
   std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
+  SensorView sensors; ///< of the points; unknown: nothing was looked through
 };
 
 /** \brief Keeps only the chosen hypotheses and the triangles between them.

@@ -111,6 +111,20 @@ PlaneHypothesisClustering<PointT>::setSourceCloud(
   source_sensors_ = cloud && !viewpoints.empty()
                         ? acmap::sensorsOf(*cloud, viewpoints, viewpoints.front())
                         : acmap::SensorView();
+  viewpoints_ = cloud ? viewpoints : std::vector<Eigen::Vector3f>();
+}
+
+template <typename PointT>
+acmap::SensorView
+PlaneHypothesisClustering<PointT>::pointSensors(const std::int32_t* chosen) const
+{
+  if (viewpoints_.size() == 1)
+    return acmap::SensorView(viewpoints_.front());
+  if constexpr (acmap::has_view<PointT>)
+    if (!input_->empty() && !viewpoints_.empty())
+      return acmap::SensorView(
+          &input_->front().view, sizeof(PointT), viewpoints_, chosen);
+  return {};
 }
 
 template <typename PointT>
@@ -160,6 +174,7 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
     hypotheses.points =
         acmap::PointView(first, sizeof(PointT), chosen.size(), chosen.data());
   }
+  hypotheses.sensors = pointSensors(are_all ? nullptr : chosen.data());
   this->deinitCompute();
 
   acmap::PlaneClusteringSettings settings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/PCLPointField.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/core/trajectory.h>
@@ -33,6 +34,10 @@ viewOfCloud(const PointCloud<PointT>& cloud, const Eigen::Isometry3d& T_map_came
   view.points = PointView(
       cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
   view.colors = colorsOf(cloud);
+  if constexpr (traits::has_field<PointT, fields::intensity>::value)
+    if (!cloud.empty())
+      view.intensities = {
+          &cloud.front().intensity, sizeof(PointT), PCLPointField::FLOAT32};
   view.width = cloud.height > 1 ? static_cast<int>(cloud.width) : 0;
   view.has_eye = cloud.height > 1;
   view.T_map_camera = T_map_camera;

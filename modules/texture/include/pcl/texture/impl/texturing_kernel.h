@@ -15,18 +15,32 @@ namespace pcl::acmap {
 struct TexturingSettings {
   double texel_size = 0.02;
   double maximum_distance = 0.3;   ///< from a point to the plane it colours
-  int maximum_texture_size = 4096; ///< texels per side; larger polygons are tiled
+  int maximum_texture_size = 4088; ///< texels per side; larger polygons are tiled
   int fill_distance = 5;           ///< texels; how far holes are filled
   bool correct_exposure = true;
   bool paper = false;   ///< each point colours its closest plane, and nothing else does
   unsigned threads = 0; ///< 0: all
 };
 
+/** \brief Intensities of the points of a cloud, of any numeric type of
+ * PCLPointField. */
+struct IntensityView {
+  const void* first = nullptr; ///< the value of the first point
+  std::size_t stride = 0;      ///< bytes
+  std::uint8_t datatype = 0;   ///< of PCLPointField
+
+  explicit operator bool() const
+  {
+    return first != nullptr;
+  }
+};
+
 /** \brief Coloured points that were observed from one pose. */
 struct ColoredView {
-  PointView points; ///< camera frame, metres; NaN where nothing was measured
-  ColorView colors; ///< valid at every pixel; empty if there are none
-  int width = 0;    ///< pixels, of an organized cloud in row-major order; else 0
+  PointView points;          ///< camera frame, metres; NaN where nothing was measured
+  ColorView colors;          ///< valid at every pixel; empty if there are none
+  IntensityView intensities; ///< taken as grey if there are no colours
+  int width = 0; ///< pixels, of an organized cloud in row-major order; else 0
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
 
   /** \brief Were the points observed from the origin of their frame? If so, planes that

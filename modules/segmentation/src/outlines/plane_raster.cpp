@@ -1,0 +1,285 @@
+#include "outlines/plane_raster.h"
+
+#include <pcl/core/impl/parallel.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::outlines {
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+/** Boxes around the points of each plane. */
+std::vector<Box>
+boxesOf(const KnownPlanes& known)
+{
+  std::vector<Box> boxes(known.planes.size());
+  for (std::size_t i = 0; i < known.labels.size(); ++i)
+    if (known.labels[i] >= 0)
+      boxes[static_cast<std::size_t>(known.labels[i])].extend(
+          known.points[i].cast<double>());
+  return boxes;
+}
+
+/** The direction in a plane along which most of its neighbours cross it, weighted by
+ * their areas; directions at right angles count as one. */
+Eigen::Vector3d
+mainDirection(std::size_t own,
+              const std::vector<KnownPlane>& planes,
+              const std::vector<Box>& boxes,
+              double reach)
+{
+  constexpr double min_sine = 0.17;
+  const PlanePatch& patch = planes[own].patch;
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  Box around = boxes[own];
+  around.min().array() -= reach;
+  around.max().array() += reach;
+  std::array<double, 90> weights{}; // by degree
+  std::array<Eigen::Vector2d, 90> sums;
+  sums.fill(Eigen::Vector2d::Zero());
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const Eigen::Vector3d along = normal.cross(planes[p].patch.coefficients.head<3>());
+    if (p == own || along.norm() < min_sine || !around.intersects(boxes[p]))
+      continue;
+    const double angle = std::atan2(along.dot(patch.axis_v), along.dot(patch.axis_u));
+    const double turns = angle / (M_PI / 2);
+    const double share = turns - std::floor(turns);
+    const auto degree = std::min<std::size_t>(static_cast<std::size_t>(90 * share), 89);
+    const double weight = std::max(planes[p].patch.area, 1e-6) * along.norm();
+    weights[degree] += weight;
+    sums[degree] += weight * Eigen::Vector2d(std::cos(4 * angle), std::sin(4 * angle));
+  }
+  std::size_t best = 0;
+  double best_weight = 0;
+  const auto smoothed = [&](std::size_t k) {
+    return weights[(k + 89) % 90] + weights[k] + weights[(k + 1) % 90];
+  };
+  for (std::size_t k = 0; k < 90; ++k)
+    if (smoothed(k) > best_weight) {
+      best = k;
+      best_weight = smoothed(k);
+    }
+  if (best_weight == 0)
+    return patch.axis_u;
+  const Eigen::Vector2d sum =
+      sums[(best + 89) % 90] + sums[best] + sums[(best + 1) % 90];
+  const double angle = std::atan2(sum.y(), sum.x()) / 4;
+  return std::cos(angle) * patch.axis_u + std::sin(angle) * patch.axis_v;
+}
+
+/** Adds the cells whose centres are in a triangle. */
+void
+fillTriangle(const std::array<Eigen::Vector2d, 3>& corners, CellSet& cells)
+{
+  const auto [low, high] =
+      std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
+  const bool is_left_turn = cross(Eigen::Vector2d(corners[1] - corners[0]),
+                                  Eigen::Vector2d(corners[2] - corners[0])) > 0;
+  // each side bounds the rows from the left or from the right
+  struct Bound {
+    double x = 0, slope = 0;
+    bool is_left = false, is_used = false;
+  };
+  std::array<Bound, 3> bounds;
+  const int first = static_cast<int>(std::ceil(low - 0.5));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d &a = corners[k], &b = corners[(k + 1) % 3];
+    if (a.y() == b.y())
+      continue;
+    const double slope = (b.x() - a.x()) / (b.y() - a.y());
+    bounds[k] = {a.x() + (first + 0.5 - a.y()) * slope,
+                 slope,
+                 (b.y() < a.y()) == is_left_turn,
+                 true};
+  }
+  for (int y = first; y + 0.5 <= high; ++y) {
+    double from = -std::numeric_limits<double>::infinity(), to = -from;
+    for (Bound& bound : bounds) {
+      if (!bound.is_used)
+        continue;
+      if (bound.is_left)
+        from = std::max(from, bound.x);
+      else
+        to = std::min(to, bound.x);
+      bound.x += bound.slope;
+    }
+    if (from <= to)
+      cells.addRun(y,
+                   static_cast<int>(std::ceil(from - 0.5)),
+                   static_cast<int>(std::floor(to - 0.5)) + 1);
+  }
+}
+
+bool
+isAtRim(const CellSet& seen, const Eigen::Vector2d& place)
+{
+  constexpr int reach = 3;
+  const int x = static_cast<int>(std::floor(place.x()));
+  const int y = static_cast<int>(std::floor(place.y()));
+  return !(seen.has(x - reach, y) && seen.has(x + reach, y) && seen.has(x, y - reach) &&
+           seen.has(x, y + reach));
+}
+
+} // namespace
+
+void
+fillLoops(const std::vector<Loop>& loops, CellSet& cells)
+{
+  std::vector<double> crossings;
+  for (int y = 0; y < cells.height(); ++y) {
+    crossings.clear();
+    for (const Loop& loop : loops)
+      for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+        const Eigen::Vector2d &a = loop[i], &b = loop[j];
+        if ((a.y() > y + 0.5) != (b.y() > y + 0.5))
+          crossings.push_back(a.x() +
+                              (b.x() - a.x()) * (y + 0.5 - a.y()) / (b.y() - a.y()));
+      }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+      cells.addRun(y,
+                   static_cast<int>(std::ceil(crossings[k] - 0.5)),
+                   static_cast<int>(std::ceil(crossings[k + 1] - 0.5)));
+  }
+}
+
+std::vector<PlaneRaster>
+rastersOf(const KnownPlanes& known)
+{
+  constexpr double margin = 16; // cells; more than any search goes beyond the surface
+  constexpr double max_cells = 1 << 28;
+  const std::vector<Box> boxes = boxesOf(known);
+  std::vector<PlaneRaster> rasters(known.planes.size());
+  for (std::size_t p = 0; p < rasters.size(); ++p) {
+    PlaneRaster& raster = rasters[p];
+    const PlanePatch& patch = known.planes[p].patch;
+    raster.normal = patch.coefficients.head<3>();
+    raster.offset = patch.coefficients[3];
+    raster.cell = known.spacing / 2;
+    raster.axis_u = mainDirection(p, known.planes, boxes, 4 * known.spacing);
+    raster.axis_u =
+        (raster.axis_u - raster.axis_u.dot(raster.normal) * raster.normal).normalized();
+    raster.axis_v = raster.normal.cross(raster.axis_u);
+    raster.origin = patch.center;
+  }
+  std::vector<Eigen::AlignedBox2d> extents(rasters.size());
+  for (std::size_t i = 0; i < known.labels.size(); ++i)
+    if (known.labels[i] >= 0) {
+      const auto p = static_cast<std::size_t>(known.labels[i]);
+      extents[p].extend(rasters[p].placeOf(known.points[i].cast<double>()));
+    }
+  for (std::size_t p = 0; p < rasters.size(); ++p) {
+    if (extents[p].isEmpty())
+      continue;
+    const Eigen::Vector2d size = extents[p].sizes().array() + 2 * margin + 1;
+    const Eigen::Vector2d corner = extents[p].min().array() - margin;
+    if (!(size.x() * size.y() <= max_cells))
+      continue;
+    rasters[p].origin = rasters[p].pointAt(corner);
+    rasters[p].seen = CellSet(static_cast<int>(size.x()), static_cast<int>(size.y()));
+    rasters[p].free = rasters[p].barrier = rasters[p].seen;
+  }
+  return rasters;
+}
+
+void
+addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
+         const KnownPlanes& known,
+         std::vector<PlaneRaster>& rasters)
+{
+  const double max_off = known.spacing / 2;
+  std::vector<Eigen::Vector2d> places(
+      known.labels.size()); // in the raster of the plane
+  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (known.labels[i] >= 0)
+        places[i] = rasters[static_cast<std::size_t>(known.labels[i])].placeOf(
+            known.points[i].cast<double>());
+  });
+  for (const TriangleMesh::Triangle& t : triangles) {
+    std::int32_t plane = -1, strangers = 0;
+    bool is_one = true;
+    for (const std::int32_t corner : t) {
+      const std::int32_t label = known.labels[static_cast<std::size_t>(corner)];
+      strangers += label < 0 ? 1 : 0;
+      is_one &= label < 0 || plane < 0 || label == plane;
+      plane = std::max(plane, label);
+    }
+    if (!is_one || strangers > 1)
+      continue;
+    PlaneRaster& raster = rasters[static_cast<std::size_t>(plane)];
+    std::array<Eigen::Vector2d, 3> corners;
+    bool is_near = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = static_cast<std::size_t>(t[k]);
+      corners[k] = places[corner];
+      if (known.labels[corner] >= 0)
+        continue;
+      const Eigen::Vector3d point = known.points[corner].cast<double>();
+      is_near = std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
+      corners[k] = raster.placeOf(point);
+    }
+    if (!is_near)
+      continue;
+    fillTriangle(corners, raster.seen);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (known.labels[static_cast<std::size_t>(t[k])] < 0)
+        raster.rim_points.push_back(corners[k]);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (known.labels[i] >= 0) {
+      PlaneRaster& raster = rasters[static_cast<std::size_t>(known.labels[i])];
+      if (isAtRim(raster.seen, places[i]))
+        raster.rim_points.push_back(places[i]);
+    }
+}
+
+void
+addFreeRays(const KnownPlanes& known,
+            const SensorView& sensors,
+            std::vector<PlaneRaster>& rasters)
+{
+  if (!sensors.isKnown())
+    return;
+  constexpr double max_tests = 2e8; // above, a part of the rays is evidence enough
+  const double behind = 2 * known.spacing;
+  const double tests =
+      static_cast<double>(known.points.size()) * static_cast<double>(rasters.size());
+  const auto step =
+      static_cast<std::size_t>(std::ceil(std::max(tests / max_tests, 1.0)));
+  oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
+    PlaneRaster& raster = rasters[p];
+    if (raster.seen.width() == 0)
+      return;
+    const Eigen::Vector3f normal = raster.normal.cast<float>();
+    const auto offset = static_cast<float>(raster.offset);
+    const auto limit = static_cast<float>(-behind);
+    for (std::size_t i = 0; i < known.points.size(); i += step) {
+      const Eigen::Vector3f point = known.points[i];
+      if (!(normal.dot(point) + offset < limit))
+        continue;
+      const Eigen::Vector3f* const sensor = sensors[i];
+      if (!sensor || !(normal.dot(*sensor) + offset > 0))
+        continue;
+      const Eigen::Vector3d from = sensor->cast<double>(), to = point.cast<double>();
+      const double front = raster.normal.dot(from) + raster.offset;
+      const double back = raster.normal.dot(to) + raster.offset;
+      if (!(front > 0 && back < 0))
+        continue;
+      const Eigen::Vector2d place =
+          raster.placeOf(from + front / (front - back) * (to - from));
+      const auto size = Eigen::Vector2d(raster.free.width(), raster.free.height());
+      if ((place.array() >= 0).all() && (place.array() < size.array()).all())
+        raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
+    }
+  });
+}
+
+} // namespace pcl::acmap::outlines
