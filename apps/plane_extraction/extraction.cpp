@@ -57,11 +57,11 @@ costCheck(const RunControls& controls)
     if (bytes > 0)
       requireMemory(bytes, work);
     if (seconds > long_time && controls.warn_at_once)
-      controls.warn_at_once(
-          "the paper's clustering compares each hypothesis with all points within 0.8 m "
-          "of it: that may take about " +
-          std::to_string(std::lround(seconds / 60)) +
-          " min; without --paper it takes seconds");
+      controls.warn_at_once("the paper's clustering compares each hypothesis with all "
+                            "points within 0.8 m "
+                            "of it: that may take about " +
+                            std::to_string(std::lround(seconds / 60)) +
+                            " min; without --paper it takes seconds");
   };
 }
 
