@@ -11,7 +11,9 @@
 #include <pcl/core/map_file.h>
 #include <pcl/simulation/standard_scenes.h>
 
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 
 #include <sys/resource.h>
@@ -154,6 +156,17 @@ printRow(const std::string& scene,
       .print();
 }
 
+void
+printUnsolved(const std::string& scene, double seconds)
+{
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  MarkdownRow row;
+  row.text(scene).text("PolyFit").text("no").number(seconds, 2);
+  for (int column = 0; column < 5; ++column)
+    row.number(nothing, 0);
+  row.print();
+}
+
 } // namespace
 
 void
@@ -188,12 +201,7 @@ printPolyfitOutlines(const std::vector<std::string>& names,
                scenes[i],
                truths[i]);
     else
-      MarkdownRow()
-          .text(names[i])
-          .text("PolyFit")
-          .text("no")
-          .number(runs[i].seconds, 2)
-          .print();
+      printUnsolved(names[i], runs[i].seconds);
     const JudgedMap map =
         makeJudgedMap(names[i], options, [&] { return observeScene(scenes[i]); });
     printRow(names[i], "acmap", map.seconds, map.planes, scenes[i], truths[i]);
