@@ -191,13 +191,11 @@ writeLines(const Write& write,
     write((i ? ",\n" : "\n") + line(i).dump());
 }
 
-/** Writes a list under a key, unless it is empty. */
+/** Writes a list under a key. */
 template <typename Item>
 void
 writeList(const Write& write, const char* key, const std::vector<Item>& items)
 {
-  if (items.empty())
-    return;
   write("\n],\"" + std::string(key) + "\":[");
   writeLines(write, items.size(), [&](std::size_t i) { return jsonOf(items[i]); });
 }
@@ -261,8 +259,10 @@ acmap::writeMap(const CompactMap& map, const Write& write)
     return plane;
   });
   writeTopology(write, map.planes);
-  writeList(write, "rooms", map.rooms);
-  writeList(write, "openings", map.openings);
+  if (!map.rooms.empty() || !map.openings.empty()) {
+    writeList(write, "rooms", map.rooms);
+    writeList(write, "openings", map.openings);
+  }
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
     writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {

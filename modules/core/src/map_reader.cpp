@@ -314,24 +314,14 @@ openingOf(const JsonCursor& json, std::size_t planes, std::size_t rooms)
   return opening;
 }
 
-/** Reads the graph of rooms; either list may be missing. */
 void
 readRooms(const JsonCursor& file, CompactMap& map)
 {
-  const auto sizeOf = [&](const char* key) {
-    return file.has(key) ? file.at(key).size() : 0;
-  };
-  const std::size_t rooms = sizeOf("rooms"), openings = sizeOf("openings");
-  if (rooms > 0) {
-    const JsonCursor list = file.at("rooms");
-    for (std::size_t i = 0; i < rooms; ++i)
-      map.rooms.push_back(roomOf(list[i], map.planes.size(), openings));
-  }
-  if (openings > 0) {
-    const JsonCursor list = file.at("openings");
-    for (std::size_t i = 0; i < openings; ++i)
-      map.openings.push_back(openingOf(list[i], map.planes.size(), rooms));
-  }
+  const JsonCursor rooms = file.at("rooms"), openings = file.at("openings");
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    map.rooms.push_back(roomOf(rooms[i], map.planes.size(), openings.size()));
+  for (std::size_t i = 0; i < openings.size(); ++i)
+    map.openings.push_back(openingOf(openings[i], map.planes.size(), rooms.size()));
 }
 
 void
@@ -386,7 +376,8 @@ acmap::readMap(const std::string& name, ByteSource& source)
   }
   if (file.has("edges") && file.has("vertices"))
     readEdges(file, map.planes);
-  readRooms(file, map);
+  if (file.has("rooms") && file.has("openings"))
+    readRooms(file, map);
   return map;
 }
 
