@@ -5,6 +5,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
+#include <pcl/texture/floor_plan.h>
 
 #include <CLI/CLI.hpp>
 
@@ -79,6 +80,7 @@ run(const Options& options, const RunControls& controls, StageLog& log)
     throw NothingFound(options.planes + ": holds no plane");
   timer.finish("read");
   pcl::CompactMap map = paint(options, planes, controls, log);
+  pcl::setRooms(pcl::makeFloorPlan(map), map);
   timer.finish("paint");
   stopIfInterrupted();
   for (const std::string& name :

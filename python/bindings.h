@@ -20,6 +20,9 @@ void
 bindConsolidation(pybind11::module_& module);
 
 void
+bindMapGraph(pybind11::module_& module);
+
+void
 bindMesh(pybind11::module_& module);
 
 void

@@ -4,6 +4,7 @@
 #include "members.h"
 #include "poses.h"
 
+#include <pcl/core/map_topology.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include <pybind11/stl.h>
@@ -71,6 +72,25 @@ bindCompactMap(py::module_& module)
                 return reported.map.charts;
               }),
           "list of TextureChart: the textures of the planes")
+      .def_property_readonly(
+          "topology",
+          [](const ReportedMap& reported) { return topologyOf(reported.map.planes); },
+          "MapTopology: vertices, edges and faces of the polygons; found anew each "
+          "time")
+      .def_property_readonly(
+          "rooms",
+          memberList<ReportedMap, MapRoom>(
+              [](const ReportedMap& reported) -> const std::vector<MapRoom>& {
+                return reported.map.rooms;
+              }),
+          "list of MapRoom, by falling area")
+      .def_property_readonly(
+          "openings",
+          memberList<ReportedMap, MapOpening>(
+              [](const ReportedMap& reported) -> const std::vector<MapOpening>& {
+                return reported.map.openings;
+              }),
+          "list of MapOpening: doors and windows between the rooms")
       .def_property_readonly(
           "observations",
           [](const ReportedMap& reported) { return reported.map.observations; },

@@ -14,6 +14,7 @@ PYBIND11_MODULE(acmap, module)
   bindPlanes(module);
   bindRectification(module);
   bindTextureCharts(module);
+  bindMapGraph(module);
   bindCompactMap(module);
   bindCompactMapping(module);
   bindFiles(module);

@@ -243,9 +243,11 @@ makeMap(const ChainOptions& options,
   stopIfInterrupted();
   StepTimer timer(log.report);
 
+  const FloorPlan plan = makeFloorPlan(mapped.map);
+  setRooms(plan, mapped.map);
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
   fs::create_directories(folder.path(pictureName("")));
-  saveFloorPlan(folder.path("plan.svg"), makeFloorPlan(mapped.map));
+  saveFloorPlan(folder.path("plan.svg"), plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   if (sequence.is_rectified)
     takeAlong(chain, folder);

@@ -82,6 +82,34 @@ TEST_F(MapFile, EverythingComesBack)
   }
 }
 
+TEST_F(MapFile, RoomsComeBack)
+{
+  CompactMap map = makeSampleMap();
+  const CompactMap back = reloaded(map);
+  ASSERT_EQ(back.rooms.size(), map.rooms.size());
+  for (std::size_t i = 0; i < map.rooms.size(); ++i) {
+    EXPECT_EQ(back.rooms[i].center, map.rooms[i].center);
+    EXPECT_EQ(back.rooms[i].area, map.rooms[i].area);
+    EXPECT_EQ(back.rooms[i].seen_area, map.rooms[i].seen_area);
+    EXPECT_EQ(back.rooms[i].planes, map.rooms[i].planes);
+    EXPECT_EQ(back.rooms[i].openings, map.rooms[i].openings);
+  }
+  ASSERT_EQ(back.openings.size(), map.openings.size());
+  for (std::size_t i = 0; i < map.openings.size(); ++i) {
+    EXPECT_EQ(back.openings[i].from, map.openings[i].from);
+    EXPECT_EQ(back.openings[i].to, map.openings[i].to);
+    EXPECT_EQ(back.openings[i].bottom, map.openings[i].bottom);
+    EXPECT_EQ(back.openings[i].kind, map.openings[i].kind);
+    EXPECT_EQ(back.openings[i].planes, map.openings[i].planes);
+    EXPECT_EQ(back.openings[i].rooms, map.openings[i].rooms);
+  }
+  EXPECT_EQ(back.openings[0].top, map.openings[0].top);
+  EXPECT_TRUE(std::isnan(back.openings[1].top));
+  map.openings.clear();
+  map.rooms[0].openings.clear();
+  EXPECT_EQ(reloaded(map).rooms.size(), map.rooms.size());
+}
+
 TEST_F(MapFile, FloatsComeBackToTheBit)
 {
   CompactMap map = makeSampleMap();
@@ -183,6 +211,24 @@ TEST_F(MapFile, FaultsAreNamed)
             "charts[1] brings the map to 268435460"},
            {"/planes/0/charts/0/width", 0, "charts[0].width is outside"},
            {"/planes/0/charts/0/height", 200000000, "at most"},
+           {"/rooms", 1, "rooms is no array"},
+           {"/rooms/0", 1, "rooms[0] is no object"},
+           {"/rooms/0/center/1", nullptr, "rooms[0].center[1] is no number"},
+           {"/rooms/0/area", nullptr, "rooms[0].area is no number"},
+           {"/rooms/0/seen_area", "x", "rooms[0].seen_area is no number"},
+           {"/rooms/0/planes/1", 2, "rooms[0].planes[1] is outside of 0 to 1"},
+           {"/rooms/0/planes/0", -1, "rooms[0].planes[0] is outside of 0 to 1"},
+           {"/rooms/0/openings/0", 2, "rooms[0].openings[0] is outside of 0 to 1"},
+           {"/rooms", Json::array(), "openings[0].rooms[0] is outside"},
+           {"/openings", Json::array(), "rooms[0].openings[0] is outside"},
+           {"/openings/0/from", {1, 2}, "openings[0].from has 2"},
+           {"/openings/0/to/2", nullptr, "openings[0].to[2] is no number"},
+           {"/openings/0/bottom", "x", "openings[0].bottom is no number"},
+           {"/openings/0/kind", "gate", "openings[0].kind is no kind of an opening"},
+           {"/openings/0/planes", Json::array(), "openings[0].planes are 0, 1 or 2"},
+           {"/openings/0/planes/1", 2, "openings[0].planes[1] is outside of 0 to 1"},
+           {"/openings/0/rooms", {0}, "openings[0].rooms has 1"},
+           {"/openings/0/rooms/0", -2, "openings[0].rooms[0] is outside of -1 to 1"},
            {"/trajectory", 1, "trajectory is no array"},
            {"/trajectory/1/stamp", nullptr, "trajectory[1].stamp is no number"},
            {"/trajectory/1/position", {1, 2}, "trajectory[1].position has 2"},
@@ -200,6 +246,8 @@ TEST_F(MapFile, KeysThatAreMissingAreNamed)
                                   "/planes/0",
                                   "/planes/0/polygons/0",
                                   "/planes/0/charts/0",
+                                  "/rooms/0",
+                                  "/openings/0",
                                   "/trajectory/0"}) {
     const nlohmann::json::json_pointer pointer(place);
     for (const auto& item : whole.at(pointer).items()) {
@@ -278,6 +326,16 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.observations[0] = {1, 0}; });
   expectRefused([](CompactMap& map) { map.observations[0] = {-1}; });
   expectRefused([](CompactMap& map) { map.observations[0] = {2}; });
+  expectRefused([](CompactMap& map) { map.rooms[0].center.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.rooms[0].seen_area = INFINITY; });
+  expectRefused([](CompactMap& map) { map.rooms[0].planes = {2}; });
+  expectRefused([](CompactMap& map) { map.rooms[0].planes = {-1}; });
+  expectRefused([](CompactMap& map) { map.rooms[0].openings = {2}; });
+  expectRefused([](CompactMap& map) { map.openings[0].to.z() = NAN; });
+  expectRefused([](CompactMap& map) { map.openings[0].planes = {-1, 0}; });
+  expectRefused([](CompactMap& map) { map.openings[0].planes = {0, 2}; });
+  expectRefused([](CompactMap& map) { map.openings[0].rooms = {-2, 0}; });
+  expectRefused([](CompactMap& map) { map.openings[0].rooms = {0, 2}; });
   expectRefused([](CompactMap& map) { map.trajectory.stamps.pop_back(); });
   expectRefused([](CompactMap& map) { map.trajectory.poses[0].linear() *= 2; });
   expectRefused([](CompactMap& map) {

@@ -3,6 +3,7 @@
 import concurrent.futures
 import gc
 import inspect
+import json
 import os
 import signal
 import tempfile
@@ -50,6 +51,11 @@ class MapTest(unittest.TestCase):
             self.assertEqual(mine.origin.tobytes(), yours.origin.tobytes())
             self.assertEqual(mine.colors.tobytes(), yours.colors.tobytes())
             self.assertEqual(mine.kinds.tobytes(), yours.kinds.tobytes())
+        for mine, yours in zip(one.rooms, other.rooms, strict=True):
+            self.assertEqual(mine.center.tobytes(), yours.center.tobytes())
+            self.assertEqual((mine.area, mine.planes), (yours.area, yours.planes))
+        self.assertEqual([opening.rooms for opening in one.openings],
+                         [opening.rooms for opening in other.openings])
         self.assertEqual(one.observations, other.observations)
         self.assertEqual(one.stamps.tolist(), other.stamps.tolist())
         self.assertTrue(numpy.allclose(one.poses, other.poses, rtol=0, atol=1e-12))
@@ -149,6 +155,44 @@ class Room(MapTest):
             read = acmap.read_map(folder)
         self.expect_equal(read, self.map)
         self.assertIsNone(read.report)
+
+    def test_topology_has_the_points_of_the_polygons_once(self):
+        topology = self.map.topology
+        self.assertEqual(topology.vertices.dtype, numpy.float32)
+        self.assertEqual(len(numpy.unique(topology.vertices, axis=0)), len(topology.vertices))
+        for face in topology.faces:
+            polygon = self.map.planes[face.plane].polygons[face.polygon]
+            for loop, points in zip([face.outer] + face.holes, [polygon.outer] + polygon.holes,
+                                    strict=True):
+                self.assertEqual(topology.vertices[loop].tolist(), points.tolist())
+        edges = {tuple(edge.vertices): edge for edge in topology.edges}
+        for face in topology.faces:
+            for pair in zip(face.outer, face.outer[1:] + face.outer[:1]):
+                self.assertIn(face.plane, edges[tuple(sorted(pair))].planes)
+        kinds = {edge.kind for edge in topology.edges}
+        self.assertLessEqual(kinds, {"open", "crease", "contact", "rim", "frontier"})
+
+    def test_rooms_and_openings_of_a_file(self):
+        rooms = [{"center": [1, 2, 3], "area": 12.5, "seen_area": 11, "planes": [0, 1],
+                  "openings": [0]}]
+        openings = [{"from": [1, 2, 3], "to": [4, 5, 6], "bottom": 0, "top": None,
+                     "kind": "door", "planes": [1], "rooms": [0, -1]}]
+        with tempfile.TemporaryDirectory() as folder:
+            self.map.save(folder)
+            path = os.path.join(folder, "map.json")
+            with open(path) as file:
+                content = json.load(file)
+            with open(path, "w") as file:
+                json.dump(content | {"rooms": rooms, "openings": openings}, file)
+            read = acmap.read_map(folder)
+        room, opening = read.rooms[0], read.openings[0]
+        self.assertEqual(room.center.tolist(), [1, 2, 3])
+        self.assertEqual((room.area, room.seen_area), (12.5, 11))
+        self.assertEqual((room.planes, room.openings), ([0, 1], [0]))
+        self.assertEqual((opening.start.tolist(), opening.end.tolist()), ([1, 2, 3], [4, 5, 6]))
+        self.assertEqual((opening.kind, opening.bottom), ("door", 0))
+        self.assertTrue(numpy.isnan(opening.top))
+        self.assertEqual((opening.planes, opening.rooms), ([1, -1], [0, -1]))
 
     def test_what_is_painted_in_python_is_saved(self):
         computed = self.mapping.compute()

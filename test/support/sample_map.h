@@ -6,7 +6,8 @@
 namespace pcl::acmap::test {
 
 /** \brief A map of two planes with arbitrary numbers: the first has two polygons, one
- * with a hole, and a chart on each; the second has no polygons. Two poses. */
+ * with a hole, and a chart on each; the second has no polygons. Two poses. Two rooms, with
+ * a window between them and a door of none whose height is unknown. */
 CompactMap
 makeSampleMap();
 

@@ -14,6 +14,7 @@ namespace pcl::acmap::test {
 namespace {
 
 using Eigen::Vector3f;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -90,6 +91,21 @@ lengthOf(const std::vector<PlanWall>& walls)
       });
 }
 
+/** The planes around both rooms, and what their openings lead to. */
+void
+expectGraph(const FloorPlan& plan)
+{
+  EXPECT_THAT(plan.rooms[0].planes, ElementsAre(0, 1, 2, 4, 5, 6));
+  EXPECT_THAT(plan.rooms[1].planes, ElementsAre(0, 1, 3, 4, 5, 7));
+  EXPECT_THAT(plan.openings[0].rooms, ElementsAre(0, -1));
+  EXPECT_THAT(plan.openings[1].rooms, ElementsAre(0, 1));
+  EXPECT_THAT(plan.openings[2].rooms, ElementsAre(1, 0));
+  EXPECT_NEAR(plan.openings[0].bottom, 1, 1e-5);
+  EXPECT_NEAR(plan.openings[0].top, 2, 1e-5);
+  EXPECT_EQ(plan.openings[1].bottom, 0);
+  EXPECT_NEAR(plan.openings[1].top, 2, 1e-5);
+}
+
 void
 expectRooms(const FloorPlan& plan)
 {
@@ -108,6 +124,7 @@ expectRooms(const FloorPlan& plan)
     EXPECT_FALSE(plan.openings[door].is_window);
     EXPECT_EQ(plan.openings[door].plane, 5 + door);
   }
+  expectGraph(plan);
   EXPECT_EQ(plan.walls.size(), 9U);
   EXPECT_NEAR(lengthOf(plan.walls), 2 * 6.1 + 4 * 3 - 1.2 - 2 * 0.9, 1e-4);
 }
@@ -175,6 +192,55 @@ TEST(FloorPlan, IsAlignedWithTheWalls)
 }
 
 /** A cupboard hides a part of the wall, so that the wall has a gap at the section. */
+TEST(FloorPlan, BecomesTheGraphOfTheMap)
+{
+  CompactMap map = makeRooms();
+  setRooms(makeFloorPlan(map), map);
+  ASSERT_EQ(map.rooms.size(), 2U);
+  EXPECT_NEAR(map.rooms[0].area, 12, 0.15);
+  EXPECT_NEAR(map.rooms[0].seen_area, 11, 0.15);
+  EXPECT_THAT(map.rooms[1].planes, ElementsAre(0, 1, 3, 4, 5, 7));
+  for (const MapRoom& room : map.rooms)
+    EXPECT_NEAR(room.center.y(), 1, 1e-6);
+  EXPECT_GT(map.rooms[1].center.x(), 4.1);
+  EXPECT_THAT(map.rooms[0].openings, ElementsAre(0, 1));
+  EXPECT_THAT(map.rooms[1].openings, ElementsAre(1));
+  ASSERT_EQ(map.openings.size(), 2U); // the door once
+  EXPECT_EQ(map.openings[0].kind, OpeningKind::Window);
+  EXPECT_THAT(map.openings[0].planes, ElementsAre(5, -1));
+  EXPECT_THAT(map.openings[0].rooms, ElementsAre(0, -1));
+  const MapOpening& door = map.openings[1];
+  EXPECT_EQ(door.kind, OpeningKind::Door);
+  EXPECT_THAT(door.planes, ElementsAre(6, 7));
+  EXPECT_THAT(door.rooms, ElementsAre(0, 1));
+  EXPECT_NEAR(door.top, 2, 1e-5);
+  EXPECT_LT((door.from - Eigen::Vector3d(4, 1, 1)).norm(), 1e-5);
+  EXPECT_LT((door.to - Eigen::Vector3d(4, 1, 1.9)).norm(), 1e-5);
+  setRooms(makeFloorPlan(map), map);
+  EXPECT_EQ(map.openings.size(), 2U);
+  setRooms({}, map);
+  EXPECT_THAT(map.rooms, IsEmpty());
+  EXPECT_THAT(map.openings, IsEmpty());
+}
+
+/** With a leaf in the doorway, one cannot look through it from either side. */
+TEST(FloorPlan, ClosedDoorsJoinTheRoomsOfTheirFaces)
+{
+  CompactMap map = makeRooms();
+  for (const auto& [x, normal] : {std::pair{4.04F, -1.0F}, {4.06F, 1.0F}})
+    map.planes.push_back(
+        makePlane(normal * Vector3f::UnitX(),
+                  {{x, 1, 1}, {x, 1, 1.9F}, {x, -1, 1.9F}, {x, -1, 1}}));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 3U);
+  EXPECT_THAT(plan.openings[1].rooms, ElementsAre(0, -1));
+  EXPECT_THAT(plan.openings[2].rooms, ElementsAre(1, -1));
+  EXPECT_THAT(plan.rooms[0].planes, ElementsAre(0, 1, 2, 4, 5, 6, 8));
+  setRooms(plan, map);
+  ASSERT_EQ(map.openings.size(), 2U);
+  EXPECT_THAT(map.openings[1].rooms, ElementsAre(0, 1));
+}
+
 TEST(FloorPlan, FurnitureIsNoOpening)
 {
   CompactMap map = makeRooms();

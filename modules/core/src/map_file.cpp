@@ -130,15 +130,22 @@ chartsOfPlanes(const CompactMap& map)
   return charts;
 }
 
+/** One plane, or two. */
+Json
+jsonOfPlanes(const std::array<std::int32_t, 2>& planes)
+{
+  Json list = {planes[0]};
+  if (planes[1] >= 0)
+    list.push_back(planes[1]);
+  return list;
+}
+
 Json
 jsonOf(const MapEdge& edge)
 {
-  Json planes = {edge.planes[0]};
-  if (edge.planes[1] >= 0)
-    planes.push_back(edge.planes[1]);
   return {{"vertices", edge.vertices},
           {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
-          {"planes", std::move(planes)}};
+          {"planes", jsonOfPlanes(edge.planes)}};
 }
 
 Json
@@ -148,6 +155,28 @@ jsonOf(const MapFace& face)
           {"polygon", face.polygon},
           {"outer", face.outer},
           {"holes", face.holes}};
+}
+
+Json
+jsonOf(const MapRoom& room)
+{
+  return {{"center", jsonOf(room.center)},
+          {"area", room.area},
+          {"seen_area", room.seen_area},
+          {"planes", room.planes},
+          {"openings", room.openings}};
+}
+
+Json
+jsonOf(const MapOpening& opening)
+{
+  return {{"from", jsonOf(opening.from)},
+          {"to", jsonOf(opening.to)},
+          {"bottom", opening.bottom},
+          {"top", opening.top},
+          {"kind", acmap::opening_kinds[static_cast<std::size_t>(opening.kind)]},
+          {"planes", jsonOfPlanes(opening.planes)},
+          {"rooms", opening.rooms}};
 }
 
 using Write = std::function<void(const std::string&)>;
@@ -160,6 +189,15 @@ writeLines(const Write& write,
 {
   for (std::size_t i = 0; i < count; ++i)
     write((i ? ",\n" : "\n") + line(i).dump());
+}
+
+/** Writes a list under a key. */
+template <typename Item>
+void
+writeList(const Write& write, const char* key, const std::vector<Item>& items)
+{
+  write("\n],\"" + std::string(key) + "\":[");
+  writeLines(write, items.size(), [&](std::size_t i) { return jsonOf(items[i]); });
 }
 
 bool
@@ -184,20 +222,15 @@ writeTopology(const Write& write, const std::vector<PlanePatch>& planes)
     const Eigen::Vector3f& p = topology.vertices[i];
     return Json{shortest(p.x()), shortest(p.y()), shortest(p.z())};
   });
-  write("\n],\"edges\":[");
-  writeLines(write, topology.edges.size(), [&](std::size_t i) {
-    return jsonOf(topology.edges[i]);
-  });
-  write("\n],\"faces\":[");
-  writeLines(write, topology.faces.size(), [&](std::size_t i) {
-    return jsonOf(topology.faces[i]);
-  });
+  writeList(write, "edges", topology.edges);
+  writeList(write, "faces", topology.faces);
 }
 
 bool
 hasPlanesAlone(const CompactMap& map)
 {
-  bool alone = map.charts.empty() && map.trajectory.poses.empty();
+  bool alone = map.charts.empty() && map.trajectory.poses.empty() &&
+               map.rooms.empty() && map.openings.empty();
   for (const std::vector<std::int32_t>& seen_from : map.observations)
     alone = alone && seen_from.empty();
   return alone;
@@ -226,6 +259,10 @@ acmap::writeMap(const CompactMap& map, const Write& write)
     return plane;
   });
   writeTopology(write, map.planes);
+  if (!map.rooms.empty() || !map.openings.empty()) {
+    writeList(write, "rooms", map.rooms);
+    writeList(write, "openings", map.openings);
+  }
   if (!map.trajectory.poses.empty()) {
     write("\n],\"trajectory\":[");
     writeLines(write, map.trajectory.poses.size(), [&](std::size_t i) {

@@ -91,6 +91,44 @@ requireObservations(const CompactMap& map, std::size_t plane)
   }
 }
 
+/** Refuses a list with an index outside of [minimum, size). */
+template <typename Indices>
+void
+requireIndices(const std::string& what,
+               std::size_t index,
+               const std::string& of,
+               const Indices& indices,
+               std::int32_t minimum,
+               std::size_t size)
+{
+  for (const std::int32_t one : indices)
+    if (one < minimum || (one >= 0 && static_cast<std::size_t>(one) >= size))
+      refuse(what,
+             index,
+             "has " + of + " " + std::to_string(one) + " of " + std::to_string(size));
+}
+
+void
+requireRooms(const CompactMap& map)
+{
+  for (std::size_t i = 0; i < map.rooms.size(); ++i) {
+    const MapRoom& room = map.rooms[i];
+    if (!room.center.allFinite() || !std::isfinite(room.area + room.seen_area))
+      refuse("room", i, "is not finite");
+    requireIndices("room", i, "plane", room.planes, 0, map.planes.size());
+    requireIndices("room", i, "opening", room.openings, 0, map.openings.size());
+  }
+  for (std::size_t i = 0; i < map.openings.size(); ++i) {
+    const MapOpening& opening = map.openings[i];
+    if (!opening.from.allFinite() || !opening.to.allFinite())
+      refuse("opening", i, "is not finite");
+    requireIndices("opening", i, "plane", opening.planes, -1, map.planes.size());
+    if (opening.planes[0] < 0)
+      refuse("opening", i, "has no plane");
+    requireIndices("opening", i, "room", opening.rooms, -1, map.rooms.size());
+  }
+}
+
 } // namespace
 
 std::string
@@ -175,6 +213,7 @@ requireConsistent(const CompactMap& map)
                                std::to_string(map.observations.size()));
   for (std::size_t i = 0; i < map.observations.size(); ++i)
     requireObservations(map, i);
+  requireRooms(map);
   requireTrajectory(map.trajectory);
 }
 

@@ -16,6 +16,9 @@ class ByteSource;
 inline constexpr std::array<const char*, 5> edge_kinds{
     "open", "crease", "contact", "rim", "frontier"};
 
+/** \brief The names of \ref OpeningKind in files. */
+inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};
+
 /** \brief Describes what is wrong with the equation of a plane, as a continuation of
  * the name of its coefficients; empty if it is valid. */
 std::string

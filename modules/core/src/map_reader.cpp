@@ -8,6 +8,7 @@
 #include <pcl/core/map_topology.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -190,14 +191,32 @@ observationsOf(const JsonCursor& json, std::size_t poses)
   return numbers;
 }
 
-EdgeKind
-kindOf(const JsonCursor& json)
+/** \param[in] names of the kinds, in their order
+ * \param[in] fault after the name of a value that is none of them */
+template <typename Kind, std::size_t count>
+Kind
+kindOf(const JsonCursor& json,
+       const std::array<const char*, count>& names,
+       const char* fault)
 {
-  const std::string text = json.text();
-  const auto kind = std::find(acmap::edge_kinds.begin(), acmap::edge_kinds.end(), text);
-  if (kind == acmap::edge_kinds.end())
-    json.fail("is no kind of an edge: open, crease, contact, rim or frontier");
-  return static_cast<EdgeKind>(kind - acmap::edge_kinds.begin());
+  const auto kind = std::find(names.begin(), names.end(), json.text());
+  if (kind == names.end())
+    json.fail(fault);
+  return static_cast<Kind>(kind - names.begin());
+}
+
+/** The plane of an edge or an opening, and the other one or -1.
+ * \param[in] count of the planes of the map */
+std::array<std::int32_t, 2>
+planesOf(const JsonCursor& json, std::size_t count)
+{
+  std::array<std::int32_t, 2> planes{-1, -1};
+  if (json.size() < 1 || json.size() > 2)
+    json.fail("are " + std::to_string(json.size()) + ", 1 or 2 are needed");
+  for (std::size_t k = 0; k < json.size(); ++k)
+    planes[k] = static_cast<std::int32_t>(
+        json[k].integer(0, static_cast<std::int64_t>(count) - 1));
+  return planes;
 }
 
 /** Reads the edges of a map into its polygons. The vertices must be those of the
@@ -218,20 +237,19 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
   }
   const JsonCursor edges = file.at("edges");
   const auto last = static_cast<std::int64_t>(topology.vertices.size()) - 1;
-  const auto last_plane = static_cast<std::int64_t>(planes.size()) - 1;
   std::map<std::array<std::int32_t, 2>, MapEdge> known;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     MapEdge edge;
     const JsonCursor item = edges[i];
-    const JsonCursor ends = item.at("vertices"), sides = item.at("planes");
+    const JsonCursor ends = item.at("vertices");
     ends.requireSize(2);
-    if (sides.size() < 1 || sides.size() > 2)
-      sides.fail("are " + std::to_string(sides.size()) + ", 1 or 2 are needed");
     for (std::size_t k = 0; k < 2; ++k)
       edge.vertices[k] = static_cast<std::int32_t>(ends[k].integer(0, last));
-    for (std::size_t k = 0; k < sides.size(); ++k)
-      edge.planes[k] = static_cast<std::int32_t>(sides[k].integer(0, last_plane));
-    edge.kind = kindOf(item.at("kind"));
+    edge.planes = planesOf(item.at("planes"), planes.size());
+    edge.kind = kindOf<EdgeKind>(
+        item.at("kind"),
+        acmap::edge_kinds,
+        "is no kind of an edge: open, crease, contact, rim or frontier");
     known.emplace(edge.vertices, edge);
   }
   for (const MapFace& face : topology.faces) {
@@ -251,6 +269,59 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
             {edge->second.kind, sides[0] == face.plane ? sides[1] : sides[0]});
       }
   }
+}
+
+/** \param[in] count of what the indices are of */
+std::vector<std::int32_t>
+indicesOf(const JsonCursor& json, std::size_t count)
+{
+  std::vector<std::int32_t> indices;
+  for (std::size_t i = 0; i < json.size(); ++i)
+    indices.push_back(static_cast<std::int32_t>(
+        json[i].integer(0, static_cast<std::int64_t>(count) - 1)));
+  return indices;
+}
+
+MapRoom
+roomOf(const JsonCursor& json, std::size_t planes, std::size_t openings)
+{
+  MapRoom room;
+  room.center = json.at("center").vector<3>();
+  room.area = json.at("area").number();
+  room.seen_area = json.at("seen_area").number();
+  room.planes = indicesOf(json.at("planes"), planes);
+  room.openings = indicesOf(json.at("openings"), openings);
+  return room;
+}
+
+MapOpening
+openingOf(const JsonCursor& json, std::size_t planes, std::size_t rooms)
+{
+  MapOpening opening;
+  opening.from = json.at("from").vector<3>();
+  opening.to = json.at("to").vector<3>();
+  opening.bottom = json.at("bottom").numberOrNan();
+  opening.top = json.at("top").numberOrNan();
+  opening.kind = kindOf<OpeningKind>(json.at("kind"),
+                                     acmap::opening_kinds,
+                                     "is no kind of an opening: door or window");
+  opening.planes = planesOf(json.at("planes"), planes);
+  const JsonCursor sides = json.at("rooms");
+  sides.requireSize(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    opening.rooms[k] = static_cast<std::int32_t>(
+        sides[k].integer(-1, static_cast<std::int64_t>(rooms) - 1));
+  return opening;
+}
+
+void
+readRooms(const JsonCursor& file, CompactMap& map)
+{
+  const JsonCursor rooms = file.at("rooms"), openings = file.at("openings");
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    map.rooms.push_back(roomOf(rooms[i], map.planes.size(), openings.size()));
+  for (std::size_t i = 0; i < openings.size(); ++i)
+    map.openings.push_back(openingOf(openings[i], map.planes.size(), rooms.size()));
 }
 
 void
@@ -305,6 +376,8 @@ acmap::readMap(const std::string& name, ByteSource& source)
   }
   if (file.has("edges") && file.has("vertices"))
     readEdges(file, map.planes);
+  if (file.has("rooms") && file.has("openings"))
+    readRooms(file, map);
   return map;
 }
 

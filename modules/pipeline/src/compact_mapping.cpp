@@ -5,6 +5,7 @@
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/sequence_consolidation.h>
+#include <pcl/texture/floor_plan.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -373,8 +374,10 @@ CompactMapping::compute(CompactMap& map)
   timer.finish("planes");
 
   CompactMap result;
-  if (!mapped_.planes.empty())
+  if (!mapped_.planes.empty()) {
     result = paint(sequence, report);
+    setRooms(makeFloorPlan(result), result);
+  }
   timer.finish("texture");
   map = std::move(result);
   report_ = std::move(report);

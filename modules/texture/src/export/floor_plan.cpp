@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace pcl {
@@ -21,10 +22,27 @@ using Eigen::Vector3d;
 constexpr double level_cosine = 0.98;  // 11 degrees
 constexpr double upright_cosine = 0.2; // the same from the vertical
 
-/** \brief Part of a wall along its horizontal direction, metres. */
+constexpr double thickest_wall = 0.6; // metres
+
+/** \brief Part of a wall along a direction, metres. */
 struct Interval {
   double begin, end;
 };
+
+/** \brief A polygon that is not upright, seen from above. */
+struct Cover {
+  std::size_t plane; ///< index in the map
+  std::vector<std::vector<Vector2d>> loops;
+};
+
+/** \brief The side from which a wall or an opening of a plan is seen. */
+template <typename Segment>
+Vector2d
+frontOf(const Segment& one)
+{
+  const Vector2d along = (one.to - one.from).normalized();
+  return {-along.y(), along.x()};
+}
 
 bool
 isFinite(const PlanePatch& plane)
@@ -73,10 +91,8 @@ public:
       polygons_.push_back(loopsOf(polygon));
     origin_ = patch.polygons.front().outer.front().cast<double>();
     for (const auto& loops : polygons_)
-      for (const Vector3d& place : loops.front()) {
+      for (const Vector3d& place : loops.front())
         minimum_ = std::min(minimum_, place.dot(up));
-        maximum_ = std::max(maximum_, place.dot(up));
-      }
   }
 
   std::size_t
@@ -91,12 +107,6 @@ public:
     return minimum_;
   }
 
-  double
-  highest() const
-  {
-    return maximum_;
-  }
-
   const Vector3d&
   normal() const
   {
@@ -107,22 +117,19 @@ public:
   std::vector<Interval>
   section(double height) const
   {
-    std::vector<Interval> intervals;
-    for (const auto& loops : polygons_) {
-      std::vector<double> crossings;
-      for (const std::vector<Vector3d>& loop : loops)
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          const Vector3d &a = loop[k], &b = loop[(k + 1) % loop.size()];
-          const double above_a = a.dot(up_) - height, above_b = b.dot(up_) - height;
-          if ((above_a > 0) != (above_b > 0))
-            crossings.push_back(
-                (a + above_a / (above_a - above_b) * (b - a) - origin_).dot(along_));
-        }
-      std::sort(crossings.begin(), crossings.end());
-      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-        intervals.push_back({crossings[k], crossings[k + 1]});
+    return cut(up_, height - origin_.dot(up_), along_);
+  }
+
+  /** \brief The heights, relative to another one, where the wall is at a place. */
+  std::vector<Interval>
+  heights(double along, double above) const
+  {
+    std::vector<Interval> intervals = cut(along_, along, up_);
+    for (Interval& one : intervals) {
+      one.begin += origin_.dot(up_) - above;
+      one.end += origin_.dot(up_) - above;
     }
-    return joined(std::move(intervals));
+    return intervals;
   }
 
   /** \brief A point of the wall at a height above the origin of the map. */
@@ -132,16 +139,32 @@ public:
     return origin_ + along * along_ + (height - origin_.dot(up_)) * up_;
   }
 
-  bool
-  covers(double along, double height) const
+private:
+  /** \brief Where the polygons are cut by a plane with this normal and distance from the
+   * origin of the wall: ascending, along a direction. */
+  std::vector<Interval>
+  cut(const Vector3d& normal, double distance, const Vector3d& direction) const
   {
-    const std::vector<Interval> intervals = section(height);
-    return std::any_of(intervals.begin(), intervals.end(), [&](const Interval& one) {
-      return one.begin <= along && along <= one.end;
-    });
+    std::vector<Interval> intervals;
+    for (const auto& loops : polygons_) {
+      std::vector<double> crossings;
+      for (const std::vector<Vector3d>& loop : loops)
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Vector3d a = loop[k] - origin_;
+          const Vector3d b = loop[(k + 1) % loop.size()] - origin_;
+          const double before = a.dot(normal) - distance,
+                       behind = b.dot(normal) - distance;
+          if ((before > 0) != (behind > 0))
+            crossings.push_back(
+                (a + before / (before - behind) * (b - a)).dot(direction));
+        }
+      std::sort(crossings.begin(), crossings.end());
+      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        intervals.push_back({crossings[k], crossings[k + 1]});
+    }
+    return joined(std::move(intervals));
   }
 
-private:
   /** \brief Polygons may touch or overlap. */
   static std::vector<Interval>
   joined(std::vector<Interval> intervals)
@@ -162,7 +185,6 @@ private:
   Vector3d up_, normal_, along_, origin_;
   std::vector<std::vector<std::vector<Vector3d>>> polygons_;
   double minimum_ = std::numeric_limits<double>::infinity();
-  double maximum_ = -std::numeric_limits<double>::infinity();
 };
 
 /** \brief Do two segments have a point in common? */
@@ -176,6 +198,18 @@ meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
          (side(c, d, a) > 0) != (side(c, d, b) > 0);
 }
 
+/** \brief Are these one opening, seen from both sides of a wall? */
+bool
+areFaces(const PlanOpening& one, const PlanOpening& other)
+{
+  const Vector2d along = (one.to - one.from).normalized();
+  const Vector2d middle = (other.from + other.to) / 2 - one.from;
+  const double behind = -middle.dot(frontOf(one));
+  return one.is_window == other.is_window && frontOf(one).dot(frontOf(other)) < 0 &&
+         behind >= 0 && behind <= thickest_wall && middle.dot(along) >= 0 &&
+         middle.dot(along) <= (one.to - one.from).norm();
+}
+
 /** \brief Makes a plan. */
 class PlanMaker {
 public:
@@ -187,7 +221,8 @@ public:
         std::abs(up.x()) < 0.8 ? Vector3d::UnitX() : Vector3d::UnitY();
     plan_.x_axis = (right - right.dot(up) * up).normalized();
     plan_.y_axis = up.cross(plan_.x_axis);
-    std::vector<const PlanePatch*> floors, ceilings;
+    std::vector<const PlanePatch*> floors, ceilings; // level
+    std::vector<std::size_t> facing_down;
     for (std::size_t p = 0; p < map.planes.size(); ++p) {
       const PlanePatch& plane = map.planes[p];
       if (plane.polygons.empty() || plane.polygons.front().outer.empty() ||
@@ -200,9 +235,27 @@ public:
         floors.push_back(&plane);
       else if (cosine < -level_cosine)
         ceilings.push_back(&plane);
+      if (cosine <= -upright_cosine)
+        facing_down.push_back(p);
     }
     alignWithWalls(map);
     chooseHeights(floors, ceilings);
+    constexpr double step = 0.3; // metres
+    for (const PlanePatch* plane : floors)
+      if (std::abs(heightOf(*plane) - plan_.floor) <= step)
+        cover(*plane, static_cast<std::size_t>(plane - map.planes.data()));
+    for (const Cover& floor : covers_)
+      plan_.floors.push_back(floor.loops);
+    for (const std::size_t p : facing_down)
+      if (reachesAboveCut(map.planes[p]))
+        cover(map.planes[p], p);
+  }
+
+  /** \brief Floors and ceilings. */
+  const std::vector<Cover>&
+  covers() const
+  {
+    return covers_;
   }
 
   FloorPlan
@@ -271,7 +324,7 @@ private:
   chooseHeights(const std::vector<const PlanePatch*>& floors,
                 const std::vector<const PlanePatch*>& ceilings)
   {
-    constexpr double step = 0.3, above_tables = 1.5; // metres
+    constexpr double above_tables = 1.5; // metres
     constexpr double share = 0.6;
     const PlanePatch* const floor = largest(floors);
     if (floor)
@@ -288,38 +341,57 @@ private:
     if (ceiling && heightOf(*ceiling) > plan_.floor)
       plan_.cut =
           std::min(plan_.cut, plan_.floor + share * (heightOf(*ceiling) - plan_.floor));
-    for (const PlanePatch* plane : floors)
-      if (std::abs(heightOf(*plane) - plan_.floor) <= step)
-        for (const PlanePolygon& polygon : plane->polygons) {
-          auto& loops = plan_.floors.emplace_back();
-          for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
-            loops.emplace_back();
-            for (const Vector3d& place : loop)
-              loops.back().push_back(flat(place));
-          }
-        }
+  }
+
+  bool
+  reachesAboveCut(const PlanePatch& plane) const
+  {
+    return std::any_of(
+        plane.polygons.begin(), plane.polygons.end(), [&](const PlanePolygon& polygon) {
+          return std::any_of(
+              polygon.outer.begin(), polygon.outer.end(), [&](const auto& place) {
+                return place.template cast<double>().dot(plan_.up) > plan_.cut;
+              });
+        });
+  }
+
+  void
+  cover(const PlanePatch& plane, std::size_t number)
+  {
+    for (const PlanePolygon& polygon : plane.polygons) {
+      auto& loops = covers_.emplace_back(Cover{number, {}}).loops;
+      for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
+        loops.emplace_back();
+        for (const Vector3d& place : loop)
+          loops.back().push_back(flat(place));
+      }
+    }
   }
 
   void
   addOpenings(const Wall& wall)
   {
     constexpr double narrowest = 0.4, widest = 4; // metres
-    constexpr double height_step = 0.1, above_floor = 0.2;
+    constexpr double above_floor = 0.2;
     const std::vector<Interval> pieces = wall.section(plan_.cut);
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
       const double begin = pieces[k].end, end = pieces[k + 1].begin;
       if (end - begin < narrowest || end - begin > widest || isHidden(wall, begin, end))
         continue;
-      const auto isCovered = [&](double from, double to) {
-        for (double height = from; height < to; height += height_step)
-          if (wall.covers((begin + end) / 2, height))
-            return true;
-        return false;
-      };
-      const bool is_window = isCovered(plan_.floor + above_floor, plan_.cut);
-      if (is_window || isCovered(plan_.cut, wall.highest()))
-        plan_.openings.push_back(
-            {flat(wall, begin), flat(wall, end), wall.plane(), is_window});
+      PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
+      bool is_below_wall = false;
+      for (const Interval& part : wall.heights((begin + end) / 2, plan_.floor))
+        if (part.begin > plan_.cut - plan_.floor) {
+          is_below_wall = true;
+          opening.top = part.begin;
+          break;
+        }
+        else if (part.end > above_floor) {
+          opening.is_window = true;
+          opening.bottom = part.end;
+        }
+      if (opening.is_window || is_below_wall)
+        plan_.openings.push_back(opening);
     }
   }
 
@@ -339,6 +411,7 @@ private:
 
   FloorPlan plan_;
   std::vector<Wall> walls_;
+  std::vector<Cover> covers_;
 };
 
 /** \brief The floor as square cells that walls and openings divide into rooms. */
@@ -359,14 +432,14 @@ public:
     columns_ = static_cast<std::size_t>(box.sizes().x() / cell_) + 5;
     rows_ = static_cast<std::size_t>(box.sizes().y() / cell_) + 5;
     kinds_.assign(columns_ * rows_, Kind::Unseen);
-    is_wall_.assign(kinds_.size(), 0);
+    lines_.assign(kinds_.size(), Line::None);
     parts_.assign(kinds_.size(), none);
     for (const auto& polygon : plan.floors)
-      fill(polygon);
-    for (const PlanWall& wall : plan.walls)
-      addWall(wall.from, wall.to);
+      forEachInside(polygon, [&](std::size_t index) { kinds_[index] = Kind::Floor; });
     for (const PlanOpening& opening : plan.openings)
-      addWall(opening.from, opening.to);
+      addLine(opening.from, opening.to, Line::Opening);
+    for (const PlanWall& wall : plan.walls)
+      addLine(wall.from, wall.to, Line::Wall);
   }
 
   std::vector<PlanRoom>
@@ -377,11 +450,13 @@ public:
       return rooms;
     std::int32_t parts = 0;
     spread(0, outdoors, [&](std::size_t index) {
-      return kinds_[index] == Kind::Unseen && !is_wall_[index];
+      return kinds_[index] == Kind::Unseen && lines_[index] == Line::None;
     });
     for (std::size_t index = 0; index < kinds_.size(); ++index)
-      if (parts_[index] == none && !is_wall_[index])
-        spread(index, parts++, [&](std::size_t next) { return !is_wall_[next]; });
+      if (parts_[index] == none && lines_[index] == Line::None)
+        spread(index, parts++, [&](std::size_t next) {
+          return lines_[next] == Line::None;
+        });
     shareWalls();
     const std::vector<std::size_t> centers = findCenters(parts);
     std::vector<PlanRoom> of_parts(centers.size());
@@ -393,19 +468,59 @@ public:
         room.seen_area += kinds_[index] == Kind::Floor ? area : 0;
       }
     constexpr double min_area = 1; // square metres
+    std::vector<std::size_t> kept;
     for (std::size_t part = 0; part < centers.size(); ++part)
       if (of_parts[part].seen_area >= min_area) {
         of_parts[part].center = placeOf(centers[part]);
-        rooms.push_back(of_parts[part]);
+        kept.push_back(part);
       }
-    std::stable_sort(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) {
-      return a.area > b.area;
+    std::stable_sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
+      return of_parts[a].area > of_parts[b].area;
     });
+    rooms_of_parts_.assign(centers.size(), none);
+    for (const std::size_t part : kept) {
+      rooms_of_parts_[part] = static_cast<std::int32_t>(rooms.size());
+      rooms.push_back(of_parts[part]);
+    }
     return rooms;
+  }
+
+  /** \brief Finds the planes around the rooms, and the rooms beside openings. */
+  void
+  join(const std::vector<Cover>& covers, FloorPlan& plan) const
+  {
+    if (plan.rooms.empty())
+      return;
+    std::vector<std::map<std::size_t, double>> sizes(plan.rooms.size()); // of planes
+    for (const PlanWall& wall : plan.walls)
+      for (double at = cell_ / 2; at < (wall.to - wall.from).norm(); at += cell_) {
+        const Vector2d place = wall.from + at * (wall.to - wall.from).normalized();
+        const std::int32_t room = roomBeside(place, frontOf(wall));
+        if (room >= 0)
+          sizes[static_cast<std::size_t>(room)][wall.plane] += cell_;
+      }
+    constexpr double min_length = 0.1; // metres
+    addLarge(sizes, min_length, plan.rooms);
+    sizes.assign(sizes.size(), {});
+    for (const Cover& cover : covers)
+      forEachInside(cover.loops, [&](std::size_t index) {
+        if (const std::int32_t room = roomAt(index); room >= 0)
+          sizes[static_cast<std::size_t>(room)][cover.plane] += cell_ * cell_;
+      });
+    constexpr double min_area = 0.3; // square metres
+    addLarge(sizes, min_area, plan.rooms);
+    for (PlanRoom& room : plan.rooms)
+      std::sort(room.planes.begin(), room.planes.end());
+    for (PlanOpening& opening : plan.openings) {
+      const Vector2d middle = (opening.from + opening.to) / 2;
+      opening.rooms = {roomBeside(middle, frontOf(opening)),
+                       roomBeside(middle, -frontOf(opening))};
+    }
   }
 
 private:
   enum class Kind : std::uint8_t { Unseen, Floor };
+  enum class Line : std::uint8_t { None, Opening, Wall };
   static constexpr std::int32_t none = -1, outdoors = -2; // instead of a part
 
   Vector2d
@@ -415,8 +530,62 @@ private:
                                       static_cast<double>(index / columns_) + 0.5);
   }
 
+  static void
+  addLarge(const std::vector<std::map<std::size_t, double>>& sizes,
+           double minimum,
+           std::vector<PlanRoom>& rooms)
+  {
+    for (std::size_t room = 0; room < rooms.size(); ++room)
+      for (const auto& [plane, size] : sizes[room])
+        if (size >= minimum)
+          rooms[room].planes.push_back(plane);
+  }
+
+  /** \brief The room of a cell, or none. */
+  std::int32_t
+  roomAt(std::size_t index) const
+  {
+    const std::int32_t part = parts_[index];
+    return part < 0 ? none : rooms_of_parts_[static_cast<std::size_t>(part)];
+  }
+
+  /** \brief The first room in a direction, or none before the next wall. */
+  std::int32_t
+  roomBeside(const Vector2d& from, const Vector2d& direction) const
+  {
+    // a cell of the line itself is less than a diagonal away
+    for (double at = 1.5 * cell_; at <= thickest_wall; at += cell_ / 2) {
+      const Vector2d place = (from + at * direction - origin_) / cell_;
+      if (!isWithin(place))
+        return none;
+      const std::size_t index = indexOf(place);
+      if (lines_[index] == Line::Wall)
+        return none;
+      if (lines_[index] == Line::None && roomAt(index) >= 0)
+        return roomAt(index);
+    }
+    return none;
+  }
+
+  /** \brief Is a place, in cells, within the border? */
+  bool
+  isWithin(const Vector2d& place) const
+  {
+    return place.minCoeff() >= 1 && place.x() < static_cast<double>(columns_ - 1) &&
+           place.y() < static_cast<double>(rows_ - 1);
+  }
+
+  std::size_t
+  indexOf(const Vector2d& place) const
+  {
+    return static_cast<std::size_t>(place.y()) * columns_ +
+           static_cast<std::size_t>(place.x());
+  }
+
+  template <typename Visitor>
   void
-  fill(const std::vector<std::vector<Vector2d>>& polygon)
+  forEachInside(const std::vector<std::vector<Vector2d>>& polygon,
+                const Visitor& visit) const
   {
     for (std::size_t row = 0; row < rows_; ++row) {
       const double y = placeOf(row * columns_).y();
@@ -430,20 +599,23 @@ private:
         }
       std::sort(crossings.begin(), crossings.end());
       const auto columnAt = [&](double x) {
-        return static_cast<std::size_t>(std::ceil((x - origin_.x()) / cell_ - 0.5));
+        return static_cast<std::size_t>(
+            std::clamp(std::ceil((x - origin_.x()) / cell_ - 0.5),
+                       0.0,
+                       static_cast<double>(columns_)));
       };
       for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
         for (std::size_t column = columnAt(crossings[k]);
              column < columnAt(crossings[k + 1]);
              ++column)
-          kinds_[row * columns_ + column] = Kind::Floor;
+          visit(row * columns_ + column);
     }
   }
 
   /** \brief Marks the cells of a line, a little longer than it is: outlines may end
    * before the corner of a room. */
   void
-  addWall(const Vector2d& from, const Vector2d& to)
+  addLine(const Vector2d& from, const Vector2d& to, Line line)
   {
     constexpr double longer = 0.15; // metres
     const double length = (to - from).norm();
@@ -452,10 +624,8 @@ private:
     for (double at = -longer; at <= length + longer; at += cell_ / 2) {
       const Vector2d place = (from + at / length * (to - from) - origin_) / cell_;
       // the cells of the border stay free, so that the outdoors is connected
-      if (place.minCoeff() >= 1 && place.x() < static_cast<double>(columns_ - 1) &&
-          place.y() < static_cast<double>(rows_ - 1))
-        is_wall_[static_cast<std::size_t>(place.y()) * columns_ +
-                 static_cast<std::size_t>(place.x())] = 1;
+      if (isWithin(place))
+        lines_[indexOf(place)] = line;
     }
   }
 
@@ -548,8 +718,9 @@ private:
   double cell_ = 0;
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<Kind> kinds_;
-  std::vector<std::uint8_t> is_wall_;
+  std::vector<Line> lines_;
   std::vector<std::int32_t> parts_;
+  std::vector<std::int32_t> rooms_of_parts_;
 };
 
 } // namespace
@@ -557,9 +728,56 @@ private:
 FloorPlan
 makeFloorPlan(const CompactMap& map)
 {
-  FloorPlan plan = PlanMaker(map).make();
-  plan.rooms = FloorCells(plan).rooms();
+  PlanMaker maker(map);
+  FloorPlan plan = maker.make();
+  FloorCells cells(plan);
+  plan.rooms = cells.rooms();
+  cells.join(maker.covers(), plan);
   return plan;
+}
+
+void
+setRooms(const FloorPlan& plan, CompactMap& map)
+{
+  const auto onFloor = [&](const Vector2d& place) -> Vector3d {
+    return place.x() * plan.x_axis + place.y() * plan.y_axis + plan.floor * plan.up;
+  };
+  map.rooms.clear();
+  for (const PlanRoom& room : plan.rooms)
+    map.rooms.push_back({onFloor(room.center),
+                         room.area,
+                         room.seen_area,
+                         {room.planes.begin(), room.planes.end()},
+                         {}});
+  map.openings.clear();
+  std::vector<const PlanOpening*> fronts; // of the openings of the map
+  for (const PlanOpening& opening : plan.openings) {
+    const auto plane = static_cast<std::int32_t>(opening.plane);
+    const auto other =
+        std::find_if(fronts.begin(), fronts.end(), [&](const PlanOpening* front) {
+          return areFaces(*front, opening);
+        });
+    if (other != fronts.end()) {
+      MapOpening& one = map.openings[static_cast<std::size_t>(other - fronts.begin())];
+      one.planes[1] = plane;
+      if (one.rooms[1] < 0)
+        one.rooms[1] = opening.rooms[0];
+      continue;
+    }
+    fronts.push_back(&opening);
+    map.openings.push_back({onFloor(opening.from),
+                            onFloor(opening.to),
+                            opening.bottom,
+                            opening.top,
+                            opening.is_window ? OpeningKind::Window : OpeningKind::Door,
+                            {plane, -1},
+                            opening.rooms});
+  }
+  for (std::size_t k = 0; k < map.openings.size(); ++k)
+    for (std::size_t room = 0; room < map.rooms.size(); ++room)
+      if (const auto& sides = map.openings[k].rooms;
+          std::count(sides.begin(), sides.end(), static_cast<std::int32_t>(room)) > 0)
+        map.rooms[room].openings.push_back(static_cast<std::int32_t>(k));
 }
 
 } // namespace pcl

@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +53,38 @@ struct TextureChart {
   std::optional<Eigen::Vector2i> kinds_place; ///< as image_place; never halved
 };
 
+/** \brief What an opening of a wall is. \ingroup core */
+enum class OpeningKind : std::uint8_t {
+  Door = 0,  ///< a door or a passage
+  Window = 1 ///< the wall continues below it
+};
+
+/** \brief An opening of a wall, from floor to floor of the rooms that it joins. Metres.
+ * \ingroup core */
+struct MapOpening {
+  /** \brief Its sides on the floor, in the map frame. The wall is seen from the left. */
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  double bottom = 0;                                     ///< above the floor
+  double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not seen
+  OpeningKind kind = OpeningKind::Door;
+  /** \brief The wall, and the other face of a wall seen from both sides, or -1. */
+  std::array<std::int32_t, 2> planes{-1, -1};
+  /** \brief In front of the first plane and behind it; -1: outside, or not seen. */
+  std::array<std::int32_t, 2> rooms{-1, -1};
+};
+
+/** \brief Free space that planes and openings enclose. \ingroup core */
+struct MapRoom {
+  /** \brief On the floor, far from the walls, metres in the map frame. */
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double area = 0;      ///< square metres of floor, with what walls and floor enclose
+  double seen_area = 0; ///< square metres of the map's floor
+  /** \brief Floors, walls and ceilings that enclose it, ascending. */
+  std::vector<std::int32_t> planes;
+  std::vector<std::int32_t> openings; ///< those that lead into it, ascending
+};
+
 /** \brief A map of textured planes that replaces a point cloud. \ingroup core */
 struct CompactMap {
   std::vector<PlanePatch> planes;
@@ -64,6 +98,11 @@ struct CompactMap {
   /** \brief Factor of the colours in files and pictures of the map, so that these are
    * neither dark nor overexposed; the colours of the charts are those of the input. */
   double exposure = 1;
+
+  /** \brief The graph of rooms: rooms by decreasing area, and what joins them. Empty
+   * unless setRooms was called. */
+  std::vector<MapRoom> rooms;
+  std::vector<MapOpening> openings;
 };
 
 } // namespace pcl

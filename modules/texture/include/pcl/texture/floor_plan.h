@@ -6,7 +6,10 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,9 +26,13 @@ struct PlanWall {
 /** \brief An opening of a wall, metres. \ingroup texture */
 struct PlanOpening {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  std::size_t plane = 0;  ///< of the wall, index in the map
+  Eigen::Vector2d to = Eigen::Vector2d::Zero(); ///< the wall's seen side is on the left
+  std::size_t plane = 0;                        ///< of the wall, index in the map
   bool is_window = false; ///< the wall continues below it; else a door or a passage
+  double bottom = 0;      ///< above the floor, in its middle; 0 for a door
+  double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: no wall above it
+  /** \brief Index of the room in front of the wall, and of the one behind it, or -1. */
+  std::array<std::int32_t, 2> rooms{-1, -1};
 };
 
 /** \brief Space between walls and openings. \ingroup texture */
@@ -36,6 +43,11 @@ struct PlanRoom {
    * the floor below furniture. */
   double area = 0;
   double seen_area = 0; ///< square metres, of the map's floor
+
+  /** \brief Indices in the map of the planes that enclose it, ascending: walls whose
+   * seen side is towards it along 10 cm, floors and ceilings with 0.3 square metres in it,
+   * seen from above. */
+  std::vector<std::size_t> planes;
 };
 
 /** \brief A section of a map above its floor, seen from above. Metres.
@@ -68,8 +80,11 @@ struct FloorPlan {
  * polygons of upright planes. A gap in the section of a plane from 0.4 to 4 m wide is an
  * opening if the plane continues above or below it, and no other wall is within a metre in
  * front of it: that would be a piece of furniture that hides the wall. Rooms are the parts
- * of the floor between walls and openings of which at least a square metre was seen. Without a floor
- * there are no rooms, and the lowest corner of a wall is the floor's height.
+ * of the floor between walls and openings of which at least a square metre was seen. The
+ * room beside a wall or an opening is the first within 0.6 m from its middle, unless a
+ * wall is before it. Ceilings are planes that face down and reach above the section.
+ * Without a floor there are no rooms, and the lowest corner of a wall is the floor's
+ * height.
  *
  * Takes the time of filling the floor with cells of 2 cm, or 4000 along its longer side.
  * \param[in] map its planes and trajectory; see \ref upDirection. Polygons that are not
@@ -77,6 +92,13 @@ struct FloorPlan {
  * \return an empty plan for a map without upright and level planes \ingroup texture */
 ACMAP_EXPORT FloorPlan
 makeFloorPlan(const CompactMap& map);
+
+/** \brief Gives a map the graph of rooms of its floor plan, CompactMap::rooms and
+ * CompactMap::openings, instead of the one it has. Openings of the two faces of a wall, up
+ * to 0.6 m apart, become one.
+ * \param[in] plan from \ref makeFloorPlan for this map \ingroup texture */
+ACMAP_EXPORT void
+setRooms(const FloorPlan& plan, CompactMap& map);
 
 /** \brief Writes a floor plan as SVG 1.1 with a scale of 1 : 100: the floor, walls,
  * doors and windows, the area of each room, and a scale bar. Coordinates are metres with
