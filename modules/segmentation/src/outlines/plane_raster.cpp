@@ -274,13 +274,15 @@ addFreeRays(const KnownPlanes& known,
   if (!sensors.isKnown())
     return;
   const std::vector<RayBlock> blocks = rayBlocksOf(known.points, sensors);
-  const auto limit = static_cast<float>(-2 * known.spacing);
+  constexpr double spacings = 2, deviations = 4; // behind a plane, beyond its noise
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
     PlaneRaster& raster = rasters[p];
     if (raster.seen.width() == 0)
       return;
     const Eigen::Vector3f normal = raster.normal.cast<float>();
     const auto offset = static_cast<float>(raster.offset);
+    const auto limit = static_cast<float>(
+        -std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms));
     const Eigen::Array2d size(raster.free.width(), raster.free.height());
     for (const RayBlock& block : blocks) {
       const Eigen::Vector3f half = block.box.sizes() / 2;

@@ -169,6 +169,7 @@ private:
   noiseOf(const Loop& rim, const PlaneRaster& raster)
   {
     constexpr double of_rims = 1, of_frontiers = 2, min_share = 0.25;
+    constexpr double fading = 0.04; // metres, over which evidence fades however fine
     constexpr int nearest = 1, farthest = 4; // cells beyond
     int all = 0, free = 0;
     for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
@@ -184,7 +185,8 @@ private:
                     : 0;
       }
     }
-    return free > min_share * all ? of_rims : of_frontiers;
+    return free > min_share * all ? of_rims
+                                  : std::max(of_frontiers, fading / raster.cell);
   }
 
   /** A boundary without creases begins at the corner farthest from its middle. */
