@@ -352,12 +352,12 @@ figurePage(const std::string& table, const FigurePlan& plan)
   return page;
 }
 
-/** Colours are drawn 2.5 times as light as the cameras saw them. */
+constexpr double lightening = 2.5; // of the colours that the cameras saw
+
 std::uint8_t
 lightened(std::uint8_t level)
 {
-  constexpr double gain = 2.5, brightest = 255;
-  return static_cast<std::uint8_t>(std::lround(std::min(gain * level, brightest)));
+  return static_cast<std::uint8_t>(std::lround(std::min(lightening * level, 255.0)));
 }
 
 /** Brightens the colours of points. */
@@ -986,9 +986,7 @@ pictureOf(const CompactMap& map, const MapView& view, const OutputFolder& folder
 void
 drawPlanes(CompactMap map, const FigurePlan& plan, const OutputFolder& folder)
 {
-  for (TextureChart& chart : map.charts)
-    for (std::uint8_t& level : chart.colors.values)
-      level = lightened(level);
+  map.exposure = lightening;
   const int height = plan.width * 3 / 4;
   auto view = viewFrom<MapView>(plan.inside, plan.width, height);
   view.place = MapView::Place::Inside;
