@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ACMAP_FEW_POINT_TYPES
+#include <pcl/texture/impl/plane_texturing.hpp>
+#endif
+
 #include <cmath>
 
 namespace pcl::acmap::test {

@@ -101,7 +101,7 @@ packedRectangles(const std::vector<Eigen::Vector2i>& sizes,
                                         : units[a].x() > units[b].x();
   });
   const std::vector<Eigen::Vector2i> candidates = pageSizes(maximum / unit);
-  std::vector<Eigen::Vector2i> corners(sizes.size());
+  std::vector<Eigen::Vector2i> corners(sizes.size(), Eigen::Vector2i::Zero());
   while (!order.empty()) {
     std::int64_t area = 0;
     for (const std::size_t i : order)
