@@ -1,7 +1,6 @@
 #include "outlines/crease_nodes.h"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
