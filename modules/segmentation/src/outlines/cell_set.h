@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -36,6 +39,14 @@ public:
   has(int x, int y) const
   {
     return isInside(x, y) && (row(y)[x >> 6] >> (x & 63) & 1) != 0;
+  }
+
+  /** Is the cell that contains a place a member? */
+  bool
+  has(const Eigen::Vector2d& place) const
+  {
+    return has(static_cast<int>(std::floor(place.x())),
+               static_cast<int>(std::floor(place.y())));
   }
 
   void

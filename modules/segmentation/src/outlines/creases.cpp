@@ -46,9 +46,7 @@ isBeside(const PlaneRaster& raster,
   int all = 0, seen = 0;
   bool begins = false;
   for (double distance = 0.5; distance < band * scale; ++distance) {
-    const Eigen::Vector2d at = place + distance * towards;
-    const bool is_seen = raster.seen.has(static_cast<int>(std::floor(at.x())),
-                                         static_cast<int>(std::floor(at.y())));
+    const bool is_seen = raster.seen.has(place + distance * towards);
     begins |= is_seen && distance <= latest_begin * scale;
     if (distance < dead_zone * scale)
       continue;
@@ -246,17 +244,14 @@ creaseOf(std::size_t a,
 
 /** Pairs of planes whose surfaces may touch. */
 std::vector<std::array<std::size_t, 2>>
-touchingPairs(const KnownPlanes& known, const std::vector<PlaneRaster>& rasters)
+touchingPairs(double spacing, const std::vector<PlaneRaster>& rasters)
 {
-  std::vector<Eigen::AlignedBox3d> boxes(rasters.size());
-  for (std::size_t i = 0; i < known.labels.size(); ++i)
-    if (known.labels[i] >= 0)
-      boxes[static_cast<std::size_t>(known.labels[i])].extend(
-          known.points[i].cast<double>());
-  const double margin = snap_reach / 2 * known.spacing;
-  for (Eigen::AlignedBox3d& box : boxes) {
-    box.min().array() -= margin;
-    box.max().array() += margin;
+  const double margin = snap_reach / 2 * spacing;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const PlaneRaster& raster : rasters) {
+    boxes.push_back(raster.box);
+    boxes.back().min().array() -= margin;
+    boxes.back().max().array() += margin;
   }
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t a = 0; a < boxes.size(); ++a)
@@ -452,7 +447,8 @@ meetingOf(const Crease& crease, const PlaneRaster& third)
 Creases
 creasesOf(const KnownPlanes& known, const std::vector<PlaneRaster>& rasters)
 {
-  const std::vector<std::array<std::size_t, 2>> pairs = touchingPairs(known, rasters);
+  const std::vector<std::array<std::size_t, 2>> pairs =
+      touchingPairs(known.spacing, rasters);
   std::vector<Crease> candidates(pairs.size());
   oneapi::tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
     const auto [a, b] = pairs[i];

@@ -117,6 +117,31 @@ contains(const Loop& loop, const Eigen::Vector2d& point)
   return is_inside;
 }
 
+Nesting
+nestingOf(const std::vector<Loop>& loops, double min_area)
+{
+  Nesting nesting;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (signedArea(loops[i]) >= min_area)
+      nesting.rims.push_back(i);
+  std::stable_sort(
+      nesting.rims.begin(), nesting.rims.end(), [&](std::size_t a, std::size_t b) {
+        return signedArea(loops[a]) > signedArea(loops[b]);
+      });
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].size() < 3 || signedArea(loops[i]) > -min_area)
+      continue;
+    // The middle of an edge is tested, because vertices may touch the rim.
+    const Eigen::Vector2d middle = (loops[i][0] + loops[i][1]) / 2;
+    for (std::size_t r = nesting.rims.size(); r-- > 0;)
+      if (contains(loops[nesting.rims[r]], middle)) {
+        nesting.holes.emplace_back(i, r);
+        break;
+      }
+  }
+  return nesting;
+}
+
 Loop
 simplified(const Loop& loop, double tolerance)
 {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap::outlines {
@@ -21,6 +22,17 @@ signedArea(const Loop& loop);
 
 bool
 contains(const Loop& loop, const Eigen::Vector2d& point);
+
+/** Which loops are outer ones, and which are holes of these. */
+struct Nesting {
+  std::vector<std::size_t> rims; ///< counter-clockwise loops, by falling area
+  /** Clockwise loops, each with the place in \a rims of the smallest one around it. */
+  std::vector<std::pair<std::size_t, std::size_t>> holes;
+};
+
+/** \param[in] min_area area below which loops are left out */
+Nesting
+nestingOf(const std::vector<Loop>& loops, double min_area);
 
 /** Do the segments ab and cd cross in the interior of both?
  * \param[out] place intersection */

@@ -88,27 +88,14 @@ setPolygons(const std::vector<Loop>& shaped,
       large.push_back(loop);
   const std::vector<Loop> loops = disentangled(large, 1e-3 * spacing);
   const PatchFrame frame{patch};
-  std::vector<const Loop*> rims;
-  for (const Loop& loop : loops)
-    if (signedArea(loop) >= min_area)
-      rims.push_back(&loop);
-  std::stable_sort(rims.begin(), rims.end(), [](const Loop* a, const Loop* b) {
-    return signedArea(*a) > signedArea(*b);
-  });
-  for (const Loop* rim : rims) {
-    patch.polygons.push_back({lift(*rim, frame), {}});
-    patch.area += signedArea(*rim);
+  const Nesting nesting = nestingOf(loops, min_area);
+  for (const std::size_t rim : nesting.rims) {
+    patch.polygons.push_back({lift(loops[rim], frame), {}});
+    patch.area += signedArea(loops[rim]);
   }
-  for (const Loop& loop : loops) {
-    if (signedArea(loop) > -min_area)
-      continue;
-    for (std::size_t r = rims.size(); r-- > 0;)
-      // The middle of an edge is tested, because vertices may touch the rim.
-      if (contains(*rims[r], (loop[0] + loop[1]) / 2)) {
-        patch.polygons[r].holes.push_back(lift(loop, frame));
-        patch.area += signedArea(loop);
-        break;
-      }
+  for (const auto& [hole, rim] : nesting.holes) {
+    patch.polygons[rim].holes.push_back(lift(loops[hole], frame));
+    patch.area += signedArea(loops[hole]);
   }
 }
 

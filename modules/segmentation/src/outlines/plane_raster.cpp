@@ -160,6 +160,7 @@ rastersOf(const KnownPlanes& known)
     raster.normal = patch.coefficients.head<3>();
     raster.offset = patch.coefficients[3];
     raster.cell = known.spacing / 2;
+    raster.box = boxes[p];
     raster.axis_u = mainDirection(p, known.planes, boxes, 4 * known.spacing);
     raster.axis_u =
         (raster.axis_u - raster.axis_u.dot(raster.normal) * raster.normal).normalized();

@@ -4,7 +4,7 @@
 #include "outlines/loop.h"
 #include "planes/known_planes.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace pcl::acmap::outlines {
 
@@ -17,7 +17,8 @@ struct PlaneRaster {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_u = Eigen::Vector3d::UnitX();
   Eigen::Vector3d axis_v = Eigen::Vector3d::UnitY();
-  double cell = 0; ///< edge length of a cell, metres
+  double cell = 0;         ///< edge length of a cell, metres
+  Eigen::AlignedBox3d box; ///< of the points on the plane
 
   CellSet seen;                            ///< covered by the surface
   std::vector<Eigen::Vector2d> rim_points; ///< corners of faces near the end of these

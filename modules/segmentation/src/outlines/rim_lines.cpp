@@ -78,6 +78,8 @@ lineOf(const std::vector<RimSums>& sums,
   return line;
 }
 
+} // namespace
+
 std::vector<std::size_t>
 breakPoints(const Loop& rim)
 {
@@ -91,8 +93,6 @@ breakPoints(const Loop& rim)
       kept.push_back(i);
   return kept;
 }
-
-} // namespace
 
 bool
 RimLine::meet(const Eigen::Vector2d& point,

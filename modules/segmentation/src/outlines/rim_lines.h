@@ -23,6 +23,11 @@ struct RimLine {
        Eigen::Vector2d& place) const;
 };
 
+/** Numbers of the corners of a rim that are left if it is simplified within 0.9 cells,
+ * first and last included. */
+std::vector<std::size_t>
+breakPoints(const Loop& rim);
+
 /** The straight pieces of a rim that describe it best: the sum of their squared distances
  * from the sides of the cells, plus a price for each piece, which is lower along an axis,
  * is minimal over all choices of break points.

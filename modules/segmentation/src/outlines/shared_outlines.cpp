@@ -35,9 +35,9 @@ struct Boundary {
 
 /** A corner of an outline: on a crease, or a place of its own in the raster. */
 struct OutlinePoint {
-  CreasePoint on_crease; ///< used if its crease is not -1
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::int32_t next_crease = -1; ///< along which the outline goes on
+  CreasePoint on_crease;                           ///< used if its crease is not -1
+  Eigen::Vector2d place = Eigen::Vector2d::Zero(); ///< used otherwise
+  std::int32_t next_crease = -1;                   ///< along which the outline goes on
 };
 
 /** A corner of an outline in space. */
@@ -136,7 +136,6 @@ private:
   {
     OutlinePoint point;
     point.on_crease = {crease, lineOf(crease, plane).along(place), -1};
-    point.place = place;
     point.next_crease = next;
     points.push_back(point);
   }
@@ -153,13 +152,10 @@ private:
       refineLines(rim, raster.rim_points, lines);
       return cornersOf(lines, rim);
     }
-    constexpr double tolerance = 0.9;
-    std::vector<std::uint8_t> is_kept(rim.size(), 0);
-    markKept(rim, 0, rim.size() - 1, tolerance, is_kept);
+    const std::vector<std::size_t> kept = breakPoints(rim);
     Loop corners;
-    for (std::size_t i = 1; i + 1 < rim.size(); ++i)
-      if (is_kept[i])
-        corners.push_back(rim[i]);
+    for (std::size_t i = 1; i + 1 < kept.size(); ++i)
+      corners.push_back(rim[kept[i]]);
     return corners;
   }
 
@@ -177,12 +173,8 @@ private:
       const Eigen::Vector2d outwards(way.y(), -way.x());
       const Eigen::Vector2d middle = (rim[i] + rim[i + 1]) / 2;
       for (int off = nearest; off <= farthest; ++off) {
-        const Eigen::Vector2d at = middle + (off + 0.5) * outwards;
         ++all;
-        free += raster.free.has(static_cast<int>(std::floor(at.x())),
-                                static_cast<int>(std::floor(at.y())))
-                    ? 1
-                    : 0;
+        free += raster.free.has(middle + (off + 0.5) * outwards) ? 1 : 0;
       }
     }
     return free > min_share * all ? of_rims
@@ -238,7 +230,6 @@ private:
           before.crease,
           lineOf(before.crease, boundary.plane).along(place),
           static_cast<std::int32_t>(second.planes[1 - second.sideOf(boundary.plane)])};
-      point.place = place;
       point.next_crease = after.crease;
       points.push_back(point);
       return;
@@ -498,12 +489,8 @@ private:
     int all = 0, free = 0;
     for (double along = std::min(0.5, length / 2); along < length; ++along)
       for (double off = nearest; off <= farthest; ++off) {
-        const Eigen::Vector2d at = from + along / length * way + off * outwards;
         ++all;
-        free += raster.free.has(static_cast<int>(std::floor(at.x())),
-                                static_cast<int>(std::floor(at.y())))
-                    ? 1
-                    : 0;
+        free += raster.free.has(from + along / length * way + off * outwards) ? 1 : 0;
       }
     return free > min_share * all;
   }
@@ -514,7 +501,7 @@ private:
   std::vector<SharedEdge> edges_;
 };
 
-/** Sets the polygons of a plane: each hole belongs to the smallest rim around it. */
+/** Sets the polygons of a plane. */
 void
 setOutlines(const std::vector<std::size_t>& loops,
             const std::vector<Outline>& outlines,
@@ -525,20 +512,12 @@ setOutlines(const std::vector<std::size_t>& loops,
 {
   constexpr double min_area = 16; // cells
   std::vector<Loop> places;
-  std::vector<std::size_t> rims, holes;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
+  for (const std::size_t loop : loops) {
     places.emplace_back();
-    for (const OutlineVertex& vertex : outlines[loops[i]])
-      places[i].push_back(raster.placeOf(vertex.position));
-    const double area = places[i].size() < 3 ? 0 : signedArea(places[i]);
-    if (area >= min_area)
-      rims.push_back(i);
-    else if (area <= -min_area)
-      holes.push_back(i);
+    for (const OutlineVertex& vertex : outlines[loop])
+      places.back().push_back(raster.placeOf(vertex.position));
   }
-  std::stable_sort(rims.begin(), rims.end(), [&](std::size_t a, std::size_t b) {
-    return signedArea(places[a]) > signedArea(places[b]);
-  });
+  const Nesting nesting = nestingOf(places, min_area);
   const double square = raster.cell * raster.cell;
   const auto append =
       [&](std::size_t i, std::vector<Eigen::Vector3f>& points, PlanePolygon& polygon) {
@@ -549,18 +528,14 @@ setOutlines(const std::vector<std::size_t>& loops,
         }
         patch.area += square * signedArea(places[i]);
       };
-  for (const std::size_t rim : rims) {
+  for (const std::size_t rim : nesting.rims) {
     patch.polygons.emplace_back();
     append(rim, patch.polygons.back().outer, patch.polygons.back());
   }
-  for (const std::size_t hole : holes)
-    for (std::size_t r = rims.size(); r-- > 0;)
-      // The middle of an edge is tested, because vertices may touch the rim.
-      if (contains(places[rims[r]], (places[hole][0] + places[hole][1]) / 2)) {
-        patch.polygons[r].holes.emplace_back();
-        append(hole, patch.polygons[r].holes.back(), patch.polygons[r]);
-        break;
-      }
+  for (const auto& [hole, rim] : nesting.holes) {
+    patch.polygons[rim].holes.emplace_back();
+    append(hole, patch.polygons[rim].holes.back(), patch.polygons[rim]);
+  }
 }
 
 /** Is a plane too narrow for many faces to have all their corners on it? */

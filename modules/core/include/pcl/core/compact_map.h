@@ -53,7 +53,7 @@ struct TextureChart {
   std::optional<Eigen::Vector2i> kinds_place; ///< as image_place; never halved
 };
 
-/** \brief What an opening of a wall is. \ingroup core */
+/** \brief Kind of an opening in a wall. \ingroup core */
 enum class OpeningKind : std::uint8_t {
   Door = 0,  ///< a door or a passage
   Window = 1 ///< the wall continues below it
