@@ -121,6 +121,15 @@ bindCompactMap(py::module_& module)
           [](const ReportedMap& reported) { return reported.map.exposure; },
           "factor of the colours in the images of the saved map, so that these are "
           "neither dark nor overexposed")
+      .def_property_readonly(
+          "up",
+          [](const ReportedMap& reported) -> std::optional<std::array<double, 3>> {
+            const Eigen::Vector3d& up = reported.map.up;
+            if (up.isZero(0))
+              return std::nullopt;
+            return std::array<double, 3>{up.x(), up.y(), up.z()};
+          },
+          "the up direction in the map frame, (x, y, z) of length 1; None if unknown")
       .def("save",
            &saveMap,
            about_saving,

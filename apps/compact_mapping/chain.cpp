@@ -128,6 +128,7 @@ Chain::sequenceFrom(StartingPoint start)
   sequence.is_rectified = options_.rectifies && sequence.posed->size() > 1;
   if (sequence.is_rectified)
     sequence.posed = rectify(observations, *sequence.posed, scale);
+  sequence.up = poses_.up;
   return sequence;
 }
 
@@ -177,8 +178,8 @@ Chain::rectify(const std::string& observations,
   rectification.output = folderOf("rectification");
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
-  if (odometry_noise_ && !rectification.has_odometry_noise)
-    rectification.odometry = *odometry_noise_;
+  if (poses_.noise && !rectification.has_odometry_noise)
+    rectification.odometry = *poses_.noise;
   return runPoses("rectification",
                   {{"observations", observations},
                    {"skips_broken", rectification.skip_broken},
@@ -205,7 +206,7 @@ Chain::runPoses(const std::string& name,
   const std::optional<EstimatedPoses> poses = loadEstimatedPoses(folder);
   if (!poses)
     throw InputFileException(folder + ": has no poses");
-  odometry_noise_ = poses->noise;
+  poses_ = *poses;
   return sequence.withPoses(poses->places, poses->trajectory);
 }
 

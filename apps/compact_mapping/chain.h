@@ -16,7 +16,8 @@ namespace pcl::acmap {
 /** \brief Input of the map; without observations it is one cloud. */
 struct Sequence {
   std::optional<ObservationSequence> posed;
-  bool is_rectified = false; ///< true if the poses were rectified
+  bool is_rectified = false;         ///< true if the poses were rectified
+  std::optional<Eigen::Vector3d> up; ///< axis of the map frame, if it was levelled
 };
 
 /** \brief A stage of this run. */
@@ -108,8 +109,8 @@ private:
   RunControls controls_;
   StageLog& log_;
   std::string folder_;
-  std::string made_of_;                         ///< fingerprint of all stages so far
-  std::optional<OdometryNoise> odometry_noise_; ///< of the last stage with poses
+  std::string made_of_;  ///< fingerprint of all stages so far
+  EstimatedPoses poses_; ///< of the last stage with poses
   std::vector<RunStage> stages_;
 };
 

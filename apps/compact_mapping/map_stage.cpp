@@ -102,7 +102,7 @@ merge(const ChainOptions& options,
 
 Mapped
 mapSequence(const ChainOptions& options,
-            const ObservationSequence& posed,
+            const Sequence& sequence,
             const OutputFolder& folder,
             const RunControls& controls,
             StageLog& log)
@@ -110,7 +110,7 @@ mapSequence(const ChainOptions& options,
   Mapped result;
   {
     StepTimer timer(log.report);
-    const MergedCloud merged = merge(options, posed, controls, log);
+    const MergedCloud merged = merge(options, *sequence.posed, controls, log);
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
@@ -122,7 +122,9 @@ mapSequence(const ChainOptions& options,
   }
   requirePlanes(options.input, result.found, log);
   StepTimer timer(log.report);
-  result.map = paintPlanes(result.found.planes, posed, options.texture, controls, log);
+  result.map =
+      paintPlanes(result.found.planes, *sequence.posed, options.texture, controls, log);
+  result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
   return result;
@@ -237,9 +239,8 @@ makeMap(const ChainOptions& options,
         const RunControls& controls,
         StageLog& log)
 {
-  Mapped mapped = sequence.posed
-                      ? mapSequence(options, *sequence.posed, folder, controls, log)
-                      : mapCloud(options, controls, log);
+  Mapped mapped = sequence.posed ? mapSequence(options, sequence, folder, controls, log)
+                                 : mapCloud(options, controls, log);
   stopIfInterrupted();
   StepTimer timer(log.report);
 

@@ -93,46 +93,4 @@ readScans(const std::string& path, std::size_t every, StageLog& log)
   return observations;
 }
 
-std::optional<Eigen::Vector3d>
-floorNormalOf(const MapObservations& observations)
-{
-  constexpr double steepest = 0.7071; // cosine of 45 degrees
-  constexpr double alike = 0.9962;    // cosine of 5 degrees
-  // minimum fraction of the points that are on floors
-  constexpr double min_share = 0.02;
-  constexpr std::size_t max_tried = 300;
-  std::size_t points = 0;
-  std::vector<Eigen::Vector3f> normals; // of possible floors or ceilings, y > 0
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i) {
-    const Eigen::Matrix3f rotation =
-        observations.trajectory.poses[i].linear().cast<float>();
-    points += observations.clouds[i]->size();
-    for (const PointNormal& point : *observations.clouds[i]) {
-      const Eigen::Vector3f normal = rotation * point.getNormalVector3fMap();
-      if (std::abs(normal.y()) > steepest)
-        normals.emplace_back(normal.y() > 0 ? normal : Eigen::Vector3f(-normal));
-    }
-  }
-  std::size_t best_count = 0;
-  Eigen::Vector3f best_sum = Eigen::Vector3f::UnitY();
-  const std::size_t step = 1 + normals.size() / max_tried;
-  for (std::size_t i = 0; i < normals.size(); i += step) {
-    std::size_t count = 0;
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (const Eigen::Vector3f& normal : normals)
-      if (normal.dot(normals[i]) > alike) {
-        ++count;
-        sum += normal;
-      }
-    if (count > best_count) {
-      best_count = count;
-      best_sum = sum;
-    }
-  }
-  if (static_cast<double>(best_count) < min_share * static_cast<double>(points) ||
-      best_count == 0)
-    return std::nullopt;
-  return best_sum.cast<double>().normalized();
-}
-
 } // namespace pcl::acmap

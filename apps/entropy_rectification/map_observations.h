@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,11 +39,5 @@ readObservations(const ObservationSequence& sequence,
  * \throws InputFileException as loadCarmenLog */
 MapObservations
 readScans(const std::string& path, std::size_t every, StageLog& log);
-
-/** \brief The normal of floors and ceilings in the map, with y > 0: the most frequent
- * direction among the normals within 45 degrees of y. Nothing if only few points have
- * such a normal. */
-std::optional<Eigen::Vector3d>
-floorNormalOf(const MapObservations& observations);
 
 } // namespace pcl::acmap

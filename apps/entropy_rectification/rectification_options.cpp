@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <locale>
+#include <sstream>
+
 namespace pcl::acmap {
 
 namespace {
@@ -61,6 +64,33 @@ addOdometryNoise(CLI::App& app, RectificationOptions& options)
       ->check(CLI::Range(1e-6, 1e3).description(""));
 }
 
+/** The direction of x, -x, y, -y, z or -z, or of three numbers with commas.
+ * \throws CLI::ValidationError for other texts */
+Eigen::Vector3d
+directionOf(const std::string& text)
+{
+  const bool is_opposite = !text.empty() && text[0] == '-';
+  const std::string axis = text.substr(is_opposite ? 1 : 0);
+  if (axis == "x" || axis == "y" || axis == "z")
+    return (is_opposite ? -1 : 1) * Eigen::Vector3d::Unit(axis[0] - 'x');
+  std::istringstream numbers(text);
+  numbers.imbue(std::locale::classic());
+  Eigen::Vector3d direction;
+  char comma = ',';
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0)
+      numbers >> comma;
+    if (comma != ',' || !(numbers >> direction[i]))
+      numbers.setstate(std::ios::failbit);
+  }
+  const bool is_complete = numbers && numbers.peek() == EOF;
+  if (!is_complete || !direction.allFinite() || direction.isZero(0))
+    throw CLI::ValidationError("--up",
+                               text + " is no direction: x, y, z, one of these with a "
+                                      "minus, or three numbers as 0.1,-1,0");
+  return direction.normalized();
+}
+
 } // namespace
 
 void
@@ -81,6 +111,14 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(1e-3, 1e3).description(""));
   addOdometryNoise(app, options);
+  app.add_option_function<std::string>(
+         "--up",
+         [&options](const std::string& text) { options.up = directionOf(text); },
+         "Direction of the input that points up, as z, -y or 0.1,-1,0; the map is "
+         "turned until the nearest axis points there [default: found from floors and "
+         "walls]")
+      ->type_name("DIRECTION")
+      ->default_str("");
   tool.addSeed(options.seed);
 }
 

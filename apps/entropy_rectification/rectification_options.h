@@ -6,6 +6,8 @@
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +24,7 @@ struct RectificationOptions {
   std::uint64_t seed = 1;
   OdometryNoise odometry;
   bool has_odometry_noise = false;      ///< true if the user set it
+  std::optional<Eigen::Vector3d> up;    ///< of the input; found if it is not set
   std::optional<double> asked_bin_size; ///< metres
   std::optional<double> smoothing;      ///< metres, sigma_XZ of mode Paper
   bool write_observations = false;

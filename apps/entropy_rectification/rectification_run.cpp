@@ -11,6 +11,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 
@@ -133,6 +134,14 @@ tellOutcome(const EntropyRectificationReport& report, StageLog& log)
                shortNumber(degrees * largestOf(report.turned)) + " degrees");
 }
 
+std::string
+nameOfAxis(const Eigen::Vector3d& axis)
+{
+  int number = 0;
+  axis.cwiseAbs().maxCoeff(&number);
+  return std::string(axis[number] < 0 ? "-" : "") + "xyz"[number];
+}
+
 /** Do all poses have the same height, and rotate about y only, as for motions on a
  * floor? */
 bool
@@ -146,35 +155,51 @@ areOnAFloor(const Poses& poses)
          });
 }
 
-/** Warns of a map that is not level.
- * \return the normal of its floor; y of a level map */
-Eigen::Vector3d
-checkLevel(const MapObservations& observations, StageLog& log)
+/** Levels the map and reports its vertical. The scans of a log are planar: theirs is y;
+ * the paper's mode takes the map as it is. */
+MapLevellingReport
+level(const RectificationOptions& options,
+      MapObservations& observations,
+      const RunControls& controls,
+      StageLog& log)
 {
-  constexpr double maximum = 10; // degrees
-  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d floor = floorNormalOf(observations).value_or(y);
-  const double tilt = degrees * std::acos(std::min(1.0, floor.y()));
-  if (tilt <= maximum)
-    return y;
-  log.warn(
-      "floors and ceilings lie " + std::to_string(std::lround(tilt)) +
-      " degrees off the xz plane: the map is not level, and is rectified about its "
-      "y axis all the same; plans are drawn along the floor" +
-      (areOnAFloor(observations.trajectory.poses)
-           ? "; its poses turn about y only: where a hand held the camera, find "
-             "them again with --6dof (of pcl_visual_egomotion or "
-             "pcl_compact_mapping)"
-           : ""));
-  return floor;
+  constexpr double strong = 10; // degrees
+  const bool is_on_a_floor = areOnAFloor(observations.trajectory.poses);
+  MapLevelling<PointNormal> levelling;
+  if (options.up)
+    levelling.setUpDirection(*options.up);
+  else if (observations.files.empty() || options.mode == RectificationMode::Paper)
+    levelling.setUpDirection(-Eigen::Vector3d::UnitY());
+  const MapLevellingReport report =
+      levelObservations(levelling, observations, controls.threads);
+  log.warn(report.remarks);
+  const double tilt = degrees * report.tilt;
+  log.tell("up",
+           nameOfAxis(report.axis) + ", " + report.reason +
+               (tilt > 0
+                    ? "; the map was turned level by " + shortNumber(tilt) + " degrees"
+                    : ""));
+  log.details["level"] = {{"found", report.found},
+                          {"up", {report.up.x(), report.up.y(), report.up.z()}},
+                          {"axis", {report.axis.x(), report.axis.y(), report.axis.z()}},
+                          {"tilt_deg", tilt},
+                          {"share", report.share}};
+  if (tilt > strong && is_on_a_floor)
+    log.warn(
+        "the map was not level, but its poses turn about y only: where a hand held "
+        "the camera, find them again with --6dof (of pcl_visual_egomotion or "
+        "pcl_compact_mapping)");
+  return report;
 }
 
 Rectification
 rectify(const RectificationOptions& options,
         const MapObservations& observations,
+        const Eigen::Vector3d& up,
         const RunControls& controls)
 {
   Rectification rectification;
+  rectification.setUpDirection(up);
   rectification.setMode(options.mode);
   rectification.setBinSize(options.binSize());
   if (options.smoothing)
@@ -192,14 +217,12 @@ rectify(const RectificationOptions& options,
   return rectification;
 }
 
-/** Transforms the poses to a frame whose xz plane is the floor. */
+/** Transforms the poses to a frame whose y axis points down, as plans have it. */
 Poses
-alongFloor(const Eigen::Vector3d& floor, Poses poses)
+upright(const Eigen::Vector3d& up, Poses poses)
 {
-  const Eigen::Isometry3d turn(
-      Eigen::Quaterniond::FromTwoVectors(floor, Eigen::Vector3d::UnitY()));
   for (Eigen::Isometry3d& pose : poses)
-    pose = turn * pose;
+    pose = uprightRotation(up) * pose;
   return poses;
 }
 
@@ -220,12 +243,12 @@ extentOf(const MapObservations& observations, const Poses& before, const Poses& 
 
 /** Writes trajectories, plans, and if they are wanted the map and the observations.
  * \param[in] poses rectified, T_map_camera
- * \param[in] floor its normal, y > 0: plans are drawn along it */
+ * \param[in] up plans are drawn perpendicularly to it */
 void
 writeOutputs(const RectificationOptions& options,
              const MapObservations& observations,
              const Poses& poses,
-             const Eigen::Vector3d& floor,
+             const Eigen::Vector3d& up,
              const OutputFolder& folder,
              const RunControls& controls)
 {
@@ -234,8 +257,8 @@ writeOutputs(const RectificationOptions& options,
               [](const std::string& work, std::size_t bytes, double) {
                 requireMemory(bytes, work);
               });
-  const Poses plan_before = alongFloor(floor, observations.trajectory.poses);
-  const Poses plan_after = alongFloor(floor, poses);
+  const Poses plan_before = upright(up, observations.trajectory.poses);
+  const Poses plan_after = upright(up, poses);
   const PlanExtent extent = extentOf(observations, plan_before, plan_after);
   PlanPicture before(extent), after(extent);
   const Progress progress(controls.progress);
@@ -280,22 +303,21 @@ rectifyMap(const RectificationOptions& options,
   if (folder.holds(options.input()) || folder.holds(options.input() + "/any"))
     throw UsageError(options.output + ": holds the input; name another folder");
   requireNoSequence(folder);
-  const MapObservations observations = read();
+  MapObservations observations = read();
   if (observations.points == 0)
     throw NothingFound(options.input() + ": has no point");
-  const bool is_level = observations.files.empty(); // the scans of a log
-  const Eigen::Vector3d floor =
-      is_level ? Eigen::Vector3d::UnitY() : checkLevel(observations, log);
   timer.finish("read");
 
-  const Rectification rectification = rectify(options, observations, controls);
+  const MapLevellingReport levelled = level(options, observations, controls, log);
+  const Rectification rectification =
+      rectify(options, observations, levelled.axis, controls);
   timer.finish("rectify");
 
   Poses poses;
   for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
     poses.push_back(rectification.getPose(i));
   const EntropyRectificationReport& report = rectification.getReport();
-  writeOutputs(options, observations, poses, floor, folder, controls);
+  writeOutputs(options, observations, poses, levelled.axis, folder, controls);
   savePng(folder.path("energy.png"), energyPicture(report.steps));
   stopIfInterrupted();
   folder.commit();
@@ -310,7 +332,10 @@ rectifyMap(const RectificationOptions& options,
   log.details["posed_files"] = observations.files;
   log.tellSeconds();
   log.tell("folder", options.output);
-  return {observations.places, {observations.trajectory.stamps, poses}, std::nullopt};
+  return {observations.places,
+          {observations.trajectory.stamps, poses},
+          std::nullopt,
+          levelled.found ? std::optional(levelled.axis) : std::nullopt};
 }
 
 } // namespace

@@ -281,7 +281,14 @@ TEST(RectificationTool, ModesAndSeedsAreTold)
   EXPECT_GT(report.at("accepted_moves"), 0);
 }
 
-TEST(RectificationTool, AMapThatIsNotLevelIsTold)
+Eigen::Vector3d
+upOf(const nlohmann::json& report)
+{
+  const nlohmann::json& up = report.at("level").at("axis");
+  return {up[0].get<double>(), up[1].get<double>(), up[2].get<double>()};
+}
+
+TEST(RectificationTool, AMapThatIsNotLevelIsTurned)
 {
   const TemporaryFolder folder;
   const std::string session = copyOfRoom(folder.path("session"));
@@ -291,14 +298,12 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTold)
   saveTrajectory(session + "/trajectory.txt", tilted);
   const ToolRun run = runRectification({session, "-o", folder.path("out")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("20 degrees off the xz plane"));
+  EXPECT_THAT(run.out, HasSubstr("-y, the y axis of cameras points down"));
   EXPECT_THAT(run.err, Not(HasSubstr("--6dof"))) << "the poses know the tilt";
-  const RgbImage plan = loadRgbImage(folder.path("out/plan_before.png"));
-  saveTrajectory(session + "/trajectory.txt", driftedRoom().truth);
-  ASSERT_EQ(runRectification({session, "-o", folder.path("true")}).exit_code, 0);
-  const RgbImage level_plan = loadRgbImage(folder.path("true/plan_before.png"));
-  EXPECT_NEAR(plan.height, level_plan.height, 20) << "drawn along the floor";
-  EXPECT_NEAR(plan.width, level_plan.width, 20);
+  EXPECT_NEAR(reportOf(folder.path("out")).at("level").at("tilt_deg"), 20.05, 0.5);
+  const Trajectory level = loadTrajectory(folder.path("out/trajectory.txt"));
+  for (const Eigen::Isometry3d& pose : level.poses)
+    EXPECT_GT(pose.linear()(1, 1), std::cos(0.01)) << "the camera is level";
 
   // the camera is tilted, but its poses rotate about y only, as those of a robot
   const std::string unknown = copyOfRoom(folder.path("unknown"));
@@ -315,13 +320,42 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTold)
   }
   const ToolRun floor = runRectification({unknown, "-o", folder.path("floor")});
   EXPECT_EQ(floor.exit_code, 0) << floor.err;
-  EXPECT_THAT(floor.err, HasSubstr("degrees off the xz plane"));
   EXPECT_THAT(floor.err, HasSubstr("again with --6dof"));
+}
 
-  const ToolRun level =
-      runRectification({driftedRoom().session, "-o", folder.path("level"), "--quiet"});
-  EXPECT_EQ(level.err, "");
-  EXPECT_THAT(contentOf(folder.path("level/report.json")), Not(HasSubstr("xz plane")));
+TEST(RectificationTool, TheVerticalMayBeZOrGiven)
+{
+  const TemporaryFolder folder;
+  const std::string session = copyOfRoom(folder.path("session"));
+  Trajectory upright = driftedRoom().truth; // in a map whose z points up
+  for (Eigen::Isometry3d& pose : upright.poses)
+    pose = Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()) * pose;
+  saveTrajectory(session + "/trajectory.txt", upright);
+  const ToolRun found = runRectification({session, "-o", folder.path("z")});
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(upOf(reportOf(folder.path("z"))), Eigen::Vector3d::UnitZ());
+  const Trajectory poses = loadTrajectory(folder.path("z/trajectory.txt"));
+  for (std::size_t i = 0; i < poses.poses.size(); ++i)
+    EXPECT_LT((poses.poses[i].translation() - upright.poses[i].translation()).norm(),
+              0.1);
+  const RgbImage plan = loadRgbImage(folder.path("z/plan_before.png"));
+  saveTrajectory(session + "/trajectory.txt", driftedRoom().truth);
+  ASSERT_EQ(runRectification({session, "-o", folder.path("y")}).exit_code, 0);
+  const RgbImage level_plan = loadRgbImage(folder.path("y/plan_before.png"));
+  EXPECT_NEAR(plan.height, level_plan.height, 20) << "drawn from above";
+  EXPECT_NEAR(plan.width, level_plan.width, 20);
+
+  const ToolRun given =
+      runRectification({session, "-o", folder.path("given"), "--up", "0,-1,0.1"});
+  EXPECT_EQ(given.exit_code, 0) << given.err;
+  EXPECT_NEAR(reportOf(folder.path("given")).at("level").at("tilt_deg"), 5.71, 0.01);
+  EXPECT_EQ(
+      runRectification({session, "-o", folder.path("axis"), "--up", "-y"}).exit_code,
+      0);
+  for (const char* bad : {"up", "0,0,0", "1,2", "1,2,3,4", "nan,0,1", ""})
+    EXPECT_EQ(
+        runRectification({session, "-o", folder.path("bad"), "--up", bad}).exit_code, 2)
+        << bad;
 }
 
 } // namespace

@@ -279,53 +279,5 @@ TEST(EnergyPicture, OfInfiniteEnergiesAndOfOneStepCanBeDrawn)
   EXPECT_EQ(placeOf(energyPicture(one), 2).lines, 1);
 }
 
-/** Points on a floor that is tilted about z, and on walls. */
-MapObservations
-tiltedRoom(double tilt, double floor_share)
-{
-  Random random(4);
-  const Eigen::Matrix3d rotation =
-      Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  MapObservations room;
-  room.clouds.emplace_back(new PointCloud<PointNormal>);
-  // The camera itself is rotated, so that the map is level only by its pose.
-  Eigen::Isometry3d T_map_camera(
-      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
-  room.trajectory.poses.push_back(T_map_camera);
-  for (int i = 0; i < 3000; ++i) {
-    Eigen::Vector3d normal(random.normal(), 0, random.normal()); // of walls
-    if (random.uniform() < floor_share)
-      normal =
-          random.uniform() < 0.5 ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, -1, 0);
-    normal = normal.normalized() +
-             0.02 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
-    PointNormal point;
-    point.getVector3fMap().setZero();
-    point.getNormalVector3fMap() =
-        (T_map_camera.linear().transpose() * rotation * normal.normalized())
-            .cast<float>();
-    if (i % 50 == 0)
-      point.normal_y = std::numeric_limits<float>::quiet_NaN();
-    room.clouds.back()->push_back(point);
-  }
-  return room;
-}
-
-TEST(LevelCheck, TellsTheTiltOfTheFloor)
-{
-  for (const double tilt : {0.0, 5.0, 12.0, 30.0, -40.0}) {
-    const auto told = floorNormalOf(tiltedRoom(tilt * degree, 0.3));
-    ASSERT_TRUE(told) << tilt;
-    const Eigen::AngleAxisd turn(tilt * degree, Eigen::Vector3d::UnitZ());
-    EXPECT_LT((*told - turn * Eigen::Vector3d::UnitY()).norm() / degree, 1.0) << tilt;
-  }
-}
-
-TEST(LevelCheck, SaysNothingWithoutAFloor)
-{
-  EXPECT_FALSE(floorNormalOf(tiltedRoom(0, 0)));
-  EXPECT_FALSE(floorNormalOf(MapObservations()));
-}
-
 } // namespace
 } // namespace pcl::acmap::test

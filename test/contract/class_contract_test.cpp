@@ -1,6 +1,7 @@
 #include "dewall_traits.h"
 #include "entropy_rectification_traits.h"
 #include "map_entropy_traits.h"
+#include "map_levelling_traits.h"
 #include "normal_vector_voting_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
 #include "plane_texturing_traits.h"
@@ -12,6 +13,7 @@ namespace pcl::acmap::test {
 using PublicClasses = testing::Types<DeWallTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,
+                                     MapLevellingTraits,
                                      NormalVectorVotingTraits,
                                      PlaneHypothesisClusteringTraits,
                                      PlaneTexturingTraits,

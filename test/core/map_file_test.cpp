@@ -72,6 +72,7 @@ TEST_F(MapFile, EverythingComesBack)
   expectSamePlanes(back, map);
   expectSameCharts(back, map, false);
   EXPECT_EQ(back.exposure, map.exposure);
+  EXPECT_EQ(back.up, map.up);
   EXPECT_EQ(back.observations, map.observations);
   EXPECT_EQ(back.trajectory.stamps, map.trajectory.stamps);
   ASSERT_EQ(back.trajectory.poses.size(), map.trajectory.poses.size());
@@ -198,6 +199,8 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/charts/1/kinds_at/1", 1.5, "kinds_at[1] is no whole number"},
            {"/exposure", 0, "exposure is not within 0.001 and 1000"},
            {"/exposure", nullptr, "exposure is no number"},
+           {"/up", {0, 2, 0}, "up is not of length 1"},
+           {"/up", {0, 1}, "up has 2 elements"},
            {"/planes/0/charts/0/origin/0", nullptr, "origin[0] is no number"},
            {"/planes/0/charts/0/texel_u",
             {0, 0, 0},

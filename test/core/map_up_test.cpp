@@ -65,6 +65,18 @@ TEST(MapUp, ALevelMapHasItsOwnAxis)
   EXPECT_EQ(upDirection(map), up) << "planes are not as exact as a robot's camera";
 }
 
+TEST(MapUp, TheDirectionOfTheMapIsTakenIfItIsKnown)
+{
+  CompactMap map = roomSeenBy(turnedAbout(Vector3d::UnitX(), 20));
+  map.trajectory.poses.assign(2, Eigen::Isometry3d::Identity());
+  map.up = Vector3d::UnitZ();
+  EXPECT_EQ(upAxis(map), map.up);
+  EXPECT_EQ(upDirection(map), map.up);
+  map.up = Vector3d(0.1, -1, 0).normalized();
+  EXPECT_EQ(upAxis(map), up);
+  EXPECT_TRUE(upDirection(map).isApprox(map.up, 1e-15));
+}
+
 TEST(MapUp, ATiltedCameraIsSeenFromThePlanes)
 {
   for (const double pitch : {-40.0, -20.0, 1.5, 30.0})

@@ -75,6 +75,35 @@ TEST(EntropyRectification, heightsAndTiltsStay)
             0.5 * rmsError(room.odometry, room.world.truth.poses));
 }
 
+/** The same map in another frame has the same result: the vertical may be any axis. */
+TEST(EntropyRectification, theVerticalMayBeAnyDirection)
+{
+  const RoomWithDrift room(21);
+  Rectification level = heldInSpace(room);
+  level.compute();
+  for (const Eigen::Vector3d& up :
+       {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 2, 3)}) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(), up);
+    Rectification turned = heldInSpace(room);
+    for (std::size_t i = 0; i < room.odometry.size(); ++i)
+      turned.setPose(i, turn * turned.getPose(i));
+    turned.setUpDirection(up);
+    EXPECT_TRUE(turned.getUpDirection().isApprox(up.normalized()));
+    turned.compute();
+    ASSERT_EQ(turned.getReport().outcome, RectificationOutcome::Rectified);
+    double largest = 0; // the turn about the vertical is arbitrary: compare distances
+    for (std::size_t i = 1; i < room.odometry.size(); ++i)
+      largest = std::max(
+          largest,
+          std::abs((turned.getPose(i).translation() - turned.getPose(0).translation())
+                       .norm() -
+                   (level.getPose(i).translation() - level.getPose(0).translation())
+                       .norm()));
+    EXPECT_LT(largest, 0.02) << up.transpose();
+  }
+}
+
 TEST(EntropyRectification, movesAndTurnsAreThoseOfThePoses)
 {
   const RoomWithDrift room(22);

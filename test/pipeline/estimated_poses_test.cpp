@@ -51,8 +51,12 @@ TEST_F(PosesInAFolder, comeBackExactly)
 {
   EstimatedPoses there = sample();
   for (const bool has_noise : {true, false}) {
-    if (!has_noise)
+    if (has_noise)
+      there.up = Eigen::Vector3d(0, -0.1, 1.0 / 3);
+    else {
       there.noise.reset();
+      there.up.reset();
+    }
     saveEstimatedPoses(folder_.path(""), there);
     const auto back = loadEstimatedPoses(folder_.path(""));
     ASSERT_TRUE(back);
@@ -60,6 +64,7 @@ TEST_F(PosesInAFolder, comeBackExactly)
     EXPECT_EQ(back->trajectory.stamps, there.trajectory.stamps);
     for (std::size_t i = 0; i < there.places.size(); ++i)
       EXPECT_EQ(back->trajectory.poses[i].matrix(), there.trajectory.poses[i].matrix());
+    EXPECT_EQ(back->up, there.up);
     ASSERT_EQ(back->noise.has_value(), has_noise);
     if (has_noise) {
       EXPECT_EQ(back->noise->length, there.noise->length);

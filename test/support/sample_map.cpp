@@ -92,6 +92,7 @@ makeSampleMap()
   map.charts[1].kinds_image = "kinds.png";
   map.charts[1].kinds_place = {0, 3};
   map.exposure = 7.0 / 3;
+  map.up = Eigen::Vector3d(1, -7, 3).normalized();
   map.rooms = {{{0.1, -1e-17, 1e6 / 3}, 12.3, 1.0 / 7, {0, 1}, {0}}, {}};
   map.openings = {
       {{1.0 / 3, 2, 3}, {4, 5, 0.6}, 0.9, 2.1, OpeningKind::Window, {1, 0}, {0, 1}},

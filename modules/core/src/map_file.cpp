@@ -230,7 +230,7 @@ bool
 hasPlanesAlone(const CompactMap& map)
 {
   bool alone = map.charts.empty() && map.trajectory.poses.empty() &&
-               map.rooms.empty() && map.openings.empty();
+               map.rooms.empty() && map.openings.empty() && map.up.isZero(0);
   for (const std::vector<std::int32_t>& seen_from : map.observations)
     alone = alone && seen_from.empty();
   return alone;
@@ -249,6 +249,8 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   write(",\"unit\":\"m\",\"frame\":\"of the input\"");
   if (map.exposure != 1)
     write(",\"exposure\":" + Json(map.exposure).dump());
+  if (map.up.norm() > 0)
+    write(",\"up\":" + Json{map.up.x(), map.up.y(), map.up.z()}.dump());
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);

@@ -162,6 +162,13 @@ faultOfExposure(double exposure)
 }
 
 std::string
+faultOfUp(const Eigen::Vector3d& up)
+{
+  const bool is_legal = (up.array() == 0).all() || std::abs(up.norm() - 1) < 1e-3;
+  return is_legal ? "" : "is not of length 1";
+}
+
+std::string
 faultOfPlace(const TextureChart& chart)
 {
   constexpr std::int32_t max_halvings = 28; // of the longest side
@@ -197,6 +204,8 @@ requireConsistent(const CompactMap& map)
   if (const std::string fault = faultOfExposure(map.exposure); !fault.empty())
     throw BadArgumentException("exposure = " + std::to_string(map.exposure) +
                                " of a map " + fault);
+  if (const std::string fault = faultOfUp(map.up); !fault.empty())
+    throw BadArgumentException("the up direction of a map " + fault);
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
   std::int64_t texels = 0;

@@ -32,6 +32,10 @@ faultOfLoop(const std::vector<Eigen::Vector3f>& loop);
 std::string
 faultOfExposure(double exposure);
 
+/** \brief Empty if an up direction has length 1, or is zero. */
+std::string
+faultOfUp(const Eigen::Vector3d& up);
+
 /** \brief Describes what is wrong with the place of a chart in its files, as a
  * continuation of the name of the chart; empty if it is valid. */
 std::string

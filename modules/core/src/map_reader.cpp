@@ -356,6 +356,10 @@ acmap::readMap(const std::string& name, ByteSource& source)
     map.exposure = file.at("exposure").number();
     requireNone(faultOfExposure(map.exposure), file.at("exposure"));
   }
+  if (file.has("up")) {
+    map.up = file.at("up").vector<3>();
+    requireNone(faultOfUp(map.up), file.at("up"));
+  }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {

@@ -238,7 +238,13 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   report.consolidation = consolidation.getReport();
   addRemarks(*report.consolidation, report);
 
+  Levelling levelling = levelling_;
+  if (mode_ == MappingMode::Paper && !levelling.getUpDirection())
+    levelling.setUpDirection(-Eigen::Vector3d::UnitY()); // as the paper assumes
+  report.levelling = levelObservations(levelling, observations, threads_);
+  addRemarks(*report.levelling, report);
   Rectification rectification = rectification_;
+  rectification.setUpDirection(report.levelling->axis);
   if (estimated_.noise && isDefault(rectification.getOdometryNoise()))
     rectification.setOdometryNoise(*estimated_.noise);
   rectification.setNumberOfThreads(threads_);
@@ -251,7 +257,9 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   rectification.compute();
   report.rectification = rectification.getReport();
   addRemarks(*report.rectification, report);
-  estimated_ = {observations.places, observations.trajectory, std::nullopt};
+  estimated_ = {observations.places, observations.trajectory, std::nullopt, {}};
+  if (report.levelling->found)
+    estimated_.up = report.levelling->axis;
   for (std::size_t i = 0; i < estimated_.places.size(); ++i)
     estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
@@ -376,6 +384,7 @@ CompactMapping::compute(CompactMap& map)
   CompactMap result;
   if (!mapped_.planes.empty()) {
     result = paint(sequence, report);
+    result.up = estimated_.up.value_or(Eigen::Vector3d::Zero());
     setRooms(makeFloorPlan(result), result);
   }
   timer.finish("texture");

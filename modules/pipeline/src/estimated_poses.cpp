@@ -29,6 +29,9 @@ textOf(const EstimatedPoses& poses, const std::string& made_of)
     text << "odometry_noise: [" << poses.noise->length << ", "
          << poses.noise->length_per_metre << ", " << poses.noise->turn << ", "
          << poses.noise->turn_per_radian << "]\n";
+  if (poses.up)
+    text << "up: [" << poses.up->x() << ", " << poses.up->y() << ", " << poses.up->z()
+         << "]\n";
   text << "observations:\n";
   for (const std::size_t place : poses.places)
     text << "  - " << place << '\n';
@@ -44,6 +47,13 @@ noiseIn(const acmap::YamlNode& node)
           values[1].number(0, maximum),
           values[2].number(0, maximum),
           values[3].number(0, maximum)};
+}
+
+Eigen::Vector3d
+upIn(const acmap::YamlNode& node)
+{
+  const std::vector<acmap::YamlNode>& values = node.list(3, 3);
+  return {values[0].number(-1, 1), values[1].number(-1, 1), values[2].number(-1, 1)};
 }
 
 } // namespace
@@ -74,7 +84,7 @@ loadEstimatedPoses(const std::string& folder, const std::string& made_of)
     return std::nullopt;
   const acmap::YamlNode document = acmap::loadYaml(path);
   acmap::requireFormat(document, acmap::file_formats::poses);
-  document.requireKeys({"format", "made_of", "odometry_noise", "observations"});
+  document.requireKeys({"format", "made_of", "odometry_noise", "up", "observations"});
   const acmap::YamlNode* const made = document.find("made_of");
   if ((made != nullptr ? made->text() : std::string()) != made_of)
     return std::nullopt;
@@ -87,6 +97,8 @@ loadEstimatedPoses(const std::string& folder, const std::string& made_of)
   }
   if (const acmap::YamlNode* noise = document.find("odometry_noise"))
     poses.noise = noiseIn(*noise);
+  if (const acmap::YamlNode* up = document.find("up"))
+    poses.up = upIn(*up);
   const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
   poses.trajectory = loadTrajectory(trajectory.string());
   if (poses.trajectory.poses.size() != poses.places.size())

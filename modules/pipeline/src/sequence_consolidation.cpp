@@ -139,4 +139,21 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
   report_ = std::move(report);
 }
 
+MapLevellingReport
+levelObservations(const MapLevelling<PointNormal>& levelling,
+                  ConsolidatedObservations& observations,
+                  unsigned int threads)
+{
+  MapLevelling<PointNormal> level = levelling;
+  level.clear();
+  level.setNumberOfThreads(threads);
+  std::vector<Eigen::Isometry3d>& poses = observations.trajectory.poses;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    level.addPointCloud(observations.clouds[i], poses[i], observations.weights[i]);
+  level.compute();
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[i] = level.getPose(i);
+  return level.getReport();
+}
+
 } // namespace pcl

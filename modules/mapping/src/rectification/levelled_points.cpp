@@ -12,6 +12,23 @@ requireMapPose(const Eigen::Isometry3d& T_map_camera)
         "a pose must be a rigid motion of at most 1e9 m along each axis");
 }
 
+Eigen::Vector3d
+requiredDirection(const Eigen::Vector3d& up)
+{
+  const double largest = up.cwiseAbs().maxCoeff();
+  if (!up.allFinite() || !(largest > 0))
+    throw BadArgumentException("the up direction must be finite and not zero");
+  return (up / largest).normalized();
+}
+
+Eigen::Quaterniond
+uprightRotation(const Eigen::Vector3d& up)
+{
+  const Eigen::Vector3d expected = -Eigen::Vector3d::UnitY();
+  return up == expected ? Eigen::Quaterniond::Identity()
+                        : Eigen::Quaterniond::FromTwoVectors(up, expected);
+}
+
 Eigen::Isometry3d
 levelOf(const Eigen::Isometry3d& T_map_camera)
 {

@@ -95,6 +95,10 @@ struct CompactMap {
   std::vector<std::vector<std::int32_t>> observations;
   Trajectory trajectory; ///< T_map_camera of the observations; may be empty
 
+  /** \brief The up direction in the map frame, of length 1; zero if unknown: then
+   * \ref upAxis and \ref upDirection estimate it. */
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+
   /** \brief Factor of the colours in files and pictures of the map, so that these are
    * neither dark nor overexposed; the colours of the charts are those of the input. */
   double exposure = 1;

@@ -25,7 +25,7 @@ inline constexpr std::size_t figures = 1; ///< of pcl_paper_figures
 inline constexpr std::size_t camera = 1;  ///< of pcl_rgbd_import
 inline constexpr std::size_t stage = 1;   ///< stage.json
 inline constexpr std::size_t report = 1;  ///< report.json
-inline constexpr std::size_t poses = 1;   ///< poses.yaml
+inline constexpr std::size_t poses = 2;   ///< poses.yaml
 
 } // namespace file_formats
 

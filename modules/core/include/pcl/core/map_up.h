@@ -8,15 +8,16 @@ namespace pcl {
 /** \brief Returns the axis of the map frame, x, y, z or its opposite, that is closest
  * to the up direction.
  *
- * The up direction is the mean up direction of the cameras of the trajectory. Without a
- * trajectory the result is -y, as in a camera frame, or z if the extent of the map
+ * The up direction is that of the map (\ref CompactMap::up); if it is unknown, the mean
+ * up direction of the cameras of the trajectory. Without a trajectory the result is -y, as in a camera frame, or z if the extent of the map
  * along z is smaller than along y and the area of horizontal planes is larger with
  * respect to z. \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 upAxis(const CompactMap& map);
 
-/** \brief Estimates the up direction from the planes of a map: the direction with
- * respect to which most of their area is horizontal or vertical.
+/** \brief The up direction of the map (\ref CompactMap::up); if it is unknown, it is
+ * estimated from the planes: the direction with respect to which most of their area is
+ * horizontal or vertical.
  *
  * The map frame is that of its first camera, and is tilted if that camera was tilted.
  * If there are several such directions, for example the three axes of a room, the one

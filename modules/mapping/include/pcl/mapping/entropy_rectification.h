@@ -34,8 +34,9 @@ namespace pcl {
  * effect of its previous changes on the energy, and is accepted if the energy decreases.
  * This mode has no verification.
  *
- * Poses are translated in the XZ plane (y is vertical) and rotated about y; heights and
- * tilts are unchanged. Normals should be given (\ref VoxelConsolidation computes them);
+ * Poses are translated in the XZ plane (y is vertical, unless another direction is set)
+ * and rotated about y; heights and tilts are unchanged. \ref MapLevelling finds the
+ * vertical. Normals should be given (\ref VoxelConsolidation computes them);
  * they are oriented towards the sensor. Units are metres and radians. The time is O(n)
  * once for n points, plus some hundred evaluations of the entropy, each O(cells +
  * bins); in Paper mode 50 evaluations per observation, each O(n + bins). The result is
@@ -171,6 +172,19 @@ public:
     return settings_.odometry;
   }
 
+  /** \brief Sets the up direction of the map (default -y): poses are translated
+   * perpendicularly to it and rotated about it.
+   * \param[in] up in the map frame, of any length above 0
+   * \throws BadArgumentException if it is not finite or zero */
+  void
+  setUpDirection(const Eigen::Vector3d& up);
+
+  const Eigen::Vector3d&
+  getUpDirection() const
+  {
+    return up_;
+  }
+
   /** \brief Sets the seed of the voting (Paper mode; default 1). */
   void
   setSeed(std::uint64_t seed)
@@ -207,6 +221,7 @@ public:
 
 private:
   acmap::RectificationSettings settings_;
+  Eigen::Vector3d up_ = -Eigen::Vector3d::UnitY();
   std::vector<PointCloudConstPtr> clouds_;
   std::vector<std::vector<float>> weights_;
   std::vector<Eigen::Isometry3d> given_, poses_;

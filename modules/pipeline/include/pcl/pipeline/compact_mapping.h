@@ -7,6 +7,7 @@
 #include <pcl/core/trinocular_rig.h>
 #include <pcl/io/grabber.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/map_levelling.h>
 #include <pcl/pipeline/compact_mapping_types.h>
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_merging.h>
@@ -41,14 +42,15 @@ namespace pcl {
  * mapping.compute (map);
  * pcl::saveCompactMap ("map", map);
  * \endcode
- * The map is the frame of the poses; if these are estimated, that of the first
- * observation. Metres. The result is the same for every number of threads, and that of
+ * The map has the frame of the poses; if these are estimated, that of the first
+ * observation. If it is not level, it is turned about its origin (\ref MapLevelling). Metres. The result is the same for every number of threads, and that of
  * `pcl_compact_mapping` for the same observations. Not thread-safe: observations must
  * not be added while \ref compute runs.
  * \ingroup pipeline */
 class ACMAP_EXPORT CompactMapping : public StageControls<CompactMappingReport> {
 public:
   using Rectification = EntropyRectification<PointNormal>;
+  using Levelling = MapLevelling<PointNormal>;
   using Texturing = PlaneTexturing<PointXYZRGB>;
 
   CompactMapping();
@@ -186,6 +188,20 @@ public:
     return odometry_;
   }
 
+  /** \brief Sets how the vertical is found before the map is rectified. The frame of the
+   * map is then level; in mode Paper, and without rectification, it stays as it is. */
+  void
+  setLevelling(const Levelling& levelling)
+  {
+    levelling_ = levelling;
+  }
+
+  const Levelling&
+  getLevelling() const
+  {
+    return levelling_;
+  }
+
   /** \brief Sets how the map is rectified. If its odometry noise is the default one,
    * that of estimated poses is used. Its input are the consolidated points of each
    * observation, in \ref RectificationMode::Paper the raw ones. */
@@ -296,7 +312,7 @@ public:
     return mapped_;
   }
 
-  /** \brief Poses of the last run before the rectification, metres; empty if the map was not
+  /** \brief Poses of the last run before the rectification, in the level frame, metres; empty if the map was not
    * rectified. */
   const Trajectory&
   getOdometryTrajectory() const
@@ -350,6 +366,7 @@ private:
   DisparityBackProjection projection_;
   std::vector<boost::signals2::scoped_connection> connections_;
   VisualOdometry odometry_;
+  Levelling levelling_;
   Rectification rectification_;
   bool rectify_ = true;
   bool skip_broken_ = false;

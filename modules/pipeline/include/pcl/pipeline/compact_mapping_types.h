@@ -2,6 +2,7 @@
 
 #include <pcl/core/report.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/mapping/map_levelling_types.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/sequence_consolidation.h>
@@ -19,6 +20,7 @@ struct CompactMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref CompactMapping::setMode set it
   std::optional<VisualOdometryResult> odometry; ///< if the poses were unknown
   std::optional<SequenceConsolidationReport> consolidation;
+  std::optional<MapLevellingReport> levelling;
   std::optional<EntropyRectificationReport> rectification;
   MergingReport merging;
   PlaneMappingReport planes;

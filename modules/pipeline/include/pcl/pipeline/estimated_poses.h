@@ -18,6 +18,8 @@ struct EstimatedPoses {
   Trajectory trajectory;           ///< their poses, metres
   /** \brief Noise of the motions, if they were estimated. */
   std::optional<OdometryNoise> noise;
+  /** \brief The up axis of their frame, if the map was levelled. */
+  std::optional<Eigen::Vector3d> up;
 };
 
 /** \brief Writes poses into a folder: trajectory.txt, and the rest as poses.yaml.

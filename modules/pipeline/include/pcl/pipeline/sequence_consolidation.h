@@ -4,6 +4,7 @@
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/mapping/map_levelling.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -89,5 +90,13 @@ private:
   bool skip_broken_ = false;
   bool raw_points_ = false;
 };
+
+/** \brief Levels the map of consolidated observations: their poses are replaced.
+ * \param[in] levelling settings; its observations are not used
+ * \ingroup pipeline */
+ACMAP_EXPORT MapLevellingReport
+levelObservations(const MapLevelling<PointNormal>& levelling,
+                  ConsolidatedObservations& observations,
+                  unsigned int threads = 0);
 
 } // namespace pcl

@@ -120,6 +120,13 @@ EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
 
 template <typename PointT>
 void
+EntropyRectification<PointT>::setUpDirection(const Eigen::Vector3d& up)
+{
+  up_ = acmap::requiredDirection(up);
+}
+
+template <typename PointT>
+void
 EntropyRectification<PointT>::compute()
 {
   if (clouds_.empty())
@@ -128,11 +135,15 @@ EntropyRectification<PointT>::compute()
   acmap::StepTimer timer(report);
   std::vector<acmap::LevelledPoints> observations(clouds_.size());
   std::vector<PlanarPose> poses;
-  for (const Eigen::Isometry3d& pose : given_)
-    poses.push_back(planarPartOf(pose));
+  const Eigen::Quaterniond upright = acmap::uprightRotation(up_);
+  std::vector<Eigen::Isometry3d> given;
+  for (const Eigen::Isometry3d& pose : given_) {
+    given.push_back(upright * pose);
+    poses.push_back(planarPartOf(given.back()));
+  }
   acmap::withThreads(threads_, [&] {
     oneapi::tbb::parallel_for(std::size_t{0}, clouds_.size(), [&](std::size_t i) {
-      observations[i] = acmap::levelled(*clouds_[i], given_[i], weights_[i]);
+      observations[i] = acmap::levelled(*clouds_[i], given[i], weights_[i]);
     });
     timer.finish("level");
     poses = acmap::rectify(
@@ -141,7 +152,9 @@ EntropyRectification<PointT>::compute()
   timer.finish("search");
   const bool is_new = report.outcome == RectificationOutcome::Rectified;
   for (std::size_t i = 0; i < given_.size(); ++i)
-    poses_[i] = is_new ? isometryOf(poses[i]) * acmap::levelOf(given_[i]) : given_[i];
+    poses_[i] =
+        is_new ? upright.inverse() * isometryOf(poses[i]) * acmap::levelOf(given[i])
+               : given_[i];
   report_ = std::move(report);
 }
 
