@@ -6,8 +6,9 @@
 namespace {
 
 constexpr char usage[] =
-    "Usage: acmap_bench_egomotion_figures [simulated] [kitchen] [outliers] [time]\n"
-    "                                     [rectification] [rejection]\n"
+    "Usage: acmap_bench_egomotion_figures [simulated] [kitchen] [outliers]\n"
+    "                                     [covariance] [time] [rectification] "
+    "[rejection]\n"
     "       acmap_bench_egomotion_figures picture FOLDER\n"
     "Prints how well motions between views are found and what that takes, ours and\n"
     "those of PCL and OpenCV, as Markdown tables, without a name all of them; or\n"
@@ -27,6 +28,7 @@ main(int argc, char** argv)
   constexpr TableSection parts[] = {{"simulated", printEgomotionSimulated},
                                     {"kitchen", printEgomotionKitchen},
                                     {"outliers", printEgomotionOutliers},
+                                    {"covariance", printEgomotionCovariance},
                                     {"time", printEgomotionTimes},
                                     {"rectification", printEgomotionRectification},
                                     {"rejection", printEgomotionRejection}};

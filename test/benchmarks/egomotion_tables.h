@@ -13,6 +13,10 @@ printEgomotionSimulated();
 void
 printEgomotionKitchen();
 
+/** \brief Do the errors agree with the covariances (NEES)? */
+void
+printEgomotionCovariance();
+
 /** \brief Replaces matches by wrong ones before the rejection, and measures the effect
  * on the action. */
 void

@@ -148,9 +148,10 @@ appearanceTerm(const AppearanceLevel& source,
                 const double squared = residual * residual / variance;
                 const Eigen::Vector2d gradient =
                     light.gain * sample.gradient.cast<double>();
-                evidence.equations.add(brightnessRow(gradient, focal_length, point),
-                                       residual,
-                                       robustWeight(squared) / variance);
+                evidence.add(tileOf(target_pinhole, point),
+                             brightnessRow(gradient, focal_length, point),
+                             residual,
+                             robustWeight(squared) / variance);
                 evidence.tell(squared);
               });
     return evidence;

@@ -284,9 +284,10 @@ public:
     tellRefinement(refined);
     tellResiduals(refined.T_target_source);
     const PlanarPose pose = planarPartOf(refined.T_target_source);
-    const EgomotionEstimate estimate{refined.T_target_source,
-                                     {pose.x, pose.z, pose.theta},
-                                     covarianceOf(refined.equations, settings_.model)};
+    const EgomotionEstimate estimate{
+        refined.T_target_source,
+        {pose.x, pose.z, pose.theta},
+        covarianceOf(refined.equations, refined.scatter, settings_.model)};
     if (auto failure = failureOfMotion(estimate, report_.contradicted, settings_))
       return failure;
     solution.estimate = estimate;

@@ -76,7 +76,8 @@ squaredDistance(const FeaturePair& pair, const Eigen::Isometry3d& T_target_sourc
 
 Evidence
 featureTerm(const std::vector<FeaturePair>& pairs,
-            const Eigen::Isometry3d& T_target_source)
+            const Eigen::Isometry3d& T_target_source,
+            const Pinhole* target_pinhole)
 {
   Evidence evidence;
   for (const FeaturePair& pair : pairs) {
@@ -87,11 +88,14 @@ featureTerm(const std::vector<FeaturePair>& pairs,
     const Eigen::Matrix3d whitening =
         covariance.matrixL().solve(Eigen::Matrix3d::Identity());
     const double squared = (whitening * difference).squaredNorm();
+    const std::size_t tile =
+        target_pinhole && point.z() > 0 ? tileOf(*target_pinhole, point) : 0;
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d direction = whitening.row(axis).transpose();
-      evidence.equations.add(motionRow(point, direction),
-                             direction.dot(difference),
-                             robustWeight(squared));
+      evidence.add(tile,
+                   motionRow(point, direction),
+                   direction.dot(difference),
+                   robustWeight(squared));
     }
     evidence.tell(squared, 3);
   }

@@ -28,10 +28,12 @@ featurePair(const EgomotionView& source,
 double
 squaredDistance(const FeaturePair& pair, const Eigen::Isometry3d& T_target_source);
 
-/** \brief Eq. 2 with the full covariance of each pair in place of B_ij, robust. */
+/** \brief Eq. 2 with the full covariance of each pair in place of B_ij, robust.
+ * \param[in] target_pinhole of the tiles of the gradients; without it all are in one */
 Evidence
 featureTerm(const std::vector<FeaturePair>& pairs,
-            const Eigen::Isometry3d& T_target_source);
+            const Eigen::Isometry3d& T_target_source,
+            const Pinhole* target_pinhole = nullptr);
 
 /** \brief Pairs of keypoints of two views with a similar appearance, at all levels. */
 std::vector<FeaturePair>

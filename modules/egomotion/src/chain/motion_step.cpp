@@ -1,5 +1,7 @@
 #include "chain/motion_step.h"
 
+#include "chain/evidence.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <limits>
@@ -67,6 +69,20 @@ covarianceOf(const NormalEquations& equations, MotionModel model)
   }
   const Basis turned = spectrum.basis * spectrum.vectors;
   return turned * spectrum.values.cwiseInverse().asDiagonal() * turned.transpose();
+}
+
+Matrix6
+covarianceOf(const NormalEquations& equations,
+             const Matrix6& scatter,
+             MotionModel model)
+{
+  const Matrix6 independent = covarianceOf(equations, model);
+  if (!independent.allFinite())
+    return independent;
+  // the gradients of all tiles sum up to zero for each parameter
+  const auto freedoms = static_cast<double>(motionBasis(model).cols());
+  const double factor = tile_count / (tile_count - freedoms);
+  return independent + factor * independent * scatter * independent;
 }
 
 Eigen::Isometry3d

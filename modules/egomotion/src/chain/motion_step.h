@@ -21,6 +21,14 @@ solvedStep(const NormalEquations& equations, MotionModel model);
 Matrix6
 covarianceOf(const NormalEquations& equations, MotionModel model);
 
+/** \brief The same for residuals whose errors are correlated within each tile of the
+ * image: the sandwich estimator H^-1 S H^-1, clustered by tiles, in addition to H^-1.
+ * \param[in] scatter S, the sum over tiles of g g^T */
+Matrix6
+covarianceOf(const NormalEquations& equations,
+             const Matrix6& scatter,
+             MotionModel model);
+
 /** \brief Applies a small motion, in the frame to which the pose maps, to a pose. */
 Eigen::Isometry3d
 afterStep(const Vector6& step, const Eigen::Isometry3d& pose);

@@ -31,16 +31,30 @@ struct AllEvidence {
         1 / features.excess(), surface_share, appearance_share / appearance.excess()};
   }
 
-  /** \param[in] dense additional weight of surfaces and brightness */
   NormalEquations
-  equations(double dense = 1) const
+  equations() const
   {
     const Trust factor = trust();
     NormalEquations all;
     all.add(features.equations, factor.features);
-    all.add(surfaces.evidence.equations, dense * factor.surfaces);
-    all.add(appearance.equations, dense * factor.appearance);
+    all.add(surfaces.evidence.equations, factor.surfaces);
+    all.add(appearance.equations, factor.appearance);
     return all;
+  }
+
+  /** \brief Sum over tiles of g g^T, g being the gradient by their residuals. */
+  Matrix6
+  scatter() const
+  {
+    const Trust factor = trust();
+    Matrix6 sum = Matrix6::Zero();
+    for (std::size_t tile = 0; tile < tile_count; ++tile) {
+      const Vector6 gradient = factor.features * features.gradients[tile] +
+                               factor.surfaces * surfaces.evidence.gradients[tile] +
+                               factor.appearance * appearance.gradients[tile];
+      sum += gradient * gradient.transpose();
+    }
+    return sum;
   }
 };
 
@@ -75,7 +89,7 @@ struct ViewPair {
            const LightChange& light) const
   {
     AllEvidence all;
-    all.features = featureTerm(features, T_target_source);
+    all.features = featureTerm(features, T_target_source, &*target.pinhole);
     all.surfaces = surfaceTerm(
         source.surfaces, target.surfaces, *target.pinhole, T_target_source, reach);
     if (level < levels())
@@ -90,11 +104,6 @@ struct ViewPair {
 
 constexpr std::size_t passes = 3;   // at an eighth, a quarter, a half of the size
 constexpr double fine_reach = 0.05; // reach of the last pass, metres
-
-/** \brief Independent share of the information from surfaces and brightness: their
- * errors are correlated over half an image, so that a covariance from all of it would
- * be too small (measured on simulated corridors). */
-constexpr double independent_share = 0.1;
 
 Eigen::Isometry3d
 descended(const ViewPair& pair,
@@ -173,7 +182,8 @@ refinedMotion(const EgomotionView& source,
       isNearer(after.surfaces, before.surfaces) && fitsBetter(after, before);
   if (refined.is_refined) {
     refined.T_target_source = candidate;
-    refined.equations = after.equations(independent_share);
+    refined.equations = after.equations();
+    refined.scatter = after.scatter();
   }
   return refined;
 }

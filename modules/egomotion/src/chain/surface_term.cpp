@@ -15,6 +15,7 @@ addPair(const SurfaceBlock& source,
         const SurfaceBlock& target,
         const Eigen::Vector3d& point,
         double reach,
+        std::size_t tile,
         SurfaceTerm& term)
 {
   const double distance = target.normal.dot(point - target.center);
@@ -23,7 +24,7 @@ addPair(const SurfaceBlock& source,
   const double variance = source.variance + target.variance;
   const double squared = distance * distance / variance;
   const double weight = robustWeight(squared) / variance;
-  term.evidence.equations.add(motionRow(point, target.normal), distance, weight);
+  term.evidence.add(tile, motionRow(point, target.normal), distance, weight);
   term.evidence.tell(squared);
   term.squares += weight * distance * distance;
   term.weights += weight;
@@ -50,7 +51,7 @@ surfaceTerm(const SurfaceBlocks& source,
       const SurfaceBlock* other = target.at(target_pinhole.project(point));
       if (other && other->isPlane() &&
           other->normal.dot(T_target_source.linear() * block.normal) > min_cosine)
-        addPair(block, *other, point, reach, term);
+        addPair(block, *other, point, reach, tileOf(target_pinhole, point), term);
     }
     return term;
   };
