@@ -51,10 +51,18 @@ confirmedShares(const MapEvidence& rays)
          rays.far_rays * (1 - rays.far_contradictions);
 }
 
+/** Median of the root mean square residuals along x, along z and of the turns, in
+ * standard deviations of the given noise. */
 double
-strongestAction(const MapCandidate& map)
+usualResidual(const MapCandidate& map)
 {
-  return map.u.head(map.u.size() - 1).cwiseAbs().maxCoeff();
+  const Eigen::Index actions = (map.u.size() - 1) / 3;
+  Eigen::Array3d squares = Eigen::Array3d::Zero();
+  for (Eigen::Index t = 0; t < actions; ++t)
+    squares += map.u.segment<3>(3 * t).array().square();
+  squares = map.scale * (squares / static_cast<double>(actions)).sqrt();
+  std::sort(squares.data(), squares.data() + 3);
+  return squares[1];
 }
 
 double
@@ -118,14 +126,16 @@ public:
       return end(RectificationOutcome::Undetermined,
                  "the observations see no wall in common: nothing tells how they lie");
     fitWindows();
-    consider(sharp, usual_);
-    consider(directed, usual_);
+    consider(sharp, usual_, map_scale_);
+    consider(directed, usual_, map_scale_);
     if (!isConvincing(best()))
-      consider(undirected, usual_);
+      consider(undirected, usual_, map_scale_);
     if (!isConvincing(best()))
-      consider(gradual, usual_);
-    if (!isConvincing(best()))
-      consider(directed, usual_ == 0 ? 1 : usual_ - 1);
+      consider(gradual, usual_, map_scale_);
+    if (!isConvincing(best())) {
+      const std::size_t other = usual_ == 0 ? 1 : usual_ - 1;
+      consider(directed, other, locals_[other].scale);
+    }
     return decide();
   }
 
@@ -146,26 +156,44 @@ private:
             {bin, 10, plan.direction_aware, plan.is_sharp}};
   }
 
-  /** Searches windows of a few observations with one, two and four times the odometry
-   * noise. The usual scale is the smallest one that the rays support. */
+  /** Searches windows of a few observations, with more and more odometry noise. The
+   * usual scale is the smallest one that the rays support. */
   void
   fitWindows()
   {
-    for (const double scale : {1.0, 2.0, 4.0}) {
+    for (const double scale : {1.0, 2.0, 4.0, 8.0, 16.0}) {
       MapCandidate local;
       local.scale = scale;
       const ActionChain chain = chain_.widened(scale);
       local.u = Eigen::VectorXd::Zero(chain.variables());
+      if (scale > 1) // Where scans are far from their places, few are easier to join.
+        for (const std::size_t size : {neighbours / 4, neighbours / 2})
+          search_.descendWindows(
+              chain, levels(directed).front(), size, "windows", local.u);
       for (const EntropyLevel& level : levels(directed))
         search_.descendWindows(chain, level, neighbours, "windows", local.u);
-      rays_.judge(chain.path(local.u), local.evidence);
+      local.name = "windows";
+      local.poses = chain.path(local.u);
+      judge(local.poses, local.evidence);
       locals_.push_back(local);
-      search_.advanceTo(0.1 * static_cast<double>(locals_.size()));
-      if (locals_.size() > 1 &&
-          !(contradictionsIn(locals_.size() - 1) < 0.88 * contradictionsIn(usual_)))
+      search_.advanceTo(std::min(0.3, 0.1 * static_cast<double>(locals_.size())));
+      if (locals_.size() == 1 || isWider(locals_.back()))
+        usual_ = locals_.size() - 1;
+      else if (locals_.size() > usual_ + 2 || contradictionsIn(usual_) < much_near)
         break;
-      usual_ = locals_.size() - 1;
     }
+    map_scale_ = std::clamp(
+        2.5 * usualResidual(locals_[usual_]), min_scale, 1.5 * locals_[usual_].scale);
+  }
+
+  /** Do the rays support the scale of a window result rather than the usual one? Only
+   * if the odometry was a constraint there. */
+  bool
+  isWider(const MapCandidate& local) const
+  {
+    const MapCandidate& usual = locals_[usual_];
+    return local.evidence.near_contradictions < 0.88 * contradictionsIn(usual_) &&
+           usualResidual(usual) > 0.25 * usual.scale;
   }
 
   /** Share of contradicted rays within windows. */
@@ -175,16 +203,16 @@ private:
     return locals_[local].evidence.near_contradictions;
   }
 
-  /** \param[in] local index of the window result from which it starts, and whose scale
-   * is used */
+  /** \param[in] local index of the window result from which it starts
+   * \param[in] scale of the odometry noise */
   void
-  consider(const Plan& plan, std::size_t local)
+  consider(const Plan& plan, std::size_t local, double scale)
   {
     MapCandidate found;
     found.name = plan.name;
-    found.scale = locals_[local].scale;
-    found.u = locals_[local].u;
-    const ActionChain chain = chain_.widened(found.scale);
+    found.scale = scale;
+    found.u = locals_[local].scale / scale * locals_[local].u;
+    const ActionChain chain = chain_.widened(scale);
     for (const std::size_t size : plan.windows)
       if (size < given_.size())
         for (const EntropyLevel& level : levels(plan))
@@ -207,10 +235,47 @@ private:
     return rays.near_contradictions < contradictionsIn(usual_) + 0.08 &&
            rays.far_contradictions < contradictionsIn(usual_) + 0.16 &&
            rays.far_contradictions < 3 * rays.near_contradictions + 0.03 &&
+           arePairsGood(map, max_pair) && hasMet(map) &&
            std::max(rays.near_contradictions, rays.far_contradictions) <
                max_contradicted &&
            lengthOf(map.poses) > min_length * lengthOf(given_) &&
            strongestAction(map) < max_sigmas;
+  }
+
+  /** Do all pairs of groups of observations fit together? Where some do not, something
+   * has moved, or observations lie at a wrong place. The map is trusted if these are few
+   * rays and if another search has found the same. */
+  bool
+  arePairsGood(const MapCandidate& map, double maximum) const
+  {
+    if (map.evidence.pair_contradictions < maximum)
+      return true;
+    if (map.evidence.contradicted_pairs > max_contradicted_pairs)
+      return false;
+    const double moved = distanceBetween(map.poses, given_);
+    return std::any_of(
+        candidates_.begin(), candidates_.end(), [&](const MapCandidate& other) {
+          return !areAlike(map, other) &&
+                 distanceBetween(map.poses, other.poses) < 0.1 * moved + 0.1;
+        });
+  }
+
+  /** Do two searches minimise the same energy? */
+  static bool
+  areAlike(const MapCandidate& a, const MapCandidate& b)
+  {
+    const auto isDirected = [](const MapCandidate& map) {
+      return map.name == directed.name || map.name == gradual.name;
+    };
+    return &a == &b || (isDirected(a) && isDirected(b) && a.scale == b.scale);
+  }
+
+  /** Far observations must see about as much in common as in the result of windows:
+   * rays do not contradict a map whose parts are pulled away from each other. */
+  bool
+  hasMet(const MapCandidate& map) const
+  {
+    return map.evidence.far_rays > 0.5 * locals_[usual_].evidence.far_rays;
   }
 
   /** Is the map so good that no further search is needed? */
@@ -219,7 +284,16 @@ private:
   {
     const MapEvidence& rays = map.evidence;
     return isGood(map) &&
-           rays.far_contradictions < 1.7 * rays.near_contradictions + 0.03;
+           rays.far_contradictions < 1.7 * rays.near_contradictions + 0.03 &&
+           arePairsGood(map, convincing_pair);
+  }
+
+  /** Largest residual of an action, in standard deviations of the usual noise. */
+  double
+  strongestAction(const MapCandidate& map) const
+  {
+    return map.scale / std::max(map.scale, locals_[usual_].scale) *
+           map.u.head(map.u.size() - 1).cwiseAbs().maxCoeff();
   }
 
   /** Returns the candidate with the best balance of confirmed and contradicted rays.
@@ -246,23 +320,9 @@ private:
     for (const MapCandidate& other : candidates_)
       if (&other != &map && (report_.disagreement == 0 || isGood(other)))
         report_.disagreement = distanceBetween(map.poses, other.poses);
-    report_.after = map.evidence;
-    report_.odometry_scale = map.scale;
-    report_.strongest_action = strongestAction(map);
-    if (!isGood(map)) {
-      std::ostringstream text;
-      text.precision(3);
-      text << "rays contradict the best map found: "
-           << 100 * map.evidence.near_contradictions
-           << " % of those that near observations tell about and "
-           << 100 * map.evidence.far_contradictions
-           << " % of those that far ones do, where short windows have "
-           << 100 * contradictionsIn(usual_) << " %; its strongest action is "
-           << report_.strongest_action << " sigma; its path is "
-           << lengthOf(map.poses) / lengthOf(given_)
-           << " times as long as the odometry's";
-      return end(RectificationOutcome::Refused, text.str());
-    }
+    if (!isGood(map))
+      return decideAboutWindows(map);
+    tell(map);
     const std::string search = std::string(map.name) + " search";
     if (!isBetter(map.evidence, report_.before))
       return end(RectificationOutcome::Kept,
@@ -271,6 +331,60 @@ private:
     end(RectificationOutcome::Rectified,
         "the rays agree better with a map of the " + search);
     return map.poses;
+  }
+
+  void
+  tell(const MapCandidate& map)
+  {
+    report_.after = map.evidence;
+    report_.odometry_scale = map.scale;
+    report_.strongest_action = strongestAction(map);
+  }
+
+  /** Where the rays contradict every map of the whole, neighbouring observations can
+   * still be put right: their result is less accurate, but no far observations are laid
+   * onto each other. */
+  std::vector<PlanarPose>
+  decideAboutWindows(const MapCandidate& whole)
+  {
+    const MapCandidate& windows = locals_[usual_];
+    const double now = windows.evidence.near_contradictions;
+    const double before = report_.before.near_contradictions;
+    const bool are_better = now < std::min(0.8 * before, before - 0.01) &&
+                            now < max_near &&
+                            lengthOf(windows.poses) > min_length * lengthOf(given_) &&
+                            strongestAction(windows) < max_sigmas;
+    if (!are_better) {
+      tell(whole);
+      return end(RectificationOutcome::Refused, contradictionOf(whole));
+    }
+    tell(windows);
+    report_.remarks.push_back("only neighbouring observations were fitted to each "
+                              "other, because " +
+                              contradictionOf(whole));
+    end(RectificationOutcome::Rectified,
+        "the rays agree better where neighbouring observations fit, but with no map of "
+        "the whole");
+    return windows.poses;
+  }
+
+  std::string
+  contradictionOf(const MapCandidate& map) const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "rays contradict the best map found: "
+         << 100 * map.evidence.near_contradictions
+         << " % of those that near observations tell about and "
+         << 100 * map.evidence.far_contradictions
+         << " % of those that far ones do, where short windows have "
+         << 100 * contradictionsIn(usual_) << " %; "
+         << 100 * map.evidence.pair_contradictions
+         << " % between two groups of observations; its strongest action is "
+         << strongestAction(map) << " sigma; its path is "
+         << lengthOf(map.poses) / lengthOf(given_)
+         << " times as long as the odometry's";
+    return text.str();
   }
 
   std::vector<PlanarPose>
@@ -284,6 +398,12 @@ private:
   static constexpr double max_contradicted = 0.5; ///< share of rays
   static constexpr double min_length = 2.0 / 3;   ///< against a collapse
   static constexpr double max_sigmas = 6;         ///< maximum residual of an action
+  static constexpr double max_pair = 0.5; ///< share of the rays of a pair of groups
+  static constexpr double convincing_pair = 0.3; ///< same, without another search
+  static constexpr double much_near = 0.12; ///< same, so that wider windows are tried
+  static constexpr double max_contradicted_pairs = 0.03; ///< share of far rays
+  static constexpr double max_near = 0.2;   ///< share of near rays, of windows alone
+  static constexpr double min_scale = 0.25; ///< of the odometry noise
 
   const RectificationTask& task_;
   EntropySearch& search_;
@@ -293,6 +413,7 @@ private:
   EntropyRectificationReport& report_;
   std::vector<MapCandidate> locals_; ///< results of windows only, by scale
   std::size_t usual_ = 0;            ///< index of the usual scale
+  double map_scale_ = 1;             ///< scale for maps of the whole
   std::vector<MapCandidate> candidates_;
 };
 

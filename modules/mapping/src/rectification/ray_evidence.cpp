@@ -19,6 +19,10 @@ constexpr double crossing = 0.7;                 ///< minimum |cosine| of ray an
 constexpr double agreeing = 0.9; ///< minimum cosine of two normals of a wall
 constexpr std::size_t max_rays = 200000;
 constexpr std::size_t min_points = 2; ///< points of others that form a wall
+constexpr std::size_t max_groups = 256;
+/** Neighbouring rays meet the same wall: so many of them count as one. */
+constexpr double rays_alike = 6;
+constexpr double confidence = 2; ///< standard deviations
 
 double
 shareOf(std::size_t part, std::size_t whole)
@@ -26,11 +30,61 @@ shareOf(std::size_t part, std::size_t whole)
   return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
+/** Lower end of Wilson's confidence interval of a share. */
+double
+lowerShare(double part, double whole)
+{
+  if (!(part > 0))
+    return 0;
+  const double n = whole / rays_alike, share = part / whole;
+  const double z2 = confidence * confidence;
+  const double spread =
+      confidence * std::sqrt(share * (1 - share) / n + z2 / (4 * n * n));
+  return std::max(0.0, (share + z2 / (2 * n) - spread) / (1 + z2 / n));
+}
+
 } // namespace
 
 struct RayEvidence::Counts {
   std::size_t rays = 0;
   std::size_t contradicted[2] = {0, 0}, confirmed[2] = {0, 0}; ///< near, far
+  /** By groups of the observations that contradict or, otherwise, confirm a ray. */
+  std::vector<std::uint32_t> contradicted_by, confirmed_by;
+};
+
+/** Points of other observations at a place on a ray, and the groups that saw a wall
+ * there. */
+class RayEvidence::Crossing {
+public:
+  Crossing(std::size_t observation, std::size_t group)
+  : observation_(observation)
+  , group_(group)
+  {}
+
+  void
+  add(std::size_t other, std::size_t points, std::vector<char>& groups)
+  {
+    const std::size_t apart =
+        std::max(other, observation_) - std::min(other, observation_);
+    points_[apart > neighbours] += points;
+    if (other / group_ != last_group_)
+      group_points_ = 0;
+    last_group_ = other / group_;
+    group_points_ += points;
+    if (group_points_ >= min_points)
+      groups[last_group_] = 1;
+  }
+
+  bool
+  isWall(int side) const
+  {
+    return points_[side] >= min_points;
+  }
+
+private:
+  std::size_t observation_, group_;
+  std::size_t points_[2] = {0, 0}; ///< near, far
+  std::size_t last_group_ = static_cast<std::size_t>(-1), group_points_ = 0;
 };
 
 /** A ray from a sensor to a point, in the map. */
@@ -69,6 +123,7 @@ RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,
                          double bin_size)
 : observations_(observations)
 , cell_(std::clamp(2 * bin_size, min_cell, max_cell))
+, group_(std::max(neighbours / 2, (observations.size() + max_groups - 1) / max_groups))
 {
   std::size_t points = 0;
   for (const LevelledPoints& seen : observations) {
@@ -79,22 +134,19 @@ RayEvidence::RayEvidence(const std::vector<LevelledPoints>& observations,
   every_ = points / max_rays + 1;
 }
 
-template <typename Predicate>
+template <typename Predicate, typename Visit>
 void
-RayEvidence::countWalls(const Ray& ray,
+RayEvidence::visitWalls(const Ray& ray,
                         std::uint64_t cell,
                         const WallTable& table,
                         const Eigen::Vector2d& direction,
                         const Predicate& counts,
-                        std::size_t points[2]) const
+                        const Visit& visit) const
 {
   table.visit(cell, [&](const SeenWall& wall) {
-    const std::size_t other = wall.observation;
-    const std::size_t apart =
-        std::max(other, ray.observation) - std::min(other, ray.observation);
     const double cosine = wall.normal_x * direction[0] + wall.normal_z * direction[1];
-    if (apart > 0 && (!has_normals_ || counts(cosine)))
-      points[apart > neighbours] += wall.points;
+    if (wall.observation != ray.observation && (!has_normals_ || counts(cosine)))
+      visit(wall.observation, wall.points);
   });
 }
 
@@ -106,6 +158,9 @@ RayEvidence::castRays(std::size_t observation,
   const LevelledPoints& seen = observations_[observation];
   const PlanarMotion motion(pose);
   Counts counts;
+  counts.contradicted_by.resize(groups());
+  counts.confirmed_by.resize(groups());
+  std::vector<char> contradicting, confirming;
   for (std::size_t i = 0; i < seen.points.size(); i += every_) {
     const Eigen::Vector3d point = seen.points[i].cast<double>();
     if (!(point.norm() <= longest_ray))
@@ -113,28 +168,77 @@ RayEvidence::castRays(std::size_t observation,
     ++counts.rays;
     const Ray ray(observation, point, seen.sensor_height, motion, cell_);
     const Eigen::Vector2d way = ray.way.normalized();
-    bool contradicted[2] = {false, false};
+    bool contradicted[2] = {false, false}, confirmed[2] = {false, false};
+    contradicting.assign(groups(), 0);
+    confirming.assign(groups(), 0);
     for (double t = start; t < ray.range - margin; t += step * cell_) {
-      std::size_t points[2] = {0, 0};
-      const auto crosses = [](double cosine) { return std::abs(cosine) > crossing; };
-      countWalls(ray, ray.cellBefore(ray.range - t), table, way, crosses, points);
+      Crossing at(observation, group_);
+      visitWalls(
+          ray,
+          ray.cellBefore(ray.range - t),
+          table,
+          way,
+          [](double cosine) { return std::abs(cosine) > crossing; },
+          [&](std::size_t other, std::size_t points) {
+            at.add(other, points, contradicting);
+          });
       for (const int side : {0, 1})
-        contradicted[side] = contradicted[side] || points[side] >= min_points;
+        contradicted[side] = contradicted[side] || at.isWall(side);
     }
-    std::size_t confirming[2] = {0, 0};
     Eigen::Vector2d normal(0, 0);
     if (!seen.normals.empty())
       normal = motion.rotation() *
                Eigen::Vector2d(seen.normals[i][0], seen.normals[i][2]).cast<double>();
     normal *= (normal.dot(way) > 0 ? -1 : 1) / std::max(1e-9, normal.norm());
-    const auto agrees = [](double cosine) { return cosine > agreeing; };
-    countWalls(ray, ray.cellBefore(0), table, normal, agrees, confirming);
+    visitWalls(
+        ray,
+        ray.cellBefore(0),
+        table,
+        normal,
+        [](double cosine) { return cosine > agreeing; },
+        [&](std::size_t other, std::size_t) {
+          const std::size_t apart =
+              std::max(other, observation) - std::min(other, observation);
+          confirmed[apart > neighbours] = true;
+          confirming[other / group_] = 1;
+        });
     for (const int side : {0, 1}) {
       counts.contradicted[side] += contradicted[side];
-      counts.confirmed[side] += confirming[side] > 0;
+      counts.confirmed[side] += confirmed[side];
+    }
+    for (std::size_t group = 0; group < groups(); ++group) {
+      counts.contradicted_by[group] += contradicting[group] != 0;
+      counts.confirmed_by[group] += confirming[group] > contradicting[group];
     }
   }
   return counts;
+}
+
+void
+RayEvidence::judgePairs(const std::vector<Counts>& counts, MapEvidence& evidence) const
+{
+  const std::size_t size = groups();
+  std::vector<double> contradicted(size * size), all(size * size);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t other = 0; other < size; ++other) {
+      const std::size_t own = i / group_;
+      const std::size_t pair = std::min(own, other) * size + std::max(own, other);
+      contradicted[pair] += counts[i].contradicted_by[other];
+      all[pair] += counts[i].contradicted_by[other] + counts[i].confirmed_by[other];
+    }
+  double far_rays = 0, far_contradicted = 0;
+  evidence.pair_contradictions = 0;
+  for (std::size_t first = 0; first < size; ++first)
+    for (std::size_t second = first; second < size; ++second) {
+      const std::size_t pair = first * size + second;
+      const double share = lowerShare(contradicted[pair], all[pair]);
+      evidence.pair_contradictions = std::max(evidence.pair_contradictions, share);
+      if (second < first + 2)
+        continue;
+      far_rays += all[pair];
+      far_contradicted += share > 0.5 ? contradicted[pair] : 0;
+    }
+  evidence.contradicted_pairs = far_rays > 0 ? far_contradicted / far_rays : 0;
 }
 
 void
@@ -167,6 +271,7 @@ RayEvidence::judge(const std::vector<PlanarPose>& poses, MapEvidence& evidence) 
   evidence.far_contradictions = shareOf(sum.contradicted[1], far_rays);
   evidence.near_rays = shareOf(near_rays, sum.rays);
   evidence.far_rays = shareOf(far_rays, sum.rays);
+  judgePairs(counts, evidence);
 }
 
 } // namespace pcl::acmap

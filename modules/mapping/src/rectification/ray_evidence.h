@@ -23,27 +23,39 @@ public:
 private:
   struct Ray;
   struct Counts;
+  class Crossing;
 
   Counts
   castRays(std::size_t observation,
            const PlanarPose& pose,
            const WallTable& table) const;
 
-  /** \brief Counts the points of walls in a cell that were seen by other observations
-   * (near, far) and for which \a counts (cosine between a direction and the normal of
-   * the wall) returns true. */
-  template <typename Predicate>
+  /** \brief Visits the walls in a cell that were seen by other observations and for
+   * which \a counts (cosine between a direction and the normal of the wall) returns
+   * true: visit (observation, points), in the order of the observations. */
+  template <typename Predicate, typename Visit>
   void
-  countWalls(const Ray& ray,
+  visitWalls(const Ray& ray,
              std::uint64_t cell,
              const WallTable& table,
              const Eigen::Vector2d& direction,
              const Predicate& counts,
-             std::size_t points[2]) const;
+             const Visit& visit) const;
+
+  /** \brief Computes the shares of pairs of groups. */
+  void
+  judgePairs(const std::vector<Counts>& counts, MapEvidence& evidence) const;
+
+  std::size_t
+  groups() const
+  {
+    return (observations_.size() + group_ - 1) / group_;
+  }
 
   const std::vector<LevelledPoints>& observations_;
   double cell_;           ///< metres, edge length
   std::size_t every_ = 1; ///< every n-th point is used as a ray
+  std::size_t group_;     ///< successive observations that form a group
   bool has_normals_ = false;
 };
 

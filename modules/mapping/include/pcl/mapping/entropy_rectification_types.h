@@ -67,6 +67,14 @@ struct MapEvidence {
   double far_contradictions = 0;  ///< share, 0 without any far evidence
   double near_rays = 0;           ///< share of the rays with evidence by near walls
   double far_rays = 0;            ///< share of the rays with evidence by far walls
+  /** Largest share of contradicted rays between two groups of eight successive
+   * observations: the lower end of its confidence interval, so that a few rays do not
+   * count. A wrong revisit shows in some pairs although the shares of all rays are
+   * small. */
+  double pair_contradictions = 0;
+  /** Share of the rays between far groups that are contradicted in pairs where more
+   * than half are, with confidence. People and moved doors explain a few percent. */
+  double contradicted_pairs = 0;
   /** Mean map entropy in nats: mean over points of the entropy of their neighbourhood,
    * 0.4 m in XZ. */
   double mean_map_entropy = 0;
@@ -84,6 +92,8 @@ visitFields(const MapEvidence& evidence, Visitor&& visit)
   visit("far_contradictions", evidence.far_contradictions);
   visit("near_rays", evidence.near_rays);
   visit("far_rays", evidence.far_rays);
+  visit("pair_contradictions", evidence.pair_contradictions);
+  visit("contradicted_pairs", evidence.contradicted_pairs);
   visit("mean_map_entropy", evidence.mean_map_entropy);
   visit("orthogonal_variance", evidence.orthogonal_variance);
 }
@@ -96,7 +106,7 @@ struct EntropyRectificationReport : Report {
   std::size_t evaluations = 0; ///< of the energy of the whole map, or equivalent
   std::size_t votes = 0; ///< Paper: changes of a subset of actions that were tried
   std::size_t accepted_moves = 0; ///< Paper: votes that lowered the energy
-  double odometry_scale = 1;      ///< factor of OdometryNoise that the rays preferred
+  double odometry_scale = 1;      ///< factor of OdometryNoise that was assumed
   double strongest_action = 0;    ///< largest residual of an action, in sigmas
   double disagreement = 0;        ///< metres, rms, between the two best candidates
   std::vector<RectificationStep> steps;

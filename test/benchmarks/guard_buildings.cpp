@@ -1,0 +1,555 @@
+#include "guard_buildings.h"
+
+#include "free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::bench {
+namespace {
+
+using Corners = std::vector<Eigen::Vector2d>;
+
+int
+wholeBetween(Random& random, int minimum, int maximum)
+{
+  return minimum + static_cast<int>(random.uniform(0, maximum - minimum + 1 - 1e-9));
+}
+
+bool
+isTrue(Random& random, double probability)
+{
+  return random.uniform() < probability;
+}
+
+double
+reachOf(Random& random)
+{
+  constexpr double reaches[] = {8, 12, 20, 30};
+  return reaches[wholeBetween(random, 0, 3)];
+}
+
+/** A room beside a corridor. */
+struct SideRoom {
+  double from, to, depth; ///< metres; from and to along the corridor
+  double door;            ///< centre of the door, along the corridor
+  double side;            ///< -1 left, 1 right
+};
+
+/** A corridor along z that begins at a place, with rooms on its sides. */
+struct RoomedCorridor {
+  Eigen::Vector2d begin{0, 0};
+  double length = 20, half_width = 1, wall = 0.15; ///< metres
+  std::vector<SideRoom> rooms;
+
+  Eigen::Vector2d
+  at(double along, double aside) const
+  {
+    return begin + Eigen::Vector2d(aside, along);
+  }
+
+  void
+  addTo(FreeSpace& space) const
+  {
+    space.addAround(at(half_width, 0), at(length - half_width, 0), half_width);
+    for (const SideRoom& room : rooms) {
+      const double near = room.side * (half_width + wall);
+      const double far = near + room.side * room.depth;
+      const Eigen::Vector2d a = at(room.from, near), b = at(room.to, far);
+      space.add(a[0], a[1], b[0], b[1]);
+      const Eigen::Vector2d c = at(room.door - 0.5, room.side * (half_width - 0.1));
+      const Eigen::Vector2d d = at(room.door + 0.5, near + 0.1 * room.side);
+      space.add(c[0], c[1], d[0], d[1]);
+    }
+  }
+
+  /** A visit of a room, from the corridor and back to it. */
+  void
+  visit(const SideRoom& room, double share, Corners& way) const
+  {
+    const double inside = room.side * (half_width + wall + share * room.depth);
+    way.push_back(at(room.door, 0));
+    way.push_back(at(room.door, inside));
+    way.push_back(at(room.door, 0));
+  }
+};
+
+void
+addRooms(RoomedCorridor& corridor, double minimum, double maximum, Random& random)
+{
+  for (const double side : {-1.0, 1.0}) {
+    double from = 0.2;
+    for (;;) {
+      const double to = from + random.uniform(minimum, maximum);
+      if (to > corridor.length)
+        break;
+      const double door = random.uniform(from + 0.7, to - 0.7);
+      corridor.rooms.push_back({from, to, random.uniform(2.5, 5), door, side});
+      from = to + 0.15;
+    }
+  }
+}
+
+/** Visits some rooms in the order of their doors, then goes back part of the way. */
+Corners
+tourOf(const RoomedCorridor& corridor, int visits, Random& random)
+{
+  std::vector<SideRoom> rooms = corridor.rooms;
+  while (static_cast<int>(rooms.size()) > visits)
+    rooms.erase(rooms.begin() +
+                wholeBetween(random, 0, static_cast<int>(rooms.size()) - 1));
+  std::sort(rooms.begin(), rooms.end(), [](const SideRoom& a, const SideRoom& b) {
+    return a.door < b.door;
+  });
+  Corners way{corridor.at(0.6, 0)};
+  for (const SideRoom& room : rooms)
+    corridor.visit(room, random.uniform(0.3, 0.7), way);
+  way.push_back(corridor.at(corridor.length - 1, 0));
+  way.push_back(corridor.at(corridor.length * random.uniform(0.1, 0.7), 0));
+  return way;
+}
+
+Building
+makeOffices(Random& random)
+{
+  RoomedCorridor corridor;
+  corridor.length = random.uniform(16, 26);
+  corridor.half_width = random.uniform(0.9, 1.3);
+  addRooms(corridor, 2.6, 5, random);
+  FreeSpace space;
+  corridor.addTo(space);
+  Building building;
+  building.path = drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
+                        random.uniform(.6, .9));
+  building.walls = space.outline();
+  building.reach = reachOf(random);
+  addFurniture(building, wholeBetween(random, 2, 12), false, random);
+  return building;
+}
+
+/** Adds niches, such as doors, to a corridor along an axis. */
+void
+addNiches(FreeSpace& space,
+          const Eigen::Vector2d& from,
+          const Eigen::Vector2d& to,
+          double half_width,
+          double per_metre,
+          Random& random)
+{
+  const Eigen::Vector2d leg = to - from, along = leg.normalized();
+  const Eigen::Vector2d aside(along[1], -along[0]);
+  const int niches = static_cast<int>(std::lround(per_metre * leg.norm()));
+  for (int i = 0; i < niches; ++i) {
+    const double at = random.uniform(1, std::max(1.1, leg.norm() - 1));
+    const double side = isTrue(random, 0.5) ? 1 : -1;
+    const double depth = random.uniform(0.1, 0.6), half = random.uniform(0.3, 0.8);
+    const Eigen::Vector2d a =
+        from + (at - half) * along + side * half_width * 0.9 * aside;
+    const Eigen::Vector2d b =
+        from + (at + half) * along + side * (half_width + depth) * aside;
+    space.add(a[0], a[1], b[0], b[1]);
+  }
+}
+
+/** Corridors through corners, with niches, and the drive along a sequence of them. */
+Building
+corridorsOf(const std::vector<Corners>& lines,
+            const Corners& way,
+            double half_width,
+            double niches,
+            Random& random)
+{
+  FreeSpace space;
+  for (const Corners& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      space.addAround(line[i - 1], line[i], half_width);
+      addNiches(space, line[i - 1], line[i], half_width, niches, random);
+    }
+  Building building;
+  building.walls = space.outline();
+  building.path = drive(way, random.uniform(0.6, 0.9));
+  building.reach = reachOf(random);
+  return building;
+}
+
+Building
+makeRing(Random& random)
+{
+  const double x = random.uniform(7, 14), z = random.uniform(7, 14);
+  const Corners ring{{0, 0}, {0, z}, {x, z}, {x, 0}, {0, 0}};
+  Corners way = ring;
+  way.emplace_back(0, random.uniform(0.3, 1) * z);
+  return corridorsOf(
+      {ring}, way, random.uniform(0.9, 1.2), random.uniform(0.1, 0.4), random);
+}
+
+Building
+makeAlikeRooms(Random& random)
+{
+  RoomedCorridor corridor;
+  const int rooms = wholeBetween(random, 4, 7);
+  const double width = random.uniform(3, 4), depth = random.uniform(3, 4);
+  corridor.length = rooms * (width + 0.15) + 0.4;
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < rooms; ++i) {
+      const double from = 0.2 + i * (width + 0.15);
+      corridor.rooms.push_back({from, from + width, depth, from + width / 2, side});
+    }
+  FreeSpace space;
+  corridor.addTo(space);
+  Building building;
+  building.walls = space.outline();
+  building.path = drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
+                        random.uniform(.6, .9));
+  building.reach = reachOf(random);
+  return building;
+}
+
+/** Corridors in the shape of an L, a T or an H. */
+Building
+makeLetters(Random& random)
+{
+  const double z = random.uniform(12, 22), x = random.uniform(8, 16);
+  const double half_width = random.uniform(0.9, 1.2),
+               niches = random.uniform(0.05, 0.3);
+  switch (wholeBetween(random, 0, 2)) {
+  case 0:
+    return corridorsOf({{{0, 0}, {0, z}, {x, z}}},
+                       {{0, 0}, {0, z}, {x, z}, {x / 2, z}},
+                       half_width,
+                       niches,
+                       random);
+  case 1:
+    return corridorsOf({{{0, 0}, {0, z}}, {{-x / 2, z}, {x / 2, z}}},
+                       {{0, 0}, {0, z}, {-x / 2, z}, {x / 2, z}, {0, z}, {0, z / 2}},
+                       half_width,
+                       niches,
+                       random);
+  default:
+    return corridorsOf({{{0, 0}, {0, z}}, {{x, 0}, {x, z}}, {{0, z / 2}, {x, z / 2}}},
+                       {{0, 0}, {0, z}, {0, z / 2}, {x, z / 2}, {x, 0}, {x, z}},
+                       half_width,
+                       niches,
+                       random);
+  }
+}
+
+/** A grid of small rooms whose doors form a tree. */
+class Flat {
+public:
+  Flat(double smallest, double largest, Random& random)
+  : random_(random)
+  {
+    for (int axis : {0, 1}) {
+      limits_[axis][0] = 0;
+      for (int i = 0; i < rooms; ++i)
+        limits_[axis][i + 1] = limits_[axis][i] + random.uniform(smallest, largest);
+    }
+    for (int i = 0; i < rooms; ++i)
+      for (int k = 0; k < rooms; ++k)
+        space.add(limits_[0][i] + 0.06,
+                  limits_[1][k] + 0.06,
+                  limits_[0][i + 1] - 0.06,
+                  limits_[1][k + 1] - 0.06);
+    explore(0, 0);
+  }
+
+  FreeSpace space;
+  Corners way; ///< through all rooms and back
+
+private:
+  static constexpr int rooms = 3; ///< in a row
+
+  Eigen::Vector2d
+  middleOf(int i, int k) const
+  {
+    return {(limits_[0][i] + limits_[0][i + 1]) / 2,
+            (limits_[1][k] + limits_[1][k + 1]) / 2};
+  }
+
+  /** Goes through a room and those behind it which were not visited before. */
+  void
+  explore(int i, int k)
+  {
+    visited_[i][k] = true;
+    const Eigen::Vector2d here = middleOf(i, k);
+    way.push_back(here);
+    const int first = wholeBetween(random_, 0, 3);
+    for (int turn = 0; turn < 4; ++turn) {
+      constexpr int steps[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+      const int* const step = steps[(first + turn) % 4];
+      const int to_i = i + step[0], to_k = k + step[1];
+      if (to_i < 0 || to_i >= rooms || to_k < 0 || to_k >= rooms ||
+          visited_[to_i][to_k])
+        continue;
+      const int axis = step[0] == 0 ? 1 : 0;
+      Eigen::Vector2d door = (here + middleOf(to_i, to_k)) / 2;
+      door[axis] = limits_[axis][(axis == 0 ? std::max(i, to_i) : std::max(k, to_k))];
+      const Eigen::Vector2d half =
+          axis == 0 ? Eigen::Vector2d(0.2, 0.45) : Eigen::Vector2d(0.45, 0.2);
+      space.add(
+          door[0] - half[0], door[1] - half[1], door[0] + half[0], door[1] + half[1]);
+      way.push_back(door);
+      explore(to_i, to_k);
+      way.push_back(door);
+      way.push_back(here);
+    }
+  }
+
+  Random& random_;
+  double limits_[2][rooms + 1];
+  bool visited_[rooms][rooms] = {};
+};
+
+Building
+makeFlat(Random& random)
+{
+  const Flat flat(2.4, 3.8, random);
+  Building building;
+  building.walls = flat.space.outline();
+  building.path = drive(flat.way, random.uniform(0.8, 1.1));
+  building.reach = reachOf(random);
+  addFurniture(building, wholeBetween(random, 10, 25), false, random);
+  return building;
+}
+
+/** Offices whose walls towards the corridor have windows. */
+Building
+makeGlass(Random& random)
+{
+  RoomedCorridor corridor;
+  corridor.length = random.uniform(14, 22);
+  addRooms(corridor, 3.5, 5.5, random);
+  FreeSpace space;
+  corridor.addTo(space);
+  Building building;
+  std::vector<BuildingWall> windows;
+  for (const SideRoom& room : corridor.rooms) {
+    if (isTrue(random, 0.4))
+      continue;
+    const bool first = room.door - room.from > room.to - room.door;
+    const double from = first ? room.from + 0.3 : room.door + 0.7;
+    const double to = first ? room.door - 0.7 : room.to - 0.3;
+    const double near = corridor.half_width * room.side;
+    space.add(near * 0.9, from, near + (corridor.wall + 0.1) * room.side, to);
+    windows.push_back({{near, from}, {near, to}, true});
+  }
+  building.walls = space.outline();
+  building.walls.insert(building.walls.end(), windows.begin(), windows.end());
+  building.path = drive(tourOf(corridor, wholeBetween(random, 2, 4), random),
+                        random.uniform(.6, .9));
+  building.reach = reachOf(random);
+  addFurniture(building, wholeBetween(random, 2, 10), false, random);
+  return building;
+}
+
+void
+addBox(const Eigen::Vector2d& middle,
+       const Eigen::Vector2d& half,
+       WallTime time,
+       std::vector<BuildingWall>& walls)
+{
+  const std::size_t first = walls.size();
+  const Eigen::Vector2d low = middle - half, high = middle + half;
+  addWallsThrough({low, {high[0], low[1]}, high, {low[0], high[1]}, low}, walls);
+  for (std::size_t i = first; i < walls.size(); ++i)
+    walls[i].time = time;
+}
+
+Building
+makeHall(Random& random)
+{
+  const double x = random.uniform(14, 24), z = random.uniform(12, 20);
+  Building building;
+  addWallsThrough({{0, 0}, {x, 0}, {x, z}, {0, z}, {0, 0}}, building.walls);
+  const double pitch = random.uniform(4, 6), half = random.uniform(0.15, 0.35);
+  const bool is_round = isTrue(random, 0.5);
+  for (double at_x = pitch; at_x < x - 1.5; at_x += pitch)
+    for (double at_z = pitch; at_z < z - 1.5; at_z += pitch) {
+      if (!is_round) {
+        addBox({at_x, at_z}, {half, half}, WallTime::Always, building.walls);
+        continue;
+      }
+      Corners corners;
+      for (int i = 0; i <= 12; ++i)
+        corners.emplace_back(at_x + half * std::cos(i * M_PI / 6),
+                             at_z + half * std::sin(i * M_PI / 6));
+      addWallsThrough(corners, building.walls);
+    }
+  const double a = pitch / 2;
+  building.path =
+      drive({{a, a}, {a, z - a}, {x - a, z - a}, {x - a, a}, {a, a}, {a, z / 2}},
+            random.uniform(0.7, 1.1));
+  building.reach = random.uniform(6, 14);
+  return building;
+}
+
+/** Corridors without doors, with a bend or two. */
+Building
+makeBlank(Random& random)
+{
+  const double z = random.uniform(20, 35), x = random.uniform(6, 14);
+  const int bends = wholeBetween(random, 0, 2);
+  Corners line{{0, 0}, {0, z}};
+  if (bends > 0)
+    line.emplace_back(x, z);
+  if (bends > 1)
+    line.emplace_back(x, z / 3);
+  return corridorsOf({line}, line, random.uniform(0.8, 1.4), 0.02, random);
+}
+
+Building
+makeWarehouse(Random& random)
+{
+  const int aisles = wholeBetween(random, 3, 5);
+  const double length = random.uniform(8, 13), aisle = random.uniform(1.8, 2.6);
+  const double shelf = random.uniform(0.8, 1.4), cross = 2.2;
+  const double x = aisles * aisle + (aisles - 1) * shelf;
+  Building building;
+  addWallsThrough(
+      {{0, 0}, {x, 0}, {x, length + 2 * cross}, {0, length + 2 * cross}, {0, 0}},
+      building.walls);
+  Corners way;
+  for (int i = 0; i < aisles; ++i) {
+    const double at = aisle / 2 + i * (aisle + shelf);
+    if (i > 0)
+      addBox({at - (aisle + shelf) / 2, cross + length / 2},
+             {shelf / 2, length / 2},
+             WallTime::Always,
+             building.walls);
+    const double ends[2] = {cross / 2, length + 1.5 * cross};
+    way.emplace_back(at, ends[i % 2]);
+    way.emplace_back(at, ends[1 - i % 2]);
+  }
+  way.emplace_back(aisle / 2, way.back()[1]);
+  building.path = drive(way, random.uniform(0.8, 1.1));
+  building.reach = reachOf(random);
+  return building;
+}
+
+/** A corridor around a round court, with pillars along its outer wall. */
+Building
+makeCurved(Random& random)
+{
+  constexpr int sides = 72;
+  const double radius = random.uniform(4.5, 8), width = random.uniform(1.8, 2.6);
+  const double flat = random.uniform(0.7, 1);
+  Building building;
+  Corners inner, outer, way;
+  for (int i = 0; i <= sides; ++i) {
+    const double angle = 2 * M_PI * i / sides;
+    const Eigen::Vector2d out(std::cos(angle), flat * std::sin(angle));
+    inner.emplace_back((radius - width / 2) * out);
+    outer.emplace_back((radius + width / 2) * out);
+    if (i < sides && isTrue(random, 0.12))
+      addBox(outer.back(), {0.2, 0.2}, WallTime::Always, building.walls);
+  }
+  addWallsThrough(inner, building.walls);
+  addWallsThrough(outer, building.walls);
+  const double end = 2 * M_PI * random.uniform(0.9, 1.4), step = 0.7 / radius;
+  for (double angle = 0; angle < end; angle += step)
+    building.path.push_back({radius * std::cos(angle),
+                             radius * flat * std::sin(angle),
+                             std::atan2(-std::sin(angle), flat * std::cos(angle))});
+  building.reach = reachOf(random);
+  return building;
+}
+
+/** Equal wings with equal rooms beside a corridor. */
+Building
+makeWings(Random& random)
+{
+  const int wings = wholeBetween(random, 2, 3);
+  const double pitch = random.uniform(9, 12), length = random.uniform(7, 9);
+  const double depth = random.uniform(2.5, 3), width = random.uniform(3, 3.4);
+  FreeSpace space;
+  Corners way{{-1, 0}};
+  space.add(-2, -1, (wings - 1) * pitch + 2, 1);
+  for (int i = 0; i < wings; ++i) {
+    RoomedCorridor wing;
+    wing.begin = {i * pitch, 0.5};
+    wing.length = length;
+    for (const double side : {-1.0, 1.0})
+      for (const double from : {1.2, 1.35 + width})
+        wing.rooms.push_back({from, from + width, depth, from + width / 2, side});
+    wing.addTo(space);
+    way.emplace_back(i * pitch, 0);
+    wing.visit(
+        wing.rooms[static_cast<std::size_t>(wholeBetween(random, 0, 3))], .5, way);
+    way.emplace_back(i * pitch, length - 1);
+    way.emplace_back(i * pitch, 0);
+  }
+  way.emplace_back(0, 0);
+  Building building;
+  building.walls = space.outline();
+  building.path = drive(way, random.uniform(0.8, 1.1));
+  building.reach = reachOf(random);
+  return building;
+}
+
+/** Rooms that are visited twice, with other furniture at the second time. */
+Building
+makeMoved(Random& random)
+{
+  RoomedCorridor corridor;
+  corridor.length = random.uniform(9, 13);
+  addRooms(corridor, 3, 5, random);
+  FreeSpace space;
+  corridor.addTo(space);
+  Building building;
+  Corners way = tourOf(corridor, 3, random);
+  const Corners again = way;
+  way.insert(way.end(), again.begin(), again.end());
+  building.walls = space.outline();
+  building.path = drive(way, random.uniform(0.8, 1.1));
+  building.reach = reachOf(random);
+  addFurniture(building, wholeBetween(random, 5, 10), false, random);
+  addFurniture(building, wholeBetween(random, 15, 30), true, random);
+  return building;
+}
+
+} // namespace
+
+void
+addFurniture(Building& building, int boxes, bool moves, Random& random)
+{
+  const std::vector<PlanarPose>& path = building.path;
+  for (int i = 0; i < boxes; ++i) {
+    const auto at = static_cast<std::size_t>(
+        random.uniform(0, static_cast<double>(path.size()) - 1e-9));
+    const double angle = random.uniform(0, 2 * M_PI), away = random.uniform(0.9, 2.5);
+    const Eigen::Vector2d middle(path[at].x + away * std::sin(angle),
+                                 path[at].z + away * std::cos(angle));
+    const Eigen::Vector2d half(random.uniform(0.15, 0.5), random.uniform(0.15, 0.5));
+    const WallTime time = !moves                ? WallTime::Always
+                          : isTrue(random, 0.5) ? WallTime::FirstHalf
+                                                : WallTime::SecondHalf;
+    const bool is_free =
+        std::all_of(path.begin(), path.end(), [&](const PlanarPose& p) {
+          return std::abs(p.x - middle[0]) > half[0] + 0.25 ||
+                 std::abs(p.z - middle[1]) > half[1] + 0.25;
+        });
+    if (is_free)
+      addBox(middle, half, time, building.walls);
+  }
+}
+
+const std::vector<BuildingKind>&
+buildingKinds()
+{
+  static const std::vector<BuildingKind> kinds{{"offices", false, makeOffices},
+                                               {"ring", false, makeRing},
+                                               {"alike rooms", false, makeAlikeRooms},
+                                               {"letters", false, makeLetters},
+                                               {"flat", false, makeFlat},
+                                               {"glass", false, makeGlass},
+                                               {"hall", true, makeHall},
+                                               {"blank corridors", true, makeBlank},
+                                               {"warehouse", true, makeWarehouse},
+                                               {"curved walls", true, makeCurved},
+                                               {"wings", true, makeWings},
+                                               {"moved furniture", true, makeMoved}};
+  return kinds;
+}
+
+} // namespace pcl::acmap::bench
