@@ -606,6 +606,7 @@ planeBoundaries(const Creases& creases,
 std::size_t
 outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
                     const SensorView& sensors,
+                    const LabeledSource& source,
                     KnownPlanes& known)
 {
   using namespace outlines;
@@ -617,6 +618,7 @@ outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
   std::vector<PlaneRaster> rasters = rastersOf(known);
   addFaces(triangles, known, rasters);
   addNarrow(mesh, known, rasters);
+  sharpenRims(source, rasters);
   addFreeRays(known, sensors, rasters);
   const Creases creases = creasesOf(known, rasters);
   std::vector<Boundary> boundaries =
