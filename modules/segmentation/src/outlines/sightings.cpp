@@ -11,7 +11,7 @@ namespace {
 constexpr double rim_reach = 4; // cells beside the rims of faces
 constexpr double ray_gap = 3;   // cells; rays are random
 constexpr int at_rim = 3;       // cells
-constexpr std::size_t rays_a_cell = 8;
+constexpr std::size_t rays_a_cell = 16;
 
 /** A ray of a point, where it meets the point's plane. */
 struct Sighting {
@@ -84,8 +84,63 @@ bandOf(const CellSet& seen)
   return rims;
 }
 
-/** The rays of a share of the points, evenly over all of them, that meet their planes
- * near rims; each plane's in the order of the points. */
+/** \brief Finds the rays of points that meet their planes near rims. */
+class RimRays {
+public:
+  RimRays(const LabeledSource& source,
+          const std::vector<PlaneRaster>& rasters,
+          const std::vector<RimBand>& rims)
+  : source_(source)
+  , rims_(rims)
+  , planes_(rasters.begin(), rasters.end())
+  {}
+
+  /** Appends the sightings of points that follow one another. Those between two points
+   * inside of one plane are not looked at: they are neighbours in an image, or else
+   * others are near the rims as well. */
+  void
+  add(std::size_t first, std::size_t last, std::vector<Sighting>& sightings) const
+  {
+    Sighting begin, end;
+    if (meet(first, begin) && isInside(begin) && meet(last - 1, end) &&
+        end.plane == begin.plane && isInside(end))
+      return;
+    Sighting sighting;
+    for (std::size_t i = first; i < last; ++i)
+      if (meet(i, sighting) && rimOf(sighting).band.has(sighting.place.cast<double>()))
+        sightings.push_back(sighting);
+  }
+
+private:
+  const RimBand&
+  rimOf(const Sighting& sighting) const
+  {
+    return rims_[static_cast<std::size_t>(sighting.plane)];
+  }
+
+  bool
+  isInside(const Sighting& sighting) const
+  {
+    return rimOf(sighting).inside.has(sighting.place.cast<double>());
+  }
+
+  bool
+  meet(std::size_t i, Sighting& sighting) const
+  {
+    sighting.plane = source_.labels[i];
+    const Eigen::Vector3f* const sensor =
+        sighting.plane < 0 ? nullptr : source_.sensors[i];
+    return sensor && planes_[static_cast<std::size_t>(sighting.plane)].meet(
+                         *sensor, source_.points[i], sighting);
+  }
+
+  const LabeledSource& source_;
+  const std::vector<RimBand>& rims_;
+  std::vector<RayPlane> planes_;
+};
+
+/** The sightings near rims from a share of the points, evenly over all of them; each
+ * plane's in the order of the points. */
 std::vector<std::vector<Sighting>>
 sightingsOf(const LabeledSource& source,
             std::size_t share,
@@ -93,26 +148,13 @@ sightingsOf(const LabeledSource& source,
             const std::vector<RimBand>& rims)
 {
   constexpr std::size_t run = 16, runs_a_block = 1024; // points that follow one another
-  std::vector<RayPlane> planes;
-  for (const PlaneRaster& raster : rasters)
-    planes.emplace_back(raster);
+  const RimRays rays(source, rasters, rims);
   const std::size_t block = run * runs_a_block * share;
   std::vector<std::vector<Sighting>> sightings(source.points.size() / block + 1);
   oneapi::tbb::parallel_for(std::size_t{0}, sightings.size(), [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, source.points.size());
     for (std::size_t first = b * block; first < end; first += run * share)
-      for (std::size_t i = first; i < std::min(first + run, end); ++i) {
-        const std::int32_t plane = source.labels[i];
-        const Eigen::Vector3f* const sensor = plane < 0 ? nullptr : source.sensors[i];
-        Sighting sighting;
-        sighting.plane = plane;
-        if (sensor &&
-            planes[static_cast<std::size_t>(plane)].meet(
-                *sensor, source.points[i], sighting) &&
-            rims[static_cast<std::size_t>(plane)].band.has(
-                sighting.place.cast<double>()))
-          sightings[b].push_back(sighting);
-      }
+      rays.add(first, std::min(first + run, end), sightings[b]);
   });
   std::vector<std::vector<Sighting>> of_planes(rasters.size());
   for (const std::vector<Sighting>& some : sightings)
@@ -175,7 +217,8 @@ dropForeign(const CellSet& seen, std::vector<Sighting>& sightings)
 void
 sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
 {
-  if (!source.sensors.isKnown() || source.labels.size() != source.points.size())
+  if (!source.sensors.isKnown() || source.points.size() == 0 ||
+      source.labels.size() != source.points.size())
     return;
   std::vector<RimBand> rims(rasters.size());
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
