@@ -49,6 +49,16 @@ public:
                static_cast<int>(std::floor(place.y())));
   }
 
+  /** Are the four cells \a reach cells along the axes from a place members? */
+  bool
+  hasAround(const Eigen::Vector2d& place, int reach) const
+  {
+    const int x = static_cast<int>(std::floor(place.x()));
+    const int y = static_cast<int>(std::floor(place.y()));
+    return has(x - reach, y) && has(x + reach, y) && has(x, y - reach) &&
+           has(x, y + reach);
+  }
+
   void
   add(int x, int y)
   {

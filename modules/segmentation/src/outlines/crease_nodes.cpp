@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl::acmap::outlines {
 
@@ -39,7 +40,8 @@ CreaseNodes::add(const CreasePoint& point)
   if (point.third >= 0)
     corners_.emplace(cornerOf(point), 0);
   else
-    ends_[static_cast<std::size_t>(point.crease)].push_back(point.along);
+    ends_[static_cast<std::size_t>(point.crease)].push_back(
+        {point.along, point.heading, point.weight});
 }
 
 namespace {
@@ -122,36 +124,74 @@ CreaseNodes::settleCorners()
                                                             group.planes.end(),
                                                             crease.planes[1]))
           places_[number].push_back(
-              {(positions_[node] - crease.point).dot(crease.direction), node, true});
+              {(positions_[node] - crease.point).dot(crease.direction), node});
       }
   }
 }
 
-/** Ends near a corner are that corner; others within two spacings of each other are one. */
+bool
+CreaseNodes::isBefore(const End& a, const End& b)
+{
+  return std::tie(a.along, a.heading, a.weight) <
+         std::tie(b.along, b.heading, b.weight);
+}
+
+/** Are ends one, given that those between them are? Edges that end towards the same side
+ * may be farther from each other: an oblique rim meets its crease anywhere in a part of
+ * it, and no edge is lost between them. */
+bool
+CreaseNodes::areSame(const std::vector<End>& ends,
+                     std::size_t first,
+                     std::size_t last) const
+{
+  constexpr double deviations = 2, farthest = 6; // spacings
+  const double off = (ends[last].along - ends[first].along) / spacing_;
+  if (off <= same_end)
+    return true;
+  const double variance = 1 / ends[first].weight + 1 / ends[last].weight;
+  return off <= farthest && off * off <= deviations * deviations * variance &&
+         std::all_of(
+             ends.begin() + static_cast<std::ptrdiff_t>(first),
+             ends.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+             [&](const End& end) { return end.heading == ends[first].heading; });
+}
+
+/** Ends near a corner are that corner; others within the noise of each other are one, at
+ * their weighted mean. */
 void
 CreaseNodes::settleEnds(std::size_t number)
 {
   const double reach = same_end * spacing_;
-  std::vector<double>& ends = ends_[number];
+  std::vector<End>& ends = ends_[number];
   std::vector<Place>& places = places_[number];
   const Crease& crease = creases_.creases[number];
-  std::sort(ends.begin(), ends.end());
+  std::sort(ends.begin(), ends.end(), isBefore);
   const std::size_t corners = places.size();
+  const auto cornerOf = [&](const End& end) {
+    const Place* best = nullptr;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double off = std::abs(places[i].along - end.along);
+      if (off <= reach && (!best || off < std::abs(best->along - end.along)))
+        best = &places[i];
+    }
+    return best;
+  };
   for (std::size_t i = 0; i < ends.size();) {
-    const bool is_corner = std::any_of(
-        places.begin(),
-        places.begin() + static_cast<std::ptrdiff_t>(corners),
-        [&](const Place& place) { return std::abs(place.along - ends[i]) <= reach; });
-    if (is_corner) {
-      ++i;
+    if (const Place* const corner = cornerOf(ends[i])) {
+      ends[i++].node = corner->node;
       continue;
     }
-    double sum = 0;
+    double sum = 0, weights = 0;
     std::size_t last = i;
-    for (; last < ends.size() && ends[last] - ends[i] <= reach; ++last)
-      sum += ends[last];
-    const double along = sum / static_cast<double>(last - i);
-    places.push_back({along, positions_.size(), false});
+    for (; last < ends.size() && !cornerOf(ends[last]) && areSame(ends, i, last);
+         ++last) {
+      sum += ends[last].weight * (ends[last].along - ends[i].along);
+      weights += ends[last].weight;
+    }
+    const double along = ends[i].along + sum / weights;
+    for (std::size_t k = i; k < last; ++k)
+      ends[k].node = positions_.size();
+    places.push_back({along, positions_.size()});
     positions_.push_back(crease.point + along * crease.direction);
     i = last;
   }
@@ -173,18 +213,9 @@ CreaseNodes::find(const CreasePoint& point) const
 {
   if (point.third >= 0)
     return corners_.at(cornerOf(point));
-  const std::vector<Place>& places = places_[static_cast<std::size_t>(point.crease)];
-  const double reach = same_end * spacing_;
-  const Place* best = nullptr;
-  for (const Place& place : places) {
-    const auto rank = [&](const Place& one) {
-      const double off = std::abs(one.along - point.along);
-      return one.is_corner && off <= reach ? off - reach : off; // corners come first
-    };
-    if (!best || rank(place) < rank(*best))
-      best = &place;
-  }
-  return best->node;
+  const std::vector<End>& ends = ends_[static_cast<std::size_t>(point.crease)];
+  const End wanted{point.along, point.heading, point.weight};
+  return std::lower_bound(ends.begin(), ends.end(), wanted, isBefore)->node;
 }
 
 std::vector<std::size_t>

@@ -11,6 +11,8 @@ struct CreasePoint {
   std::int32_t crease = -1;
   double along = 0;        ///< metres along the crease
   std::int32_t third = -1; ///< a plane that ends there as well: a corner of three
+  int heading = 0;         ///< 1 if the edge goes on towards larger \a along, else -1
+  double weight = 1;       ///< inverse variance of \a along, square spacings
 };
 
 /** \brief The points on creases at which edges end, each of them once: what two planes
@@ -49,11 +51,21 @@ public:
 private:
   using Corner = std::array<std::size_t, 3>;
 
+  /** An end of a rim. */
+  struct End {
+    double along;
+    int heading;
+    double weight;
+    std::size_t node = 0;
+  };
+
+  static bool
+  isBefore(const End& a, const End& b);
+
   /** A node on a crease. */
   struct Place {
     double along;
     std::size_t node;
-    bool is_corner;
   };
 
   Corner
@@ -65,11 +77,14 @@ private:
   void
   settleEnds(std::size_t crease);
 
+  bool
+  areSame(const std::vector<End>& ends, std::size_t first, std::size_t last) const;
+
   const Creases& creases_;
   const std::vector<PlaneRaster>& rasters_;
   double spacing_;
   std::map<Corner, std::size_t> corners_;  ///< their nodes
-  std::vector<std::vector<double>> ends_;  ///< on each crease
+  std::vector<std::vector<End>> ends_;     ///< on each crease, ascending
   std::vector<std::vector<Place>> places_; ///< on each crease, ascending
   std::vector<Eigen::Vector3d> positions_;
 };

@@ -114,16 +114,6 @@ fillTriangle(const std::array<Eigen::Vector2d, 3>& corners, CellSet& cells)
   }
 }
 
-bool
-isAtRim(const CellSet& seen, const Eigen::Vector2d& place)
-{
-  constexpr int reach = 3;
-  const int x = static_cast<int>(std::floor(place.x()));
-  const int y = static_cast<int>(std::floor(place.y()));
-  return !(seen.has(x - reach, y) && seen.has(x + reach, y) && seen.has(x, y - reach) &&
-           seen.has(x, y + reach));
-}
-
 } // namespace
 
 void
@@ -234,7 +224,7 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
   for (std::size_t i = 0; i < places.size(); ++i)
     if (known.labels[i] >= 0) {
       PlaneRaster& raster = rasters[static_cast<std::size_t>(known.labels[i])];
-      if (isAtRim(raster.seen, places[i]))
+      if (!raster.seen.hasAround(places[i], 3))
         raster.rim_points.push_back(places[i]);
     }
 }

@@ -127,31 +127,45 @@ private:
     points.push_back(point);
   }
 
+  /** \param[in] piece along a crease
+   * \param[in] is_after does the outline go on along it? Else it comes from there
+   * \param[in] weight inverse variance of the place along the crease, square spacings */
   void
-  addEnd(std::int32_t crease,
+  addEnd(const ContourPiece& piece,
+         bool is_after,
          std::size_t plane,
          const Eigen::Vector2d& place,
-         std::int32_t next,
+         double weight,
          std::vector<OutlinePoint>& points) const
   {
     OutlinePoint point;
-    point.on_crease = {crease, lineOf(crease, plane).along(place), -1};
-    point.next_crease = next;
+    point.on_crease = {piece.crease,
+                       lineOf(piece.crease, plane).along(place),
+                       -1,
+                       is_after ? piece.side : -piece.side,
+                       weight};
+    point.next_crease = is_after ? piece.crease : -1;
     points.push_back(point);
   }
 
-  /** The corners of a polyline, straightened; without its ends. */
-  Loop
-  innerCorners(const Loop& rim,
-               const Boundary& boundary,
-               std::vector<RimLine>& lines) const
+  /** The lines of a polyline; none if it is straightened by its corners. */
+  std::vector<RimLine>
+  linesOf(const Loop& rim, const Boundary& boundary) const
   {
-    if (boundary.straightening == Straightening::Lines) {
-      const PlaneRaster& raster = rasters_[boundary.plane];
-      lines = rimLines(rim, noiseOf(rim, raster));
-      refineLines(rim, raster.rim_points, lines);
+    if (boundary.straightening != Straightening::Lines)
+      return {};
+    const PlaneRaster& raster = rasters_[boundary.plane];
+    std::vector<RimLine> lines = rimLines(rim, noiseOf(rim, raster));
+    refineLines(rim, raster.rim_points, lines);
+    return lines;
+  }
+
+  /** The corners of a polyline, straightened; without its ends. */
+  static Loop
+  innerCorners(const Loop& rim, const std::vector<RimLine>& lines)
+  {
+    if (!lines.empty())
       return cornersOf(lines, rim);
-    }
     const std::vector<std::size_t> kept = breakPoints(rim);
     Loop corners;
     for (std::size_t i = 1; i + 1 < kept.size(); ++i)
@@ -197,8 +211,8 @@ private:
         });
     std::rotate(rim.begin(), farthest, rim.end());
     rim.push_back(rim.front());
-    std::vector<RimLine> lines;
-    for (const Eigen::Vector2d& corner : innerCorners(rim, boundary, lines))
+    const std::vector<RimLine> lines = linesOf(rim, boundary);
+    for (const Eigen::Vector2d& corner : innerCorners(rim, lines))
       addOwn(corner, points);
     if (lines.empty())
       addOwn(rim.front(), points);
@@ -234,8 +248,8 @@ private:
       points.push_back(point);
       return;
     }
-    addEnd(before.crease, boundary.plane, begin, -1, points);
-    addEnd(after.crease, boundary.plane, end, after.crease, points);
+    addEnd(before, false, boundary.plane, begin, of_corners, points);
+    addEnd(after, true, boundary.plane, end, of_corners, points);
   }
 
   /** The free part between two creases. */
@@ -246,44 +260,99 @@ private:
   {
     const std::size_t count = boundary.pieces.size();
     const ContourPiece& piece = boundary.pieces[number];
-    const std::int32_t before = boundary.pieces[(number + count - 1) % count].crease;
-    const std::int32_t after = boundary.pieces[(number + 1) % count].crease;
+    const ContourPiece& before = boundary.pieces[(number + count - 1) % count];
+    const ContourPiece& after = boundary.pieces[(number + 1) % count];
     Loop rim;
     for (std::size_t i = 0; i <= piece.count; ++i)
       rim.push_back(boundary.contour[(piece.first + i) % boundary.contour.size()]);
-    std::vector<RimLine> lines;
-    const Loop corners = innerCorners(rim, boundary, lines);
+    std::vector<RimLine> lines = linesOf(rim, boundary);
+    dropStub(before.crease, boundary.plane, rim, true, lines);
+    dropStub(after.crease, boundary.plane, rim, false, lines);
+    const Loop corners = innerCorners(rim, lines);
     const RimLine* const first = lines.empty() ? nullptr : &lines.front();
     const RimLine* const last = lines.empty() ? nullptr : &lines.back();
-    addRimEnd(before, boundary.plane, rim.front(), first, -1, points);
+    addRimEnd(before, false, boundary.plane, rim.front(), first, points);
     for (const Eigen::Vector2d& corner : corners)
       addOwn(corner, points);
     const std::size_t end = points.size();
-    addRimEnd(after, boundary.plane, rim.back(), last, after, points);
+    addRimEnd(after, true, boundary.plane, rim.back(), last, points);
     if (points.size() - end == 2) // the end comes last
       std::swap(points[end], points[end + 1]);
   }
 
+  /** Removes a short line at an end of a rim if the next one meets the crease as well:
+   * the evidence ends early in the acute angle between a crease and a rim. */
+  void
+  dropStub(std::int32_t crease,
+           std::size_t plane,
+           const Loop& rim,
+           bool at_front,
+           std::vector<RimLine>& lines) const
+  {
+    constexpr std::size_t longest = 8; // cells
+    if (lines.size() < 2)
+      return;
+    const RimLine& stub = at_front ? lines.front() : lines.back();
+    RimLine& next = at_front ? lines[1] : lines[lines.size() - 2];
+    const CreaseLine& line = lineOf(crease, plane);
+    const Eigen::Vector2d& end = at_front ? rim.front() : rim.back();
+    const Eigen::Vector2d& begin = rim[at_front ? next.from : next.to];
+    const double ahead = at_front ? -1 : 1;
+    Eigen::Vector2d place;
+    if (stub.to - stub.from > longest || next.to - next.from < stub.to - stub.from ||
+        !next.meet(line.origin, line.direction, place) ||
+        (place - end).norm() > rim_reach ||
+        ahead * (place - next.middle).dot(next.direction) <= 0 ||
+        isFreeBetween(rasters_[plane], begin, place))
+      return;
+    if (at_front) {
+      next.from = 0;
+      lines.erase(lines.begin());
+    }
+    else {
+      next.to = rim.size() - 1;
+      lines.pop_back();
+    }
+  }
+
+  static constexpr double of_corners = 0.5; // inverse variance, square spacings
+  static constexpr double rim_reach = 16;   // cells, from its end to the crease
+
+  static bool
+  isFreeBetween(const PlaneRaster& raster,
+                const Eigen::Vector2d& from,
+                const Eigen::Vector2d& to)
+  {
+    const auto steps = static_cast<int>((to - from).norm() / 0.5) + 1;
+    for (int i = 1; i < steps; ++i)
+      if (raster.free.has(from + (to - from) * i / steps))
+        return true;
+    return false;
+  }
+
   /** Where a rim leaves its crease: at the intersection of its first line, or else at the
    * foot of its first corner, with a second point where the line begins.
-   * \param[in] line nullptr: the corner alone counts */
+   * \param[in] rim its line; nullptr: the corner alone counts */
   void
-  addRimEnd(std::int32_t crease,
+  addRimEnd(const ContourPiece& piece,
+            bool is_after,
             std::size_t plane,
             const Eigen::Vector2d& corner,
             const RimLine* rim,
-            std::int32_t next,
             std::vector<OutlinePoint>& points) const
   {
-    constexpr double max_off = 6, min_step = 1; // cells
-    const CreaseLine& line = lineOf(crease, plane);
+    constexpr double min_step = 1; // cells
+    const CreaseLine& line = lineOf(piece.crease, plane);
     Eigen::Vector2d place;
     if (rim && rim->meet(line.origin, line.direction, place) &&
-        (place - corner).norm() <= max_off) {
-      addEnd(crease, plane, place, next, points);
+        (place - corner).norm() <= rim_reach &&
+        !isFreeBetween(rasters_[plane], corner, place)) {
+      const double sine = cross(rim->direction, line.direction);
+      const auto sides = static_cast<double>(rim->to - rim->from);
+      addEnd(piece, is_after, plane, place, sine * sine * sides, points);
       return;
     }
-    addEnd(crease, plane, corner, next, points);
+    addEnd(piece, is_after, plane, corner, of_corners, points);
     const Eigen::Vector2d begin = rim ? rim->nearest(corner) : corner;
     if (std::abs(line.distance(begin)) > min_step)
       addOwn(begin, points);
@@ -606,6 +675,7 @@ planeBoundaries(const Creases& creases,
 std::size_t
 outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
                     const SensorView& sensors,
+                    const LabeledSource& source,
                     KnownPlanes& known)
 {
   using namespace outlines;
@@ -617,6 +687,7 @@ outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
   std::vector<PlaneRaster> rasters = rastersOf(known);
   addFaces(triangles, known, rasters);
   addNarrow(mesh, known, rasters);
+  sharpenRims(source, rasters);
   addFreeRays(known, sensors, rasters);
   const Creases creases = creasesOf(known, rasters);
   std::vector<Boundary> boundaries =

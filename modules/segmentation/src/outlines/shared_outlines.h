@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planes/known_planes.h"
+#include "outlines/sightings.h"
 
 #include <pcl/core/triangle_mesh.h>
 
@@ -14,11 +14,13 @@ namespace pcl::acmap {
  * set to that of its polygons.
  * \param[in] triangles mesh of the points
  * \param[in] sensors of the points; unknown: rims and frontiers cannot be told apart
+ * \param[in] source of these points; empty: rims are those of the mesh
  * \return number of polygons that keep the corners of the evidence, because their
  * straightened edges would cross */
 std::size_t
 outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
                     const SensorView& sensors,
+                    const LabeledSource& source,
                     KnownPlanes& known);
 
 } // namespace pcl::acmap

@@ -287,7 +287,10 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     StepTimer outlines(report);
     if (settings.noise_driven)
       report.contour_outlines =
-          outlineFromEvidence(hypotheses.triangles, hypotheses.sensors, known);
+          outlineFromEvidence(hypotheses.triangles,
+                              hypotheses.sensors,
+                              {source.points, source.sensors, clusters.source_labels},
+                              known);
     else
       outlineFromMesh(hypotheses.triangles, known);
     outlines.finish("outlines");

@@ -1,0 +1,253 @@
+#include "outlines/sightings.h"
+
+#include <pcl/core/impl/parallel.h>
+
+#include <cmath>
+
+namespace pcl::acmap::outlines {
+
+namespace {
+
+constexpr double rim_reach = 4; // cells beside the rims of faces
+constexpr double ray_gap = 3;   // cells; rays are random
+constexpr int at_rim = 3;       // cells
+constexpr std::size_t rays_a_cell = 16;
+
+/** A ray of a point, where it meets the point's plane. */
+struct Sighting {
+  std::int32_t plane;
+  Eigen::Vector2f place; ///< in the raster of the plane
+  float off;             ///< of the point, metres in front of the plane
+};
+
+/** Places in the raster of a plane, in the precision of points. */
+class RayPlane {
+public:
+  explicit RayPlane(const PlaneRaster& raster)
+  : normal_(raster.normal.cast<float>())
+  , offset_(static_cast<float>(raster.normal.dot(raster.origin) + raster.offset))
+  , origin_(raster.origin.cast<float>())
+  , along_u_((raster.axis_u / raster.cell).cast<float>())
+  , along_v_((raster.axis_v / raster.cell).cast<float>())
+  {}
+
+  /** \return false if the point is too far from the plane along its ray */
+  bool
+  meet(const Eigen::Vector3f& sensor,
+       const Eigen::Vector3f& point,
+       Sighting& sighting) const
+  {
+    constexpr float max_shift = 0.2F; // of the range
+    const Eigen::Vector3f from = sensor - origin_, way = point - sensor;
+    const float front = normal_.dot(from) + offset_, fall = -normal_.dot(way);
+    if (!(front > 0 && std::abs(front - fall) <= max_shift * fall))
+      return false;
+    const Eigen::Vector3f at = from + front / fall * way;
+    sighting.place = Eigen::Vector2f(at.dot(along_u_), at.dot(along_v_));
+    sighting.off = front - fall;
+    return true;
+  }
+
+private:
+  Eigen::Vector3f normal_;
+  float offset_;
+  Eigen::Vector3f origin_, along_u_, along_v_;
+};
+
+std::int64_t
+sizeOf(const CellSet& cells)
+{
+  std::int64_t count = 0;
+  for (int y = 0; y < cells.height(); ++y)
+    for (std::size_t i = 0; i < cells.wordsOfRow(); ++i)
+      count += __builtin_popcountll(cells.row(y)[i]);
+  return count;
+}
+
+/** Cells that are near the rims of what was seen. */
+struct RimBand {
+  CellSet inside; ///< seen, and farther from the rims
+  CellSet band;
+  std::int64_t seen = 0; ///< cells of the band
+};
+
+RimBand
+bandOf(const CellSet& seen)
+{
+  RimBand rims;
+  rims.inside = seen.eroded(rim_reach);
+  rims.band = seen.dilated(rim_reach);
+  rims.band -= rims.inside;
+  CellSet covered = rims.band;
+  covered &= seen;
+  rims.seen = sizeOf(covered);
+  return rims;
+}
+
+/** \brief Finds the rays of points that meet their planes near rims. */
+class RimRays {
+public:
+  RimRays(const LabeledSource& source,
+          const std::vector<PlaneRaster>& rasters,
+          const std::vector<RimBand>& rims)
+  : source_(source)
+  , rims_(rims)
+  , planes_(rasters.begin(), rasters.end())
+  {}
+
+  /** Appends the sightings of points that follow one another. Those between two points
+   * inside of one plane are not looked at: they are neighbours in an image, or else
+   * others are near the rims as well. */
+  void
+  add(std::size_t first, std::size_t last, std::vector<Sighting>& sightings) const
+  {
+    Sighting begin, end;
+    if (meet(first, begin) && isInside(begin) && meet(last - 1, end) &&
+        end.plane == begin.plane && isInside(end))
+      return;
+    Sighting sighting;
+    for (std::size_t i = first; i < last; ++i)
+      if (meet(i, sighting) && rimOf(sighting).band.has(sighting.place.cast<double>()))
+        sightings.push_back(sighting);
+  }
+
+private:
+  const RimBand&
+  rimOf(const Sighting& sighting) const
+  {
+    return rims_[static_cast<std::size_t>(sighting.plane)];
+  }
+
+  bool
+  isInside(const Sighting& sighting) const
+  {
+    return rimOf(sighting).inside.has(sighting.place.cast<double>());
+  }
+
+  bool
+  meet(std::size_t i, Sighting& sighting) const
+  {
+    sighting.plane = source_.labels[i];
+    const Eigen::Vector3f* const sensor =
+        sighting.plane < 0 ? nullptr : source_.sensors[i];
+    return sensor && planes_[static_cast<std::size_t>(sighting.plane)].meet(
+                         *sensor, source_.points[i], sighting);
+  }
+
+  const LabeledSource& source_;
+  const std::vector<RimBand>& rims_;
+  std::vector<RayPlane> planes_;
+};
+
+/** The sightings near rims from a share of the points, evenly over all of them; each
+ * plane's in the order of the points. */
+std::vector<std::vector<Sighting>>
+sightingsOf(const LabeledSource& source,
+            std::size_t share,
+            const std::vector<PlaneRaster>& rasters,
+            const std::vector<RimBand>& rims)
+{
+  constexpr std::size_t run = 16, runs_a_block = 1024; // points that follow one another
+  const RimRays rays(source, rasters, rims);
+  const std::size_t block = run * runs_a_block * share;
+  std::vector<std::vector<Sighting>> sightings(source.points.size() / block + 1);
+  oneapi::tbb::parallel_for(std::size_t{0}, sightings.size(), [&](std::size_t b) {
+    const std::size_t end = std::min((b + 1) * block, source.points.size());
+    for (std::size_t first = b * block; first < end; first += run * share)
+      rays.add(first, std::min(first + run, end), sightings[b]);
+  });
+  std::vector<std::vector<Sighting>> of_planes(rasters.size());
+  for (const std::vector<Sighting>& some : sightings)
+    for (const Sighting& sighting : some)
+      of_planes[static_cast<std::size_t>(sighting.plane)].push_back(sighting);
+  return of_planes;
+}
+
+/** Removes the sightings where there are no faces and the points are on one side of the
+ * plane: they belong to another surface, such as a reveal that is no plane of its own. */
+void
+dropForeign(const CellSet& seen, std::vector<Sighting>& sightings)
+{
+  constexpr double max_deviations = 3;
+  constexpr double side = 2; // cells, of a block
+  struct Outside {
+    std::int64_t block;
+    std::size_t index;
+  };
+  std::vector<Outside> outside;
+  const auto blocks_a_row = static_cast<std::int64_t>(seen.width());
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const Eigen::Vector2d place = sightings[i].place.cast<double>();
+    if (!seen.has(place))
+      outside.push_back({static_cast<std::int64_t>(place.y() / side) * blocks_a_row +
+                             static_cast<std::int64_t>(place.x() / side),
+                         i});
+  }
+  std::sort(outside.begin(), outside.end(), [](const Outside& a, const Outside& b) {
+    return a.block < b.block || (a.block == b.block && a.index < b.index);
+  });
+  std::vector<std::uint8_t> is_foreign(sightings.size(), 0);
+  for (std::size_t first = 0; first < outside.size();) {
+    std::size_t last = first;
+    double sum = 0, squares = 0;
+    for (; last < outside.size() && outside[last].block == outside[first].block;
+         ++last) {
+      const double off = sightings[outside[last].index].off;
+      sum += off;
+      squares += off * off;
+    }
+    // the mean differs from zero by more deviations of the mean than chance
+    const auto count = static_cast<double>(last - first);
+    const double scatter = squares - sum * sum / count;
+    if (count < 3 ||
+        sum * sum * (count - 1) > max_deviations * max_deviations * scatter * count)
+      for (std::size_t i = first; i < last; ++i)
+        is_foreign[outside[i].index] = 1;
+    first = last;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sightings.size(); ++i)
+    if (!is_foreign[i])
+      sightings[kept++] = sightings[i];
+  sightings.resize(kept);
+}
+
+} // namespace
+
+void
+sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
+{
+  if (!source.sensors.isKnown() || source.points.size() == 0 ||
+      source.labels.size() != source.points.size())
+    return;
+  std::vector<RimBand> rims(rasters.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
+    rims[p] = bandOf(rasters[p].seen);
+  });
+  std::int64_t cells = 0;
+  for (std::size_t p = 0; p < rasters.size(); ++p)
+    cells += rims[p].seen + sizeOf(rims[p].inside);
+  const std::size_t share = std::max<std::size_t>(
+      1,
+      source.points.size() /
+          (rays_a_cell * static_cast<std::size_t>(std::max<std::int64_t>(cells, 1))));
+  std::vector<std::vector<Sighting>> sightings =
+      sightingsOf(source, share, rasters, rims);
+  oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
+    PlaneRaster& raster = rasters[p];
+    if (static_cast<std::int64_t>(sightings[p].size()) < 2 * rims[p].seen)
+      return;
+    dropForeign(raster.seen, sightings[p]);
+    CellSet seen = rims[p].inside;
+    for (const Sighting& sighting : sightings[p])
+      seen.add(static_cast<int>(sighting.place.x()),
+               static_cast<int>(sighting.place.y()));
+    raster.seen = seen.dilated(ray_gap).eroded(ray_gap);
+    raster.rim_points.clear();
+    for (const Sighting& sighting : sightings[p])
+      if (!raster.seen.hasAround(sighting.place.cast<double>(), at_rim))
+        raster.rim_points.push_back(sighting.place.cast<double>());
+  });
+}
+
+} // namespace pcl::acmap::outlines
