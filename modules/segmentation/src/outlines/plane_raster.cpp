@@ -1,5 +1,7 @@
 #include "outlines/plane_raster.h"
 
+#include "outlines/sight_rays.h"
+
 #include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pcl::acmap::outlines {
 
@@ -239,71 +240,26 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
     }
 }
 
-namespace {
-
-/** Points that follow one another, which are near each other in a consolidated cloud. */
-struct RayBlock {
-  static constexpr std::size_t length = 64;
-
-  Eigen::AlignedBox3f box; ///< of the points that have a sensor
-  std::vector<std::pair<Eigen::Vector3f, Eigen::Vector3f>> rays; ///< sensor, point
-};
-
-std::vector<RayBlock>
-rayBlocksOf(const PointView& points, const SensorView& sensors)
-{
-  std::vector<RayBlock> blocks((points.size() + RayBlock::length - 1) /
-                               RayBlock::length);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f* const sensor = sensors[i];
-    if (!sensor || !points[i].allFinite())
-      continue;
-    RayBlock& block = blocks[i / RayBlock::length];
-    block.box.extend(points[i]);
-    block.rays.emplace_back(*sensor, points[i]);
-  }
-  return blocks;
-}
-
-} // namespace
-
 void
 addFreeRays(const KnownPlanes& known,
-            const SensorView& sensors,
+            const SightRays& rays,
             std::vector<PlaneRaster>& rasters)
 {
-  if (!sensors.isKnown())
+  if (!rays.areKnown())
     return;
-  const std::vector<RayBlock> blocks = rayBlocksOf(known.points, sensors);
   constexpr double spacings = 2, deviations = 4; // behind a plane, beyond its noise
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
     PlaneRaster& raster = rasters[p];
     if (raster.seen.width() == 0)
       return;
-    const Eigen::Vector3f normal = raster.normal.cast<float>();
-    const auto offset = static_cast<float>(raster.offset);
-    const auto limit = static_cast<float>(
-        -std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms));
     const Eigen::Array2d size(raster.free.width(), raster.free.height());
-    for (const RayBlock& block : blocks) {
-      const Eigen::Vector3f half = block.box.sizes() / 2;
-      if (block.rays.empty() ||
-          normal.dot(block.box.center()) + offset - normal.cwiseAbs().dot(half) >=
-              limit)
-        continue;
-      for (const auto& [sensor, point] : block.rays) {
-        const float back = normal.dot(point) + offset;
-        const float front = normal.dot(sensor) + offset;
-        if (!(back < limit && front > 0))
-          continue;
-        const double share = static_cast<double>(front) / (front - back);
-        const Eigen::Vector3d from = sensor.cast<double>();
-        const Eigen::Array2d place =
-            raster.placeOf(from + share * (point.cast<double>() - from));
-        if ((place >= 0).all() && (place < size).all())
-          raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
-      }
-    }
+    rays.forEachThrough(
+        raster,
+        std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms),
+        [&](const Eigen::Array2d& place) {
+          if ((place >= 0).all() && (place < size).all())
+            raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
+        });
   });
 }
 
