@@ -32,6 +32,45 @@ trianglesOfPlanes(const Triangles& triangles,
   return of_planes;
 }
 
+/** Marks the points within eight spacings of wanted planes, which is farther than their
+ * outlines are moved, and some beyond. */
+std::vector<bool>
+pointsNear(const std::vector<bool>& is_wanted, const KnownPlanes& known)
+{
+  const VoxelLattice lattice(known.points, 8 * known.spacing);
+  std::vector<VoxelKey> keys(known.labels.size()), near;
+  VoxelHit hit;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!lattice.locate(known.points[i], hit))
+      continue;
+    keys[i] = voxelKey(hit.place);
+    if (known.labels[i] >= 0 && is_wanted[static_cast<std::size_t>(known.labels[i])] &&
+        (near.empty() || near.back() != keys[i]))
+      near.push_back(keys[i]);
+  }
+  const auto tidy = [&] {
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+  };
+  tidy();
+  for (std::size_t i = near.size(); i-- > 0;) {
+    const VoxelPlace place = placeOf(near[i]);
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dz = -1; dz <= 1; ++dz)
+          near.push_back(voxelKey({place[0] + dx, place[1] + dy, place[2] + dz}));
+  }
+  tidy();
+  std::vector<bool> is_near(keys.size());
+  bool was_near = false;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i == 0 || keys[i] != keys[i - 1])
+      was_near = std::binary_search(near.begin(), near.end(), keys[i]);
+    is_near[i] = was_near;
+  }
+  return is_near;
+}
+
 /** Projects the vertices into the plane and renumbers the triangles accordingly; makes
  * them counter-clockwise. */
 std::vector<Eigen::Vector2d>
@@ -168,7 +207,7 @@ MeshOutlines::MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
 {
   if (std::find(is_wanted.begin(), is_wanted.end(), true) == is_wanted.end())
     return;
-  grid_.emplace(known, known.spacing, 0);
+  grid_.emplace(known, known.spacing, 0, pointsNear(is_wanted, known));
   of_planes_ = trianglesOfPlanes(triangles, is_wanted, known);
 }
 

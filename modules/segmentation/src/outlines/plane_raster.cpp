@@ -188,28 +188,51 @@ rastersOf(const KnownPlanes& known)
   return rasters;
 }
 
+namespace {
+
+/** A point and its plane side by side: faces look points up in any order. */
+struct LabeledPlace {
+  double x = 0, y = 0; ///< in the raster of the plane
+  std::int32_t plane = -1;
+};
+
+std::vector<LabeledPlace>
+placesOf(const KnownPlanes& known, const std::vector<PlaneRaster>& rasters)
+{
+  std::vector<LabeledPlace> places(known.labels.size());
+  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t plane = known.labels[i];
+      if (plane < 0)
+        continue;
+      const Eigen::Vector2d place = rasters[static_cast<std::size_t>(plane)].placeOf(
+          known.points[i].cast<double>());
+      places[i] = {place.x(), place.y(), plane};
+    }
+  });
+  return places;
+}
+
+} // namespace
+
 void
 addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
          const KnownPlanes& known,
          std::vector<PlaneRaster>& rasters)
 {
   const double max_off = known.spacing / 2;
-  std::vector<Eigen::Vector2d> places(
-      known.labels.size()); // in the raster of the plane
-  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (known.labels[i] >= 0)
-        places[i] = rasters[static_cast<std::size_t>(known.labels[i])].placeOf(
-            known.points[i].cast<double>());
-  });
+  const std::vector<LabeledPlace> places = placesOf(known, rasters);
   for (const TriangleMesh::Triangle& t : triangles) {
+    const std::array<const LabeledPlace*, 3> ends{
+        &places[static_cast<std::size_t>(t[0])],
+        &places[static_cast<std::size_t>(t[1])],
+        &places[static_cast<std::size_t>(t[2])]};
     std::int32_t plane = -1, strangers = 0;
     bool is_one = true;
-    for (const std::int32_t corner : t) {
-      const std::int32_t label = known.labels[static_cast<std::size_t>(corner)];
-      strangers += label < 0 ? 1 : 0;
-      is_one &= label < 0 || plane < 0 || label == plane;
-      plane = std::max(plane, label);
+    for (const LabeledPlace* const end : ends) {
+      strangers += end->plane < 0 ? 1 : 0;
+      is_one &= end->plane < 0 || plane < 0 || end->plane == plane;
+      plane = std::max(plane, end->plane);
     }
     if (!is_one || strangers > 1)
       continue;
@@ -217,11 +240,11 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
     std::array<Eigen::Vector2d, 3> corners;
     bool is_near = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto corner = static_cast<std::size_t>(t[k]);
-      corners[k] = places[corner];
-      if (known.labels[corner] >= 0)
+      corners[k] = {ends[k]->x, ends[k]->y};
+      if (ends[k]->plane >= 0)
         continue;
-      const Eigen::Vector3d point = known.points[corner].cast<double>();
+      const Eigen::Vector3d point =
+          known.points[static_cast<std::size_t>(t[k])].cast<double>();
       is_near = std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
       corners[k] = raster.placeOf(point);
     }
@@ -229,14 +252,14 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
       continue;
     fillTriangle(corners, raster.seen);
     for (std::size_t k = 0; k < 3; ++k)
-      if (known.labels[static_cast<std::size_t>(t[k])] < 0)
+      if (ends[k]->plane < 0)
         raster.rim_points.push_back(corners[k]);
   }
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (known.labels[i] >= 0) {
-      PlaneRaster& raster = rasters[static_cast<std::size_t>(known.labels[i])];
-      if (isAtRim(raster.seen, places[i]))
-        raster.rim_points.push_back(places[i]);
+  for (const LabeledPlace& place : places)
+    if (place.plane >= 0) {
+      PlaneRaster& raster = rasters[static_cast<std::size_t>(place.plane)];
+      if (isAtRim(raster.seen, {place.x, place.y}))
+        raster.rim_points.emplace_back(place.x, place.y);
     }
 }
 

@@ -152,6 +152,62 @@ wholeOf(const GapSides& hole)
   return gap;
 }
 
+/** \brief The cells of a gap, without those beside its boundary, where neighbours leak over
+ * the outline. */
+class GapCells {
+public:
+  explicit GapCells(const Gap& gap)
+  {
+    constexpr double margin = 2;
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& place : gap.loop)
+      box.extend(place);
+    constexpr int border = 3; // cells around, which are no members
+    first_ = box.min().array().floor().matrix().cast<int>().array() - border;
+    const Eigen::Vector2i size = (box.max() - first_.cast<double>()).cast<int>();
+    cells_ = CellSet(size.x() + 1 + border, size.y() + 1 + border);
+    std::vector<Loop> loops = gap.islands;
+    loops.push_back(gap.loop);
+    for (Loop& loop : loops)
+      for (Eigen::Vector2d& place : loop)
+        place -= first_.cast<double>();
+    fillLoops(loops, cells_);
+    cells_ = cells_.eroded(margin);
+  }
+
+  /** No cells of the same gap. */
+  GapCells
+  none() const
+  {
+    GapCells cells = *this;
+    cells.cells_ = CellSet(cells_.width(), cells_.height());
+    return cells;
+  }
+
+  /** Adds the cell at a place if it is one of \a all. */
+  void
+  addOf(const GapCells& all, const Eigen::Vector2d& place)
+  {
+    const Eigen::Vector2d own = place - first_.cast<double>();
+    if (all.cells_.has(own))
+      cells_.add(static_cast<int>(own.x()), static_cast<int>(own.y()));
+  }
+
+  template <typename Visit>
+  void
+  forEach(const Visit& visit) const
+  {
+    for (int y = 0; y < cells_.height(); ++y)
+      for (int x = 0; x < cells_.width(); ++x)
+        if (cells_.has(x, y))
+          visit(first_.x() + x, first_.y() + y);
+  }
+
+private:
+  Eigen::Vector2i first_; ///< cell at (0, 0)
+  CellSet cells_;
+};
+
 /** \brief Judges which regions beside the outlines of a plane are proposed. */
 class GapJudge {
 public:
@@ -208,17 +264,12 @@ public:
   isProposed(const Gap& gap, bool has_crease) const
   {
     constexpr double max_seen = 0.05, max_barrier = 0.15, min_covered = 0.7;
-    constexpr double margin = 2; // where neighbours leak over the outline
-    CellSet cells(raster_.seen.width(), raster_.seen.height());
-    std::vector<Loop> loops = gap.islands;
-    loops.push_back(gap.loop);
-    fillLoops(loops, cells);
-    cells = cells.eroded(margin);
+    const GapCells cells(gap);
     const Count count = countOf(cells);
     return count.all > 0 && count.seen <= max_seen * count.all &&
-           !isLookedThrough(cells, count.all) &&
            ((!has_crease && count.barrier <= max_barrier * count.all) ||
-            count.covered >= min_covered * count.all);
+            count.covered >= min_covered * count.all) &&
+           !isLookedThrough(cells, count.all);
   }
 
 private:
@@ -226,22 +277,12 @@ private:
     double all = 0, seen = 0, barrier = 0, covered = 0;
   };
 
-  template <typename Visit>
-  static void
-  forEachCell(const CellSet& cells, const Visit& visit)
-  {
-    for (int y = 0; y < cells.height(); ++y)
-      for (int x = 0; x < cells.width(); ++x)
-        if (cells.has(x, y))
-          visit(x, y);
-  }
-
   Count
-  countOf(const CellSet& cells) const
+  countOf(const GapCells& cells) const
   {
     const std::vector<std::size_t> in_front = planesInFront();
     Count count;
-    forEachCell(cells, [&](int x, int y) {
+    cells.forEach([&](int x, int y) {
       ++count.all;
       count.seen += raster_.seen.has(x, y) ? 1 : 0;
       count.barrier += raster_.barrier.has(x, y) ? 1 : 0;
@@ -275,20 +316,17 @@ private:
   }
 
   bool
-  isLookedThrough(const CellSet& cells, double all) const
+  isLookedThrough(const GapCells& cells, double all) const
   {
     constexpr double spacings = 0.5, deviations = 4, max_share = 0.01;
-    CellSet crossed(cells.width(), cells.height());
-    rays_.forEachThrough(raster_,
-                         std::max(spacings * known_.spacing,
-                                  deviations * known_.planes[plane_].patch.rms),
-                         [&](const Eigen::Vector2d& place) {
-                           if (cells.has(place))
-                             crossed.add(static_cast<int>(place.x()),
-                                         static_cast<int>(place.y()));
-                         });
+    GapCells crossed = cells.none();
+    rays_.forEachThrough(
+        raster_,
+        std::max(spacings * known_.spacing,
+                 deviations * known_.planes[plane_].patch.rms),
+        [&](const Eigen::Vector2d& place) { crossed.addOf(cells, place); });
     double count = 0;
-    forEachCell(crossed, [&](int, int) { ++count; });
+    crossed.forEach([&](int, int) { ++count; });
     return count > max_share * all;
   }
 
