@@ -222,7 +222,13 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
 {
   const double max_off = known.spacing / 2;
   const std::vector<LabeledPlace> places = placesOf(known, rasters);
-  for (const TriangleMesh::Triangle& t : triangles) {
+  constexpr std::size_t ahead =
+      12; // faces; the order of their points is no order in memory
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const TriangleMesh::Triangle& t = triangles[i];
+    for (const std::int32_t corner :
+         triangles[std::min(i + ahead, triangles.size() - 1)])
+      __builtin_prefetch(&places[static_cast<std::size_t>(corner)]);
     const std::array<const LabeledPlace*, 3> ends{
         &places[static_cast<std::size_t>(t[0])],
         &places[static_cast<std::size_t>(t[1])],
