@@ -55,7 +55,8 @@ const std::map<std::string, SceneLayer> layer_names = {
     {"normals", SceneLayer::Normals},
     {"planes", SceneLayer::Planes},
     {"texture", SceneLayer::Texture},
-    {"trajectory", SceneLayer::Trajectory}};
+    {"trajectory", SceneLayer::Trajectory},
+    {"proposed", SceneLayer::Proposed}};
 
 const std::map<std::string, MapView::Place> place_names = {
     {"outside", MapView::Place::Outside},

@@ -85,7 +85,16 @@ bindPlanePatches(py::module_& module)
               [](const PlanePatch& patch) -> const std::vector<PlanePolygon>& {
                 return patch.polygons;
               }),
-          "list of PlanePolygon");
+          "list of PlanePolygon")
+      .def_property_readonly(
+          "proposed",
+          memberList<PlanePatch, PlanePolygon>(
+              [](const PlanePatch& patch) -> const std::vector<PlanePolygon>& {
+                return patch.proposed;
+              }),
+          "list of PlanePolygon: where it probably continues, although it was not "
+          "seen; "
+          "part of no area");
 }
 
 } // namespace pcl::acmap::python

@@ -248,6 +248,7 @@ TEST_F(MapFile, KeysThatAreMissingAreNamed)
   for (const std::string place : {"",
                                   "/planes/0",
                                   "/planes/0/polygons/0",
+                                  "/planes/0/proposed/0",
                                   "/planes/0/charts/0",
                                   "/rooms/0",
                                   "/openings/0",
@@ -256,9 +257,10 @@ TEST_F(MapFile, KeysThatAreMissingAreNamed)
     for (const auto& item : whole.at(pointer).items()) {
       auto json = whole;
       json.at(pointer).erase(item.key());
-      const bool is_optional =
-          place.empty() ? item.key() != "planes"
-                        : item.key() == "charts" || item.key() == "observations";
+      const bool is_optional = place.empty() ? item.key() != "planes"
+                                             : item.key() == "proposed" ||
+                                                   item.key() == "charts" ||
+                                                   item.key() == "observations";
       EXPECT_THAT(faultOf(json.dump()),
                   HasSubstr(is_optional ? "no fault" : "has no \"" + item.key() + "\""))
           << place;

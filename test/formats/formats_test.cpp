@@ -42,6 +42,7 @@ TEST(Formats, MapsOfTheFirst)
   const CompactMap planes = loadMapFile(sample("planes_1.json"));
   ASSERT_EQ(planes.planes.size(), 1U);
   EXPECT_EQ(planes.planes[0].support, 900U);
+  EXPECT_TRUE(planes.planes[0].proposed.empty());
 }
 
 TEST(Formats, RigsOfTheFirst)

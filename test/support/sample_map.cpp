@@ -24,6 +24,8 @@ makePlane()
   plane.polygons = {{{{0.1F, 0.2F, 1e-8F}, {1, 0, 0}, {16777216.0F, 3.3333333F, 0}},
                      {{{0.25F, 0.1F, 0}, {0, -0.0F, 0}, {1, 1, 1}}}},
                     {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {}}};
+  plane.proposed = {{{{0.3F, 0, 0}, {1, 0, 0}, {1.0F / 3, 2, 0}},
+                     {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}};
   return plane;
 }
 
@@ -58,6 +60,19 @@ expectSameLoop(const std::vector<Eigen::Vector3f>& loop,
 }
 
 void
+expectSamePolygons(const std::vector<PlanePolygon>& polygons,
+                   const std::vector<PlanePolygon>& wanted)
+{
+  ASSERT_EQ(polygons.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    expectSameLoop(polygons[i].outer, wanted[i].outer);
+    ASSERT_EQ(polygons[i].holes.size(), wanted[i].holes.size());
+    for (std::size_t k = 0; k < wanted[i].holes.size(); ++k)
+      expectSameLoop(polygons[i].holes[k], wanted[i].holes[k]);
+  }
+}
+
+void
 expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
 {
   EXPECT_TRUE(sameBits(plane.coefficients, wanted.coefficients));
@@ -69,13 +84,8 @@ expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
   EXPECT_EQ(plane.effective_support, wanted.effective_support);
   EXPECT_EQ(plane.rms, wanted.rms);
   EXPECT_EQ(plane.area, wanted.area);
-  ASSERT_EQ(plane.polygons.size(), wanted.polygons.size());
-  for (std::size_t i = 0; i < wanted.polygons.size(); ++i) {
-    expectSameLoop(plane.polygons[i].outer, wanted.polygons[i].outer);
-    ASSERT_EQ(plane.polygons[i].holes.size(), wanted.polygons[i].holes.size());
-    for (std::size_t k = 0; k < wanted.polygons[i].holes.size(); ++k)
-      expectSameLoop(plane.polygons[i].holes[k], wanted.polygons[i].holes[k]);
-  }
+  expectSamePolygons(plane.polygons, wanted.polygons);
+  expectSamePolygons(plane.proposed, wanted.proposed);
 }
 
 } // namespace

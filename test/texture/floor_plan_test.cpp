@@ -147,6 +147,51 @@ TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
     }
 }
 
+/** The partition of makeRooms with its door in the corner, at z = 3 or z = 0.
+ * \param[in] gap metres at the end of the far wall that were not seen */
+CompactMap
+makeRoomsWithCornerDoor(bool is_far, float gap)
+{
+  CompactMap map = makeRooms();
+  for (const std::size_t plane : {6U, 7U}) {
+    const float x = map.planes[plane].polygons[0].outer[0].x();
+    Loop& outer = map.planes[plane].polygons[0].outer;
+    outer = {
+        {x, 1, 0}, {x, 1, 2}, {x, -1, 2}, {x, -1, 3}, {x, -1.6F, 3}, {x, -1.6F, 0}};
+    if (!is_far)
+      for (Vector3f& place : outer)
+        place.z() = 3 - place.z();
+  }
+  for (Vector3f& place : map.planes[5].polygons[0].outer)
+    place.x() -= place.x() > 6 ? gap : 0;
+  return map;
+}
+
+TEST(FloorPlan, FindsDoorsInCorners)
+{
+  for (const bool is_far : {true, false}) {
+    const FloorPlan plan = makeFloorPlan(makeRoomsWithCornerDoor(is_far, 0));
+    ASSERT_EQ(plan.rooms.size(), 2U);
+    EXPECT_NEAR(plan.rooms[0].area, 12, 0.15);
+    ASSERT_EQ(plan.openings.size(), 3U);
+    for (const std::size_t door : {1U, 2U}) {
+      EXPECT_NEAR(lengthOf(plan.openings[door]), 1, 1e-5);
+      EXPECT_FALSE(plan.openings[door].is_window);
+      EXPECT_EQ(plan.openings[door].plane, 5 + door);
+      EXPECT_NEAR(plan.openings[door].top, 2, 1e-5);
+      EXPECT_THAT(plan.openings[door].rooms, ElementsAre(door - 1, 2 - door));
+    }
+  }
+}
+
+/** Without the wall that the opening reaches to, nothing tells how wide it is. */
+TEST(FloorPlan, DoesNotInventTheEndOfAnOpening)
+{
+  const FloorPlan plan = makeFloorPlan(makeRoomsWithCornerDoor(true, 3));
+  ASSERT_EQ(plan.openings.size(), 1U);
+  EXPECT_TRUE(plan.openings[0].is_window);
+}
+
 /** Moves a map. */
 CompactMap
 moved(CompactMap map, const Eigen::Isometry3d& T_out_map)

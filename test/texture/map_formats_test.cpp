@@ -371,6 +371,62 @@ TEST_F(MapFormats, PlyHasAVertexForEachKnownTexel)
   EXPECT_LT(area, areas[0] + areas[1] + areas[2]);
 }
 
+/** A layer of its own: half transparent, without texture, beside the same surfaces. */
+TEST_F(MapFormats, ProposedSurfacesAreALayer)
+{
+  save();
+  const std::string plain = contentOf(path("map.obj"));
+  map_.planes[0].proposed = {
+      {{{0, 0, 5}, {0, 0.5F, 5}, {1, 0.5F, 5}, {1, 0, 5}}, {}}}; // its hole
+  save();
+  const std::string text = contentOf(path("map.obj"));
+  ASSERT_EQ(text.substr(0, plain.size()), plain);
+  const std::string layer = text.substr(plain.size());
+  EXPECT_THAT(layer, testing::StartsWith("g proposed\nusemtl proposed\n"));
+  EXPECT_THAT(layer, testing::Not(HasSubstr("vt ")));
+  EXPECT_THAT(contentOf(path("map.mtl")), HasSubstr("newmtl proposed\n"));
+  EXPECT_THAT(contentOf(path("map.mtl")), HasSubstr("\nd 0.35\n"));
+  EXPECT_EQ(loadCompactMap(path()).planes[0].proposed.size(), 1u);
+
+  tinygltf::Model model;
+  std::string fault;
+  ASSERT_TRUE(
+      tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &fault, &fault, path("map.glb")));
+  EXPECT_EQ(fault, "");
+  ASSERT_EQ(model.nodes.size(), 2u);
+  EXPECT_EQ(model.scenes[0].nodes, (std::vector<int>{0, 1}));
+  EXPECT_EQ(model.nodes[0].name, "map");
+  const tinygltf::Node& node = model.nodes[1];
+  EXPECT_EQ(node.name, "proposed");
+  EXPECT_EQ(node.translation, model.nodes[0].translation);
+  const auto& primitive =
+      model.meshes[static_cast<std::size_t>(node.mesh)].primitives.at(0);
+  EXPECT_EQ(primitive.attributes.count("TEXCOORD_0"), 0u);
+  const auto& material = model.materials[static_cast<std::size_t>(primitive.material)];
+  EXPECT_EQ(material.alphaMode, "BLEND");
+  EXPECT_LT(material.pbrMetallicRoughness.baseColorFactor[3], 0.5);
+
+  for (const char* name : {"map.obj", "map.glb"}) {
+    Assimp::Importer importer;
+    const aiScene* const scene =
+        importer.ReadFile(path(name), aiProcess_PreTransformVertices);
+    ASSERT_TRUE(scene) << importer.GetErrorString();
+    double area = 0;
+    for (unsigned k = 0; k < scene->mNumMeshes; ++k) {
+      const aiMesh& mesh = *scene->mMeshes[k];
+      float opacity = 1;
+      scene->mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_OPACITY, opacity);
+      const auto corner = [&](unsigned face, unsigned i) {
+        return vectorOf(mesh.mVertices[mesh.mFaces[face].mIndices[i]]);
+      };
+      for (unsigned i = 0; opacity < 1 && i < mesh.mNumFaces; ++i)
+        area +=
+            (corner(i, 1) - corner(i, 0)).cross(corner(i, 2) - corner(i, 0)).norm() / 2;
+    }
+    EXPECT_NEAR(area, 0.5, 1e-5) << name;
+  }
+}
+
 TEST_F(MapFormats, EmptyMap)
 {
   map_ = {};

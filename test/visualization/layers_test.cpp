@@ -108,6 +108,22 @@ TEST_F(LayersOfScene, EachDrawsSomethingOfItsOwn)
   EXPECT_GT(shoot({SceneLayer::Trajectory}).share(is_pink), 0.001);
 }
 
+/** They are never shown without being asked for. */
+TEST_F(LayersOfScene, ProposedSurfacesAreOne)
+{
+  const Layers usual = usualLayers(scene_);
+  for (PlanePatch& plane : scene_.map.planes)
+    plane.proposed = plane.polygons;
+  EXPECT_EQ(layersOf(scene_).size(), 7u);
+  EXPECT_EQ(usualLayers(scene_), usual);
+  const std::vector<ShownPicture::Pixel> planes = shoot({SceneLayer::Planes}).pixels;
+  EXPECT_EQ(shoot({SceneLayer::Proposed}).pixels, planes);
+  for (PlanePatch& plane : scene_.map.planes)
+    plane.proposed.clear();
+  scene_.map.planes[0].proposed = scene_.map.planes[0].polygons;
+  EXPECT_NE(shoot({SceneLayer::Proposed}).pixels, planes);
+}
+
 TEST_F(LayersOfScene, LieUponEachOther)
 {
   Layers layers;

@@ -67,12 +67,18 @@ jsonOf(const PlanePolygon& polygon)
 }
 
 Json
+jsonOf(const std::vector<PlanePolygon>& polygons)
+{
+  Json list = Json::array();
+  for (const PlanePolygon& polygon : polygons)
+    list.push_back(jsonOf(polygon));
+  return list;
+}
+
+Json
 jsonOf(const PlanePatch& plane, std::size_t id)
 {
   const Eigen::Vector4d& c = plane.coefficients;
-  Json polygons = Json::array();
-  for (const PlanePolygon& polygon : plane.polygons)
-    polygons.push_back(jsonOf(polygon));
   return {{"id", id},
           {"coefficients", {c[0], c[1], c[2], c[3]}},
           {"center", jsonOf(plane.center)},
@@ -82,7 +88,7 @@ jsonOf(const PlanePatch& plane, std::size_t id)
           {"effective_support", plane.effective_support},
           {"rmse", plane.rms},
           {"area", plane.area},
-          {"polygons", std::move(polygons)}};
+          {"polygons", jsonOf(plane.polygons)}};
 }
 
 Json
@@ -254,6 +260,8 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);
+    if (!map.planes[id].proposed.empty())
+      plane["proposed"] = jsonOf(map.planes[id].proposed);
     if (!map.observations.empty() && !map.observations[id].empty())
       plane["observations"] = map.observations[id];
     if (!charts[id].empty())

@@ -36,9 +36,8 @@ requirePlane(const PlanePatch& plane, std::size_t index)
   requireFinite("area", std::isfinite(plane.area));
   if (plane.support > std::size_t{std::numeric_limits<std::int64_t>::max()})
     require("support", "is above 2^63 - 1");
-  for (std::size_t i = 0; i < plane.polygons.size(); ++i) {
-    const PlanePolygon& polygon = plane.polygons[i];
-    const std::string name = "polygons[" + std::to_string(i) + "].";
+  const auto requirePolygon = [&](const std::string& name,
+                                  const PlanePolygon& polygon) {
     require(name + "outer", faultOfLoop(polygon.outer));
     std::size_t points = polygon.outer.size();
     for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
@@ -49,7 +48,11 @@ requirePlane(const PlanePatch& plane, std::size_t index)
       require(name + "edges",
               "are " + std::to_string(polygon.edges.size()) + " for " +
                   std::to_string(points) + " points");
-  }
+  };
+  for (std::size_t i = 0; i < plane.polygons.size(); ++i)
+    requirePolygon("polygons[" + std::to_string(i) + "].", plane.polygons[i]);
+  for (std::size_t i = 0; i < plane.proposed.size(); ++i)
+    requirePolygon("proposed[" + std::to_string(i) + "].", plane.proposed[i]);
 }
 
 void

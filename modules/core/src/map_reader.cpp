@@ -84,6 +84,15 @@ polygonOf(const JsonCursor& json)
   return polygon;
 }
 
+std::vector<PlanePolygon>
+polygonsOf(const JsonCursor& json)
+{
+  std::vector<PlanePolygon> polygons;
+  for (std::size_t i = 0; i < json.size(); ++i)
+    polygons.push_back(polygonOf(json[i]));
+  return polygons;
+}
+
 Eigen::Matrix3d
 covarianceOf(const JsonCursor& json)
 {
@@ -119,9 +128,9 @@ planeOf(const JsonCursor& json, std::size_t number)
   plane.effective_support = json.at("effective_support").numberOrNan();
   plane.rms = json.at("rmse").numberOrNan();
   plane.area = json.at("area").number();
-  const JsonCursor polygons = json.at("polygons");
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-    plane.polygons.push_back(polygonOf(polygons[i]));
+  plane.polygons = polygonsOf(json.at("polygons"));
+  if (json.has("proposed"))
+    plane.proposed = polygonsOf(json.at("proposed"));
   return plane;
 }
 

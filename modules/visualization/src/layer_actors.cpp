@@ -1,6 +1,8 @@
 #include "layer_actors.h"
 
 #include "camera_fit.h"
+#include "map_faces.h"
+#include "map_lines.h"
 #include "plan_lines.h"
 #include "scene.h"
 #include "scene_renderer.h"
@@ -97,6 +99,21 @@ hidesBacks(const LayerMaking& making)
   return making.view.hide_backs || (making.drawing && making.drawing->hidesBacks());
 }
 
+Actors
+proposedLayer(const LayerMaking& making)
+{
+  CompactMap map;
+  map.planes = making.scene.map.planes;
+  std::vector<MapLine> lines;
+  for (std::size_t plane = 0; plane < map.planes.size(); ++plane) {
+    map.planes[plane].polygons = map.planes[plane].proposed;
+    append(lines, outlinesOf(map, plane));
+  }
+  Actors actors = actorsOfPlanes(facesOf(map), hidesBacks(making), layer_opacity);
+  actors.push_back(actorOfOutlines(lines));
+  return actors;
+}
+
 } // namespace
 
 const PCLPointCloud2&
@@ -145,6 +162,8 @@ actorsOfLayer(const LayerMaking& making, SceneLayer layer)
     return making.drawing->textures();
   case SceneLayer::Trajectory:
     return wayOf(making, scene.map.trajectory);
+  case SceneLayer::Proposed:
+    return proposedLayer(making);
   }
   return {};
 }

@@ -19,7 +19,7 @@ constexpr int tick = 40; // milliseconds
 
 const char* const layer_help =
     "1 points   2 mesh   3 normals   4 planes   5 texture   "
-    "6 trajectory: on and off\n"
+    "6 trajectory   7 proposed: on and off\n"
     "b: before and after rectification   t: planes with and without texture\n"
     "n, N: next and previous step of the walls that made the mesh\n"
     "space: fly along the trajectory, and stop\n"
@@ -56,7 +56,7 @@ void
 LayerKeys::OnChar()
 {
   const char key = Interactor->GetKeyCode();
-  if (key >= '1' && key <= '6')
+  if (key >= '1' && key <= '7')
     attempt([&] { toggle(static_cast<SceneLayer>(key - '0')); });
   else if (key == 'b')
     attempt([&] { toggleBefore(); });

@@ -56,6 +56,10 @@ layersOf(const LayeredScene& scene)
     layers.insert(SceneLayer::Texture);
   if (!scene.map.trajectory.poses.empty())
     layers.insert(SceneLayer::Trajectory);
+  if (std::any_of(scene.map.planes.begin(),
+                  scene.map.planes.end(),
+                  [](const PlanePatch& plane) { return !plane.proposed.empty(); }))
+    layers.insert(SceneLayer::Proposed);
   return layers;
 }
 
@@ -166,7 +170,7 @@ void
 LayerStage::show(SceneLayer layer, bool on)
 {
   static const char* const names[] = {
-      "points", "mesh", "normals", "planes", "texture", "trajectory"};
+      "points", "mesh", "normals", "planes", "texture", "trajectory", "proposed"};
   if (layersOfAct(act_).count(layer) == 0)
     throw BadArgumentException(std::string("there is nothing to show as ") +
                                names[static_cast<int>(layer) - 1] +

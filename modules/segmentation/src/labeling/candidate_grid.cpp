@@ -14,12 +14,14 @@ slotOf(VoxelKey key, std::size_t mask)
 
 /** All pairs of a voxel and a label in it, sorted, without duplicates. */
 std::vector<std::pair<VoxelKey, std::int32_t>>
-labeledVoxels(const KnownPlanes& known, const VoxelLattice& lattice)
+labeledVoxels(const KnownPlanes& known,
+              const VoxelLattice& lattice,
+              const std::vector<bool>& is_entered)
 {
   std::vector<std::pair<VoxelKey, std::int32_t>> voxels;
   VoxelHit hit;
   for (std::size_t i = 0; i < known.labels.size(); ++i)
-    if (lattice.locate(known.points[i], hit))
+    if ((is_entered.empty() || is_entered[i]) && lattice.locate(known.points[i], hit))
       voxels.emplace_back(voxelKey(hit.place), known.labels[i]);
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
@@ -36,13 +38,16 @@ Candidates::add(std::int32_t plane)
     planes[size++] = plane;
 }
 
-CandidateGrid::CandidateGrid(const KnownPlanes& known, double edge, int reach)
+CandidateGrid::CandidateGrid(const KnownPlanes& known,
+                             double edge,
+                             int reach,
+                             const std::vector<bool>& is_entered)
 : lattice_(known.points, edge)
 , keys_(1024)
 , places_(1024, -1)
 , mask_(1023)
 {
-  const auto voxels = labeledVoxels(known, lattice_);
+  const auto voxels = labeledVoxels(known, lattice_, is_entered);
   for (const auto& [key, label] : voxels) {
     Candidates& own = entry(key);
     own.has_strangers |= label < 0;

@@ -34,8 +34,12 @@ class CandidateGrid {
 public:
   /** \param[in] edge edge length of a voxel, metres
    * \param[in] reach each hypothesis is entered in the voxels up to this distance from
-   * its own */
-  CandidateGrid(const KnownPlanes& known, double edge, int reach);
+   * its own
+   * \param[in] is_entered for each point; empty: all are */
+  CandidateGrid(const KnownPlanes& known,
+                double edge,
+                int reach,
+                const std::vector<bool>& is_entered = {});
 
   /** Updates the numbers of planes after some were merged or removed.
    * \param[in] numbers for each plane its new number, -1 for none */

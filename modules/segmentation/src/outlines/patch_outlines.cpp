@@ -13,18 +13,62 @@ namespace {
 
 using Triangles = std::vector<TriangleMesh::Triangle>;
 
-/** For each plane the triangles that have all their vertices on it. */
+/** For each wanted plane the triangles that have all their vertices on it. */
 std::vector<Triangles>
-trianglesOfPlanes(const Triangles& triangles, const KnownPlanes& known)
+trianglesOfPlanes(const Triangles& triangles,
+                  const std::vector<bool>& is_wanted,
+                  const KnownPlanes& known)
 {
   std::vector<Triangles> of_planes(known.planes.size());
   const auto label = [&](std::int32_t corner) {
     return known.labels[static_cast<std::size_t>(corner)];
   };
-  for (const TriangleMesh::Triangle& t : triangles)
-    if (label(t[0]) >= 0 && label(t[0]) == label(t[1]) && label(t[0]) == label(t[2]))
-      of_planes[static_cast<std::size_t>(label(t[0]))].push_back(t);
+  for (const TriangleMesh::Triangle& t : triangles) {
+    const std::int32_t plane = label(t[0]);
+    if (plane >= 0 && is_wanted[static_cast<std::size_t>(plane)] &&
+        plane == label(t[1]) && plane == label(t[2]))
+      of_planes[static_cast<std::size_t>(plane)].push_back(t);
+  }
   return of_planes;
+}
+
+/** Marks the points within eight spacings of wanted planes, which is farther than their
+ * outlines are moved, and some beyond. */
+std::vector<bool>
+pointsNear(const std::vector<bool>& is_wanted, const KnownPlanes& known)
+{
+  const VoxelLattice lattice(known.points, 8 * known.spacing);
+  std::vector<VoxelKey> keys(known.labels.size()), near;
+  VoxelHit hit;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!lattice.locate(known.points[i], hit))
+      continue;
+    keys[i] = voxelKey(hit.place);
+    if (known.labels[i] >= 0 && is_wanted[static_cast<std::size_t>(known.labels[i])] &&
+        (near.empty() || near.back() != keys[i]))
+      near.push_back(keys[i]);
+  }
+  const auto tidy = [&] {
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+  };
+  tidy();
+  for (std::size_t i = near.size(); i-- > 0;) {
+    const VoxelPlace place = placeOf(near[i]);
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dz = -1; dz <= 1; ++dz)
+          near.push_back(voxelKey({place[0] + dx, place[1] + dy, place[2] + dz}));
+  }
+  tidy();
+  std::vector<bool> is_near(keys.size());
+  bool was_near = false;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i == 0 || keys[i] != keys[i - 1])
+      was_near = std::binary_search(near.begin(), near.end(), keys[i]);
+    is_near[i] = was_near;
+  }
+  return is_near;
 }
 
 /** Projects the vertices into the plane and renumbers the triangles accordingly; makes
@@ -157,18 +201,22 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 } // namespace
 
 MeshOutlines::MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+                           const std::vector<bool>& is_wanted,
                            const KnownPlanes& known)
 : known_(known)
-, grid_(known, known.spacing, 0)
-, of_planes_(trianglesOfPlanes(triangles, known))
-{}
+{
+  if (std::find(is_wanted.begin(), is_wanted.end(), true) == is_wanted.end())
+    return;
+  grid_.emplace(known, known.spacing, 0, pointsNear(is_wanted, known));
+  of_planes_ = trianglesOfPlanes(triangles, is_wanted, known);
+}
 
 void
 MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
 {
   const KnownPlane& own = known_.planes[plane];
   const double spacing = known_.spacing;
-  const CreaseSnap snap(grid_, known_.planes, plane, 2 * spacing);
+  const CreaseSnap snap(*grid_, known_.planes, plane, 2 * spacing);
   if (own.trust != PlaneTrust::Strip)
     setPolygons(meshLoops(known_.points, snap, spacing, {own.patch}, of_planes_[plane]),
                 4 * spacing * spacing,
@@ -188,7 +236,8 @@ outlineFromMesh(const std::vector<TriangleMesh::Triangle>& triangles,
     plane.patch.area = 0; // of the outlines from here on; before, of its members
   if (known.planes.empty() || !(known.spacing > 0) || triangles.empty())
     return;
-  const outlines::MeshOutlines mesh(triangles, known);
+  const std::vector<bool> all(known.planes.size(), true);
+  const outlines::MeshOutlines mesh(triangles, all, known);
   for (std::size_t p = 0; p < known.planes.size(); ++p)
     mesh.outline(p, known.planes[p].patch);
 }

@@ -6,6 +6,8 @@
 
 #include <pcl/core/triangle_mesh.h>
 
+#include <optional>
+
 namespace pcl::acmap {
 
 namespace outlines {
@@ -26,11 +28,14 @@ setPolygons(const std::vector<Loop>& shaped,
 /** \brief The boundaries of the mesh on planes. */
 class MeshOutlines {
 public:
-  /** \param[in] known must outlive this object */
+  /** Takes time for all points and faces, unless no plane is wanted.
+   * \param[in] is_wanted for each plane, will it be outlined?
+   * \param[in] known must outlive this object */
   MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+               const std::vector<bool>& is_wanted,
                const KnownPlanes& known);
 
-  /** Sets the polygons of a plane: the boundaries of its mesh faces, moved onto the
+  /** Sets the polygons of a plane that is wanted: the boundaries of its mesh faces, moved onto the
    * intersection lines with its neighbours and simplified with a tolerance of one
    * spacing. Openings are kept. A plane without such a polygon, and a strip, gets
    * rectangles where its points are.
@@ -40,7 +45,7 @@ public:
 
 private:
   const KnownPlanes& known_;
-  labeling::CandidateGrid grid_;
+  std::optional<labeling::CandidateGrid> grid_;
   std::vector<std::vector<TriangleMesh::Triangle>> of_planes_;
 };
 

@@ -1,5 +1,7 @@
 #include "outlines/plane_raster.h"
 
+#include "outlines/sight_rays.h"
+
 #include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pcl::acmap::outlines {
 
@@ -177,28 +178,57 @@ rastersOf(const KnownPlanes& known)
   return rasters;
 }
 
+namespace {
+
+/** A point and its plane side by side: faces look points up in any order. */
+struct LabeledPlace {
+  double x = 0, y = 0; ///< in the raster of the plane
+  std::int32_t plane = -1;
+};
+
+std::vector<LabeledPlace>
+placesOf(const KnownPlanes& known, const std::vector<PlaneRaster>& rasters)
+{
+  std::vector<LabeledPlace> places(known.labels.size());
+  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t plane = known.labels[i];
+      if (plane < 0)
+        continue;
+      const Eigen::Vector2d place = rasters[static_cast<std::size_t>(plane)].placeOf(
+          known.points[i].cast<double>());
+      places[i] = {place.x(), place.y(), plane};
+    }
+  });
+  return places;
+}
+
+} // namespace
+
 void
 addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
          const KnownPlanes& known,
          std::vector<PlaneRaster>& rasters)
 {
   const double max_off = known.spacing / 2;
-  std::vector<Eigen::Vector2d> places(
-      known.labels.size()); // in the raster of the plane
-  parallelForChunks(places.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (known.labels[i] >= 0)
-        places[i] = rasters[static_cast<std::size_t>(known.labels[i])].placeOf(
-            known.points[i].cast<double>());
-  });
-  for (const TriangleMesh::Triangle& t : triangles) {
+  const std::vector<LabeledPlace> places = placesOf(known, rasters);
+  constexpr std::size_t ahead =
+      12; // faces; the order of their points is no order in memory
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const TriangleMesh::Triangle& t = triangles[i];
+    for (const std::int32_t corner :
+         triangles[std::min(i + ahead, triangles.size() - 1)])
+      __builtin_prefetch(&places[static_cast<std::size_t>(corner)]);
+    const std::array<const LabeledPlace*, 3> ends{
+        &places[static_cast<std::size_t>(t[0])],
+        &places[static_cast<std::size_t>(t[1])],
+        &places[static_cast<std::size_t>(t[2])]};
     std::int32_t plane = -1, strangers = 0;
     bool is_one = true;
-    for (const std::int32_t corner : t) {
-      const std::int32_t label = known.labels[static_cast<std::size_t>(corner)];
-      strangers += label < 0 ? 1 : 0;
-      is_one &= label < 0 || plane < 0 || label == plane;
-      plane = std::max(plane, label);
+    for (const LabeledPlace* const end : ends) {
+      strangers += end->plane < 0 ? 1 : 0;
+      is_one &= end->plane < 0 || plane < 0 || end->plane == plane;
+      plane = std::max(plane, end->plane);
     }
     if (!is_one || strangers > 1)
       continue;
@@ -206,11 +236,11 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
     std::array<Eigen::Vector2d, 3> corners;
     bool is_near = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto corner = static_cast<std::size_t>(t[k]);
-      corners[k] = places[corner];
-      if (known.labels[corner] >= 0)
+      corners[k] = {ends[k]->x, ends[k]->y};
+      if (ends[k]->plane >= 0)
         continue;
-      const Eigen::Vector3d point = known.points[corner].cast<double>();
+      const Eigen::Vector3d point =
+          known.points[static_cast<std::size_t>(t[k])].cast<double>();
       is_near = std::abs(raster.normal.dot(point) + raster.offset) <= max_off;
       corners[k] = raster.placeOf(point);
     }
@@ -218,82 +248,37 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
       continue;
     fillTriangle(corners, raster.seen);
     for (std::size_t k = 0; k < 3; ++k)
-      if (known.labels[static_cast<std::size_t>(t[k])] < 0)
+      if (ends[k]->plane < 0)
         raster.rim_points.push_back(corners[k]);
   }
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (known.labels[i] >= 0) {
-      PlaneRaster& raster = rasters[static_cast<std::size_t>(known.labels[i])];
-      if (!raster.seen.hasAround(places[i], 3))
-        raster.rim_points.push_back(places[i]);
+  for (const LabeledPlace& place : places)
+    if (place.plane >= 0) {
+      PlaneRaster& raster = rasters[static_cast<std::size_t>(place.plane)];
+      if (!raster.seen.hasAround({place.x, place.y}, 3))
+        raster.rim_points.emplace_back(place.x, place.y);
     }
 }
 
-namespace {
-
-/** Points that follow one another, which are near each other in a consolidated cloud. */
-struct RayBlock {
-  static constexpr std::size_t length = 64;
-
-  Eigen::AlignedBox3f box; ///< of the points that have a sensor
-  std::vector<std::pair<Eigen::Vector3f, Eigen::Vector3f>> rays; ///< sensor, point
-};
-
-std::vector<RayBlock>
-rayBlocksOf(const PointView& points, const SensorView& sensors)
-{
-  std::vector<RayBlock> blocks((points.size() + RayBlock::length - 1) /
-                               RayBlock::length);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f* const sensor = sensors[i];
-    if (!sensor || !points[i].allFinite())
-      continue;
-    RayBlock& block = blocks[i / RayBlock::length];
-    block.box.extend(points[i]);
-    block.rays.emplace_back(*sensor, points[i]);
-  }
-  return blocks;
-}
-
-} // namespace
-
 void
 addFreeRays(const KnownPlanes& known,
-            const SensorView& sensors,
+            const SightRays& rays,
             std::vector<PlaneRaster>& rasters)
 {
-  if (!sensors.isKnown())
+  if (!rays.areKnown())
     return;
-  const std::vector<RayBlock> blocks = rayBlocksOf(known.points, sensors);
   constexpr double spacings = 2, deviations = 4; // behind a plane, beyond its noise
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
     PlaneRaster& raster = rasters[p];
     if (raster.seen.width() == 0)
       return;
-    const Eigen::Vector3f normal = raster.normal.cast<float>();
-    const auto offset = static_cast<float>(raster.offset);
-    const auto limit = static_cast<float>(
-        -std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms));
     const Eigen::Array2d size(raster.free.width(), raster.free.height());
-    for (const RayBlock& block : blocks) {
-      const Eigen::Vector3f half = block.box.sizes() / 2;
-      if (block.rays.empty() ||
-          normal.dot(block.box.center()) + offset - normal.cwiseAbs().dot(half) >=
-              limit)
-        continue;
-      for (const auto& [sensor, point] : block.rays) {
-        const float back = normal.dot(point) + offset;
-        const float front = normal.dot(sensor) + offset;
-        if (!(back < limit && front > 0))
-          continue;
-        const double share = static_cast<double>(front) / (front - back);
-        const Eigen::Vector3d from = sensor.cast<double>();
-        const Eigen::Array2d place =
-            raster.placeOf(from + share * (point.cast<double>() - from));
-        if ((place >= 0).all() && (place < size).all())
-          raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
-      }
-    }
+    rays.forEachThrough(
+        raster,
+        std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms),
+        [&](const Eigen::Array2d& place) {
+          if ((place >= 0).all() && (place < size).all())
+            raster.free.add(static_cast<int>(place.x()), static_cast<int>(place.y()));
+        });
   });
 }
 

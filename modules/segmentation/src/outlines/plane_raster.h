@@ -8,6 +8,8 @@
 
 namespace pcl::acmap::outlines {
 
+class SightRays;
+
 /** The grid of cells on a plane, and what is known about its cells. Places are in cells:
  * cell (x, y) covers [x, x + 1) x [y, y + 1). */
 struct PlaneRaster {
@@ -61,7 +63,7 @@ addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
 /** Marks the cells through which sensors saw points well behind the planes. */
 void
 addFreeRays(const KnownPlanes& known,
-            const SensorView& sensors,
+            const SightRays& rays,
             std::vector<PlaneRaster>& rasters);
 
 } // namespace pcl::acmap::outlines

@@ -3,7 +3,9 @@
 #include "outlines/contour_pieces.h"
 #include "outlines/crease_nodes.h"
 #include "outlines/patch_outlines.h"
+#include "outlines/proposed_surfaces.h"
 #include "outlines/rim_lines.h"
+#include "outlines/sight_rays.h"
 #include "outlines/surface_cells.h"
 
 #include <pcl/core/impl/parallel.h>
@@ -618,12 +620,17 @@ isNarrow(const KnownPlane& plane, double spacing)
 
 /** Adds the outlines of the mesh on narrow planes to the evidence. */
 void
-addNarrow(const MeshOutlines& mesh,
+addNarrow(const std::vector<TriangleMesh::Triangle>& triangles,
           const KnownPlanes& known,
           std::vector<PlaneRaster>& rasters)
 {
+  std::vector<bool> is_narrow(rasters.size());
+  for (std::size_t p = 0; p < rasters.size(); ++p)
+    is_narrow[p] =
+        isNarrow(known.planes[p], known.spacing) && rasters[p].seen.width() > 0;
+  const MeshOutlines mesh(triangles, is_narrow, known);
   for (std::size_t p = 0; p < rasters.size(); ++p) {
-    if (!isNarrow(known.planes[p], known.spacing) || rasters[p].seen.width() == 0)
+    if (!is_narrow[p])
       continue;
     PlanePatch outlined = known.planes[p].patch;
     mesh.outline(p, outlined);
@@ -683,12 +690,12 @@ outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
     plane.patch.area = 0; // of the outlines from here on; before, of its members
   if (known.planes.empty() || !(known.spacing > 0) || triangles.empty())
     return 0;
-  const MeshOutlines mesh(triangles, known);
   std::vector<PlaneRaster> rasters = rastersOf(known);
   addFaces(triangles, known, rasters);
-  addNarrow(mesh, known, rasters);
+  addNarrow(triangles, known, rasters);
   sharpenRims(source, rasters);
-  addFreeRays(known, sensors, rasters);
+  const SightRays rays(known.points, sensors);
+  addFreeRays(known, rays, rasters);
   const Creases creases = creasesOf(known, rasters);
   std::vector<Boundary> boundaries =
       planeBoundaries(creases, sensors.isKnown(), rasters);
@@ -701,12 +708,17 @@ outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
     of_planes[boundaries[i].plane].push_back(i);
     unstraightened += boundaries[i].straightening == Straightening::None ? 1 : 0;
   }
+  std::vector<bool> is_missing(rasters.size());
   for (std::size_t p = 0; p < rasters.size(); ++p) {
     PlanePatch& patch = known.planes[p].patch;
     setOutlines(of_planes[p], found, judge, p, rasters[p], patch);
-    if (patch.polygons.empty())
-      mesh.outline(p, patch);
+    is_missing[p] = patch.polygons.empty();
   }
+  const MeshOutlines mesh(triangles, is_missing, known);
+  for (std::size_t p = 0; p < rasters.size(); ++p)
+    if (is_missing[p])
+      mesh.outline(p, known.planes[p].patch);
+  proposeSurfaces(rays, rasters, known);
   return unstraightened;
 }
 

@@ -115,6 +115,16 @@ surfacesOf(const CompactMap& map)
   return surfaces;
 }
 
+std::vector<ChartSurface>
+proposedSurfacesOf(const CompactMap& map)
+{
+  std::vector<ChartSurface> surfaces;
+  for (std::size_t i = 0; i < map.planes.size(); ++i)
+    for (const PlanePolygon& polygon : map.planes[i].proposed)
+      surfaces.push_back(surfaceOfPolygon(i, trianglesOf(map.planes[i], polygon)));
+  return surfaces;
+}
+
 std::vector<bool>
 coverOf(const ChartSurface& surface, const RgbImage& image)
 {

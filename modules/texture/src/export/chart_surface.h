@@ -29,6 +29,11 @@ struct ChartSurface {
 std::vector<ChartSurface>
 surfacesOf(const CompactMap& map);
 
+/** \brief The proposed polygons of all planes, in their order.
+ * \throws BadArgumentException when a normal is zero or not finite */
+std::vector<ChartSurface>
+proposedSurfacesOf(const CompactMap& map);
+
 /** \brief For each texel of an image, is its centre inside one of the triangles of a
  * surface? */
 std::vector<bool>

@@ -132,6 +132,7 @@ public:
   , map_(map)
   , outputs_(outputs)
   , surfaces_(acmap::surfacesOf(map))
+  , proposed_(acmap::proposedSurfacesOf(map))
   , atlas_(acmap::atlasOf(map, surfaces_, upDirection(map), outputs.color_tolerance))
   {}
 
@@ -156,11 +157,12 @@ public:
       writeBytes(kind_images[i], encodePng(page.width, page.height, page.values));
     }
     if (outputs_.obj) {
-      acmap::writeObj(place("map.obj"), map_, surfaces_, atlas_);
+      acmap::writeObj(place("map.obj"), map_, surfaces_, proposed_, atlas_);
       acmap::writeMtl(place(acmap::material_file_name), map_, images);
     }
     if (outputs_.glb)
-      acmap::writeGlb(place("map.glb"), map_, surfaces_, atlas_, outputs_.jpeg_quality);
+      acmap::writeGlb(
+          place("map.glb"), map_, surfaces_, proposed_, atlas_, outputs_.jpeg_quality);
     if (outputs_.vertex_ply)
       acmap::writeVertexPly(place("map.ply"), map_, surfaces_);
     return names_;
@@ -185,7 +187,7 @@ private:
   const OutputFolder& folder_;
   const CompactMap& map_;
   const CompactMapOutputs& outputs_;
-  std::vector<acmap::ChartSurface> surfaces_;
+  std::vector<acmap::ChartSurface> surfaces_, proposed_;
   acmap::TextureAtlas atlas_;
   std::vector<std::string> names_;
 };

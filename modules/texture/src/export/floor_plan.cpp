@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -22,7 +23,7 @@ using Eigen::Vector3d;
 constexpr double level_cosine = 0.98;  // 11 degrees
 constexpr double upright_cosine = 0.2; // the same from the vertical
 
-constexpr double thickest_wall = 0.6; // metres
+constexpr double thickest_wall = 0.6, widest_opening = 4; // metres
 
 /** \brief Part of a wall along a direction, metres. */
 struct Interval {
@@ -368,31 +369,72 @@ private:
     }
   }
 
+  /** \brief Adds the openings between the pieces of a wall, and those at its ends. */
   void
   addOpenings(const Wall& wall)
   {
-    constexpr double narrowest = 0.4, widest = 4; // metres
-    constexpr double above_floor = 0.2;
     const std::vector<Interval> pieces = wall.section(plan_.cut);
-    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-      const double begin = pieces[k].end, end = pieces[k + 1].begin;
-      if (end - begin < narrowest || end - begin > widest || isHidden(wall, begin, end))
+    if (pieces.empty())
+      return;
+    if (const auto corner = cornerBeyond(wall, pieces.front().begin, -1))
+      addOpening(wall, *corner, pieces.front().begin);
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k)
+      addOpening(wall, pieces[k].end, pieces[k + 1].begin);
+    if (const auto corner = cornerBeyond(wall, pieces.back().end, 1))
+      addOpening(wall, pieces.back().end, *corner);
+  }
+
+  /** \brief Adds a gap of a wall, if it is an opening. */
+  void
+  addOpening(const Wall& wall, double begin, double end)
+  {
+    constexpr double narrowest = 0.4;
+    constexpr double above_floor = 0.2;
+    if (end - begin < narrowest || end - begin > widest_opening ||
+        isHidden(wall, begin, end))
+      return;
+    PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
+    bool is_below_wall = false;
+    for (const Interval& part : wall.heights((begin + end) / 2, plan_.floor))
+      if (part.begin > plan_.cut - plan_.floor) {
+        is_below_wall = true;
+        opening.top = part.begin;
+        break;
+      }
+      else if (part.end > above_floor) {
+        opening.is_window = true;
+        opening.bottom = part.end;
+      }
+    if (opening.is_window || is_below_wall)
+      plan_.openings.push_back(opening);
+  }
+
+  /** \brief Where the line of a wall, beyond its end, meets the seen side of the next
+   * wall.
+   * \param[in] way 1 or -1, along the wall */
+  std::optional<double>
+  cornerBeyond(const Wall& wall, double from, double way) const
+  {
+    constexpr double min_sine = 0.5;
+    constexpr double longer = 0.15; // metres, by which outlines may end before a corner
+    const Vector2d begin = flat(wall, from);
+    const Vector2d direction = (flat(wall, from + way) - begin).normalized();
+    std::optional<double> nearest;
+    for (const PlanWall& other : plan_.walls) {
+      const double facing = frontOf(other).dot(direction);
+      if (!(facing < -min_sine))
         continue;
-      PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
-      bool is_below_wall = false;
-      for (const Interval& part : wall.heights((begin + end) / 2, plan_.floor))
-        if (part.begin > plan_.cut - plan_.floor) {
-          is_below_wall = true;
-          opening.top = part.begin;
-          break;
-        }
-        else if (part.end > above_floor) {
-          opening.is_window = true;
-          opening.bottom = part.end;
-        }
-      if (opening.is_window || is_below_wall)
-        plan_.openings.push_back(opening);
+      const double distance = (other.from - begin).dot(frontOf(other)) / facing;
+      const Vector2d along = (other.to - other.from).normalized();
+      const double place = (begin + distance * direction - other.from).dot(along);
+      if (distance > 0 && distance <= widest_opening && place >= -longer &&
+          place <= (other.to - other.from).norm() + longer &&
+          (!nearest || distance < *nearest))
+        nearest = distance;
     }
+    if (nearest)
+      return from + way * *nearest;
+    return {};
   }
 
   /** \brief Does another wall stand in front of the middle of a gap? */

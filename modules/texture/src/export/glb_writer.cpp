@@ -39,6 +39,18 @@ struct PageMesh {
   std::vector<std::uint32_t> corners;  ///< three of each triangle
 };
 
+/** Appends the triangles of a surface. */
+void
+append(const ChartSurface& surface, const Eigen::Vector3d& middle, PageMesh& mesh)
+{
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  for (const Eigen::Vector3d& point : surface.points)
+    mesh.points.emplace_back((point - middle).cast<float>());
+  for (const TriangleMesh::Triangle& triangle : surface.triangles)
+    for (const std::int32_t corner : triangle)
+      mesh.corners.push_back(first + static_cast<std::uint32_t>(corner));
+}
+
 std::vector<PageMesh>
 meshesOf(const std::vector<ChartSurface>& surfaces,
          const TextureAtlas& atlas,
@@ -48,16 +60,21 @@ meshesOf(const std::vector<ChartSurface>& surfaces,
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ChartSurface& surface = surfaces[i];
     PageMesh& mesh = meshes[atlas.places[i].page];
-    const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    for (const Eigen::Vector3d& point : surface.points)
-      mesh.points.emplace_back((point - middle).cast<float>());
+    append(surface, middle, mesh);
     for (const Eigen::Vector2d& place : surface.places)
       mesh.places.emplace_back(atlas.coordinates(i, place).cast<float>());
-    for (const TriangleMesh::Triangle& triangle : surface.triangles)
-      for (const std::int32_t corner : triangle)
-        mesh.corners.push_back(first + static_cast<std::uint32_t>(corner));
   }
   return meshes;
+}
+
+/** All surfaces as one mesh without texture coordinates. */
+PageMesh
+meshOf(const std::vector<ChartSurface>& surfaces, const Eigen::Vector3d& middle)
+{
+  PageMesh mesh;
+  for (const ChartSurface& surface : surfaces)
+    append(surface, middle, mesh);
+  return mesh;
 }
 
 /** \brief Fills a glTF model with the pages of an atlas, one by one. */
@@ -65,6 +82,7 @@ class GlbModel {
 public:
   GlbModel(const CompactMap& map,
            const std::vector<ChartSurface>& surfaces,
+           const std::vector<ChartSurface>& proposed,
            const TextureAtlas& atlas,
            int jpeg_quality)
   : map_(map)
@@ -86,6 +104,9 @@ public:
       model_.buffers.clear();
       return;
     }
+    appendNode("map", 0);
+    if (const PageMesh mesh = meshOf(proposed, middle_); !mesh.corners.empty())
+      appendProposed(mesh);
     appendScene();
   }
 
@@ -121,6 +142,28 @@ private:
     primitive.indices = appendCorners(mesh);
     primitive.material = appendMaterial(page, number);
     model_.meshes[0].primitives.push_back(primitive);
+  }
+
+  void
+  appendProposed(const PageMesh& mesh)
+  {
+    using namespace proposed_layer;
+    tinygltf::Material material;
+    material.name = name;
+    material.doubleSided = true;
+    material.alphaMode = "BLEND";
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 1;
+    material.pbrMetallicRoughness.baseColorFactor = {red, green, blue, opacity};
+    model_.materials.push_back(material);
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.attributes["POSITION"] = appendPoints(mesh.points);
+    primitive.indices = appendCorners(mesh);
+    primitive.material = static_cast<int>(model_.materials.size()) - 1;
+    model_.meshes.emplace_back();
+    model_.meshes.back().primitives.push_back(primitive);
+    appendNode(name, static_cast<int>(model_.meshes.size()) - 1);
   }
 
   int
@@ -231,19 +274,25 @@ private:
   }
 
   void
-  appendScene()
+  appendNode(const std::string& name, int mesh)
   {
     const Eigen::Matrix3d turn = turnToYUp(map_);
     const Eigen::Quaterniond rotation(turn);
     const Eigen::Vector3d translation = turn * middle_;
     tinygltf::Node node;
-    node.name = "map";
-    node.mesh = 0;
+    node.name = name;
+    node.mesh = mesh;
     node.rotation.assign(rotation.coeffs().data(), rotation.coeffs().data() + 4);
     node.translation.assign(translation.data(), translation.data() + 3);
     model_.nodes.push_back(node);
+  }
+
+  void
+  appendScene()
+  {
     model_.scenes.emplace_back();
-    model_.scenes[0].nodes = {0};
+    for (std::size_t node = 0; node < model_.nodes.size(); ++node)
+      model_.scenes[0].nodes.push_back(static_cast<int>(node));
     model_.defaultScene = 0;
   }
 
@@ -259,11 +308,13 @@ void
 writeGlb(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces,
+         const std::vector<ChartSurface>& proposed,
          const TextureAtlas& atlas,
          int quality)
 {
   OutputFile file(path);
-  const std::string bytes = GlbModel(map, surfaces, atlas, quality).bytes(path);
+  const std::string bytes =
+      GlbModel(map, surfaces, proposed, atlas, quality).bytes(path);
   file.write(bytes.data(), bytes.size());
   file.commit();
 }

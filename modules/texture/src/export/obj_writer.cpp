@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -41,35 +42,54 @@ axesOf(const Eigen::Matrix3d& turn)
   return text;
 }
 
-/** Vertices, texture coordinates and faces of a surface; vertices and texture
- * coordinates have the same numbers. */
+/** Vertices of a surface, with its plane as a comment. */
 std::string
-textOf(const std::vector<ChartSurface>& surfaces,
-       std::size_t number,
-       const TextureAtlas& atlas,
-       const Eigen::Matrix3d& turn,
-       std::size_t first)
+verticesOf(const ChartSurface& surface, const Eigen::Matrix3d& turn)
 {
-  const ChartSurface& surface = surfaces[number];
   std::string text = "# plane " + std::to_string(surface.plane) + "\n";
   for (const Eigen::Vector3d& point : surface.points) {
     const Eigen::Vector3d p = turn * point;
     text += "v " + textOf(p.x()) + " " + textOf(p.y()) + " " + textOf(p.z()) + "\n";
   }
-  for (const Eigen::Vector2d& place : surface.places) {
-    const Eigen::Vector2d at = atlas.coordinates(number, place);
-    text += "vt " + textOf(at.x()) + " " + textOf(1 - at.y()) + "\n";
-  }
+  return text;
+}
+
+/** \param[in] first number of the first vertex, from 1
+ * \param[in] is_textured have the vertices texture coordinates with the same numbers? */
+std::string
+facesOf(const ChartSurface& surface, std::size_t first, bool is_textured)
+{
+  std::string text;
   for (const TriangleMesh::Triangle& triangle : surface.triangles) {
     text += "f";
     for (const std::int32_t corner : triangle) {
       const std::string index =
           std::to_string(first + static_cast<std::size_t>(corner));
-      text += " " + index + "/" + index;
+      text += " " + index + (is_textured ? "/" + index : "");
     }
     text += "\n";
   }
   return text;
+}
+
+std::string
+coordinatesOf(const std::vector<ChartSurface>& surfaces,
+              std::size_t number,
+              const TextureAtlas& atlas)
+{
+  std::string text;
+  for (const Eigen::Vector2d& place : surfaces[number].places) {
+    const Eigen::Vector2d at = atlas.coordinates(number, place);
+    text += "vt " + textOf(at.x()) + " " + textOf(1 - at.y()) + "\n";
+  }
+  return text;
+}
+
+/** The start of a group with a material of the same name. */
+std::string
+groupOf(const std::string& name)
+{
+  return "g " + name + "\nusemtl " + name + "\n";
 }
 
 void
@@ -93,6 +113,7 @@ void
 writeObj(const std::string& path,
          const CompactMap& map,
          const std::vector<ChartSurface>& surfaces,
+         const std::vector<ChartSurface>& proposed,
          const TextureAtlas& atlas)
 {
   OutputFile file(path);
@@ -102,13 +123,21 @@ writeObj(const std::string& path,
             " of the map's frame\nmtllib " + material_file_name + "\n");
   std::size_t first = 1;
   for (std::size_t page = 0; page < atlas.pages.size(); ++page) {
-    write(file, "g " + materialOf(page) + "\nusemtl " + materialOf(page) + "\n");
+    write(file, groupOf(materialOf(page)));
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       if (atlas.places[i].page != page)
         continue;
-      write(file, textOf(surfaces, i, atlas, turn, first));
+      write(file,
+            verticesOf(surfaces[i], turn) + coordinatesOf(surfaces, i, atlas) +
+                facesOf(surfaces[i], first, true));
       first += surfaces[i].points.size();
     }
+  }
+  if (!proposed.empty())
+    write(file, groupOf(proposed_layer::name));
+  for (const ChartSurface& surface : proposed) {
+    write(file, verticesOf(surface, turn) + facesOf(surface, first, false));
+    first += surface.points.size();
   }
   file.commit();
 }
@@ -127,6 +156,19 @@ writeMtl(const std::string& path,
           "newmtl " + materialOf(page) +
               "\nKa 0.3 0.3 0.3\nKd 0.7 0.7 0.7\nKs 0 0 0\nillum 1\nmap_Kd " +
               images[page] + "\n");
+  const auto isProposed = [](const PlanePatch& plane) {
+    return !plane.proposed.empty();
+  };
+  if (std::any_of(map.planes.begin(), map.planes.end(), isProposed)) {
+    using namespace proposed_layer;
+    const auto color = [](double share) {
+      return textOf(share * red) + " " + textOf(share * green) + " " +
+             textOf(share * blue);
+    };
+    write(file,
+          "newmtl " + std::string(name) + "\nKa " + color(0.3) + "\nKd " + color(0.7) +
+              "\nKs 0 0 0\nillum 1\nd " + textOf(opacity) + "\n");
+  }
   file.commit();
 }
 

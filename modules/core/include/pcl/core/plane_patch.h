@@ -58,6 +58,11 @@ struct PlanePatch {
   double rms = 0;
   double area = 0; ///< square metres, of the polygons
   std::vector<PlanePolygon> polygons;
+
+  /** \brief Where the plane probably continues, although it was not seen there: behind
+   * furniture, enclosed by its own outline and its creases. No sensor looked through.
+   * Without edges; part of no area. */
+  std::vector<PlanePolygon> proposed{};
 };
 
 } // namespace pcl

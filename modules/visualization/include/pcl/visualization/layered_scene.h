@@ -15,12 +15,13 @@ namespace pcl {
 /** \brief A representation of a building; layers can be shown together. The key of a
  * layer in a window is its number. \ingroup visualization */
 enum class SceneLayer {
-  Points = 1,    ///< of the cloud, or the vertices of the mesh if there is no cloud
-  Mesh = 2,      ///< facets with lighting
-  Normals = 3,   ///< short lines at the vertices of the mesh, at most 3000
-  Planes = 4,    ///< translucent, each with an outline in its own colour
-  Texture = 5,   ///< planes with the colours of their charts
-  Trajectory = 6 ///< a line, and the axes of the camera at up to 50 poses
+  Points = 1,     ///< of the cloud, or the vertices of the mesh if there is no cloud
+  Mesh = 2,       ///< facets with lighting
+  Normals = 3,    ///< short lines at the vertices of the mesh, at most 3000
+  Planes = 4,     ///< translucent, each with an outline in its own colour
+  Texture = 5,    ///< planes with the colours of their charts
+  Trajectory = 6, ///< a line, and the axes of the camera at up to 50 poses
+  Proposed = 7    ///< PlanePatch::proposed, as the planes
 };
 
 /** \brief Everything that is known of a building; any part may be empty.
@@ -94,7 +95,7 @@ saveSnapshot(const std::string& path,
 
 /** \brief Shows layers in an interactive window until it is closed.
  *
- * Keys: 1 to 6 toggle the layers, b toggles between before and after rectification, t
+ * Keys: 1 to 7 toggle the layers, b toggles between before and after rectification, t
  * shows planes with or without texture, n and N go to the next and previous step of
  * the walls, space starts or stops a flight along the trajectory, p (or a click with
  * shift) shows the card of the plane under the mouse, h shows the help, r resets the
