@@ -61,7 +61,8 @@ int main(int argc, char** argv)
     std::cout << name << " x" << level << " told " << told << " seed " << seed << ": " << before << " -> " << after << " ratio " << after / before
               << " height mm " << 1000 * height << " rms move mm " << 1000 * std::sqrt(moved / found.size()) << " outcome " << (int) report.outcome << " cpu " << cost.cpu
               << " len% " << 100 * (len(given) / len(scene.views) - 1) << " -> " << 100 * (len(found) / len(scene.views) - 1)
-              << " rays " << report.rays_before.near_share << ' ' << report.rays_before.far_share << " -> " << report.rays_after.near_share << ' ' << report.rays_after.far_share << " sig " << report.significance << " rounds " << report.rounds.size() << " fac " << report.odometry_factor;
+              << " rays " << report.rays_before.near_share << ' ' << report.rays_before.far_share << " -> " << report.rays_after.near_share << ' ' << report.rays_after.far_share << " sig " << report.significance << " rounds " << report.rounds.size() << " fac " << report.odometry_factors[0] << " " << report.odometry_factors[1] << " thick " << report.thickness_before << " " << report.thickness_after << " unc " << (report.uncertainty.empty() ? 0 : report.uncertainty.back().position);
+    if (getenv("TELL")) for (auto& r : report.rounds) std::cout << "\n gate " << r.gate << " floor " << r.floor << " lm " << r.landmarks << " pieces " << r.pieces << " prior " << r.prior << " thick " << r.thickness << " moved " << r.moved;
     for (auto& s : report.seconds) std::cout << ' ' << s.first << ' ' << s.second;
     std::cout << std::endl;
   }

@@ -13,9 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
-#include <optional>
 #include <string>
 
 namespace pcl::acmap {
@@ -27,6 +24,7 @@ constexpr std::size_t max_rounds = 14;
 constexpr std::size_t steps_per_round = 3;
 constexpr double last_gate = 0.5;    // metres
 constexpr double still = 0.0003;     // metres: a round that moves less is the last one
+constexpr double annealing_share = 0.2; // of the uncertainty of neighbouring views
 constexpr double degree = M_PI / 180; // radians
 
 /** Inverse of the normal equations at some poses, with all \a pairs in its pattern. */
@@ -108,11 +106,38 @@ neighbourDeviation(const PiecesOfViews& pieces,
   return *place;
 }
 
-double
-option(const char* name, double value)
+/** Is a share of contradicted rays clearly larger than before? */
+bool
+isWorse(std::size_t rays_before, double before, std::size_t rays_after, double after)
 {
-  const char* const text = std::getenv(name);
-  return text ? std::atof(text) : value;
+  constexpr double more = 0.01;
+  constexpr std::size_t enough = 50;
+  return rays_after >= enough && after > before + more &&
+         after * static_cast<double>(rays_after) >
+             1.2 * before * static_cast<double>(rays_before);
+}
+
+/** Decides from the evidence in a report. */
+void
+decide(PlaneAdjustmentReport& report)
+{
+  constexpr double significant = 5;
+  const RayContradictions& before = report.rays_before;
+  const RayContradictions& after = report.rays_after;
+  if (report.significance < significant) {
+    report.outcome = AdjustmentOutcome::Kept;
+    report.reason = "the planes fit the given poses within noise";
+  }
+  else if (isWorse(before.near_rays, before.near_share, after.near_rays, after.near_share) ||
+           isWorse(before.far_rays, before.far_share, after.far_rays, after.far_share)) {
+    report.outcome = AdjustmentOutcome::Refused;
+    report.reason = "rays contradict the adjusted poses more than the given ones";
+    report.remarks.push_back(report.reason);
+  }
+  else {
+    report.outcome = AdjustmentOutcome::Adjusted;
+    report.reason = std::to_string(report.landmarks) + " planes are seen from several views";
+  }
 }
 
 /** The rounds of an adjustment. */
@@ -131,8 +156,7 @@ public:
   bool
   run()
   {
-    double gate = 0, deviation = 0;
-    bool is_last = false;
+    double gate = 0;
     for (std::size_t round = 0; round < max_rounds; ++round) {
       progress_.tell(0.3 + 0.6 * static_cast<double>(round) / max_rounds, "adjust");
       const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
@@ -140,27 +164,25 @@ public:
       if (settings_.estimate_odometry && round >= 3)
         prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
       const RelativeCovariances relative(inverse, poses_, pairs);
-      deviation = neighbourDeviation(pieces_, poses_, relative);
-      if (round == 0) {
-        first_deviation_ = deviation;
+      const double deviation =
+          neighbourDeviation(pieces_, poses_, relative);
+      if (round == 0)
         gate = std::min(last_gate, std::max(0.05, 3.15 * deviation));
-      }
       AssociationGate association;
       association.distance = gate;
       association.inner = round == 0 ? 1 : 3;
       association.angle =
           (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
       floor_.minimum = std::max(
-          0.001, option("ANNEAL", 0.2) * deviation * std::pow(0.5, static_cast<double>(round)));
+          0.001, annealing_share * deviation * std::pow(0.5, static_cast<double>(round)));
       association.floor = floor_;
       landmarks_ = findLandmarks(pieces_, poses_, relative, association);
       if (landmarks_.empty())
         break;
       const double moved = minimize(prior_, steps_per_round, landmarks_, poses_);
-      if (option("FLOOR", 1) > 0)
-        floor_ = measureFloor(landmarks_, poses_, floor_);
+      floor_ = measureFloor(landmarks_, poses_, floor_);
       tellRound(gate, moved);
-      if (is_last || (gate >= last_gate && moved < still))
+      if (gate >= last_gate && moved < still)
         break;
       gate = std::min(last_gate, 1.6 * gate);
     }
@@ -173,22 +195,43 @@ public:
     return poses_;
   }
 
-  std::vector<Landmark>&
-  landmarks()
+  /** Compares the adjusted poses with the given ones, and tells their uncertainty. */
+  void
+  judge(const Poses& given)
   {
-    return landmarks_;
-  }
-
-  const OdometryPrior&
-  prior() const
-  {
-    return prior_;
-  }
-
-  const SurfaceFloor&
-  floor() const
-  {
-    return floor_;
+    const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, {});
+    double determined = static_cast<double>(6 * prior_.actions());
+    const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      determined -= prior_.shareOf(i, actions[i]);
+    double free = -determined;
+    for (const Landmark& landmark : landmarks_)
+      free += 3 * static_cast<double>(landmark.views.size() - 1);
+    std::vector<Landmark> at_given = landmarks_;
+    const double before = fitLandmarks(given, at_given);
+    const double after = fitLandmarks(poses_, landmarks_);
+    // Errors of the sensor that its noise does not describe count as noise.
+    const double unit = std::max(1.0, free > 0 ? after / free : 1.0);
+    determined = std::max(1.0, determined);
+    report_.significance =
+        ((before - after) / unit - determined) / std::sqrt(2 * determined);
+    report_.thickness_before = thicknessOf(at_given, given);
+    report_.thickness_after = thicknessOf(landmarks_, poses_);
+    report_.landmarks = landmarks_.size();
+    for (const Landmark& landmark : landmarks_)
+      report_.associated_pieces += landmark.pieces;
+    report_.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
+    report_.odometry_factors = {prior_.factors()[0], prior_.factors()[1]};
+    SurfaceFloor floor = floor_;
+    floor.minimum = 0;
+    report_.floor = std::sqrt(floor.variance(2));
+    report_.uncertainty.assign(poses_.size(), {});
+    for (std::size_t view = 1; view < poses_.size(); ++view) {
+      const Matrix6 covariance = inverse.inverse(view - 1, view - 1);
+      report_.uncertainty[view] = {
+          std::sqrt(covariance.bottomRightCorner<3, 3>().trace()),
+          std::sqrt(covariance.topLeftCorner<3, 3>().trace())};
+    }
   }
 
 private:
@@ -205,13 +248,6 @@ private:
     round.thickness = thicknessOf(landmarks_, poses_);
     round.moved = moved;
     report_.rounds.push_back(round);
-    if (std::getenv("TELL"))
-      std::cerr << "gate " << round.gate << " floor " << round.floor << " ("
-                << floor_.constant << ' ' << floor_.per_square << ' ' << floor_.minimum
-                << ") landmarks " << round.landmarks << " pieces " << round.pieces
-                << " prior " << round.prior << " factors "
-                << prior_.factors().transpose() << " thick " << round.thickness
-                << " moved " << moved << '\n';
   }
 
   const PiecesOfViews& pieces_;
@@ -222,7 +258,6 @@ private:
   PlaneAdjustmentReport& report_;
   std::vector<Landmark> landmarks_;
   SurfaceFloor floor_;
-  double first_deviation_ = 0;
 };
 
 } // namespace
@@ -252,14 +287,12 @@ adjustPlanes(const ViewReader& read,
     report.invalid_points += counts[i].invalid_points;
     report.pieces += pieces[i].size();
   }
+  constexpr double typical = 2; // metres
+  report.noise_factor = noise.sigma(typical, 1);
   timer.finish("cut");
-  if (std::getenv("TELL")) {
-    std::cerr << "pieces " << report.pieces << " common " << noise.common << " factors";
-    for (double d = 0.5; d < 8; d *= 1.4143)
-      std::cerr << ' ' << noise.sigma(d, 1);
-    std::cerr << '\n';
-  }
   std::vector<Eigen::Isometry3d> result = poses;
+  report.moved.assign(poses.size(), 0);
+  report.turned.assign(poses.size(), 0);
   if (poses.size() < 2) {
     report.reason = "one view: there is nothing that it could fit or not fit";
     report.remarks.push_back(report.reason);
@@ -271,12 +304,20 @@ adjustPlanes(const ViewReader& read,
     report.remarks.push_back(report.reason);
     return result;
   }
-  result = adjuster.poses();
-  report.outcome = AdjustmentOutcome::Adjusted;
   timer.finish("adjust");
+  progress.tell(0.9, "judge");
+  adjuster.judge(poses);
   report.rays_before = contradictionsOf(pieces, poses);
-  report.rays_after = contradictionsOf(pieces, result);
-  timer.finish("rays");
+  report.rays_after = contradictionsOf(pieces, adjuster.poses());
+  decide(report);
+  if (report.outcome == AdjustmentOutcome::Adjusted)
+    result = adjuster.poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
+    report.turned[i] =
+        rotationVector(poses[i].linear().transpose() * result[i].linear()).norm();
+  }
+  timer.finish("judge");
   return result;
 }
 

@@ -57,7 +57,17 @@ public:
     return factors_;
   }
 
-  /** \brief Covariance of a residual of \ref cost to the poses before and after it. */
+  /** \brief Share of an action's six degrees of freedom, from 0 to 6, that the odometry
+   * determines and the planes do not.
+   * \param[in] covariance of the action under both */
+  double
+  shareOf(std::size_t action, const Matrix6& covariance) const
+  {
+    return (information_[action] * covariance).trace();
+  }
+
+  /** \brief Derivatives of the residual of an action by the motions of the poses before
+   * and after it. */
   void
   jacobians(const Poses& poses, std::size_t action, Matrix6& before, Matrix6& after) const;
 

@@ -2,6 +2,7 @@
 
 #include <pcl/core/report.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -75,11 +76,12 @@ struct PlaneAdjustmentReport : Report {
   std::size_t pieces = 0;            ///< plane pieces of all views
   std::size_t landmarks = 0;         ///< planes seen from several views, last round
   std::size_t associated_pieces = 0; ///< pieces on these planes
-  double noise_factor = 1; ///< measured noise, as a factor of the given sigma; without
-                           ///< sigma 1
+  double noise_factor = 1; ///< measured noise at 2 m, as a factor of the given sigma;
+                           ///< metres if none was given
   double floor = 0;        ///< metres, systematic error of a view at 2 m
-  double odometry_factor = 1; ///< factor on the noise of the odometry that its
-                              ///< residuals indicate
+  /** Factors on the standard deviations of rotations and translations of the odometry
+   * that its residuals indicate. */
+  std::array<double, 2> odometry_factors{1, 1};
   double prior = 0;           ///< chi^2 of the odometry per degree of freedom
   /** Metres: root mean square over planes and views of the distance of a view's points
    * from the plane that all views share, under the given and the adjusted poses. */
