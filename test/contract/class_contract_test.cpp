@@ -2,6 +2,7 @@
 #include "entropy_rectification_traits.h"
 #include "map_entropy_traits.h"
 #include "normal_vector_voting_traits.h"
+#include "plane_adjustment_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
 #include "plane_texturing_traits.h"
 #include "voxel_consolidation_traits.h"
@@ -13,6 +14,7 @@ using PublicClasses = testing::Types<DeWallTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,
                                      NormalVectorVotingTraits,
+                                     PlaneAdjustmentTraits,
                                      PlaneHypothesisClusteringTraits,
                                      PlaneTexturingTraits,
                                      VoxelConsolidationTraits>;

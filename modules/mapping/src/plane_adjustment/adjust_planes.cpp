@@ -22,10 +22,10 @@ using Pair = PoseSystem::Pair;
 
 constexpr std::size_t max_rounds = 14;
 constexpr std::size_t steps_per_round = 3;
-constexpr double last_gate = 0.5;    // metres
-constexpr double still = 0.0003;     // metres: a round that moves less is the last one
+constexpr double last_gate = 0.5; // metres
+constexpr double still = 0.0003;  // metres: a round that moves less is the last one
 constexpr double annealing_share = 0.2; // of the uncertainty of neighbouring views
-constexpr double degree = M_PI / 180; // radians
+constexpr double degree = M_PI / 180;   // radians
 
 /** Inverse of the normal equations at some poses, with all \a pairs in its pattern. */
 PoseSystem
@@ -128,15 +128,20 @@ decide(PlaneAdjustmentReport& report)
     report.outcome = AdjustmentOutcome::Kept;
     report.reason = "the planes fit the given poses within noise";
   }
-  else if (isWorse(before.near_rays, before.near_share, after.near_rays, after.near_share) ||
-           isWorse(before.far_rays, before.far_share, after.far_rays, after.far_share)) {
+  else if (isWorse(before.near_rays,
+                   before.near_share,
+                   after.near_rays,
+                   after.near_share) ||
+           isWorse(
+               before.far_rays, before.far_share, after.far_rays, after.far_share)) {
     report.outcome = AdjustmentOutcome::Refused;
     report.reason = "rays contradict the adjusted poses more than the given ones";
     report.remarks.push_back(report.reason);
   }
   else {
     report.outcome = AdjustmentOutcome::Adjusted;
-    report.reason = std::to_string(report.landmarks) + " planes are seen from several views";
+    report.reason =
+        std::to_string(report.landmarks) + " planes are seen from several views";
   }
 }
 
@@ -148,8 +153,12 @@ public:
                 const PlaneAdjustmentSettings& settings,
                 const Progress& progress,
                 PlaneAdjustmentReport& report)
-  : pieces_(pieces), poses_(given), prior_(given, settings), settings_(settings),
-    progress_(progress), report_(report)
+  : pieces_(pieces)
+  , poses_(given)
+  , prior_(given, settings)
+  , settings_(settings)
+  , progress_(progress)
+  , report_(report)
   {}
 
   /** \return false if no plane is seen from two views */
@@ -164,8 +173,7 @@ public:
       if (settings_.estimate_odometry && round >= 3)
         prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
       const RelativeCovariances relative(inverse, poses_, pairs);
-      const double deviation =
-          neighbourDeviation(pieces_, poses_, relative);
+      const double deviation = neighbourDeviation(pieces_, poses_, relative);
       if (round == 0)
         gate = std::min(last_gate, std::max(0.05, 3.15 * deviation));
       AssociationGate association;
@@ -173,8 +181,9 @@ public:
       association.inner = round == 0 ? 1 : 3;
       association.angle =
           (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
-      floor_.minimum = std::max(
-          0.001, annealing_share * deviation * std::pow(0.5, static_cast<double>(round)));
+      floor_.minimum = std::max(0.001,
+                                annealing_share * deviation *
+                                    std::pow(0.5, static_cast<double>(round)));
       association.floor = floor_;
       landmarks_ = findLandmarks(pieces_, poses_, relative, association);
       if (landmarks_.empty())
@@ -280,7 +289,9 @@ adjustPlanes(const ViewReader& read,
   PiecesOfViews pieces(poses.size());
   std::vector<PieceCounts> counts(poses.size());
   oneapi::tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
-    read(i, [&](const AdjustedView& view) { pieces[i] = piecesOf(view, noise, counts[i]); });
+    read(i, [&](const AdjustedView& view) {
+      pieces[i] = piecesOf(view, noise, counts[i]);
+    });
   });
   for (std::size_t i = 0; i < poses.size(); ++i) {
     report.points += counts[i].points;

@@ -54,8 +54,7 @@ fitPlaneOf(const Poses& poses, Landmark& landmark)
     cost = std::max(0.0, sum(2, 2) - plane.dot(right)) / square;
     const Eigen::Vector3d normal =
         axes.transpose() * Eigen::Vector3d(-plane[0], -plane[1], 1) / std::sqrt(square);
-    landmark.offset =
-        normal.dot(origin + plane[2] * landmark.normal - landmark.center);
+    landmark.offset = normal.dot(origin + plane[2] * landmark.normal - landmark.center);
     landmark.normal = normal;
   }
   return cost;

@@ -1,6 +1,6 @@
 #include "odometry_prior.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <Eigen/Cholesky>
 
@@ -22,8 +22,7 @@ Matrix6
 covarianceOf(const OdometryNoise& noise, const Eigen::Isometry3d& motion)
 {
   const double turn =
-      noise.turn +
-      noise.turn_per_radian * Eigen::AngleAxisd(motion.linear()).angle();
+      noise.turn + noise.turn_per_radian * Eigen::AngleAxisd(motion.linear()).angle();
   const double length =
       noise.length + noise.length_per_metre * motion.translation().norm();
   Vector6 variances;
@@ -33,6 +32,30 @@ covarianceOf(const OdometryNoise& noise, const Eigen::Isometry3d& motion)
 }
 
 } // namespace
+
+void
+requireOdometryNoise(const OdometryNoise& noise)
+{
+  requireInRange("odometry noise, length", noise.length, 1e-6, 1e3, "m");
+  requireInRange(
+      "odometry noise, length a metre", noise.length_per_metre, 0, 10, "m/m");
+  requireInRange("odometry noise, turn", noise.turn, 1e-6, 10, "rad");
+  requireInRange(
+      "odometry noise, turn a radian", noise.turn_per_radian, 0, 10, "rad/rad");
+}
+
+void
+requireActionCovariance(const ActionCovariance& covariance)
+{
+  constexpr double tolerance = 1e-9;
+  const bool is_finite = covariance.allFinite();
+  if (!is_finite ||
+      (covariance - covariance.transpose()).cwiseAbs().maxCoeff() >
+          tolerance * covariance.cwiseAbs().maxCoeff() ||
+      covariance.llt().info() != Eigen::Success)
+    throw BadArgumentException("the covariance of an action must be symmetric and "
+                               "positive definite, in rad^2 and m^2");
+}
 
 Eigen::Isometry3d
 retract(const Eigen::Isometry3d& pose, const Vector6& motion)
@@ -57,7 +80,8 @@ rotationVector(const Eigen::Matrix3d& rotation)
   return turn.angle() * turn.axis();
 }
 
-OdometryPrior::OdometryPrior(const Poses& given, const PlaneAdjustmentSettings& settings)
+OdometryPrior::OdometryPrior(const Poses& given,
+                             const PlaneAdjustmentSettings& settings)
 {
   const auto& covariances = settings.action_covariances;
   for (std::size_t i = 0; i + 1 < given.size(); ++i) {
@@ -77,10 +101,9 @@ OdometryPrior::updateInformation()
   scale.head<3>().setConstant(1 / factors_[0]);
   scale.tail<3>().setConstant(1 / factors_[1]);
   for (const Action& action : actions_)
-    information_.push_back(
-        scale.asDiagonal() *
-        action.covariance.llt().solve(Matrix6::Identity()).eval() *
-        scale.asDiagonal());
+    information_.push_back(scale.asDiagonal() *
+                           action.covariance.llt().solve(Matrix6::Identity()).eval() *
+                           scale.asDiagonal());
 }
 
 Vector6
@@ -159,8 +182,8 @@ OdometryPrior::rescale(const Poses& poses, const std::vector<Matrix6>& covarianc
   }
   for (int k = 0; k < 2; ++k)
     if (free[k] > 10)
-      factors_[k] = std::clamp(
-          factors_[k] * std::sqrt(squares[k] / free[k]), smallest, largest);
+      factors_[k] =
+          std::clamp(factors_[k] * std::sqrt(squares[k] / free[k]), smallest, largest);
   updateInformation();
 }
 

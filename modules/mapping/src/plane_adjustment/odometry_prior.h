@@ -41,7 +41,9 @@ public:
   /** \brief Adds to the normal equations; pose i is row i - 1.
    * \param[in,out] gradient one per row */
   void
-  linearize(const Poses& poses, PoseSystem& system, std::vector<Vector6>& gradient) const;
+  linearize(const Poses& poses,
+            PoseSystem& system,
+            std::vector<Vector6>& gradient) const;
 
   /** \brief Rescales the standard deviations of rotations and translations so that the
    * residuals agree with them, considering how far the planes determine the actions
@@ -69,7 +71,10 @@ public:
   /** \brief Derivatives of the residual of an action by the motions of the poses before
    * and after it. */
   void
-  jacobians(const Poses& poses, std::size_t action, Matrix6& before, Matrix6& after) const;
+  jacobians(const Poses& poses,
+            std::size_t action,
+            Matrix6& before,
+            Matrix6& after) const;
 
 private:
   struct Action {

@@ -27,8 +27,8 @@ cellKey(const Eigen::Vector3d& place, double edge, int dx = 0, int dy = 0, int d
   constexpr std::int64_t half = 1 << 20;
   const auto part = [edge](double value, int step) {
     const double cell = std::floor(value / edge) + step;
-    return static_cast<std::uint64_t>(
-        std::clamp<double>(cell, 1 - half, half - 1) + half);
+    return static_cast<std::uint64_t>(std::clamp<double>(cell, 1 - half, half - 1) +
+                                      half);
   };
   return part(place.x(), dx) << 42 | part(place.y(), dy) << 21 | part(place.z(), dz);
 }
@@ -47,7 +47,8 @@ constexpr double radius = 0.5; ///< metres, of a landmark along its plane
 class PieceTable {
 public:
   explicit PieceTable(const std::vector<PlacedPiece>& pieces)
-  : pieces_(pieces), is_free_(pieces.size(), 1)
+  : pieces_(pieces)
+  , is_free_(pieces.size(), 1)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       cells_[cellKey(pieces[i].center, radius)].push_back(i);
@@ -94,8 +95,8 @@ private:
 /** A piece that may belong to a landmark. */
 struct Member {
   std::size_t piece;
-  double gate;      ///< metres, largest distance from the plane
-  double variance;  ///< m^2, of its distance from the plane
+  double gate;       ///< metres, largest distance from the plane
+  double variance;   ///< m^2, of its distance from the plane
   double weight = 1; ///< robust weight
 };
 
@@ -105,8 +106,12 @@ public:
               const Poses& poses,
               const RelativeCovariances& covariances,
               const AssociationGate& gate)
-  : poses_(poses), covariances_(covariances), gate_(gate), pieces_(placed(views, poses)),
-    table_(pieces_), slots_(poses.size(), no_slot)
+  : poses_(poses)
+  , covariances_(covariances)
+  , gate_(gate)
+  , pieces_(placed(views, poses))
+  , table_(pieces_)
+  , slots_(poses.size(), no_slot)
   {}
 
   std::vector<Landmark>
@@ -183,10 +188,10 @@ private:
       double deviation = 0, turn = 0;
       if (slot != same_view) {
         const RelativeCovariance& relative = covariances_.at(slot);
-        deviation = deviationAcross(
-            relative,
-            piece.center - poses_[covariances_.origin(slot)].translation(),
-            first.normal);
+        deviation = deviationAcross(relative,
+                                    piece.center -
+                                        poses_[covariances_.origin(slot)].translation(),
+                                    first.normal);
         turn = relative.turn;
       }
       const double angle =
@@ -298,9 +303,10 @@ private:
     landmark.offset = 0;
     landmark.pieces = members_.size();
     landmark.views.clear();
-    std::stable_sort(members_.begin(), members_.end(), [this](const auto& a, const auto& b) {
-      return pieces_[a.piece].view < pieces_[b.piece].view;
-    });
+    std::stable_sort(
+        members_.begin(), members_.end(), [this](const auto& a, const auto& b) {
+          return pieces_[a.piece].view < pieces_[b.piece].view;
+        });
     for (const Member& member : members_) {
       const PlacedPiece& piece = pieces_[member.piece];
       table_.take(member.piece);
@@ -388,12 +394,13 @@ findLandmarks(const PiecesOfViews& pieces,
 std::vector<PoseSystem::Pair>
 overlappingViews(const PiecesOfViews& pieces, const Poses& poses)
 {
-  constexpr double edge = 1;             // metres
+  constexpr double edge = 1;            // metres
   constexpr std::size_t min_shared = 3; // cells
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells;
   for (std::size_t view = 0; view < pieces.size(); ++view)
     for (const PlanePiece& piece : pieces[view]) {
-      std::vector<std::size_t>& views = cells[cellKey(poses[view] * piece.center, edge)];
+      std::vector<std::size_t>& views =
+          cells[cellKey(poses[view] * piece.center, edge)];
       if (views.empty() || views.back() != view)
         views.push_back(view);
     }

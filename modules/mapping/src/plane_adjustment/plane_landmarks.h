@@ -15,9 +15,9 @@ using PiecesOfViews = std::vector<std::vector<PlanePiece>>;
 /** \brief Systematic error of the position of a view's surfaces, metres, which grows
  * with the square of the distance as the errors of triangulation do. */
 struct SurfaceFloor {
-  double constant = 0.001;  ///< metres
-  double per_square = 0;    ///< 1/m
-  double minimum = 0;       ///< metres, of the annealing
+  double constant = 0.001; ///< metres
+  double per_square = 0;   ///< 1/m
+  double minimum = 0;      ///< metres, of the annealing
 
   double
   variance(double distance) const
@@ -93,9 +93,9 @@ struct Landmark {
 
 /** \brief Settings of an association. */
 struct AssociationGate {
-  double distance = 0.05;   ///< metres, largest across a plane
-  double inner = 3;         ///< standard deviations of the relative position
-  double angle = 0.2;       ///< radians
+  double distance = 0.05; ///< metres, largest across a plane
+  double inner = 3;       ///< standard deviations of the relative position
+  double angle = 0.2;     ///< radians
   SurfaceFloor floor;
 };
 

@@ -94,7 +94,8 @@ PoseSystem::blockAt(std::size_t row, std::size_t column) const
 Matrix6&
 PoseSystem::blockAt(std::size_t row, std::size_t column)
 {
-  return const_cast<Matrix6&>(static_cast<const PoseSystem&>(*this).blockAt(row, column));
+  return const_cast<Matrix6&>(
+      static_cast<const PoseSystem&>(*this).blockAt(row, column));
 }
 
 void
@@ -201,7 +202,8 @@ PoseSystem::inverse(std::size_t i, std::size_t j) const
   const std::size_t row = place_[i], column = place_[j];
   if (row == column)
     return columns_[row].diagonal;
-  return row > column ? blockAt(row, column) : Matrix6(blockAt(column, row).transpose());
+  return row > column ? blockAt(row, column)
+                      : Matrix6(blockAt(column, row).transpose());
 }
 
 std::size_t

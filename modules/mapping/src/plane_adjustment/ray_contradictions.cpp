@@ -26,8 +26,8 @@ cellOf(const Eigen::Vector3d& place)
 {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis)
-    cell[static_cast<std::size_t>(axis)] = static_cast<int>(
-        std::floor(std::clamp(place[axis] / cell_edge, -1e6, 1e6)));
+    cell[static_cast<std::size_t>(axis)] =
+        static_cast<int>(std::floor(std::clamp(place[axis] / cell_edge, -1e6, 1e6)));
   return cell;
 }
 

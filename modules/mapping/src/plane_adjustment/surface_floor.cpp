@@ -23,7 +23,7 @@ measureFloor(const std::vector<Landmark>& landmarks,
              const SurfaceFloor& before)
 {
   constexpr std::size_t min_views = 3, min_values = 30;
-  constexpr double largest = 0.05; // metres, at 1 m
+  constexpr double largest = 0.05;           // metres, at 1 m
   constexpr double median_of_square = 0.455; // of a standard normal variable
   std::array<FloorBin, RangeNoise::bins> bins;
   for (const Landmark& landmark : landmarks) {

@@ -28,9 +28,9 @@ struct RaySample {
 /** A regression of inverse distance: 1 / distance = plane . ray. */
 struct RayFit {
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
-  double chi2 = 0;           ///< per degree of freedom
-  double part_chi2 = 0;      ///< of the means of the parts
-  double part_variance = 0;  ///< of the means beyond the noise, in units of sigma^2
+  double chi2 = 0;          ///< per degree of freedom
+  double part_chi2 = 0;     ///< of the means of the parts
+  double part_variance = 0; ///< of the means beyond the noise, in units of sigma^2
   int filled_parts = 0;
   std::size_t points = 0;
 
@@ -48,6 +48,7 @@ enum class NoiseKind { Range, Inverse };
 using PartOf = std::vector<std::uint8_t>;
 
 constexpr std::size_t min_piece_points = 12;
+constexpr double max_tile_radius = 0.2, max_cube_radius = 0.3; // metres
 
 double
 variance(const RaySample& sample, double distance, const RangeNoise& noise)
@@ -169,9 +170,10 @@ bool
 makePiece(const std::vector<RaySample>& samples,
           const Eigen::Vector3d& plane,
           const RangeNoise& noise,
+          double max_radius,
           PlanePiece& piece)
 {
-  constexpr double min_cosine = 0.17, max_normal_sd = 0.35, max_radius = 0.2;
+  constexpr double min_cosine = 0.17, max_normal_sd = 0.35;
   const double length = plane.norm();
   const Eigen::Vector3d away = plane / length;
   piece.normal = -away;
@@ -207,7 +209,10 @@ public:
              std::size_t width,
              NoiseKind kind,
              const RangeNoise& noise)
-  : samples_(std::move(samples)), width_(width), kind_(kind), noise_(noise)
+  : samples_(std::move(samples))
+  , width_(width)
+  , kind_(kind)
+  , noise_(noise)
   {}
 
   static constexpr std::size_t largest = 32, smallest = 8; // pixels
@@ -236,14 +241,18 @@ public:
 
 private:
   void
-  cutTile(std::size_t x, std::size_t y, std::size_t size, std::vector<PlanePiece>& pieces)
+  cutTile(std::size_t x,
+          std::size_t y,
+          std::size_t size,
+          std::vector<PlanePiece>& pieces)
   {
     gather(x, y, size);
     if (tile_.size() < min_piece_points)
       return;
     const RayFit fit = fitRays(tile_, part_of_, noise_, kind_);
     PlanePiece piece;
-    if (fit.isSolved() && isPlanar(fit) && makePiece(tile_, fit.plane, noise_, piece))
+    if (fit.isSolved() && isPlanar(fit) &&
+        makePiece(tile_, fit.plane, noise_, max_tile_radius, piece))
       pieces.push_back(piece);
     else if (size > smallest)
       for (const std::size_t dy : {std::size_t{0}, size / 2})
@@ -263,9 +272,9 @@ private:
         if (!(sample.inverse > 0))
           continue;
         tile_.push_back(sample);
-        part_of_.push_back(static_cast<std::uint8_t>(
-            (y - top) * parts_across / size * parts_across +
-            (x - left) * parts_across / size));
+        part_of_.push_back(
+            static_cast<std::uint8_t>((y - top) * parts_across / size * parts_across +
+                                      (x - left) * parts_across / size));
       }
   }
 
@@ -281,7 +290,8 @@ private:
 class CubeCutter {
 public:
   CubeCutter(std::vector<RaySample> samples, const RangeNoise& noise)
-  : samples_(std::move(samples)), noise_(noise)
+  : samples_(std::move(samples))
+  , noise_(noise)
   {
     samples_.erase(std::remove_if(samples_.begin(),
                                   samples_.end(),
@@ -301,8 +311,7 @@ public:
   void
   cut(std::vector<PlanePiece>& pieces)
   {
-    forEachCube(
-        [&](std::vector<RaySample>& cube) { cutCube(cube, largest, pieces); });
+    forEachCube([&](std::vector<RaySample>& cube) { cutCube(cube, largest, pieces); });
   }
 
 private:
@@ -351,7 +360,7 @@ private:
     const RayFit found = fit(cube);
     PlanePiece piece;
     if (found.isSolved() && isPlanar(found) &&
-        makePiece(cube, found.plane, noise_, piece))
+        makePiece(cube, found.plane, noise_, max_cube_radius, piece))
       pieces.push_back(piece);
     else if (edge > smallest)
       divide(cube, edge / 2, [&](std::vector<RaySample>& part) {
@@ -521,7 +530,8 @@ measureRangeNoise(const ViewReader& read, std::size_t views)
   noise.set(factors);
   std::vector<double> shares;
   for (std::size_t i = 0; i < commons.size(); ++i) {
-    const double factor = noise.sigma(0.125 * std::pow(2, 0.5 * static_cast<double>(bins[i]) + 0.25), 1);
+    const double factor =
+        noise.sigma(0.125 * std::pow(2, 0.5 * static_cast<double>(bins[i]) + 0.25), 1);
     if (commons[i].first < 1.2 * factor * factor)
       shares.push_back(commons[i].second / (factor * factor));
   }

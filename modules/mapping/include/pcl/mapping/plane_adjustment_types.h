@@ -82,7 +82,7 @@ struct PlaneAdjustmentReport : Report {
   /** Factors on the standard deviations of rotations and translations of the odometry
    * that its residuals indicate. */
   std::array<double, 2> odometry_factors{1, 1};
-  double prior = 0;           ///< chi^2 of the odometry per degree of freedom
+  double prior = 0; ///< chi^2 of the odometry per degree of freedom
   /** Metres: root mean square over planes and views of the distance of a view's points
    * from the plane that all views share, under the given and the adjusted poses. */
   double thickness_before = 0, thickness_after = 0;

@@ -18,6 +18,14 @@ namespace pcl::acmap {
  * metres) in the frame of the earlier view. */
 using ActionCovariance = Eigen::Matrix<double, 6, 6>;
 
+/** \throws BadArgumentException naming the value that is out of range */
+ACMAP_EXPORT void
+requireOdometryNoise(const OdometryNoise& noise);
+
+/** \throws BadArgumentException unless it is finite, symmetric and positive definite */
+ACMAP_EXPORT void
+requireActionCovariance(const ActionCovariance& covariance);
+
 /** \brief Settings of \ref adjustPlanes; see PlaneAdjustment. */
 struct PlaneAdjustmentSettings {
   OdometryNoise odometry;
