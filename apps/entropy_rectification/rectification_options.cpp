@@ -140,6 +140,12 @@ addOptions(Tool& tool, RectificationOptions& options)
   addInputs(tool, options);
   addRectificationChoices(tool, options);
   tool.options()
+      .add_flag("--6dof",
+                options.six_degrees,
+                "Then adjust all poses in six degrees of freedom, so that planes which "
+                "several observations see become thin")
+      ->excludes("--carmen");
+  tool.options()
       .add_option("--smoothing",
                   options.smoothing,
                   "With --mode paper, standard deviation sigma_XZ of the Gaussian that "

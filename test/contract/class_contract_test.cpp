@@ -3,6 +3,7 @@
 #include "map_entropy_traits.h"
 #include "map_levelling_traits.h"
 #include "normal_vector_voting_traits.h"
+#include "plane_adjustment_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
 #include "plane_texturing_traits.h"
 #include "voxel_consolidation_traits.h"
@@ -15,6 +16,7 @@ using PublicClasses = testing::Types<DeWallTraits,
                                      MapEntropyTraits,
                                      MapLevellingTraits,
                                      NormalVectorVotingTraits,
+                                     PlaneAdjustmentTraits,
                                      PlaneHypothesisClusteringTraits,
                                      PlaneTexturingTraits,
                                      VoxelConsolidationTraits>;

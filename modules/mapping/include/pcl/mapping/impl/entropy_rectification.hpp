@@ -7,6 +7,7 @@
 #include <pcl/core/planar_pose.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
+#include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
 namespace pcl {
 namespace acmap {
@@ -109,12 +110,7 @@ template <typename PointT>
 void
 EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
 {
-  acmap::requireInRange("odometry noise, length", noise.length, 1e-6, 1e3, "m");
-  acmap::requireInRange(
-      "odometry noise, length a metre", noise.length_per_metre, 0, 10, "m/m");
-  acmap::requireInRange("odometry noise, turn", noise.turn, 1e-6, 10, "rad");
-  acmap::requireInRange(
-      "odometry noise, turn a radian", noise.turn_per_radian, 0, 10, "rad/rad");
+  acmap::requireOdometryNoise(noise);
   settings_.odometry = noise;
 }
 

@@ -1,0 +1,335 @@
+#include "landmark_solver.h"
+#include "odometry_prior.h"
+#include "plane_landmarks.h"
+#include "pose_system.h"
+#include "ray_contradictions.h"
+#include "surface_floor.h"
+#include "view_pieces.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/mapping/impl/plane_adjustment_kernel.h>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pcl::acmap {
+namespace {
+
+using Pair = PoseSystem::Pair;
+
+constexpr std::size_t max_rounds = 14;
+constexpr std::size_t steps_per_round = 3;
+constexpr double last_gate = 0.5; // metres
+constexpr double still = 0.0003;  // metres: a round that moves less is the last one
+constexpr double annealing_share = 0.2; // of the uncertainty of neighbouring views
+constexpr double degree = M_PI / 180;   // radians
+
+/** Inverse of the normal equations at some poses, with all \a pairs in its pattern. */
+PoseSystem
+covarianceAt(const Poses& poses,
+             const OdometryPrior& prior,
+             const std::vector<Landmark>& landmarks,
+             const std::vector<Pair>& pairs)
+{
+  std::vector<Pair> rows = connectedRows(landmarks, poses.size());
+  for (const auto& [a, b] : pairs)
+    if (a > 0)
+      rows.emplace_back(a - 1, b - 1);
+  PoseSystem system(poses.size() - 1, rows);
+  std::vector<Vector6> gradient(poses.size() - 1, Vector6::Zero());
+  prior.linearize(poses, system, gradient);
+  linearizeLandmarks(poses, landmarks, system, gradient);
+  for (double damping = 1e-9; !system.factorize(); damping *= 100) {
+    system.setZero();
+    prior.linearize(poses, system, gradient);
+    linearizeLandmarks(poses, landmarks, system, gradient);
+    system.damp(damping);
+    if (damping > 1)
+      break;
+  }
+  system.invert();
+  return system;
+}
+
+/** Covariances of the residuals of the actions. */
+std::vector<Matrix6>
+actionCovariances(const PoseSystem& inverse,
+                  const OdometryPrior& prior,
+                  const Poses& poses)
+{
+  std::vector<Matrix6> covariances;
+  Matrix6 before, after;
+  for (std::size_t i = 0; i < prior.actions(); ++i) {
+    prior.jacobians(poses, i, before, after);
+    Matrix6 sum = after * inverse.inverse(i, i) * after.transpose();
+    if (i > 0) {
+      const Matrix6 shared = before * inverse.inverse(i - 1, i) * after.transpose();
+      sum += before * inverse.inverse(i - 1, i - 1) * before.transpose() + shared +
+             shared.transpose();
+    }
+    covariances.push_back(sum);
+  }
+  return covariances;
+}
+
+/** The 80 % quantile of the standard deviation of a piece relative to the view before
+ * or after it. */
+double
+neighbourDeviation(const PiecesOfViews& pieces,
+                   const Poses& poses,
+                   const RelativeCovariances& covariances)
+{
+  constexpr std::size_t pieces_per_view = 64;
+  constexpr double share = 0.8;
+  std::vector<double> deviations;
+  for (std::size_t view = 0; view + 1 < poses.size(); ++view)
+    for (const auto& entry : covariances.of(view)) {
+      if (entry.other != view + 1)
+        continue;
+      const std::vector<PlanePiece>& seen = pieces[entry.other];
+      for (std::size_t i = 0; i < seen.size(); i += 1 + seen.size() / pieces_per_view)
+        deviations.push_back(
+            deviationAcross(covariances.at(entry.place),
+                            poses[entry.other] * seen[i].center -
+                                poses[covariances.origin(entry.place)].translation(),
+                            poses[entry.other].linear() * seen[i].normal));
+    }
+  if (deviations.empty())
+    return 0;
+  const auto place =
+      deviations.begin() +
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(deviations.size()));
+  std::nth_element(deviations.begin(), place, deviations.end());
+  return *place;
+}
+
+/** Is a share of contradicted rays clearly larger than before? */
+bool
+isWorse(std::size_t rays_before, double before, std::size_t rays_after, double after)
+{
+  constexpr double more = 0.01;
+  constexpr std::size_t enough = 50;
+  return rays_after >= enough && after > before + more &&
+         after * static_cast<double>(rays_after) >
+             1.2 * before * static_cast<double>(rays_before);
+}
+
+/** Decides from the evidence in a report. */
+void
+decide(PlaneAdjustmentReport& report)
+{
+  constexpr double significant = 5;
+  const RayContradictions& before = report.rays_before;
+  const RayContradictions& after = report.rays_after;
+  if (report.significance < significant) {
+    report.outcome = AdjustmentOutcome::Kept;
+    report.reason = "the planes fit the given poses within noise";
+  }
+  else if (isWorse(before.near_rays,
+                   before.near_share,
+                   after.near_rays,
+                   after.near_share) ||
+           isWorse(
+               before.far_rays, before.far_share, after.far_rays, after.far_share)) {
+    report.outcome = AdjustmentOutcome::Refused;
+    report.reason = "rays contradict the adjusted poses more than the given ones";
+    report.remarks.push_back(report.reason);
+  }
+  else {
+    report.outcome = AdjustmentOutcome::Adjusted;
+    report.reason =
+        std::to_string(report.landmarks) + " planes are seen from several views";
+  }
+}
+
+/** The rounds of an adjustment. */
+class PlaneAdjuster {
+public:
+  PlaneAdjuster(const PiecesOfViews& pieces,
+                const Poses& given,
+                const PlaneAdjustmentSettings& settings,
+                const Progress& progress,
+                PlaneAdjustmentReport& report)
+  : pieces_(pieces)
+  , poses_(given)
+  , prior_(given, settings)
+  , settings_(settings)
+  , progress_(progress)
+  , report_(report)
+  {}
+
+  /** \return false if no plane is seen from two views */
+  bool
+  run()
+  {
+    double gate = 0;
+    for (std::size_t round = 0; round < max_rounds; ++round) {
+      progress_.tell(0.3 + 0.6 * static_cast<double>(round) / max_rounds, "adjust");
+      const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
+      const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, pairs);
+      if (settings_.estimate_odometry && round >= 3)
+        prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
+      const RelativeCovariances relative(inverse, poses_, pairs);
+      const double deviation = neighbourDeviation(pieces_, poses_, relative);
+      if (round == 0)
+        gate = std::min(last_gate, std::max(0.05, 3.15 * deviation));
+      AssociationGate association;
+      association.distance = gate;
+      association.inner = round == 0 ? 1 : 3;
+      association.angle =
+          (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
+      floor_.minimum = std::max(0.001,
+                                annealing_share * deviation *
+                                    std::pow(0.5, static_cast<double>(round)));
+      association.floor = floor_;
+      landmarks_ = findLandmarks(pieces_, poses_, relative, association);
+      if (landmarks_.empty())
+        break;
+      const double moved = minimize(prior_, steps_per_round, landmarks_, poses_);
+      floor_ = measureFloor(landmarks_, poses_, floor_);
+      tellRound(gate, moved);
+      if (gate >= last_gate && moved < still)
+        break;
+      gate = std::min(last_gate, 1.6 * gate);
+    }
+    return !landmarks_.empty();
+  }
+
+  const Poses&
+  poses() const
+  {
+    return poses_;
+  }
+
+  /** Compares the adjusted poses with the given ones, and tells their uncertainty. */
+  void
+  judge(const Poses& given)
+  {
+    const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, {});
+    double determined = static_cast<double>(6 * prior_.actions());
+    const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      determined -= prior_.shareOf(i, actions[i]);
+    double free = -determined;
+    for (const Landmark& landmark : landmarks_)
+      free += 3 * static_cast<double>(landmark.views.size() - 1);
+    std::vector<Landmark> at_given = landmarks_;
+    const double before = fitLandmarks(given, at_given);
+    const double after = fitLandmarks(poses_, landmarks_);
+    // Errors of the sensor that its noise does not describe count as noise.
+    const double unit = std::max(1.0, free > 0 ? after / free : 1.0);
+    determined = std::max(1.0, determined);
+    report_.significance =
+        ((before - after) / unit - determined) / std::sqrt(2 * determined);
+    report_.thickness_before = thicknessOf(at_given, given);
+    report_.thickness_after = thicknessOf(landmarks_, poses_);
+    report_.landmarks = landmarks_.size();
+    for (const Landmark& landmark : landmarks_)
+      report_.associated_pieces += landmark.pieces;
+    report_.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
+    report_.odometry_factors = {prior_.factors()[0], prior_.factors()[1]};
+    SurfaceFloor floor = floor_;
+    floor.minimum = 0;
+    report_.floor = std::sqrt(floor.variance(2));
+    report_.uncertainty.assign(poses_.size(), {});
+    for (std::size_t view = 1; view < poses_.size(); ++view) {
+      const Matrix6 covariance = inverse.inverse(view - 1, view - 1);
+      report_.uncertainty[view] = {
+          std::sqrt(covariance.bottomRightCorner<3, 3>().trace()),
+          std::sqrt(covariance.topLeftCorner<3, 3>().trace())};
+    }
+  }
+
+private:
+  void
+  tellRound(double gate, double moved)
+  {
+    AdjustmentRound round;
+    round.gate = gate;
+    round.floor = std::sqrt(floor_.variance(2));
+    round.landmarks = landmarks_.size();
+    for (const Landmark& landmark : landmarks_)
+      round.pieces += landmark.pieces;
+    round.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
+    round.thickness = thicknessOf(landmarks_, poses_);
+    round.moved = moved;
+    report_.rounds.push_back(round);
+  }
+
+  const PiecesOfViews& pieces_;
+  Poses poses_;
+  OdometryPrior prior_;
+  const PlaneAdjustmentSettings& settings_;
+  const Progress& progress_;
+  PlaneAdjustmentReport& report_;
+  std::vector<Landmark> landmarks_;
+  SurfaceFloor floor_;
+};
+
+} // namespace
+
+std::vector<Eigen::Isometry3d>
+adjustPlanes(const ViewReader& read,
+             const std::vector<Eigen::Isometry3d>& poses,
+             const PlaneAdjustmentSettings& settings,
+             const Progress& progress,
+             PlaneAdjustmentReport& report)
+{
+  if (!settings.action_covariances.empty() &&
+      settings.action_covariances.size() + 1 != poses.size())
+    throw BadArgumentException("each action needs one covariance");
+  StepTimer timer(report);
+  report.views = poses.size();
+  progress.tell(0, "measure noise");
+  const RangeNoise noise = measureRangeNoise(read, poses.size());
+  progress.tell(0.1, "cut");
+  PiecesOfViews pieces(poses.size());
+  std::vector<PieceCounts> counts(poses.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
+    read(i, [&](const AdjustedView& view) {
+      pieces[i] = piecesOf(view, noise, counts[i]);
+    });
+  });
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    report.points += counts[i].points;
+    report.invalid_points += counts[i].invalid_points;
+    report.pieces += pieces[i].size();
+  }
+  constexpr double typical = 2; // metres
+  report.noise_factor = noise.sigma(typical, 1);
+  timer.finish("cut");
+  std::vector<Eigen::Isometry3d> result = poses;
+  report.moved.assign(poses.size(), 0);
+  report.turned.assign(poses.size(), 0);
+  if (poses.size() < 2) {
+    report.reason = "one view: there is nothing that it could fit or not fit";
+    report.remarks.push_back(report.reason);
+    return result;
+  }
+  PlaneAdjuster adjuster(pieces, poses, settings, progress, report);
+  if (!adjuster.run()) {
+    report.reason = "no plane is seen from two views";
+    report.remarks.push_back(report.reason);
+    return result;
+  }
+  timer.finish("adjust");
+  progress.tell(0.9, "judge");
+  adjuster.judge(poses);
+  report.rays_before = contradictionsOf(pieces, poses);
+  report.rays_after = contradictionsOf(pieces, adjuster.poses());
+  decide(report);
+  if (report.outcome == AdjustmentOutcome::Adjusted)
+    result = adjuster.poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
+    report.turned[i] =
+        rotationVector(poses[i].linear().transpose() * result[i].linear()).norm();
+  }
+  timer.finish("judge");
+  return result;
+}
+
+} // namespace pcl::acmap

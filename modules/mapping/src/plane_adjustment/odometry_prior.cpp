@@ -1,0 +1,190 @@
+#include "odometry_prior.h"
+
+#include <pcl/core/impl/arguments.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap {
+namespace {
+
+Eigen::Matrix3d
+crossMatrix(const Eigen::Vector3d& v)
+{
+  Eigen::Matrix3d matrix;
+  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return matrix;
+}
+
+Matrix6
+covarianceOf(const OdometryNoise& noise, const Eigen::Isometry3d& motion)
+{
+  const double turn =
+      noise.turn + noise.turn_per_radian * Eigen::AngleAxisd(motion.linear()).angle();
+  const double length =
+      noise.length + noise.length_per_metre * motion.translation().norm();
+  Vector6 variances;
+  variances.head<3>().setConstant(turn * turn);
+  variances.tail<3>().setConstant(length * length);
+  return variances.asDiagonal();
+}
+
+} // namespace
+
+void
+requireOdometryNoise(const OdometryNoise& noise)
+{
+  requireInRange("odometry noise, length", noise.length, 1e-6, 1e3, "m");
+  requireInRange(
+      "odometry noise, length a metre", noise.length_per_metre, 0, 10, "m/m");
+  requireInRange("odometry noise, turn", noise.turn, 1e-6, 10, "rad");
+  requireInRange(
+      "odometry noise, turn a radian", noise.turn_per_radian, 0, 10, "rad/rad");
+}
+
+void
+requireActionCovariance(const ActionCovariance& covariance)
+{
+  constexpr double tolerance = 1e-9;
+  const bool is_finite = covariance.allFinite();
+  if (!is_finite ||
+      (covariance - covariance.transpose()).cwiseAbs().maxCoeff() >
+          tolerance * covariance.cwiseAbs().maxCoeff() ||
+      covariance.llt().info() != Eigen::Success)
+    throw BadArgumentException("the covariance of an action must be symmetric and "
+                               "positive definite, in rad^2 and m^2");
+}
+
+Eigen::Isometry3d
+retract(const Eigen::Isometry3d& pose, const Vector6& motion)
+{
+  Eigen::Isometry3d result = pose;
+  const Eigen::Vector3d turn = motion.head<3>();
+  const double angle = turn.norm();
+  if (angle > 0) {
+    const Eigen::Quaterniond rotation(
+        Eigen::Quaterniond(pose.linear()) *
+        Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)));
+    result.linear() = rotation.normalized().toRotationMatrix();
+  }
+  result.translation() = pose.translation() + pose.linear() * motion.tail<3>();
+  return result;
+}
+
+Eigen::Vector3d
+rotationVector(const Eigen::Matrix3d& rotation)
+{
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+OdometryPrior::OdometryPrior(const Poses& given,
+                             const PlaneAdjustmentSettings& settings)
+{
+  const auto& covariances = settings.action_covariances;
+  for (std::size_t i = 0; i + 1 < given.size(); ++i) {
+    const Eigen::Isometry3d motion = given[i].inverse() * given[i + 1];
+    actions_.push_back({motion,
+                        covariances.empty() ? covarianceOf(settings.odometry, motion)
+                                            : covariances[i]});
+  }
+  updateInformation();
+}
+
+void
+OdometryPrior::updateInformation()
+{
+  information_.clear();
+  Vector6 scale;
+  scale.head<3>().setConstant(1 / factors_[0]);
+  scale.tail<3>().setConstant(1 / factors_[1]);
+  for (const Action& action : actions_)
+    information_.push_back(scale.asDiagonal() *
+                           action.covariance.llt().solve(Matrix6::Identity()).eval() *
+                           scale.asDiagonal());
+}
+
+Vector6
+OdometryPrior::residual(const Poses& poses, std::size_t action) const
+{
+  const Eigen::Isometry3d motion = poses[action].inverse() * poses[action + 1];
+  const Eigen::Isometry3d& given = actions_[action].motion;
+  Vector6 residual;
+  residual << rotationVector(given.linear().transpose() * motion.linear()),
+      motion.translation() - given.translation();
+  return residual;
+}
+
+double
+OdometryPrior::cost(const Poses& poses) const
+{
+  double cost = 0;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const Vector6 r = residual(poses, i);
+    cost += r.dot(information_[i] * r);
+  }
+  return cost;
+}
+
+void
+OdometryPrior::jacobians(const Poses& poses,
+                         std::size_t action,
+                         Matrix6& before,
+                         Matrix6& after) const
+{
+  const Eigen::Isometry3d motion = poses[action].inverse() * poses[action + 1];
+  const Eigen::Vector3d error =
+      rotationVector(actions_[action].motion.linear().transpose() * motion.linear());
+  const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(error);
+  before.setZero();
+  after.setZero();
+  before.topLeftCorner<3, 3>() = -turn * motion.linear().transpose();
+  before.bottomLeftCorner<3, 3>() = crossMatrix(motion.translation());
+  before.bottomRightCorner<3, 3>() = -Eigen::Matrix3d::Identity();
+  after.topLeftCorner<3, 3>() = turn;
+  after.bottomRightCorner<3, 3>() = motion.linear();
+}
+
+void
+OdometryPrior::linearize(const Poses& poses,
+                         PoseSystem& system,
+                         std::vector<Vector6>& gradient) const
+{
+  Matrix6 before, after;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    jacobians(poses, i, before, after);
+    const Vector6 weighted = information_[i] * residual(poses, i);
+    system.add(i, i, after.transpose() * information_[i] * after);
+    gradient[i] += after.transpose() * weighted;
+    if (i > 0) {
+      system.add(i - 1, i - 1, before.transpose() * information_[i] * before);
+      system.add(i, i - 1, after.transpose() * information_[i] * before);
+      gradient[i - 1] += before.transpose() * weighted;
+    }
+  }
+}
+
+void
+OdometryPrior::rescale(const Poses& poses, const std::vector<Matrix6>& covariance)
+{
+  constexpr double smallest = 0.05, largest = 10;
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero(), free = squares;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const Vector6 r = residual(poses, i);
+    for (int k = 0; k < 6; ++k) {
+      const double factor = factors_[k / 3];
+      const double variance = factor * factor * actions_[i].covariance(k, k);
+      squares[k / 3] += r[k] * r[k] / variance;
+      free[k / 3] += std::max(0.0, 1 - covariance[i](k, k) / variance);
+    }
+  }
+  for (int k = 0; k < 2; ++k)
+    if (free[k] > 10)
+      factors_[k] =
+          std::clamp(factors_[k] * std::sqrt(squares[k] / free[k]), smallest, largest);
+  updateInformation();
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,126 @@
+#include "adjustment_runs.h"
+
+#include "timing.h"
+
+#include <pcl/core/random.h>
+#include <pcl/core/trajectory_error.h>
+#include <pcl/simulation/simulated_observation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::acmap::bench {
+namespace {
+
+constexpr double turn_of_view = 0.2 * M_PI / 180; // radians
+constexpr double length_share = 0.01;
+
+double
+lengthBetweenEnds(const std::vector<Eigen::Isometry3d>& poses)
+{
+  return (poses.back().translation() - poses.front().translation()).norm();
+}
+
+} // namespace
+
+AdjustmentScene
+makeAdjustmentScene(const SimulatedScene& scene)
+{
+  constexpr std::uint64_t noise_seed = 1;
+  AdjustmentScene result;
+  result.name = scene.name;
+  result.truth = scene.views;
+  for (std::size_t view = 0; view < scene.views.size(); ++view) {
+    const SimulatedObservation seen = observe(scene, view, noise_seed);
+    const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>(
+        static_cast<std::uint32_t>(seen.width),
+        static_cast<std::uint32_t>(seen.height));
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+      const ObservationPixel& pixel = seen.pixels[i];
+      PointXYZRGBSigma& point = (*cloud)[i];
+      point.x = pixel.x;
+      point.y = pixel.y;
+      point.z = pixel.z;
+      point.sigma = pixel.sigma;
+    }
+    result.clouds.push_back(cloud);
+  }
+  return result;
+}
+
+std::vector<Eigen::Isometry3d>
+driftedFreely(const std::vector<Eigen::Isometry3d>& truth,
+              const FreeDrift& drift,
+              std::uint64_t seed)
+{
+  constexpr double degree = M_PI / 180, rare = 0.1, strong = 5;
+  Random random(seed);
+  std::vector<Eigen::Isometry3d> poses{truth.front()};
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    Eigen::Isometry3d motion = truth[i - 1].inverse() * truth[i];
+    double level = drift.level;
+    if (drift.heavy_tailed && random.uniform() < rare)
+      level *= strong;
+    const double length = level * length_share * motion.translation().norm();
+    Eigen::Vector3d turn, way;
+    for (int k = 0; k < 3; ++k) {
+      turn[k] = level * turn_of_view * random.normal() + drift.turn_bias * degree;
+      way[k] = length * random.normal();
+    }
+    if (turn.norm() > 0)
+      motion.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+    motion.translation() += way;
+    Eigen::Isometry3d pose = poses.back() * motion;
+    pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+AdjustmentRun
+adjust(const AdjustmentScene& scene,
+       const std::vector<Eigen::Isometry3d>& given,
+       const FreeDrift& drift)
+{
+  const double level = drift.told * (drift.level > 0 ? drift.level : 1);
+  PlaneAdjustment<PointXYZRGBSigma> adjustment;
+  adjustment.setNumberOfThreads(1);
+  adjustment.setOdometryNoise(
+      {1e-4 * level, length_share * level, turn_of_view * level, 0});
+  for (std::size_t i = 0; i < given.size(); ++i)
+    adjustment.addPointCloud(scene.clouds[i], given[i]);
+  AdjustmentRun run;
+  run.seconds = measureCost([&] { adjustment.compute(); }).cpu;
+  run.given = given;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    run.found.push_back(adjustment.getPose(i));
+    run.height = std::max(
+        run.height,
+        std::abs(run.found[i].translation().y() - scene.truth[i].translation().y()));
+  }
+  run.report = adjustment.getReport();
+  run.before = absoluteTrajectoryError(given, scene.truth).unaligned;
+  run.after = absoluteTrajectoryError(run.found, scene.truth).unaligned;
+  const double length = lengthBetweenEnds(scene.truth);
+  run.length_before = 100 * (lengthBetweenEnds(given) / length - 1);
+  run.length_after = 100 * (lengthBetweenEnds(run.found) / length - 1);
+  return run;
+}
+
+std::string
+nameOf(AdjustmentOutcome outcome)
+{
+  switch (outcome) {
+  case AdjustmentOutcome::Adjusted:
+    return "adjusted";
+  case AdjustmentOutcome::Kept:
+    return "kept";
+  case AdjustmentOutcome::Refused:
+    return "refused";
+  case AdjustmentOutcome::Undetermined:
+    break;
+  }
+  return "undetermined";
+}
+
+} // namespace pcl::acmap::bench
