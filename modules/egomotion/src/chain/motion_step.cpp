@@ -1,7 +1,5 @@
 #include "chain/motion_step.h"
 
-#include "chain/evidence.h"
-
 #include <Eigen/Eigenvalues>
 
 #include <limits>
@@ -79,10 +77,7 @@ covarianceOf(const NormalEquations& equations,
   const Matrix6 independent = covarianceOf(equations, model);
   if (!independent.allFinite())
     return independent;
-  // the gradients of all tiles sum up to zero for each parameter
-  const auto freedoms = static_cast<double>(motionBasis(model).cols());
-  const double factor = tile_count / (tile_count - freedoms);
-  return independent + factor * independent * scatter * independent;
+  return independent + independent * scatter * independent;
 }
 
 Eigen::Isometry3d

@@ -21,9 +21,9 @@ solvedStep(const NormalEquations& equations, MotionModel model);
 Matrix6
 covarianceOf(const NormalEquations& equations, MotionModel model);
 
-/** \brief The same for residuals whose errors are correlated within each tile of the
- * image: the sandwich estimator H^-1 S H^-1, clustered by tiles, in addition to H^-1.
- * \param[in] scatter S, the sum over tiles of g g^T */
+/** \brief The same for residuals whose errors are correlated within groups: the
+ * sandwich estimator H^-1 S H^-1, in addition to H^-1.
+ * \param[in] scatter S, the covariance of the gradient by the groups */
 Matrix6
 covarianceOf(const NormalEquations& equations,
              const Matrix6& scatter,

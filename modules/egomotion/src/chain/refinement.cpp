@@ -42,19 +42,29 @@ struct AllEvidence {
     return all;
   }
 
-  /** \brief Sum over tiles of g g^T, g being the gradient by their residuals. */
+  /** \brief Scatter of the gradient between tiles and between kinds.
+   * \param[in] freedoms number of parameters of the motion: the gradients sum up to
+   * zero for each */
   Matrix6
-  scatter() const
+  scatter(double freedoms) const
   {
     const Trust factor = trust();
-    Matrix6 sum = Matrix6::Zero();
+    Matrix6 of_tiles = Matrix6::Zero();
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
       const Vector6 gradient = factor.features * features.gradients[tile] +
                                factor.surfaces * surfaces.evidence.gradients[tile] +
                                factor.appearance * appearance.gradients[tile];
-      sum += gradient * gradient.transpose();
+      of_tiles += gradient * gradient.transpose();
     }
-    return sum;
+    constexpr double kinds = 3;
+    Matrix6 of_kinds = Matrix6::Zero();
+    for (const Vector6& gradient :
+         {Vector6(factor.features * features.equations.gradient),
+          Vector6(factor.surfaces * surfaces.evidence.equations.gradient),
+          Vector6(factor.appearance * appearance.equations.gradient)})
+      of_kinds += gradient * gradient.transpose();
+    return tile_count / (tile_count - freedoms) * of_tiles +
+           kinds / (kinds - 1) * of_kinds;
   }
 };
 
@@ -183,7 +193,7 @@ refinedMotion(const EgomotionView& source,
   if (refined.is_refined) {
     refined.T_target_source = candidate;
     refined.equations = after.equations();
-    refined.scatter = after.scatter();
+    refined.scatter = after.scatter(model == MotionModel::Planar ? 3 : 6);
   }
   return refined;
 }

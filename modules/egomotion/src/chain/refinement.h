@@ -11,7 +11,8 @@ namespace pcl::acmap {
 struct RefinedMotion {
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
   NormalEquations equations;
-  /** \brief Sum over tiles of g g^T, the scatter of the gradient of the equations. */
+  /** \brief Covariance of the gradient of the equations for residuals whose errors are
+   * correlated within tiles of the image and within kinds: sums of g g^T. */
   Matrix6 scatter = Matrix6::Zero();
   bool is_refined = false;
   std::size_t surface_pairs = 0;
