@@ -9,8 +9,9 @@ namespace pcl::acmap::outlines {
 namespace {
 
 constexpr double rim_reach = 4; // cells beside the rims of faces
-constexpr double ray_gap = 3;   // cells; rays are random
-constexpr int at_rim = 3;       // cells
+constexpr double ray_gap = 3,
+                 face_gap = 8; // cells between rays, without and with faces
+constexpr int at_rim = 3;      // cells
 constexpr std::size_t rays_a_cell = 16;
 
 /** A ray of a point, where it meets the point's plane. */
@@ -71,13 +72,37 @@ struct RimBand {
   std::int64_t seen = 0; ///< cells of the band
 };
 
+/** Removes the cells along joint creases, but for those near their ends. */
+void
+removeCreases(std::size_t plane, const Creases& creases, CellSet& band)
+{
+  constexpr double near_ends = 16, step = 0.7; // cells
+  for (const std::size_t number : creases.of_planes[plane]) {
+    const Crease& crease = creases.creases[number];
+    const std::size_t k = crease.sideOf(plane);
+    const CreaseLine& line = crease.lines[k];
+    for (const CreaseSpan& span : crease.spans[k])
+      if (span.joint)
+        for (double along = span.from * line.cells_per_metre + near_ends;
+             along < span.to * line.cells_per_metre - near_ends;
+             along += step)
+          for (double off = -rim_reach - 2; off <= rim_reach + 2; off += step) {
+            const Eigen::Vector2d place =
+                line.origin + along * line.direction + off * line.normal;
+            band.remove(static_cast<int>(place.x()), static_cast<int>(place.y()));
+          }
+  }
+}
+
 RimBand
-bandOf(const CellSet& seen)
+bandOf(std::size_t plane, const CellSet& seen, const Creases& creases)
 {
   RimBand rims;
-  rims.inside = seen.eroded(rim_reach);
   rims.band = seen.dilated(rim_reach);
-  rims.band -= rims.inside;
+  rims.band -= seen.eroded(rim_reach);
+  removeCreases(plane, creases, rims.band);
+  rims.inside = seen;
+  rims.inside -= rims.band;
   CellSet covered = rims.band;
   covered &= seen;
   rims.seen = sizeOf(covered);
@@ -214,15 +239,17 @@ dropForeign(const CellSet& seen, std::vector<Sighting>& sightings)
 
 } // namespace
 
-void
-sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
+bool
+sharpenRims(const LabeledSource& source,
+            const Creases& creases,
+            std::vector<PlaneRaster>& rasters)
 {
   if (!source.sensors.isKnown() || source.points.size() == 0 ||
       source.labels.size() != source.points.size())
-    return;
+    return false;
   std::vector<RimBand> rims(rasters.size());
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
-    rims[p] = bandOf(rasters[p].seen);
+    rims[p] = bandOf(p, rasters[p].seen, creases);
   });
   std::int64_t cells = 0;
   for (std::size_t p = 0; p < rasters.size(); ++p)
@@ -242,12 +269,14 @@ sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
     for (const Sighting& sighting : sightings[p])
       seen.add(static_cast<int>(sighting.place.x()),
                static_cast<int>(sighting.place.y()));
-    raster.seen = seen.dilated(ray_gap).eroded(ray_gap);
+    raster.seen &= seen.dilated(face_gap).eroded(face_gap);
+    raster.seen |= seen.dilated(ray_gap).eroded(ray_gap);
     raster.rim_points.clear();
     for (const Sighting& sighting : sightings[p])
       if (!raster.seen.hasAround(sighting.place.cast<double>(), at_rim))
         raster.rim_points.push_back(sighting.place.cast<double>());
   });
+  return true;
 }
 
 } // namespace pcl::acmap::outlines
