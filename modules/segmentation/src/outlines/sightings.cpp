@@ -293,7 +293,9 @@ sharpenRims(const LabeledSource& source,
       seen.add(static_cast<int>(sighting.place.x()),
                static_cast<int>(sighting.place.y()));
     raster.seen &= seen.dilated(face_gap).eroded(face_gap);
-    raster.seen |= seen.dilated(ray_gap).eroded(ray_gap);
+    CellSet closed = seen.dilated(ray_gap).eroded(ray_gap);
+    closed -= raster.free;
+    raster.seen |= closed;
     raster.rim_points.clear();
     for (const Sighting& sighting : sightings[p])
       if (!raster.seen.hasAround(sighting.place.cast<double>(), at_rim))
