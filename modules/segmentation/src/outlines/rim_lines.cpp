@@ -137,27 +137,34 @@ refineLines(const Loop& rim,
             const std::vector<Eigen::Vector2d>& points,
             std::vector<RimLine>& lines)
 {
-  constexpr double bin = 2, inside = 2, outside = 1.5, at_corners = 1; // cells
+  constexpr double min_bin = 2, inside = 2, outside = 1.5, at_corners = 1; // cells
+  constexpr double points_a_bin = 12; // of fewer, the outermost one is far inside
   constexpr double none = -std::numeric_limits<double>::infinity();
+  std::vector<Eigen::Vector2d> near; // along the line, and outwards
   for (RimLine& line : lines) {
     const Eigen::Vector2d outwards(line.direction.y(), -line.direction.x());
     double begin = (rim[line.from] - line.middle).dot(line.direction);
     double end = (rim[line.to] - line.middle).dot(line.direction);
-    if (end - begin > 4 * at_corners + bin) {
+    if (end - begin > 4 * at_corners + min_bin) {
       begin += at_corners;
       end -= at_corners;
     }
     if (!(end > begin))
       continue;
-    std::vector<double> outermost(static_cast<std::size_t>((end - begin) / bin) + 1,
-                                  none);
+    near.clear();
     for (const Eigen::Vector2d& point : points) {
       const double along = (point - line.middle).dot(line.direction);
       const double off = (point - line.middle).dot(outwards);
-      if (along < begin || along > end || off < -inside || off > outside)
-        continue;
-      double& farthest = outermost[static_cast<std::size_t>((along - begin) / bin)];
-      farthest = std::max(farthest, off);
+      if (along >= begin && along <= end && off >= -inside && off <= outside)
+        near.emplace_back(along, off);
+    }
+    const auto count = static_cast<double>(near.size());
+    const double bin = std::max(min_bin, points_a_bin * (end - begin) / count);
+    std::vector<double> outermost(static_cast<std::size_t>((end - begin) / bin) + 1,
+                                  none);
+    for (const Eigen::Vector2d& point : near) {
+      double& farthest = outermost[static_cast<std::size_t>((point.x() - begin) / bin)];
+      farthest = std::max(farthest, point.y());
     }
     outermost.erase(std::remove(outermost.begin(), outermost.end(), none),
                     outermost.end());

@@ -693,10 +693,11 @@ outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
   std::vector<PlaneRaster> rasters = rastersOf(known);
   addFaces(triangles, known, rasters);
   addNarrow(triangles, known, rasters);
-  sharpenRims(source, rasters);
   const SightRays rays(known.points, sensors);
   addFreeRays(known, rays, rasters);
-  const Creases creases = creasesOf(known, rasters);
+  Creases creases = creasesOf(known, rasters);
+  if (sharpenRims(source, creases, rasters))
+    creases = creasesOf(known, rasters);
   std::vector<Boundary> boundaries =
       planeBoundaries(creases, sensors.isKnown(), rasters);
   const std::vector<Outline> found =

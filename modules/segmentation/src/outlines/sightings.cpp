@@ -9,8 +9,9 @@ namespace pcl::acmap::outlines {
 namespace {
 
 constexpr double rim_reach = 4; // cells beside the rims of faces
-constexpr double ray_gap = 3;   // cells; rays are random
-constexpr int at_rim = 3;       // cells
+constexpr double ray_gap = 3,
+                 face_gap = 8; // cells between rays, without and with faces
+constexpr int at_rim = 3;      // cells
 constexpr std::size_t rays_a_cell = 16;
 
 /** A ray of a point, where it meets the point's plane. */
@@ -71,13 +72,40 @@ struct RimBand {
   std::int64_t seen = 0; ///< cells of the band
 };
 
+/** Removes the cells along joint creases: beyond them, where faces have shown that the
+ * plane ends, and on the plane, but for those near the ends of creases. */
+void
+removeCreases(std::size_t plane, const Creases& creases, CellSet& band)
+{
+  constexpr double near_ends = 16, across = rim_reach + 2, step = 0.7; // cells
+  for (const std::size_t number : creases.of_planes[plane]) {
+    const Crease& crease = creases.creases[number];
+    const std::size_t k = crease.sideOf(plane);
+    const CreaseLine& line = crease.lines[k];
+    for (const CreaseSpan& span : crease.spans[k]) {
+      const double from = span.from * line.cells_per_metre;
+      const double to = span.to * line.cells_per_metre;
+      for (double along = from; span.joint && along < to; along += step) {
+        const bool is_near_end = along < from + near_ends || along > to - near_ends;
+        for (double off = -across; off <= (is_near_end ? 0 : across); off += step) {
+          const Eigen::Vector2d place =
+              line.origin + along * line.direction + span.side * off * line.normal;
+          band.remove(static_cast<int>(place.x()), static_cast<int>(place.y()));
+        }
+      }
+    }
+  }
+}
+
 RimBand
-bandOf(const CellSet& seen)
+bandOf(std::size_t plane, const CellSet& seen, const Creases& creases)
 {
   RimBand rims;
-  rims.inside = seen.eroded(rim_reach);
   rims.band = seen.dilated(rim_reach);
-  rims.band -= rims.inside;
+  rims.band -= seen.eroded(rim_reach);
+  removeCreases(plane, creases, rims.band);
+  rims.inside = seen;
+  rims.inside -= rims.band;
   CellSet covered = rims.band;
   covered &= seen;
   rims.seen = sizeOf(covered);
@@ -163,66 +191,88 @@ sightingsOf(const LabeledSource& source,
   return of_planes;
 }
 
+/** Is the mean of the points' distances to a plane zero but for chance?
+ * \param[in] numbers of sightings, at least 3 */
+bool
+areOnPlane(const std::vector<Sighting>& sightings,
+           const std::size_t* begin,
+           const std::size_t* end)
+{
+  constexpr double max_deviations = 3; // of the mean
+  double sum = 0, squares = 0;
+  for (const std::size_t* i = begin; i != end; ++i) {
+    const double off = sightings[*i].off;
+    sum += off;
+    squares += off * off;
+  }
+  const auto count = static_cast<double>(end - begin);
+  const double scatter = squares - sum * sum / count;
+  return sum * sum * (count - 1) <= max_deviations * max_deviations * scatter * count;
+}
+
 /** Removes the sightings where there are no faces and the points are on one side of the
- * plane: they belong to another surface, such as a reveal that is no plane of its own. */
+ * plane: they belong to another surface, such as a reveal that is no plane of its own.
+ * That is told for blocks of cells; where rays are few, for larger ones. */
 void
 dropForeign(const CellSet& seen, std::vector<Sighting>& sightings)
 {
-  constexpr double max_deviations = 3;
-  constexpr double side = 2; // cells, of a block
-  struct Outside {
-    std::int64_t block;
-    std::size_t index;
-  };
-  std::vector<Outside> outside;
-  const auto blocks_a_row = static_cast<std::int64_t>(seen.width());
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    const Eigen::Vector2d place = sightings[i].place.cast<double>();
-    if (!seen.has(place))
-      outside.push_back({static_cast<std::int64_t>(place.y() / side) * blocks_a_row +
-                             static_cast<std::int64_t>(place.x() / side),
-                         i});
-  }
-  std::sort(outside.begin(), outside.end(), [](const Outside& a, const Outside& b) {
-    return a.block < b.block || (a.block == b.block && a.index < b.index);
-  });
-  std::vector<std::uint8_t> is_foreign(sightings.size(), 0);
-  for (std::size_t first = 0; first < outside.size();) {
-    std::size_t last = first;
-    double sum = 0, squares = 0;
-    for (; last < outside.size() && outside[last].block == outside[first].block;
-         ++last) {
-      const double off = sightings[outside[last].index].off;
-      sum += off;
-      squares += off * off;
+  constexpr double sides[] = {2, 8}; // cells, of a block
+  constexpr std::ptrdiff_t min_count = 3;
+  std::vector<std::uint8_t> is_kept(sightings.size(), 1);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < sightings.size(); ++i)
+    if (!seen.has(sightings[i].place.cast<double>())) {
+      is_kept[i] = 0;
+      open.push_back(i);
     }
-    // the mean differs from zero by more deviations of the mean than chance
-    const auto count = static_cast<double>(last - first);
-    const double scatter = squares - sum * sum / count;
-    if (count < 3 ||
-        sum * sum * (count - 1) > max_deviations * max_deviations * scatter * count)
-      for (std::size_t i = first; i < last; ++i)
-        is_foreign[outside[i].index] = 1;
-    first = last;
+  std::vector<std::pair<std::int64_t, std::size_t>> blocks;
+  std::vector<std::size_t> numbers;
+  for (const double side : sides) {
+    blocks.clear();
+    numbers.clear();
+    for (const std::size_t i : open) {
+      const Eigen::Vector2d place = sightings[i].place.cast<double>() / side;
+      blocks.emplace_back(static_cast<std::int64_t>(place.y()) * seen.width() +
+                              static_cast<std::int64_t>(place.x()),
+                          i);
+    }
+    std::sort(blocks.begin(), blocks.end());
+    for (const auto& [block, i] : blocks)
+      numbers.push_back(i);
+    open.clear();
+    for (std::size_t first = 0, last = 0; first < blocks.size(); first = last) {
+      while (last < blocks.size() && blocks[last].first == blocks[first].first)
+        ++last;
+      const std::size_t *const begin = numbers.data() + first, *const end =
+                                                                   numbers.data() +
+                                                                   last;
+      if (end - begin < min_count)
+        open.insert(open.end(), begin, end);
+      else if (areOnPlane(sightings, begin, end))
+        for (const std::size_t* i = begin; i != end; ++i)
+          is_kept[*i] = 1;
+    }
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i)
-    if (!is_foreign[i])
+    if (is_kept[i])
       sightings[kept++] = sightings[i];
   sightings.resize(kept);
 }
 
 } // namespace
 
-void
-sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
+bool
+sharpenRims(const LabeledSource& source,
+            const Creases& creases,
+            std::vector<PlaneRaster>& rasters)
 {
   if (!source.sensors.isKnown() || source.points.size() == 0 ||
       source.labels.size() != source.points.size())
-    return;
+    return false;
   std::vector<RimBand> rims(rasters.size());
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
-    rims[p] = bandOf(rasters[p].seen);
+    rims[p] = bandOf(p, rasters[p].seen, creases);
   });
   std::int64_t cells = 0;
   for (std::size_t p = 0; p < rasters.size(); ++p)
@@ -242,12 +292,16 @@ sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters)
     for (const Sighting& sighting : sightings[p])
       seen.add(static_cast<int>(sighting.place.x()),
                static_cast<int>(sighting.place.y()));
-    raster.seen = seen.dilated(ray_gap).eroded(ray_gap);
+    raster.seen &= seen.dilated(face_gap).eroded(face_gap);
+    CellSet closed = seen.dilated(ray_gap).eroded(ray_gap);
+    closed -= raster.free;
+    raster.seen |= closed;
     raster.rim_points.clear();
     for (const Sighting& sighting : sightings[p])
       if (!raster.seen.hasAround(sighting.place.cast<double>(), at_rim))
         raster.rim_points.push_back(sighting.place.cast<double>());
   });
+  return true;
 }
 
 } // namespace pcl::acmap::outlines

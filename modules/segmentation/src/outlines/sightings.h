@@ -1,6 +1,6 @@
 #pragma once
 
-#include "outlines/plane_raster.h"
+#include "outlines/creases.h"
 
 namespace pcl::acmap {
 
@@ -19,9 +19,13 @@ namespace outlines {
  * points beyond its end. The ray itself is as exact as the camera, and so is its
  * intersection with the plane. Sets the points near rims.
  *
- * Planes whose rays are too few, or of a source without sensors, are left as they are. */
-void
-sharpenRims(const LabeledSource& source, std::vector<PlaneRaster>& rasters);
+ * Planes whose rays are too few, or of a source without sensors, are left as they are.
+ * \param[in] creases of the faces; along them, nothing is changed
+ * \return was anything changed? */
+bool
+sharpenRims(const LabeledSource& source,
+            const Creases& creases,
+            std::vector<PlaneRaster>& rasters);
 
 } // namespace outlines
 } // namespace pcl::acmap
