@@ -147,6 +147,22 @@ TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
     }
 }
 
+/** More may be seen of a table, or of all worktops of a kitchen, than of the floor. */
+TEST(FloorPlan, FloorIsBelowLargerTables)
+{
+  CompactMap map = makeRooms();
+  const float table = 0.1F;
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(),
+      {{0, table, 0}, {6.1F, table, 0}, {6.1F, table, 3.5F}, {0, table, 3.5F}}));
+  ASSERT_GT(map.planes.back().area, map.planes[0].area);
+  expectRooms(makeFloorPlan(map));
+  const float pedestal = 1.5F; // a level that is small is not the floor
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(), {{8, pedestal, 0}, {10, pedestal, 0}, {10, pedestal, 2}}));
+  expectRooms(makeFloorPlan(map));
+}
+
 /** The partition of makeRooms with its door in the corner, at z = 3 or z = 0.
  * \param[in] gap metres at the end of the far wall that were not seen */
 CompactMap

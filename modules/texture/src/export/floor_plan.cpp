@@ -321,14 +321,26 @@ private:
     return maximum == planes.end() ? nullptr : *maximum;
   }
 
+  /** \brief The lowest plane with at least half of the largest area: a worktop may be
+   * larger than what was seen of the floor. */
+  const PlanePatch*
+  lowestOfLarge(const std::vector<const PlanePatch*>& planes) const
+  {
+    const PlanePatch* lowest = largest(planes);
+    const double min_area = lowest ? lowest->area / 2 : 0;
+    for (const PlanePatch* const plane : planes)
+      if (plane->area >= min_area && heightOf(*plane) < heightOf(*lowest))
+        lowest = plane;
+    return lowest;
+  }
+
   void
   chooseHeights(const std::vector<const PlanePatch*>& floors,
                 const std::vector<const PlanePatch*>& ceilings)
   {
     constexpr double above_tables = 1.5; // metres
     constexpr double share = 0.6;
-    const PlanePatch* const floor = largest(floors);
-    if (floor)
+    if (const PlanePatch* const floor = lowestOfLarge(floors))
       plan_.floor = heightOf(*floor);
     else if (!walls_.empty())
       plan_.floor = std::min_element(walls_.begin(),

@@ -74,8 +74,8 @@ struct FloorPlan {
  * The x axis is that of the map, projected; if most walls are at right angles, both axes
  * are turned by up to 45 degrees, so that walls are along them.
  *
- * The floor is the level plane with the largest area that faces up, with all such planes
- * within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
+ * The floor is the lowest level plane that faces up and has at least half of the largest
+ * area of these, with all such planes within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
  * this is less: above tables, below the heads of doors. Walls are where the section cuts
  * polygons of upright planes. A gap in the section of a plane from 0.4 to 4 m wide, between
  * two pieces of it or from its end to the next wall, is an opening if the plane continues
