@@ -163,6 +163,20 @@ TEST(FloorPlan, FloorIsBelowLargerTables)
   expectRooms(makeFloorPlan(map));
 }
 
+/** Where a wall was only partly seen, the end of what was seen is not level. */
+TEST(FloorPlan, RaggedGapsAreNoWindows)
+{
+  CompactMap map = makeRooms();
+  map.planes[5].polygons[0].holes[0][3].y() = 0.6F; // a corner of the window's sill
+  FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 2U);
+  for (const PlanOpening& door : plan.openings)
+    EXPECT_FALSE(door.is_window);
+  map = makeRooms();
+  map.planes[5].polygons[0].holes[0][1].y() = -1.4F; // a corner of its lintel
+  EXPECT_EQ(makeFloorPlan(map).openings.size(), 2U);
+}
+
 /** The partition of makeRooms with its door in the corner, at z = 3 or z = 0.
  * \param[in] gap metres at the end of the far wall that were not seen */
 CompactMap
