@@ -147,6 +147,36 @@ TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
     }
 }
 
+/** More may be seen of a table, or of all worktops of a kitchen, than of the floor. */
+TEST(FloorPlan, FloorIsBelowLargerTables)
+{
+  CompactMap map = makeRooms();
+  const float table = 0.1F;
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(),
+      {{0, table, 0}, {6.1F, table, 0}, {6.1F, table, 3.5F}, {0, table, 3.5F}}));
+  ASSERT_GT(map.planes.back().area, map.planes[0].area);
+  expectRooms(makeFloorPlan(map));
+  const float pedestal = 1.5F; // a level that is small is not the floor
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(), {{8, pedestal, 0}, {10, pedestal, 0}, {10, pedestal, 2}}));
+  expectRooms(makeFloorPlan(map));
+}
+
+/** Where a wall was only partly seen, the end of what was seen is not level. */
+TEST(FloorPlan, RaggedGapsAreNoWindows)
+{
+  CompactMap map = makeRooms();
+  map.planes[5].polygons[0].holes[0][3].y() = 0.6F; // a corner of the window's sill
+  FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 2U);
+  for (const PlanOpening& door : plan.openings)
+    EXPECT_FALSE(door.is_window);
+  map = makeRooms();
+  map.planes[5].polygons[0].holes[0][1].y() = -1.4F; // a corner of its lintel
+  EXPECT_EQ(makeFloorPlan(map).openings.size(), 2U);
+}
+
 /** The partition of makeRooms with its door in the corner, at z = 3 or z = 0.
  * \param[in] gap metres at the end of the far wall that were not seen */
 CompactMap

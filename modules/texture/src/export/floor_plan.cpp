@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -321,14 +322,26 @@ private:
     return maximum == planes.end() ? nullptr : *maximum;
   }
 
+  /** \brief The lowest plane with at least half of the largest area: a worktop may be
+   * larger than what was seen of the floor. */
+  const PlanePatch*
+  lowestOfLarge(const std::vector<const PlanePatch*>& planes) const
+  {
+    const PlanePatch* lowest = largest(planes);
+    const double min_area = lowest ? lowest->area / 2 : 0;
+    for (const PlanePatch* const plane : planes)
+      if (plane->area >= min_area && heightOf(*plane) < heightOf(*lowest))
+        lowest = plane;
+    return lowest;
+  }
+
   void
   chooseHeights(const std::vector<const PlanePatch*>& floors,
                 const std::vector<const PlanePatch*>& ceilings)
   {
     constexpr double above_tables = 1.5; // metres
     constexpr double share = 0.6;
-    const PlanePatch* const floor = largest(floors);
-    if (floor)
+    if (const PlanePatch* const floor = lowestOfLarge(floors))
       plan_.floor = heightOf(*floor);
     else if (!walls_.empty())
       plan_.floor = std::min_element(walls_.begin(),
@@ -389,24 +402,53 @@ private:
   addOpening(const Wall& wall, double begin, double end)
   {
     constexpr double narrowest = 0.4;
-    constexpr double above_floor = 0.2;
     if (end - begin < narrowest || end - begin > widest_opening ||
         isHidden(wall, begin, end))
       return;
     PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
-    bool is_below_wall = false;
-    for (const Interval& part : wall.heights((begin + end) / 2, plan_.floor))
+    const Frame middle = frameAt(wall, (begin + end) / 2);
+    opening.is_window = middle.bottom > 0;
+    opening.bottom = middle.bottom;
+    opening.top = middle.top;
+    if (opening.is_window ? isLevel(wall, begin, end) : std::isfinite(opening.top))
+      plan_.openings.push_back(opening);
+  }
+
+  /** \brief What a wall leaves open at the section, metres above the floor. */
+  struct Frame {
+    double bottom = 0;                                     ///< 0: down to the floor
+    double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: without an end
+  };
+
+  Frame
+  frameAt(const Wall& wall, double along) const
+  {
+    constexpr double above_floor = 0.2;
+    Frame frame;
+    for (const Interval& part : wall.heights(along, plan_.floor))
       if (part.begin > plan_.cut - plan_.floor) {
-        is_below_wall = true;
-        opening.top = part.begin;
+        frame.top = part.begin;
         break;
       }
-      else if (part.end > above_floor) {
-        opening.is_window = true;
-        opening.bottom = part.end;
-      }
-    if (opening.is_window || is_below_wall)
-      plan_.openings.push_back(opening);
+      else if (part.end > above_floor)
+        frame.bottom = part.end;
+    return frame;
+  }
+
+  /** \brief Have a gap's bottom and top the same heights along it, as those of a window?
+   * The end of what was seen of a wall has not. */
+  bool
+  isLevel(const Wall& wall, double begin, double end) const
+  {
+    constexpr double tolerance = 0.1; // metres
+    constexpr std::array<double, 4> shares{0.1, 0.3, 0.7, 0.9};
+    const Frame middle = frameAt(wall, (begin + end) / 2);
+    return std::all_of(shares.begin(), shares.end(), [&](double share) {
+      const Frame frame = frameAt(wall, begin + share * (end - begin));
+      return std::abs(frame.bottom - middle.bottom) <= tolerance &&
+             (std::isnan(middle.top) ? std::isnan(frame.top)
+                                     : std::abs(frame.top - middle.top) <= tolerance);
+    });
   }
 
   /** \brief Where the line of a wall, beyond its end, meets the seen side of the next

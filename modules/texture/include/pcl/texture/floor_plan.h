@@ -74,13 +74,14 @@ struct FloorPlan {
  * The x axis is that of the map, projected; if most walls are at right angles, both axes
  * are turned by up to 45 degrees, so that walls are along them.
  *
- * The floor is the level plane with the largest area that faces up, with all such planes
- * within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
+ * The floor is the lowest level plane that faces up and has at least half of the largest
+ * area of these, with all such planes within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
  * this is less: above tables, below the heads of doors. Walls are where the section cuts
  * polygons of upright planes. A gap in the section of a plane from 0.4 to 4 m wide, between
  * two pieces of it or from its end to the next wall, is an opening if the plane continues
  * above or below it, and no other wall is within a metre in front of it: that would be a
- * piece of furniture that hides the wall. Rooms are the parts
+ * piece of furniture that hides the wall. A window is level: its sill, and its head if it has
+ * one, change by at most 10 cm along it, which the end of what was seen does not. Rooms are the parts
  * of the floor between walls and openings of which at least a square metre was seen. The
  * room beside a wall or an opening is the first within 0.6 m from its middle, unless a
  * wall is before it. Ceilings are planes that face down and reach above the section.
