@@ -24,7 +24,7 @@ struct RectificationOptions {
   bool has_odometry_noise = false;      ///< true if the user set it
   std::optional<double> asked_bin_size; ///< metres
   std::optional<double> smoothing;      ///< metres, sigma_XZ of mode Paper
-  bool six_degrees = false; ///< adjust by planes after the entropy
+  bool six_degrees = false;             ///< adjust by planes after the entropy
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points
   bool skip_broken = false; ///< leave out observations that cannot be read

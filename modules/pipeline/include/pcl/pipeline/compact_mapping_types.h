@@ -2,6 +2,7 @@
 
 #include <pcl/core/report.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/sequence_consolidation.h>
@@ -20,6 +21,7 @@ struct CompactMappingReport : Report {
   std::optional<VisualOdometryResult> odometry; ///< if the poses were unknown
   std::optional<SequenceConsolidationReport> consolidation;
   std::optional<EntropyRectificationReport> rectification;
+  std::optional<PlaneAdjustmentReport> adjustment; ///< if it was requested
   MergingReport merging;
   PlaneMappingReport planes;
   TexturingReport texture;
