@@ -27,7 +27,7 @@ struct RectificationOptions {
   std::optional<Eigen::Vector3d> up;    ///< of the input; found if it is not set
   std::optional<double> asked_bin_size; ///< metres
   std::optional<double> smoothing;      ///< metres, sigma_XZ of mode Paper
-  bool six_degrees = false; ///< adjust by planes after the entropy
+  bool six_degrees = false;             ///< adjust by planes after the entropy
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points
   bool skip_broken = false; ///< leave out observations that cannot be read

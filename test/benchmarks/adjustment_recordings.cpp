@@ -8,6 +8,7 @@
 #include "timing.h"
 #include "units.h"
 
+#include <pcl/core/impl/moments.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/rgbd_sequence.h>

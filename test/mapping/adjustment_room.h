@@ -67,7 +67,8 @@ struct AdjustmentRoom {
     return cloud;
   }
 
-  /** Poses on a closed path, each of which looks outwards. */
+  /** Poses on a closed path, each of which looks across the room, so that it sees floor
+   * and ceiling. */
   static std::vector<Eigen::Isometry3d>
   path(std::size_t views)
   {
@@ -76,7 +77,8 @@ struct AdjustmentRoom {
       const double angle =
           2 * M_PI * static_cast<double>(i) / static_cast<double>(views);
       Eigen::Isometry3d pose(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
-      pose.translation() << std::sin(angle), 0.1 * std::sin(3 * angle), std::cos(angle);
+      pose.translation() << -std::sin(angle), 0.1 * std::sin(3 * angle),
+          -std::cos(angle);
       poses.push_back(pose);
     }
     return poses;

@@ -248,7 +248,7 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   if (estimated_.noise && isDefault(rectification.getOdometryNoise()))
     rectification.setOdometryNoise(*estimated_.noise);
   rectification.setNumberOfThreads(threads_);
-  rectification.setProgressCallback(partOf(progress_, 0.3, 0.5));
+  rectification.setProgressCallback(partOf(progress_, 0.3, 0.45));
   rectification.clear();
   for (std::size_t i = 0; i < observations.clouds.size(); ++i)
     rectification.addPointCloud(observations.clouds[i],
@@ -263,6 +263,31 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   for (std::size_t i = 0; i < estimated_.places.size(); ++i)
     estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
+  return sequence.withPoses(estimated_.places, estimated_.trajectory);
+}
+
+ObservationSequence
+CompactMapping::adjust(const ObservationSequence& sequence,
+                       CompactMappingReport& report)
+{
+  SequenceAdjustment adjustment;
+  if (report.odometry)
+    adjustment.setOdometryNoise(report.odometry->noise());
+  else
+    adjustment.setOdometryNoise(rectification_.getOdometryNoise());
+  adjustment.setNumberOfThreads(threads_);
+  adjustment.setProgressCallback(partOf(progress_, 0.45, 0.5));
+  Trajectory adjusted;
+  adjustment.compute(sequence, adjusted);
+  report.adjustment = adjustment.getReport();
+  addRemarks(*report.adjustment, report);
+  EstimatedPoses poses;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    poses.places.push_back(i);
+    adjusted.poses[i] = asInFiles(adjusted.poses[i]);
+  }
+  poses.trajectory = std::move(adjusted);
+  estimated_ = std::move(poses);
   return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
@@ -357,6 +382,10 @@ CompactMapping::compute(CompactMap& map)
   if (rectify_ && sequence.size() > 1) {
     sequence = goOnFrom("rectification", sequence, &CompactMapping::rectify, report);
     timer.finish("rectification");
+  }
+  if (adjust_ && sequence.size() > 1) {
+    sequence = goOnFrom("adjustment", sequence, &CompactMapping::adjust, report);
+    timer.finish("adjustment");
   }
 
   ObservationMerging merging = merging_;

@@ -272,7 +272,7 @@ private:
 } // namespace
 
 std::vector<Eigen::Isometry3d>
-adjustPlanes(const ViewReader& read,
+adjustPlanes(const AdjustedViewReader& read,
              const std::vector<Eigen::Isometry3d>& poses,
              const PlaneAdjustmentSettings& settings,
              const Progress& progress,

@@ -494,7 +494,7 @@ RangeNoise::set(const std::array<double, bins>& factors)
 }
 
 RangeNoise
-measureRangeNoise(const ViewReader& read, std::size_t views)
+measureRangeNoise(const AdjustedViewReader& read, std::size_t views)
 {
   constexpr std::size_t max_views = 16, min_tiles = 20;
   constexpr double planar = 0.3; // share of the tiles that is taken as planar

@@ -72,7 +72,7 @@ private:
 /** \brief Measures the noise of a sensor on the views of a sequence: tiles that are as
  * planar as the best third are taken as planes. */
 RangeNoise
-measureRangeNoise(const ViewReader& read, std::size_t views);
+measureRangeNoise(const AdjustedViewReader& read, std::size_t views);
 
 /** \brief Counts of \ref piecesOf. */
 struct PieceCounts {

@@ -13,6 +13,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/sequence_adjustment.h>
 #include <pcl/pipeline/visual_odometry.h>
 #include <pcl/stereo/disparity_back_projection.h>
 #include <pcl/stereo/disparity_fusion.h>
@@ -230,6 +231,21 @@ public:
     return rectify_;
   }
 
+  /** \brief Adjusts the poses by planes, in six degrees of freedom, after the
+   * rectification (\ref SequenceAdjustment, default false). It reads all observations:
+   * none may be broken. */
+  void
+  setAdjust(bool adjust)
+  {
+    adjust_ = adjust;
+  }
+
+  bool
+  getAdjust() const
+  {
+    return adjust_;
+  }
+
   /** \brief Leaves out observations that cannot be read, with a remark, in the steps after
    * the odometry (default false). */
   void
@@ -246,8 +262,8 @@ public:
 
   /** \brief Keeps the poses of odometry and rectification in a folder, so that a later
    * run goes on from them; it then has no report of these steps (default: none).
-   * \param[in] folder is created; its folders `odometry` and `rectification` hold the
-   * files of \ref saveEstimatedPoses
+   * \param[in] folder is created; its folders `odometry`, `rectification` and
+   * `adjustment` hold the files of \ref saveEstimatedPoses
    * \param[in] settings names the settings of both steps: poses are only taken from the
    * folder if the observations and this text are the same as when they were written */
   void
@@ -341,6 +357,9 @@ private:
   ObservationSequence
   rectify(const ObservationSequence& sequence, CompactMappingReport& report);
 
+  ObservationSequence
+  adjust(const ObservationSequence& sequence, CompactMappingReport& report);
+
   using PoseStep = ObservationSequence (CompactMapping::*)(const ObservationSequence&,
                                                            CompactMappingReport&);
 
@@ -369,6 +388,7 @@ private:
   Levelling levelling_;
   Rectification rectification_;
   bool rectify_ = true;
+  bool adjust_ = false;
   bool skip_broken_ = false;
   std::string folder_;       ///< of poses for later runs; empty: none
   std::string settings_;     ///< of the steps that estimate poses

@@ -3,6 +3,7 @@
 #include <pcl/core/report.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/map_levelling_types.h>
+#include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/sequence_consolidation.h>
@@ -22,6 +23,7 @@ struct CompactMappingReport : Report {
   std::optional<SequenceConsolidationReport> consolidation;
   std::optional<MapLevellingReport> levelling;
   std::optional<EntropyRectificationReport> rectification;
+  std::optional<PlaneAdjustmentReport> adjustment; ///< if it was requested
   MergingReport merging;
   PlaneMappingReport planes;
   TexturingReport texture;

@@ -109,7 +109,7 @@ PlaneAdjustment<PointT>::compute()
   if (loaders_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
   PlaneAdjustmentReport report;
-  const acmap::ViewReader read =
+  const acmap::AdjustedViewReader read =
       [this](std::size_t i,
              const std::function<void(const acmap::AdjustedView&)>& use) {
         const PointCloudConstPtr cloud = loaders_[i]();

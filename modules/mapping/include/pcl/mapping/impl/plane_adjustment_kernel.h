@@ -43,7 +43,7 @@ struct AdjustedView {
 };
 
 /** \brief Calls a function with a view, which is valid only during that call. */
-using ViewReader =
+using AdjustedViewReader =
     std::function<void(std::size_t, const std::function<void(const AdjustedView&)>&)>;
 
 /** \brief Computes poses under which planes that several views see are thin.
@@ -54,7 +54,7 @@ using ViewReader =
  * \throws BadArgumentException if the covariances differ in number from the actions
  * \throws CancelledException when the progress callback requested to stop */
 ACMAP_EXPORT std::vector<Eigen::Isometry3d>
-adjustPlanes(const ViewReader& read,
+adjustPlanes(const AdjustedViewReader& read,
              const std::vector<Eigen::Isometry3d>& poses,
              const PlaneAdjustmentSettings& settings,
              const Progress& progress,
