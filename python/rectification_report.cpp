@@ -30,6 +30,8 @@ evidenceOf(const MapEvidence& evidence)
                          "far_contradictions"_a = evidence.far_contradictions,
                          "near_rays"_a = evidence.near_rays,
                          "far_rays"_a = evidence.far_rays,
+                         "pair_contradictions"_a = evidence.pair_contradictions,
+                         "contradicted_pairs"_a = evidence.contradicted_pairs,
                          "mean_map_entropy"_a = evidence.mean_map_entropy,
                          "orthogonal_variance"_a = evidence.orthogonal_variance));
 }

@@ -80,8 +80,11 @@ runGuardJobs(const std::vector<GuardJob>& jobs, std::size_t processes)
   std::size_t done = 0;
   for (Message message; read(ends[0], &message, sizeof(message)) == sizeof(message);) {
     results[message.job] = resultOf(jobs[message.job], message);
-    if (++done % 20 == 0)
-      std::cerr << done << " of " << jobs.size() << " runs\n";
+    const GuardResult& one = results[message.job];
+    std::cerr << ++done << " of " << jobs.size() << ": " << one.kind << ' ' << one.seed
+              << ' ' << one.level << ' ' << nameOf(one.variant) << ' '
+              << nameOf(one.outcome) << ' ' << one.before.unaligned << ' '
+              << one.after.unaligned << ' ' << one.seconds << '\n';
   }
   close(ends[0]);
   while (wait(nullptr) > 0) {

@@ -54,6 +54,35 @@ TEST(RayEvidence, driftIsContradicted)
             right.near_contradictions + right.far_contradictions + 0.1);
 }
 
+/** A wrong revisit: the last observations of a loop are laid onto another of its walls.
+ * Of all rays only a few know about it. */
+TEST(RayEvidence, aWrongRevisitIsContradictedByAPairOfGroups)
+{
+  const World world = makeLoopWorld(66);
+  const auto observations = levelledClouds(world.truth);
+  auto poses = world.truth.poses;
+  const MapEvidence right = evidenceOf(observations, poses);
+  EXPECT_LT(right.pair_contradictions, 0.3);
+  EXPECT_EQ(right.contradicted_pairs, 0);
+  for (std::size_t i = poses.size() - 6; i < poses.size(); ++i)
+    poses[i].x += 1.5;
+  const MapEvidence wrong = evidenceOf(observations, poses);
+  EXPECT_LT(wrong.near_contradictions, 0.25) << "in the whole map it looks harmless";
+  EXPECT_GT(wrong.pair_contradictions, 0.5);
+  EXPECT_GT(wrong.contradicted_pairs, 0.03);
+}
+
+/** A single ray is no evidence of a pair, however many of its rays are contradicted. */
+TEST(RayEvidence, fewRaysOfAPairDoNotCount)
+{
+  LevelledPoints few = wallAhead(5);
+  few.points.resize(2);
+  few.normals.resize(2);
+  LevelledPoints many = wallAhead(5);
+  EXPECT_LT(evidenceOf({wallAhead(2), few}, {{}, {}}).pair_contradictions, 0.3);
+  EXPECT_GT(evidenceOf({wallAhead(2), many}, {{}, {}}).pair_contradictions, 0.5);
+}
+
 TEST(RayEvidence, aCollapseIsContradicted)
 {
   const World world = makeCornerWorld(63);

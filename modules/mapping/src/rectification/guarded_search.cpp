@@ -133,8 +133,8 @@ public:
     if (!isConvincing(best()))
       consider(gradual, usual_, map_scale_);
     if (!isConvincing(best())) {
-      const std::size_t other = usual_ == 0 ? 1 : usual_ - 1;
-      consider(directed, other, locals_[other].scale);
+      const std::size_t start = otherStart();
+      consider(directed, start, locals_[start].scale);
     }
     return decide();
   }
@@ -169,7 +169,7 @@ private:
       if (scale > 1) // Where scans are far from their places, few are easier to join.
         for (const std::size_t size : {neighbours / 4, neighbours / 2})
           search_.descendWindows(
-              chain, levels(directed).front(), size, "windows", local.u);
+              chain, levels(directed).front(), size, "short windows", local.u);
       for (const EntropyLevel& level : levels(directed))
         search_.descendWindows(chain, level, neighbours, "windows", local.u);
       local.name = "windows";
@@ -177,23 +177,40 @@ private:
       judge(local.poses, local.evidence);
       locals_.push_back(local);
       search_.advanceTo(std::min(0.3, 0.1 * static_cast<double>(locals_.size())));
-      if (locals_.size() == 1 || isWider(locals_.back()))
+      const bool is_wider = locals_.size() == 1 || isWider(locals_.back());
+      if (is_wider)
         usual_ = locals_.size() - 1;
-      else if (locals_.size() > usual_ + 2 || contradictionsIn(usual_) < much_near)
+      const bool are_contradicted = contradictionsIn(usual_) > much_near;
+      if (!are_contradicted && (!is_wider || scale >= usual_scales))
+        break;
+      if (locals_.size() > usual_ + 2)
         break;
     }
     map_scale_ = std::clamp(
-        2.5 * usualResidual(locals_[usual_]), min_scale, 1.5 * locals_[usual_].scale);
+        2.5 * usualResidual(locals_[usual_]), min_scale, locals_[usual_].scale);
   }
 
-  /** Do the rays support the scale of a window result rather than the usual one? Only
-   * if the odometry was a constraint there. */
+  /** Index of the result of windows, besides the usual one, that the rays contradict
+   * least. */
+  std::size_t
+  otherStart() const
+  {
+    std::size_t other = usual_ == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < locals_.size(); ++i)
+      if (i != usual_ && contradictionsIn(i) < contradictionsIn(other))
+        other = i;
+    return other;
+  }
+
+  /** Do the rays support the scale of a window result rather than the usual one? Not if
+   * the odometry was no constraint there; if it was a strong one, the residuals say that
+   * the noise is larger, too, and less is asked of the rays. */
   bool
   isWider(const MapCandidate& local) const
   {
-    const MapCandidate& usual = locals_[usual_];
-    return local.evidence.near_contradictions < 0.88 * contradictionsIn(usual_) &&
-           usualResidual(usual) > 0.25 * usual.scale;
+    const double residual = usualResidual(locals_[usual_]) / locals_[usual_].scale;
+    const double share = residual > 0.6 ? 0.92 : residual > 0.25 ? 0.88 : 0.0;
+    return local.evidence.near_contradictions < share * contradictionsIn(usual_);
   }
 
   /** Share of contradicted rays within windows. */
@@ -403,6 +420,7 @@ private:
   static constexpr double much_near = 0.12; ///< same, so that wider windows are tried
   static constexpr double max_contradicted_pairs = 0.03; ///< share of far rays
   static constexpr double max_near = 0.2;   ///< share of near rays, of windows alone
+  static constexpr double usual_scales = 4; ///< larger only against contradictions
   static constexpr double min_scale = 0.25; ///< of the odometry noise
 
   const RectificationTask& task_;
