@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using Poses = std::vector<Eigen::Isometry3d>;
 using Surfaces = std::vector<ObservedSurface>;
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double many_turns = 30 * 3.14159265358979323846 / 180; // radians
 
 /** An expected up direction, and why it is expected. */
 struct Expectation {
@@ -129,7 +129,7 @@ expectationOfScanners(const Poses& poses, const MapShape& map)
   const Vector3d z = meanDirection(poses, Vector3d::UnitZ());
   const Vector3d y = meanDirection(poses, -Vector3d::UnitY());
   const Turns about_z = turnsAbout(poses, z), about_y = turnsAbout(poses, y);
-  if (about_z.total > 30 * degree) {
+  if (about_z.total > many_turns) {
     if (about_z.share() > 0.8 && about_y.share() < 0.5)
       return {z, "the sensor turned about its z axis"};
     if (about_y.share() > 0.8 && about_z.share() < 0.5)
