@@ -287,6 +287,7 @@ CompactMapping::adjust(const ObservationSequence& sequence,
     adjusted.poses[i] = asInFiles(adjusted.poses[i]);
   }
   poses.trajectory = std::move(adjusted);
+  poses.up = estimated_.up;
   estimated_ = std::move(poses);
   return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
