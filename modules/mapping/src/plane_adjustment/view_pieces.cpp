@@ -49,6 +49,7 @@ using PartOf = std::vector<std::uint8_t>;
 
 constexpr std::size_t min_piece_points = 12;
 constexpr double max_tile_radius = 0.2, max_cube_radius = 0.3; // metres
+constexpr double largest_radius = 0.5; // of a tile that cannot be divided, metres
 
 double
 variance(const RaySample& sample, double distance, const RangeNoise& noise)
@@ -252,7 +253,11 @@ private:
     const RayFit fit = fitRays(tile_, part_of_, noise_, kind_);
     PlanePiece piece;
     if (fit.isSolved() && isPlanar(fit) &&
-        makePiece(tile_, fit.plane, noise_, max_tile_radius, piece))
+        makePiece(tile_,
+                  fit.plane,
+                  noise_,
+                  size > smallest ? max_tile_radius : largest_radius,
+                  piece))
       pieces.push_back(piece);
     else if (size > smallest)
       for (const std::size_t dy : {std::size_t{0}, size / 2})

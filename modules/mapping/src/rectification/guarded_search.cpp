@@ -292,7 +292,7 @@ private:
   bool
   hasMet(const MapCandidate& map) const
   {
-    return map.evidence.far_rays > 0.5 * locals_[usual_].evidence.far_rays;
+    return map.evidence.far_rays >= 0.5 * locals_[usual_].evidence.far_rays;
   }
 
   /** Is the map so good that no further search is needed? */

@@ -24,8 +24,10 @@ struct PlaneRaster {
 
   CellSet seen;                            ///< covered by the surface
   std::vector<Eigen::Vector2d> rim_points; ///< corners of faces near the end of these
-  CellSet free;                            ///< a sensor looked through
-  CellSet barrier;                         ///< beyond a crease
+  bool are_rays =
+      false;       ///< the rim points are places where rays meet the plane instead
+  CellSet free;    ///< a sensor looked through
+  CellSet barrier; ///< beyond a crease
 
   Eigen::Vector2d
   placeOf(const Eigen::Vector3d& point) const

@@ -135,10 +135,10 @@ rimLines(const Loop& rim, double noise)
 void
 refineLines(const Loop& rim,
             const std::vector<Eigen::Vector2d>& points,
+            double points_a_bin,
             std::vector<RimLine>& lines)
 {
   constexpr double min_bin = 2, inside = 2, outside = 1.5, at_corners = 1; // cells
-  constexpr double points_a_bin = 12; // of fewer, the outermost one is far inside
   constexpr double none = -std::numeric_limits<double>::infinity();
   std::vector<Eigen::Vector2d> near; // along the line, and outwards
   for (RimLine& line : lines) {

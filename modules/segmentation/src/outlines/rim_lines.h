@@ -38,10 +38,13 @@ rimLines(const Loop& rim, double noise);
 
 /** Moves lines, which follow the cells, to the outermost points of the surface along them.
  * \param[in] rim with the surface on its left
- * \param[in] points of the surface near its rims, in cells */
+ * \param[in] points of the surface near its rims, in cells
+ * \param[in] points_a_bin number of which the outermost one counts, at least in 2 cells:
+ * for exact points some, of fewer the outermost one is far inside; for noisy points 0 */
 void
 refineLines(const Loop& rim,
             const std::vector<Eigen::Vector2d>& points,
+            double points_a_bin,
             std::vector<RimLine>& lines);
 
 /** The corners of a polyline along lines: their intersections, or if these are far from

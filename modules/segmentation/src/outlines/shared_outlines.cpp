@@ -158,7 +158,7 @@ private:
       return {};
     const PlaneRaster& raster = rasters_[boundary.plane];
     std::vector<RimLine> lines = rimLines(rim, noiseOf(rim, raster));
-    refineLines(rim, raster.rim_points, lines);
+    refineLines(rim, raster.rim_points, raster.are_rays ? 12 : 0, lines);
     return lines;
   }
 
@@ -292,7 +292,7 @@ private:
            std::vector<RimLine>& lines) const
   {
     constexpr std::size_t longest = 8; // cells
-    if (lines.size() < 2)
+    if (lines.size() < 2 || !rasters_[plane].are_rays)
       return;
     const RimLine& stub = at_front ? lines.front() : lines.back();
     RimLine& next = at_front ? lines[1] : lines[lines.size() - 2];
@@ -303,7 +303,7 @@ private:
     Eigen::Vector2d place;
     if (stub.to - stub.from > longest || next.to - next.from < stub.to - stub.from ||
         !next.meet(line.origin, line.direction, place) ||
-        (place - end).norm() > rim_reach ||
+        (place - end).norm() > rimReach(rasters_[plane]) ||
         ahead * (place - next.middle).dot(next.direction) <= 0 ||
         isFreeBetween(rasters_[plane], begin, place))
       return;
@@ -318,7 +318,14 @@ private:
   }
 
   static constexpr double of_corners = 0.5; // inverse variance, square spacings
-  static constexpr double rim_reach = 16;   // cells, from its end to the crease
+
+  /** Cells from the end of a rim to its crease, at most: further only if its place is
+   * exact, and a sensor that looks through between limits it. */
+  static double
+  rimReach(const PlaneRaster& raster)
+  {
+    return raster.are_rays ? 16 : 6;
+  }
 
   static bool
   isFreeBetween(const PlaneRaster& raster,
@@ -347,7 +354,7 @@ private:
     const CreaseLine& line = lineOf(piece.crease, plane);
     Eigen::Vector2d place;
     if (rim && rim->meet(line.origin, line.direction, place) &&
-        (place - corner).norm() <= rim_reach &&
+        (place - corner).norm() <= rimReach(rasters_[plane]) &&
         !isFreeBetween(rasters_[plane], corner, place)) {
       const double sine = cross(rim->direction, line.direction);
       const auto sides = static_cast<double>(rim->to - rim->from);

@@ -297,6 +297,7 @@ sharpenRims(const LabeledSource& source,
     closed -= raster.free;
     raster.seen |= closed;
     raster.rim_points.clear();
+    raster.are_rays = true;
     for (const Sighting& sighting : sightings[p])
       if (!raster.seen.hasAround(sighting.place.cast<double>(), at_rim))
         raster.rim_points.push_back(sighting.place.cast<double>());
