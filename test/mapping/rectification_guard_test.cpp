@@ -126,29 +126,6 @@ TEST(RectificationGuard, theNoiseOfGoodOdometryIsEstimated)
   }
 }
 
-/** The second round finds smaller walls in the same place: no map of both rounds is
- * right, but neighbouring observations fit to each other. */
-TEST(RectificationGuard, windowsAloneAreFittedWhereNoMapOfTheWholeIsRight)
-{
-  const auto path = pathRound({4.5, 3.5}, {2.6, 2.2}, 36);
-  FloorPlan smaller;
-  addRectangle(smaller, 1, 0.4, 8, 6.6);
-  World world{"rebuilt room", scanAlong(makeRoomPlan(), path, {}, 18)};
-  const PosedClouds after = scanAlong(smaller, path, {}, 19);
-  world.truth.clouds.insert(
-      world.truth.clouds.end(), after.clouds.begin(), after.clouds.end());
-  world.truth.poses.insert(
-      world.truth.poses.end(), after.poses.begin(), after.poses.end());
-  const auto odometry = drifted(world.truth.poses, times(4), 18);
-  Rectification rectification = rectificationOf(world.truth, odometry);
-  expectNotWorse(rectification, world, odometry);
-  const EntropyRectificationReport& report = rectification.getReport();
-  EXPECT_EQ(report.outcome, RectificationOutcome::Rectified) << report.reason;
-  ASSERT_FALSE(report.remarks.empty()) << report.reason;
-  EXPECT_NE(report.remarks.back().find("only neighbouring"), std::string::npos);
-  EXPECT_LT(report.after.near_contradictions, 0.8 * report.before.near_contradictions);
-}
-
 TEST(RectificationGuard, aCollapsedMapIsOpenedOrLeftAlone)
 {
   const World world = makeRoomWorld(15);
