@@ -207,6 +207,30 @@ TEST(MapLevelling, NothingIsTurnedWhereSurfacesShowNoVertical)
   EXPECT_NE(levelling.getReport().remarks[0].find("not levelled"), std::string::npos);
 }
 
+TEST(MapLevelling, FewNoisyNormalsDoNotTiltALevelMap)
+{
+  int turned = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
+    for (int i = 0; i < 300; ++i) {
+      PointNormal point;
+      point.getVector3fMap() =
+          Eigen::Vector3f(0.1F * static_cast<float>(random.normal()), 0, 4);
+      for (int k = 0; k < 3; ++k)
+        point.getNormalVector3fMap()[k] = 0.15F * static_cast<float>(random.normal());
+      point.getNormalVector3fMap()[i % 3] += 1;
+      cloud->push_back(point);
+    }
+    Levelling levelling;
+    levelling.addPointCloud(cloud, Isometry3d::Identity());
+    levelling.compute();
+    EXPECT_TRUE(levelling.getReport().found);
+    turned += levelling.getReport().tilt > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(turned, 0);
+}
+
 TEST(MapLevelling, AGivenDirectionIsTakenExactly)
 {
   const Corridor corridor(7);

@@ -164,6 +164,31 @@ estimateFromNormals(const std::vector<FacingArea>& facings, const Vector3d& expe
   return found;
 }
 
+/** Standard deviation of an estimated direction, radians: that of the normals, of which
+ * neighbouring ones share points, by the root of their number. */
+double
+uncertaintyOf(const std::vector<FacingArea>& facings,
+              const UpEstimate& found,
+              const Surfaces& observations)
+{
+  constexpr double alike = 4;                   // normals that count as one
+  constexpr double cell = 2 * up_tolerance / 5; // within the cells of the facings
+  double squares = 0, area = 0, points = 0;
+  for (const FacingArea& facing : facings) {
+    const double cosine = std::min(1.0, std::abs(facing.normal.dot(found.up)));
+    const double off = std::min(std::acos(cosine), std::asin(cosine));
+    if (off > 3 * up_tolerance)
+      continue;
+    squares += facing.area * off * off;
+    area += facing.area;
+  }
+  for (const ObservedSurface& seen : observations)
+    points += static_cast<double>(seen.points - seen.invalid_points);
+  return area > 0 && points > 0 ? std::sqrt((squares / area + cell * cell) /
+                                            (points * found.share / alike))
+                                : 0;
+}
+
 } // namespace
 
 Eigen::Quaterniond
@@ -186,6 +211,7 @@ levelMap(const Surfaces& observations,
                                  : expectationOfScanners(poses, map);
     const UpEstimate found = estimateFromNormals(map.facings, expected.up);
     report.share = found.share;
+    report.uncertainty = uncertaintyOf(map.facings, found, observations);
     report.found = found.share >= min_up_share;
     report.up = report.found ? found.up : nearestAxis(expected.up);
     report.reason = report.found
@@ -197,11 +223,12 @@ levelMap(const Surfaces& observations,
   report.axis = nearestAxis(report.up);
   if (!report.found)
     report.remarks.push_back("the map was not levelled: " + report.reason);
-  if (!given && isLevel(report.up, report.axis))
+  const double tilt = std::acos(std::min(1.0, report.up.dot(report.axis)));
+  if (!given && (isLevel(report.up, report.axis) || tilt < 3 * report.uncertainty))
     report.up = report.axis;
   if (report.up == report.axis)
     return Eigen::Quaterniond::Identity();
-  report.tilt = std::acos(std::min(1.0, report.up.dot(report.axis)));
+  report.tilt = tilt;
   return Eigen::Quaterniond::FromTwoVectors(report.up, report.axis);
 }
 

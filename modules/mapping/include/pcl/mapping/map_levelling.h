@@ -30,7 +30,7 @@ namespace pcl {
  * turned; else that along which it did not move; else that along which the map is thin
  * and most surface faces. The map is then turned about its origin until the axis of its
  * frame that is nearest to the up direction coincides with it. A map that is level within
- * half a degree is not turned, nor is one where less than a third of the surface agrees.
+ * half a degree, or within three standard deviations, is not turned, nor is one where less than a third of the surface agrees.
  *
  * Units are metres. The time is O(n). The result is bitwise the same for any number of
  * threads.
