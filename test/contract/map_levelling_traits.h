@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -88,11 +89,10 @@ struct MapLevellingTraits {
   static std::vector<RefusedCall<Class>>
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {{[](Class& object) { object.setUpDirection(Eigen::Vector3d::Zero()); },
              {"up direction", "finite", "not zero"}},
             {[](Class& object) {
-               object.setUpDirection({0, nan, 0});
+               object.setUpDirection({0, std::nan(""), 0});
              },
              {"up direction", "finite"}},
             {[](Class& object) { object.addPointCloud(nullptr, {}); }, {"cloud"}}};

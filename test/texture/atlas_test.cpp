@@ -301,7 +301,7 @@ TEST(TextureAtlas, ASecondPageIsBegunWhenTheFirstIsFull)
   EXPECT_EQ(atlas.places[2].page, 1U);
   EXPECT_THAT(atlas.halvings, testing::Each(0));
   const TemporaryFolder folder;
-  writeObj(folder.path("map.obj"), map, surfacesOf(map), atlas);
+  writeObj(folder.path("map.obj"), map, surfacesOf(map), {}, atlas);
   writeMtl(folder.path("map.mtl"), map, {"a.png", "b.png"});
   const std::string obj = contentOf(folder.path("map.obj"));
   const std::size_t second = obj.find("usemtl page_1");

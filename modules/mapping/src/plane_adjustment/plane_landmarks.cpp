@@ -47,8 +47,7 @@ constexpr double radius = 0.5; ///< metres, of a landmark along its plane
 class PieceTable {
 public:
   explicit PieceTable(const std::vector<PlacedPiece>& pieces)
-  : pieces_(pieces)
-  , is_free_(pieces.size(), 1)
+  : is_free_(pieces.size(), 1)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       cells_[cellKey(pieces[i].center, radius)].push_back(i);
@@ -87,7 +86,6 @@ public:
   }
 
 private:
-  const std::vector<PlacedPiece>& pieces_;
   std::vector<char> is_free_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
