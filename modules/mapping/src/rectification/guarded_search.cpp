@@ -186,8 +186,10 @@ private:
       if (locals_.size() > usual_ + 2)
         break;
     }
-    map_scale_ = std::clamp(
-        2.5 * usualResidual(locals_[usual_]), min_scale, locals_[usual_].scale);
+    // A power of two: rounding of the residuals must not change the energy.
+    const double needed = std::exp2(std::ceil(
+        std::log2(std::max(min_scale, 2.5 * usualResidual(locals_[usual_])))));
+    map_scale_ = std::min(needed, locals_[usual_].scale);
   }
 
   /** Index of the result of windows, besides the usual one, that the rays contradict
