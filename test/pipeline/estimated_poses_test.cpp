@@ -93,7 +93,7 @@ TEST_F(PosesInAFolder, thatAreMalformedAreRefused)
   EXPECT_THAT(fault(), HasSubstr("line 3, column 24: '-3' is refused"));
   write("format: 1\nobservations: []\n");
   EXPECT_THAT(fault(), HasSubstr("observations"));
-  write("format: 2\nobservations: [0, 1, 2]\n");
+  write("format: 3\nobservations: [0, 1, 2]\n");
   EXPECT_THAT(fault(), HasSubstr("written by a newer acmap"));
   write("format: 1\nobservations: [0, 1, 2]\nother: 1\n");
   EXPECT_THAT(fault(), HasSubstr("other"));
