@@ -128,6 +128,10 @@ public:
     fitWindows();
     consider(sharp, usual_, map_scale_);
     consider(directed, usual_, map_scale_);
+    // Small residuals within windows do not prove that the noise is small: a bias of all
+    // actions hardly shows there, but in the walls that far observations share.
+    if (map_scale_ < 1)
+      consider(sharp, usual_, 1);
     if (!isConvincing(best()))
       consider(undirected, usual_, map_scale_);
     if (!isConvincing(best()))
@@ -241,7 +245,7 @@ private:
     found.poses = chain.path(found.u);
     judge(found.poses, found.evidence);
     candidates_.push_back(found);
-    search_.advanceTo(0.3 + 0.14 * static_cast<double>(candidates_.size()));
+    search_.advanceTo(0.3 + 0.11 * static_cast<double>(candidates_.size()));
   }
 
   /** In a correct map, rays are contradicted hardly more often than within windows. A
