@@ -7,6 +7,7 @@
 
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -128,6 +129,25 @@ readModel(const std::string& stem)
   return model;
 }
 
+/** Do the annotated points of each cylinder lie on it? In some files the numbers of
+ * both annotations differ. */
+bool
+isConsistent(const Model& model)
+{
+  constexpr double tolerance = 1e-3; // of the radius
+  return std::all_of(
+      model.cylinders.begin(), model.cylinders.end(), [&](const TrueCylinder& truth) {
+        std::vector<double> offs;
+        for (const std::int32_t i : truth.points) {
+          const Eigen::Vector3d way =
+              (*model.cloud)[i].getVector3fMap().cast<double>() - truth.point;
+          const double radius = (way - way.dot(truth.axis) * truth.axis).norm();
+          offs.push_back(std::abs(radius - truth.radius));
+        }
+        return !(median(offs) > tolerance * truth.radius);
+      });
+}
+
 /** Are both on one axis, with one radius? */
 bool
 areSame(const TrueCylinder& truth, const CylinderPatch& patch, double extent)
@@ -225,6 +245,10 @@ printModels(int parity, double reach)
       continue;
     const std::string name = "PC" + std::to_string(number);
     const Model model = readModel((folder / name).string());
+    if (!isConsistent(model)) {
+      std::cerr << name << " is left out: its points are not on its cylinders\n";
+      continue;
+    }
     const Score one = score(model);
     MarkdownRow()
         .text(name)

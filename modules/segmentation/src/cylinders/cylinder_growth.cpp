@@ -220,12 +220,6 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
   return seeds;
 }
 
-/** A grown region with what it would save. */
-struct Candidate {
-  GrownCylinder grown;
-  double gain = 0; ///< bits
-};
-
 class CylinderSearch {
 public:
   CylinderSearch(const SurfaceElements& elements,
@@ -238,10 +232,14 @@ public:
   , owner_(elements.size(), no_region)
   , scratch_(elements.size(), no_region)
   , plane_sizes_(faces.planes.size(), 0)
+  , plane_bits_(faces.planes.size(), 0)
   {
-    for (const std::int32_t label : faces.labels)
-      if (label >= 0)
-        ++plane_sizes_[static_cast<std::size_t>(label)];
+    for (std::size_t i = 0; i < faces.labels.size(); ++i)
+      if (faces.labels[i] >= 0) {
+        const auto plane = static_cast<std::size_t>(faces.labels[i]);
+        ++plane_sizes_[plane];
+        plane_bits_[plane] += bitsBefore(static_cast<std::int32_t>(i));
+      }
   }
 
   std::vector<GrownCylinder>
@@ -268,25 +266,23 @@ private:
   std::vector<Sample>
   samplesOf(const std::vector<std::int32_t>& members) const
   {
-    std::vector<Sample> samples;
-    samples.reserve(members.size());
-    for (const std::int32_t member : members)
-      samples.push_back({elements_.points[static_cast<std::size_t>(member)]});
-    return samples;
+    return elements_.samplesOf(members);
   }
 
-  std::vector<Candidate>
+  std::vector<GrownCylinder>
   growCandidates();
-  std::optional<Candidate>
+  std::optional<GrownCylinder>
   grow(const Seed& seed);
   bool
   isCylinder(const GrownCylinder& grown, bool is_final) const;
+  bool
+  areNormalsAcross(const GrownCylinder& grown) const;
   void
-  weigh(Candidate& candidate) const;
+  weigh(GrownCylinder& grown) const;
   double
   bitsBefore(std::int32_t element) const;
   bool
-  take(std::vector<Candidate> candidates);
+  take(std::vector<GrownCylinder> candidates);
   void
   uniteCoaxial();
   void
@@ -301,21 +297,22 @@ private:
   std::vector<std::int32_t> owner_;   ///< taken cylinder of each element
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::size_t> plane_sizes_;
+  std::vector<double> plane_bits_; ///< of the elements of each plane
   std::vector<GrownCylinder> taken_;
 };
 
-std::vector<Candidate>
+std::vector<GrownCylinder>
 CylinderSearch::growCandidates()
 {
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
-  std::vector<Candidate> candidates;
+  std::vector<GrownCylinder> candidates;
   for (const Seed& seed : findSeeds(elements_, owner_)) {
     if (is_covered[static_cast<std::size_t>(seed.element)])
       continue;
-    std::optional<Candidate> candidate = grow(seed);
+    std::optional<GrownCylinder> candidate = grow(seed);
     if (!candidate)
       continue;
-    for (const std::int32_t member : candidate->grown.members)
+    for (const std::int32_t member : candidate->members)
       is_covered[static_cast<std::size_t>(member)] = 1;
     candidates.push_back(std::move(*candidate));
   }
@@ -323,7 +320,7 @@ CylinderSearch::growCandidates()
 }
 
 /** Floods and fits alternately until the region does not change. */
-std::optional<Candidate>
+std::optional<GrownCylinder>
 CylinderSearch::grow(const Seed& seed)
 {
   constexpr int max_rounds = 8, wide_rounds = 2;
@@ -336,8 +333,7 @@ CylinderSearch::grow(const Seed& seed)
       fit->cylinder.is_hollow = start.is_hollow;
     return fit;
   };
-  Candidate candidate;
-  GrownCylinder& grown = candidate.grown;
+  GrownCylinder grown;
   grown.fit.cylinder = seed.cylinder;
   std::vector<std::int32_t> start = seed.patch;
   for (int round = 0; round < max_rounds; ++round) {
@@ -382,10 +378,10 @@ CylinderSearch::grow(const Seed& seed)
   }
   if (!isCylinder(grown, false))
     return {};
-  weigh(candidate);
-  if (!(candidate.gain > 0))
+  weigh(grown);
+  if (!(grown.gain > 0))
     return {};
-  return candidate;
+  return grown;
 }
 
 /** Bits alone say yes too often, because errors of models are correlated. */
@@ -406,7 +402,44 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   if (grown.fit.rms > max_rms * radius)
     return false;
   const double count = static_cast<double>(grown.members.size());
-  return misfit(samples, grown.fit, elements_.sigma / 2) <= 0.35 + 18 / count;
+  return misfit(samples, grown.fit, elements_.sigma / 2) <= 0.35 + 8 / count &&
+         areNormalsAcross(grown);
+}
+
+/** Are the normals across the axis, on average and at both ends? On a cone they lean to
+ * one side, on a torus or ball more and more towards the ends. Normals at the rim lean,
+ * too, where the surface ends at an edge. */
+bool
+CylinderSearch::areNormalsAcross(const GrownCylinder& grown) const
+{
+  const Cylinder& cylinder = grown.fit.cylinder;
+  const auto isMember = [&](std::int32_t element) {
+    return std::binary_search(grown.members.begin(), grown.members.end(), element);
+  };
+  double count = 0, sum = 0, sum_z = 0, sum_zz = 0, sum_z_lean = 0;
+  for (const std::int32_t member : grown.members) {
+    const auto m = static_cast<std::size_t>(member);
+    const VertexNeighbours::Range others = elements_.neighbours[m];
+    if (!elements_.is_smooth[m] || !std::all_of(others.begin(), others.end(), isMember))
+      continue;
+    const Eigen::Vector3d& normal = elements_.normals[m];
+    const double side = normal.dot(cylinder.across(elements_.points[m])) < 0 ? -1 : 1;
+    const double lean = side * normal.dot(cylinder.axis);
+    const double z = cylinder.along(elements_.points[m]);
+    count += 1;
+    sum += lean;
+    sum_z += z;
+    sum_zz += z * z;
+    sum_z_lean += z * lean;
+  }
+  constexpr double min_inner = 8;
+  if (count < min_inner)
+    return true;
+  const double mean = sum / count, mean_z = sum_z / count;
+  const double variance = sum_zz / count - mean_z * mean_z;
+  const double trend = (sum_z_lean / count - mean_z * mean) / std::sqrt(variance);
+  constexpr double max_lean = 3 * degree;
+  return std::abs(mean) < max_lean && !(std::abs(trend) > max_lean);
 }
 
 double
@@ -423,9 +456,8 @@ CylinderSearch::bitsBefore(std::int32_t element) const
 /** Removes members that are taken, or nearer to a plane that stays, and sets the gain
  * of the others. */
 void
-CylinderSearch::weigh(Candidate& candidate) const
+CylinderSearch::weigh(GrownCylinder& grown) const
 {
-  GrownCylinder& grown = candidate.grown;
   std::vector<std::size_t> taken(faces_.planes.size(), 0);
   const auto planeOf = [&](std::int32_t member) {
     return faces_.labels.empty() ? -1
@@ -453,23 +485,33 @@ CylinderSearch::weigh(Candidate& candidate) const
       std::remove_if(grown.members.begin(), grown.members.end(), leaves),
       grown.members.end());
   const double count = static_cast<double>(grown.members.size());
-  candidate.gain = -lengths_.cylinder(count);
+  grown.gain = -lengths_.cylinder(count);
   for (const std::int32_t member : grown.members)
-    candidate.gain += bitsBefore(member) -
-                      lengths_.element(grown.fit.cylinder.distance(
-                          elements_.points[static_cast<std::size_t>(member)]));
+    grown.gain += bitsBefore(member) -
+                  lengths_.element(grown.fit.cylinder.distance(
+                      elements_.points[static_cast<std::size_t>(member)]));
   grown.planes.clear();
   for (std::size_t p = 0; p < taken.size(); ++p)
     if (isFallen(static_cast<std::int32_t>(p))) {
       grown.planes.push_back(static_cast<std::int32_t>(p));
-      candidate.gain += lengths_.plane(static_cast<double>(plane_sizes_[p]));
+      grown.gain += lengths_.plane(static_cast<double>(plane_sizes_[p]));
     }
+  // What remains of the planes that fall is free.
+  std::vector<double> rest = plane_bits_;
+  for (const std::int32_t member : grown.members)
+    if (planeOf(member) >= 0)
+      rest[static_cast<std::size_t>(planeOf(member))] -= bitsBefore(member);
+  for (const std::int32_t plane : grown.planes) {
+    const auto p = static_cast<std::size_t>(plane);
+    grown.gain += rest[p] - static_cast<double>(plane_sizes_[p] - taken[p]) *
+                                lengths_.freeElement();
+  }
 }
 
 /** Takes candidates in the order of their gains; elements that are taken are lost for
  * the others. */
 bool
-CylinderSearch::take(std::vector<Candidate> candidates)
+CylinderSearch::take(std::vector<GrownCylinder> candidates)
 {
   constexpr double min_left = 0.6; // of the members
   bool has_taken = false;
@@ -478,10 +520,10 @@ CylinderSearch::take(std::vector<Candidate> candidates)
         candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
           return a.gain < b.gain;
         });
-    const std::size_t before = best->grown.members.size();
+    const std::size_t before = best->members.size();
     const double gain = best->gain;
     weigh(*best);
-    if (static_cast<double>(best->grown.members.size()) <
+    if (static_cast<double>(best->members.size()) <
             min_left * static_cast<double>(before) ||
         !(best->gain > 0)) {
       candidates.erase(best);
@@ -489,10 +531,10 @@ CylinderSearch::take(std::vector<Candidate> candidates)
     }
     if (best->gain < gain)
       continue; // another one may be better now
-    for (const std::int32_t member : best->grown.members)
+    for (const std::int32_t member : best->members)
       owner_[static_cast<std::size_t>(member)] =
           static_cast<std::int32_t>(taken_.size());
-    taken_.push_back(std::move(best->grown));
+    taken_.push_back(std::move(*best));
     candidates.erase(best);
     has_taken = true;
   }
@@ -529,13 +571,12 @@ CylinderSearch::finish()
   std::vector<GrownCylinder> kept;
   std::fill(owner_.begin(), owner_.end(), no_region);
   for (GrownCylinder& grown : taken_) {
-    Candidate candidate{std::move(grown), 0};
-    weigh(candidate);
-    if (!(candidate.gain > 0) || !isCylinder(candidate.grown, true))
+    weigh(grown);
+    if (!(grown.gain > 0) || !isCylinder(grown, true))
       continue;
-    for (const std::int32_t member : candidate.grown.members)
+    for (const std::int32_t member : grown.members)
       owner_[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(kept.size());
-    kept.push_back(std::move(candidate.grown));
+    kept.push_back(std::move(grown));
   }
   taken_ = std::move(kept);
 }
@@ -546,14 +587,17 @@ CylinderReach
 reachOf(const Cylinder& cylinder, const std::vector<Sample>& samples, double spacing)
 {
   CylinderReach reach;
-  if (samples.empty())
-    return reach;
   const Development development(cylinder);
   std::vector<double> angles, heights;
   for (const Sample& sample : samples) {
-    angles.push_back(development.angle(cylinder.across(sample.point)));
-    heights.push_back(cylinder.along(sample.point));
+    const Offset offset(cylinder, sample);
+    if (!offset.exists)
+      continue;
+    angles.push_back(development.angle(offset.normal));
+    heights.push_back(cylinder.along(offset.foot));
   }
+  if (angles.empty())
+    return reach;
   std::sort(angles.begin(), angles.end());
   const double max_gap = std::max(5 * degree, 2.5 * spacing / cylinder.radius);
   double widest = 0;

@@ -25,6 +25,7 @@ struct GrownCylinder {
   CylinderFit fit;
   std::vector<std::int32_t> members; ///< ascending
   std::vector<std::int32_t> planes;  ///< that it replaces
+  double gain = 0;                   ///< bits that it saves
 };
 
 /** How far round and along the axis the members of a cylinder are. */

@@ -2,6 +2,7 @@
 #include "cylinders/raw_cylinders.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/noise_scale.h>
 #include <pcl/segmentation/impl/cylinder_clustering_kernel.h>
 
 #include <algorithm>
@@ -25,15 +26,6 @@ facesOf(const GivenPlanes& planes, const SurfaceElements& elements)
   return faces;
 }
 
-std::vector<Sample>
-samplesOf(const SurfaceElements& elements, const std::vector<std::int32_t>& members)
-{
-  std::vector<Sample> samples;
-  for (const std::int32_t member : members)
-    samples.push_back({elements.points[static_cast<std::size_t>(member)]});
-  return samples;
-}
-
 /** The covariance in the axes of a patch. */
 Matrix5
 turned(const CylinderFit& fit, const CylinderPatch& patch)
@@ -51,14 +43,13 @@ turned(const CylinderFit& fit, const CylinderPatch& patch)
 CylinderPatch
 patchOf(const CylinderFit& fit,
         const std::vector<Sample>& samples,
-        double spacing,
-        const Eigen::Vector3d& origin)
+        double spacing)
 {
   const Cylinder& cylinder = fit.cylinder;
   const Development development(cylinder);
   const CylinderReach reach = reachOf(cylinder, samples, spacing);
   CylinderPatch patch;
-  patch.axis_point = cylinder.point + origin;
+  patch.axis_point = cylinder.point;
   patch.axis_direction = cylinder.axis;
   patch.radius = cylinder.radius;
   patch.is_hollow = cylinder.is_hollow;
@@ -75,34 +66,143 @@ patchOf(const CylinderFit& fit,
   return patch;
 }
 
-/** Finds cylinders over elements with normals. */
+/** Counts and bits of the surface without its cylinders. */
 void
-searchSurface(const SurfaceElements& elements,
+describeBefore(const SurfaceElements& elements,
+               const KnownFaces& faces,
+               CylinderClusteringReport& report)
+{
+  const DescriptionLength lengths(elements.sigma, elements.spacing, elements.extent);
+  std::vector<double> sizes(faces.planes.size(), 0);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::int32_t label = faces.labels.empty() ? -1 : faces.labels[i];
+    if (!elements.points[i].allFinite())
+      continue;
+    if (label < 0) {
+      report.bits_before += lengths.freeElement();
+      continue;
+    }
+    const Eigen::Vector4d& face = faces.planes[static_cast<std::size_t>(label)];
+    report.bits_before +=
+        lengths.element(face.head<3>().dot(elements.points[i]) + face[3]);
+    ++report.points_on_planes;
+    sizes[static_cast<std::size_t>(label)] += 1;
+  }
+  for (const double size : sizes)
+    report.bits_before += lengths.plane(size);
+}
+
+/** The source's points and planes; without noise if that cannot be measured. */
+RawCloud
+rawSource(const PlaneSource& source, const GivenPlanes& planes, double sigma)
+{
+  RawCloud cloud{source.points, source.sensors, {}, {}, {}, 0, sigma};
+  cloud.labels.assign(source.points.size(), -1);
+  if (!planes.source_labels.empty()) {
+    cloud.planes = planes.patches;
+    cloud.labels = planes.source_labels;
+    cloud.is_bent.assign(cloud.planes.size(), 0);
+  }
+  const NoiseScale scale = measureNoiseScale(source.points, source.sensors);
+  cloud.spacing = scale.spacing;
+  if (sigma > 0)
+    return cloud;
+  const double measured = noiseOnPlanes(cloud);
+  cloud.sigma = measured > 0 ? measured : scale.sigma;
+  return cloud;
+}
+
+/** Fits a cylinder to the points of the source that are on no plane that stays.
+ * \return false if rays pass through it */
+bool
+refitToSource(const RawCloud& source, const GrownCylinder& grown, RawCylinder& cylinder)
+{
+  std::vector<std::int32_t> pool;
+  for (std::size_t i = 0; i < source.points.size(); ++i) {
+    const std::int32_t label = source.labels[i];
+    if (source.points[i].allFinite() &&
+        (label < 0 ||
+         std::find(grown.planes.begin(), grown.planes.end(), label) !=
+             grown.planes.end()))
+      pool.push_back(static_cast<std::int32_t>(i));
+  }
+  RawCylinder refit = cylinder;
+  const CylinderReach reach =
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing);
+  constexpr std::size_t min_points = 60;
+  constexpr double max_change = 0.5; // of the radius: a coarse mesh cuts small pipes
+  const double radius = cylinder.fit.cylinder.radius;
+  if (!gatherRaw(source, pool, reach, refit) || refit.members.size() < min_points ||
+      std::abs(refit.fit.cylinder.radius - radius) > max_change * radius)
+    return !isLookedThrough(source, cylinder.fit, reach);
+  cylinder = std::move(refit);
+  return !isLookedThrough(
+      source,
+      cylinder.fit,
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing));
+}
+
+/** Appends a cylinder with the labels of its members. */
+void
+append(CylinderPatch&& patch,
+       const std::vector<std::int32_t>& members,
+       std::vector<std::int32_t>& labels,
+       std::vector<CylinderPatch>& patches)
+{
+  for (const std::int32_t member : members)
+    labels[static_cast<std::size_t>(member)] =
+        static_cast<std::int32_t>(patches.size());
+  patches.push_back(std::move(patch));
+}
+
+/** Finds cylinders over elements with normals, and fits them to the source. */
+void
+searchSurface(const PlaneHypotheses& hypotheses,
+              const PlaneSource& source,
               const GivenPlanes& planes,
-              const CylinderLimits& limits,
+              const CylinderClusteringSettings& settings,
               const Progress& progress,
               CylinderClusters& clusters,
               CylinderClusteringReport& report)
 {
-  const KnownFaces faces = facesOf(planes, elements);
-  for (GrownCylinder& cylinder : growCylinders(elements, faces, limits, progress)) {
-    const std::vector<Sample> samples = samplesOf(elements, cylinder.members);
-    setCovariance(samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
-    for (const std::int32_t member : cylinder.members)
-      clusters.labels[static_cast<std::size_t>(member)] =
-          static_cast<std::int32_t>(clusters.patches.size());
-    clusters.patches.push_back(
-        patchOf(cylinder.fit, samples, elements.spacing, elements.origin));
-    clusters.patches.back().planes = cylinder.planes;
-  }
+  const bool has_source = source.points.size() > 0;
+  const SurfaceElements elements(hypotheses, has_source ? 0 : settings.sigma);
+  report.spacing = elements.spacing;
+  report.sigma = elements.sigma;
   report.planes = planes.patches.size();
+  if (!(elements.spacing > 0))
+    return;
+  const KnownFaces faces = facesOf(planes, elements);
+  describeBefore(elements, faces, report);
+  report.bits_after = report.bits_before;
+  RawCloud raw;
+  if (has_source)
+    raw = rawSource(source, planes, settings.sigma);
+  for (GrownCylinder& grown : growCylinders(
+           elements, faces, {settings.min_radius, settings.max_radius}, progress)) {
+    RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
+    setCovariance(
+        cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
+    cylinder.fit.cylinder.point += elements.origin;
+    for (Sample& sample : cylinder.samples)
+      sample.point += elements.origin;
+    if (raw.sigma > 0 && raw.spacing > 0 && !refitToSource(raw, grown, cylinder))
+      continue;
+    for (const std::int32_t member : cylinder.members)
+      clusters.source_labels[static_cast<std::size_t>(member)] =
+          static_cast<std::int32_t>(clusters.patches.size());
+    CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, elements.spacing);
+    patch.planes = grown.planes;
+    report.replaced_planes += grown.planes.size();
+    report.bits_after -= grown.gain;
+    append(std::move(patch), grown.members, clusters.labels, clusters.patches);
+  }
 }
 
 /** Finds planes, and cylinders among the rest, in a cloud whose noise hides the
  * normals. */
 void
 searchRaw(const PlaneHypotheses& hypotheses,
-          const CylinderLimits& limits,
           const CylinderClusteringSettings& settings,
           const Progress& progress,
           CylinderClusters& clusters,
@@ -118,14 +218,47 @@ searchRaw(const PlaneHypotheses& hypotheses,
   report.planes = cloud.planes.size();
   if (!(cloud.spacing > 0) || !(cloud.sigma > 0))
     return;
-  for (const RawCylinder& cylinder : findRawCylinders(cloud, limits, progress)) {
-    for (const std::int32_t member : cylinder.members)
-      clusters.labels[static_cast<std::size_t>(member)] =
-          static_cast<std::int32_t>(clusters.patches.size());
-    clusters.patches.push_back(patchOf(
-        cylinder.fit, cylinder.samples, 2 * cloud.spacing, Eigen::Vector3d::Zero()));
-    clusters.patches.back().planes = cylinder.planes;
+  const DescriptionLength lengths = lengthsOf(cloud);
+  std::vector<double> sizes(cloud.planes.size(), 0);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!cloud.points[i].allFinite())
+      continue;
+    report.bits_before += bitsOfPoint(cloud, lengths, i);
+    if (cloud.labels[i] < 0)
+      continue;
+    ++report.points_on_planes;
+    sizes[static_cast<std::size_t>(cloud.labels[i])] += 1;
   }
+  for (const double size : sizes)
+    report.bits_before += lengths.plane(size);
+  report.bits_after = report.bits_before;
+  for (const RawCylinder& cylinder : findRawCylinders(
+           cloud, {settings.min_radius, settings.max_radius}, progress)) {
+    CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, 2 * cloud.spacing);
+    report.replaced_planes += cylinder.planes.size();
+    report.bits_after -= cylinder.gain;
+    append(std::move(patch), cylinder.members, clusters.labels, clusters.patches);
+  }
+}
+
+/** Sets counts, and the reason if there are no cylinders. */
+void
+describe(const PlaneHypotheses& hypotheses,
+         const CylinderClusters& clusters,
+         CylinderClusteringReport& report)
+{
+  report.cylinders = clusters.patches.size();
+  for (std::size_t i = 0; i < hypotheses.points.size(); ++i)
+    report.invalid_points += hypotheses.points[i].allFinite() ? 0 : 1;
+  for (const std::int32_t label : clusters.labels)
+    report.points_on_cylinders += label >= 0 ? 1 : 0;
+  if (report.cylinders > 0)
+    return;
+  if (!(report.spacing > 0))
+    report.remarks.emplace_back("no cylinders: the points are on no surface");
+  else
+    report.remarks.emplace_back("no cylinders: planes and free points describe the "
+                                "cloud in fewer bits, or nothing is curved enough");
 }
 
 /** Sorts by decreasing area and changes the labels accordingly. */
@@ -168,24 +301,20 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
     report.points = hypotheses.points.size();
     StepTimer timer(report);
     progress.tell(0.0, "surface");
-    const SurfaceElements elements(hypotheses, settings.sigma);
-    report.spacing = elements.spacing;
-    report.sigma = elements.sigma;
-    timer.finish("surface");
     CylinderClusters clusters;
-    clusters.labels.assign(elements.size(), -1);
+    clusters.labels.assign(hypotheses.points.size(), -1);
     clusters.source_labels.assign(source.points.size(), -1);
-    const CylinderLimits limits{settings.min_radius, settings.max_radius};
-    constexpr double max_noise = 0.1; // of the spacing, for normals of quadrics
-    const bool is_raw = !elements.is_mesh && !elements.is_oriented &&
-                        elements.sigma > max_noise * elements.spacing;
+    constexpr double max_noise = 0.03; // of the spacing, for normals of quadrics
+    const bool is_raw = hypotheses.triangles.empty() && hypotheses.normals.empty() &&
+                        relativeNoise(hypotheses.points) > max_noise;
     if (is_raw)
-      searchRaw(hypotheses, limits, settings, progress, clusters, report);
-    else if (elements.spacing > 0)
-      searchSurface(elements, planes, limits, progress, clusters, report);
+      searchRaw(hypotheses, settings, progress, clusters, report);
+    else
+      searchSurface(
+          hypotheses, source, planes, settings, progress, clusters, report);
     timer.finish("cylinders");
     sortByArea(clusters);
-    report.cylinders = clusters.patches.size();
+    describe(hypotheses, clusters, report);
     progress.tell(1.0, "done");
     return clusters;
   });

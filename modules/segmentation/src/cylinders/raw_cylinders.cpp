@@ -19,87 +19,6 @@ namespace {
 
 using Members = std::vector<std::int32_t>;
 
-std::vector<Sample>
-samplesOf(const RawCloud& cloud, const Members& members)
-{
-  std::vector<Sample> samples;
-  samples.reserve(members.size());
-  for (const std::int32_t member : members) {
-    const auto m = static_cast<std::size_t>(member);
-    const Eigen::Vector3f point = cloud.points[m];
-    Sample sample{point.cast<double>()};
-    if (const Eigen::Vector3f* const sensor = cloud.sensors[m])
-      sample.ray = (sample.point - sensor->cast<double>()).stableNormalized();
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
-/** At most about \a maximum of some members, evenly chosen. */
-Members
-thinned(const Members& members, std::size_t maximum)
-{
-  const std::size_t step = members.size() / maximum + 1;
-  Members chosen;
-  for (std::size_t i = 0; i < members.size(); i += step)
-    chosen.push_back(members[i]);
-  return chosen;
-}
-
-/** Does the surface of a plane's points bend by more than their noise and than walls
- * do? The height of a parabola is fitted to their offsets along both axes. */
-bool
-isBent(const RawCloud& cloud, const PlanePatch& patch, const Members& members)
-{
-  using Terms = Eigen::Matrix<double, 6, 1>;
-  using Matrix = Eigen::Matrix<double, 6, 6>;
-  constexpr std::size_t min_points = 60;
-  if (members.size() < min_points)
-    return false;
-  const Eigen::Vector3d normal = patch.coefficients.head<3>();
-  Matrix matrix = Matrix::Zero();
-  Terms right = Terms::Zero();
-  Eigen::Vector2d spread = Eigen::Vector2d::Zero();
-  double squares = 0, count = 0;
-  for (const Sample& sample : samplesOf(cloud, members)) {
-    const double slant = sample.hasRay() ? std::abs(sample.ray.dot(normal)) : 1;
-    if (slant < min_slant)
-      continue;
-    double off = normal.dot(sample.point) + patch.coefficients[3];
-    Eigen::Vector3d foot = sample.point - off * normal;
-    if (sample.hasRay())
-      foot = sample.point - off / sample.ray.dot(normal) * sample.ray;
-    off /= slant; // all have the same noise along their rays
-    const double a = (foot - patch.center).dot(patch.axis_u);
-    const double b = (foot - patch.center).dot(patch.axis_v);
-    Terms terms;
-    terms << 1, a, b, a * a, a * b, b * b;
-    terms /= slant;
-    matrix += terms * terms.transpose();
-    right += off * terms;
-    squares += off * off;
-    spread += Eigen::Vector2d(a * a, b * b);
-    count += 1;
-  }
-  if (count < min_points)
-    return false;
-  const Eigen::LDLT<Matrix> solver(matrix);
-  const Terms fit = solver.solve(right);
-  const double variance =
-      std::max(squares - fit.dot(right), 0.0) / (count - 6);
-  const Matrix covariance = variance * solver.solve(Matrix(Matrix::Identity()));
-  constexpr double deviations = 5, min_sagitta = 0.006; // of the width
-  for (const int axis : {0, 1}) {
-    const int term = axis == 0 ? 3 : 5;
-    const double width = std::sqrt(12 * spread[axis] / count);
-    const double sagitta = std::abs(fit[term]) * width * width / 4;
-    if (std::abs(fit[term]) > deviations * std::sqrt(covariance(term, term)) &&
-        sagitta > min_sagitta * width)
-      return true;
-  }
-  return false;
-}
-
 /** Connected cells of some points: clusters with the members of each. */
 std::vector<Members>
 clustersOf(const RawCloud& cloud, const Members& pool, double edge)
@@ -177,6 +96,7 @@ public:
   RawSearch(const RawCloud& cloud, const CylinderLimits& limits)
   : cloud_(cloud)
   , limits_(limits)
+  , lengths_(lengthsOf(cloud))
   , is_free_(cloud.points.size(), 0)
   , plane_members_(cloud.planes.size())
   {
@@ -190,7 +110,7 @@ public:
     }
     for (std::size_t p = 0; p < cloud.planes.size(); ++p) {
       directions_.add(cloud.planes[p].coefficients.head<3>());
-      if (isBent(cloud, cloud.planes[p], thinned(plane_members_[p], 20000)))
+      if (cloud.is_bent[p])
         for (const std::int32_t member : plane_members_[p])
           is_free_[static_cast<std::size_t>(member)] = 1;
     }
@@ -228,16 +148,13 @@ private:
   Directions
   axesOf(const std::vector<Sample>& samples) const;
   bool
-  gather(const Members& pool, RawCylinder& cylinder) const;
-  bool
   isCylinder(const RawCylinder& cylinder) const;
   bool
   isShorter(RawCylinder& cylinder) const;
-  bool
-  isLookedThrough(const CylinderFit& fit, const CylinderReach& reach) const;
 
   const RawCloud& cloud_;
   CylinderLimits limits_;
+  DescriptionLength lengths_;
   std::vector<std::uint8_t> is_free_;
   std::vector<Members> plane_members_;
   Directions directions_; ///< of planes and of their edges
@@ -266,7 +183,11 @@ RawSearch::bestFit(const std::vector<Sample>& samples) const
 {
   std::optional<CylinderFit> best;
   double best_score = 0;
-  for (const Eigen::Vector3d& axis : axesOf(samples).all()) {
+  const Directions axes = axesOf(samples);
+  for (const Eigen::Vector3d& axis : axes.all()) {
+    constexpr double enough = 0.85;
+    if (best_score > enough * static_cast<double>(samples.size()))
+      break; // the axis of the cluster's shape is nearly always right
     std::optional<Cylinder> start = cylinderOfCircle(samples, axis);
     if (!start || start->radius > 100 * limits_.max_radius)
       continue;
@@ -297,38 +218,6 @@ RawSearch::bestFit(const std::vector<Sample>& samples) const
   return best;
 }
 
-/** Gathers all free points on the cylinder beside those that were found, and fits
- * again: a selection by rays does not shift the fit. */
-bool
-RawSearch::gather(const Members& pool, RawCylinder& cylinder) const
-{
-  constexpr int rounds = 3;
-  constexpr double gate = 4;
-  for (int round = 0; round < rounds; ++round) {
-    const CylinderReach reach =
-        reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
-    const double slack = 2 * cloud_.spacing;
-    Members members;
-    const std::vector<Sample> all = samplesOf(cloud_, pool);
-    for (std::size_t i = 0; i < pool.size(); ++i) {
-      const Offset offset(cylinder.fit.cylinder, all[i]);
-      if (!offset.exists || std::abs(offset.value) > gate * cloud_.sigma)
-        continue;
-      const double along = cylinder.fit.cylinder.along(offset.foot);
-      if (along > reach.low - slack && along < reach.high + slack)
-        members.push_back(pool[i]);
-    }
-    cylinder.samples = samplesOf(cloud_, members);
-    cylinder.members = std::move(members);
-    const auto fit =
-        fitCylinder(cylinder.samples, cylinder.fit.cylinder, cloud_.sigma);
-    if (!fit)
-      return false;
-    cylinder.fit = *fit;
-  }
-  return true;
-}
-
 bool
 RawSearch::searchCluster(const Members& cluster, const Members& pool)
 {
@@ -343,39 +232,16 @@ RawSearch::searchCluster(const Members& cluster, const Members& pool)
   for (const std::int32_t member : pool)
     if (is_free_[static_cast<std::size_t>(member)])
       still_free.push_back(member);
-  if (!gather(still_free, cylinder))
+  const CylinderReach reach =
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
+  if (!gatherRaw(cloud_, still_free, reach, cylinder))
     return false;
-  setCovariance(cylinder.samples, cloud_.sigma, 2 * cloud_.spacing, cylinder.fit);
   if (!isCylinder(cylinder) || !isShorter(cylinder))
     return false;
   for (const std::int32_t member : cylinder.members)
     is_free_[static_cast<std::size_t>(member)] = 0;
   found_.push_back(std::move(cylinder));
   return true;
-}
-
-/** Do rays pass through the cylinder where it should stop them? */
-bool
-RawSearch::isLookedThrough(const CylinderFit& fit, const CylinderReach& reach) const
-{
-  constexpr double min_cosine = 0.4, max_share = 0.15, sigmas = 5;
-  std::size_t through = 0, on = 0;
-  Members all(cloud_.points.size());
-  std::iota(all.begin(), all.end(), 0);
-  for (const Sample& sample : samplesOf(cloud_, all)) {
-    if (!sample.hasRay() || !sample.point.allFinite())
-      continue;
-    const Offset offset(fit.cylinder, sample);
-    if (!offset.exists || std::abs(offset.slant) < min_cosine)
-      continue;
-    const double along = fit.cylinder.along(offset.foot);
-    if (along < reach.low || along > reach.high)
-      continue;
-    through += offset.value > sigmas * cloud_.sigma ? 1 : 0;
-    on += std::abs(offset.value) <= sigmas * cloud_.sigma ? 1 : 0;
-  }
-  return static_cast<double>(through) >
-         max_share * static_cast<double>(through + on);
 }
 
 bool
@@ -396,7 +262,7 @@ RawSearch::isCylinder(const RawCylinder& cylinder) const
   constexpr double max_misfit = 0.2;
   return misfit(cylinder.samples, cylinder.fit, cloud_.sigma / 2) <=
              max_misfit + 18 / count &&
-         (cylinder.fit.cylinder.is_hollow || !isLookedThrough(cylinder.fit, reach));
+         !isLookedThrough(cloud_, cylinder.fit, reach);
 }
 
 /** Are the points described in fewer bits than as free ones, with the planes that the
@@ -409,44 +275,132 @@ RawSearch::isShorter(RawCylinder& cylinder) const
   for (const Sample& sample : cylinder.samples)
     moments += momentsOf(sample.point - middle);
   const PlaneFit plane = fitPlane(moments);
-  const double extent = std::sqrt(12 * plane.variances.sum());
-  const DescriptionLength lengths(cloud_.sigma, cloud_.spacing, extent);
   const double count = static_cast<double>(cylinder.members.size());
-  double on_cylinder = lengths.cylinder(count), on_plane = lengths.plane(count);
+  double on_cylinder = lengths_.cylinder(count), on_plane = lengths_.plane(count);
   double before = 0;
   std::map<std::int32_t, std::size_t> taken;
   for (std::size_t i = 0; i < cylinder.samples.size(); ++i) {
     const Sample& sample = cylinder.samples[i];
-    const Offset offset(cylinder.fit.cylinder, sample);
+    const auto member = static_cast<std::size_t>(cylinder.members[i]);
     const double cosine = sample.hasRay() ? sample.ray.dot(plane.normal) : 1;
     const double off = plane.normal.dot(sample.point - middle - plane.mean) /
                        std::max(std::abs(cosine), min_slant);
-    on_cylinder += lengths.element(offset.value);
-    on_plane += lengths.element(off);
-    const std::int32_t label =
-        cloud_.labels[static_cast<std::size_t>(cylinder.members[i])];
-    if (label < 0) {
-      before += lengths.freeElement();
-      continue;
-    }
-    ++taken[label];
-    const Eigen::Vector4d& its =
-        cloud_.planes[static_cast<std::size_t>(label)].coefficients;
-    before += lengths.element(its.head<3>().dot(sample.point) + its[3]);
+    on_cylinder +=
+        lengths_.element(Offset(cylinder.fit.cylinder, sample).value);
+    on_plane += lengths_.element(off);
+    before += bitsOfPoint(cloud_, lengths_, member);
+    if (cloud_.labels[member] >= 0)
+      ++taken[cloud_.labels[member]];
   }
   for (const auto& [label, number] : taken) {
-    const double all =
-        static_cast<double>(plane_members_[static_cast<std::size_t>(label)].size());
+    const Members& all = plane_members_[static_cast<std::size_t>(label)];
     constexpr double min_share = 0.6;
-    if (static_cast<double>(number) < min_share * all)
+    if (static_cast<double>(number) < min_share * static_cast<double>(all.size()))
       continue;
     cylinder.planes.push_back(label);
-    before += lengths.plane(all);
+    before += lengths_.plane(static_cast<double>(all.size()));
   }
-  return on_cylinder < before && on_cylinder < on_plane;
+  cylinder.gain = before - on_cylinder;
+  return cylinder.gain > 0 && on_cylinder < on_plane;
 }
 
 } // namespace
+
+bool
+gatherRaw(const RawCloud& cloud,
+          const std::vector<std::int32_t>& pool,
+          CylinderReach reach,
+          RawCylinder& cylinder)
+{
+  constexpr int rounds = 3;
+  constexpr double gate = 4;
+  const double slack = 2 * cloud.spacing;
+  const std::vector<Sample> all = samplesOf(cloud, pool);
+  for (int round = 0; round < rounds; ++round) {
+    const Cylinder& now = cylinder.fit.cylinder;
+    const Development development(now);
+    std::vector<std::int32_t> members;
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      const Offset offset(now, all[i]);
+      if (!offset.exists || !(std::abs(offset.value) < gate * cloud.sigma))
+        continue;
+      const double along = now.along(offset.foot);
+      const double turn = development.angle(offset.normal) - reach.arc_begin +
+                          slack / now.radius;
+      if (along > reach.low - slack && along < reach.high + slack &&
+          turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) <
+              reach.arc_length + 2 * slack / now.radius)
+        members.push_back(pool[i]);
+    }
+    cylinder.samples = samplesOf(cloud, members);
+    cylinder.members = std::move(members);
+    const auto fit = fitCylinder(cylinder.samples, now, cloud.sigma);
+    if (!fit)
+      return false;
+    cylinder.fit = *fit;
+    reach = reachOf(fit->cylinder, cylinder.samples, slack);
+  }
+  setCovariance(cylinder.samples, cloud.sigma, slack, cylinder.fit);
+  return true;
+}
+
+bool
+isLookedThrough(const RawCloud& cloud,
+                const CylinderFit& fit,
+                const CylinderReach& reach)
+{
+  constexpr double min_cosine = 0.4, max_share = 0.15, sigmas = 5;
+  if (fit.cylinder.is_hollow)
+    return false;
+  std::vector<std::int32_t> all(cloud.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  double through = 0, on = 0;
+  for (const Sample& sample : samplesOf(cloud, all)) {
+    if (!sample.hasRay() || !sample.point.allFinite())
+      continue;
+    const Offset offset(fit.cylinder, sample);
+    if (!offset.exists || std::abs(offset.slant) < min_cosine)
+      continue;
+    const double along = fit.cylinder.along(offset.foot);
+    if (along < reach.low || along > reach.high)
+      continue;
+    through += offset.value > sigmas * cloud.sigma ? 1 : 0;
+    on += std::abs(offset.value) <= sigmas * cloud.sigma ? 1 : 0;
+  }
+  return through > max_share * (through + on);
+}
+
+double
+bitsOfPoint(const RawCloud& cloud, const DescriptionLength& lengths, std::size_t i)
+{
+  if (cloud.labels[i] < 0)
+    return lengths.freeElement();
+  const Sample sample =
+      samplesOf(cloud, {static_cast<std::int32_t>(i)}).front();
+  const Eigen::Vector4d& plane =
+      cloud.planes[static_cast<std::size_t>(cloud.labels[i])].coefficients;
+  const double cosine = sample.hasRay() ? sample.ray.dot(plane.head<3>()) : 1;
+  return lengths.element((plane.head<3>().dot(sample.point) + plane[3]) /
+                         std::max(std::abs(cosine), min_slant));
+}
+
+DescriptionLength
+lengthsOf(const RawCloud& cloud)
+{
+  Moments moments;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3f point = cloud.points[i];
+    if (!point.allFinite())
+      continue;
+    if (moments.count == 0)
+      origin = point.cast<double>();
+    moments += momentsOf(point.cast<double>() - origin);
+  }
+  const double variance =
+      moments.count > 0 ? fitPlane(moments).variances.sum() : 0; // of a box: side^2 / 12
+  return DescriptionLength(cloud.sigma, cloud.spacing, std::sqrt(12 * variance));
+}
 
 std::vector<RawCylinder>
 findRawCylinders(const RawCloud& cloud,

@@ -68,6 +68,16 @@ quadricOf(const std::vector<Eigen::Vector3d>& points,
   return quadric;
 }
 
+constexpr double quartile_of_seven = 0.78; // rms of seven normal values
+
+double
+lowerQuartile(std::vector<double>& values)
+{
+  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quarter, values.end());
+  return *quarter;
+}
+
 } // namespace
 
 SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_sigma)
@@ -190,10 +200,32 @@ SurfaceElements::fitQuadrics(bool sets_normals)
             rms.end());
   if (rms.empty())
     return;
-  const auto quarter = rms.begin() + static_cast<std::ptrdiff_t>(rms.size() / 4);
-  std::nth_element(rms.begin(), quarter, rms.end());
-  constexpr double quartile_of_seven = 0.78; // rms of seven normal values
-  sigma = *quarter / quartile_of_seven;
+  sigma = lowerQuartile(rms) / quartile_of_seven;
+}
+
+double
+relativeNoise(const PointView& view)
+{
+  constexpr std::size_t max_samples = 1500, nearest = 13;
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < view.size(); ++i)
+    points.push_back(view[i].cast<double>());
+  const NearestPoints tree(points);
+  std::vector<double> rms, distances;
+  std::vector<std::int32_t> found;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / max_samples + 1) {
+    tree.find(points[i], nearest, found);
+    if (found.size() < nearest)
+      continue;
+    const Quadric quadric = quadricOf(points, found, nearest);
+    if (!(quadric.rms >= 0))
+      continue;
+    rms.push_back(quadric.rms);
+    distances.push_back(quadric.window * 0.7); // half of the disc is nearer
+  }
+  if (rms.empty())
+    return 0;
+  return lowerQuartile(rms) / quartile_of_seven / medianOf(distances);
 }
 
 } // namespace pcl::acmap::cylinders

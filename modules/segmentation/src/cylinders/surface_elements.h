@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cylinders/cylinder.h"
+
 #include <pcl/core/impl/vertex_neighbours.h>
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
@@ -40,6 +42,16 @@ struct SurfaceElements {
     return points.size();
   }
 
+  std::vector<Sample>
+  samplesOf(const std::vector<std::int32_t>& members) const
+  {
+    std::vector<Sample> samples;
+    samples.reserve(members.size());
+    for (const std::int32_t member : members)
+      samples.push_back({points[static_cast<std::size_t>(member)]});
+    return samples;
+  }
+
 private:
   void
   setPoints(const PointView& view);
@@ -48,5 +60,10 @@ private:
   void
   fitQuadrics(bool sets_normals);
 };
+
+/** Noise of a cloud over the distance between neighbouring points, measured at a sample
+ * of the points; 0 if there is no surface. */
+double
+relativeNoise(const PointView& points);
 
 } // namespace pcl::acmap::cylinders
