@@ -44,7 +44,8 @@ unpacked(const std::string& path)
   if (!pipe)
     return text;
   std::array<char, 1 << 16> buffer;
-  for (std::size_t size; (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+  for (std::size_t size;
+       (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
     text.append(buffer.data(), size);
   ::pclose(pipe);
   return text;
@@ -104,18 +105,18 @@ readModel(const std::string& stem)
   model.extent = (high - low).norm();
   std::map<int, TrueCylinder> cylinders;
   const std::string kind = "Cylinder, ";
-  visitPrimitives(
-      fileText(stem + "_parametric.txt"), [&](int number, const std::string& text) {
-        if (text.compare(0, kind.size(), kind) != 0)
-          return;
-        const std::vector<double> p = numbersOf(text.substr(kind.size()));
-        if (p.size() != 12)
-          return;
-        TrueCylinder& cylinder = cylinders[number];
-        cylinder.radius = Eigen::Vector3d(p[0], p[1], p[2]).norm();
-        cylinder.axis = Eigen::Vector3d(p[6], p[7], p[8]).normalized();
-        cylinder.point = Eigen::Vector3d(p[9], p[10], p[11]);
-      });
+  visitPrimitives(fileText(stem + "_parametric.txt"),
+                  [&](int number, const std::string& text) {
+                    if (text.compare(0, kind.size(), kind) != 0)
+                      return;
+                    const std::vector<double> p = numbersOf(text.substr(kind.size()));
+                    if (p.size() != 12)
+                      return;
+                    TrueCylinder& cylinder = cylinders[number];
+                    cylinder.radius = Eigen::Vector3d(p[0], p[1], p[2]).norm();
+                    cylinder.axis = Eigen::Vector3d(p[6], p[7], p[8]).normalized();
+                    cylinder.point = Eigen::Vector3d(p[9], p[10], p[11]);
+                  });
   visitPrimitives(unpacked(stem + "_primitives.txt.xz"),
                   [&](int number, const std::string& text) {
                     const auto found = cylinders.find(number);

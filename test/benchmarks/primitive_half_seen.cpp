@@ -104,8 +104,9 @@ printWalls()
                                         seed))
                 .size();
       MarkdownRow()
-          .text(bow == 0 ? std::string("flat")
-                         : "bowed by " + std::to_string(std::lround(1000 * bow)) + " mm")
+          .text(bow == 0
+                    ? std::string("flat")
+                    : "bowed by " + std::to_string(std::lround(1000 * bow)) + " mm")
           .number(sigma / millimetre, 0)
           .count(seeds)
           .atMost(static_cast<double>(cylinders), 0, 0)

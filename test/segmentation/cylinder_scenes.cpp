@@ -54,16 +54,19 @@ meetCylinder(const Eigen::Vector3d& ray,
  * \param[in] meet (ray) returns the nearest surface */
 template <typename Meet>
 void
-cast(double focal, double sigma, std::uint64_t seed, const Meet& meet, CylinderView& view)
+cast(double focal,
+     double sigma,
+     std::uint64_t seed,
+     const Meet& meet,
+     CylinderView& view)
 {
   Random random(seed);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Eigen::Vector3d ray =
-          Eigen::Vector3d((column - columns / 2 + 0.5) / focal,
-                          (row - rows / 2 + 0.5) / focal,
-                          1)
-              .normalized();
+      const Eigen::Vector3d ray = Eigen::Vector3d((column - columns / 2 + 0.5) / focal,
+                                                  (row - rows / 2 + 0.5) / focal,
+                                                  1)
+                                      .normalized();
       const RayHit hit = meet(ray);
       if (hit.range == infinity)
         continue;
@@ -98,7 +101,8 @@ seeColumns(double sigma, std::uint64_t seed)
   CylinderView view;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const double z = random.uniform(2.0, 3.6);
-    const double x = (0.42 * (static_cast<double>(i) - 1) + random.uniform(-0.05, 0.05)) * z;
+    const double x =
+        (0.42 * (static_cast<double>(i) - 1) + random.uniform(-0.05, 0.05)) * z;
     const Eigen::Vector3d axis(random.uniform(-0.2, 0.2), 1, random.uniform(-0.2, 0.2));
     view.cylinders.push_back({{x, 0, z}, axis.normalized(), radii[i]});
   }

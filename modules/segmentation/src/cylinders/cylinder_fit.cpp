@@ -222,8 +222,8 @@ cylinderOfCircle(const std::vector<Sample>& samples, const Eigen::Vector3d& axis
   const double z_variance = zz - z_mean * z_mean;
   const double a3 = 4 * z_mean, a2 = -3 * z_mean * z_mean - zz;
   const double a1 = z_variance * z_mean + 4 * determinant * z_mean - xz * xz - yz * yz;
-  const double a0 = xz * (xz * yy - yz * xy) + yz * (yz * xx - xz * xy) -
-                    determinant * z_variance;
+  const double a0 =
+      xz * (xz * yy - yz * xy) + yz * (yz * xx - xz * xy) - determinant * z_variance;
   double root = 0;
   constexpr int max_steps = 30;
   for (int i = 0; i < max_steps; ++i) {
@@ -235,8 +235,8 @@ cylinderOfCircle(const std::vector<Sample>& samples, const Eigen::Vector3d& axis
     root = next;
   }
   const double scale = root * root - root * z_mean + determinant;
-  const Eigen::Vector2d center(
-      (xz * (yy - root) - yz * xy) / scale / 2, (yz * (xx - root) - xz * xy) / scale / 2);
+  const Eigen::Vector2d center((xz * (yy - root) - yz * xy) / scale / 2,
+                               (yz * (xx - root) - xz * xy) / scale / 2);
   Cylinder cylinder;
   cylinder.axis = axis;
   cylinder.radius = std::sqrt(center.squaredNorm() + z_mean);

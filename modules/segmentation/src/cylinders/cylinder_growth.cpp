@@ -147,8 +147,7 @@ seedOf(const SurfaceElements& elements,
   double residual = 0;
   const auto cylinder =
       cylinderOfNormals(points, normals, solver.eigenvectors().col(0), residual);
-  if (!cylinder ||
-      residual > 3 * elements.sigma + 0.25 * elements.spacing ||
+  if (!cylinder || residual > 3 * elements.sigma + 0.25 * elements.spacing ||
       std::abs(cylinder->radius) > 4 * elements.extent)
     return false;
   seed.cylinder = *cylinder;
@@ -460,8 +459,7 @@ CylinderSearch::weigh(GrownCylinder& grown) const
 {
   std::vector<std::size_t> taken(faces_.planes.size(), 0);
   const auto planeOf = [&](std::int32_t member) {
-    return faces_.labels.empty() ? -1
-                                 : faces_.labels[static_cast<std::size_t>(member)];
+    return faces_.labels.empty() ? -1 : faces_.labels[static_cast<std::size_t>(member)];
   };
   const auto isFallen = [&](std::int32_t plane) {
     const auto p = static_cast<std::size_t>(plane);
@@ -487,9 +485,9 @@ CylinderSearch::weigh(GrownCylinder& grown) const
   const double count = static_cast<double>(grown.members.size());
   grown.gain = -lengths_.cylinder(count);
   for (const std::int32_t member : grown.members)
-    grown.gain += bitsBefore(member) -
-                  lengths_.element(grown.fit.cylinder.distance(
-                      elements_.points[static_cast<std::size_t>(member)]));
+    grown.gain +=
+        bitsBefore(member) - lengths_.element(grown.fit.cylinder.distance(
+                                 elements_.points[static_cast<std::size_t>(member)]));
   grown.planes.clear();
   for (std::size_t p = 0; p < taken.size(); ++p)
     if (isFallen(static_cast<std::int32_t>(p))) {
@@ -516,10 +514,10 @@ CylinderSearch::take(std::vector<GrownCylinder> candidates)
   constexpr double min_left = 0.6; // of the members
   bool has_taken = false;
   while (!candidates.empty()) {
-    const auto best = std::max_element(
-        candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-          return a.gain < b.gain;
-        });
+    const auto best =
+        std::max_element(candidates.begin(),
+                         candidates.end(),
+                         [](const auto& a, const auto& b) { return a.gain < b.gain; });
     const std::size_t before = best->members.size();
     const double gain = best->gain;
     weigh(*best);

@@ -16,8 +16,9 @@ struct CylinderLimits {
 
 /** The planes over the elements before cylinders are looked for. */
 struct KnownFaces {
-  std::vector<Eigen::Vector4d> planes; ///< unit normal and offset, frame of the elements
-  std::vector<std::int32_t> labels;    ///< plane of each element, -1 for none
+  std::vector<Eigen::Vector4d>
+      planes;                       ///< unit normal and offset, frame of the elements
+  std::vector<std::int32_t> labels; ///< plane of each element, -1 for none
 };
 
 /** A region of elements on one cylinder. */
@@ -30,7 +31,7 @@ struct GrownCylinder {
 
 /** How far round and along the axis the members of a cylinder are. */
 struct CylinderReach {
-  double arc = 0; ///< radians that have members, without the gaps between them
+  double arc = 0;       ///< radians that have members, without the gaps between them
   double arc_begin = 0; ///< radians, of the shortest arc that contains all members
   double arc_length = 0;
   double low = 0; ///< metres along the axis

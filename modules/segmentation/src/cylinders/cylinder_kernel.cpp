@@ -41,9 +41,7 @@ turned(const CylinderFit& fit, const CylinderPatch& patch)
 
 /** Describes a fitted cylinder in the frame of the hypotheses. */
 CylinderPatch
-patchOf(const CylinderFit& fit,
-        const std::vector<Sample>& samples,
-        double spacing)
+patchOf(const CylinderFit& fit, const std::vector<Sample>& samples, double spacing)
 {
   const Cylinder& cylinder = fit.cylinder;
   const Development development(cylinder);
@@ -121,9 +119,8 @@ refitToSource(const RawCloud& source, const GrownCylinder& grown, RawCylinder& c
   for (std::size_t i = 0; i < source.points.size(); ++i) {
     const std::int32_t label = source.labels[i];
     if (source.points[i].allFinite() &&
-        (label < 0 ||
-         std::find(grown.planes.begin(), grown.planes.end(), label) !=
-             grown.planes.end()))
+        (label < 0 || std::find(grown.planes.begin(), grown.planes.end(), label) !=
+                          grown.planes.end()))
       pool.push_back(static_cast<std::int32_t>(i));
   }
   RawCylinder refit = cylinder;
@@ -181,8 +178,7 @@ searchSurface(const PlaneHypotheses& hypotheses,
   for (GrownCylinder& grown : growCylinders(
            elements, faces, {settings.min_radius, settings.max_radius}, progress)) {
     RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
-    setCovariance(
-        cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
+    setCovariance(cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
     cylinder.fit.cylinder.point += elements.origin;
     for (Sample& sample : cylinder.samples)
       sample.point += elements.origin;
@@ -232,13 +228,25 @@ searchRaw(const PlaneHypotheses& hypotheses,
   for (const double size : sizes)
     report.bits_before += lengths.plane(size);
   report.bits_after = report.bits_before;
-  for (const RawCylinder& cylinder : findRawCylinders(
-           cloud, {settings.min_radius, settings.max_radius}, progress)) {
+  for (const RawCylinder& cylinder :
+       findRawCylinders(cloud, {settings.min_radius, settings.max_radius}, progress)) {
     CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, 2 * cloud.spacing);
     report.replaced_planes += cylinder.planes.size();
     report.bits_after -= cylinder.gain;
     append(std::move(patch), cylinder.members, clusters.labels, clusters.patches);
   }
+}
+
+/** Is the source the cloud itself? */
+bool
+isSame(const PointView& points, const PointView& source)
+{
+  if (points.size() != source.size())
+    return false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i] != source[i] && points[i].allFinite())
+      return false;
+  return true;
 }
 
 /** Sets counts, and the reason if there are no cylinders. */
@@ -310,8 +318,9 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
     if (is_raw)
       searchRaw(hypotheses, settings, progress, clusters, report);
     else
-      searchSurface(
-          hypotheses, source, planes, settings, progress, clusters, report);
+      searchSurface(hypotheses, source, planes, settings, progress, clusters, report);
+    if (is_raw && isSame(hypotheses.points, source.points))
+      clusters.source_labels = clusters.labels;
     timer.finish("cylinders");
     sortByArea(clusters);
     describe(hypotheses, clusters, report);

@@ -38,11 +38,10 @@ NearestPoints::arrange(std::size_t begin, std::size_t end)
   const auto at = [&](std::size_t i) {
     return order_.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  std::nth_element(
-      at(begin), at(middle), at(end), [&](std::int32_t a, std::int32_t b) {
-        const double x = placeOf(a)[axis], y = placeOf(b)[axis];
-        return x != y ? x < y : a < b;
-      });
+  std::nth_element(at(begin), at(middle), at(end), [&](std::int32_t a, std::int32_t b) {
+    const double x = placeOf(a)[axis], y = placeOf(b)[axis];
+    return x != y ? x < y : a < b;
+  });
   axes_[middle] = static_cast<std::int8_t>(axis);
   arrange(begin, middle);
   arrange(middle + 1, end);

@@ -200,7 +200,8 @@ RawSearch::bestFit(const std::vector<Sample>& samples) const
       offs.push_back(std::abs(start->distance(sample.point)));
     const double rough = 1.5 * medianOf(offs);
     std::optional<CylinderFit> fit;
-    for (double sigma = std::max(rough, cloud_.sigma);; sigma = std::max(sigma / 2, cloud_.sigma)) {
+    for (double sigma = std::max(rough, cloud_.sigma);;
+         sigma = std::max(sigma / 2, cloud_.sigma)) {
       fit = fitCylinder(samples, fit ? fit->cylinder : *start, sigma);
       if (!fit || sigma <= cloud_.sigma)
         break;
@@ -285,8 +286,7 @@ RawSearch::isShorter(RawCylinder& cylinder) const
     const double cosine = sample.hasRay() ? sample.ray.dot(plane.normal) : 1;
     const double off = plane.normal.dot(sample.point - middle - plane.mean) /
                        std::max(std::abs(cosine), min_slant);
-    on_cylinder +=
-        lengths_.element(Offset(cylinder.fit.cylinder, sample).value);
+    on_cylinder += lengths_.element(Offset(cylinder.fit.cylinder, sample).value);
     on_plane += lengths_.element(off);
     before += bitsOfPoint(cloud_, lengths_, member);
     if (cloud_.labels[member] >= 0)
@@ -325,8 +325,8 @@ gatherRaw(const RawCloud& cloud,
       if (!offset.exists || !(std::abs(offset.value) < gate * cloud.sigma))
         continue;
       const double along = now.along(offset.foot);
-      const double turn = development.angle(offset.normal) - reach.arc_begin +
-                          slack / now.radius;
+      const double turn =
+          development.angle(offset.normal) - reach.arc_begin + slack / now.radius;
       if (along > reach.low - slack && along < reach.high + slack &&
           turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) <
               reach.arc_length + 2 * slack / now.radius)
@@ -375,8 +375,7 @@ bitsOfPoint(const RawCloud& cloud, const DescriptionLength& lengths, std::size_t
 {
   if (cloud.labels[i] < 0)
     return lengths.freeElement();
-  const Sample sample =
-      samplesOf(cloud, {static_cast<std::int32_t>(i)}).front();
+  const Sample sample = samplesOf(cloud, {static_cast<std::int32_t>(i)}).front();
   const Eigen::Vector4d& plane =
       cloud.planes[static_cast<std::size_t>(cloud.labels[i])].coefficients;
   const double cosine = sample.hasRay() ? sample.ray.dot(plane.head<3>()) : 1;
@@ -397,8 +396,8 @@ lengthsOf(const RawCloud& cloud)
       origin = point.cast<double>();
     moments += momentsOf(point.cast<double>() - origin);
   }
-  const double variance =
-      moments.count > 0 ? fitPlane(moments).variances.sum() : 0; // of a box: side^2 / 12
+  const double variance = moments.count > 0 ? fitPlane(moments).variances.sum()
+                                            : 0; // of a box: side^2 / 12
   return DescriptionLength(cloud.sigma, cloud.spacing, std::sqrt(12 * variance));
 }
 

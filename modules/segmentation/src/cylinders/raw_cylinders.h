@@ -14,10 +14,10 @@ struct RawCloud {
   PointView points;
   SensorView sensors;
   std::vector<PlanePatch> planes;
-  std::vector<std::int32_t> labels; ///< plane of each point, -1 for none
+  std::vector<std::int32_t> labels;  ///< plane of each point, -1 for none
   std::vector<std::uint8_t> is_bent; ///< planes that bend by more than their noise
-  double spacing = 0;               ///< metres
-  double sigma = 0; ///< metres; along the rays where sensors are known
+  double spacing = 0;                ///< metres
+  double sigma = 0;                  ///< metres; along the rays where sensors are known
 };
 
 /** Points of the cloud with their rays. */

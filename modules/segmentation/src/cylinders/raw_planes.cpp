@@ -32,7 +32,8 @@ cellsOf(const VoxelMoments& voxels)
   for (std::size_t voxel = 0; voxel < windows.size(); ++voxel) {
     const std::vector<WindowPart>& parts = cursor.moveTo(voxel);
     Eigen::Vector3f way = Eigen::Vector3f::Zero();
-    for (std::size_t c = windows.firstCell(voxel); c < windows.firstCell(voxel + 1); ++c)
+    for (std::size_t c = windows.firstCell(voxel); c < windows.firstCell(voxel + 1);
+         ++c)
       way += voxels.cells[c].way;
     const Moments own =
         sumParts(voxels, parts, [](const WindowPart& part) { return part.isMiddle(); });
@@ -53,7 +54,9 @@ cellsOf(const VoxelMoments& voxels)
 /** Does the surface of a plane's points bend by more than their noise and than walls
  * do? The height of a parabola is fitted to their offsets along both axes. */
 bool
-isBent(const RawCloud& cloud, const PlanePatch& patch, const std::vector<std::int32_t>& members)
+isBent(const RawCloud& cloud,
+       const PlanePatch& patch,
+       const std::vector<std::int32_t>& members)
 {
   using Terms = Eigen::Matrix<double, 6, 1>;
   using Matrix = Eigen::Matrix<double, 6, 6>;
@@ -89,8 +92,7 @@ isBent(const RawCloud& cloud, const PlanePatch& patch, const std::vector<std::in
     return false;
   const Eigen::LDLT<Matrix> solver(matrix);
   const Terms fit = solver.solve(right);
-  const double variance =
-      std::max(squares - fit.dot(right), 0.0) / (count - 6);
+  const double variance = std::max(squares - fit.dot(right), 0.0) / (count - 6);
   const Matrix covariance = variance * solver.solve(Matrix(Matrix::Identity()));
   constexpr double deviations = 5, min_sagitta = 0.006; // of the width
   for (const int axis : {0, 1}) {
@@ -122,8 +124,8 @@ noiseOnPlanes(const RawCloud& cloud)
     const double off = plane.head<3>().dot(point.cast<double>()) + plane[3];
     double cosine = 1;
     if (sensor)
-      cosine = std::abs(
-          plane.head<3>().dot((point - *sensor).cast<double>().normalized()));
+      cosine =
+          std::abs(plane.head<3>().dot((point - *sensor).cast<double>().normalized()));
     if (cosine > min_cosine)
       offs.push_back(std::abs(off) / cosine);
   }
@@ -176,8 +178,8 @@ findRawPlanes(const PointView& points,
   const double edge = std::max(sigmas * noise, spacings * scale.spacing);
   const CellCloud cells = cellsOf(sumVoxels(points, sensors, edge, threads));
   PlaneHypotheses hypotheses;
-  hypotheses.points = PointView(
-      cells.points.data(), sizeof(Eigen::Vector3f), cells.points.size());
+  hypotheses.points =
+      PointView(cells.points.data(), sizeof(Eigen::Vector3f), cells.points.size());
   hypotheses.normals = cells.normals;
   PlaneClusteringSettings settings;
   settings.threads = threads;

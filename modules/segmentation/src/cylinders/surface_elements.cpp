@@ -21,7 +21,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /** A quadric over the tangent plane of some points. */
 struct Quadric {
   Eigen::Vector3d normal = Eigen::Vector3d::Constant(nan); ///< at the first point
-  double rms = nan; ///< metres, corrected for the degrees of freedom
+  double rms = nan;  ///< metres, corrected for the degrees of freedom
   double window = 0; ///< metres, to the farthest point
 };
 
@@ -62,8 +62,9 @@ quadricOf(const std::vector<Eigen::Vector3d>& points,
   matrix.diagonal().array() += 1e-9; // points on two lines do not determine all terms
   const Terms fit = matrix.ldlt().solve(right);
   const double rest = std::max(squares - fit.dot(right), 0.0);
-  quadric.rms = quadric.window *
-                std::sqrt(rest / static_cast<double>(std::max<std::size_t>(size, 7) - 6));
+  quadric.rms =
+      quadric.window *
+      std::sqrt(rest / static_cast<double>(std::max<std::size_t>(size, 7) - 6));
   quadric.normal = (plane.normal - fit[1] * u - fit[2] * v).normalized();
   return quadric;
 }
@@ -183,7 +184,8 @@ SurfaceElements::fitQuadrics(bool sets_normals)
           tree.find(points[i], wanted, found);
         if (found.size() < 9)
           break;
-        const Quadric quadric = quadricOf(points, found, std::min(wanted, found.size()));
+        const Quadric quadric =
+            quadricOf(points, found, std::min(wanted, found.size()));
         if (!(quadric.rms < max_rms * quadric.window))
           continue;
         rms[i] = quadric.rms;

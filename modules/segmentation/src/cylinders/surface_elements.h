@@ -30,9 +30,9 @@ struct SurfaceElements {
 
   VertexNeighbours neighbours;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double extent = 0;  ///< metres, diagonal of the box around the points
-  double spacing = 0; ///< metres, median distance between neighbours
-  double sigma = 0;   ///< metres, of the points across their surface
+  double extent = 0;        ///< metres, diagonal of the box around the points
+  double spacing = 0;       ///< metres, median distance between neighbours
+  double sigma = 0;         ///< metres, of the points across their surface
   bool is_oriented = false; ///< do the normals point to the seen side?
   bool is_mesh = false;     ///< are the neighbours those of a mesh?
 

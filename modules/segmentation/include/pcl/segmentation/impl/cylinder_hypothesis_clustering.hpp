@@ -74,12 +74,13 @@ CylinderHypothesisClustering<PointT>::requireInputs() const
 {
   acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   acmap::requireCornersInside(triangles_, input_->size());
-  const auto requireAsMany = [](const char* what, std::size_t number, std::size_t size) {
-    if (number != size)
-      PCL_THROW_EXCEPTION(InitFailedException,
-                          "there are " << number << " " << what << " for " << size
-                                       << " points");
-  };
+  const auto requireAsMany =
+      [](const char* what, std::size_t number, std::size_t size) {
+        if (number != size)
+          PCL_THROW_EXCEPTION(InitFailedException,
+                              "there are " << number << " " << what << " for " << size
+                                           << " points");
+      };
   if (normals_)
     requireAsMany("normals", normals_->size(), input_->size());
   if (!planes_.empty() || !plane_labels_.empty())
@@ -89,7 +90,8 @@ CylinderHypothesisClustering<PointT>::requireInputs() const
                   plane_source_labels_.size(),
                   source_points_.size());
   const auto size = static_cast<std::int32_t>(planes_.size());
-  for (const std::vector<std::int32_t>* labels : {&plane_labels_, &plane_source_labels_})
+  for (const std::vector<std::int32_t>* labels :
+       {&plane_labels_, &plane_source_labels_})
     for (const std::int32_t label : *labels)
       if (label < -1 || label >= size)
         PCL_THROW_EXCEPTION(InitFailedException,
@@ -185,5 +187,5 @@ CylinderHypothesisClustering<PointT>::extract(std::vector<PointIndices>& cluster
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_CylinderHypothesisClustering(T)                                \
+#define PCL_INSTANTIATE_CylinderHypothesisClustering(T) \
   template class ACMAP_EXPORT pcl::CylinderHypothesisClustering<T>;
