@@ -1,3 +1,4 @@
+#include "cylinder_hypothesis_clustering_traits.h"
 #include "dewall_traits.h"
 #include "entropy_rectification_traits.h"
 #include "map_entropy_traits.h"
@@ -11,7 +12,8 @@
 namespace pcl::acmap::test {
 
 /** The traits of every public class with a main function. */
-using PublicClasses = testing::Types<DeWallTraits,
+using PublicClasses = testing::Types<CylinderHypothesisClusteringTraits,
+                                     DeWallTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,
                                      MapLevellingTraits,

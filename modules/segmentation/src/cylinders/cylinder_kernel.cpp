@@ -1,0 +1,332 @@
+#include "cylinders/cylinder_growth.h"
+#include "cylinders/raw_cylinders.h"
+
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/noise_scale.h>
+#include <pcl/segmentation/impl/cylinder_clustering_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl::acmap {
+namespace cylinders {
+namespace {
+
+KnownFaces
+facesOf(const GivenPlanes& planes, const SurfaceElements& elements)
+{
+  KnownFaces faces;
+  for (const PlanePatch& patch : planes.patches) {
+    Eigen::Vector4d face = patch.coefficients;
+    face[3] += face.head<3>().dot(elements.origin);
+    faces.planes.push_back(face);
+  }
+  faces.labels = planes.labels;
+  return faces;
+}
+
+/** The covariance in the axes of a patch. */
+Matrix5
+turned(const CylinderFit& fit, const CylinderPatch& patch)
+{
+  Eigen::Matrix2d turn;
+  turn << patch.axis_u.dot(fit.u), patch.axis_u.dot(fit.v), patch.axis_v.dot(fit.u),
+      patch.axis_v.dot(fit.v);
+  Matrix5 all = Matrix5::Identity();
+  all.topLeftCorner<2, 2>() = turn;
+  all.block<2, 2>(2, 2) = turn;
+  return all * fit.covariance * all.transpose();
+}
+
+/** Describes a fitted cylinder in the frame of the hypotheses. */
+CylinderPatch
+patchOf(const CylinderFit& fit, const std::vector<Sample>& samples, double spacing)
+{
+  const Cylinder& cylinder = fit.cylinder;
+  const Development development(cylinder);
+  const CylinderReach reach = reachOf(cylinder, samples, spacing);
+  CylinderPatch patch;
+  patch.axis_point = cylinder.point;
+  patch.axis_direction = cylinder.axis;
+  patch.radius = cylinder.radius;
+  patch.is_hollow = cylinder.is_hollow;
+  const double middle = reach.arc_begin + reach.arc_length / 2;
+  patch.axis_u = std::cos(middle) * development.u + std::sin(middle) * development.v;
+  patch.axis_v = cylinder.axis.cross(patch.axis_u);
+  patch.low = reach.low;
+  patch.high = reach.high;
+  patch.arc = reach.arc_length;
+  patch.covariance = turned(fit, patch);
+  patch.support = samples.size();
+  patch.rms = fit.rms;
+  patch.area = reach.arc * cylinder.radius * (reach.high - reach.low);
+  return patch;
+}
+
+/** Counts and bits of the surface without its cylinders. */
+void
+describeBefore(const SurfaceElements& elements,
+               const KnownFaces& faces,
+               CylinderClusteringReport& report)
+{
+  const DescriptionLength lengths(elements.sigma, elements.spacing, elements.extent);
+  std::vector<double> sizes(faces.planes.size(), 0);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::int32_t label = faces.labels.empty() ? -1 : faces.labels[i];
+    if (!elements.points[i].allFinite())
+      continue;
+    if (label < 0) {
+      report.bits_before += lengths.freeElement();
+      continue;
+    }
+    const Eigen::Vector4d& face = faces.planes[static_cast<std::size_t>(label)];
+    report.bits_before +=
+        lengths.element(face.head<3>().dot(elements.points[i]) + face[3]);
+    ++report.points_on_planes;
+    sizes[static_cast<std::size_t>(label)] += 1;
+  }
+  for (const double size : sizes)
+    report.bits_before += lengths.plane(size);
+}
+
+/** The source's points and planes; without noise if that cannot be measured. */
+RawCloud
+rawSource(const PlaneSource& source, const GivenPlanes& planes, double sigma)
+{
+  RawCloud cloud{source.points, source.sensors, {}, {}, {}, 0, sigma};
+  cloud.labels.assign(source.points.size(), -1);
+  if (!planes.source_labels.empty()) {
+    cloud.planes = planes.patches;
+    cloud.labels = planes.source_labels;
+    cloud.is_bent.assign(cloud.planes.size(), 0);
+  }
+  const NoiseScale scale = measureNoiseScale(source.points, source.sensors);
+  cloud.spacing = scale.spacing;
+  if (sigma > 0)
+    return cloud;
+  const double measured = noiseOnPlanes(cloud);
+  cloud.sigma = measured > 0 ? measured : scale.sigma;
+  return cloud;
+}
+
+/** Fits a cylinder to the points of the source that are on no plane that stays.
+ * \return false if rays pass through it */
+bool
+refitToSource(const RawCloud& source, const GrownCylinder& grown, RawCylinder& cylinder)
+{
+  std::vector<std::int32_t> pool;
+  for (std::size_t i = 0; i < source.points.size(); ++i) {
+    const std::int32_t label = source.labels[i];
+    if (source.points[i].allFinite() &&
+        (label < 0 || std::find(grown.planes.begin(), grown.planes.end(), label) !=
+                          grown.planes.end()))
+      pool.push_back(static_cast<std::int32_t>(i));
+  }
+  RawCylinder refit = cylinder;
+  const CylinderReach reach =
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing);
+  constexpr std::size_t min_points = 60;
+  constexpr double max_change = 0.5; // of the radius: a coarse mesh cuts small pipes
+  const double radius = cylinder.fit.cylinder.radius;
+  if (!gatherRaw(source, pool, reach, refit) || refit.members.size() < min_points ||
+      std::abs(refit.fit.cylinder.radius - radius) > max_change * radius)
+    return !isLookedThrough(source, cylinder.fit, reach);
+  cylinder = std::move(refit);
+  return !isLookedThrough(
+      source,
+      cylinder.fit,
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing));
+}
+
+/** Appends a cylinder with the labels of its members. */
+void
+append(CylinderPatch&& patch,
+       const std::vector<std::int32_t>& members,
+       std::vector<std::int32_t>& labels,
+       std::vector<CylinderPatch>& patches)
+{
+  for (const std::int32_t member : members)
+    labels[static_cast<std::size_t>(member)] =
+        static_cast<std::int32_t>(patches.size());
+  patches.push_back(std::move(patch));
+}
+
+/** Finds cylinders over elements with normals, and fits them to the source. */
+void
+searchSurface(const PlaneHypotheses& hypotheses,
+              const PlaneSource& source,
+              const GivenPlanes& planes,
+              const CylinderClusteringSettings& settings,
+              const Progress& progress,
+              CylinderClusters& clusters,
+              CylinderClusteringReport& report)
+{
+  const bool has_source = source.points.size() > 0;
+  const SurfaceElements elements(hypotheses, has_source ? 0 : settings.sigma);
+  report.spacing = elements.spacing;
+  report.sigma = elements.sigma;
+  report.planes = planes.patches.size();
+  if (!(elements.spacing > 0))
+    return;
+  const KnownFaces faces = facesOf(planes, elements);
+  describeBefore(elements, faces, report);
+  report.bits_after = report.bits_before;
+  RawCloud raw;
+  if (has_source)
+    raw = rawSource(source, planes, settings.sigma);
+  for (GrownCylinder& grown : growCylinders(
+           elements, faces, {settings.min_radius, settings.max_radius}, progress)) {
+    RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
+    setCovariance(cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
+    cylinder.fit.cylinder.point += elements.origin;
+    for (Sample& sample : cylinder.samples)
+      sample.point += elements.origin;
+    if (raw.sigma > 0 && raw.spacing > 0 && !refitToSource(raw, grown, cylinder))
+      continue;
+    for (const std::int32_t member : cylinder.members)
+      clusters.source_labels[static_cast<std::size_t>(member)] =
+          static_cast<std::int32_t>(clusters.patches.size());
+    CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, elements.spacing);
+    patch.planes = grown.planes;
+    report.replaced_planes += grown.planes.size();
+    report.bits_after -= grown.gain;
+    append(std::move(patch), grown.members, clusters.labels, clusters.patches);
+  }
+}
+
+/** Finds planes, and cylinders among the rest, in a cloud whose noise hides the
+ * normals. */
+void
+searchRaw(const PlaneHypotheses& hypotheses,
+          const CylinderClusteringSettings& settings,
+          const Progress& progress,
+          CylinderClusters& clusters,
+          CylinderClusteringReport& report)
+{
+  const RawCloud cloud = findRawPlanes(hypotheses.points,
+                                       hypotheses.sensors,
+                                       settings.sigma,
+                                       settings.threads,
+                                       progress);
+  report.spacing = cloud.spacing;
+  report.sigma = cloud.sigma;
+  report.planes = cloud.planes.size();
+  if (!(cloud.spacing > 0) || !(cloud.sigma > 0))
+    return;
+  const DescriptionLength lengths = lengthsOf(cloud);
+  std::vector<double> sizes(cloud.planes.size(), 0);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!cloud.points[i].allFinite())
+      continue;
+    report.bits_before += bitsOfPoint(cloud, lengths, i);
+    if (cloud.labels[i] < 0)
+      continue;
+    ++report.points_on_planes;
+    sizes[static_cast<std::size_t>(cloud.labels[i])] += 1;
+  }
+  for (const double size : sizes)
+    report.bits_before += lengths.plane(size);
+  report.bits_after = report.bits_before;
+  for (const RawCylinder& cylinder :
+       findRawCylinders(cloud, {settings.min_radius, settings.max_radius}, progress)) {
+    CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, 2 * cloud.spacing);
+    report.replaced_planes += cylinder.planes.size();
+    report.bits_after -= cylinder.gain;
+    append(std::move(patch), cylinder.members, clusters.labels, clusters.patches);
+  }
+}
+
+/** Is the source the cloud itself? */
+bool
+isSame(const PointView& points, const PointView& source)
+{
+  if (points.size() != source.size())
+    return false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i] != source[i] && points[i].allFinite())
+      return false;
+  return true;
+}
+
+/** Sets counts, and the reason if there are no cylinders. */
+void
+describe(const PlaneHypotheses& hypotheses,
+         const CylinderClusters& clusters,
+         CylinderClusteringReport& report)
+{
+  report.cylinders = clusters.patches.size();
+  for (std::size_t i = 0; i < hypotheses.points.size(); ++i)
+    report.invalid_points += hypotheses.points[i].allFinite() ? 0 : 1;
+  for (const std::int32_t label : clusters.labels)
+    report.points_on_cylinders += label >= 0 ? 1 : 0;
+  if (report.cylinders > 0)
+    return;
+  if (!(report.spacing > 0))
+    report.remarks.emplace_back("no cylinders: the points are on no surface");
+  else
+    report.remarks.emplace_back("no cylinders: planes and free points describe the "
+                                "cloud in fewer bits, or nothing is curved enough");
+}
+
+/** Sorts by decreasing area and changes the labels accordingly. */
+void
+sortByArea(CylinderClusters& clusters)
+{
+  std::vector<std::int32_t> order(clusters.patches.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return clusters.patches[static_cast<std::size_t>(a)].area >
+           clusters.patches[static_cast<std::size_t>(b)].area;
+  });
+  std::vector<std::int32_t> numbers(order.size());
+  std::vector<CylinderPatch> sorted;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto from = static_cast<std::size_t>(order[i]);
+    numbers[from] = static_cast<std::int32_t>(i);
+    sorted.push_back(std::move(clusters.patches[from]));
+  }
+  clusters.patches = std::move(sorted);
+  for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
+    for (std::int32_t& label : *labels)
+      label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+}
+
+} // namespace
+} // namespace cylinders
+
+CylinderClusters
+clusterCylinders(const PlaneHypotheses& hypotheses,
+                 const PlaneSource& source,
+                 const GivenPlanes& planes,
+                 const CylinderClusteringSettings& settings,
+                 const Progress& progress,
+                 CylinderClusteringReport& report)
+{
+  using namespace cylinders;
+  return withThreads(settings.threads, [&] {
+    report = {};
+    report.points = hypotheses.points.size();
+    StepTimer timer(report);
+    progress.tell(0.0, "surface");
+    CylinderClusters clusters;
+    clusters.labels.assign(hypotheses.points.size(), -1);
+    clusters.source_labels.assign(source.points.size(), -1);
+    constexpr double max_noise = 0.03; // of the spacing, for normals of quadrics
+    const bool is_raw = hypotheses.triangles.empty() && hypotheses.normals.empty() &&
+                        relativeNoise(hypotheses.points) > max_noise;
+    if (is_raw)
+      searchRaw(hypotheses, settings, progress, clusters, report);
+    else
+      searchSurface(hypotheses, source, planes, settings, progress, clusters, report);
+    if (is_raw && isSame(hypotheses.points, source.points))
+      clusters.source_labels = clusters.labels;
+    timer.finish("cylinders");
+    sortByArea(clusters);
+    describe(hypotheses, clusters, report);
+    progress.tell(1.0, "done");
+    return clusters;
+  });
+}
+
+} // namespace pcl::acmap

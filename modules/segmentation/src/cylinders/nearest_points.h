@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::acmap::cylinders {
+
+/** Finds the nearest points of a position with a balanced tree. Points that are not
+ * finite are omitted. */
+class NearestPoints {
+public:
+  /** \param[in] points must outlive this object */
+  explicit NearestPoints(const std::vector<Eigen::Vector3d>& points);
+
+  /** \param[out] found the nearest points in ascending order of distance, those of one
+   * distance in the order of their numbers; fewer than \a count if there are no more */
+  void
+  find(const Eigen::Vector3d& place,
+       std::size_t count,
+       std::vector<std::int32_t>& found) const;
+
+private:
+  struct Candidate {
+    double squared_distance;
+    std::int32_t point;
+
+    bool
+    operator<(const Candidate& other) const
+    {
+      return squared_distance != other.squared_distance
+                 ? squared_distance < other.squared_distance
+                 : point < other.point;
+    }
+  };
+
+  void
+  arrange(std::size_t begin, std::size_t end);
+
+  void
+  visit(std::size_t begin,
+        std::size_t end,
+        const Eigen::Vector3d& place,
+        std::size_t count,
+        std::vector<Candidate>& heap) const;
+
+  const std::vector<Eigen::Vector3d>& points_;
+  std::vector<std::int32_t> order_; ///< the middle of a range divides it
+  std::vector<std::int8_t> axes_;   ///< of the division at each place of the order
+};
+
+} // namespace pcl::acmap::cylinders

@@ -1,0 +1,412 @@
+#include "cylinders/raw_cylinders.h"
+
+#include "median.h"
+
+#include <pcl/core/impl/moments.h>
+#include <pcl/core/impl/voxel_windows.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace pcl::acmap::cylinders {
+namespace {
+
+using Members = std::vector<std::int32_t>;
+
+/** Connected cells of some points: clusters with the members of each. */
+std::vector<Members>
+clustersOf(const RawCloud& cloud, const Members& pool, double edge)
+{
+  constexpr std::size_t min_in_cell = 3, min_points = 60;
+  const VoxelLattice lattice(cloud.points, edge);
+  std::map<VoxelKey, Members> cells;
+  for (const std::int32_t member : pool) {
+    VoxelHit hit;
+    if (lattice.locate(cloud.points[static_cast<std::size_t>(member)], hit))
+      cells[voxelKey(hit.place)].push_back(member);
+  }
+  std::map<VoxelKey, bool> is_visited;
+  std::vector<Members> clusters;
+  for (const auto& [key, members] : cells) {
+    if (members.size() < min_in_cell || is_visited[key])
+      continue;
+    std::vector<VoxelKey> queue{key};
+    is_visited[key] = true;
+    Members cluster;
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const Members& own = cells[queue[next]];
+      cluster.insert(cluster.end(), own.begin(), own.end());
+      const VoxelPlace place = placeOf(queue[next]);
+      for (int step = 0; step < 27; ++step) {
+        const VoxelKey other = voxelKey({place[0] + step / 9 - 1,
+                                         place[1] + step / 3 % 3 - 1,
+                                         place[2] + step % 3 - 1});
+        const auto found = cells.find(other);
+        if (found == cells.end() || found->second.size() < min_in_cell ||
+            is_visited[other])
+          continue;
+        is_visited[other] = true;
+        queue.push_back(other);
+      }
+    }
+    std::sort(cluster.begin(), cluster.end());
+    if (cluster.size() >= min_points)
+      clusters.push_back(std::move(cluster));
+  }
+  std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) {
+    return a.size() > b.size();
+  });
+  return clusters;
+}
+
+/** Directions without those that are nearly parallel to earlier ones. */
+class Directions {
+public:
+  void
+  add(const Eigen::Vector3d& direction)
+  {
+    constexpr double parallel = 0.996; // 5 degrees
+    const double length = direction.norm();
+    if (!(length > 0.1))
+      return;
+    for (const Eigen::Vector3d& other : directions_)
+      if (std::abs(other.dot(direction)) > parallel * length)
+        return;
+    directions_.emplace_back(direction / length);
+  }
+
+  const std::vector<Eigen::Vector3d>&
+  all() const
+  {
+    return directions_;
+  }
+
+private:
+  std::vector<Eigen::Vector3d> directions_;
+};
+
+class RawSearch {
+public:
+  RawSearch(const RawCloud& cloud, const CylinderLimits& limits)
+  : cloud_(cloud)
+  , limits_(limits)
+  , lengths_(lengthsOf(cloud))
+  , is_free_(cloud.points.size(), 0)
+  , plane_members_(cloud.planes.size())
+  {
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+      const std::int32_t label = cloud.labels[i];
+      if (label >= 0)
+        plane_members_[static_cast<std::size_t>(label)].push_back(
+            static_cast<std::int32_t>(i));
+      else
+        is_free_[i] = cloud.points[i].allFinite() ? 1 : 0;
+    }
+    for (std::size_t p = 0; p < cloud.planes.size(); ++p) {
+      directions_.add(cloud.planes[p].coefficients.head<3>());
+      if (cloud.is_bent[p])
+        for (const std::int32_t member : plane_members_[p])
+          is_free_[static_cast<std::size_t>(member)] = 1;
+    }
+    const std::vector<Eigen::Vector3d> normals = directions_.all();
+    for (std::size_t a = 0; a < normals.size(); ++a)
+      for (std::size_t b = a + 1; b < normals.size(); ++b)
+        directions_.add(normals[a].cross(normals[b]));
+  }
+
+  std::vector<RawCylinder>
+  run(const Progress& progress)
+  {
+    constexpr int rounds = 4;
+    const double edge = std::max(2.5 * cloud_.spacing, 2 * cloud_.sigma);
+    for (int round = 0; round < rounds; ++round) {
+      progress.tell(0.4 + 0.15 * round, "cylinders");
+      Members pool;
+      for (std::size_t i = 0; i < is_free_.size(); ++i)
+        if (is_free_[i])
+          pool.push_back(static_cast<std::int32_t>(i));
+      bool has_found = false;
+      for (const Members& cluster : clustersOf(cloud_, pool, edge))
+        has_found |= searchCluster(cluster, pool);
+      if (!has_found)
+        break;
+    }
+    return std::move(found_);
+  }
+
+private:
+  bool
+  searchCluster(const Members& cluster, const Members& pool);
+  std::optional<CylinderFit>
+  bestFit(const std::vector<Sample>& samples) const;
+  Directions
+  axesOf(const std::vector<Sample>& samples) const;
+  bool
+  isCylinder(const RawCylinder& cylinder) const;
+  bool
+  isShorter(RawCylinder& cylinder) const;
+
+  const RawCloud& cloud_;
+  CylinderLimits limits_;
+  DescriptionLength lengths_;
+  std::vector<std::uint8_t> is_free_;
+  std::vector<Members> plane_members_;
+  Directions directions_; ///< of planes and of their edges
+  std::vector<RawCylinder> found_;
+};
+
+Directions
+RawSearch::axesOf(const std::vector<Sample>& samples) const
+{
+  Directions axes;
+  Moments moments;
+  const Eigen::Vector3d middle = samples[samples.size() / 2].point;
+  for (const Sample& sample : samples)
+    moments += momentsOf(sample.point - middle);
+  const PlaneFit plane = fitPlane(moments);
+  axes.add(plane.long_axis);
+  for (const Eigen::Vector3d& direction : directions_.all())
+    axes.add(direction);
+  axes.add(plane.normal.cross(plane.long_axis));
+  return axes;
+}
+
+/** The best of the fits that start at the axes that may be. */
+std::optional<CylinderFit>
+RawSearch::bestFit(const std::vector<Sample>& samples) const
+{
+  std::optional<CylinderFit> best;
+  double best_score = 0;
+  const Directions axes = axesOf(samples);
+  for (const Eigen::Vector3d& axis : axes.all()) {
+    constexpr double enough = 0.85;
+    if (best_score > enough * static_cast<double>(samples.size()))
+      break; // the axis of the cluster's shape is nearly always right
+    std::optional<Cylinder> start = cylinderOfCircle(samples, axis);
+    if (!start || start->radius > 100 * limits_.max_radius)
+      continue;
+    double facing = 0;
+    for (const Sample& sample : samples)
+      facing += start->across(sample.point).dot(sample.ray);
+    start->is_hollow = facing > 0;
+    std::vector<double> offs;
+    for (const Sample& sample : samples)
+      offs.push_back(std::abs(start->distance(sample.point)));
+    const double rough = 1.5 * medianOf(offs);
+    std::optional<CylinderFit> fit;
+    for (double sigma = std::max(rough, cloud_.sigma);;
+         sigma = std::max(sigma / 2, cloud_.sigma)) {
+      fit = fitCylinder(samples, fit ? fit->cylinder : *start, sigma);
+      if (!fit || sigma <= cloud_.sigma)
+        break;
+    }
+    if (!fit)
+      continue;
+    const double score =
+        static_cast<double>(fit->count) *
+        (1 - std::pow(fit->rms / (4 * cloud_.sigma), 2)); // rewards samples on it
+    if (best && score <= best_score)
+      continue;
+    best = fit;
+    best_score = score;
+  }
+  return best;
+}
+
+bool
+RawSearch::searchCluster(const Members& cluster, const Members& pool)
+{
+  constexpr std::size_t max_samples = 3000;
+  RawCylinder cylinder;
+  cylinder.samples = samplesOf(cloud_, thinned(cluster, max_samples));
+  const std::optional<CylinderFit> fit = bestFit(cylinder.samples);
+  if (!fit)
+    return false;
+  cylinder.fit = *fit;
+  Members still_free;
+  for (const std::int32_t member : pool)
+    if (is_free_[static_cast<std::size_t>(member)])
+      still_free.push_back(member);
+  const CylinderReach reach =
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
+  if (!gatherRaw(cloud_, still_free, reach, cylinder))
+    return false;
+  if (!isCylinder(cylinder) || !isShorter(cylinder))
+    return false;
+  for (const std::int32_t member : cylinder.members)
+    is_free_[static_cast<std::size_t>(member)] = 0;
+  found_.push_back(std::move(cylinder));
+  return true;
+}
+
+bool
+RawSearch::isCylinder(const RawCylinder& cylinder) const
+{
+  const double radius = cylinder.fit.cylinder.radius;
+  if (radius < limits_.min_radius || radius > limits_.max_radius)
+    return false;
+  constexpr double min_arc = 0.38; // 22 degrees
+  const CylinderReach reach =
+      reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
+  if (reach.arc < min_arc || reach.sagitta < 0.012 * reach.chord)
+    return false;
+  constexpr double max_deviation = 0.1; // of the radius
+  if (!(std::sqrt(cylinder.fit.covariance(4, 4)) < max_deviation * radius))
+    return false;
+  const double count = static_cast<double>(cylinder.members.size());
+  constexpr double max_misfit = 0.2;
+  return misfit(cylinder.samples, cylinder.fit, cloud_.sigma / 2) <=
+             max_misfit + 18 / count &&
+         !isLookedThrough(cloud_, cylinder.fit, reach);
+}
+
+/** Are the points described in fewer bits than as free ones, with the planes that the
+ * cylinder replaces, and than by one plane? */
+bool
+RawSearch::isShorter(RawCylinder& cylinder) const
+{
+  Moments moments;
+  const Eigen::Vector3d middle = cylinder.fit.cylinder.point;
+  for (const Sample& sample : cylinder.samples)
+    moments += momentsOf(sample.point - middle);
+  const PlaneFit plane = fitPlane(moments);
+  const double count = static_cast<double>(cylinder.members.size());
+  double on_cylinder = lengths_.cylinder(count), on_plane = lengths_.plane(count);
+  double before = 0;
+  std::map<std::int32_t, std::size_t> taken;
+  for (std::size_t i = 0; i < cylinder.samples.size(); ++i) {
+    const Sample& sample = cylinder.samples[i];
+    const auto member = static_cast<std::size_t>(cylinder.members[i]);
+    const double cosine = sample.hasRay() ? sample.ray.dot(plane.normal) : 1;
+    const double off = plane.normal.dot(sample.point - middle - plane.mean) /
+                       std::max(std::abs(cosine), min_slant);
+    on_cylinder += lengths_.element(Offset(cylinder.fit.cylinder, sample).value);
+    on_plane += lengths_.element(off);
+    before += bitsOfPoint(cloud_, lengths_, member);
+    if (cloud_.labels[member] >= 0)
+      ++taken[cloud_.labels[member]];
+  }
+  for (const auto& [label, number] : taken) {
+    const Members& all = plane_members_[static_cast<std::size_t>(label)];
+    constexpr double min_share = 0.6;
+    if (static_cast<double>(number) < min_share * static_cast<double>(all.size()))
+      continue;
+    cylinder.planes.push_back(label);
+    before += lengths_.plane(static_cast<double>(all.size()));
+  }
+  cylinder.gain = before - on_cylinder;
+  return cylinder.gain > 0 && on_cylinder < on_plane;
+}
+
+} // namespace
+
+bool
+gatherRaw(const RawCloud& cloud,
+          const std::vector<std::int32_t>& pool,
+          CylinderReach reach,
+          RawCylinder& cylinder)
+{
+  constexpr int rounds = 3;
+  constexpr double gate = 4;
+  const double slack = 2 * cloud.spacing;
+  const std::vector<Sample> all = samplesOf(cloud, pool);
+  for (int round = 0; round < rounds; ++round) {
+    const Cylinder& now = cylinder.fit.cylinder;
+    const Development development(now);
+    std::vector<std::int32_t> members;
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      const Offset offset(now, all[i]);
+      if (!offset.exists || !(std::abs(offset.value) < gate * cloud.sigma))
+        continue;
+      const double along = now.along(offset.foot);
+      const double turn =
+          development.angle(offset.normal) - reach.arc_begin + slack / now.radius;
+      if (along > reach.low - slack && along < reach.high + slack &&
+          turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) <
+              reach.arc_length + 2 * slack / now.radius)
+        members.push_back(pool[i]);
+    }
+    cylinder.samples = samplesOf(cloud, members);
+    cylinder.members = std::move(members);
+    const auto fit = fitCylinder(cylinder.samples, now, cloud.sigma);
+    if (!fit)
+      return false;
+    cylinder.fit = *fit;
+    reach = reachOf(fit->cylinder, cylinder.samples, slack);
+  }
+  setCovariance(cylinder.samples, cloud.sigma, slack, cylinder.fit);
+  return true;
+}
+
+bool
+isLookedThrough(const RawCloud& cloud,
+                const CylinderFit& fit,
+                const CylinderReach& reach)
+{
+  constexpr double min_cosine = 0.4, max_share = 0.15, sigmas = 5;
+  if (fit.cylinder.is_hollow)
+    return false;
+  std::vector<std::int32_t> all(cloud.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  double through = 0, on = 0;
+  for (const Sample& sample : samplesOf(cloud, all)) {
+    if (!sample.hasRay() || !sample.point.allFinite())
+      continue;
+    const Offset offset(fit.cylinder, sample);
+    if (!offset.exists || std::abs(offset.slant) < min_cosine)
+      continue;
+    const double along = fit.cylinder.along(offset.foot);
+    if (along < reach.low || along > reach.high)
+      continue;
+    through += offset.value > sigmas * cloud.sigma ? 1 : 0;
+    on += std::abs(offset.value) <= sigmas * cloud.sigma ? 1 : 0;
+  }
+  return through > max_share * (through + on);
+}
+
+double
+bitsOfPoint(const RawCloud& cloud, const DescriptionLength& lengths, std::size_t i)
+{
+  if (cloud.labels[i] < 0)
+    return lengths.freeElement();
+  const Sample sample = samplesOf(cloud, {static_cast<std::int32_t>(i)}).front();
+  const Eigen::Vector4d& plane =
+      cloud.planes[static_cast<std::size_t>(cloud.labels[i])].coefficients;
+  const double cosine = sample.hasRay() ? sample.ray.dot(plane.head<3>()) : 1;
+  return lengths.element((plane.head<3>().dot(sample.point) + plane[3]) /
+                         std::max(std::abs(cosine), min_slant));
+}
+
+DescriptionLength
+lengthsOf(const RawCloud& cloud)
+{
+  Moments moments;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3f point = cloud.points[i];
+    if (!point.allFinite())
+      continue;
+    if (moments.count == 0)
+      origin = point.cast<double>();
+    moments += momentsOf(point.cast<double>() - origin);
+  }
+  const double variance = moments.count > 0 ? fitPlane(moments).variances.sum()
+                                            : 0; // of a box: side^2 / 12
+  return DescriptionLength(cloud.sigma, cloud.spacing, std::sqrt(12 * variance));
+}
+
+std::vector<RawCylinder>
+findRawCylinders(const RawCloud& cloud,
+                 const CylinderLimits& limits,
+                 const Progress& progress)
+{
+  return RawSearch(cloud, limits).run(progress);
+}
+
+} // namespace pcl::acmap::cylinders

@@ -1,0 +1,208 @@
+#include "cylinders/raw_cylinders.h"
+
+#include "median.h"
+
+#include <pcl/core/impl/voxel_windows.h>
+#include <pcl/core/noise_scale.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::cylinders {
+namespace {
+
+/** One point and normal for each cell of a cloud. */
+struct CellCloud {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<Eigen::Vector3f> normals; ///< towards the sensors; NaN where not planar
+};
+
+CellCloud
+cellsOf(const VoxelMoments& voxels)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const VoxelWindows windows(voxels);
+  VoxelWindows::Cursor cursor(windows, 1);
+  const double edge = voxels.lattice.edge();
+  CellCloud cells;
+  for (std::size_t voxel = 0; voxel < windows.size(); ++voxel) {
+    const std::vector<WindowPart>& parts = cursor.moveTo(voxel);
+    Eigen::Vector3f way = Eigen::Vector3f::Zero();
+    for (std::size_t c = windows.firstCell(voxel); c < windows.firstCell(voxel + 1);
+         ++c)
+      way += voxels.cells[c].way;
+    const Moments own =
+        sumParts(voxels, parts, [](const WindowPart& part) { return part.isMiddle(); });
+    const PlaneFit plane =
+        fitPlane(sumParts(voxels, parts, [](const WindowPart&) { return true; }));
+    const VoxelCell& cell = voxels.cells[windows.firstCell(voxel)];
+    cells.points.emplace_back(
+        (voxels.lattice.center(placeOf(cell.key)) + edge * own.mean()).cast<float>());
+    const Eigen::Vector3f normal = plane.normal.cast<float>();
+    if (!plane.isPlanar())
+      cells.normals.emplace_back(nan, nan, nan);
+    else
+      cells.normals.push_back(normal.dot(way) < 0 ? Eigen::Vector3f(-normal) : normal);
+  }
+  return cells;
+}
+
+/** Does the surface of a plane's points bend by more than their noise and than walls
+ * do? The height of a parabola is fitted to their offsets along both axes. */
+bool
+isBent(const RawCloud& cloud,
+       const PlanePatch& patch,
+       const std::vector<std::int32_t>& members)
+{
+  using Terms = Eigen::Matrix<double, 6, 1>;
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  constexpr std::size_t min_points = 60;
+  if (members.size() < min_points)
+    return false;
+  const Eigen::Vector3d normal = patch.coefficients.head<3>();
+  Matrix matrix = Matrix::Zero();
+  Terms right = Terms::Zero();
+  Eigen::Vector2d spread = Eigen::Vector2d::Zero();
+  double squares = 0, count = 0;
+  for (const Sample& sample : samplesOf(cloud, members)) {
+    const double slant = sample.hasRay() ? std::abs(sample.ray.dot(normal)) : 1;
+    if (slant < min_slant)
+      continue;
+    double off = normal.dot(sample.point) + patch.coefficients[3];
+    Eigen::Vector3d foot = sample.point - off * normal;
+    if (sample.hasRay())
+      foot = sample.point - off / sample.ray.dot(normal) * sample.ray;
+    off /= slant; // all have the same noise along their rays
+    const double a = (foot - patch.center).dot(patch.axis_u);
+    const double b = (foot - patch.center).dot(patch.axis_v);
+    Terms terms;
+    terms << 1, a, b, a * a, a * b, b * b;
+    terms /= slant;
+    matrix += terms * terms.transpose();
+    right += off * terms;
+    squares += off * off;
+    spread += Eigen::Vector2d(a * a, b * b);
+    count += 1;
+  }
+  if (count < min_points)
+    return false;
+  const Eigen::LDLT<Matrix> solver(matrix);
+  const Terms fit = solver.solve(right);
+  const double variance = std::max(squares - fit.dot(right), 0.0) / (count - 6);
+  const Matrix covariance = variance * solver.solve(Matrix(Matrix::Identity()));
+  constexpr double deviations = 5, min_sagitta = 0.006; // of the width
+  for (const int axis : {0, 1}) {
+    const int term = axis == 0 ? 3 : 5;
+    const double width = std::sqrt(12 * spread[axis] / count);
+    const double sagitta = std::abs(fit[term]) * width * width / 4;
+    if (std::abs(fit[term]) > deviations * std::sqrt(covariance(term, term)) &&
+        sagitta > min_sagitta * width)
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+double
+noiseOnPlanes(const RawCloud& cloud)
+{
+  constexpr double min_cosine = 0.3;
+  std::vector<double> offs;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const std::int32_t label = cloud.labels[i];
+    if (label < 0 || cloud.is_bent[static_cast<std::size_t>(label)])
+      continue;
+    const Eigen::Vector4d& plane =
+        cloud.planes[static_cast<std::size_t>(label)].coefficients;
+    const Eigen::Vector3f point = cloud.points[i];
+    const Eigen::Vector3f* const sensor = cloud.sensors[i];
+    const double off = plane.head<3>().dot(point.cast<double>()) + plane[3];
+    double cosine = 1;
+    if (sensor)
+      cosine =
+          std::abs(plane.head<3>().dot((point - *sensor).cast<double>().normalized()));
+    if (cosine > min_cosine)
+      offs.push_back(std::abs(off) / cosine);
+  }
+  constexpr std::size_t min_points = 100;
+  constexpr double median_of_normal = 0.6745;
+  return offs.size() < min_points ? 0 : medianOf(offs) / median_of_normal;
+}
+
+std::vector<Sample>
+samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members)
+{
+  std::vector<Sample> samples;
+  samples.reserve(members.size());
+  for (const std::int32_t member : members) {
+    const auto m = static_cast<std::size_t>(member);
+    const Eigen::Vector3f point = cloud.points[m];
+    Sample sample{point.cast<double>()};
+    if (const Eigen::Vector3f* const sensor = cloud.sensors[m])
+      sample.ray = (sample.point - sensor->cast<double>()).stableNormalized();
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+std::vector<std::int32_t>
+thinned(const std::vector<std::int32_t>& members, std::size_t maximum)
+{
+  const std::size_t step = members.size() / maximum + 1;
+  std::vector<std::int32_t> chosen;
+  for (std::size_t i = 0; i < members.size(); i += step)
+    chosen.push_back(members[i]);
+  return chosen;
+}
+
+RawCloud
+findRawPlanes(const PointView& points,
+              const SensorView& sensors,
+              double sigma,
+              unsigned threads,
+              const Progress& progress)
+{
+  RawCloud cloud{points, sensors, {}, {}, {}, 0, sigma};
+  cloud.labels.assign(points.size(), -1);
+  const NoiseScale scale = measureNoiseScale(points, sensors, threads);
+  cloud.spacing = scale.spacing;
+  if (!(scale.spacing > 0))
+    return cloud;
+  constexpr double sigmas = 4, spacings = 4; // of a cell
+  const double noise = sigma > 0 ? sigma : scale.sigma;
+  const double edge = std::max(sigmas * noise, spacings * scale.spacing);
+  const CellCloud cells = cellsOf(sumVoxels(points, sensors, edge, threads));
+  PlaneHypotheses hypotheses;
+  hypotheses.points =
+      PointView(cells.points.data(), sizeof(Eigen::Vector3f), cells.points.size());
+  hypotheses.normals = cells.normals;
+  PlaneClusteringSettings settings;
+  settings.threads = threads;
+  PlaneClusteringReport report;
+  progress.tell(0.1, "planes");
+  PlaneClusters clusters =
+      clusterPlanes(hypotheses, {points, sensors}, settings, Progress(), report);
+  cloud.planes = std::move(clusters.patches);
+  cloud.labels = std::move(clusters.source_labels);
+  std::vector<std::vector<std::int32_t>> members(cloud.planes.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (cloud.labels[i] >= 0)
+      members[static_cast<std::size_t>(cloud.labels[i])].push_back(
+          static_cast<std::int32_t>(i));
+  constexpr std::size_t enough = 20000;
+  for (std::size_t p = 0; p < members.size(); ++p)
+    cloud.is_bent.push_back(
+        isBent(cloud, cloud.planes[p], thinned(members[p], enough)) ? 1 : 0);
+  if (!(sigma > 0)) {
+    const double measured = noiseOnPlanes(cloud);
+    cloud.sigma = measured > 0 ? measured : scale.sigma;
+  }
+  return cloud;
+}
+
+} // namespace pcl::acmap::cylinders

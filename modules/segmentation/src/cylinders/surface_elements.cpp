@@ -1,0 +1,233 @@
+#include "cylinders/surface_elements.h"
+
+#include "cylinders/nearest_points.h"
+#include "median.h"
+
+#include <pcl/core/impl/moments.h>
+#include <pcl/core/impl/parallel.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::acmap::cylinders {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/** A quadric over the tangent plane of some points. */
+struct Quadric {
+  Eigen::Vector3d normal = Eigen::Vector3d::Constant(nan); ///< at the first point
+  double rms = nan;  ///< metres, corrected for the degrees of freedom
+  double window = 0; ///< metres, to the farthest point
+};
+
+/** \param[in] chosen the first one is where the normal is wanted */
+Quadric
+quadricOf(const std::vector<Eigen::Vector3d>& points,
+          const std::vector<std::int32_t>& chosen,
+          std::size_t size)
+{
+  using Terms = Eigen::Matrix<double, 6, 1>;
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  Quadric quadric;
+  const Eigen::Vector3d middle = points[static_cast<std::size_t>(chosen[0])];
+  Moments moments;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Eigen::Vector3d from = points[static_cast<std::size_t>(chosen[i])] - middle;
+    moments += momentsOf(from);
+    quadric.window = std::max(quadric.window, from.norm());
+  }
+  const PlaneFit plane = fitPlane(moments);
+  constexpr double min_width = 1e-2; // squared, relative to the length
+  if (!(quadric.window > 0) || !(plane.variances[1] > min_width * plane.variances[2]))
+    return quadric;
+  const Eigen::Vector3d u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
+  Matrix matrix = Matrix::Zero();
+  Terms right = Terms::Zero();
+  double squares = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Eigen::Vector3d from =
+        (points[static_cast<std::size_t>(chosen[i])] - middle) / quadric.window;
+    const double x = from.dot(u), y = from.dot(v), z = from.dot(plane.normal);
+    Terms terms;
+    terms << 1, x, y, x * x, x * y, y * y;
+    matrix += terms * terms.transpose();
+    right += z * terms;
+    squares += z * z;
+  }
+  matrix.diagonal().array() += 1e-9; // points on two lines do not determine all terms
+  const Terms fit = matrix.ldlt().solve(right);
+  const double rest = std::max(squares - fit.dot(right), 0.0);
+  quadric.rms =
+      quadric.window *
+      std::sqrt(rest / static_cast<double>(std::max<std::size_t>(size, 7) - 6));
+  quadric.normal = (plane.normal - fit[1] * u - fit[2] * v).normalized();
+  return quadric;
+}
+
+constexpr double quartile_of_seven = 0.78; // rms of seven normal values
+
+double
+lowerQuartile(std::vector<double>& values)
+{
+  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quarter, values.end());
+  return *quarter;
+}
+
+} // namespace
+
+SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_sigma)
+: normals(hypotheses.points.size(), Eigen::Vector3d::Constant(nan))
+, is_smooth(hypotheses.points.size(), 0)
+, is_oriented(!hypotheses.normals.empty())
+, is_mesh(!hypotheses.triangles.empty())
+{
+  setPoints(hypotheses.points);
+  for (std::size_t i = 0; i < hypotheses.normals.size(); ++i)
+    if (points[i].allFinite() && hypotheses.normals[i].allFinite()) {
+      normals[i] = hypotheses.normals[i].cast<double>();
+      is_smooth[i] = 1;
+    }
+  if (is_mesh)
+    neighbours = VertexNeighbours(size(), hypotheses.triangles);
+  else
+    connectNearest();
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < size(); ++i)
+    for (const std::int32_t j : neighbours[i]) {
+      const double length = (points[static_cast<std::size_t>(j)] - points[i]).norm();
+      if (length > 0)
+        lengths.push_back(length);
+    }
+  spacing = medianOf(lengths);
+  fitQuadrics(!is_oriented);
+  if (told_sigma > 0)
+    sigma = told_sigma;
+  constexpr double rounding = 5e-5; // of coordinates in files, relative to the extent
+  sigma = std::max(sigma, rounding * extent);
+}
+
+void
+SurfaceElements::setPoints(const PointView& view)
+{
+  std::vector<double> coordinates;
+  for (std::size_t i = 0; i < view.size(); ++i)
+    points.push_back(view[i].cast<double>());
+  for (int axis = 0; axis < 3; ++axis) {
+    coordinates.clear();
+    for (const Eigen::Vector3d& point : points)
+      if (point.allFinite())
+        coordinates.push_back(point[axis]);
+    origin[axis] = medianOf(coordinates);
+  }
+  // A few points far away do not make a scene large.
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    coordinates.clear();
+    for (const Eigen::Vector3d& point : points)
+      if (point.allFinite())
+        coordinates.push_back(std::abs(point[axis] - origin[axis]));
+    if (coordinates.empty())
+      continue;
+    const auto most = coordinates.begin() +
+                      static_cast<std::ptrdiff_t>((coordinates.size() - 1) * 99 / 100);
+    std::nth_element(coordinates.begin(), most, coordinates.end());
+    half[axis] = *most;
+  }
+  extent = 2 * half.norm();
+  for (Eigen::Vector3d& point : points)
+    point -= origin;
+}
+
+void
+SurfaceElements::connectNearest()
+{
+  constexpr std::size_t nearest = 16;
+  const NearestPoints tree(points);
+  std::vector<std::vector<std::int32_t>> found(size());
+  parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      tree.find(points[i], nearest + 1, found[i]);
+  });
+  std::vector<std::size_t> first{0};
+  std::vector<std::int32_t> others;
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (const std::int32_t other : found[i])
+      if (other != static_cast<std::int32_t>(i))
+        others.push_back(other);
+    first.push_back(others.size());
+  }
+  neighbours = VertexNeighbours(std::move(first), std::move(others));
+}
+
+/** Fits quadrics over the nearest points. The noise is that of the best quarter: edges
+ * are no noise. */
+void
+SurfaceElements::fitQuadrics(bool sets_normals)
+{
+  constexpr std::size_t sizes[] = {13, 9, 25, 41};
+  constexpr double max_rms = 0.06; // of the window
+  const NearestPoints tree(points);
+  std::vector<double> rms(size(), nan);
+  parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int32_t> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!points[i].allFinite())
+        continue;
+      for (const std::size_t wanted : sizes) {
+        if (found.empty() || wanted > found.size())
+          tree.find(points[i], wanted, found);
+        if (found.size() < 9)
+          break;
+        const Quadric quadric =
+            quadricOf(points, found, std::min(wanted, found.size()));
+        if (!(quadric.rms < max_rms * quadric.window))
+          continue;
+        rms[i] = quadric.rms;
+        if (sets_normals) {
+          normals[i] = quadric.normal;
+          is_smooth[i] = 1;
+        }
+        break;
+      }
+      found.clear();
+    }
+  });
+  rms.erase(std::remove_if(rms.begin(), rms.end(), [](double r) { return !(r >= 0); }),
+            rms.end());
+  if (rms.empty())
+    return;
+  sigma = lowerQuartile(rms) / quartile_of_seven;
+}
+
+double
+relativeNoise(const PointView& view)
+{
+  constexpr std::size_t max_samples = 1500, nearest = 13;
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < view.size(); ++i)
+    points.push_back(view[i].cast<double>());
+  const NearestPoints tree(points);
+  std::vector<double> rms, distances;
+  std::vector<std::int32_t> found;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / max_samples + 1) {
+    tree.find(points[i], nearest, found);
+    if (found.size() < nearest)
+      continue;
+    const Quadric quadric = quadricOf(points, found, nearest);
+    if (!(quadric.rms >= 0))
+      continue;
+    rms.push_back(quadric.rms);
+    distances.push_back(quadric.window * 0.7); // half of the disc is nearer
+  }
+  if (rms.empty())
+    return 0;
+  return lowerQuartile(rms) / quartile_of_seven / medianOf(distances);
+}
+
+} // namespace pcl::acmap::cylinders

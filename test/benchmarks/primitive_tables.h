@@ -1,0 +1,26 @@
+#pragma once
+
+namespace pcl::acmap::bench {
+
+/** \brief Cylinders of the annotated CAD models of Fit4CAD: those with an even number,
+ * on which nothing was tuned. */
+void
+printFit4cad();
+
+/** \brief The same for the models with an odd number, on which limits were tuned. */
+void
+printFit4cadTuned();
+
+/** \brief Columns and pipes of which one view sees half, among walls. */
+void
+printHalfSeen();
+
+/** \brief Walls that are flat, bowed, or curved with a radius of 10 m. */
+void
+printWalls();
+
+/** \brief Errors of radii compared with their covariance. */
+void
+printSigma();
+
+} // namespace pcl::acmap::bench
