@@ -11,6 +11,9 @@ bindErrors();
 // Each of these binds one concept: a stage with its result, or what several of them share.
 
 void
+bindAdjustment(pybind11::module_& module);
+
+void
 bindCompactMap(pybind11::module_& module);
 
 void

@@ -27,6 +27,7 @@ constexpr NamedChoices<DepthSensor, 5> depth_sensors = {
 struct MappingSettings {
   bool paper;
   bool rectify;
+  bool adjust;
   DepthSensor sensor;
   double voxel_size; ///< metres; 0: automatic
   double min_area;   ///< square metres; 0: automatic
@@ -60,6 +61,7 @@ requireLegal(const MappingSettings& settings)
       throw py::value_error(argument + " departs from the paper: leave it out with "
                                        "paper=True");
   };
+  refuse(settings.adjust, "adjust");
   refuse(settings.sensor != DepthSensor::Automatic, "sensor");
   refuse(settings.voxel_size > 0, "voxel_size");
   refuse(settings.min_area > 0, "min_area");
@@ -112,6 +114,7 @@ prepare(CompactMapping& mapping, const MappingInput& input)
   CompactMapping::Texturing texturing = mapping.getTexturing();
   texturing.setTexelSize(settings.texel_size);
   mapping.setRectify(settings.rectify);
+  mapping.setAdjust(settings.adjust);
   mapping.setMerging(merging);
   mapping.setPlaneMapping(planeMappingOf(mapping.getPlaneMapping(), settings));
   mapping.setTexturing(texturing);
@@ -140,9 +143,11 @@ constexpr const char* about_mapping =
 (pcl::CompactMapping). Add the observations, then call compute.
 
 paper      all steps as the paper has them, with nothing added, on raw points, which takes
-           long; sensor, voxel_size, min_area and regular are refused with it
+           long; adjust, sensor, voxel_size, min_area and regular are refused with it
 rectify    straightens the map before its planes are found, as the function rectify does
            (II-B.2 of the paper)
+adjust     then adjusts the poses by planes, in six degrees of freedom, as the function
+           adjust does
 sensor     what measured the points. 'quantised' (structured light, such as a Kinect) and
            'stereo': the noise of each view is removed in its picture; 'tof' and 'laser':
            not; 'auto': only where the depth is quantised
@@ -182,6 +187,7 @@ bindCompactMapping(py::module_& module)
   py::class_<MappingInput>(module, "CompactMapping", about_mapping)
       .def(py::init([](bool paper,
                        bool rectify,
+                       bool adjust,
                        const std::string& sensor,
                        std::optional<double> voxel_size,
                        double min_area,
@@ -191,6 +197,7 @@ bindCompactMapping(py::module_& module)
                        unsigned threads) {
              const MappingSettings settings = {paper,
                                                rectify,
+                                               adjust,
                                                chosen("sensor", sensor, depth_sensors),
                                                voxel_size.value_or(0),
                                                min_area,
@@ -204,6 +211,7 @@ bindCompactMapping(py::module_& module)
            py::kw_only(),
            "paper"_a = false,
            "rectify"_a = defaults.getRectify(),
+           "adjust"_a = defaults.getAdjust(),
            "sensor"_a = nameOf(DepthSensor::Automatic, depth_sensors),
            "voxel_size"_a = py::none(),
            "min_area"_a = clustering.getMinArea(),

@@ -1,5 +1,6 @@
 #include "mapping_report.h"
 
+#include "adjustment_report.h"
 #include "rectification_report.h"
 #include "reports.h"
 
@@ -39,16 +40,19 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
 py::object
 reportOfMapping(const CompactMappingReport& report)
 {
-  py::object rectification = py::none(), outcome = py::none();
+  py::object rectification = py::none(), adjustment = py::none(), outcome = py::none();
   if (report.rectification) {
     rectification =
         reportOfRectification(EntropyRectificationReport(*report.rectification));
     outcome = rectification.attr("outcome");
   }
+  if (report.adjustment)
+    adjustment = reportOfAdjustment(PlaneAdjustmentReport(*report.adjustment));
   const bool is_paper = report.mode == MappingMode::Paper;
   return reportOf(py::dict("mode"_a = is_paper ? "paper" : "accurate",
                            "outcome"_a = outcome,
                            "rectification"_a = rectification,
+                           "adjustment"_a = adjustment,
                            "merging"_a = reportOfMerging(report.merging),
                            "planes"_a = reportOfPlaneMapping(report.planes),
                            "texture"_a = reportOf(report.texture)),

@@ -2,6 +2,8 @@
 
 #include "array_view.h"
 
+#include <pcl/mapping/entropy_rectification_types.h>
+
 #include <Eigen/Geometry>
 
 #include <string>
@@ -25,5 +27,10 @@ posesOf(const std::string& name, const py::handle& argument);
  * \param[in] owner of the poses; the array keeps a reference to it */
 py::array
 arrayOfPoses(const Poses& poses, const py::handle& owner);
+
+/** \brief Checks the noise between consecutive poses.
+ * \throws BadArgumentException naming the argument that is out of its range */
+void
+requireNamedOdometryNoise(const OdometryNoise& noise);
 
 } // namespace pcl::acmap::python

@@ -90,11 +90,7 @@ requireLegal(const RectificationSettings& settings)
 {
   requireInRange("bin_size", settings.bin_size, 0.001, 25, "m");
   requireInRange("entropy_weight", settings.entropy_weight, 1e-3, 1e3, "(no unit)");
-  const OdometryNoise& noise = settings.odometry;
-  requireInRange("odometry_length", noise.length, 1e-6, 1e3, "m");
-  requireInRange("odometry_length_per_metre", noise.length_per_metre, 0, 10, "m/m");
-  requireInRange("odometry_turn", noise.turn, 1e-6, 10, "rad");
-  requireInRange("odometry_turn_per_radian", noise.turn_per_radian, 0, 10, "rad/rad");
+  requireNamedOdometryNoise(settings.odometry);
 }
 
 /** The rectified poses of the sensors, or the given ones unless it succeeded. */

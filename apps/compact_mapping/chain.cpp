@@ -1,6 +1,7 @@
 #include "chain.h"
 
 #include "active_stereo/stereo_options.h"
+#include "entropy_rectification/pose_adjustment.h"
 #include "entropy_rectification/rectification_options.h"
 #include "visual_egomotion/egomotion_options.h"
 
@@ -125,9 +126,16 @@ Chain::sequenceFrom(StartingPoint start)
     sequence.posed.emplace(observations, scale);
   else
     sequence.posed = findPoses(observations, scale);
-  sequence.is_rectified = options_.rectifies && sequence.posed->size() > 1;
+  const RectificationOptions& rectification = options_.rectification;
+  OdometryNoise noise = rectification.odometry;
+  if (poses_.noise && !rectification.has_odometry_noise)
+    noise = *poses_.noise;
+  const bool has_several = sequence.posed->size() > 1;
+  sequence.is_rectified = options_.rectifies && has_several;
   if (sequence.is_rectified)
-    sequence.posed = rectify(observations, *sequence.posed, scale);
+    sequence.posed = rectify(observations, *sequence.posed, noise, scale);
+  if (options_.egomotion.is_rigid && has_several)
+    sequence.posed = adjust(observations, *sequence.posed, noise, scale);
   sequence.up = poses_.up;
   return sequence;
 }
@@ -161,7 +169,8 @@ Chain::findPoses(const std::string& observations, double scale)
   return runPoses("egomotion",
                   {{"files", sequenceState(observations)},
                    {"scale", scale},
-                   {"options", values_(egomotion_group)}},
+                   {"options", values_(egomotion_group)},
+                   {"motion", values_(motion_group)}},
                   sequence,
                   [&](StageLog& log) {
                     return estimatePoses(egomotion, sequence, controls_, log);
@@ -171,6 +180,7 @@ Chain::findPoses(const std::string& observations, double scale)
 ObservationSequence
 Chain::rectify(const std::string& observations,
                const ObservationSequence& posed,
+               const OdometryNoise& noise,
                double scale)
 {
   RectificationOptions rectification = options_.rectification;
@@ -178,8 +188,7 @@ Chain::rectify(const std::string& observations,
   rectification.output = folderOf("rectification");
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
-  if (poses_.noise && !rectification.has_odometry_noise)
-    rectification.odometry = *poses_.noise;
+  rectification.odometry = noise;
   return runPoses("rectification",
                   {{"observations", observations},
                    {"skips_broken", rectification.skip_broken},
@@ -190,6 +199,32 @@ Chain::rectify(const std::string& observations,
                   [&](StageLog& log) {
                     return rectifyPoses(rectification, posed, controls_, log);
                   });
+}
+
+ObservationSequence
+Chain::adjust(const std::string& observations,
+              const ObservationSequence& posed,
+              const OdometryNoise& noise,
+              double scale)
+{
+  return runPoses(
+      "adjustment",
+      {{"observations", observations},
+       {"files", sequenceState(observations)},
+       {"scale", scale},
+       {"odometry_noise",
+        {noise.length, noise.length_per_metre, noise.turn, noise.turn_per_radian}}},
+      posed,
+      [&](StageLog& log) {
+        StepTimer timer(log.report);
+        EstimatedPoses poses;
+        poses.trajectory = adjustPoses(posed, noise, controls_, log);
+        for (std::size_t i = 0; i < posed.size(); ++i)
+          poses.places.push_back(i);
+        poses.up = poses_.up;
+        timer.finish("adjust");
+        return poses;
+      });
 }
 
 ObservationSequence

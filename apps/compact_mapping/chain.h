@@ -94,7 +94,14 @@ private:
   ObservationSequence
   rectify(const std::string& observations,
           const ObservationSequence& posed,
+          const OdometryNoise& noise,
           double scale);
+
+  ObservationSequence
+  adjust(const std::string& observations,
+         const ObservationSequence& posed,
+         const OdometryNoise& noise,
+         double scale);
 
   /** \brief Runs a stage that estimates the poses of a sequence; they go from stage to
    * stage as files, so that a run that reuses them has the same bytes. */

@@ -33,6 +33,12 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
         ->type_name("TRAJECTORY.txt");
   });
   inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
+  app.get_option("--6dof")
+      ->description(
+          "The camera moves freely, as in a hand: poses are estimated in six "
+          "degrees of freedom, and then adjusted so that planes which several "
+          "observations see become thin; else it moves level, as on a robot")
+      ->group(motion_group);
   inGroup(tool, rectification_group, [&] {
     app.add_flag_callback(
         "--no-rectification",
@@ -138,7 +144,8 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
     refuseGroup(
         tool, egomotion_group, "is for observations without poses, and " + what);
   if (start == StartingPoint::Cloud)
-    refuseGroup(tool, rectification_group, "is for observations, and " + what);
+    for (const char* group : {motion_group, rectification_group})
+      refuseGroup(tool, group, "is for observations, and " + what);
   if (start == StartingPoint::Cloud && !options.truth.empty())
     throw UsageError("--truth is for observations, and " + what);
   if (start == StartingPoint::Session && tool.scale() != 1)

@@ -28,6 +28,7 @@ struct ChainOptions {
 /** \brief Titles of the option groups of the stages in the help. */
 constexpr const char* stereo_group = "Stereo, for a raw session";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
+constexpr const char* motion_group = "Motion, for more than one observation";
 constexpr const char* rectification_group =
     "Rectification, for more than one observation";
 constexpr const char* map_group = "Map";

@@ -5,6 +5,7 @@
 #include "memory.h"
 #include "output_target.h"
 #include "plan_picture.h"
+#include "pose_adjustment.h"
 #include "stage_reports.h"
 
 #include <pcl/core/impl/cloud_fields.h>
@@ -14,7 +15,6 @@
 #include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
-#include <pcl/pipeline/sequence_adjustment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,77 +133,6 @@ tellOutcome(const EntropyRectificationReport& report, StageLog& log)
   log.tell("moved",
            "at most " + shortNumber(largestOf(report.moved)) + " m and " +
                shortNumber(degrees * largestOf(report.turned)) + " degrees");
-}
-
-const char*
-outcomeName(AdjustmentOutcome outcome)
-{
-  constexpr const char* names[] = {"adjusted", "kept", "refused", "undetermined"};
-  return names[static_cast<std::size_t>(outcome)];
-}
-
-Json
-detailsOf(const PlaneAdjustmentReport& report)
-{
-  const auto in = [](const auto& fields) {
-    Json json;
-    visitFields(fields,
-                [&](const char* name, const auto& value) { json[name] = value; });
-    return json;
-  };
-  Json rounds = Json::array(), uncertainty = Json::array();
-  for (const AdjustmentRound& round : report.rounds)
-    rounds.push_back(in(round));
-  for (const PoseUncertainty& pose : report.uncertainty)
-    uncertainty.push_back({{"position", pose.position}, {"rotation", pose.rotation}});
-  return {{"outcome", outcomeName(report.outcome)},
-          {outcomeName(report.outcome), report.reason},
-          {"points", report.points},
-          {"pieces", report.pieces},
-          {"planes", report.landmarks},
-          {"associated_pieces", report.associated_pieces},
-          {"noise_factor", report.noise_factor},
-          {"floor", report.floor},
-          {"odometry_factors", report.odometry_factors},
-          {"prior", report.prior},
-          {"thickness_before", report.thickness_before},
-          {"thickness_after", report.thickness_after},
-          {"significance", report.significance},
-          {"rays_before", in(report.rays_before)},
-          {"rays_after", in(report.rays_after)},
-          {"moved", report.moved},
-          {"turned", report.turned},
-          {"rounds", rounds},
-          {"uncertainty", uncertainty}};
-}
-
-/** Adjusts the poses by planes, as a further step of the tool. */
-void
-adjustPoses(const RectificationOptions& options,
-            const ObservationSequence& posed,
-            const MapObservations& observations,
-            const RunControls& controls,
-            StageLog& log,
-            Poses& poses)
-{
-  SequenceAdjustment adjustment;
-  adjustment.setNumberOfThreads(controls.threads);
-  adjustment.setProgressCallback(controls.progress);
-  adjustment.setOdometryNoise(options.odometry);
-  Trajectory adjusted;
-  adjustment.compute(
-      posed.withPoses(observations.places, {observations.trajectory.stamps, poses}),
-      adjusted);
-  poses = adjusted.poses;
-  const PlaneAdjustmentReport& report = adjustment.getReport();
-  for (const std::string& remark : report.remarks)
-    log.warn(remark);
-  log.tell(std::string("planes ") + outcomeName(report.outcome), report.reason);
-  log.tell("thickness",
-           "of planes seen by several observations " +
-               shortNumber(report.thickness_before) + " m, adjusted " +
-               shortNumber(report.thickness_after) + " m");
-  log.details["adjustment"] = detailsOf(report);
 }
 
 std::string
@@ -391,7 +320,12 @@ rectifyMap(const RectificationOptions& options,
   for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
     poses.push_back(rectification.getPose(i));
   if (options.six_degrees && posed) {
-    adjustPoses(options, *posed, observations, controls, log, poses);
+    const Trajectory rectified = {observations.trajectory.stamps, poses};
+    poses = adjustPoses(posed->withPoses(observations.places, rectified),
+                        options.odometry,
+                        controls,
+                        log)
+                .poses;
     timer.finish("adjust");
   }
   const EntropyRectificationReport& report = rectification.getReport();

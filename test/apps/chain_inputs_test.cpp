@@ -97,6 +97,35 @@ TEST_F(ChainInputs, ObservationsWithViewpoints)
   EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").poses.size(), 3u);
 }
 
+TEST_F(ChainInputs, PosesThatAreAdjustedInSixDegreesOfFreedom)
+{
+  const std::string input = posedObservations();
+  const Trajectory truth = loadTrajectory(input + "/trajectory.txt");
+  Trajectory raised = truth;
+  for (std::size_t i = 0; i < raised.poses.size(); ++i)
+    raised.poses[i].translate(Eigen::Vector3d(0, 0.04 * static_cast<double>(i), 0));
+  saveTrajectory(input + "/trajectory.txt", raised);
+  const auto heightOfLast = [&](const std::vector<std::string>& options) {
+    const ToolRun run = runChain(input, out_, options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto poses = loadTrajectory(out_ + "/trajectory.txt").poses;
+    return poses.back().translation().y() - truth.poses.back().translation().y();
+  };
+  EXPECT_NEAR(heightOfLast({"--no-rectification"}), 0.08, 1e-6);
+  EXPECT_NEAR(heightOfLast({"--no-rectification", "--6dof"}), 0, 0.03);
+  EXPECT_THAT(stagesOf(out_), ElementsAre("adjustment", "map"));
+  const auto details =
+      jsonOfFile(out_ + "/report.json").at("stages").at(0).at("details");
+  EXPECT_EQ(details.at("adjustment").at("outcome"), "adjusted");
+  EXPECT_EQ(details.at("adjustment").at("moved").size(), truth.poses.size());
+  EXPECT_NEAR(heightOfLast({"--6dof"}), 0, 0.03);
+  EXPECT_THAT(stagesOf(out_), ElementsAre("rectification", "adjustment", "map"));
+  heightOfLast({"--6dof"});
+  EXPECT_THAT(madeStages(out_), IsEmpty());
+  heightOfLast({"--6dof", "--odometry-noise", "0.02", "0.5"});
+  EXPECT_THAT(madeStages(out_), ElementsAre("rectification", "adjustment", "map"));
+}
+
 TEST_F(ChainInputs, OneObservationAloneIsPosed)
 {
   const std::string input = observations();
@@ -143,6 +172,7 @@ TEST_F(ChainInputs, OptionsOfStagesOnNoWayAreRefused)
   refuse(cloud, {"--keypoints", "500"}, 2, "--keypoints: is for observations without");
   refuse(cloud, {"--bin", "0.1"}, 2, "--bin: is for observations");
   refuse(cloud, {"--no-rectification"}, 2, "--no-rectification: is for observations");
+  refuse(cloud, {"--6dof"}, 2, "--6dof: is for observations");
   refuse(cloud, {"--truth", session_}, 2, "--truth is for observations");
   refuse(posedObservations(), {"--keypoints", "500"}, 2, "posed observations");
   refuse(session_, {"--scale", "0.001"}, 2, "--scale is for point clouds");

@@ -68,6 +68,14 @@ TEST_F(ChainReuse, TheStageWhoseOptionChangedIsMadeAgainAndThoseAfterIt)
   EXPECT_EQ(made({"--max-depth", "8"}), all_stages);
 }
 
+TEST_F(ChainReuse, SixDegreesOfFreedomAddAStage)
+{
+  EXPECT_THAT(made({"--6dof"}),
+              ElementsAre("egomotion", "rectification", "adjustment", "map"));
+  EXPECT_THAT(made({"--6dof"}), IsEmpty());
+  EXPECT_THAT(made({"--6dof", "--texel", "0.03"}), ElementsAre("map"));
+}
+
 TEST_F(ChainReuse, AChangedFrameChangesAll)
 {
   const fs::path frame = session_ + "/frame_000000.acf";

@@ -323,6 +323,88 @@ TEST(RectificationTool, AMapThatIsNotLevelIsTurned)
   EXPECT_THAT(floor.err, HasSubstr("again with --6dof"));
 }
 
+/** Largest error of the heights, metres. */
+double
+heightError(const Trajectory& found, const Trajectory& truth)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.poses.size(); ++i)
+    largest = std::max(largest,
+                       std::abs(found.poses.at(i).translation().y() -
+                                truth.poses[i].translation().y()));
+  return largest;
+}
+
+TEST(RectificationTool, SixDegreesOfFreedomMendHeightsToo)
+{
+  const TemporaryFolder folder;
+  const std::string session = copyOfRoom(folder.path("session"));
+  const Trajectory truth = driftedRoom().truth;
+  Trajectory climbing = truth;
+  Eigen::Isometry3d drift = Eigen::Isometry3d::Identity();
+  for (Eigen::Isometry3d& pose : climbing.poses) {
+    pose = pose * drift;
+    drift.translate(Eigen::Vector3d(0, 0.01, 0));
+    drift.rotate(Eigen::AngleAxisd(0.002, Eigen::Vector3d::UnitX()));
+  }
+  saveTrajectory(session + "/trajectory.txt", climbing);
+  double before = 0;
+  for (const bool adjusts : {false, true}) {
+    const std::string output = folder.path(adjusts ? "adjusted" : "rectified");
+    std::vector<std::string> arguments = {session, "-o", output, "--up", "-y"};
+    if (adjusts)
+      arguments.emplace_back("--6dof");
+    const ToolRun run = runRectification(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const double height =
+        heightError(loadTrajectory(output + "/trajectory.txt"), truth);
+    const nlohmann::json report = reportOf(output);
+    EXPECT_EQ(report.contains("adjustment"), adjusts);
+    if (!adjusts) {
+      EXPECT_GT(height, 0.1) << "the entropy keeps heights";
+      before = height;
+      continue;
+    }
+    EXPECT_LT(height, 0.4 * before) << "views of 96 x 72 pixels, half of them of walls";
+    EXPECT_THAT(run.out, HasSubstr("planes adjusted:"));
+    EXPECT_THAT(run.out, HasSubstr("thickness:"));
+    expectMap(session, output);
+    const nlohmann::json& adjustment = report.at("adjustment");
+    EXPECT_EQ(adjustment.at("outcome"), "adjusted");
+    EXPECT_EQ(adjustment.at("moved").size(), truth.poses.size());
+    EXPECT_EQ(adjustment.at("uncertainty").size(), truth.poses.size());
+    EXPECT_LT(adjustment.at("thickness_after").get<double>(),
+              0.3 * adjustment.at("thickness_before").get<double>());
+    EXPECT_GT(adjustment.at("significance"), 5);
+    EXPECT_GT(adjustment.at("rounds").at(0).at("landmarks"), 0);
+  }
+}
+
+TEST(RectificationTool, SixDegreesOfFreedomKeepPosesThatFit)
+{
+  const TemporaryFolder folder;
+  const std::string session = copyOfRoom(folder.path("session"));
+  const Trajectory truth = driftedRoom().truth;
+  saveTrajectory(session + "/trajectory.txt", truth);
+  const ToolRun run =
+      runRectification({session, "-o", folder.path("out"), "--up", "-y", "--6dof"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_LT(heightError(loadTrajectory(folder.path("out/trajectory.txt")), truth),
+            0.01);
+}
+
+TEST(RectificationTool, SixDegreesOfFreedomAreNotForALog)
+{
+  const TemporaryFolder folder;
+  const ToolRun run = runRectification({"--carmen",
+                                        folder.write("scans.log", roomLog(false)),
+                                        "-o",
+                                        folder.path("out"),
+                                        "--6dof"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--6dof"));
+}
+
 TEST(RectificationTool, TheVerticalMayBeZOrGiven)
 {
   const TemporaryFolder folder;

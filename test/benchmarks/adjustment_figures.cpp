@@ -7,8 +7,8 @@
 namespace {
 
 constexpr char usage[] =
-    "Usage: acmap_bench_adjustment_figures [scenes] [odometry] [perfect] [blank] "
-    "[kitchen] [livox] [size]\n"
+    "Usage: acmap_bench_adjustment_figures [scenes] [peers] [odometry] [perfect] "
+    "[blank] [kitchen] [livox] [size]\n"
     "Prints how well planes adjust poses, as Markdown tables; without a name all of\n"
     "them. Recordings are read from the folder named by the environment variable\n"
     "ACMAP_TEST_DATA. ACMAP_DRIFT_SEEDS=2 takes two seeds of the drift instead of "
@@ -21,18 +21,26 @@ main(int argc, char** argv)
 {
   using namespace pcl::acmap::bench;
   Sections sections;
-  if (const auto exit_code = Sections::read(
-          argc,
-          argv,
-          {"scenes", "odometry", "perfect", "blank", "kitchen", "livox", "size"},
-          usage,
-          sections))
+  if (const auto exit_code = Sections::read(argc,
+                                            argv,
+                                            {"scenes",
+                                             "peers",
+                                             "odometry",
+                                             "perfect",
+                                             "blank",
+                                             "kitchen",
+                                             "livox",
+                                             "size"},
+                                            usage,
+                                            sections))
     return *exit_code;
   DriftSeeds seeds;
   if (const char* const count = std::getenv("ACMAP_DRIFT_SEEDS"))
     seeds.last = seeds.first + std::strtoul(count, nullptr, 10) - 1;
   if (sections.isWanted("scenes"))
     printAdjustedScenes(seeds);
+  if (sections.isWanted("peers"))
+    printAdjustmentPeers(seeds);
   if (sections.isWanted("odometry"))
     printWrongOdometry(seeds);
   if (sections.isWanted("perfect"))

@@ -2,9 +2,11 @@
 #include "adjustment_tables.h"
 #include "markdown_row.h"
 #include "rectification_maps.h"
+#include "rectification_peers.h"
 #include "statistics.h"
 #include "units.h"
 
+#include <pcl/core/trajectory_error.h>
 #include <pcl/simulation/standard_scenes.h>
 
 #include <algorithm>
@@ -100,6 +102,49 @@ printAdjustedScenes(const DriftSeeds& seeds)
                 std::to_string(static_cast<int>(level)) + " x",
                 runAll(scene, drift, seeds));
     }
+  }
+}
+
+void
+printAdjustmentPeers(const DriftSeeds& seeds)
+{
+  std::cout << "\n### The same drift, 1 x, by methods of PCL\n";
+  printHead({"scene",
+             "ratio, median",
+             "LUM",
+             "CPU s",
+             "GICP chain",
+             "CPU s",
+             "ELCH",
+             "CPU s"});
+  for (const std::string& name : adjustedScenes()) {
+    const SimulatedScene simulated = standardScene(name);
+    const AdjustmentScene scene = makeAdjustmentScene(simulated);
+    const RectificationMap map = makeSceneMap(simulated);
+    const ObservationPairs pairs = truePairs(map);
+    std::vector<double> ours, ratios[3], seconds[3];
+    for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+      const auto given = driftedFreely(scene.truth, FreeDrift(), seed);
+      const double before = absoluteTrajectoryError(given, scene.truth).unaligned;
+      ours.push_back(adjust(scene, given, FreeDrift()).ratio());
+      const auto add = [&](int peer, const PeerRun& run) {
+        ratios[peer].push_back(
+            absoluteTrajectoryError(run.poses, scene.truth).unaligned / before);
+        seconds[peer].push_back(run.seconds);
+      };
+      add(0, runLum(map.clouds, given, pairs));
+      add(1, runGicpChain(map.clouds, given));
+      if (name == "loop")
+        add(2, runElch(map.clouds, given));
+    }
+    MarkdownRow row;
+    row.text(name).number(median(ours), 3);
+    for (int peer = 0; peer < 3; ++peer)
+      if (ratios[peer].empty())
+        row.text("no loop").text("");
+      else
+        row.number(median(ratios[peer]), 3).number(median(seconds[peer]), 1);
+    row.print();
   }
 }
 

@@ -14,6 +14,10 @@ struct DriftSeeds {
 void
 printAdjustedScenes(const DriftSeeds& seeds);
 
+/** \brief PCL's LUM, ELCH and a chain of generalized ICP on the same runs. */
+void
+printAdjustmentPeers(const DriftSeeds& seeds);
+
 /** \brief Odometry whose errors are not those that were told. */
 void
 printWrongOdometry(const DriftSeeds& seeds);

@@ -6,6 +6,7 @@
 #include <pcl/common/transforms.h>
 #include <pcl/registration/correspondence_estimation.h>
 #include <pcl/registration/elch.h>
+#include <pcl/registration/gicp.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/lum.h>
 
@@ -23,29 +24,36 @@ using Points = PointCloud<PointXYZ>;
  * methods then only compute small corrections, so that LUM's Euler angles stay
  * small. */
 std::vector<Points::Ptr>
-placedClouds(const RectificationMap& map, const std::vector<PlanarPose>& given)
+placedClouds(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
 {
-  const Eigen::Isometry3d T_first_map = isometryOf(given.front()).inverse();
-  std::vector<Points::Ptr> clouds;
+  const Eigen::Isometry3d T_first_map = given.front().inverse();
+  std::vector<Points::Ptr> placed;
   for (std::size_t i = 0; i < given.size(); ++i) {
     Points local;
-    copyPointCloud(*map.clouds[i], local);
-    const Eigen::Isometry3d pose = T_first_map * isometryOf(given[i]);
-    clouds.push_back(std::make_shared<Points>());
-    transformPointCloud(local, *clouds.back(), pose.cast<float>().matrix());
+    copyPointCloud(*clouds[i], local);
+    const Eigen::Isometry3d pose = T_first_map * given[i];
+    placed.push_back(std::make_shared<Points>());
+    transformPointCloud(local, *placed.back(), pose.cast<float>().matrix());
   }
-  return clouds;
+  return placed;
+}
+
+/** The rigid motion of a matrix of floats. */
+Eigen::Isometry3d
+motionOf(const Eigen::Matrix4f& matrix)
+{
+  Eigen::Isometry3d motion(matrix.cast<double>());
+  motion.linear() = Eigen::Quaterniond(motion.linear()).normalized().toRotationMatrix();
+  return motion;
 }
 
 /** \param[in] correction in the frame of the first pose */
-PlanarPose
-corrected(const PlanarPose& given,
+Eigen::Isometry3d
+corrected(const Eigen::Isometry3d& given,
           const Eigen::Affine3f& correction,
-          const PlanarPose& first)
+          const Eigen::Isometry3d& first)
 {
-  const Eigen::Isometry3d motion(correction.matrix().cast<double>());
-  return planarPartOf(isometryOf(first) * motion * isometryOf(first).inverse() *
-                      isometryOf(given));
+  return first * motionOf(correction.matrix()) * first.inverse() * given;
 }
 
 CorrespondencesPtr
@@ -92,15 +100,14 @@ truePairs(const RectificationMap& map)
 }
 
 PeerRun
-runLum(const RectificationMap& map,
-       const std::vector<PlanarPose>& given,
+runLum(const PeerClouds& clouds,
+       const std::vector<Eigen::Isometry3d>& given,
        const ObservationPairs& pairs)
 {
   constexpr int rounds = 5;
-  const std::vector<Points::Ptr> clouds = placedClouds(map, given);
   registration::LUM<PointXYZ> lum;
   lum.setMaxIterations(1);
-  for (const Points::Ptr& cloud : clouds)
+  for (const Points::Ptr& cloud : placedClouds(clouds, given))
     lum.addPointCloud(cloud);
   PeerRun run;
   run.seconds = measureThread([&] {
@@ -115,7 +122,7 @@ runLum(const RectificationMap& map,
 }
 
 PeerRun
-runElch(const RectificationMap& map, const std::vector<PlanarPose>& given)
+runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
 {
   constexpr int iterations = 100;
   registration::ELCH<PointXYZ> elch;
@@ -123,7 +130,7 @@ runElch(const RectificationMap& map, const std::vector<PlanarPose>& given)
   icp->setMaximumIterations(iterations);
   icp->setMaxCorrespondenceDistance(largest_distance);
   elch.setReg(icp);
-  for (const Points::Ptr& cloud : placedClouds(map, given))
+  for (const Points::Ptr& cloud : placedClouds(clouds, given))
     elch.addPointCloud(cloud);
   elch.setLoopStart(0);
   elch.setLoopEnd(given.size() - 1);
@@ -133,6 +140,49 @@ runElch(const RectificationMap& map, const std::vector<PlanarPose>& given)
     run.poses.push_back(
         corrected(given[i], (*elch.getLoopGraph())[i].transform, given.front()));
   return run;
+}
+
+PeerRun
+runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
+{
+  std::vector<Points::Ptr> local;
+  for (const auto& cloud : clouds) {
+    local.push_back(std::make_shared<Points>());
+    copyPointCloud(*cloud, *local.back());
+  }
+  PeerRun run;
+  run.poses.push_back(given.front());
+  run.seconds = measureThread([&] {
+    for (std::size_t i = 1; i < given.size(); ++i) {
+      GeneralizedIterativeClosestPoint<PointXYZ, PointXYZ> gicp;
+      gicp.setMaxCorrespondenceDistance(largest_distance);
+      gicp.setInputSource(local[i]);
+      gicp.setInputTarget(local[i - 1]);
+      const Eigen::Isometry3d guess = given[i - 1].inverse() * given[i];
+      Points aligned;
+      gicp.align(aligned, guess.cast<float>().matrix());
+      run.poses.push_back(run.poses.back() * motionOf(gicp.getFinalTransformation()));
+    }
+  });
+  return run;
+}
+
+std::vector<Eigen::Isometry3d>
+isometriesOf(const std::vector<PlanarPose>& poses)
+{
+  std::vector<Eigen::Isometry3d> result;
+  for (const PlanarPose& pose : poses)
+    result.push_back(isometryOf(pose));
+  return result;
+}
+
+std::vector<PlanarPose>
+planarPartsOf(const std::vector<Eigen::Isometry3d>& poses)
+{
+  std::vector<PlanarPose> result;
+  for (const Eigen::Isometry3d& pose : poses)
+    result.push_back(planarPartOf(pose));
+  return result;
 }
 
 } // namespace pcl::acmap::bench

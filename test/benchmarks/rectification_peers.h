@@ -10,10 +10,13 @@ namespace pcl::acmap::bench {
 /** \brief Pairs of observations, the earlier one first. */
 using ObservationPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+/** \brief Consolidated observations, sensor frames. */
+using PeerClouds = std::vector<PointCloud<PointNormal>::Ptr>;
+
 /** \brief Result of a PCL method. */
 struct PeerRun {
-  std::vector<PlanarPose> poses;
-  double seconds = 0; ///< CPU time on one thread
+  std::vector<Eigen::Isometry3d> poses; ///< T_map_sensor, the first one as given
+  double seconds = 0;                   ///< CPU time on one thread
 };
 
 /** \brief Neighbours, and pairs that truly observe the same place at different
@@ -24,13 +27,26 @@ truePairs(const RectificationMap& map);
 /** \brief registration::LUM as in PCL's tool: alternates five times between nearest
  * neighbours within 0.3 m in the given pairs and solving for the poses. */
 PeerRun
-runLum(const RectificationMap& map,
-       const std::vector<PlanarPose>& given,
+runLum(const PeerClouds& clouds,
+       const std::vector<Eigen::Isometry3d>& given,
        const ObservationPairs& pairs);
 
 /** \brief registration::ELCH with the first and the last observation as the loop ends,
  * which are registered by ICP with correspondences within 0.3 m. */
 PeerRun
-runElch(const RectificationMap& map, const std::vector<PlanarPose>& given);
+runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given);
+
+/** \brief GeneralizedIterativeClosestPoint from each observation to the next, beginning
+ * with the given motion, correspondences within 0.3 m; the motions are chained. */
+PeerRun
+runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given);
+
+/** \brief Poses in space. */
+std::vector<Eigen::Isometry3d>
+isometriesOf(const std::vector<PlanarPose>& poses);
+
+/** \brief The planar parts of poses. */
+std::vector<PlanarPose>
+planarPartsOf(const std::vector<Eigen::Isometry3d>& poses);
 
 } // namespace pcl::acmap::bench

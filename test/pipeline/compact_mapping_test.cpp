@@ -400,6 +400,74 @@ TEST_F(OfficeViews, goOnFromTheFolderOfAnEarlierRun)
   EXPECT_TRUE(run("other settings", true).second.odometry) << "other observations";
 }
 
+/** Poses that are tilted and raised, as no rectification in the plane can mend. */
+std::vector<Eigen::Isometry3d>
+tilted(std::vector<Eigen::Isometry3d> poses)
+{
+  Eigen::Isometry3d drift = Eigen::Isometry3d::Identity();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    drift.translate(Eigen::Vector3d(0, 0.03, 0));
+    drift.rotate(Eigen::AngleAxisd(0.01, Eigen::Vector3d(1, 0, 0.5).normalized()));
+    poses[i] = poses[i] * drift;
+  }
+  return poses;
+}
+
+TEST_F(OfficeViews, areAdjustedInSixDegreesOfFreedom)
+{
+  const std::vector<Eigen::Isometry3d> given = tilted(trajectory_.poses);
+  const auto error = [](const std::vector<Eigen::Isometry3d>& poses) {
+    double sum = 0;
+    for (std::size_t i = 0; i < views; ++i)
+      sum += (poses[i].translation() - trajectory_.poses[i].translation()).norm();
+    return sum;
+  };
+  for (const bool rectifies : {false, true}) {
+    const TemporaryFolder folder;
+    const auto run = [&](bool adjusts, CompactMap& map) {
+      CompactMapping mapping;
+      mapping.setRectify(rectifies);
+      mapping.setAdjust(adjusts);
+      mapping.setFolder(folder.path("poses"));
+      for (std::size_t i = 0; i < views; ++i)
+        mapping.addObservation(clouds_[i], given[i]);
+      mapping.compute(map);
+      return mapping.getReport();
+    };
+    CompactMap map, again, off;
+    const CompactMappingReport report = run(true, map);
+    ASSERT_TRUE(report.adjustment);
+    EXPECT_EQ(report.adjustment->outcome, AdjustmentOutcome::Adjusted)
+        << report.adjustment->reason;
+    EXPECT_LT(report.adjustment->thickness_after,
+              0.5 * report.adjustment->thickness_before);
+    EXPECT_LT(error(map.trajectory.poses), 0.3 * error(given)) << rectifies;
+    const CompactMappingReport second = run(true, again);
+    EXPECT_FALSE(second.adjustment) << "its poses are those of the earlier run";
+    expectSame(map, again);
+    EXPECT_FALSE(run(false, off).adjustment);
+    EXPECT_GT(error(off.trajectory.poses), 0.5 * error(given)) << "is off by default";
+  }
+}
+
+TEST_F(OfficeViews, thatFitAreNotAdjusted)
+{
+  CompactMapping mapping;
+  mapping.setRectify(false);
+  mapping.setAdjust(true);
+  for (std::size_t i = 0; i < views; ++i)
+    mapping.addObservation(clouds_[i], trajectory_.poses[i]);
+  CompactMap map;
+  mapping.compute(map);
+  ASSERT_TRUE(mapping.getReport().adjustment);
+  EXPECT_EQ(mapping.getReport().adjustment->outcome, AdjustmentOutcome::Kept);
+  for (std::size_t i = 0; i < views; ++i)
+    EXPECT_LT((map.trajectory.poses[i].matrix() - trajectory_.poses[i].matrix())
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-12);
+}
+
 TEST_F(OfficeViews, haveAllTheirPosesOrNone)
 {
   CompactMapping mapping;

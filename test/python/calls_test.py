@@ -22,6 +22,7 @@ functions = {
     "vote_normals": lambda cloud, **settings: acmap.vote_normals(cloud, mesh, **settings),
     "find_planes": lambda cloud, **settings: acmap.find_planes(cloud, cloud, **settings),
     "rectify": lambda cloud, **settings: acmap.rectify([cloud, cloud], two_poses, **settings),
+    "adjust": lambda cloud, **settings: acmap.adjust([cloud, cloud], two_poses, **settings),
 }
 
 
@@ -79,6 +80,9 @@ class UglyInputs(unittest.TestCase):
         rectified = acmap.rectify([empty], poses)
         self.assertEqual(rectified.report.outcome, "undetermined")
         self.assertEqual(rectified.poses.tolist(), poses.tolist())
+        adjusted = acmap.adjust([empty, empty], two_poses)
+        self.assertEqual(adjusted.report.outcome, "undetermined")
+        self.assertEqual(adjusted.poses.tolist(), two_poses.tolist())
 
     def test_skipped_points_are_counted(self):
         broken = points.copy()
@@ -105,6 +109,8 @@ class UglyInputs(unittest.TestCase):
             ("rectify", {"odometry_length": 0}),
             ("rectify", {"odometry_turn_per_radian": -1}),
             ("rectify", {"mode": ""}),
+            ("adjust", {"odometry_length": 0}),
+            ("adjust", {"odometry_turn": numpy.nan}),
         ):
             (key,) = settings
             with self.subTest(name, **settings):
@@ -133,6 +139,11 @@ class UglyInputs(unittest.TestCase):
             lambda: acmap.rectify([points], poses, weights=[numpy.ones(3, numpy.float32)]),
             lambda: acmap.rectify([points], poses, weights=[points[:, 0] - 9]),
             lambda: acmap.rectify([], numpy.zeros((0, 4, 4))),
+            lambda: acmap.adjust([points], two_poses),
+            lambda: acmap.adjust([points], 2 * poses),
+            lambda: acmap.adjust([points], poses, sigmas=[]),
+            lambda: acmap.adjust([points], poses, sigmas=[numpy.ones(3, numpy.float32)]),
+            lambda: acmap.adjust([], numpy.zeros((0, 4, 4))),
         ):
             with self.assertRaises(ValueError):
                 call()

@@ -103,6 +103,7 @@ class Room(MapTest):
         report = self.map.report
         self.assertIsNone(report.outcome)
         self.assertIsNone(report.rectification)
+        self.assertIsNone(report.adjustment)
         self.assertEqual(report.merging.observations, 3)
         self.assertEqual(report.merging.points, 3 * 90 * 120)
         self.assertEqual(report.planes.planes, len(self.map.planes))
@@ -212,6 +213,23 @@ class Settings(MapTest):
         self.assertEqual(report.rectification.outcome, report.outcome)
         self.assertIn(f"outcome='{report.outcome}'", str(report))
 
+    def test_poses_are_adjusted_in_six_degrees_of_freedom(self):
+        lifted = [colored_view(pose, 240, 320) for pose in poses]
+        raised = poses + 0.04 * numpy.arange(3)[:, None, None] * (
+            numpy.arange(16).reshape(4, 4) == 7)
+        made = {}
+        for adjust in (False, True):
+            mapping = acmap.CompactMapping(rectify=False, adjust=adjust)
+            for (points, colors), pose in zip(lifted, raised):
+                mapping.add_observation(points, colors, pose)
+            made[adjust] = mapping.compute()
+        self.assertIsNone(made[False].report.adjustment)
+        self.assertAlmostEqual(made[False].poses[2, 1, 3], 0.08)
+        self.assertEqual(made[True].report.adjustment.outcome, "adjusted")
+        self.assertEqual(len(made[True].report.adjustment.moved), 3)
+        self.assertLess(abs(made[True].poses[:, 1, 3]).max(), 0.01)
+        self.assertIn("adjustment", [step for step, _ in made[True].report.seconds])
+
     def test_sizes(self):
         made = mapping_of_room(
             rectify=False, voxel_size=0.1, min_area=7, texel_size=0.05, regular=True
@@ -240,7 +258,8 @@ class Settings(MapTest):
         self.assertEqual(paper.report.planes.consolidated_points, 0)
         self.assertGreater(paper.report.rectification.votes, 0)
         self.assertGreater(len(paper.planes), len(usual.planes), "walls come in pieces")
-        for departure in ({"sensor": "stereo"}, {"voxel_size": 0.1}, {"min_area": 1}, {"regular": True}):
+        for departure in ({"sensor": "stereo"}, {"voxel_size": 0.1}, {"min_area": 1}, {"regular": True},
+                          {"adjust": True}):
             with self.subTest(departure), self.assertRaisesRegex(ValueError, "departs from the paper"):
                 acmap.CompactMapping(paper=True, **departure)
 

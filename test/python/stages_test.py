@@ -6,7 +6,7 @@ import unittest
 import numpy
 
 import acmap
-from rooms import noisy_wall, room_view, walls
+from rooms import noisy_wall, room_view, turned, walls
 
 
 def off_walls(points):
@@ -169,8 +169,32 @@ class Settings(unittest.TestCase):
         )
         self.assertEqual(page.vertex_class.tolist(), paper.vertex_class.tolist())
 
+    def test_poses_are_adjusted(self):
+        truth = numpy.array([turned(0.15 * i, 0.05 * i, 0.02 * i) for i in range(5)])
+        given = truth.copy()
+        given[:, 1, 3] += 0.02 * numpy.arange(5)
+        views = [room_view(240, 320, noise=0.004, seed=i, pose=pose)
+                 for i, pose in enumerate(truth)]
+        sigmas = [numpy.full(view.shape[:2], 0.004, numpy.float32) for view in views]
+        for settings in ({}, {"sigmas": sigmas, "threads": 1}):
+            adjusted = acmap.adjust(views, given, odometry_length=0.02, **settings)
+            report = adjusted.report
+            self.assertEqual(report.outcome, "adjusted", report.reason)
+            self.assertLess(abs(adjusted.poses - truth)[:, :3, 3].max(), 0.004)
+            self.assertLess(report.thickness_after, report.thickness_before / 3)
+            self.assertEqual(report.views, 5)
+            self.assertEqual(report.moved.shape, (5,))
+            self.assertEqual(report.position_sd.shape, (5,))
+            self.assertGreater(report.rounds[0].landmarks, 0)
+            self.assertAlmostEqual(report.rays_after.near_share, 0, places=2)
+        again = acmap.adjust(views, given, odometry_length=0.02, sigmas=sigmas, threads=2)
+        self.assertEqual(again.poses.tobytes(), adjusted.poses.tobytes())
+        kept = acmap.adjust(views, truth, odometry_length=0.02)
+        self.assertEqual(kept.report.outcome, "kept")
+        self.assertEqual(kept.poses.tobytes(), truth.tobytes())
+
     def test_help_tells_units_and_shapes(self):
-        for name in ("consolidate", "triangulate", "vote_normals", "find_planes", "rectify"):
+        for name in ("consolidate", "triangulate", "vote_normals", "find_planes", "rectify", "adjust"):
             text = inspect.getdoc(getattr(acmap, name))
             for word in ("float32", "metres", "threads", "Returns"):
                 self.assertIn(word, text, name)

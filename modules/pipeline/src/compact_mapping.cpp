@@ -245,8 +245,7 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   addRemarks(*report.levelling, report);
   Rectification rectification = rectification_;
   rectification.setUpDirection(report.levelling->axis);
-  if (estimated_.noise && isDefault(rectification.getOdometryNoise()))
-    rectification.setOdometryNoise(*estimated_.noise);
+  rectification.setOdometryNoise(odometry_noise_);
   rectification.setNumberOfThreads(threads_);
   rectification.setProgressCallback(partOf(progress_, 0.3, 0.45));
   rectification.clear();
@@ -271,10 +270,7 @@ CompactMapping::adjust(const ObservationSequence& sequence,
                        CompactMappingReport& report)
 {
   SequenceAdjustment adjustment;
-  if (report.odometry)
-    adjustment.setOdometryNoise(report.odometry->noise());
-  else
-    adjustment.setOdometryNoise(rectification_.getOdometryNoise());
+  adjustment.setOdometryNoise(odometry_noise_);
   adjustment.setNumberOfThreads(threads_);
   adjustment.setProgressCallback(partOf(progress_, 0.45, 0.5));
   Trajectory adjusted;
@@ -380,6 +376,9 @@ CompactMapping::compute(CompactMap& map)
     sequence = goOnFrom("odometry", sequence, &CompactMapping::estimatePoses, report);
     timer.finish("odometry");
   }
+  odometry_noise_ = rectification_.getOdometryNoise();
+  if (estimated_.noise && isDefault(odometry_noise_))
+    odometry_noise_ = *estimated_.noise;
   if (rectify_ && sequence.size() > 1) {
     sequence = goOnFrom("rectification", sequence, &CompactMapping::rectify, report);
     timer.finish("rectification");

@@ -232,8 +232,8 @@ public:
   }
 
   /** \brief Adjusts the poses by planes, in six degrees of freedom, after the
-   * rectification (\ref SequenceAdjustment, default false). It reads all observations:
-   * none may be broken. */
+   * rectification (\ref SequenceAdjustment, default false), with the same odometry noise.
+   * It reads all observations: none may be broken. */
   void
   setAdjust(bool adjust)
   {
@@ -390,9 +390,10 @@ private:
   bool rectify_ = true;
   bool adjust_ = false;
   bool skip_broken_ = false;
-  std::string folder_;       ///< of poses for later runs; empty: none
-  std::string settings_;     ///< of the steps that estimate poses
-  EstimatedPoses estimated_; ///< by the last of these steps
+  std::string folder_;           ///< of poses for later runs; empty: none
+  std::string settings_;         ///< of the steps that estimate poses
+  EstimatedPoses estimated_;     ///< by the last of these steps
+  OdometryNoise odometry_noise_; ///< of the poses that are rectified and adjusted
   ObservationMerging merging_;
   PlaneMapping planes_;
   Texturing texturing_;
