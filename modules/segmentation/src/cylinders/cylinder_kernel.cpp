@@ -199,20 +199,23 @@ searchSurface(const PlaneHypotheses& hypotheses,
  * normals. */
 void
 searchRaw(const PlaneHypotheses& hypotheses,
+          double local_noise,
           const CylinderClusteringSettings& settings,
           const Progress& progress,
           CylinderClusters& clusters,
           CylinderClusteringReport& report)
 {
-  const RawCloud cloud = findRawPlanes(hypotheses.points,
-                                       hypotheses.sensors,
-                                       settings.sigma,
-                                       settings.threads,
-                                       progress);
+  RawCloud cloud = findRawPlanes(hypotheses.points,
+                                 hypotheses.sensors,
+                                 settings.sigma,
+                                 settings.threads,
+                                 progress);
+  if (!(cloud.sigma > 0))
+    cloud.sigma = local_noise; // everything is too curved for planes
   report.spacing = cloud.spacing;
   report.sigma = cloud.sigma;
   report.planes = cloud.planes.size();
-  if (!(cloud.spacing > 0) || !(cloud.sigma > 0))
+  if (!(cloud.spacing > 0))
     return;
   const DescriptionLength lengths = lengthsOf(cloud);
   std::vector<double> sizes(cloud.planes.size(), 0);
@@ -313,10 +316,12 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
     clusters.labels.assign(hypotheses.points.size(), -1);
     clusters.source_labels.assign(source.points.size(), -1);
     constexpr double max_noise = 0.03; // of the spacing, for normals of quadrics
-    const bool is_raw = hypotheses.triangles.empty() && hypotheses.normals.empty() &&
-                        relativeNoise(hypotheses.points) > max_noise;
+    LocalNoise noise;
+    if (hypotheses.triangles.empty() && hypotheses.normals.empty())
+      noise = measureLocalNoise(hypotheses.points);
+    const bool is_raw = noise.sigma > max_noise * noise.spacing;
     if (is_raw)
-      searchRaw(hypotheses, settings, progress, clusters, report);
+      searchRaw(hypotheses, noise.sigma, settings, progress, clusters, report);
     else
       searchSurface(hypotheses, source, planes, settings, progress, clusters, report);
     if (is_raw && isSame(hypotheses.points, source.points))

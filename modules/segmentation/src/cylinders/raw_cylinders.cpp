@@ -98,6 +98,7 @@ public:
   , limits_(limits)
   , lengths_(lengthsOf(cloud))
   , is_free_(cloud.points.size(), 0)
+  , is_taken_(cloud.points.size(), 0)
   , plane_members_(cloud.planes.size())
   {
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
@@ -143,6 +144,8 @@ public:
 private:
   bool
   searchCluster(const Members& cluster, const Members& pool);
+  void
+  addPlanesOn(const Cylinder& cylinder, Members& members) const;
   std::optional<CylinderFit>
   bestFit(const std::vector<Sample>& samples) const;
   Directions
@@ -155,7 +158,8 @@ private:
   const RawCloud& cloud_;
   CylinderLimits limits_;
   DescriptionLength lengths_;
-  std::vector<std::uint8_t> is_free_;
+  std::vector<std::uint8_t> is_free_;  ///< on no plane, or on a bent one
+  std::vector<std::uint8_t> is_taken_; ///< by a cylinder
   std::vector<Members> plane_members_;
   Directions directions_; ///< of planes and of their edges
   std::vector<RawCylinder> found_;
@@ -219,6 +223,32 @@ RawSearch::bestFit(const std::vector<Sample>& samples) const
   return best;
 }
 
+/** Adds the points of flat planes that are mostly on a cylinder. Which points a strip on
+ * it took depends on their noise: without them the fit would be shifted. */
+void
+RawSearch::addPlanesOn(const Cylinder& cylinder, Members& members) const
+{
+  constexpr double gate = 4, min_share = 0.6;
+  constexpr std::size_t enough = 500;
+  for (std::size_t p = 0; p < plane_members_.size(); ++p) {
+    if (cloud_.is_bent[p])
+      continue;
+    const std::vector<Sample> samples =
+        samplesOf(cloud_, thinned(plane_members_[p], enough));
+    const auto on =
+        std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+          const Offset offset(cylinder, sample);
+          return offset.exists && std::abs(offset.value) < gate * cloud_.sigma;
+        });
+    if (static_cast<double>(on) < min_share * static_cast<double>(samples.size()))
+      continue;
+    for (const std::int32_t member : plane_members_[p])
+      if (!is_taken_[static_cast<std::size_t>(member)])
+        members.push_back(member);
+  }
+  std::sort(members.begin(), members.end());
+}
+
 bool
 RawSearch::searchCluster(const Members& cluster, const Members& pool)
 {
@@ -229,18 +259,21 @@ RawSearch::searchCluster(const Members& cluster, const Members& pool)
   if (!fit)
     return false;
   cylinder.fit = *fit;
-  Members still_free;
+  Members candidates;
   for (const std::int32_t member : pool)
     if (is_free_[static_cast<std::size_t>(member)])
-      still_free.push_back(member);
+      candidates.push_back(member);
+  addPlanesOn(cylinder.fit.cylinder, candidates);
   const CylinderReach reach =
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
-  if (!gatherRaw(cloud_, still_free, reach, cylinder))
+  if (!gatherRaw(cloud_, candidates, reach, cylinder))
     return false;
   if (!isCylinder(cylinder) || !isShorter(cylinder))
     return false;
-  for (const std::int32_t member : cylinder.members)
+  for (const std::int32_t member : cylinder.members) {
     is_free_[static_cast<std::size_t>(member)] = 0;
+    is_taken_[static_cast<std::size_t>(member)] = 1;
+  }
   found_.push_back(std::move(cylinder));
   return true;
 }

@@ -205,13 +205,14 @@ SurfaceElements::fitQuadrics(bool sets_normals)
   sigma = lowerQuartile(rms) / quartile_of_seven;
 }
 
-double
-relativeNoise(const PointView& view)
+LocalNoise
+measureLocalNoise(const PointView& view)
 {
   constexpr std::size_t max_samples = 1500, nearest = 13;
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < view.size(); ++i)
-    points.push_back(view[i].cast<double>());
+    if (view[i].allFinite())
+      points.push_back(view[i].cast<double>());
   const NearestPoints tree(points);
   std::vector<double> rms, distances;
   std::vector<std::int32_t> found;
@@ -226,8 +227,8 @@ relativeNoise(const PointView& view)
     distances.push_back(quadric.window * 0.7); // half of the disc is nearer
   }
   if (rms.empty())
-    return 0;
-  return lowerQuartile(rms) / quartile_of_seven / medianOf(distances);
+    return {};
+  return {lowerQuartile(rms) / quartile_of_seven, medianOf(distances)};
 }
 
 } // namespace pcl::acmap::cylinders

@@ -61,9 +61,14 @@ private:
   fitQuadrics(bool sets_normals);
 };
 
-/** Noise of a cloud over the distance between neighbouring points, measured at a sample
- * of the points; 0 if there is no surface. */
-double
-relativeNoise(const PointView& points);
+/** Noise of a cloud, and the distance between its neighbouring points, metres. */
+struct LocalNoise {
+  double sigma = 0;
+  double spacing = 0; ///< 0 if there is no surface
+};
+
+/** Measures them at a sample of the points, by quadrics over the nearest ones. */
+LocalNoise
+measureLocalNoise(const PointView& points);
 
 } // namespace pcl::acmap::cylinders
