@@ -314,7 +314,7 @@ CompactMapping::goOnFrom(const std::string& step,
     report.remarks.push_back(step + ": poses of an earlier run, from " + folder);
     return sequence.withPoses(estimated_.places, estimated_.trajectory);
   }
-  ObservationSequence posed = (this->*run)(sequence, report);
+  (this->*run)(sequence, report);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -322,7 +322,10 @@ CompactMapping::goOnFrom(const std::string& step,
   if (!before_.poses.empty())
     saveTrajectory(before, before_);
   saveEstimatedPoses(folder, estimated_, made_of);
-  return posed;
+  // The last bits of a rotation may differ in the file: later runs begin with those.
+  if (auto saved = loadEstimatedPoses(folder, made_of))
+    estimated_ = std::move(*saved);
+  return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
 std::optional<TexturedObservation>
