@@ -16,19 +16,12 @@ constexpr NamedChoices<AdjustmentOutcome, 4> adjustment_outcomes = {
      {"refused", AdjustmentOutcome::Refused},
      {"undetermined", AdjustmentOutcome::Undetermined}}};
 
-template <typename Fields>
-py::object
-namespaceOf(const Fields& fields)
-{
-  return py::module_::import("types").attr("SimpleNamespace")(**fieldsOf(fields));
-}
-
 py::list
 roundsOf(const std::vector<AdjustmentRound>& rounds)
 {
   py::list all;
   for (const AdjustmentRound& round : rounds)
-    all.append(namespaceOf(round));
+    all.append(namespaceOf(fieldsOf(round)));
   return all;
 }
 
@@ -64,8 +57,8 @@ reportOfAdjustment(PlaneAdjustmentReport&& report)
                            "thickness_before"_a = report.thickness_before,
                            "thickness_after"_a = report.thickness_after,
                            "significance"_a = report.significance,
-                           "rays_before"_a = namespaceOf(report.rays_before),
-                           "rays_after"_a = namespaceOf(report.rays_after),
+                           "rays_before"_a = namespaceOf(fieldsOf(report.rays_before)),
+                           "rays_after"_a = namespaceOf(fieldsOf(report.rays_after)),
                            "rounds"_a = roundsOf(report.rounds),
                            "position_sd"_a = standardDeviationsOf(
                                report.uncertainty, &PoseUncertainty::position),

@@ -16,36 +16,12 @@ constexpr NamedChoices<RectificationOutcome, 4> outcomes = {
      {"refused", RectificationOutcome::Refused},
      {"undetermined", RectificationOutcome::Undetermined}}};
 
-py::object
-simple(const py::dict& fields)
-{
-  return py::module_::import("types").attr("SimpleNamespace")(**fields);
-}
-
-py::object
-evidenceOf(const MapEvidence& evidence)
-{
-  return simple(py::dict("rays"_a = evidence.rays,
-                         "near_contradictions"_a = evidence.near_contradictions,
-                         "far_contradictions"_a = evidence.far_contradictions,
-                         "near_rays"_a = evidence.near_rays,
-                         "far_rays"_a = evidence.far_rays,
-                         "pair_contradictions"_a = evidence.pair_contradictions,
-                         "contradicted_pairs"_a = evidence.contradicted_pairs,
-                         "mean_map_entropy"_a = evidence.mean_map_entropy,
-                         "orthogonal_variance"_a = evidence.orthogonal_variance));
-}
-
 py::list
 stepsOf(const std::vector<RectificationStep>& steps)
 {
   py::list all;
   for (const RectificationStep& step : steps)
-    all.append(simple(py::dict("search"_a = step.search,
-                               "bin_size"_a = step.bin_size,
-                               "entropy"_a = step.entropy,
-                               "prior"_a = step.prior,
-                               "energy"_a = step.energy)));
+    all.append(namespaceOf(fieldsOf(step)));
   return all;
 }
 
@@ -66,8 +42,8 @@ reportOfRectification(EntropyRectificationReport&& report)
                            "strongest_action"_a = report.strongest_action,
                            "disagreement"_a = report.disagreement,
                            "steps"_a = stepsOf(report.steps),
-                           "before"_a = evidenceOf(report.before),
-                           "after"_a = evidenceOf(report.after),
+                           "before"_a = namespaceOf(fieldsOf(report.before)),
+                           "after"_a = namespaceOf(fieldsOf(report.after)),
                            "moved"_a = arrayOver(std::move(report.moved)),
                            "turned"_a = arrayOver(std::move(report.turned))),
                   report);

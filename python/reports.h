@@ -7,6 +7,13 @@
 
 namespace pcl::acmap::python {
 
+/** \brief A Python object with these fields, which can be printed. */
+inline pybind11::object
+namespaceOf(const pybind11::dict& fields)
+{
+  return pybind11::module_::import("types").attr("SimpleNamespace")(**fields);
+}
+
 /** \brief Converts a report to a Python object with fields of the same names, which can
  * be printed.
  * \param[in] fields of the stage; `seconds` and `remarks` are added */
@@ -15,7 +22,7 @@ reportOf(pybind11::dict fields, const Report& report)
 {
   fields["seconds"] = report.seconds;
   fields["remarks"] = report.remarks;
-  return pybind11::module_::import("types").attr("SimpleNamespace")(**fields);
+  return namespaceOf(fields);
 }
 
 /** \brief The fields that a report names. */

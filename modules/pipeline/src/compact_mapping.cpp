@@ -198,7 +198,7 @@ CompactMapping::collected() const
   return ObservationSequence(clouds_, trajectory);
 }
 
-ObservationSequence
+void
 CompactMapping::estimatePoses(const ObservationSequence& sequence,
                               CompactMappingReport& report)
 {
@@ -221,10 +221,9 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
   estimated_ = found.estimated(stamps);
   for (Eigen::Isometry3d& pose : estimated_.trajectory.poses)
     pose = asInFiles(pose);
-  return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
-ObservationSequence
+void
 CompactMapping::rectify(const ObservationSequence& sequence,
                         CompactMappingReport& report)
 {
@@ -262,10 +261,9 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   for (std::size_t i = 0; i < estimated_.places.size(); ++i)
     estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
-  return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
-ObservationSequence
+void
 CompactMapping::adjust(const ObservationSequence& sequence,
                        CompactMappingReport& report)
 {
@@ -285,7 +283,6 @@ CompactMapping::adjust(const ObservationSequence& sequence,
   poses.trajectory = std::move(adjusted);
   poses.up = estimated_.up;
   estimated_ = std::move(poses);
-  return sequence.withPoses(estimated_.places, estimated_.trajectory);
 }
 
 /** Takes the poses of a step from the folder if they are there; otherwise runs it. */
@@ -295,8 +292,13 @@ CompactMapping::goOnFrom(const std::string& step,
                          PoseStep run,
                          CompactMappingReport& report)
 {
-  if (folder_.empty())
-    return (this->*run)(sequence, report);
+  const auto posed = [&] {
+    return sequence.withPoses(estimated_.places, estimated_.trajectory);
+  };
+  if (folder_.empty()) {
+    (this->*run)(sequence, report);
+    return posed();
+  }
   const std::string folder = (fs::path(folder_) / step).string();
   const std::string before = (fs::path(folder) / "trajectory_before.txt").string();
   acmap::Fingerprint hash;
@@ -312,7 +314,7 @@ CompactMapping::goOnFrom(const std::string& step,
     if (fs::exists(before, error))
       before_ = loadTrajectory(before);
     report.remarks.push_back(step + ": poses of an earlier run, from " + folder);
-    return sequence.withPoses(estimated_.places, estimated_.trajectory);
+    return posed();
   }
   (this->*run)(sequence, report);
   std::error_code error;
@@ -325,7 +327,7 @@ CompactMapping::goOnFrom(const std::string& step,
   // The last bits of a rotation may differ in the file: later runs begin with those.
   if (auto saved = loadEstimatedPoses(folder, made_of))
     estimated_ = std::move(*saved);
-  return sequence.withPoses(estimated_.places, estimated_.trajectory);
+  return posed();
 }
 
 std::optional<TexturedObservation>

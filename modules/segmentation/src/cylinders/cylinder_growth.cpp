@@ -1,6 +1,7 @@
 #include "cylinders/cylinder_growth.h"
 
 #include "cylinders/cylinder_union.h"
+#include "mesh_neighbourhood.h"
 #include "region_growing.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,25 +16,6 @@ namespace pcl::acmap::cylinders {
 namespace {
 
 constexpr double degree = M_PI / 180;
-
-/** Elements that share an edge of the mesh, or are near if there is no mesh. */
-class ElementNeighbourhood {
-public:
-  explicit ElementNeighbourhood(const SurfaceElements& elements)
-  : neighbours_(elements.neighbours)
-  {}
-
-  template <typename Visit>
-  void
-  visit(std::int32_t element, const Visit& visit) const
-  {
-    for (const std::int32_t other : neighbours_[static_cast<std::size_t>(element)])
-      visit(other);
-  }
-
-private:
-  const VertexNeighbours& neighbours_;
-};
 
 /** Elements near a cylinder with normals along its radius. */
 class CylinderRegion {
@@ -324,7 +306,7 @@ CylinderSearch::grow(const Seed& seed)
 {
   constexpr int max_rounds = 8, wide_rounds = 2;
   constexpr double settled = 0.002; // change of the number of members
-  const ElementNeighbourhood neighbours(elements_);
+  const MeshNeighbourhood neighbours(elements_.neighbours);
   const auto fitTo = [&](const std::vector<std::int32_t>& members,
                          const Cylinder& start) {
     auto fit = fitCylinder(samplesOf(members), start, elements_.sigma);
@@ -494,7 +476,7 @@ CylinderSearch::weigh(GrownCylinder& grown) const
       grown.planes.push_back(static_cast<std::int32_t>(p));
       grown.gain += lengths_.plane(static_cast<double>(plane_sizes_[p]));
     }
-  // What remains of the planes that fall is free.
+  // The other elements of the replaced planes are then on no plane.
   std::vector<double> rest = plane_bits_;
   for (const std::int32_t member : grown.members)
     if (planeOf(member) >= 0)

@@ -88,6 +88,7 @@ SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_
 , is_mesh(!hypotheses.triangles.empty())
 {
   setPoints(hypotheses.points);
+  const NearestPoints tree(points);
   for (std::size_t i = 0; i < hypotheses.normals.size(); ++i)
     if (points[i].allFinite() && hypotheses.normals[i].allFinite()) {
       normals[i] = hypotheses.normals[i].cast<double>();
@@ -96,7 +97,7 @@ SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_
   if (is_mesh)
     neighbours = VertexNeighbours(size(), hypotheses.triangles);
   else
-    connectNearest();
+    connectNearest(tree);
   std::vector<double> lengths;
   for (std::size_t i = 0; i < size(); ++i)
     for (const std::int32_t j : neighbours[i]) {
@@ -105,7 +106,7 @@ SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_
         lengths.push_back(length);
     }
   spacing = medianOf(lengths);
-  fitQuadrics(!is_oriented);
+  fitQuadrics(tree, !is_oriented);
   if (told_sigma > 0)
     sigma = told_sigma;
   constexpr double rounding = 5e-5; // of coordinates in files, relative to the extent
@@ -145,10 +146,9 @@ SurfaceElements::setPoints(const PointView& view)
 }
 
 void
-SurfaceElements::connectNearest()
+SurfaceElements::connectNearest(const NearestPoints& tree)
 {
   constexpr std::size_t nearest = 16;
-  const NearestPoints tree(points);
   std::vector<std::vector<std::int32_t>> found(size());
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -168,11 +168,10 @@ SurfaceElements::connectNearest()
 /** Fits quadrics over the nearest points. The noise is that of the best quarter: edges
  * are no noise. */
 void
-SurfaceElements::fitQuadrics(bool sets_normals)
+SurfaceElements::fitQuadrics(const NearestPoints& tree, bool sets_normals)
 {
   constexpr std::size_t sizes[] = {13, 9, 25, 41};
   constexpr double max_rms = 0.06; // of the window
-  const NearestPoints tree(points);
   std::vector<double> rms(size(), nan);
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
     std::vector<std::int32_t> found;

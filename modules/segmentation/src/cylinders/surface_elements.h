@@ -12,6 +12,8 @@
 
 namespace pcl::acmap::cylinders {
 
+class NearestPoints;
+
 /** The points over which cylinders are grown, in double precision, relative to their
  * median. */
 struct SurfaceElements {
@@ -56,9 +58,9 @@ private:
   void
   setPoints(const PointView& view);
   void
-  connectNearest();
+  connectNearest(const NearestPoints& tree);
   void
-  fitQuadrics(bool sets_normals);
+  fitQuadrics(const NearestPoints& tree, bool sets_normals);
 };
 
 /** Noise of a cloud, and the distance between its neighbouring points, metres. */

@@ -1,7 +1,7 @@
 #include "planes/plane_growth.h"
 
+#include "mesh_neighbourhood.h"
 #include "planes/cell_graph.h"
-#include "planes/neighbourhoods.h"
 #include "planes/plane_region.h"
 
 #include <Eigen/Cholesky>
@@ -148,7 +148,7 @@ public:
                     double min_area,
                     PlaneClusteringReport& report)
   : graph_(graph)
-  , neighbours_(graph)
+  , neighbours_(graph.neighbours)
   , min_area_(min_area)
   , report_(report)
   , owner_(graph.size(), no_region)
@@ -245,7 +245,7 @@ private:
   }
 
   const CellGraph& graph_;
-  GraphNeighbourhood neighbours_;
+  MeshNeighbourhood neighbours_;
   double min_area_;
   PlaneClusteringReport& report_;
   std::vector<std::int32_t> owner_;

@@ -351,17 +351,18 @@ private:
   ObservationSequence
   collected() const;
 
-  ObservationSequence
+  void
   estimatePoses(const ObservationSequence& sequence, CompactMappingReport& report);
 
-  ObservationSequence
+  void
   rectify(const ObservationSequence& sequence, CompactMappingReport& report);
 
-  ObservationSequence
+  void
   adjust(const ObservationSequence& sequence, CompactMappingReport& report);
 
-  using PoseStep = ObservationSequence (CompactMapping::*)(const ObservationSequence&,
-                                                           CompactMappingReport&);
+  /** A step that sets estimated_. */
+  using PoseStep = void (CompactMapping::*)(const ObservationSequence&,
+                                            CompactMappingReport&);
 
   ObservationSequence
   goOnFrom(const std::string& step,
