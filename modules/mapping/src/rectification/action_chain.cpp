@@ -6,6 +6,15 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double map_turn = 0.02; ///< radians; turn of the whole map for u = 1
+constexpr double common_turn = 1; ///< sigma of the common error of turns, in their sigmas
+
+/** The most likely common error of residuals is this times their sum. */
+double
+biasShare(Eigen::Index residuals)
+{
+  const double variance = common_turn * common_turn;
+  return variance / (1 + variance * static_cast<double>(residuals));
+}
 
 } // namespace
 
@@ -21,6 +30,20 @@ ActionChain::ActionChain(const std::vector<PlanarPose>& odometry,
     actions_.push_back(action);
     sigmas_.emplace_back(length, length, turn);
   }
+}
+
+double
+ActionChain::prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient) const
+{
+  const auto actions = static_cast<Eigen::Index>(actions_.size());
+  const auto turns = Eigen::seqN(2, actions, 3);
+  const double bias = u(turns).sum() * biasShare(actions);
+  if (gradient) {
+    *gradient = u;
+    (*gradient)(turns).array() -= bias;
+    (*gradient)[residuals()] = 0;
+  }
+  return (u.head(residuals()).squaredNorm() - bias * u(turns).sum()) / 2;
 }
 
 std::vector<PlanarPose>

@@ -25,13 +25,20 @@ public:
     return residuals() + 1;
   }
 
-  /** \brief Number of the residuals of the actions, which are the first variables; the
-   * prior applies to them only. */
+  /** \brief Number of the residuals of the actions, which are the first variables. */
   Eigen::Index
   residuals() const
   {
     return 3 * static_cast<Eigen::Index>(actions_.size());
   }
+
+  /** \brief Energy of the residuals: minus their log-likelihood, with a constant left
+   * out. The turns of all actions have an error in common, too, of which only the scale
+   * is known: a path that bends evenly is less surprising than one that bends by the same
+   * angle at a few actions.
+   * \param[out] gradient by each variable; may be null */
+  double
+  prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient = nullptr) const;
 
   /** \brief p_t = p_{t-1} (+) a_t, in the rotated map. */
   std::vector<PlanarPose>
