@@ -6,7 +6,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double map_turn = 0.02; ///< radians; turn of the whole map for u = 1
-constexpr double common_turn = 1; ///< sigma of the common error of turns, in their sigmas
+constexpr double common_turn = 1; ///< sigma of the turns' common error, in sigmas
 
 /** The most likely common error of residuals is this times their sum. */
 double

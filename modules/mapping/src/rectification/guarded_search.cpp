@@ -444,7 +444,7 @@ private:
   static constexpr double max_contradicted = 0.5; ///< share of rays
   static constexpr double min_length = 2.0 / 3;   ///< against a collapse
   static constexpr double max_sigmas = 6;         ///< maximum residual of an action
-  static constexpr double max_spread = 0.002; ///< bits
+  static constexpr double max_spread = 0.002;     ///< bits
   static constexpr double max_pair = 0.5; ///< share of the rays of a pair of groups
   static constexpr double convincing_pair = 0.3; ///< same, without another search
   static constexpr double much_near = 0.12; ///< same, so that wider windows are tried
