@@ -140,7 +140,7 @@ TEST(ActionChain, thePriorIsThatOfTurnsWithAnErrorInCommon)
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(residuals, residuals);
   for (Eigen::Index i = 2; i < residuals; i += 3)
     for (Eigen::Index k = 2; k < residuals; k += 3)
-      covariance(i, k) += 1;
+      covariance(i, k) += 0.25;
   const Eigen::VectorXd whitened = covariance.llt().solve(u.head(residuals));
   Eigen::VectorXd gradient;
   EXPECT_NEAR(chain.prior(u, &gradient), u.head(residuals).dot(whitened) / 2, 1e-9);

@@ -5,8 +5,8 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double map_turn = 0.02; ///< radians; turn of the whole map for u = 1
-constexpr double common_turn = 1; ///< sigma of the turns' common error, in sigmas
+constexpr double map_turn = 0.02;   ///< radians; turn of the whole map for u = 1
+constexpr double common_turn = 0.5; ///< sigma of the turns' common error, in sigmas
 
 /** The most likely common error of residuals is this times their sum. */
 double
