@@ -134,7 +134,8 @@ TEST(ActionChain, gradientIsThatOfDifferences)
 
 TEST(ActionChain, thePriorIsThatOfTurnsWithAnErrorInCommon)
 {
-  const ActionChain chain(windingPath(9, 3), {});
+  const ActionChain independent(windingPath(9, 3), {});
+  const ActionChain chain = independent.withCommonTurn();
   const Eigen::VectorXd u = randomResiduals(chain, 6);
   const Eigen::Index residuals = chain.residuals();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(residuals, residuals);
@@ -148,6 +149,7 @@ TEST(ActionChain, thePriorIsThatOfTurnsWithAnErrorInCommon)
   ASSERT_EQ(gradient.size(), u.size());
   EXPECT_LT((gradient.head(residuals) - whitened).norm(), 1e-9);
   EXPECT_EQ(gradient[residuals], 0) << "the whole map turns freely";
+  EXPECT_NEAR(independent.prior(u), u.head(residuals).squaredNorm() / 2, 1e-9);
 }
 
 TEST(ActionChain, aPartIsTheSamePathFromTheOrigin)

@@ -5,16 +5,7 @@
 namespace pcl::acmap {
 namespace {
 
-constexpr double map_turn = 0.02;   ///< radians; turn of the whole map for u = 1
-constexpr double common_turn = 0.5; ///< sigma of the turns' common error, in sigmas
-
-/** The most likely common error of residuals is this times their sum. */
-double
-biasShare(Eigen::Index residuals)
-{
-  const double variance = common_turn * common_turn;
-  return variance / (1 + variance * static_cast<double>(residuals));
-}
+constexpr double map_turn = 0.02; ///< radians; turn of the whole map for u = 1
 
 } // namespace
 
@@ -37,7 +28,9 @@ ActionChain::prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient) const
 {
   const auto actions = static_cast<Eigen::Index>(actions_.size());
   const auto turns = Eigen::seqN(2, actions, 3);
-  const double bias = u(turns).sum() * biasShare(actions);
+  const double share =
+      common_variance_ / (1 + common_variance_ * static_cast<double>(actions));
+  const double bias = share * u(turns).sum(); // the most likely common error
   if (gradient) {
     *gradient = u;
     (*gradient)(turns).array() -= bias;
@@ -116,6 +109,15 @@ ActionChain::widened(double factor) const
   ActionChain chain(*this);
   for (Eigen::Vector3d& sigma : chain.sigmas_)
     sigma *= factor;
+  return chain;
+}
+
+ActionChain
+ActionChain::withCommonTurn() const
+{
+  constexpr double sigma = 0.5;
+  ActionChain chain(*this);
+  chain.common_variance_ = sigma * sigma;
   return chain;
 }
 

@@ -33,9 +33,7 @@ public:
   }
 
   /** \brief Energy of the residuals: minus their log-likelihood, with a constant left
-   * out. The turns of all actions have an error in common, too, of which only the scale
-   * is known: a path that bends evenly is less surprising than one that bends by the same
-   * angle at a few actions.
+   * out. They are independent, unless turns have an error in common.
    * \param[out] gradient by each variable; may be null */
   double
   prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient = nullptr) const;
@@ -62,10 +60,16 @@ public:
   ActionChain
   widened(double factor) const;
 
+  /** \brief Same, where the turns of all actions have an error in common, too, of half
+   * their sigma: a path that bends evenly is not the less probable the longer it is. */
+  ActionChain
+  withCommonTurn() const;
+
 private:
   PlanarPose first_;
   std::vector<PlanarAction> actions_;
   std::vector<Eigen::Vector3d> sigmas_;
+  double common_variance_ = 0; ///< of the turns' common error, in their variances
 };
 
 } // namespace pcl::acmap

@@ -247,7 +247,9 @@ private:
     found.name = plan.name;
     found.scale = scale;
     found.u = locals_[local].scale / scale * locals_[local].u;
-    const ActionChain chain = chain_.widened(scale);
+    // E alone would bend what a common error lets it.
+    const ActionChain chain = plan.is_sharp ? chain_.widened(scale).withCommonTurn()
+                                            : chain_.widened(scale);
     for (const std::size_t size : plan.windows)
       if (size < given_.size())
         for (const EntropyLevel& level : levels(plan))
