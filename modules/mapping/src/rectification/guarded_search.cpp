@@ -130,10 +130,6 @@ public:
     fitWindows();
     consider(sharp, usual_, map_scale_);
     consider(directed, usual_, map_scale_);
-    // Small residuals within windows do not prove that the noise is small: a bias of all
-    // actions hardly shows there, but in the walls that far observations share.
-    if (map_scale_ < 1)
-      consider(sharp, usual_, 1);
     if (!isConvincing(best()))
       consider(undirected, usual_, map_scale_);
     if (!isConvincing(best()))
@@ -247,7 +243,8 @@ private:
     found.name = plan.name;
     found.scale = scale;
     found.u = locals_[local].scale / scale * locals_[local].u;
-    // E alone would bend what a common error lets it.
+    // A bias of precise odometry shows only in the walls that far observations share. E
+    // alone would bend whatever it permits.
     const ActionChain chain = plan.is_sharp ? chain_.widened(scale).withCommonTurn()
                                             : chain_.widened(scale);
     for (const std::size_t size : plan.windows)
