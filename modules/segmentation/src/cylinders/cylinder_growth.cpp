@@ -244,6 +244,14 @@ private:
     return gate_sigmas_ * elements_.sigma;
   }
 
+  /** Bits that a cylinder must save. The errors of neighbouring vertices of a mesh are not
+   * independent. */
+  double
+  minGain() const
+  {
+    return elements_.is_mesh ? 30 : 0;
+  }
+
   std::vector<Sample>
   samplesOf(const std::vector<std::int32_t>& members) const
   {
@@ -256,6 +264,8 @@ private:
   grow(const Seed& seed);
   bool
   isCylinder(const GrownCylinder& grown, bool is_final) const;
+  bool
+  isRoundedEdge(double radius, double arc, bool is_hollow) const;
   bool
   areNormalsAcross(const GrownCylinder& grown) const;
   void
@@ -360,7 +370,7 @@ CylinderSearch::grow(const Seed& seed)
   if (!isCylinder(grown, false))
     return {};
   weigh(grown);
-  if (!(grown.gain > 0))
+  if (!(grown.gain > minGain()))
     return {};
   return grown;
 }
@@ -376,8 +386,11 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   const CylinderReach reach = reachOf(grown.fit.cylinder, samples, elements_.spacing);
   const double min_arc = (is_final ? 22 : 11) * degree;
   const double min_sagitta =
-      std::max({3 * grown.fit.rms, 2.5 * tolerance(), 0.012 * reach.chord});
-  if (reach.arc < min_arc || reach.sagitta < min_sagitta)
+      std::max({3 * grown.fit.rms,
+                2.5 * tolerance(),
+                (elements_.is_mesh ? 0.02 : 0.012) * reach.chord});
+  if (reach.arc < min_arc || reach.sagitta < min_sagitta ||
+      isRoundedEdge(radius, reach.arc, grown.fit.cylinder.is_hollow))
     return false;
   constexpr double max_rms = 0.12; // of the radius
   if (grown.fit.rms > max_rms * radius)
@@ -385,6 +398,18 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   const double count = static_cast<double>(grown.members.size());
   return misfit(samples, grown.fit, elements_.sigma / 2) <= 0.35 + 8 / count &&
          areNormalsAcross(grown);
+}
+
+/** Is a cylinder as narrow as those by which a mesh rounds the edges and corners of
+ * planes? Its triangles cut inner edges at a few spacings, and outer ones at their tips. */
+bool
+CylinderSearch::isRoundedEdge(double radius, double arc, bool is_hollow) const
+{
+  if (!elements_.is_mesh)
+    return false;
+  const double spacings = radius / elements_.spacing;
+  return is_hollow ? spacings < 5 || (spacings < 10 && arc < 60 * degree)
+                   : spacings < 6 && arc < 80 * degree;
 }
 
 /** Are the normals across the axis, on average and at both ends? On a cone they lean to
@@ -505,7 +530,7 @@ CylinderSearch::take(std::vector<GrownCylinder> candidates)
     weigh(*best);
     if (static_cast<double>(best->members.size()) <
             min_left * static_cast<double>(before) ||
-        !(best->gain > 0)) {
+        !(best->gain > minGain())) {
       candidates.erase(best);
       continue;
     }
@@ -552,7 +577,7 @@ CylinderSearch::finish()
   std::fill(owner_.begin(), owner_.end(), no_region);
   for (GrownCylinder& grown : taken_) {
     weigh(grown);
-    if (!(grown.gain > 0) || !isCylinder(grown, true))
+    if (!(grown.gain > minGain()) || !isCylinder(grown, true))
       continue;
     for (const std::int32_t member : grown.members)
       owner_[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(kept.size());
