@@ -4,6 +4,8 @@
 #include "mesh_neighbourhood.h"
 #include "region_growing.h"
 
+#include <pcl/core/impl/moments.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -20,10 +22,13 @@ constexpr double degree = M_PI / 180;
 /** Elements near a cylinder with normals along its radius. */
 class CylinderRegion {
 public:
+  /** \param[in] owner of each element: those that have one are not accepted */
   CylinderRegion(const SurfaceElements& elements,
+                 const std::vector<std::int32_t>& owner,
                  const Cylinder& cylinder,
                  double distance)
   : elements_(elements)
+  , owner_(owner)
   , cylinder_(cylinder)
   , distance_(distance)
   {}
@@ -31,6 +36,8 @@ public:
   bool
   accepts(std::size_t i) const
   {
+    if (owner_[i] != no_region)
+      return false;
     const Eigen::Vector3d from = cylinder_.across(elements_.points[i]);
     const double radius = from.norm();
     if (!(std::abs(radius - cylinder_.radius) < distance_)) // false for NaN
@@ -50,6 +57,7 @@ public:
 
 private:
   const SurfaceElements& elements_;
+  const std::vector<std::int32_t>& owner_;
   const Cylinder& cylinder_;
   double distance_;
 };
@@ -201,6 +209,30 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
   return seeds;
 }
 
+constexpr std::int32_t wide_plane = no_region - 1;
+
+/** Marks the elements of planes that are wider than strips of a cylinder: no cylinder
+ * replaces these, and it would take long to try at each of their elements. */
+std::vector<std::int32_t>
+ownersOfWidePlanes(const SurfaceElements& elements, const KnownFaces& faces)
+{
+  constexpr double max_width = 20; // spacings
+  std::vector<Moments> moments(faces.planes.size());
+  std::vector<std::int32_t> owners(elements.size(), no_region);
+  for (std::size_t i = 0; i < faces.labels.size(); ++i)
+    if (faces.labels[i] >= 0 && elements.points[i].allFinite())
+      moments[static_cast<std::size_t>(faces.labels[i])] +=
+          momentsOf(elements.points[i]);
+  std::vector<std::uint8_t> is_wide;
+  for (const Moments& of_plane : moments)
+    is_wide.push_back(std::sqrt(12 * fitPlane(of_plane).variances[1]) >
+                      max_width * elements.spacing);
+  for (std::size_t i = 0; i < faces.labels.size(); ++i)
+    if (faces.labels[i] >= 0 && is_wide[static_cast<std::size_t>(faces.labels[i])])
+      owners[i] = wide_plane;
+  return owners;
+}
+
 class CylinderSearch {
 public:
   CylinderSearch(const SurfaceElements& elements,
@@ -210,7 +242,8 @@ public:
   , faces_(faces)
   , limits_(limits)
   , lengths_(elements.sigma, elements.spacing, elements.extent)
-  , owner_(elements.size(), no_region)
+  , owner_(ownersOfWidePlanes(elements, faces))
+  , wide_(owner_)
   , scratch_(elements.size(), no_region)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
@@ -285,7 +318,8 @@ private:
   const KnownFaces& faces_;
   CylinderLimits limits_;
   DescriptionLength lengths_;
-  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element
+  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element, or wide_plane
+  std::vector<std::int32_t> wide_;    ///< the same without cylinders
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::size_t> plane_sizes_;
   std::vector<double> plane_bits_; ///< of the elements of each plane
@@ -330,7 +364,7 @@ CylinderSearch::grow(const Seed& seed)
   for (int round = 0; round < max_rounds; ++round) {
     const Cylinder cylinder = grown.fit.cylinder;
     CylinderRegion region(
-        elements_, cylinder, (round < wide_rounds ? 2 : 1) * tolerance());
+        elements_, owner_, cylinder, (round < wide_rounds ? 2 : 1) * tolerance());
     std::vector<std::int32_t> members;
     for (const std::int32_t element : start)
       if (region.accepts(static_cast<std::size_t>(element))) {
@@ -341,13 +375,6 @@ CylinderSearch::grow(const Seed& seed)
       growRegion(neighbours, region, members, scratch_, 0);
     for (const std::int32_t member : members)
       scratch_[static_cast<std::size_t>(member)] = no_region;
-    members.erase(std::remove_if(members.begin(),
-                                 members.end(),
-                                 [&](std::int32_t member) {
-                                   return owner_[static_cast<std::size_t>(member)] !=
-                                          no_region;
-                                 }),
-                  members.end());
     constexpr std::size_t min_members = 12;
     if (members.size() < min_members || 2 * members.size() < start.size())
       return {};
@@ -574,7 +601,7 @@ void
 CylinderSearch::finish()
 {
   std::vector<GrownCylinder> kept;
-  std::fill(owner_.begin(), owner_.end(), no_region);
+  owner_ = wide_;
   for (GrownCylinder& grown : taken_) {
     weigh(grown);
     if (!(grown.gain > minGain()) || !isCylinder(grown, true))

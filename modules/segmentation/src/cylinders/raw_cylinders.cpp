@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace pcl::acmap::cylinders {
@@ -393,6 +392,9 @@ isLookedThrough(const RawCloud& cloud,
     const Offset offset(fit.cylinder, sample);
     if (!offset.exists || std::abs(offset.slant) < min_cosine)
       continue;
+    const Eigen::Vector3d sensor = cloud.sensors[i]->cast<double>();
+    if (offset.value > (sample.point - sensor).norm())
+      continue; // the cylinder is behind the sensor
     const double along = fit.cylinder.along(offset.foot);
     if (along < reach.low || along > reach.high)
       continue;
