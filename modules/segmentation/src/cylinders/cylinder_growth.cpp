@@ -19,10 +19,13 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
+/** Owner of the elements that no cylinder may take. */
+constexpr std::int32_t wide_plane = no_region - 1;
+
 /** Elements near a cylinder with normals along its radius. */
 class CylinderRegion {
 public:
-  /** \param[in] owner of each element: those that have one are not accepted */
+  /** \param[in] owner of each element: those of wide planes are not accepted */
   CylinderRegion(const SurfaceElements& elements,
                  const std::vector<std::int32_t>& owner,
                  const Cylinder& cylinder,
@@ -36,7 +39,7 @@ public:
   bool
   accepts(std::size_t i) const
   {
-    if (owner_[i] != no_region)
+    if (owner_[i] == wide_plane)
       return false;
     const Eigen::Vector3d from = cylinder_.across(elements_.points[i]);
     const double radius = from.norm();
@@ -209,8 +212,6 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
   return seeds;
 }
 
-constexpr std::int32_t wide_plane = no_region - 1;
-
 /** Marks the elements of planes that are wider than strips of a cylinder: no cylinder
  * replaces these, and it would take long to try at each of their elements. */
 std::vector<std::int32_t>
@@ -375,6 +376,13 @@ CylinderSearch::grow(const Seed& seed)
       growRegion(neighbours, region, members, scratch_, 0);
     for (const std::int32_t member : members)
       scratch_[static_cast<std::size_t>(member)] = no_region;
+    members.erase(std::remove_if(members.begin(),
+                                 members.end(),
+                                 [&](std::int32_t member) {
+                                   return owner_[static_cast<std::size_t>(member)] !=
+                                          no_region;
+                                 }),
+                  members.end());
     constexpr std::size_t min_members = 12;
     if (members.size() < min_members || 2 * members.size() < start.size())
       return {};
