@@ -167,6 +167,7 @@ refitToSource(const RawCloud& source,
 {
   constexpr std::size_t min_points = 60;
   constexpr double min_share = 0.5;
+  constexpr double max_rms = 1.6; // sigmas: bars and mouldings are not round
   const CylinderReach reach =
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing);
   const PointsBeside beside =
@@ -176,6 +177,7 @@ refitToSource(const RawCloud& source,
           min_share * static_cast<double>(beside.on) ||
       !gatherRaw(source, beside.free, reach, cylinder) ||
       cylinder.members.size() < min_points ||
+      cylinder.fit.rms > max_rms * source.sigma ||
       std::abs(cylinder.fit.cylinder.radius - radius) > max_radius_change * radius)
     return false;
   return !isLookedThrough(
