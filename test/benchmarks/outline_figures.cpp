@@ -8,7 +8,7 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_outline_figures [--save DIR] [--from DIR] [--pictures DIR]\n"
-    "       [corridor_survey] [office] [l_corridor] [loop] [polyfit] [scans]\n"
+    "       [corridor_survey] [office] [l_corridor] [loop] [polyfit] [scans] [size]\n"
     "Prints as Markdown tables how the outlines of planes agree with what the cameras\n"
     "saw; without a name all of them. Real clouds are read from the folder named by "
     "the\n"
@@ -41,6 +41,7 @@ main(int argc, char** argv)
   std::set<std::string> known(scenes.begin(), scenes.end());
   known.insert("polyfit");
   known.insert("scans");
+  known.insert("size");
   Sections sections;
   if (const auto exit_code = Sections::read(
           static_cast<int>(names.size()), names.data(), known, usage, sections))
@@ -59,5 +60,7 @@ main(int argc, char** argv)
     printSimulatedOutlines(wanted, options);
   if (sections.isWanted("scans"))
     printScanOutlines(options);
+  if (sections.isWanted("size"))
+    printOutlineSizes();
   return 0;
 }

@@ -4,6 +4,7 @@
 
 #include <pcl/core/random.h>
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -129,6 +130,26 @@ TEST(ActionChain, gradientIsThatOfDifferences)
       EXPECT_NEAR(found[i], wanted, 1e-6 * (1 + std::abs(wanted))) << i;
     }
   }
+}
+
+TEST(ActionChain, thePriorIsThatOfTurnsWithAnErrorInCommon)
+{
+  const ActionChain independent(windingPath(9, 3), {});
+  const ActionChain chain = independent.withCommonTurn();
+  const Eigen::VectorXd u = randomResiduals(chain, 6);
+  const Eigen::Index residuals = chain.residuals();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(residuals, residuals);
+  for (Eigen::Index i = 2; i < residuals; i += 3)
+    for (Eigen::Index k = 2; k < residuals; k += 3)
+      covariance(i, k) += 0.25;
+  const Eigen::VectorXd whitened = covariance.llt().solve(u.head(residuals));
+  Eigen::VectorXd gradient;
+  EXPECT_NEAR(chain.prior(u, &gradient), u.head(residuals).dot(whitened) / 2, 1e-9);
+  EXPECT_NEAR(chain.prior(u), chain.prior(u, &gradient), 0);
+  ASSERT_EQ(gradient.size(), u.size());
+  EXPECT_LT((gradient.head(residuals) - whitened).norm(), 1e-9);
+  EXPECT_EQ(gradient[residuals], 0) << "the whole map turns freely";
+  EXPECT_NEAR(independent.prior(u), u.head(residuals).squaredNorm() / 2, 1e-9);
 }
 
 TEST(ActionChain, aPartIsTheSamePathFromTheOrigin)

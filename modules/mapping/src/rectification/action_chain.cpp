@@ -23,6 +23,22 @@ ActionChain::ActionChain(const std::vector<PlanarPose>& odometry,
   }
 }
 
+double
+ActionChain::prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient) const
+{
+  const auto actions = static_cast<Eigen::Index>(actions_.size());
+  const auto turns = Eigen::seqN(2, actions, 3);
+  const double share =
+      common_variance_ / (1 + common_variance_ * static_cast<double>(actions));
+  const double bias = share * u(turns).sum(); // the most likely common error
+  if (gradient) {
+    *gradient = u;
+    (*gradient)(turns).array() -= bias;
+    (*gradient)[residuals()] = 0;
+  }
+  return (u.head(residuals()).squaredNorm() - bias * u(turns).sum()) / 2;
+}
+
 std::vector<PlanarPose>
 ActionChain::poses(const Eigen::VectorXd& u) const
 {
@@ -93,6 +109,15 @@ ActionChain::widened(double factor) const
   ActionChain chain(*this);
   for (Eigen::Vector3d& sigma : chain.sigmas_)
     sigma *= factor;
+  return chain;
+}
+
+ActionChain
+ActionChain::withCommonTurn() const
+{
+  constexpr double sigma = 0.5;
+  ActionChain chain(*this);
+  chain.common_variance_ = sigma * sigma;
   return chain;
 }
 

@@ -25,13 +25,18 @@ public:
     return residuals() + 1;
   }
 
-  /** \brief Number of the residuals of the actions, which are the first variables; the
-   * prior applies to them only. */
+  /** \brief Number of the residuals of the actions, which are the first variables. */
   Eigen::Index
   residuals() const
   {
     return 3 * static_cast<Eigen::Index>(actions_.size());
   }
+
+  /** \brief Energy of the residuals: minus their log-likelihood, with a constant left
+   * out. They are independent, unless turns have an error in common.
+   * \param[out] gradient by each variable; may be null */
+  double
+  prior(const Eigen::VectorXd& u, Eigen::VectorXd* gradient = nullptr) const;
 
   /** \brief p_t = p_{t-1} (+) a_t, in the rotated map. */
   std::vector<PlanarPose>
@@ -55,10 +60,16 @@ public:
   ActionChain
   widened(double factor) const;
 
+  /** \brief Same, where the turns of all actions have an error in common, too, of half
+   * their sigma: a path that bends evenly is not the less probable the longer it is. */
+  ActionChain
+  withCommonTurn() const;
+
 private:
   PlanarPose first_;
   std::vector<PlanarAction> actions_;
   std::vector<Eigen::Vector3d> sigmas_;
+  double common_variance_ = 0; ///< of the turns' common error, in their variances
 };
 
 } // namespace pcl::acmap

@@ -43,12 +43,6 @@ widened(const EntropyLevel& level)
   return {4 * level.bin_size, level.weight, level.direction_aware, false};
 }
 
-double
-priorOf(const ActionChain& chain, const Eigen::VectorXd& u)
-{
-  return u.head(chain.residuals()).squaredNorm() / 2;
-}
-
 std::pair<double, bool>
 keyOf(const EntropyLevel& level)
 {
@@ -146,14 +140,14 @@ EntropySearch::descendPart(const ActionChain& chain,
       for (std::size_t i = 0; i < by_pose.size(); ++i)
         by_pose[i] -= coarse_by_pose[i];
     }
-    gradient = weight * chain.gradient(poses, by_pose);
-    gradient.head(chain.residuals()) += at.head(chain.residuals());
-    return weight * entropy + priorOf(chain, at);
+    const double prior = chain.prior(at, &gradient);
+    gradient += weight * chain.gradient(poses, by_pose);
+    return weight * entropy + prior;
   };
   const DescentObserver observer = [&](const Eigen::VectorXd& at, double value) {
     task_.progress.tell(fraction_, *name);
     task_.report.steps.push_back(
-        {*name, level.bin_size, entropy, priorOf(chain, at), value});
+        {*name, level.bin_size, entropy, chain.prior(at), value});
   };
   return name ? descend(objective, u, min_fall * size, observer)
               : descend(objective, u, min_window_fall * size);
@@ -219,7 +213,7 @@ EntropySearch::tellStep(const ActionChain& chain,
   }
   const double entropy =
       terms.total - (level.is_sharp ? termsAt(widened(level)).total : 0);
-  const double prior = priorOf(chain, u);
+  const double prior = chain.prior(u);
   const double weight = level.weight * task_.settings.entropy_weight *
                         static_cast<double>(task_.observations.size());
   task_.report.steps.push_back(

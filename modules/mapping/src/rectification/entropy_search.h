@@ -32,8 +32,9 @@ struct EntropyLevel {
   bool is_sharp; ///< minus the entropy in wide bins
 };
 
-/** \brief Minimises F(u) = kappa N (E - E_wide) + |u|^2 / 2 over N observations: the
- * entropy of their map against the odometry; or kappa N E + |u|^2 / 2.
+/** \brief Minimises F(u) = kappa N (E - E_wide) + u^T C^-1 u / 2 over N observations: the
+ * entropy of their map against the odometry (\ref ActionChain::prior); or the same with E
+ * instead of the difference.
  *
  * E_wide is the same entropy in bins four times as wide. E alone decreases when a map
  * shrinks, and when any walls are moved onto each other, however far apart they are; in

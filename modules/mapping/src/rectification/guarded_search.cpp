@@ -31,6 +31,7 @@ struct MapCandidate {
   Eigen::VectorXd u;
   std::vector<PlanarPose> poses;
   MapEvidence evidence;
+  double wide_entropy = 0; ///< bits, in the widest bins of the sharp search
 };
 
 double
@@ -122,16 +123,13 @@ public:
   run()
   {
     judge(given_, report_.before);
+    given_wide_entropy_ = wideEntropy(given_);
     if (report_.before.near_rays + report_.before.far_rays == 0)
       return end(RectificationOutcome::Undetermined,
                  "the observations see no wall in common: nothing tells how they lie");
     fitWindows();
     consider(sharp, usual_, map_scale_);
     consider(directed, usual_, map_scale_);
-    // Small residuals within windows do not prove that the noise is small: a bias of all
-    // actions hardly shows there, but in the walls that far observations share.
-    if (map_scale_ < 1)
-      consider(sharp, usual_, 1);
     if (!isConvincing(best()))
       consider(undirected, usual_, map_scale_);
     if (!isConvincing(best()))
@@ -149,6 +147,16 @@ private:
   {
     rays_.judge(poses, evidence);
     measureQuality(task_.observations, poses, evidence);
+  }
+
+  double
+  wideEntropy(const std::vector<PlanarPose>& poses) const
+  {
+    const EntropyLevel level{4 * task_.settings.bin_size, 1, true, false};
+    MapEntropyReport ignored;
+    return mapEntropy(
+               search_.cells(level), poses, search_.entropySettings(level), ignored)
+        .total;
   }
 
   std::vector<EntropyLevel>
@@ -235,7 +243,10 @@ private:
     found.name = plan.name;
     found.scale = scale;
     found.u = locals_[local].scale / scale * locals_[local].u;
-    const ActionChain chain = chain_.widened(scale);
+    // A bias of precise odometry shows only in the walls that far observations share. E
+    // alone would bend whatever it permits.
+    const ActionChain chain = plan.is_sharp ? chain_.widened(scale).withCommonTurn()
+                                            : chain_.widened(scale);
     for (const std::size_t size : plan.windows)
       if (size < given_.size())
         for (const EntropyLevel& level : levels(plan))
@@ -244,6 +255,7 @@ private:
       search_.descendWhole(chain, level, plan.name, found.u);
     found.poses = chain.path(found.u);
     judge(found.poses, found.evidence);
+    found.wide_entropy = wideEntropy(found.poses);
     candidates_.push_back(found);
     search_.advanceTo(0.3 + 0.11 * static_cast<double>(candidates_.size()));
   }
@@ -258,7 +270,7 @@ private:
     return rays.near_contradictions < contradictionsIn(usual_) + 0.08 &&
            rays.far_contradictions < contradictionsIn(usual_) + 0.16 &&
            rays.far_contradictions < 3 * rays.near_contradictions + 0.03 &&
-           arePairsGood(map, max_pair) && hasMet(map) &&
+           arePairsGood(map, max_pair) && hasMet(map) && spreadOf(map) < max_spread &&
            std::max(rays.near_contradictions, rays.far_contradictions) <
                max_contradicted &&
            lengthOf(map.poses) > min_length * lengthOf(given_) &&
@@ -291,6 +303,15 @@ private:
       return map.name == directed.name || map.name == gradual.name;
     };
     return &a == &b || (isDirected(a) && isDirected(b) && a.scale == b.scale);
+  }
+
+  /** By how much, in bits, the walls are less together than those of the given map, in
+   * bins as wide as its errors. The sharp search can pull apart what belongs together,
+   * because it subtracts this entropy, and rays do not contradict that. */
+  double
+  spreadOf(const MapCandidate& map) const
+  {
+    return map.wide_entropy - given_wide_entropy_;
   }
 
   /** Far observations must see about as much in common as in the result of windows:
@@ -406,7 +427,8 @@ private:
          << " % between two groups of observations; its strongest action is "
          << strongestAction(map) << " sigma; its path is "
          << lengthOf(map.poses) / lengthOf(given_)
-         << " times as long as the odometry's";
+         << " times as long as the odometry's; its entropy in wide bins is "
+         << spreadOf(map) << " bits above that of the given map";
     return text.str();
   }
 
@@ -421,6 +443,7 @@ private:
   static constexpr double max_contradicted = 0.5; ///< share of rays
   static constexpr double min_length = 2.0 / 3;   ///< against a collapse
   static constexpr double max_sigmas = 6;         ///< maximum residual of an action
+  static constexpr double max_spread = 0.002;     ///< bits
   static constexpr double max_pair = 0.5; ///< share of the rays of a pair of groups
   static constexpr double convincing_pair = 0.3; ///< same, without another search
   static constexpr double much_near = 0.12; ///< same, so that wider windows are tried
@@ -435,6 +458,7 @@ private:
   ActionChain chain_;
   const std::vector<PlanarPose>& given_;
   EntropyRectificationReport& report_;
+  double given_wide_entropy_ = 0;
   std::vector<MapCandidate> locals_; ///< results of windows only, by scale
   std::size_t usual_ = 0;            ///< index of the usual scale
   double map_scale_ = 1;             ///< scale for maps of the whole

@@ -274,6 +274,7 @@ addFreeRays(const KnownPlanes& known,
     const Eigen::Array2d size(raster.free.width(), raster.free.height());
     rays.forEachThrough(
         raster,
+        {Eigen::Vector2d::Zero(), size.matrix()},
         std::max(spacings * known.spacing, deviations * known.planes[p].patch.rms),
         [&](const Eigen::Array2d& place) {
           if ((place >= 0).all() && (place < size).all())

@@ -184,6 +184,13 @@ public:
     return cells;
   }
 
+  Eigen::AlignedBox2d
+  box() const
+  {
+    const Eigen::Vector2i size(cells_.width(), cells_.height());
+    return {first_.cast<double>(), (first_ + size).cast<double>()};
+  }
+
   /** Adds the cell at a place if it is one of \a all. */
   void
   addOf(const GapCells& all, const Eigen::Vector2d& place)
@@ -322,6 +329,7 @@ private:
     GapCells crossed = cells.none();
     rays_.forEachThrough(
         raster_,
+        cells.box(),
         std::max(spacings * known_.spacing,
                  deviations * known_.planes[plane_].patch.rms),
         [&](const Eigen::Vector2d& place) { crossed.addOf(cells, place); });

@@ -18,19 +18,24 @@ public:
     return !blocks_.empty();
   }
 
-  /** Calls visit (place) for each ray that crosses a plane from its front, with the
-   * place in cells of its raster.
+  /** Calls visit (place) for each ray that crosses a part of a plane from its front, and
+   * some that cross it elsewhere, with the place in cells of its raster.
+   * \param[in] part of the raster, cells
    * \param[in] min_depth metres between the plane and the point behind it */
   template <typename Visit>
   void
-  forEachThrough(const PlaneRaster& raster, double min_depth, const Visit& visit) const
+  forEachThrough(const PlaneRaster& raster,
+                 const Eigen::AlignedBox2d& part,
+                 double min_depth,
+                 const Visit& visit) const
   {
     const Eigen::Vector3f normal = raster.normal.cast<float>();
     const auto offset = static_cast<float>(raster.offset);
     const auto limit = static_cast<float>(-min_depth);
+    const Eigen::AlignedBox3f wanted = boxOf(raster, part);
     for (const Block& block : blocks_) {
       const Eigen::Vector3f half = block.box.sizes() / 2;
-      if (block.rays.empty() ||
+      if (!wanted.intersects(block.ways) ||
           normal.dot(block.box.center()) + offset - normal.cwiseAbs().dot(half) >=
               limit)
         continue;
@@ -47,6 +52,10 @@ public:
   }
 
 private:
+  /** Contains a part of a plane. */
+  static Eigen::AlignedBox3f
+  boxOf(const PlaneRaster& raster, const Eigen::AlignedBox2d& part);
+
   struct Ray {
     Eigen::Vector3f sensor, point;
   };
@@ -55,7 +64,8 @@ private:
   struct Block {
     static constexpr std::size_t length = 64;
 
-    Eigen::AlignedBox3f box; ///< of the points that have a sensor
+    Eigen::AlignedBox3f box;  ///< of the points that have a sensor
+    Eigen::AlignedBox3f ways; ///< of these and their sensors
     std::vector<Ray> rays;
   };
 

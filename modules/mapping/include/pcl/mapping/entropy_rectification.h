@@ -18,11 +18,12 @@ namespace pcl {
  * fit together best, without correspondences. Section II-B.2 of
  * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM.
  *
- * Guarded mode (default) minimises F = kappa N (E - E_wide) + |u|^2 / 2. E is the
+ * Guarded mode (default) minimises F = kappa N (E - E_wide) + u^T C^-1 u / 2. E is the
  * direction-aware entropy of \ref MapEntropy, E_wide is the same in bins four times as
  * wide: the entropy alone also decreases when a map shrinks, the difference does not. u
- * are the residuals of the actions against the odometry, in standard deviations. The
- * minimisation uses L-BFGS, from windows of 16 observations to the whole map, from
+ * are the residuals of the actions against the odometry, in standard deviations, which
+ * are independent but for an error that all turns have in common. The minimisation
+ * uses L-BFGS, from windows of 16 observations to the whole map, from
  * coarse to fine, with increasing kappa. The candidates are then verified by
  * evidence that the entropy does not use: rays that pass through walls seen by other
  * observations. If the rays contradict all candidates, or if the given map was as good,
