@@ -317,7 +317,7 @@ TEST_F(Office, isNoPicture)
   EXPECT_THROW(mapping.compute(found), UnorganizedPointCloudException);
 }
 
-/** Three views of the column of the office, merged. */
+/** Views of the column of the office, merged. */
 class Column : public testing::Test {
 protected:
   static void
@@ -326,10 +326,9 @@ protected:
     SimulatedScene office = standardScene("office");
     constexpr std::ptrdiff_t others = 34; // before those that see the column
     office.views.erase(office.views.begin(), office.views.begin() + others);
-    office.sensor.points /= 2;
     place_ = office.views[0].inverse() * Eigen::Vector3d(3, 0, 5);
     upwards_ = office.views[0].linear().transpose() * Eigen::Vector3d::UnitY();
-    const MergedObservations merged = mergeObservations(office, 3, 1);
+    const MergedObservations merged = mergeObservations(office, 6, 1);
     const auto file = std::make_shared<PointCloudFile>();
     file->cloud = cloudOf(merged);
     std::vector<Eigen::Vector3f> viewpoints;
