@@ -339,7 +339,8 @@ loadViewerInput(const std::string& path, double scale)
     input = loadFolder(path);
   else
     input.scene.map = loadMapFile(path);
-  if (input.scene.map.planes.empty() && pointsIn(input.scene) == 0)
+  const CompactMap& map = input.scene.map;
+  if (map.planes.empty() && map.cylinders.empty() && pointsIn(input.scene) == 0)
     throw NothingFound(path + ": nothing to show, there is no plane");
   return input;
 }
@@ -367,8 +368,8 @@ void
 choosePlace(const ViewerOptions& options, const LayeredScene& scene, LayeredView& view)
 {
   const bool is_chosen = !options.place.empty() || view.from || view.at_pose;
-  if (!is_chosen && scene.map.planes.empty() && scene.mesh.triangles.empty() &&
-      !scene.map.trajectory.poses.empty())
+  if (!is_chosen && scene.map.planes.empty() && scene.map.cylinders.empty() &&
+      scene.mesh.triangles.empty() && !scene.map.trajectory.poses.empty())
     view.place = MapView::Place::Plan;
 }
 
@@ -389,6 +390,10 @@ summarize(const ViewerOptions& options, const ViewerInput& input, StageLog& log)
   log.tell("points", std::to_string(points));
   log.tell("triangles", std::to_string(triangles));
   log.tell("planes", std::to_string(scene.map.planes.size()));
+  if (const std::size_t cylinders = scene.map.cylinders.size(); cylinders > 0) {
+    log.details["report"]["cylinders"] = cylinders;
+    log.tell("cylinders", std::to_string(cylinders));
+  }
   if (!options.screenshot.empty())
     log.tell("file", options.screenshot);
 }

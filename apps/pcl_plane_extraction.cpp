@@ -47,7 +47,8 @@ addOptions(Tool& tool, Options& options)
   add("--labels",
       options.labels,
       "OUT.pcd",
-      "Write the input's points with a field label: plane id + 1, 0 for none");
+      "Write the input's points with a field label: plane id + 1, 0 for none; "
+      "cylinders are numbered after the planes");
   add("--normals",
       options.normals,
       "OUT.ply",
@@ -111,12 +112,13 @@ writeOutputs(const Options& options,
   write(options.output, [&](const std::string& place) {
     pcl::CompactMap map;
     map.planes = found.planes;
+    map.cylinders = found.cylinders;
     pcl::saveMapFile(place, map);
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
   write(options.picture, [&](const std::string& place) { savePicture(place, found); });
   write(options.labels, [&](const std::string& place) {
-    saveLabels(place, std::move(file), found.labels);
+    saveLabels(place, std::move(file), labelsOf(found));
   });
   stopIfInterrupted();
   outputs.commit();
@@ -150,7 +152,7 @@ run(const Options& options, const RunControls& controls, StageLog& log)
   writeOutputs(options, found, std::move(*file));
   write_timer.finish("write");
 
-  tellPlanes(found.planes, found.labels, found.finite_points, log);
+  tellPlanes(found, log);
   log.tellSeconds();
   log.details["input"] = options.input;
   log.details["output"] = options.output;

@@ -23,6 +23,9 @@ void
 bindConsolidation(pybind11::module_& module);
 
 void
+bindCylinderPatches(pybind11::module_& module);
+
+void
 bindMapGraph(pybind11::module_& module);
 
 void

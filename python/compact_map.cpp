@@ -66,6 +66,14 @@ bindCompactMap(py::module_& module)
               }),
           "list of PlanePatch, by falling area")
       .def_property_readonly(
+          "cylinders",
+          memberList<ReportedMap, CylinderPatch>(
+              [](const ReportedMap& reported) -> const std::vector<CylinderPatch>& {
+                return reported.map.cylinders;
+              }),
+          "list of CylinderPatch, by falling area; empty unless primitives were asked "
+          "for")
+      .def_property_readonly(
           "charts",
           memberList<ReportedMap, TextureChart>(
               [](const ReportedMap& reported) -> const std::vector<TextureChart>& {

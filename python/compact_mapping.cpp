@@ -32,6 +32,7 @@ struct MappingSettings {
   double voxel_size; ///< metres; 0: automatic
   double min_area;   ///< square metres; 0: automatic
   bool regular;
+  bool primitives;
   double texel_size;  ///< metres
   std::string folder; ///< of poses; empty: none
   unsigned threads;
@@ -66,6 +67,7 @@ requireLegal(const MappingSettings& settings)
   refuse(settings.voxel_size > 0, "voxel_size");
   refuse(settings.min_area > 0, "min_area");
   refuse(settings.regular, "regular");
+  refuse(settings.primitives, "primitives");
 }
 
 void
@@ -99,6 +101,7 @@ planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
   }
   planes.setDepthSensor(settings.sensor);
   planes.setComputeMesh(false);
+  planes.setComputeCylinders(settings.primitives);
   return planes;
 }
 
@@ -143,7 +146,8 @@ constexpr const char* about_mapping =
 (pcl::CompactMapping). Add the observations, then call compute.
 
 paper      all steps as the paper has them, with nothing added, on raw points, which takes
-           long; adjust, sensor, voxel_size, min_area and regular are refused with it
+           long; adjust, sensor, voxel_size, min_area, regular and primitives are refused
+           with it
 rectify    straightens the map before its planes are found, as the function rectify does
            (II-B.2 of the paper)
 adjust     then adjusts the poses by planes, in six degrees of freedom, as the function
@@ -156,6 +160,8 @@ voxel_size metres, the edge of a voxel to which the points of all observations a
 min_area   square metres, of a plane; 0: automatic
 regular    turns planes to be parallel or upright to larger ones, where their uncertainty
            allows
+primitives finds cylinders, too: columns, pipes and curved walls, which replace the planes
+           that they describe in fewer bits
 texel_size metres, the edge of a texel of the textures
 folder     keeps the poses that were found, so that a later run with the same observations
            goes on from them; empty: none
@@ -192,6 +198,7 @@ bindCompactMapping(py::module_& module)
                        std::optional<double> voxel_size,
                        double min_area,
                        bool regular,
+                       bool primitives,
                        double texel_size,
                        const std::string& folder,
                        unsigned threads) {
@@ -202,6 +209,7 @@ bindCompactMapping(py::module_& module)
                                                voxel_size.value_or(0),
                                                min_area,
                                                regular,
+                                               primitives,
                                                texel_size,
                                                folder,
                                                threads};
@@ -216,6 +224,7 @@ bindCompactMapping(py::module_& module)
            "voxel_size"_a = py::none(),
            "min_area"_a = clustering.getMinArea(),
            "regular"_a = clustering.getRegularize(),
+           "primitives"_a = defaults.getPlaneMapping().getComputeCylinders(),
            "texel_size"_a = defaults.getTexturing().getTexelSize(),
            "folder"_a = "",
            "threads"_a = defaults.getNumberOfThreads())

@@ -32,6 +32,8 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
     fields = fieldsOf(*report.planes);
   fields["consolidated_points"] = report.consolidated_points;
   fields["voxel_size"] = report.consolidation ? report.consolidation->voxel_size : 0.0;
+  if (report.cylinders)
+    fields["cylinders"] = reportOf(*report.cylinders);
   return reportOf(fields, report);
 }
 

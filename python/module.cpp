@@ -12,6 +12,7 @@ PYBIND11_MODULE(acmap, module)
   bindNormals(module);
   bindPlanePatches(module);
   bindPlanes(module);
+  bindCylinderPatches(module);
   bindRectification(module);
   bindAdjustment(module);
   bindTextureCharts(module);

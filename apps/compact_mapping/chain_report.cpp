@@ -131,6 +131,8 @@ tellChain(const ChainOptions& options,
     if (map.contains(name))
       details[name] = map.at(name);
   details["planes"] = map.at("planes").size();
+  if (map.contains("cylinders"))
+    details["cylinders"] = map.at("cylinders").size();
   details["stages"] = Json::array();
   for (const RunStage& stage : stages) {
     tellStage(stage, log);

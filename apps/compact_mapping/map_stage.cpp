@@ -124,6 +124,7 @@ mapSequence(const ChainOptions& options,
   StepTimer timer(log.report);
   result.map =
       paintPlanes(result.found.planes, *sequence.posed, options.texture, controls, log);
+  result.map.cylinders = result.found.cylinders;
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
@@ -145,6 +146,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   requirePlanes(options.input, result.found, log);
   StepTimer paint_timer(log.report);
   result.map = paintPlanes(result.found.planes, file, options.texture, controls, log);
+  result.map.cylinders = result.found.cylinders;
   paint_timer.finish("paint");
   return result;
 }
@@ -204,6 +206,26 @@ jsonOf(const std::vector<PlanePatch>& planes)
   return list;
 }
 
+/** \brief The same for the cylinders. */
+nlohmann::ordered_json
+jsonOf(const std::vector<CylinderPatch>& cylinders)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t id = 0; id < cylinders.size(); ++id) {
+    const CylinderPatch& cylinder = cylinders[id];
+    list.push_back({{"id", id},
+                    {"radius", cylinder.radius},
+                    {"length", cylinder.high - cylinder.low},
+                    {"arc", cylinder.arc},
+                    {"hollow", cylinder.is_hollow},
+                    {"area", cylinder.area},
+                    {"rmse", cylinder.rms},
+                    {"support", cylinder.support},
+                    {"saved_bits", cylinder.saved_bits}});
+  }
+  return list;
+}
+
 /** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
 tellUp(const CompactMap& map, StageLog& log)
@@ -222,8 +244,10 @@ tellUp(const CompactMap& map, StageLog& log)
 void
 tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 {
-  tellPlanes(mapped.found.planes, mapped.found.labels, mapped.found.finite_points, log);
+  tellPlanes(mapped.found, log);
   log.details["planes"] = jsonOf(mapped.map.planes);
+  if (options.planes.primitives)
+    log.details["cylinders"] = jsonOf(mapped.map.cylinders);
   tellUp(mapped.map, log);
   tellCompactness(mapped.found.finite_points, mapped.map, options.output, log);
 }

@@ -43,6 +43,7 @@ mappingOf(const PlaneOptions& options, unsigned threads)
     mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
   }
   mapping.setComputeMesh(options.keeps_mesh);
+  mapping.setComputeCylinders(options.primitives);
   mapping.setNumberOfThreads(threads);
   return mapping;
 }
@@ -85,6 +86,75 @@ describe(const PlanePatch& plane)
   return text;
 }
 
+std::string
+describe(const CylinderPatch& cylinder)
+{
+  constexpr double degrees = 180 / M_PI;
+  char text[160];
+  std::snprintf(text,
+                sizeof text,
+                "radius %.3g m, %.3g m long, %.0f degrees of arc, %s, rmse %.3g mm, "
+                "%.0f bits saved",
+                cylinder.radius,
+                cylinder.high - cylinder.low,
+                degrees * cylinder.arc,
+                cylinder.is_hollow ? "hollow" : "solid",
+                1000 * cylinder.rms,
+                cylinder.saved_bits);
+  return text;
+}
+
+std::size_t
+countLabelled(const std::vector<std::int32_t>& labels)
+{
+  return static_cast<std::size_t>(std::count_if(
+      labels.begin(), labels.end(), [](auto label) { return label >= 0; }));
+}
+
+/** Tells each item of a list that is sorted by decreasing area, or the largest ones if
+ * there are many. */
+template <typename Item>
+void
+tellEach(const std::string& what, const std::vector<Item>& items, StageLog& log)
+{
+  const std::size_t listed = items.size() <= max_lines ? items.size() : lines_of_many;
+  for (std::size_t id = 0; id < listed; ++id)
+    log.tell(what + " " + std::to_string(id), describe(items[id]));
+  if (listed < items.size())
+    log.tell("further " + what + "s",
+             std::to_string(items.size() - listed) + " smaller ones, in the file");
+}
+
+void
+tellCylinders(const MappedPlanes& found, StageLog& log)
+{
+  const std::size_t points = countLabelled(found.cylinder_labels);
+  log.details["points_on_cylinders"] = points;
+  log.tell("cylinders", std::to_string(found.cylinders.size()));
+  if (!found.cylinders.empty())
+    log.tell("on cylinders", percent(points, found.finite_points) + " of the points");
+  tellEach("cylinder", found.cylinders, log);
+}
+
+/** Labels of planes, followed by those of cylinders. */
+std::vector<std::int32_t>
+joinedLabels(const std::vector<std::int32_t>& planes,
+             const std::vector<std::int32_t>& cylinders,
+             std::size_t number_of_planes)
+{
+  std::vector<std::int32_t> labels = planes;
+  for (std::size_t i = 0; i < cylinders.size(); ++i)
+    if (cylinders[i] >= 0)
+      labels[i] = static_cast<std::int32_t>(number_of_planes) + cylinders[i];
+  return labels;
+}
+
+std::vector<std::int32_t>
+labelsOfVertices(const MappedPlanes& found)
+{
+  return joinedLabels(found.vertex_labels, found.vertex_cylinders, found.planes.size());
+}
+
 void
 tellInSpace(const PlaneMappingReport& report, StageLog& log)
 {
@@ -125,6 +195,8 @@ tellMapping(const PlaneMappingReport& report, StageLog& log)
     tellInPicture(report, log);
   else
     tellInSpace(report, log);
+  if (report.cylinders)
+    log.details["cylinder_report"] = jsonOf(*report.cylinders);
   for (const auto& [step, seconds] : report.seconds)
     log.report.seconds.emplace_back(step, seconds);
 }
@@ -182,6 +254,11 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
                options.regular,
                "Turn planes to be exactly parallel or at right angles to larger ones, "
                "within their own uncertainty and a degree");
+  app.add_flag(
+      "--primitives",
+      options.primitives,
+      "Find cylinders, too: columns, pipes and curved walls, which replace the "
+      "planes that they describe in fewer bits");
 }
 
 void
@@ -195,6 +272,7 @@ checkChoices(const PlaneOptions& options)
   refuse(options.min_area.has_value(), "--min-area");
   refuse(options.tolerance.has_value(), "--tolerance");
   refuse(options.regular, "--regular");
+  refuse(options.primitives, "--primitives");
   if (options.sensor != DepthSensor::Automatic && options.isInSpace())
     throw UsageError(
         "--sensor is not used with --consolidate, --tolerance and --paper, "
@@ -234,36 +312,35 @@ extractPlanes(const PlaneOptions& options,
 void
 requirePlanes(const std::string& input, const MappedPlanes& found, const StageLog& log)
 {
-  if (found.planes.empty())
+  if (found.planes.empty() && found.cylinders.empty())
     log.failWithNothing(input + ": no plane was found");
 }
 
 void
-tellPlanes(const std::vector<PlanePatch>& planes,
-           const std::vector<std::int32_t>& labels,
-           std::size_t points,
-           StageLog& log)
+tellPlanes(const MappedPlanes& found, StageLog& log)
 {
-  const auto on_planes = static_cast<std::size_t>(std::count_if(
-      labels.begin(), labels.end(), [](auto label) { return label >= 0; }));
-  log.details["input_points"] = labels.size();
-  log.details["finite_points"] = points;
+  const std::size_t on_planes = countLabelled(found.labels);
+  log.details["input_points"] = found.labels.size();
+  log.details["finite_points"] = found.finite_points;
   log.details["points_on_planes"] = on_planes;
-  log.tell("planes", std::to_string(planes.size()));
-  log.tell("on planes", percent(on_planes, points) + " of the points");
-  // they are sorted by decreasing area
-  const std::size_t listed = planes.size() <= max_lines ? planes.size() : lines_of_many;
-  for (std::size_t id = 0; id < listed; ++id)
-    log.tell("plane " + std::to_string(id), describe(planes[id]));
-  if (listed < planes.size())
-    log.tell("further planes",
-             std::to_string(planes.size() - listed) + " smaller ones, in the file");
+  log.tell("planes", std::to_string(found.planes.size()));
+  log.tell("on planes", percent(on_planes, found.finite_points) + " of the points");
+  tellEach("plane", found.planes, log);
+  if (!found.cylinder_labels.empty())
+    tellCylinders(found, log);
+}
+
+std::vector<std::int32_t>
+labelsOf(const MappedPlanes& found)
+{
+  return joinedLabels(found.labels, found.cylinder_labels, found.planes.size());
 }
 
 void
 saveNormals(const std::string& path, const MappedPlanes& found)
 {
-  saveTriangleMesh(path, withLabels(withVotes(found), found.vertex_labels), found.mesh);
+  saveTriangleMesh(
+      path, withLabels(withVotes(found), labelsOfVertices(found)), found.mesh);
 }
 
 SceneView
@@ -280,10 +357,11 @@ void
 savePicture(const std::string& path, const MappedPlanes& found)
 {
   const UnlimitedMemory while_drawing;
-  saveSnapshot(path,
-               coloredByLabel(withLabels(found.vertices.cloud, found.vertex_labels)),
-               found.mesh,
-               sceneViewOf(found));
+  saveSnapshot(
+      path,
+      coloredByLabel(withLabels(found.vertices.cloud, labelsOfVertices(found))),
+      found.mesh,
+      sceneViewOf(found));
 }
 
 } // namespace pcl::acmap

@@ -19,6 +19,7 @@ struct PlaneOptions {
   std::optional<double> tolerance;  ///< metres
   DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;
+  bool primitives = false; ///< cylinders, too
   bool paper = false;      ///< set by the tool: \ref MappingMode::Paper
   bool keeps_mesh = false; ///< set by the tool: the mesh is needed
 
@@ -54,19 +55,20 @@ extractPlanes(const PlaneOptions& options,
               TriangleMesh mesh = {});
 
 /** \param[in] input name of the input
- * \throws NothingFound, with the reasons, when there is no plane */
+ * \throws NothingFound, with the reasons, when there is neither a plane nor a cylinder */
 void
 requirePlanes(const std::string& input, const MappedPlanes& found, const StageLog& log);
 
 /** \brief Adds lines to the summary: the number of planes, the fraction of the points
- * on them, and each plane, or the largest ones if there are many.
- * \param[in] labels plane of each point of the input, -1 for none
- * \param[in] points number of finite points of the input */
+ * on them, and each plane, or the largest ones if there are many; the same for cylinders
+ * if these were searched. */
 void
-tellPlanes(const std::vector<PlanePatch>& planes,
-           const std::vector<std::int32_t>& labels,
-           std::size_t points,
-           StageLog& log);
+tellPlanes(const MappedPlanes& found, StageLog& log);
+
+/** \brief Label of each point of the input, from 0: the number of its plane, or the
+ * number of planes plus that of its cylinder; -1 for none. */
+std::vector<std::int32_t>
+labelsOf(const MappedPlanes& found);
 
 /** \brief Writes the mesh as PLY: with the voted normals, `curvature` (1 - saliency),
  * `vertex_class` (\ref VertexClass) and `label`. */

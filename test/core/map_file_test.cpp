@@ -70,6 +70,7 @@ TEST_F(MapFile, EverythingComesBack)
   const CompactMap map = makeSampleMap();
   const CompactMap back = reloaded(map);
   expectSamePlanes(back, map);
+  expectSameCylinders(back, map);
   expectSameCharts(back, map, false);
   EXPECT_EQ(back.exposure, map.exposure);
   EXPECT_EQ(back.up, map.up);
@@ -173,6 +174,22 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/center/1", "x", "planes[0].center[1] is no number"},
            {"/planes/0/axes/1", nan, "planes[0].axes[1] is no array"},
            {"/planes/0/covariance/2", {1, 2}, "planes[0].covariance[2] has 2"},
+           {"/cylinders", 3, "cylinders is no array"},
+           {"/cylinders/1/id", 7, "cylinders[1].id is not 1"},
+           {"/cylinders/1/axis_point/0", 1e10, "cylinders[1] has an axis_point"},
+           {"/cylinders/0/axis_direction", {0, 0, 1}, "no right-handed basis"},
+           {"/cylinders/0/axis_direction", {0, 0, 0}, "no right-handed basis"},
+           {"/cylinders/0/axes/1/2", nullptr, "cylinders[0].axes[1][2] is no number"},
+           {"/cylinders/0/radius", 0, "cylinders[0] has a radius that is not above 0"},
+           {"/cylinders/0/radius", 1e300, "cylinders[0] has a radius"},
+           {"/cylinders/0/extent", {1, 0}, "cylinders[0] has an extent"},
+           {"/cylinders/0/extent", {0, 1, 2}, "cylinders[0].extent has 3"},
+           {"/cylinders/0/arc", 7, "cylinders[0] has an arc"},
+           {"/cylinders/0/arc", 0, "cylinders[0] has an arc"},
+           {"/cylinders/0/hollow", 1, "cylinders[0].hollow is neither true nor false"},
+           {"/cylinders/0/covariance/4", {1, 2}, "cylinders[0].covariance[4] has 2"},
+           {"/cylinders/0/area", -1, "cylinders[0] has an area"},
+           {"/cylinders/0/saved_bits", "many", "saved_bits is no number"},
            {"/planes/0/covariance/2/1", "x", "planes[0].covariance[2][1] is no number"},
            {"/planes/0/support", -1, "planes[0].support is outside"},
            {"/planes/0/support", 1.5, "planes[0].support is no whole number"},
@@ -331,6 +348,13 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.observations[0] = {1, 0}; });
   expectRefused([](CompactMap& map) { map.observations[0] = {-1}; });
   expectRefused([](CompactMap& map) { map.observations[0] = {2}; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].axis_point.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].axis_u *= 2; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].axis_v *= -1; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].radius = NAN; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].high = -1; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].arc = 6.3; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].saved_bits = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].center.x() = NAN; });
   expectRefused([](CompactMap& map) { map.rooms[0].seen_area = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].planes = {2}; });

@@ -317,6 +317,111 @@ TEST_F(Office, isNoPicture)
   EXPECT_THROW(mapping.compute(found), UnorganizedPointCloudException);
 }
 
+/** Views of the column of the office, merged. */
+class Column : public testing::Test {
+protected:
+  static void
+  SetUpTestSuite()
+  {
+    SimulatedScene office = standardScene("office");
+    constexpr std::ptrdiff_t others = 34; // before those that see the column
+    office.views.erase(office.views.begin(), office.views.begin() + others);
+    place_ = office.views[0].inverse() * Eigen::Vector3d(3, 0, 5);
+    upwards_ = office.views[0].linear().transpose() * Eigen::Vector3d::UnitY();
+    const MergedObservations merged = mergeObservations(office, 6, 1);
+    const auto file = std::make_shared<PointCloudFile>();
+    file->cloud = cloudOf(merged);
+    std::vector<Eigen::Vector3f> viewpoints;
+    for (const Eigen::Isometry3d& pose : merged.trajectory.poses)
+      viewpoints.push_back(pose.translation().cast<float>());
+    mapping_.setInputCloud(std::shared_ptr<const PointCloudFile>(file));
+    mapping_.setViewpoints(viewpoints);
+    mapping_.compute(without_);
+    mapping_.setComputeCylinders(true);
+    mapping_.compute(with_);
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    mapping_ = PlaneMapping();
+    without_ = with_ = MappedPlanes();
+  }
+
+  static inline Eigen::Vector3d place_, upwards_; ///< of the axis
+  static inline PlaneMapping mapping_;
+  static inline MappedPlanes without_, with_;
+};
+
+TEST_F(Column, isTheOnlyCylinder)
+{
+  EXPECT_TRUE(without_.cylinders.empty() && without_.cylinder_labels.empty());
+  ASSERT_EQ(with_.cylinders.size(), 1U);
+  const CylinderPatch& column = with_.cylinders[0];
+  EXPECT_NEAR(column.radius, 0.2, 0.003);
+  EXPECT_GT(std::abs(column.axis_direction.dot(upwards_)), 0.9995);
+  EXPECT_LT((column.axis_point - place_).cross(upwards_).norm(), 0.005);
+  EXPECT_GT(column.high - column.low, 1.5);
+  EXPECT_FALSE(column.is_hollow);
+  EXPECT_GT(column.saved_bits, 30);
+  EXPECT_TRUE(column.planes.empty()) << "their numbers are not those of the result";
+  const PlaneMappingReport& report = mapping_.getReport();
+  ASSERT_TRUE(report.cylinders);
+  EXPECT_LT(report.cylinders->bits_after, report.cylinders->bits_before);
+  EXPECT_EQ(with_.planes.size() + report.cylinders->replaced_planes,
+            without_.planes.size());
+}
+
+TEST_F(Column, hasItsPointsAlone)
+{
+  ASSERT_EQ(with_.cylinder_labels.size(), with_.labels.size());
+  ASSERT_EQ(with_.vertex_cylinders.size(), with_.vertex_labels.size());
+  for (const auto& [planes, cylinders] :
+       {std::pair(&with_.labels, &with_.cylinder_labels),
+        std::pair(&with_.vertex_labels, &with_.vertex_cylinders)}) {
+    std::size_t members = 0;
+    for (std::size_t i = 0; i < planes->size(); ++i) {
+      EXPECT_LT((*planes)[i], static_cast<std::int32_t>(with_.planes.size()));
+      EXPECT_LT((*cylinders)[i], static_cast<std::int32_t>(with_.cylinders.size()));
+      members += (*cylinders)[i] >= 0 ? 1 : 0;
+      EXPECT_FALSE((*planes)[i] >= 0 && (*cylinders)[i] >= 0) << i;
+    }
+    EXPECT_GT(members, 0U);
+  }
+  for (const PlanePatch& plane : with_.planes)
+    for (const PlanePolygon& polygon : plane.polygons)
+      for (const PolygonEdge& edge : polygon.edges)
+        EXPECT_LT(edge.neighbour, static_cast<std::int32_t>(with_.planes.size()));
+}
+
+TEST_F(Column, doesNotDependOnTheThreads)
+{
+  PlaneMapping mapping = mapping_;
+  for (const unsigned threads : {1U, 3U}) {
+    mapping.setNumberOfThreads(threads);
+    MappedPlanes again;
+    mapping.compute(again);
+    EXPECT_EQ(again.cylinder_labels, with_.cylinder_labels);
+    ASSERT_EQ(again.cylinders.size(), with_.cylinders.size());
+    EXPECT_EQ(again.cylinders[0].axis_point, with_.cylinders[0].axis_point);
+    EXPECT_EQ(again.cylinders[0].radius, with_.cylinders[0].radius);
+    EXPECT_EQ(equationsOf(again.planes), equationsOf(with_.planes));
+  }
+}
+
+TEST_F(Office, hasNoColumnInItsFirstViews)
+{
+  PlaneMapping mapping = this->mapping();
+  mapping.setComputeCylinders(true);
+  MappedPlanes found;
+  mapping.compute(found);
+  EXPECT_TRUE(found.cylinders.empty());
+  EXPECT_EQ(found.cylinder_labels,
+            std::vector<std::int32_t>(cloud_->points().size(), -1));
+  ASSERT_TRUE(mapping.getReport().cylinders);
+  EXPECT_FALSE(mapping.getReport().cylinders->remarks.empty());
+}
+
 PointCloud<PointXYZ>::Ptr
 kinectView()
 {

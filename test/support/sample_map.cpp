@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -41,6 +42,29 @@ makeChart(std::size_t polygon, std::int32_t width, std::int32_t height)
   chart.colors.height = height;
   chart.image = "texture " + std::to_string(polygon) + ".png";
   return chart;
+}
+
+CylinderPatch
+makeCylinder(bool is_hollow)
+{
+  CylinderPatch cylinder;
+  cylinder.axis_point = {1.0 / 3, 1e5 + 0.1, -7};
+  cylinder.axis_direction = Eigen::Vector3d(1, 2, 2) / 3;
+  cylinder.axis_u = Eigen::Vector3d(2, 1, -2) / 3;
+  cylinder.axis_v = cylinder.axis_direction.cross(cylinder.axis_u);
+  cylinder.radius = 1.0 / 7;
+  cylinder.is_hollow = is_hollow;
+  cylinder.low = -0.1;
+  cylinder.high = 1.0 / 3;
+  cylinder.arc = is_hollow ? 2 * M_PI : 1.0 / 3;
+  cylinder.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (is_hollow)
+    cylinder.covariance = 1e-9 * Eigen::Matrix<double, 5, 5>::Identity();
+  cylinder.support = 1234567;
+  cylinder.rms = 0.0123;
+  cylinder.area = 4.5;
+  cylinder.saved_bits = 1e5 / 3;
+  return cylinder;
 }
 
 template <typename Matrix>
@@ -88,6 +112,25 @@ expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
   expectSamePolygons(plane.proposed, wanted.proposed);
 }
 
+void
+expectSameCylinder(const CylinderPatch& cylinder, const CylinderPatch& wanted)
+{
+  EXPECT_TRUE(sameBits(cylinder.axis_point, wanted.axis_point));
+  EXPECT_TRUE(sameBits(cylinder.axis_direction, wanted.axis_direction));
+  EXPECT_TRUE(sameBits(cylinder.axis_u, wanted.axis_u));
+  EXPECT_TRUE(sameBits(cylinder.axis_v, wanted.axis_v));
+  EXPECT_TRUE(sameBits(cylinder.covariance, wanted.covariance));
+  EXPECT_EQ(cylinder.radius, wanted.radius);
+  EXPECT_EQ(cylinder.is_hollow, wanted.is_hollow);
+  EXPECT_EQ(cylinder.low, wanted.low);
+  EXPECT_EQ(cylinder.high, wanted.high);
+  EXPECT_EQ(cylinder.arc, wanted.arc);
+  EXPECT_EQ(cylinder.support, wanted.support);
+  EXPECT_EQ(cylinder.rms, wanted.rms);
+  EXPECT_EQ(cylinder.area, wanted.area);
+  EXPECT_EQ(cylinder.saved_bits, wanted.saved_bits);
+}
+
 } // namespace
 
 CompactMap
@@ -96,6 +139,7 @@ makeSampleMap()
   CompactMap map;
   map.planes = {makePlane(), PlanePatch()};
   map.planes[1].coefficients = {0, 1, 0, -0.5};
+  map.cylinders = {makeCylinder(true), makeCylinder(false)};
   map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
   map.charts[1].image_place = {7, 9};
   map.charts[1].halvings = 2;
@@ -122,6 +166,14 @@ expectSamePlanes(const CompactMap& map, const CompactMap& wanted)
   ASSERT_EQ(map.planes.size(), wanted.planes.size());
   for (std::size_t i = 0; i < wanted.planes.size(); ++i)
     expectSamePlane(map.planes[i], wanted.planes[i]);
+}
+
+void
+expectSameCylinders(const CompactMap& map, const CompactMap& wanted)
+{
+  ASSERT_EQ(map.cylinders.size(), wanted.cylinders.size());
+  for (std::size_t i = 0; i < wanted.cylinders.size(); ++i)
+    expectSameCylinder(map.cylinders[i], wanted.cylinders[i]);
 }
 
 void

@@ -6,14 +6,19 @@
 namespace pcl::acmap::test {
 
 /** \brief A map of two planes with arbitrary numbers: the first has two polygons, one
- * with a hole, and a chart on each; the second has no polygons. Two poses. Two rooms, with
- * a window between them and a door of none whose height is unknown. */
+ * with a hole, and a chart on each; the second has no polygons. Two cylinders, the second
+ * of unknown covariance. Two poses. Two rooms, with a window between them and a door of
+ * none whose height is unknown. */
 CompactMap
 makeSampleMap();
 
 /** \brief Expects bitwise equal numbers. */
 void
 expectSamePlanes(const CompactMap& map, const CompactMap& wanted);
+
+/** \brief Expects bitwise equal numbers. */
+void
+expectSameCylinders(const CompactMap& map, const CompactMap& wanted);
 
 /** \param[in] with_images also compare colours and kinds */
 void

@@ -205,6 +205,38 @@ TEST_F(MapFormats, ObjSharesCorners)
 }
 
 /** Viewers add ambient and diffuse light: frontal surfaces must not be too bright. */
+TEST_F(MapFormats, CylindersAreDrawnAsFacets)
+{
+  save();
+  const std::string before = contentOf(path("map.obj"));
+  CylinderPatch column;
+  column.axis_direction = Eigen::Vector3d::UnitY();
+  column.axis_u = Eigen::Vector3d::UnitZ();
+  column.axis_v = Eigen::Vector3d::UnitX();
+  column.radius = 0.25;
+  column.low = -1;
+  column.high = 1;
+  column.arc = 2 * M_PI;
+  map_.cylinders = {column};
+  save();
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(path("map.obj").c_str());
+  reader->Update();
+  vtkPolyData* const mesh = reader->GetOutput();
+  double area = 0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+    area += static_cast<vtkTriangle*>(mesh->GetCell(i))->ComputeArea();
+  double wanted = 2 * M_PI * 0.25 * 2;
+  for (const double part : areasOf(map_))
+    wanted += part;
+  EXPECT_NEAR(area, wanted, 0.02);
+  EXPECT_THAT(contentOf(path("map.obj")), HasSubstr("# cylinder 0\n"));
+  EXPECT_EQ(loadCompactMap(path()).cylinders.size(), 1U);
+  map_.cylinders.clear();
+  save();
+  EXPECT_EQ(contentOf(path("map.obj")), before);
+}
+
 TEST_F(MapFormats, MaterialsOfObjAddUpToTheColours)
 {
   save();

@@ -125,7 +125,8 @@ TEST(MapSection, HasGapsAtDoorsAndWindows)
   const CompactMap map = makeRoomMap();
   const auto lengths = [&](std::size_t plane, double level) {
     std::vector<double> found;
-    for (const MapLine& line : sectionOf(map, plane, -Vector3d::UnitY(), level))
+    for (const MapLine& line :
+         sectionOf(map.planes[plane], plane, -Vector3d::UnitY(), level))
       found.push_back((line.points[1] - line.points[0]).norm());
     std::sort(found.begin(), found.end());
     return found;

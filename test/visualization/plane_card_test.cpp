@@ -45,6 +45,49 @@ TEST(PlaneCard, SaysWhatIsNotKnown)
   expectLine(card, "rmse       unknown");
 }
 
+TEST(CylinderCard, TellsWhatIsKnown)
+{
+  CylinderPatch cylinder;
+  cylinder.radius = 0.25;
+  cylinder.low = -1;
+  cylinder.high = 1.5;
+  cylinder.arc = M_PI;
+  cylinder.covariance(4, 4) = 4e-6;
+  cylinder.support = 1000;
+  cylinder.rms = 0.004;
+  cylinder.area = 1.963;
+  cylinder.saved_bits = 1234.4;
+  const std::string card = cylinderCard(cylinder, 17);
+  expectLine(card, "cylinder 17, solid");
+  expectLine(card, "radius     0.2500 m, deviation 2 mm");
+  expectLine(card, "extent     2.500 m, 180 deg of arc");
+  expectLine(card, "support    1000 points");
+  expectLine(card, "area       1.963 m2");
+  expectLine(card, "rmse       4 mm");
+  expectLine(card, "saved      1234 bits");
+  cylinder.is_hollow = true;
+  cylinder.covariance.setConstant(NAN);
+  expectLine(cylinderCard(cylinder, 0), "cylinder 0, hollow");
+  expectLine(cylinderCard(cylinder, 0), "radius     0.2500 m, deviation unknown");
+}
+
+TEST(PlaneOnRay, FindsNothingBehindACylinder)
+{
+  CompactMap map = makeRoomMap();
+  CylinderPatch column;
+  column.axis_point = {0, 0, 1};
+  column.axis_direction = Vector3d::UnitY();
+  column.axis_u = -Vector3d::UnitZ();
+  column.axis_v = -Vector3d::UnitX();
+  column.radius = 0.2;
+  column.low = -0.5;
+  column.high = 0.5;
+  column.arc = M_PI;
+  map.cylinders.push_back(column);
+  EXPECT_EQ(planeOnRay(map, Vector3d::Zero(), Vector3d::UnitZ()), std::nullopt);
+  EXPECT_EQ(planeOnRay(map, {0.3, 0, 0}, Vector3d::UnitZ()), 0u);
+}
+
 TEST(PlaneOnRay, MeetsTheFirstPlane)
 {
   const CompactMap map = makeRoomMap();

@@ -85,6 +85,14 @@ JsonCursor::integer(std::int64_t minimum, std::int64_t maximum) const
   return number;
 }
 
+bool
+JsonCursor::boolean() const
+{
+  if (!value_->is_boolean())
+    fail("is neither true nor false");
+  return value_->get<bool>();
+}
+
 std::string
 JsonCursor::text() const
 {

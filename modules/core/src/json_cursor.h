@@ -52,6 +52,9 @@ public:
   std::int64_t
   integer(std::int64_t minimum, std::int64_t maximum) const;
 
+  bool
+  boolean() const;
+
   std::string
   text() const;
 

@@ -39,12 +39,16 @@ jsonOf(const Eigen::Vector3d& vector)
   return {vector.x(), vector.y(), vector.z()};
 }
 
+template <int size>
 Json
-jsonOf(const Eigen::Matrix3d& matrix)
+jsonOf(const Eigen::Matrix<double, size, size>& matrix)
 {
   Json rows = Json::array();
-  for (int row = 0; row < 3; ++row)
-    rows.push_back(jsonOf(Eigen::Vector3d(matrix.row(row))));
+  for (int row = 0; row < size; ++row) {
+    Json& values = rows.emplace_back(Json::array());
+    for (int column = 0; column < size; ++column)
+      values.push_back(matrix(row, column));
+  }
   return rows;
 }
 
@@ -89,6 +93,24 @@ jsonOf(const PlanePatch& plane, std::size_t id)
           {"rmse", plane.rms},
           {"area", plane.area},
           {"polygons", jsonOf(plane.polygons)}};
+}
+
+Json
+jsonOf(const CylinderPatch& cylinder, std::size_t id)
+{
+  return {{"id", id},
+          {"axis_point", jsonOf(cylinder.axis_point)},
+          {"axis_direction", jsonOf(cylinder.axis_direction)},
+          {"axes", {jsonOf(cylinder.axis_u), jsonOf(cylinder.axis_v)}},
+          {"radius", cylinder.radius},
+          {"extent", {cylinder.low, cylinder.high}},
+          {"arc", cylinder.arc},
+          {"hollow", cylinder.is_hollow},
+          {"covariance", jsonOf(cylinder.covariance)},
+          {"support", cylinder.support},
+          {"rmse", cylinder.rms},
+          {"area", cylinder.area},
+          {"saved_bits", cylinder.saved_bits}};
 }
 
 Json
@@ -235,8 +257,9 @@ writeTopology(const Write& write, const std::vector<PlanePatch>& planes)
 bool
 hasPlanesAlone(const CompactMap& map)
 {
-  bool alone = map.charts.empty() && map.trajectory.poses.empty() &&
-               map.rooms.empty() && map.openings.empty() && map.up.isZero(0);
+  bool alone = map.charts.empty() && map.cylinders.empty() &&
+               map.trajectory.poses.empty() && map.rooms.empty() &&
+               map.openings.empty() && map.up.isZero(0);
   for (const std::vector<std::int32_t>& seen_from : map.observations)
     alone = alone && seen_from.empty();
   return alone;
@@ -268,6 +291,12 @@ acmap::writeMap(const CompactMap& map, const Write& write)
       plane["charts"] = charts[id];
     return plane;
   });
+  if (!map.cylinders.empty()) {
+    write("\n],\"cylinders\":[");
+    writeLines(write, map.cylinders.size(), [&](std::size_t id) {
+      return jsonOf(map.cylinders[id], id);
+    });
+  }
   writeTopology(write, map.planes);
   if (!map.rooms.empty() || !map.openings.empty()) {
     writeList(write, "rooms", map.rooms);

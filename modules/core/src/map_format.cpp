@@ -146,6 +146,36 @@ faultOfCoefficients(const Eigen::Vector4d& coefficients)
 }
 
 std::string
+faultOfCylinder(const CylinderPatch& cylinder)
+{
+  constexpr double slack = 1e-6, max_length = 1e9; // metres
+  const auto isLength = [](double value) { return std::abs(value) <= max_length; };
+  Eigen::Matrix3d basis;
+  basis << cylinder.axis_u, cylinder.axis_v, cylinder.axis_direction;
+  if (!(cylinder.axis_point.cwiseAbs().maxCoeff() <= max_length))
+    return "has an axis_point that is not finite, or above 1e9";
+  if (!((basis.transpose() * basis - Eigen::Matrix3d::Identity())
+            .cwiseAbs()
+            .maxCoeff() <= slack) ||
+      !(basis.determinant() > 0))
+    return "has axes that are no right-handed basis of unit vectors";
+  if (!(cylinder.radius > 0) || !isLength(cylinder.radius))
+    return "has a radius that is not above 0 and at most 1e9";
+  if (!isLength(cylinder.low) || !isLength(cylinder.high) ||
+      !(cylinder.low <= cylinder.high))
+    return "has an extent that does not ascend within -1e9 and 1e9";
+  if (!(cylinder.arc > 0 && cylinder.arc <= 2 * M_PI + slack))
+    return "has an arc that is not above 0 and at most 2 pi";
+  if (!(cylinder.area >= 0) || !std::isfinite(cylinder.area))
+    return "has an area that is negative or not finite";
+  if (!std::isfinite(cylinder.saved_bits))
+    return "has saved_bits that are not finite";
+  if (cylinder.support > std::size_t{std::numeric_limits<std::int64_t>::max()})
+    return "has a support above 2^63 - 1";
+  return "";
+}
+
+std::string
 faultOfLoop(const std::vector<Eigen::Vector3f>& loop)
 {
   if (loop.size() < 3)
@@ -211,6 +241,9 @@ requireConsistent(const CompactMap& map)
     throw BadArgumentException("the up direction of a map " + fault);
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
+  for (std::size_t i = 0; i < map.cylinders.size(); ++i)
+    if (const std::string fault = faultOfCylinder(map.cylinders[i]); !fault.empty())
+      refuse("cylinder", i, fault);
   std::int64_t texels = 0;
   for (std::size_t i = 0; i < map.charts.size(); ++i) {
     requireChart(map, i);

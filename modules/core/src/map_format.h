@@ -24,6 +24,11 @@ inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};
 std::string
 faultOfCoefficients(const Eigen::Vector4d& coefficients);
 
+/** \brief Describes what is wrong with a cylinder, as a continuation of its name; empty
+ * if it is valid. Its covariance and its rms may be NaN. */
+std::string
+faultOfCylinder(const CylinderPatch& cylinder);
+
 /** \brief As above, for a loop of a polygon. */
 std::string
 faultOfLoop(const std::vector<Eigen::Vector3f>& loop);

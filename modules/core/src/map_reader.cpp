@@ -93,18 +93,30 @@ polygonsOf(const JsonCursor& json)
   return polygons;
 }
 
-Eigen::Matrix3d
+template <int size>
+Eigen::Matrix<double, size, size>
 covarianceOf(const JsonCursor& json)
 {
-  Eigen::Matrix3d matrix;
-  json.requireSize(3);
-  for (int row = 0; row < 3; ++row) {
+  Eigen::Matrix<double, size, size> matrix;
+  json.requireSize(size);
+  for (int row = 0; row < size; ++row) {
     const JsonCursor values = json[static_cast<std::size_t>(row)];
-    values.requireSize(3);
-    for (int column = 0; column < 3; ++column)
+    values.requireSize(size);
+    for (int column = 0; column < size; ++column)
       matrix(row, column) = values[static_cast<std::size_t>(column)].numberOrNan();
   }
   return matrix;
+}
+
+constexpr auto max_integer = std::numeric_limits<std::int64_t>::max();
+
+/** \param[in] what the items of the list, in the plural */
+void
+requireNumber(const JsonCursor& id, std::size_t number, const std::string& what)
+{
+  if (id.integer(0, max_integer) != static_cast<std::int64_t>(number))
+    id.fail("is not " + std::to_string(number) + ": " + what +
+            " are numbered in their order");
 }
 
 PlanePatch
@@ -114,17 +126,14 @@ planeOf(const JsonCursor& json, std::size_t number)
   const JsonCursor coefficients = json.at("coefficients");
   plane.coefficients = coefficients.vector<4>();
   requireNone(acmap::faultOfCoefficients(plane.coefficients), coefficients);
-  constexpr auto maximum = std::numeric_limits<std::int64_t>::max();
-  if (json.at("id").integer(0, maximum) != static_cast<std::int64_t>(number))
-    json.at("id").fail("is not " + std::to_string(number) +
-                       ": planes are numbered in their order");
+  requireNumber(json.at("id"), number, "planes");
   plane.center = json.at("center").vector<3>();
   const JsonCursor axes = json.at("axes");
   axes.requireSize(2);
   plane.axis_u = axes[0].vector<3>();
   plane.axis_v = axes[1].vector<3>();
-  plane.covariance = covarianceOf(json.at("covariance"));
-  plane.support = static_cast<std::size_t>(json.at("support").integer(0, maximum));
+  plane.covariance = covarianceOf<3>(json.at("covariance"));
+  plane.support = static_cast<std::size_t>(json.at("support").integer(0, max_integer));
   plane.effective_support = json.at("effective_support").numberOrNan();
   plane.rms = json.at("rmse").numberOrNan();
   plane.area = json.at("area").number();
@@ -132,6 +141,33 @@ planeOf(const JsonCursor& json, std::size_t number)
   if (json.has("proposed"))
     plane.proposed = polygonsOf(json.at("proposed"));
   return plane;
+}
+
+CylinderPatch
+cylinderOf(const JsonCursor& json, std::size_t number)
+{
+  CylinderPatch cylinder;
+  requireNumber(json.at("id"), number, "cylinders");
+  cylinder.axis_point = json.at("axis_point").vector<3>();
+  cylinder.axis_direction = json.at("axis_direction").vector<3>();
+  const JsonCursor axes = json.at("axes"), extent = json.at("extent");
+  axes.requireSize(2);
+  cylinder.axis_u = axes[0].vector<3>();
+  cylinder.axis_v = axes[1].vector<3>();
+  cylinder.radius = json.at("radius").number();
+  extent.requireSize(2);
+  cylinder.low = extent[0].number();
+  cylinder.high = extent[1].number();
+  cylinder.arc = json.at("arc").number();
+  cylinder.is_hollow = json.at("hollow").boolean();
+  cylinder.covariance = covarianceOf<5>(json.at("covariance"));
+  cylinder.support =
+      static_cast<std::size_t>(json.at("support").integer(0, max_integer));
+  cylinder.rms = json.at("rmse").numberOrNan();
+  cylinder.area = json.at("area").number();
+  cylinder.saved_bits = json.at("saved_bits").number();
+  requireNone(acmap::faultOfCylinder(cylinder), json);
+  return cylinder;
 }
 
 std::string
@@ -386,6 +422,11 @@ acmap::readMap(const std::string& name, ByteSource& source)
       texels += std::int64_t{size.width} * size.height;
       requireNone(faultOfTexels(texels), charts[k]);
     }
+  }
+  if (file.has("cylinders")) {
+    const JsonCursor cylinders = file.at("cylinders");
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+      map.cylinders.push_back(cylinderOf(cylinders[i], i));
   }
   if (file.has("edges") && file.has("vertices"))
     readEdges(file, map.planes);

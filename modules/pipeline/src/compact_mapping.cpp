@@ -416,8 +416,9 @@ CompactMapping::compute(CompactMap& map)
   timer.finish("planes");
 
   CompactMap result;
-  if (!mapped_.planes.empty()) {
+  if (!mapped_.planes.empty() || !mapped_.cylinders.empty()) {
     result = paint(sequence, report);
+    result.cylinders = mapped_.cylinders;
     result.up = estimated_.up.value_or(Eigen::Vector3d::Zero());
     setRooms(makeFloorPlan(result), result);
   }

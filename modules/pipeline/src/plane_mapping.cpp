@@ -1,4 +1,5 @@
 #include "part_of_progress.h"
+#include "replaced_planes.h"
 
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
@@ -102,6 +103,8 @@ public:
     vote(vertices, {}, result);
     cluster(vertices, nullptr, {}, result);
     result.labels = result.vertex_labels;
+    findCylinders(vertices, nullptr, {}, result);
+    result.cylinder_labels = result.vertex_cylinders;
     result.finite_points = report_.votes->vertices - report_.votes->invalid_points;
     return result;
   }
@@ -126,12 +129,12 @@ public:
     const bool turns = !is_consolidated && names_views;
     vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
-    cluster(vertices,
-            sharedCloud(cloud),
-            sensors_fit ? sensors : std::vector<Eigen::Vector3f>(),
-            result);
+    const std::vector<Eigen::Vector3f> known_sensors =
+        sensors_fit ? sensors : std::vector<Eigen::Vector3f>();
+    cluster(vertices, sharedCloud(cloud), known_sensors, result);
     if (!mapping_.getClustering().getNoiseDriven())
       result.labels = labelsOf(result.vertex_labels, vertex_of_point, is_consolidated);
+    findCylinders(vertices, sharedCloud(cloud), known_sensors, result);
     result.finite_points =
         is_consolidated
             ? report_.consolidation->points - report_.consolidation->invalid_points
@@ -155,7 +158,9 @@ public:
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
     result.vertices.remarks = cloud->remarks;
-    if (!mapping_.getComputeMesh() || result.planes.empty())
+    const bool needs_mesh = mapping_.getComputeCylinders() ||
+                            (mapping_.getComputeMesh() && !result.planes.empty());
+    if (!needs_mesh)
       return result;
     refine(cloud, picture.order, labels, result);
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
@@ -164,6 +169,7 @@ public:
       vertex.view = 0;
     vote(vertices, {cloud->sensor_origin}, result);
     result.vertex_labels = labels;
+    findCylinders(vertices, sharedCloud(cloud), {cloud->sensor_origin}, result);
     return result;
   }
 
@@ -317,7 +323,7 @@ private:
       clustering.setSourceCloud(source, sensors);
     if (cost_)
       cost_("clustering the planes", 0, clustering.estimateSeconds());
-    prepare(clustering, 0.75, 1);
+    prepare(clustering, 0.75, mapping_.getComputeCylinders() ? 0.9 : 1);
     clustering.segment(result.planes);
     report_.planes = clustering.getReport();
     addRemarks(*report_.planes);
@@ -325,6 +331,36 @@ private:
     if (has_source)
       result.labels = clustering.getSourceLabels();
     timer_.finish("planes");
+  }
+
+  /** Replaces planes by cylinders, if these are requested.
+   * \param[in] source the cloud of the input, or null */
+  void
+  findCylinders(const VertexCloud::Ptr& vertices,
+                const PCLPointCloud2ConstPtr& source,
+                const std::vector<Eigen::Vector3f>& sensors,
+                MappedPlanes& result)
+  {
+    if (!mapping_.getComputeCylinders())
+      return;
+    PlaneMapping::CylinderClustering clustering = mapping_.getCylinderClustering();
+    clustering.setInputCloud(vertices);
+    clustering.setInputNormals(result.normals);
+    clustering.setTriangles(result.mesh);
+    clustering.setPlanes(result.planes,
+                         result.vertex_labels,
+                         source ? result.labels : std::vector<std::int32_t>());
+    if (source)
+      clustering.setSourceCloud(source, sensors);
+    prepare(clustering, 0.9, 1);
+    clustering.segment(result.cylinders);
+    report_.cylinders = clustering.getReport();
+    addRemarks(*report_.cylinders);
+    result.vertex_cylinders = clustering.getLabels();
+    if (source)
+      result.cylinder_labels = clustering.getSourceLabels();
+    removeReplacedPlanes(result);
+    timer_.finish("cylinders");
   }
 
   static std::vector<std::int32_t>

@@ -198,7 +198,11 @@ LayerKeys::showCard()
   const int* const place = Interactor->GetEventPosition();
   const auto plane = stage_->planeAt(place[0], place[1]);
   if (plane) {
-    const std::string card = planeCard(scene_->map.planes[*plane], *plane);
+    const CompactMap& map = scene_->map;
+    const std::size_t planes = map.planes.size();
+    const std::string card =
+        *plane < planes ? planeCard(map.planes[*plane], *plane)
+                        : cylinderCard(map.cylinders[*plane - planes], *plane - planes);
     caption(card.substr(0, card.size() - 1)); // without the last line break
     say(card);
   }

@@ -50,7 +50,7 @@ layersOf(const LayeredScene& scene)
     layers.insert(SceneLayer::Points);
   if (!scene.mesh.triangles.empty())
     layers.insert({SceneLayer::Mesh, SceneLayer::Normals});
-  if (!scene.map.planes.empty())
+  if (!scene.map.planes.empty() || !scene.map.cylinders.empty())
     layers.insert(SceneLayer::Planes);
   if (std::any_of(scene.map.charts.begin(), scene.map.charts.end(), hasColors))
     layers.insert(SceneLayer::Texture);
@@ -89,7 +89,7 @@ LayerStage::LayerStage(const LayeredScene& scene, const LayeredView& view)
     throw InitFailedException("nothing to show: the scene has no points and no planes");
   if (view.before && view.wall_step)
     throw BadArgumentException("the walls have no steps before rectification");
-  if (!scene.map.planes.empty())
+  if (!scene.map.planes.empty() || !scene.map.cylinders.empty())
     drawing_.emplace(scene.map, view_);
   else if (view.place == MapView::Place::Inside ||
            (view.place == MapView::Place::Plan && scene.map.trajectory.poses.empty()))

@@ -53,6 +53,9 @@ MapDrawing::outlines() const
   for (std::size_t plane = 0; plane < map_.planes.size(); ++plane)
     if (isDrawn(plane))
       append(lines, outlinesOf(map_, plane));
+  for (std::size_t i = 0; i < map_.cylinders.size(); ++i)
+    if (isDrawn(map_.planes.size() + i))
+      append(lines, rimOf(map_, i));
   return {actorOfOutlines(lines)};
 }
 
@@ -69,8 +72,11 @@ MapDrawing::addPlanTo(vtkRenderer* renderer) const
 bool
 MapDrawing::isDrawn(std::size_t plane) const
 {
-  return view_.place != MapView::Place::Plan ||
-         !looksDown(map_.planes[plane], frame_.up);
+  if (view_.place != MapView::Place::Plan)
+    return true;
+  const std::size_t planes = map_.planes.size();
+  return plane < planes ? !looksDown(map_.planes[plane], frame_.up)
+                        : !looksDown(map_.cylinders[plane - planes], frame_.up);
 }
 
 std::vector<MapFaces>

@@ -59,6 +59,7 @@ public:
   addPlanTo(vtkRenderer* renderer) const;
 
 private:
+  /** \param[in] plane as in MapFaces */
   bool
   isDrawn(std::size_t plane) const;
 

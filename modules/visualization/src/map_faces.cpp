@@ -1,5 +1,6 @@
 #include "map_faces.h"
 
+#include <pcl/core/cylinder_facets.h>
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/polygon_triangles.h>
 #include <pcl/exceptions.h>
@@ -52,6 +53,22 @@ chartsByPolygon(const CompactMap& map)
     charts[{chart.plane, chart.polygon}].push_back(&chart);
   }
   return charts;
+}
+
+/** Faces of a cylinder: a rectangle for each facet. */
+MapFaces
+facesOf(const CylinderPatch& cylinder, std::size_t number)
+{
+  MapFaces faces;
+  faces.plane = number;
+  for (const PlanePatch& facet : facetsOfCylinder(cylinder)) {
+    std::vector<std::int32_t>& face = faces.faces.emplace_back();
+    for (const Eigen::Vector3f& corner : facet.polygons.front().outer) {
+      face.push_back(static_cast<std::int32_t>(faces.points.size()));
+      faces.points.push_back(corner);
+    }
+  }
+  return faces;
 }
 
 MapFaces
@@ -159,6 +176,11 @@ facesOf(const CompactMap& map)
       for (const TriangleMesh::Triangle& triangle : triangles)
         faces.faces.emplace_back(triangle.begin(), triangle.end());
     }
+  }
+  for (std::size_t i = 0; i < map.cylinders.size(); ++i) {
+    MapFaces faces = facesOf(map.cylinders[i], map.planes.size() + i);
+    if (!faces.faces.empty())
+      all.push_back(std::move(faces));
   }
   return all;
 }

@@ -11,18 +11,18 @@
 
 namespace pcl::acmap {
 
-/** \brief The faces of one plane with one chart: convex, counter-clockwise seen from
- * the side to which the normal of the plane points. */
+/** \brief The faces of one plane with one chart, or of a cylinder: convex,
+ * counter-clockwise seen from the side to which the normal points. */
 struct MapFaces {
-  std::size_t plane = 0;
-  std::size_t polygon = 0;             ///< number in the plane
+  std::size_t plane = 0;   ///< or the number of planes plus that of the cylinder
+  std::size_t polygon = 0; ///< number in the plane
   const TextureChart* chart = nullptr; ///< null: without a texture
   std::vector<Eigen::Vector3f> points; ///< metres
   std::vector<Eigen::Vector2f> places; ///< texture coordinates of the points, 0 to 1
   std::vector<std::vector<std::int32_t>> faces;
 };
 
-/** \brief Faces of all polygons, without textures. */
+/** \brief Faces of all polygons and cylinders, without textures. */
 std::vector<MapFaces>
 facesOf(const CompactMap& map);
 
@@ -37,10 +37,10 @@ cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces);
 std::vector<Eigen::Vector3f>
 samplesOf(const std::vector<MapFaces>& faces);
 
-/** \brief First intersection of a ray with a plane. */
+/** \brief First intersection of a ray with a plane or a cylinder. */
 struct RayHit {
-  std::size_t plane;
-  double distance; ///< as a multiple of the direction
+  std::size_t plane; ///< as in MapFaces
+  double distance;   ///< as a multiple of the direction
 };
 
 /** \param[in] fronts_only ignores faces that face away from the eye */

@@ -50,6 +50,8 @@ addPlaneLayer(vtkRenderer& renderer, const CompactMap& map, bool hide_backs)
   std::vector<MapLine> lines;
   for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
     append(lines, outlinesOf(map, plane));
+  for (std::size_t i = 0; i < map.cylinders.size(); ++i)
+    append(lines, rimOf(map, i));
   actors.push_back(actorOfOutlines(lines));
   return add(renderer, actors);
 }

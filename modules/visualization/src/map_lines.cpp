@@ -1,5 +1,7 @@
 #include "map_lines.h"
 
+#include <pcl/core/cylinder_facets.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -52,12 +54,29 @@ outlinesOf(const CompactMap& map, std::size_t plane)
 }
 
 std::vector<MapLine>
-sectionOf(const CompactMap& map, std::size_t plane, const Vector3d& up, double level)
+rimOf(const CompactMap& map, std::size_t cylinder)
 {
-  const Vector3d normal = map.planes[plane].coefficients.head<3>();
+  const std::vector<PlanePatch> facets = facetsOfCylinder(map.cylinders[cylinder]);
+  if (facets.empty())
+    return {};
+  // Corners 0 and 3 of a facet are where it begins, 1 and 2 where the next one does.
+  MapLine rim{map.planes.size() + cylinder, {facets[0].polygons[0].outer[0]}};
+  for (const PlanePatch& facet : facets)
+    rim.points.push_back(facet.polygons[0].outer[1]);
+  for (auto facet = facets.rbegin(); facet != facets.rend(); ++facet)
+    rim.points.push_back(facet->polygons[0].outer[2]);
+  rim.points.push_back(facets[0].polygons[0].outer[3]);
+  rim.points.push_back(rim.points.front());
+  return {rim};
+}
+
+std::vector<MapLine>
+sectionOf(const PlanePatch& plane, std::size_t number, const Vector3d& up, double level)
+{
+  const Vector3d normal = plane.coefficients.head<3>();
   const Vector3d along = up.cross(normal);
   std::vector<MapLine> lines;
-  for (const PlanePolygon& polygon : map.planes[plane].polygons) {
+  for (const PlanePolygon& polygon : plane.polygons) {
     std::vector<Vector3d> crossings;
     for (const auto& loop : loopsOf(polygon))
       for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -73,7 +92,7 @@ sectionOf(const CompactMap& map, std::size_t plane, const Vector3d& up, double l
     });
     for (std::size_t i = 1; i < crossings.size(); i += 2)
       lines.push_back(
-          {plane, {crossings[i - 1].cast<float>(), crossings[i].cast<float>()}});
+          {number, {crossings[i - 1].cast<float>(), crossings[i].cast<float>()}});
   }
   return lines;
 }

@@ -10,7 +10,7 @@ namespace pcl::acmap {
 
 /** \brief A polyline, metres. */
 struct MapLine {
-  std::size_t plane = 0;
+  std::size_t plane = 0; ///< or the number of planes plus that of the cylinder
   std::vector<Eigen::Vector3f> points;
 };
 
@@ -22,12 +22,18 @@ append(std::vector<MapLine>& lines, std::vector<MapLine> more);
 std::vector<MapLine>
 outlinesOf(const CompactMap& map, std::size_t plane);
 
+/** \brief The rim of a cylinder of a map as a closed polyline; nothing if it has no
+ * facets. */
+std::vector<MapLine>
+rimOf(const CompactMap& map, std::size_t cylinder);
+
 /** \brief Intersection of a plane's polygons with a horizontal plane, as segments.
+ * \param[in] number of the plane
  * \param[in] up unit vector
  * \param[in] level height along up, metres */
 std::vector<MapLine>
-sectionOf(const CompactMap& map,
-          std::size_t plane,
+sectionOf(const PlanePatch& plane,
+          std::size_t number,
           const Eigen::Vector3d& up,
           double level);
 

@@ -1,5 +1,7 @@
 #include "plan_lines.h"
 
+#include <pcl/core/cylinder_facets.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,13 @@ looksDown(const PlanePatch& plane, const Vector3d& up)
   return slopeOf(plane, up) < -steep;
 }
 
+bool
+looksDown(const CylinderPatch& cylinder, const Vector3d& up)
+{
+  const double side = cylinder.is_hollow ? -1 : 1;
+  return cylinder.arc <= M_PI && side * cylinder.axis_u.dot(up) < -steep;
+}
+
 Actors
 actorsOfPlan(const CompactMap& map,
              const Vector3d& up,
@@ -68,9 +77,13 @@ actorsOfPlan(const CompactMap& map,
   const double level = eyeLevel(map.trajectory, up).value_or((low + high) / 2);
   for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
     if (std::abs(slopeOf(map.planes[plane], up)) <= steep) {
-      append(cut, sectionOf(map, plane, up, level));
+      append(cut, sectionOf(map.planes[plane], plane, up, level));
       append(other, outlinesOf(map, plane));
     }
+  for (std::size_t i = 0; i < map.cylinders.size(); ++i)
+    for (const PlanePatch& facet : facetsOfCylinder(map.cylinders[i]))
+      if (std::abs(slopeOf(facet, up)) <= steep)
+        append(cut, sectionOf(facet, map.planes.size() + i, up, level));
   const double step = 0.004 * (high - low);
   lift(other, up, high);
   lift(cut, up, high + step);

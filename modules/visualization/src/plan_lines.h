@@ -11,6 +11,11 @@ namespace pcl::acmap {
 bool
 looksDown(const PlanePatch& plane, const Eigen::Vector3d& up);
 
+/** \brief Does the middle of a cylinder's arc look down, as a vault does? Closed columns
+ * and pipes do not. */
+bool
+looksDown(const CylinderPatch& cylinder, const Eigen::Vector3d& up);
+
 /** \brief Median height of the finite poses along up, metres; nothing if there are
  * none. */
 std::optional<double>

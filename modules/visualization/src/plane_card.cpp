@@ -54,6 +54,22 @@ planeCard(const PlanePatch& plane, std::size_t number)
          known("%.3g mm", plane.rms * 1000) + "\n";
 }
 
+std::string
+cylinderCard(const CylinderPatch& cylinder, std::size_t number)
+{
+  constexpr double degrees = 180 / M_PI;
+  return format("cylinder %zu, %s\n", number, cylinder.is_hollow ? "hollow" : "solid") +
+         format("radius     %.4f m, deviation ", cylinder.radius) +
+         known("%.3g mm", 1000 * std::sqrt(cylinder.covariance(4, 4))) +
+         format("\nextent     %.3f m, %.0f deg of arc\n",
+                cylinder.high - cylinder.low,
+                degrees * cylinder.arc) +
+         format("support    %zu points\n", cylinder.support) +
+         format("area       %.4g m2\n", cylinder.area) + "rmse       " +
+         known("%.3g mm", cylinder.rms * 1000) +
+         format("\nsaved      %.0f bits\n", cylinder.saved_bits);
+}
+
 std::optional<std::size_t>
 planeOnRay(const CompactMap& map,
            const Eigen::Vector3d& eye,
@@ -63,7 +79,7 @@ planeOnRay(const CompactMap& map,
   if (!eye.allFinite() || !direction.allFinite() || direction.norm() == 0)
     throw BadArgumentException("a ray has to begin somewhere and lead somewhere");
   const auto hit = acmap::firstHit(acmap::facesOf(map), eye, direction, fronts_only);
-  if (!hit)
+  if (!hit || hit->plane >= map.planes.size())
     return {};
   return hit->plane;
 }

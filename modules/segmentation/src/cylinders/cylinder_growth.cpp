@@ -4,6 +4,8 @@
 #include "mesh_neighbourhood.h"
 #include "region_growing.h"
 
+#include <pcl/core/impl/moments.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -17,13 +19,19 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
+/** Owner of the elements that no cylinder may take. */
+constexpr std::int32_t wide_plane = no_region - 1;
+
 /** Elements near a cylinder with normals along its radius. */
 class CylinderRegion {
 public:
+  /** \param[in] owner of each element: those of wide planes are not accepted */
   CylinderRegion(const SurfaceElements& elements,
+                 const std::vector<std::int32_t>& owner,
                  const Cylinder& cylinder,
                  double distance)
   : elements_(elements)
+  , owner_(owner)
   , cylinder_(cylinder)
   , distance_(distance)
   {}
@@ -31,6 +39,8 @@ public:
   bool
   accepts(std::size_t i) const
   {
+    if (owner_[i] == wide_plane)
+      return false;
     const Eigen::Vector3d from = cylinder_.across(elements_.points[i]);
     const double radius = from.norm();
     if (!(std::abs(radius - cylinder_.radius) < distance_)) // false for NaN
@@ -50,6 +60,7 @@ public:
 
 private:
   const SurfaceElements& elements_;
+  const std::vector<std::int32_t>& owner_;
   const Cylinder& cylinder_;
   double distance_;
 };
@@ -201,6 +212,28 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
   return seeds;
 }
 
+/** Marks the elements of planes that are wider than strips of a cylinder: no cylinder
+ * replaces these, and it would take long to try at each of their elements. */
+std::vector<std::int32_t>
+ownersOfWidePlanes(const SurfaceElements& elements, const KnownFaces& faces)
+{
+  constexpr double max_width = 20; // spacings
+  std::vector<Moments> moments(faces.planes.size());
+  std::vector<std::int32_t> owners(elements.size(), no_region);
+  for (std::size_t i = 0; i < faces.labels.size(); ++i)
+    if (faces.labels[i] >= 0 && elements.points[i].allFinite())
+      moments[static_cast<std::size_t>(faces.labels[i])] +=
+          momentsOf(elements.points[i]);
+  std::vector<std::uint8_t> is_wide;
+  for (const Moments& of_plane : moments)
+    is_wide.push_back(std::sqrt(12 * fitPlane(of_plane).variances[1]) >
+                      max_width * elements.spacing);
+  for (std::size_t i = 0; i < faces.labels.size(); ++i)
+    if (faces.labels[i] >= 0 && is_wide[static_cast<std::size_t>(faces.labels[i])])
+      owners[i] = wide_plane;
+  return owners;
+}
+
 class CylinderSearch {
 public:
   CylinderSearch(const SurfaceElements& elements,
@@ -210,7 +243,8 @@ public:
   , faces_(faces)
   , limits_(limits)
   , lengths_(elements.sigma, elements.spacing, elements.extent)
-  , owner_(elements.size(), no_region)
+  , owner_(ownersOfWidePlanes(elements, faces))
+  , wide_(owner_)
   , scratch_(elements.size(), no_region)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
@@ -244,6 +278,14 @@ private:
     return gate_sigmas_ * elements_.sigma;
   }
 
+  /** Bits that a cylinder must save. The errors of neighbouring vertices of a mesh are not
+   * independent. */
+  double
+  minGain() const
+  {
+    return elements_.is_mesh ? 30 : 0;
+  }
+
   std::vector<Sample>
   samplesOf(const std::vector<std::int32_t>& members) const
   {
@@ -256,6 +298,8 @@ private:
   grow(const Seed& seed);
   bool
   isCylinder(const GrownCylinder& grown, bool is_final) const;
+  bool
+  isRoundedEdge(double radius, double arc, bool is_hollow) const;
   bool
   areNormalsAcross(const GrownCylinder& grown) const;
   void
@@ -275,7 +319,8 @@ private:
   const KnownFaces& faces_;
   CylinderLimits limits_;
   DescriptionLength lengths_;
-  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element
+  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element, or wide_plane
+  std::vector<std::int32_t> wide_;    ///< the same without cylinders
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::size_t> plane_sizes_;
   std::vector<double> plane_bits_; ///< of the elements of each plane
@@ -320,7 +365,7 @@ CylinderSearch::grow(const Seed& seed)
   for (int round = 0; round < max_rounds; ++round) {
     const Cylinder cylinder = grown.fit.cylinder;
     CylinderRegion region(
-        elements_, cylinder, (round < wide_rounds ? 2 : 1) * tolerance());
+        elements_, owner_, cylinder, (round < wide_rounds ? 2 : 1) * tolerance());
     std::vector<std::int32_t> members;
     for (const std::int32_t element : start)
       if (region.accepts(static_cast<std::size_t>(element))) {
@@ -360,7 +405,7 @@ CylinderSearch::grow(const Seed& seed)
   if (!isCylinder(grown, false))
     return {};
   weigh(grown);
-  if (!(grown.gain > 0))
+  if (!(grown.gain > minGain()))
     return {};
   return grown;
 }
@@ -376,8 +421,11 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   const CylinderReach reach = reachOf(grown.fit.cylinder, samples, elements_.spacing);
   const double min_arc = (is_final ? 22 : 11) * degree;
   const double min_sagitta =
-      std::max({3 * grown.fit.rms, 2.5 * tolerance(), 0.012 * reach.chord});
-  if (reach.arc < min_arc || reach.sagitta < min_sagitta)
+      std::max({3 * grown.fit.rms,
+                2.5 * tolerance(),
+                (elements_.is_mesh ? 0.02 : 0.012) * reach.chord});
+  if (reach.arc < min_arc || reach.sagitta < min_sagitta ||
+      isRoundedEdge(radius, reach.arc, grown.fit.cylinder.is_hollow))
     return false;
   constexpr double max_rms = 0.12; // of the radius
   if (grown.fit.rms > max_rms * radius)
@@ -385,6 +433,18 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   const double count = static_cast<double>(grown.members.size());
   return misfit(samples, grown.fit, elements_.sigma / 2) <= 0.35 + 8 / count &&
          areNormalsAcross(grown);
+}
+
+/** Is a cylinder as narrow as those by which a mesh rounds the edges and corners of
+ * planes? Its triangles cut inner edges at a few spacings, and outer ones at their tips. */
+bool
+CylinderSearch::isRoundedEdge(double radius, double arc, bool is_hollow) const
+{
+  if (!elements_.is_mesh)
+    return false;
+  const double spacings = radius / elements_.spacing;
+  return is_hollow ? spacings < 5 || (spacings < 10 && arc < 60 * degree)
+                   : spacings < 6 && arc < 80 * degree;
 }
 
 /** Are the normals across the axis, on average and at both ends? On a cone they lean to
@@ -505,7 +565,7 @@ CylinderSearch::take(std::vector<GrownCylinder> candidates)
     weigh(*best);
     if (static_cast<double>(best->members.size()) <
             min_left * static_cast<double>(before) ||
-        !(best->gain > 0)) {
+        !(best->gain > minGain())) {
       candidates.erase(best);
       continue;
     }
@@ -549,10 +609,10 @@ void
 CylinderSearch::finish()
 {
   std::vector<GrownCylinder> kept;
-  std::fill(owner_.begin(), owner_.end(), no_region);
+  owner_ = wide_;
   for (GrownCylinder& grown : taken_) {
     weigh(grown);
-    if (!(grown.gain > 0) || !isCylinder(grown, true))
+    if (!(grown.gain > minGain()) || !isCylinder(grown, true))
       continue;
     for (const std::int32_t member : grown.members)
       owner_[static_cast<std::size_t>(member)] = static_cast<std::int32_t>(kept.size());

@@ -110,29 +110,76 @@ rawSource(const PlaneSource& source, const GivenPlanes& planes, double sigma)
   return cloud;
 }
 
-/** Fits a cylinder to the points of the source that are on no plane that stays.
- * \return false if rays pass through it */
-bool
-refitToSource(const RawCloud& source, const GrownCylinder& grown, RawCylinder& cylinder)
+constexpr double max_radius_change =
+    0.5; // of the radius: a coarse mesh cuts small pipes
+
+/** Points of a source beside a cylinder that was found on the mesh. */
+struct PointsBeside {
+  std::vector<std::int32_t> free; ///< on no plane that stays and on no other cylinder
+  std::size_t on = 0;             ///< within the noise of its surface
+  std::size_t free_on = 0;        ///< those of them that are free
+};
+
+PointsBeside
+pointsBeside(const RawCloud& source,
+             const std::vector<std::int32_t>& owners,
+             const std::vector<std::int32_t>& replaced,
+             const Cylinder& cylinder,
+             const CylinderReach& reach)
 {
-  std::vector<std::int32_t> pool;
+  constexpr double gate = 2; // sigmas
+  const double slack = 2 * source.spacing, band = 8 * source.sigma + slack;
+  const Development development(cylinder);
+  PointsBeside beside;
   for (std::size_t i = 0; i < source.points.size(); ++i) {
+    const Eigen::Vector3d point = source.points[i].cast<double>();
+    const double along = cylinder.along(point), off = cylinder.distance(point);
+    // false for NaN
+    if (!(along > reach.low - band && along < reach.high + band) ||
+        !(std::abs(off) < band + max_radius_change * cylinder.radius))
+      continue;
     const std::int32_t label = source.labels[i];
-    if (source.points[i].allFinite() &&
-        (label < 0 || std::find(grown.planes.begin(), grown.planes.end(), label) !=
-                          grown.planes.end()))
-      pool.push_back(static_cast<std::int32_t>(i));
+    const bool is_free =
+        owners[i] < 0 &&
+        (label < 0 ||
+         std::find(replaced.begin(), replaced.end(), label) != replaced.end());
+    if (is_free)
+      beside.free.push_back(static_cast<std::int32_t>(i));
+    const double turn = development.angle(cylinder.across(point)) - reach.arc_begin;
+    if (std::abs(off) > gate * source.sigma ||
+        turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) > reach.arc_length)
+      continue;
+    ++beside.on;
+    beside.free_on += is_free ? 1 : 0;
   }
-  RawCylinder refit = cylinder;
+  return beside;
+}
+
+/** Fits a cylinder to the points of the source that are on no plane that stays.
+ * \param[in] owners cylinder of each point of the source, -1 for none
+ * \return false if it is none: where a mesh rounds the edge of two planes, the points are
+ * on these planes; or rays pass through it */
+bool
+refitToSource(const RawCloud& source,
+              const std::vector<std::int32_t>& owners,
+              const GrownCylinder& grown,
+              RawCylinder& cylinder)
+{
+  constexpr std::size_t min_points = 60;
+  constexpr double min_share = 0.5;
+  constexpr double max_rms = 1.6; // sigmas: bars and mouldings are not round
   const CylinderReach reach =
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing);
-  constexpr std::size_t min_points = 60;
-  constexpr double max_change = 0.5; // of the radius: a coarse mesh cuts small pipes
+  const PointsBeside beside =
+      pointsBeside(source, owners, grown.planes, cylinder.fit.cylinder, reach);
   const double radius = cylinder.fit.cylinder.radius;
-  if (!gatherRaw(source, pool, reach, refit) || refit.members.size() < min_points ||
-      std::abs(refit.fit.cylinder.radius - radius) > max_change * radius)
-    return !isLookedThrough(source, cylinder.fit, reach);
-  cylinder = std::move(refit);
+  if (static_cast<double>(beside.free_on) <
+          min_share * static_cast<double>(beside.on) ||
+      !gatherRaw(source, beside.free, reach, cylinder) ||
+      cylinder.members.size() < min_points ||
+      cylinder.fit.rms > max_rms * source.sigma ||
+      std::abs(cylinder.fit.cylinder.radius - radius) > max_radius_change * radius)
+    return false;
   return !isLookedThrough(
       source,
       cylinder.fit,
@@ -182,13 +229,15 @@ searchSurface(const PlaneHypotheses& hypotheses,
     cylinder.fit.cylinder.point += elements.origin;
     for (Sample& sample : cylinder.samples)
       sample.point += elements.origin;
-    if (raw.sigma > 0 && raw.spacing > 0 && !refitToSource(raw, grown, cylinder))
+    if (raw.sigma > 0 && raw.spacing > 0 &&
+        !refitToSource(raw, clusters.source_labels, grown, cylinder))
       continue;
     for (const std::int32_t member : cylinder.members)
       clusters.source_labels[static_cast<std::size_t>(member)] =
           static_cast<std::int32_t>(clusters.patches.size());
     CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, elements.spacing);
     patch.planes = grown.planes;
+    patch.saved_bits = grown.gain;
     report.replaced_planes += grown.planes.size();
     report.bits_after -= grown.gain;
     append(std::move(patch), grown.members, clusters.labels, clusters.patches);
@@ -234,6 +283,7 @@ searchRaw(const PlaneHypotheses& hypotheses,
   for (const RawCylinder& cylinder :
        findRawCylinders(cloud, {settings.min_radius, settings.max_radius}, progress)) {
     CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, 2 * cloud.spacing);
+    patch.saved_bits = cylinder.gain;
     report.replaced_planes += cylinder.planes.size();
     report.bits_after -= cylinder.gain;
     append(std::move(patch), cylinder.members, clusters.labels, clusters.patches);

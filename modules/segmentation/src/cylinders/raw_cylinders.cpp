@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace pcl::acmap::cylinders {
@@ -385,15 +384,17 @@ isLookedThrough(const RawCloud& cloud,
   constexpr double min_cosine = 0.4, max_share = 0.15, sigmas = 5;
   if (fit.cylinder.is_hollow)
     return false;
-  std::vector<std::int32_t> all(cloud.points.size());
-  std::iota(all.begin(), all.end(), 0);
   double through = 0, on = 0;
-  for (const Sample& sample : samplesOf(cloud, all)) {
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Sample sample = sampleOf(cloud, i);
     if (!sample.hasRay() || !sample.point.allFinite())
       continue;
     const Offset offset(fit.cylinder, sample);
     if (!offset.exists || std::abs(offset.slant) < min_cosine)
       continue;
+    const Eigen::Vector3d sensor = cloud.sensors[i]->cast<double>();
+    if (offset.value > (sample.point - sensor).norm())
+      continue; // the cylinder is behind the sensor
     const double along = fit.cylinder.along(offset.foot);
     if (along < reach.low || along > reach.high)
       continue;
@@ -408,7 +409,7 @@ bitsOfPoint(const RawCloud& cloud, const DescriptionLength& lengths, std::size_t
 {
   if (cloud.labels[i] < 0)
     return lengths.freeElement();
-  const Sample sample = samplesOf(cloud, {static_cast<std::int32_t>(i)}).front();
+  const Sample sample = sampleOf(cloud, i);
   const Eigen::Vector4d& plane =
       cloud.planes[static_cast<std::size_t>(cloud.labels[i])].coefficients;
   const double cosine = sample.hasRay() ? sample.ray.dot(plane.head<3>()) : 1;

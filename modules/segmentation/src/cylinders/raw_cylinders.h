@@ -20,6 +20,10 @@ struct RawCloud {
   double sigma = 0;                  ///< metres; along the rays where sensors are known
 };
 
+/** A point of the cloud with its ray. */
+Sample
+sampleOf(const RawCloud& cloud, std::size_t i);
+
 /** Points of the cloud with their rays. */
 std::vector<Sample>
 samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members);

@@ -134,19 +134,22 @@ noiseOnPlanes(const RawCloud& cloud)
   return offs.size() < min_points ? 0 : medianOf(offs) / median_of_normal;
 }
 
+Sample
+sampleOf(const RawCloud& cloud, std::size_t i)
+{
+  Sample sample{cloud.points[i].cast<double>()};
+  if (const Eigen::Vector3f* const sensor = cloud.sensors[i])
+    sample.ray = (sample.point - sensor->cast<double>()).stableNormalized();
+  return sample;
+}
+
 std::vector<Sample>
 samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members)
 {
   std::vector<Sample> samples;
   samples.reserve(members.size());
-  for (const std::int32_t member : members) {
-    const auto m = static_cast<std::size_t>(member);
-    const Eigen::Vector3f point = cloud.points[m];
-    Sample sample{point.cast<double>()};
-    if (const Eigen::Vector3f* const sensor = cloud.sensors[m])
-      sample.ray = (sample.point - sensor->cast<double>()).stableNormalized();
-    samples.push_back(sample);
-  }
+  for (const std::int32_t member : members)
+    samples.push_back(sampleOf(cloud, static_cast<std::size_t>(member)));
   return samples;
 }
 

@@ -110,7 +110,10 @@ SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_
   if (told_sigma > 0)
     sigma = told_sigma;
   constexpr double rounding = 5e-5; // of coordinates in files, relative to the extent
-  sigma = std::max(sigma, rounding * extent);
+  // Consolidated points are more precise than the shape of their mesh: near edges they
+  // are means over both surfaces.
+  constexpr double mesh_error = 0.05; // relative to the spacing
+  sigma = std::max({sigma, rounding * extent, is_mesh ? mesh_error * spacing : 0});
 }
 
 void

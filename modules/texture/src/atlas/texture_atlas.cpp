@@ -121,9 +121,9 @@ packedPictures(const CompactMap& map,
     const bool has_chart = surface.chart != ChartSurface::no_chart;
     const TextureChart* const chart = has_chart ? &map.charts[surface.chart] : nullptr;
     if (!chart || !hasColor(*chart)) {
-      const Eigen::Vector3d normal = map.planes[surface.plane].coefficients.head<3>();
+      const bool is_shaded = is_colorless || surface.plane >= map.planes.size();
       pictures.own[i] =
-          plainPicture(chart, is_colorless ? shadeOf(normal, up) : unknown_grey);
+          plainPicture(chart, is_shaded ? shadeOf(surface.normal, up) : unknown_grey);
       return;
     }
     PictureSettings settings;

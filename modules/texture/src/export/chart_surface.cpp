@@ -1,5 +1,6 @@
 #include "export/chart_surface.h"
 
+#include <pcl/core/cylinder_facets.h>
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/polygon_triangles.h>
 
@@ -65,10 +66,13 @@ trianglesOf(const PlanePatch& plane, const PlanePolygon& polygon)
 using Triangles = std::vector<std::array<Eigen::Vector3d, 3>>;
 
 ChartSurface
-surfaceOfChart(const TextureChart& chart, const Triangles& triangles)
+surfaceOfChart(const TextureChart& chart,
+               const PlanePatch& plane,
+               const Triangles& triangles)
 {
   ChartSurface surface;
   surface.plane = chart.plane;
+  surface.normal = plane.coefficients.head<3>();
   SurfaceBuilder builder(surface);
   const ChartClip clip(chart);
   for (const auto& triangle : triangles) {
@@ -80,10 +84,13 @@ surfaceOfChart(const TextureChart& chart, const Triangles& triangles)
 }
 
 ChartSurface
-surfaceOfPolygon(std::size_t plane, const Triangles& triangles)
+surfaceOfPolygon(std::size_t number,
+                 const PlanePatch& plane,
+                 const Triangles& triangles)
 {
   ChartSurface surface;
-  surface.plane = plane;
+  surface.plane = number;
+  surface.normal = plane.coefficients.head<3>();
   SurfaceBuilder builder(surface);
   for (const auto& [a, b, c] : triangles)
     builder.append({a, {0, 0}}, {b, {0, 0}}, {c, {0, 0}});
@@ -104,14 +111,18 @@ surfacesOf(const CompactMap& map)
         cut.try_emplace({chart.plane, chart.polygon}, Triangles());
     if (is_new)
       place->second = trianglesOf(plane, plane.polygons[chart.polygon]);
-    surfaces.push_back(surfaceOfChart(chart, place->second));
+    surfaces.push_back(surfaceOfChart(chart, plane, place->second));
     surfaces.back().chart = i;
   }
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     for (std::size_t k = 0; k < map.planes[i].polygons.size(); ++k)
       if (cut.count({i, k}) == 0)
-        surfaces.push_back(
-            surfaceOfPolygon(i, trianglesOf(map.planes[i], map.planes[i].polygons[k])));
+        surfaces.push_back(surfaceOfPolygon(
+            i, map.planes[i], trianglesOf(map.planes[i], map.planes[i].polygons[k])));
+  for (std::size_t i = 0; i < map.cylinders.size(); ++i)
+    for (const PlanePatch& facet : facetsOfCylinder(map.cylinders[i]))
+      surfaces.push_back(surfaceOfPolygon(
+          map.planes.size() + i, facet, trianglesOf(facet, facet.polygons.front())));
   return surfaces;
 }
 
@@ -121,7 +132,8 @@ proposedSurfacesOf(const CompactMap& map)
   std::vector<ChartSurface> surfaces;
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     for (const PlanePolygon& polygon : map.planes[i].proposed)
-      surfaces.push_back(surfaceOfPolygon(i, trianglesOf(map.planes[i], polygon)));
+      surfaces.push_back(
+          surfaceOfPolygon(i, map.planes[i], trianglesOf(map.planes[i], polygon)));
   return surfaces;
 }
 

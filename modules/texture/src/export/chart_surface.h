@@ -8,11 +8,12 @@
 namespace pcl::acmap {
 
 /** \brief A polygon, or the part of it that a chart covers, as triangles whose front is
- * the side to which the normal of the plane points. */
+ * the side to which the normal of the plane points; or a facet of a cylinder. */
 struct ChartSurface {
   static constexpr std::size_t no_chart = static_cast<std::size_t>(-1);
 
-  std::size_t plane = 0;
+  std::size_t plane = 0; ///< or the number of planes plus that of the cylinder
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of length 1
   std::size_t chart = no_chart;
   std::vector<Eigen::Vector3d> points;
 
@@ -23,7 +24,7 @@ struct ChartSurface {
 };
 
 /** \brief The surfaces of all charts in their order, followed by the polygons without a
- * chart. A surface without area is included, but has no triangles.
+ * chart and the facets of the cylinders. A surface without area is included, but has no triangles.
  * \param[in] map one that saveMapFile accepts: none of its points is skipped
  * \throws BadArgumentException when a normal is zero or not finite */
 std::vector<ChartSurface>

@@ -42,11 +42,15 @@ axesOf(const Eigen::Matrix3d& turn)
   return text;
 }
 
-/** Vertices of a surface, with its plane as a comment. */
+/** Vertices of a surface, with its plane or cylinder as a comment.
+ * \param[in] planes number of the planes of the map */
 std::string
-verticesOf(const ChartSurface& surface, const Eigen::Matrix3d& turn)
+verticesOf(const ChartSurface& surface, std::size_t planes, const Eigen::Matrix3d& turn)
 {
-  std::string text = "# plane " + std::to_string(surface.plane) + "\n";
+  const bool is_plane = surface.plane < planes;
+  std::string text = (is_plane ? "# plane " : "# cylinder ") +
+                     std::to_string(is_plane ? surface.plane : surface.plane - planes) +
+                     "\n";
   for (const Eigen::Vector3d& point : surface.points) {
     const Eigen::Vector3d p = turn * point;
     text += "v " + textOf(p.x()) + " " + textOf(p.y()) + " " + textOf(p.z()) + "\n";
@@ -128,15 +132,17 @@ writeObj(const std::string& path,
       if (atlas.places[i].page != page)
         continue;
       write(file,
-            verticesOf(surfaces[i], turn) + coordinatesOf(surfaces, i, atlas) +
-                facesOf(surfaces[i], first, true));
+            verticesOf(surfaces[i], map.planes.size(), turn) +
+                coordinatesOf(surfaces, i, atlas) + facesOf(surfaces[i], first, true));
       first += surfaces[i].points.size();
     }
   }
   if (!proposed.empty())
     write(file, groupOf(proposed_layer::name));
   for (const ChartSurface& surface : proposed) {
-    write(file, verticesOf(surface, turn) + facesOf(surface, first, false));
+    write(file,
+          verticesOf(surface, map.planes.size(), turn) +
+              facesOf(surface, first, false));
     first += surface.points.size();
   }
   file.commit();

@@ -98,9 +98,8 @@ writeVertexPly(const std::string& path,
     const TextureChart& chart = map.charts[surface.chart];
     const std::size_t first = grid.mesh.triangles.size();
     grid.append(chart, surface);
-    const Eigen::Vector3d normal = map.planes[chart.plane].coefficients.head<3>();
     // the axes of a chart can have either orientation about the normal
-    if (chart.texel_u.cross(chart.texel_v).dot(normal) < 0)
+    if (chart.texel_u.cross(chart.texel_v).dot(surface.normal) < 0)
       for (std::size_t i = first; i < grid.mesh.triangles.size(); ++i)
         std::swap(grid.mesh.triangles[i][1], grid.mesh.triangles[i][2]);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cylinder_patch.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/trajectory.h>
@@ -89,6 +90,11 @@ struct MapRoom {
 struct CompactMap {
   std::vector<PlanePatch> planes;
   std::vector<TextureChart> charts;
+
+  /** \brief Columns, pipes and curved walls, by decreasing area. They have no charts, and
+   * the planes for which they stand are not in the map. Empty unless cylinders were
+   * searched (\ref PlaneMapping::setComputeCylinders). */
+  std::vector<CylinderPatch> cylinders;
 
   /** \brief For each plane the observations that saw it, in ascending order; empty if
    * unknown. An observation is given by the index of its pose. */

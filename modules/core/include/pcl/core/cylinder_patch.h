@@ -43,6 +43,9 @@ struct CylinderPatch {
   double rms = 0;
   double area = 0; ///< square metres, arc times radius times extent
 
+  /** \brief Bits by which it shortens the description of its points. */
+  double saved_bits = 0;
+
   /** \brief Numbers of the planes that it stands for, in those that were given. */
   std::vector<std::int32_t> planes;
 };

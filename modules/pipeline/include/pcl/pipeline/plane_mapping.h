@@ -10,6 +10,7 @@
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/pipeline/depth_sensor.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 #include <pcl/segmentation/depth_plane_segmentation.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 #include <pcl/surface/dewall_triangulation.h>
@@ -31,6 +32,9 @@ namespace pcl {
  * instead (\ref DepthPlaneSegmentation), and its mesh is that of the refined view
  * (\ref DepthRefinement).
  *
+ * On request, cylinders replace the planes and the mesh that they describe in fewer bits
+ * (\ref CylinderHypothesisClustering, \ref setComputeCylinders).
+ *
  * Each step is an object that can be set; its threads and progress are those of this
  * object. Any mesh construction of PCL can take the place of DeWallTriangulation.
  * \code
@@ -50,6 +54,7 @@ public:
   using Refinement = DepthRefinement<PCLPointCloud2>;
   using Voting = NormalVectorVoting<Vertex>;
   using Clustering = PlaneHypothesisClustering<Vertex>;
+  using CylinderClustering = CylinderHypothesisClustering<Vertex>;
   using DepthSegmentation = DepthPlaneSegmentation<PointXYZ>;
 
   PlaneMapping();
@@ -199,6 +204,34 @@ public:
     return clustering_;
   }
 
+  /** \brief Searches cylinders after the planes (default false): columns, pipes and
+   * curved walls, on the mesh. A mesh is then always made. Planes that a cylinder
+   * replaces are removed. */
+  void
+  setComputeCylinders(bool compute)
+  {
+    compute_cylinders_ = compute;
+  }
+
+  bool
+  getComputeCylinders() const
+  {
+    return compute_cylinders_;
+  }
+
+  /** \brief Sets how cylinders are found. */
+  void
+  setCylinderClustering(const CylinderClustering& clustering)
+  {
+    cylinder_clustering_ = clustering;
+  }
+
+  const CylinderClustering&
+  getCylinderClustering() const
+  {
+    return cylinder_clustering_;
+  }
+
   /** \brief Sets how planes are found in the picture of a view. */
   void
   setDepthSegmentation(const DepthSegmentation& segmentation)
@@ -240,6 +273,8 @@ private:
   MeshConstruction<Vertex>::Ptr construction_;
   Voting voting_;
   Clustering clustering_;
+  bool compute_cylinders_ = false;
+  CylinderClustering cylinder_clustering_;
   DepthSegmentation depth_segmentation_;
   CostCallback cost_callback_;
 };

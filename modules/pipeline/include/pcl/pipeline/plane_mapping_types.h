@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cylinder_patch.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_cloud_file.h>
@@ -10,6 +11,7 @@
 #include <pcl/filters/depth_refinement_types.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/depth_plane_types.h>
 #include <pcl/segmentation/plane_clustering_types.h>
 #include <pcl/surface/dewall_types.h>
@@ -50,6 +52,13 @@ struct MappedPlanes {
   std::vector<std::int32_t> vertex_labels;    ///< plane of each vertex, -1 for none
   PointCloud<Normal>::ConstPtr normals;       ///< from normal voting, one per vertex
   PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
+
+  /** \brief Columns, pipes and curved walls, in the order of decreasing area, if
+   * \ref PlaneMapping::setComputeCylinders was called. The planes for which they stand
+   * are not among the planes. */
+  std::vector<CylinderPatch> cylinders;
+  std::vector<std::int32_t> cylinder_labels;  ///< cylinder of each input point, or -1
+  std::vector<std::int32_t> vertex_cylinders; ///< the same for each vertex
 };
 
 /** \brief Report of PlaneMapping on its last run; steps that did not run have no
@@ -64,7 +73,8 @@ struct PlaneMappingReport : Report {
   std::optional<DepthRefinementReport> refinement; ///< the same, with a mesh
   std::optional<DeWallReport> mesh;
   std::optional<VotingReport> votes;
-  std::optional<PlaneClusteringReport> planes; ///< if planes were found in space
+  std::optional<PlaneClusteringReport> planes;       ///< if planes were found in space
+  std::optional<CylinderClusteringReport> cylinders; ///< if they were searched
 };
 
 } // namespace pcl

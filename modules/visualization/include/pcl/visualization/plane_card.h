@@ -15,11 +15,18 @@ namespace pcl {
 ACMAP_EXPORT std::string
 planeCard(const PlanePatch& plane, std::size_t number);
 
+/** \brief The same for a cylinder: number, radius, extent, arc, side, support, area, rmse,
+ * bits.
+ * \param[in] number of the cylinder in its map \ingroup visualization */
+ACMAP_EXPORT std::string
+cylinderCard(const CylinderPatch& cylinder, std::size_t number);
+
 /** \brief Finds the first plane that a ray intersects inside its polygons.
  * \param[in] eye origin of the ray, metres
  * \param[in] direction of any length but 0
  * \param[in] fronts_only ignores planes that face away from the eye
- * \return its number in the map; nothing if there is no intersection
+ * \return its number in the map; nothing if there is no intersection, or a cylinder
+ * before it
  * \throws BadArgumentException when eye or direction are not finite, or the direction
  * is 0
  * \ingroup visualization */

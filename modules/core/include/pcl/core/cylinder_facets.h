@@ -1,0 +1,30 @@
+#pragma once
+
+#include <pcl/core/cylinder_patch.h>
+#include <pcl/core/export.h>
+#include <pcl/core/plane_patch.h>
+
+#include <vector>
+
+namespace pcl {
+
+/** \brief Largest distance between a drawn cylinder and its facets, metres.
+ * \ingroup core */
+inline constexpr double facet_tolerance = 0.001;
+
+/** \brief Divides the surface of a cylinder into facets: narrow rectangles along its
+ * axis, whose long edges are on the cylinder.
+ *
+ * A facet is a plane with its area and one polygon of four corners, from which it can be
+ * drawn as other planes are. Its normal points to the side from which the cylinder was
+ * seen. Neighbouring facets have two corners in common; those of a closed cylinder are a
+ * ring. There are at least 12 for a full turn, and never more than 720.
+ * \param[in] tolerance largest distance of a facet from the cylinder, metres
+ * \return facets in the order of their angle from axis_u to axis_v. Empty for a cylinder
+ * without an area, or whose corners are no finite floats
+ * \throws BadArgumentException unless the tolerance is within [1e-9, 1e9].
+ * \ingroup core */
+ACMAP_EXPORT std::vector<PlanePatch>
+facetsOfCylinder(const CylinderPatch& cylinder, double tolerance = facet_tolerance);
+
+} // namespace pcl
