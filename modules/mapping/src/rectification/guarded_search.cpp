@@ -245,8 +245,8 @@ private:
     found.u = locals_[local].scale / scale * locals_[local].u;
     // A bias of precise odometry shows only in the walls that far observations share. E
     // alone would bend whatever it permits.
-    const ActionChain chain = plan.is_sharp ? chain_.widened(scale).withCommonTurn()
-                                            : chain_.widened(scale);
+    const ActionChain chain =
+        plan.is_sharp ? chain_.widened(scale).withCommonTurn() : chain_.widened(scale);
     for (const std::size_t size : plan.windows)
       if (size < given_.size())
         for (const EntropyLevel& level : levels(plan))
