@@ -181,7 +181,7 @@ public:
       association.inner = round == 0 ? 1 : 3;
       association.angle =
           (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
-      floor_.minimum = std::max(SurfaceFloor::min_constant,
+      floor_.minimum = std::max(0.001,
                                 annealing_share * deviation *
                                     std::pow(0.5, static_cast<double>(round)));
       association.floor = floor_;

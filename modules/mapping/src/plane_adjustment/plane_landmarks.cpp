@@ -93,10 +93,9 @@ private:
 /** A piece that may belong to a landmark. */
 struct Member {
   std::size_t piece;
-  double gate;           ///< metres, largest distance from the plane
-  double variance;       ///< m^2, of its distance from the plane
-  double weight = 1;     ///< robust weight
-  std::size_t place = 0; ///< in the list of all candidates of its landmark
+  double gate;       ///< metres, largest distance from the plane
+  double variance;   ///< m^2, of its distance from the plane
+  double weight = 1; ///< robust weight
 };
 
 class Association {
@@ -228,11 +227,11 @@ private:
   {
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (const Member& member : members_) {
-      if (!(member.weight > 0))
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      if (!(members_[k].weight > 0))
         continue;
-      const Eigen::Matrix4d& local = clusters_[member.place];
-      const double share = member.weight / (local(3, 3) * member.variance);
+      const Eigen::Matrix4d& local = clusters_[k];
+      const double share = members_[k].weight / (local(3, 3) * members_[k].variance);
       const int use[3] = {0, 1, 3};
       for (int a = 0; a < 3; ++a) {
         right[a] += share * local(use[a], 2);
@@ -242,27 +241,6 @@ private:
     }
     plane = products.ldlt().solve(right);
     return plane.allFinite() && plane.head<2>().norm() < 1;
-  }
-
-  /** Is the normal known well enough? A surface that is small compared to the noise may
-   * as well be the edge between two others, which moves with the view. */
-  bool
-  isNormalCertain() const
-  {
-    constexpr double max_sd = 0.025; // radians
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    const int use[3] = {0, 1, 3};
-    for (const Member& member : members_)
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          products(a, b) += member.weight * clusters_[member.place](use[a], use[b]);
-    const Eigen::Matrix2d spread =
-        products.topLeftCorner<2, 2>() - products.topRightCorner<2, 1>() *
-                                             products.bottomLeftCorner<1, 2>() /
-                                             products(2, 2);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread,
-                                                              Eigen::EigenvaluesOnly);
-    return axes.eigenvalues()[0] * max_sd * max_sd > 1;
   }
 
   bool
@@ -278,9 +256,8 @@ private:
     axes.row(2) = first.normal;
     clusters_.clear();
     heights_.clear();
-    for (std::size_t k = 0; k < members_.size(); ++k) {
-      members_[k].place = k;
-      const PlacedPiece& piece = pieces_[members_[k].piece];
+    for (const Member& member : members_) {
+      const PlacedPiece& piece = pieces_[member.piece];
       const Eigen::Isometry3d& pose = poses_[piece.view];
       Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
       local.topLeftCorner<3, 3>() = axes * pose.linear();
@@ -293,8 +270,9 @@ private:
     for (int pass = 0; pass < passes; ++pass) {
       if (!fit(plane))
         return false;
-      for (Member& member : members_) {
-        const Eigen::Vector3d& place = heights_[member.place];
+      for (std::size_t k = 0; k < members_.size(); ++k) {
+        Member& member = members_[k];
+        const Eigen::Vector3d& place = heights_[k];
         const double height =
             place.z() - plane[0] * place.x() - plane[1] * place.y() - plane[2];
         const double scaled = height * height / (9 * member.variance);
@@ -305,7 +283,7 @@ private:
                                   members_.end(),
                                   [](const Member& m) { return !(m.weight > 0); }),
                    members_.end());
-    if (members_.size() < 2 || !hasSeveralViews() || !isNormalCertain())
+    if (members_.size() < 2 || !hasSeveralViews())
       return false;
     finish(axes, first.center, plane, landmark);
     return true;

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace pcl::acmap {
@@ -19,21 +17,6 @@ namespace {
 
 constexpr int parts_across = 4;
 constexpr int parts = parts_across * parts_across;
-
-/** Residuals of the parts of a tile, row by row. */
-struct PartResiduals {
-  double weights[parts] = {}; ///< inverse variances
-  double sums[parts] = {};    ///< of the weighted residuals
-
-  void
-  operator+=(const PartResiduals& other)
-  {
-    for (int part = 0; part < parts; ++part) {
-      weights[part] += other.weights[part];
-      sums[part] += other.sums[part];
-    }
-  }
-};
 
 /** A measured point as a direction and a distance. */
 struct RaySample {
@@ -45,11 +28,9 @@ struct RaySample {
 /** A regression of inverse distance: 1 / distance = plane . ray. */
 struct RayFit {
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
-  double chi2 = 0;            ///< per degree of freedom
-  double part_chi2 = 0;       ///< of the means of the parts
-  double part_variance = 0;   ///< of the means beyond the noise, in units of sigma^2
-  double common_variance = 0; ///< that neighbouring residuals have in common
-  PartResiduals residuals;
+  double chi2 = 0;          ///< per degree of freedom
+  double part_chi2 = 0;     ///< of the means of the parts
+  double part_variance = 0; ///< of the means beyond the noise, in units of sigma^2
   int filled_parts = 0;
   std::size_t points = 0;
 
@@ -139,8 +120,7 @@ fitRays(const std::vector<RaySample>& samples,
   };
   if (!regress(samples, noise, kind, predicted, plane))
     return fit;
-  double sum = 0;
-  PartResiduals& residuals = fit.residuals;
+  double sum = 0, weights[parts] = {}, means[parts] = {};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const RaySample& sample = samples[i];
     const Eigen::Vector3d ray = sample.ray.cast<double>();
@@ -150,56 +130,27 @@ fitRays(const std::vector<RaySample>& samples,
     const double error = response(sample, model, kind) - model;
     const double weight = 1 / variance(sample, 1 / model, noise);
     sum += weight * error * error;
-    residuals.weights[part_of[i]] += weight;
-    residuals.sums[part_of[i]] += weight * error;
+    weights[part_of[i]] += weight;
+    means[part_of[i]] += weight * error;
   }
   fit.plane = plane;
   fit.points = samples.size();
   fit.chi2 = sum / static_cast<double>(samples.size() - 3);
-  const double mean_weight =
-      std::accumulate(residuals.weights, residuals.weights + parts, 0.0) /
-      static_cast<double>(samples.size());
-  fit.common_variance = noise.common * noise.common / mean_weight;
+  const double mean_weight = std::accumulate(weights, weights + parts, 0.0) /
+                             static_cast<double>(samples.size());
   double square = 0, expected = 0;
   for (int part = 0; part < parts; ++part)
-    if (residuals.weights[part] > 0) {
-      const double variance = 1 / residuals.weights[part];
-      const double mean = residuals.sums[part] * variance;
-      fit.part_chi2 += mean * mean / (variance + fit.common_variance);
+    if (weights[part] > 0) {
+      const double mean = means[part] / weights[part];
+      const double extra = noise.common * noise.common / mean_weight;
+      fit.part_chi2 += mean * mean / (1 / weights[part] + extra);
       square += mean * mean * mean_weight;
-      expected += mean_weight * variance;
+      expected += mean_weight / weights[part];
       ++fit.filled_parts;
     }
   const double free = 1 - 3.0 / std::max(fit.filled_parts, 4);
   fit.part_variance = square / fit.filled_parts - expected * free / fit.filled_parts;
   return fit;
-}
-
-/** Across which lines of parts a surface is folded or stepped. */
-enum class Lines { Rows, Columns };
-
-/** Are the mean residuals of the rows or columns of parts zero within noise? A step or a
- * fold in the direction of the lines is seen in them long before it is seen in chi^2.
- * \param[in] common_variance of the residuals of neighbouring points */
-bool
-isStraight(const PartResiduals& residuals, double common_variance, Lines lines)
-{
-  // About the 3 % quantile: a plane leaves two degrees of freedom of four means.
-  constexpr double limit = 7;
-  double chi2 = 0;
-  for (int line = 0; line < parts_across; ++line) {
-    double weight = 0, sum = 0, common = 0;
-    for (int k = 0; k < parts_across; ++k) {
-      const int part =
-          lines == Lines::Rows ? line * parts_across + k : k * parts_across + line;
-      weight += residuals.weights[part];
-      sum += residuals.sums[part];
-      common += residuals.weights[part] * residuals.weights[part] * common_variance;
-    }
-    if (weight > 0)
-      chi2 += sum * sum / (weight + common);
-  }
-  return chi2 < limit;
 }
 
 /** Strict, because pieces with a sliver of the next surface tilt distant views, which
@@ -211,9 +162,7 @@ isPlanar(const RayFit& fit)
   const double limit = 1.1 * (1 + 2 * std::sqrt(2 / free));
   const double part_free = fit.filled_parts - 3;
   return fit.chi2 < limit && fit.filled_parts > 3 &&
-         fit.part_chi2 < part_free + 1.5 * std::sqrt(2 * part_free) &&
-         isStraight(fit.residuals, fit.common_variance, Lines::Rows) &&
-         isStraight(fit.residuals, fit.common_variance, Lines::Columns);
+         fit.part_chi2 < part_free + 1.5 * std::sqrt(2 * part_free);
 }
 
 /** The piece of a fitted plane.
@@ -288,59 +237,15 @@ public:
     const std::size_t height = samples_.size() / width_;
     for (std::size_t y = 0; y < height; y += largest)
       for (std::size_t x = 0; x < width_; x += largest)
-        cutTile(x, y, largest);
-    for (const auto& [place, tile] : tiles_)
-      if (place.size == largest ||
-          (isStraightWithNeighbours(place, tile, Lines::Rows) &&
-           isStraightWithNeighbours(place, tile, Lines::Columns)))
-        pieces.push_back(tile.piece);
+        cutTile(x, y, largest, pieces);
   }
 
 private:
-  /** Place of a tile in the image. */
-  struct TilePlace {
-    std::size_t y, x, size; ///< pixels
-
-    bool
-    operator<(const TilePlace& other) const
-    {
-      return std::tie(y, x, size) < std::tie(other.y, other.x, other.size);
-    }
-  };
-
-  struct PlanarTile {
-    PlanePiece piece;
-    PartResiduals residuals;
-    double common_variance;
-  };
-
-  /** Small tiles lie next to edges, and one that has points of both surfaces looks planar
-   * as long as noise is larger than the step. Its neighbours along the edge have the
-   * same residuals. */
-  bool
-  isStraightWithNeighbours(const TilePlace& place,
-                           const PlanarTile& tile,
-                           Lines lines) const
-  {
-    constexpr std::size_t reach = 4; // tiles
-    PartResiduals sum = tile.residuals;
-    for (const bool forward : {false, true}) {
-      TilePlace next = place;
-      for (std::size_t k = 0; k < reach; ++k) {
-        std::size_t& moving = lines == Lines::Rows ? next.x : next.y;
-        moving =
-            forward ? moving + place.size : moving - place.size; // wraps, not found
-        const auto found = tiles_.find(next);
-        if (found == tiles_.end())
-          break;
-        sum += found->second.residuals;
-      }
-    }
-    return isStraight(sum, tile.common_variance, lines);
-  }
-
   void
-  cutTile(std::size_t x, std::size_t y, std::size_t size)
+  cutTile(std::size_t x,
+          std::size_t y,
+          std::size_t size,
+          std::vector<PlanePiece>& pieces)
   {
     gather(x, y, size);
     if (tile_.size() < min_piece_points)
@@ -353,11 +258,11 @@ private:
                   noise_,
                   size > smallest ? max_tile_radius : largest_radius,
                   piece))
-      tiles_[{y, x, size}] = {piece, fit.residuals, fit.common_variance};
+      pieces.push_back(piece);
     else if (size > smallest)
       for (const std::size_t dy : {std::size_t{0}, size / 2})
         for (const std::size_t dx : {std::size_t{0}, size / 2})
-          cutTile(x + dx, y + dy, size / 2);
+          cutTile(x + dx, y + dy, size / 2, pieces);
   }
 
   void
@@ -382,7 +287,6 @@ private:
   std::size_t width_;
   NoiseKind kind_;
   const RangeNoise& noise_;
-  std::map<TilePlace, PlanarTile> tiles_; ///< from top to bottom, left to right
   std::vector<RaySample> tile_;
   PartOf part_of_;
 };
