@@ -204,7 +204,6 @@ TEST_F(MapFormats, ObjSharesCorners)
   EXPECT_THAT(contentOf(path("map.mtl")), HasSubstr("map_Kd texture_0.png\n"));
 }
 
-/** Viewers add ambient and diffuse light: frontal surfaces must not be too bright. */
 TEST_F(MapFormats, CylindersAreDrawnAsFacets)
 {
   save();
@@ -237,6 +236,7 @@ TEST_F(MapFormats, CylindersAreDrawnAsFacets)
   EXPECT_EQ(contentOf(path("map.obj")), before);
 }
 
+/** Viewers add ambient and diffuse light: frontal surfaces must not be too bright. */
 TEST_F(MapFormats, MaterialsOfObjAddUpToTheColours)
 {
   save();

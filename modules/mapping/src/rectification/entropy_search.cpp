@@ -35,14 +35,6 @@ windowsOf(std::size_t observations, std::size_t size, std::size_t first)
   return windows;
 }
 
-/** The level whose entropy is subtracted, so that a decrease that also occurs in wide
- * bins does not count. */
-EntropyLevel
-widened(const EntropyLevel& level)
-{
-  return {4 * level.bin_size, level.weight, level.direction_aware, false};
-}
-
 std::pair<double, bool>
 keyOf(const EntropyLevel& level)
 {
@@ -67,6 +59,12 @@ remarkTooWide(double bin_size, std::vector<std::string>& remarks)
 }
 
 } // namespace
+
+EntropyLevel
+widened(const EntropyLevel& level)
+{
+  return {4 * level.bin_size, level.weight, level.direction_aware, false};
+}
 
 MapEntropySettings
 EntropySearch::entropySettings(const EntropyLevel& level) const

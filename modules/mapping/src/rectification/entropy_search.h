@@ -32,6 +32,11 @@ struct EntropyLevel {
   bool is_sharp; ///< minus the entropy in wide bins
 };
 
+/** \brief The level whose entropy is subtracted, so that a decrease that also occurs in
+ * wide bins does not count. */
+EntropyLevel
+widened(const EntropyLevel& level);
+
 /** \brief Minimises F(u) = kappa N (E - E_wide) + u^T C^-1 u / 2 over N observations: the
  * entropy of their map against the odometry (\ref ActionChain::prior); or the same with E
  * instead of the difference.

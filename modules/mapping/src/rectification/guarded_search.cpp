@@ -31,7 +31,7 @@ struct MapCandidate {
   Eigen::VectorXd u;
   std::vector<PlanarPose> poses;
   MapEvidence evidence;
-  double wide_entropy = 0; ///< bits, in the widest bins of the sharp search
+  double wide_entropy = 0; ///< bits, E_wide of the finest bins
 };
 
 double
@@ -152,7 +152,7 @@ private:
   double
   wideEntropy(const std::vector<PlanarPose>& poses) const
   {
-    const EntropyLevel level{4 * task_.settings.bin_size, 1, true, false};
+    const EntropyLevel level = widened(levels(sharp).back());
     MapEntropyReport ignored;
     return mapEntropy(
                search_.cells(level), poses, search_.entropySettings(level), ignored)

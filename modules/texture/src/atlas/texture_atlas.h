@@ -46,8 +46,8 @@ struct TextureAtlas {
  * multiples of 16 texels and continue for at least four texels beyond their borders, so
  * that interpolation, two levels of mipmaps and the blocks of JPEG do not mix them.
  * Surfaces without any known colour are grey; cylinders, and all surfaces if none has a
- * colour, are shaded by their normals. If there were too many pages, all charts are halved until there are
- * not.
+ * colour, are shaded by their normals. If there were too many pages, all charts are
+ * halved until there are not.
  * \param[in] surfaces of \ref surfacesOf
  * \param[in] up direction of the map
  * \param[in] tolerance of \ref PictureSettings */

@@ -24,7 +24,8 @@ struct ChartSurface {
 };
 
 /** \brief The surfaces of all charts in their order, followed by the polygons without a
- * chart and the facets of the cylinders. A surface without area is included, but has no triangles.
+ * chart and the facets of the cylinders. A surface without area is included, but has no
+ * triangles.
  * \param[in] map one that saveMapFile accepts: none of its points is skipped
  * \throws BadArgumentException when a normal is zero or not finite */
 std::vector<ChartSurface>
