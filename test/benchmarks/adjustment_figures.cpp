@@ -7,8 +7,8 @@
 namespace {
 
 constexpr char usage[] =
-    "Usage: acmap_bench_adjustment_figures [scenes] [peers] [odometry] [perfect] "
-    "[blank] [kitchen] [livox] [size]\n"
+    "Usage: acmap_bench_adjustment_figures [scenes] [entropy] [peers] [odometry] "
+    "[perfect] [blank] [kitchen] [livox] [size]\n"
     "Prints how well planes adjust poses, as Markdown tables; without a name all of\n"
     "them. Recordings are read from the folder named by the environment variable\n"
     "ACMAP_TEST_DATA. ACMAP_DRIFT_SEEDS=2 takes two seeds of the drift instead of "
@@ -24,6 +24,7 @@ main(int argc, char** argv)
   if (const auto exit_code = Sections::read(argc,
                                             argv,
                                             {"scenes",
+                                             "entropy",
                                              "peers",
                                              "odometry",
                                              "perfect",
@@ -39,6 +40,8 @@ main(int argc, char** argv)
     seeds.last = seeds.first + std::strtoul(count, nullptr, 10) - 1;
   if (sections.isWanted("scenes"))
     printAdjustedScenes(seeds);
+  if (sections.isWanted("entropy"))
+    printRectifiedScenes(seeds);
   if (sections.isWanted("peers"))
     printAdjustmentPeers(seeds);
   if (sections.isWanted("odometry"))

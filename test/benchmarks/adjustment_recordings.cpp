@@ -99,6 +99,29 @@ loadScans(const std::string& folder)
   return scans;
 }
 
+/** The pose of a held-out scan after the corrections of the scans before and after it, each
+ * in its own frame; halfway between both.
+ * \param[in] before number of the scan before it */
+Eigen::Isometry3d
+correctedBetween(const Poses& given,
+                 const Poses& adjusted,
+                 std::size_t before,
+                 const Eigen::Isometry3d& pose)
+{
+  const auto corrected = [&](std::size_t i) {
+    return adjusted[i] * given[i].inverse() * pose;
+  };
+  const Eigen::Isometry3d first = corrected(std::min(before, given.size() - 1)),
+                          second = corrected(std::min(before + 1, given.size() - 1));
+  Eigen::Isometry3d middle;
+  middle.linear() = Eigen::Quaterniond(first.linear())
+                        .slerp(0.5, Eigen::Quaterniond(second.linear()))
+                        .toRotationMatrix();
+  middle.translation() = (first.translation() + second.translation()) / 2;
+  middle.makeAffine();
+  return middle;
+}
+
 /** Distances of the points of a scan from the planes through their neighbours in a map,
  * metres. */
 std::vector<double>
@@ -226,11 +249,9 @@ printAdjustedScans()
     tree.setInputCloud(map);
     std::vector<double> distances;
     for (std::size_t i = 0; i < held_out.clouds.size(); ++i) {
-      // The scan follows the correction of the scan before it.
-      const std::size_t before = std::min(4 * i + 3, used.poses.size() - 1);
       const Eigen::Isometry3d pose =
           is_adjusted
-              ? adjusted[before] * used.poses[before].inverse() * held_out.poses[i]
+              ? correctedBetween(used.poses, adjusted, 4 * i + 3, held_out.poses[i])
               : held_out.poses[i];
       const auto found = distancesFromMap(*held_out.clouds[i], pose, tree, *map);
       distances.insert(distances.end(), found.begin(), found.end());

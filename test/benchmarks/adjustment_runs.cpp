@@ -4,6 +4,7 @@
 
 #include <pcl/core/random.h>
 #include <pcl/core/trajectory_error.h>
+#include <pcl/mapping/entropy_rectification.h>
 #include <pcl/simulation/simulated_observation.h>
 
 #include <algorithm>
@@ -15,6 +16,13 @@ namespace {
 constexpr double turn_of_view = 0.2 * M_PI / 180; // radians
 constexpr double length_share = 0.01;
 
+OdometryNoise
+noiseOf(const FreeDrift& drift)
+{
+  const double level = drift.told * (drift.level > 0 ? drift.level : 1);
+  return {1e-4 * level, length_share * level, turn_of_view * level, 0};
+}
+
 double
 lengthBetweenEnds(const std::vector<Eigen::Isometry3d>& poses)
 {
@@ -24,9 +32,8 @@ lengthBetweenEnds(const std::vector<Eigen::Isometry3d>& poses)
 } // namespace
 
 AdjustmentScene
-makeAdjustmentScene(const SimulatedScene& scene)
+makeAdjustmentScene(const SimulatedScene& scene, std::uint64_t noise_seed)
 {
-  constexpr std::uint64_t noise_seed = 1;
   AdjustmentScene result;
   result.name = scene.name;
   result.truth = scene.views;
@@ -82,11 +89,9 @@ adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
        const FreeDrift& drift)
 {
-  const double level = drift.told * (drift.level > 0 ? drift.level : 1);
   PlaneAdjustment<PointXYZRGBSigma> adjustment;
   adjustment.setNumberOfThreads(1);
-  adjustment.setOdometryNoise(
-      {1e-4 * level, length_share * level, turn_of_view * level, 0});
+  adjustment.setOdometryNoise(noiseOf(drift));
   for (std::size_t i = 0; i < given.size(); ++i)
     adjustment.addPointCloud(scene.clouds[i], given[i]);
   AdjustmentRun run;
@@ -104,6 +109,31 @@ adjust(const AdjustmentScene& scene,
   const double length = lengthBetweenEnds(scene.truth);
   run.length_before = 100 * (lengthBetweenEnds(given) / length - 1);
   run.length_after = 100 * (lengthBetweenEnds(run.found) / length - 1);
+  return run;
+}
+
+AdjustmentRun
+rectifyAndAdjust(const AdjustmentScene& scene,
+                 const RectificationMap& map,
+                 const std::vector<Eigen::Isometry3d>& given,
+                 const FreeDrift& drift)
+{
+  EntropyRectification<PointNormal> rectification;
+  rectification.setNumberOfThreads(1);
+  rectification.setBinSize(map.bin_size);
+  rectification.setOdometryNoise(noiseOf(drift));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    rectification.addPointCloud(map.clouds[i], given[i], map.weights[i]);
+  const double seconds = measureCost([&] { rectification.compute(); }).cpu;
+  std::vector<Eigen::Isometry3d> rectified;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    rectified.push_back(rectification.getPose(i));
+  AdjustmentRun run = adjust(scene, rectified, drift);
+  run.given = given;
+  run.before = absoluteTrajectoryError(given, scene.truth).unaligned;
+  run.length_before =
+      100 * (lengthBetweenEnds(given) / lengthBetweenEnds(scene.truth) - 1);
+  run.seconds += seconds;
   return run;
 }
 

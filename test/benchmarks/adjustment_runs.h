@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rectification_maps.h"
+
 #include <pcl/core/point_types.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/simulation/simulated_scene.h>
@@ -17,8 +19,9 @@ struct AdjustmentScene {
   std::vector<Eigen::Isometry3d> truth;                  ///< T_scene_camera
 };
 
+/** \param[in] noise_seed of the noise of its points */
 AdjustmentScene
-makeAdjustmentScene(const SimulatedScene& scene);
+makeAdjustmentScene(const SimulatedScene& scene, std::uint64_t noise_seed);
 
 /** \brief Odometry in six degrees of freedom: of every action, each component of the
  * translation errs by a share of its length, and each of the rotation by an angle. */
@@ -55,6 +58,14 @@ AdjustmentRun
 adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
        const FreeDrift& drift);
+
+/** \brief The same after \ref EntropyRectification of the consolidated observations, as
+ * the tools run both; errors before are those of the given poses. */
+AdjustmentRun
+rectifyAndAdjust(const AdjustmentScene& scene,
+                 const RectificationMap& map,
+                 const std::vector<Eigen::Isometry3d>& given,
+                 const FreeDrift& drift);
 
 std::string
 nameOf(AdjustmentOutcome outcome);

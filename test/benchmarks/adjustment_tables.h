@@ -14,6 +14,10 @@ struct DriftSeeds {
 void
 printAdjustedScenes(const DriftSeeds& seeds);
 
+/** \brief Four and eight times the usual drift, straightened by entropy first. */
+void
+printRectifiedScenes(const DriftSeeds& seeds);
+
 /** \brief PCL's LUM, ELCH and a chain of generalized ICP on the same runs. */
 void
 printAdjustmentPeers(const DriftSeeds& seeds);

@@ -67,8 +67,8 @@ TEST_F(PlaneAdjustmentRoom, driftInSixDegreesOfFreedomIsRemoved)
   EXPECT_GE(report.associated_pieces, 2 * report.landmarks);
 }
 
-/** It includes systematic errors of at least 1 mm for each view of a plane, which these
- * views do not have: it is too large here, by a factor of five. */
+/** It includes systematic errors of at least 0.2 mm for each view of a plane, which these
+ * views do not have. */
 TEST_F(PlaneAdjustmentRoom, uncertaintyIsAboveTheErrors)
 {
   add(given_);

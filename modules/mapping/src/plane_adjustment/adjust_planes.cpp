@@ -1,3 +1,4 @@
+#include "joined_landmarks.h"
 #include "landmark_solver.h"
 #include "odometry_prior.h"
 #include "plane_landmarks.h"
@@ -22,6 +23,7 @@ using Pair = PoseSystem::Pair;
 
 constexpr std::size_t max_rounds = 14;
 constexpr std::size_t steps_per_round = 3;
+constexpr std::size_t first_joined_round = 4;
 constexpr double last_gate = 0.5; // metres
 constexpr double still = 0.0003;  // metres: a round that moves less is the last one
 constexpr double annealing_share = 0.2; // of the uncertainty of neighbouring views
@@ -169,7 +171,7 @@ public:
     for (std::size_t round = 0; round < max_rounds; ++round) {
       progress_.tell(0.3 + 0.6 * static_cast<double>(round) / max_rounds, "adjust");
       const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
-      const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, pairs);
+      const PoseSystem inverse = covarianceAt(poses_, prior_, joined_, pairs);
       if (settings_.estimate_odometry && round >= 3)
         prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
       const RelativeCovariances relative(inverse, poses_, pairs);
@@ -181,14 +183,17 @@ public:
       association.inner = round == 0 ? 1 : 3;
       association.angle =
           (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
-      floor_.minimum = std::max(0.001,
+      floor_.minimum = std::max(SurfaceFloor::min_constant,
                                 annealing_share * deviation *
                                     std::pow(0.5, static_cast<double>(round)));
       association.floor = floor_;
       landmarks_ = findLandmarks(pieces_, poses_, relative, association);
       if (landmarks_.empty())
         break;
-      const double moved = minimize(prior_, steps_per_round, landmarks_, poses_);
+      joined_ =
+          round >= first_joined_round ? joinLandmarks(landmarks_, poses_) : landmarks_;
+      const double moved = minimize(prior_, steps_per_round, joined_, poses_);
+      fitLandmarks(poses_, landmarks_);
       floor_ = measureFloor(landmarks_, poses_, floor_);
       tellRound(gate, moved);
       if (gate >= last_gate && moved < still)
@@ -208,7 +213,7 @@ public:
   void
   judge(const Poses& given)
   {
-    const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, {});
+    const PoseSystem inverse = covarianceAt(poses_, prior_, joined_, {});
     double determined = static_cast<double>(6 * prior_.actions());
     const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -266,6 +271,7 @@ private:
   const Progress& progress_;
   PlaneAdjustmentReport& report_;
   std::vector<Landmark> landmarks_;
+  std::vector<Landmark> joined_; ///< those that continue each other as one
   SurfaceFloor floor_;
 };
 

@@ -1,5 +1,7 @@
 #include "plane_landmarks.h"
 
+#include "map_cells.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -20,19 +22,6 @@ crossOf(const Eigen::Vector3d& v)
   return matrix;
 }
 
-/** Key of the cell of a place. */
-std::uint64_t
-cellKey(const Eigen::Vector3d& place, double edge, int dx = 0, int dy = 0, int dz = 0)
-{
-  constexpr std::int64_t half = 1 << 20;
-  const auto part = [edge](double value, int step) {
-    const double cell = std::floor(value / edge) + step;
-    return static_cast<std::uint64_t>(std::clamp<double>(cell, 1 - half, half - 1) +
-                                      half);
-  };
-  return part(place.x(), dx) << 42 | part(place.y(), dy) << 21 | part(place.z(), dz);
-}
-
 /** A piece in the map. */
 struct PlacedPiece {
   Eigen::Vector3d center, normal;
@@ -48,9 +37,10 @@ class PieceTable {
 public:
   explicit PieceTable(const std::vector<PlacedPiece>& pieces)
   : is_free_(pieces.size(), 1)
+  , cells_(radius)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      cells_[cellKey(pieces[i].center, radius)].push_back(i);
+      cells_.add(pieces[i].center, i);
   }
 
   /** Collects the free pieces of the cells around a place, in order. */
@@ -58,19 +48,13 @@ public:
   collect(const Eigen::Vector3d& place, std::vector<std::size_t>& found)
   {
     found.clear();
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz) {
-          const auto cell = cells_.find(cellKey(place, radius, dx, dy, dz));
-          if (cell == cells_.end())
-            continue;
-          std::vector<std::size_t>& list = cell->second;
-          list.erase(std::remove_if(list.begin(),
-                                    list.end(),
-                                    [this](std::size_t i) { return !is_free_[i]; }),
-                     list.end());
-          found.insert(found.end(), list.begin(), list.end());
-        }
+    cells_.visitAround(place, [&](std::vector<std::size_t>& list) {
+      list.erase(std::remove_if(list.begin(),
+                                list.end(),
+                                [this](std::size_t i) { return !is_free_[i]; }),
+                 list.end());
+      found.insert(found.end(), list.begin(), list.end());
+    });
   }
 
   bool
@@ -87,15 +71,16 @@ public:
 
 private:
   std::vector<char> is_free_;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+  MapCells cells_;
 };
 
 /** A piece that may belong to a landmark. */
 struct Member {
   std::size_t piece;
-  double gate;       ///< metres, largest distance from the plane
-  double variance;   ///< m^2, of its distance from the plane
-  double weight = 1; ///< robust weight
+  double gate;           ///< metres, largest distance from the plane
+  double variance;       ///< m^2, of its distance from the plane
+  double weight = 1;     ///< robust weight
+  std::size_t place = 0; ///< in the list of all candidates of its landmark
 };
 
 class Association {
@@ -227,11 +212,11 @@ private:
   {
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < members_.size(); ++k) {
-      if (!(members_[k].weight > 0))
+    for (const Member& member : members_) {
+      if (!(member.weight > 0))
         continue;
-      const Eigen::Matrix4d& local = clusters_[k];
-      const double share = members_[k].weight / (local(3, 3) * members_[k].variance);
+      const Eigen::Matrix4d& local = clusters_[member.place];
+      const double share = member.weight / (local(3, 3) * member.variance);
       const int use[3] = {0, 1, 3};
       for (int a = 0; a < 3; ++a) {
         right[a] += share * local(use[a], 2);
@@ -241,6 +226,27 @@ private:
     }
     plane = products.ldlt().solve(right);
     return plane.allFinite() && plane.head<2>().norm() < 1;
+  }
+
+  /** Is the normal known well enough? A surface that is small compared to the noise may
+   * as well be the edge between two others, which moves with the view. */
+  bool
+  isNormalCertain() const
+  {
+    constexpr double max_sd = 0.025; // radians
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    const int use[3] = {0, 1, 3};
+    for (const Member& member : members_)
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          products(a, b) += member.weight * clusters_[member.place](use[a], use[b]);
+    const Eigen::Matrix2d spread =
+        products.topLeftCorner<2, 2>() - products.topRightCorner<2, 1>() *
+                                             products.bottomLeftCorner<1, 2>() /
+                                             products(2, 2);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread,
+                                                              Eigen::EigenvaluesOnly);
+    return axes.eigenvalues()[0] * max_sd * max_sd > 1;
   }
 
   bool
@@ -256,8 +262,9 @@ private:
     axes.row(2) = first.normal;
     clusters_.clear();
     heights_.clear();
-    for (const Member& member : members_) {
-      const PlacedPiece& piece = pieces_[member.piece];
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      members_[k].place = k;
+      const PlacedPiece& piece = pieces_[members_[k].piece];
       const Eigen::Isometry3d& pose = poses_[piece.view];
       Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
       local.topLeftCorner<3, 3>() = axes * pose.linear();
@@ -270,9 +277,8 @@ private:
     for (int pass = 0; pass < passes; ++pass) {
       if (!fit(plane))
         return false;
-      for (std::size_t k = 0; k < members_.size(); ++k) {
-        Member& member = members_[k];
-        const Eigen::Vector3d& place = heights_[k];
+      for (Member& member : members_) {
+        const Eigen::Vector3d& place = heights_[member.place];
         const double height =
             place.z() - plane[0] * place.x() - plane[1] * place.y() - plane[2];
         const double scaled = height * height / (9 * member.variance);
@@ -283,7 +289,7 @@ private:
                                   members_.end(),
                                   [](const Member& m) { return !(m.weight > 0); }),
                    members_.end());
-    if (members_.size() < 2 || !hasSeveralViews())
+    if (members_.size() < 2 || !hasSeveralViews() || !isNormalCertain())
       return false;
     finish(axes, first.center, plane, landmark);
     return true;

@@ -15,6 +15,8 @@ using PiecesOfViews = std::vector<std::vector<PlanePiece>>;
 /** \brief Systematic error of the position of a view's surfaces, metres, which grows
  * with the square of the distance as the errors of triangulation do. */
 struct SurfaceFloor {
+  static constexpr double min_constant = 0.0002; ///< metres
+
   double constant = 0.001; ///< metres
   double per_square = 0;   ///< 1/m
   double minimum = 0;      ///< metres, of the annealing

@@ -1,5 +1,7 @@
 #include "ray_contradictions.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +14,40 @@ namespace {
 constexpr double cell_edge = 0.5;      // metres
 constexpr std::size_t near_views = 16; // as for the rays of the entropy
 constexpr double min_cosine = 0.6;     // of 53 degrees
+/** Standard deviations of a piece's points; a rectangle ends at the square root of 3. */
+constexpr double disc_reach = 1.5;
 
+/** A piece in the map, as an ellipse of the size of its points' spread: a disc would
+ * reach over the rims of narrow pieces, into the openings beside them. */
 struct Disc {
+  Disc(const PlanePiece& piece, const Eigen::Isometry3d& pose, std::size_t seen_by)
+  : center(pose * piece.center)
+  , normal(pose.linear() * piece.normal)
+  , radius(piece.radius)
+  , sigma(1 / std::sqrt(piece.weight()))
+  , view(seen_by)
+  {
+    const Eigen::Matrix3d spread =
+        piece.cluster.topLeftCorner<3, 3>() / piece.weight() -
+        piece.center * piece.center.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    for (int k = 0; k < 2; ++k)
+      extents.row(k) = (pose.linear() * axes.eigenvectors().col(k + 1)).transpose() /
+                       std::sqrt(std::max(axes.eigenvalues()[k + 1], 1e-12));
+  }
+
+  bool
+  contains(const Eigen::Vector3d& place) const
+  {
+    return (extents * (place - center)).squaredNorm() < disc_reach * disc_reach;
+  }
+
   Eigen::Vector3d center, normal;
   double radius, sigma; ///< metres
   std::size_t view;
+
+private:
+  Eigen::Matrix<double, 2, 3> extents; ///< axes divided by standard deviations, 1/m
 };
 
 using Cell = std::array<int, 3>;
@@ -47,13 +78,10 @@ public:
   {
     for (std::size_t view = 0; view < pieces.size(); ++view)
       for (const PlanePiece& piece : pieces[view])
-        discs_.push_back({poses[view] * piece.center,
-                          poses[view].linear() * piece.normal,
-                          piece.radius,
-                          1 / std::sqrt(piece.weight()),
-                          view});
+        discs_.emplace_back(piece, poses[view], view);
     for (std::size_t i = 0; i < discs_.size(); ++i) {
-      const Eigen::Vector3d reach = Eigen::Vector3d::Constant(discs_[i].radius);
+      const Eigen::Vector3d reach =
+          Eigen::Vector3d::Constant(disc_reach * discs_[i].radius);
       const Cell low = cellOf(discs_[i].center - reach),
                  high = cellOf(discs_[i].center + reach);
       for (int x = low[0]; x <= high[0]; ++x)
@@ -110,7 +138,7 @@ judgeRay(const DiscTable& table,
         return;
       const double crossing = (begin - disc.center).dot(disc.normal) / cosine;
       const Eigen::Vector3d place = begin + crossing * ray;
-      if (!(crossing > 0) || (place - disc.center).norm() > disc.radius)
+      if (!(crossing > 0) || !disc.contains(place))
         return;
       const double spare = 0.1 + 3 * std::hypot(sigma, disc.sigma);
       const std::size_t far =

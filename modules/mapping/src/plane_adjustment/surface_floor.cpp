@@ -79,7 +79,8 @@ measureFloor(const std::vector<Landmark>& landmarks,
     }
   }
   SurfaceFloor floor = before;
-  floor.constant = std::clamp(std::sqrt(std::max(constant, 0.0)), 0.001, largest);
+  floor.constant = std::clamp(
+      std::sqrt(std::max(constant, 0.0)), SurfaceFloor::min_constant, largest);
   floor.per_square = std::min(std::sqrt(growth), largest);
   return floor;
 }

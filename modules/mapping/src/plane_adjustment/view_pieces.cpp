@@ -216,7 +216,7 @@ public:
   , noise_(noise)
   {}
 
-  static constexpr std::size_t largest = 32, smallest = 8; // pixels
+  static constexpr std::size_t largest = 32, smallest = 8;
 
   /** Calls visit (samples, fit) for all tiles of the largest size. */
   template <typename Visit>
@@ -226,7 +226,7 @@ public:
     const std::size_t height = samples_.size() / width_;
     for (std::size_t y = 0; y < height; y += largest)
       for (std::size_t x = 0; x < width_; x += largest) {
-        gather(x, y, largest);
+        gather({x, y, x + largest, y + largest});
         visit(tile_, fitRays(tile_, part_of_, noise_, kind_));
       }
   }
@@ -241,45 +241,100 @@ public:
   }
 
 private:
+  /** Pixels from (left, top) to before (right, bottom). */
+  struct Window {
+    std::size_t left, top, right, bottom;
+  };
+
   void
   cutTile(std::size_t x,
           std::size_t y,
           std::size_t size,
           std::vector<PlanePiece>& pieces)
   {
-    gather(x, y, size);
+    const Window tile{x, y, x + size, y + size};
+    gather(tile);
     if (tile_.size() < min_piece_points)
       return;
     const RayFit fit = fitRays(tile_, part_of_, noise_, kind_);
-    PlanePiece piece;
-    if (fit.isSolved() && isPlanar(fit) &&
-        makePiece(tile_,
-                  fit.plane,
-                  noise_,
-                  size > smallest ? max_tile_radius : largest_radius,
-                  piece))
-      pieces.push_back(piece);
+    const double max_radius = size > smallest ? max_tile_radius : largest_radius;
+    if (fit.isSolved() && isPlanar(fit))
+      addPiece(fit, tile, max_radius, pieces);
     else if (size > smallest)
       for (const std::size_t dy : {std::size_t{0}, size / 2})
         for (const std::size_t dx : {std::size_t{0}, size / 2})
           cutTile(x + dx, y + dy, size / 2, pieces);
   }
 
+  /** Adds the piece of a planar tile, without the quarters of it beyond which the surface
+   * does not go on: it may end within them already, and the few points of the next
+   * surface, which noise hides, would pull all pieces of this edge the same way. */
   void
-  gather(std::size_t left, std::size_t top, std::size_t size)
+  addPiece(RayFit fit, Window tile, double max_radius, std::vector<PlanePiece>& pieces)
   {
     const std::size_t height = samples_.size() / width_;
+    const std::size_t strip = (tile.right - tile.left) / parts_across;
+    Window inner = tile;
+    if (tile.left > 0 &&
+        !goesOn(fit.plane, {tile.left - strip, tile.top, tile.left, tile.bottom}))
+      inner.left += strip;
+    if (tile.right < width_ &&
+        !goesOn(fit.plane, {tile.right, tile.top, tile.right + strip, tile.bottom}))
+      inner.right -= strip;
+    if (tile.top > 0 &&
+        !goesOn(fit.plane, {tile.left, tile.top - strip, tile.right, tile.top}))
+      inner.top += strip;
+    if (tile.bottom < height &&
+        !goesOn(fit.plane, {tile.left, tile.bottom, tile.right, tile.bottom + strip}))
+      inner.bottom -= strip;
+    gather(inner);
+    if (tile_.size() < min_piece_points)
+      return;
+    fit = fitRays(tile_, part_of_, noise_, kind_);
+    PlanePiece piece;
+    if (fit.isSolved() && makePiece(tile_, fit.plane, noise_, max_radius, piece))
+      pieces.push_back(piece);
+  }
+
+  /** Do the measured points of a window lie on a plane, on average? Where nothing is
+   * measured, no other surface can have come in. */
+  bool
+  goesOn(const Eigen::Vector3d& plane, const Window& window)
+  {
+    constexpr double limit = 3; // standard deviations
+    gather(window);
+    double weights = 0, sum = 0;
+    for (const RaySample& sample : tile_) {
+      const double model = plane.dot(sample.ray.cast<double>());
+      if (!(model > 0))
+        return false;
+      const double weight = 1 / variance(sample, 1 / model, noise_);
+      weights += weight;
+      sum += weight * (response(sample, model, kind_) - model);
+    }
+    const double common = noise_.common * noise_.common * weights /
+                          std::max(static_cast<double>(tile_.size()), 1.0);
+    return sum * sum <= limit * limit * weights * (1 + common);
+  }
+
+  void
+  gather(const Window& window)
+  {
+    const std::size_t height = samples_.size() / width_;
+    const std::size_t bottom = std::min(window.bottom, height),
+                      right = std::min(window.right, width_);
     tile_.clear();
     part_of_.clear();
-    for (std::size_t y = top; y < std::min(top + size, height); ++y)
-      for (std::size_t x = left; x < std::min(left + size, width_); ++x) {
+    for (std::size_t y = window.top; y < bottom; ++y)
+      for (std::size_t x = window.left; x < right; ++x) {
         const RaySample& sample = samples_[y * width_ + x];
         if (!(sample.inverse > 0))
           continue;
         tile_.push_back(sample);
-        part_of_.push_back(
-            static_cast<std::uint8_t>((y - top) * parts_across / size * parts_across +
-                                      (x - left) * parts_across / size));
+        part_of_.push_back(static_cast<std::uint8_t>(
+            (y - window.top) * parts_across / (window.bottom - window.top) *
+                parts_across +
+            (x - window.left) * parts_across / (window.right - window.left)));
       }
   }
 
@@ -528,9 +583,17 @@ measureRangeNoise(const AdjustedViewReader& read, std::size_t views)
       });
     });
   std::array<double, RangeNoise::bins> factors{};
-  for (std::size_t bin = 0; bin < RangeNoise::bins; ++bin)
-    if (squares[bin].size() >= min_tiles)
-      factors[bin] = std::sqrt(valueAt(squares[bin], planar));
+  bool is_known = false;
+  std::vector<double> all;
+  for (std::size_t bin = 0; bin < RangeNoise::bins; ++bin) {
+    all.insert(all.end(), squares[bin].begin(), squares[bin].end());
+    if (squares[bin].size() < min_tiles)
+      continue;
+    factors[bin] = std::sqrt(valueAt(squares[bin], planar));
+    is_known = true;
+  }
+  if (!is_known) // small clouds: the same at all distances
+    factors[0] = std::sqrt(valueAt(all, planar));
   RangeNoise noise;
   noise.set(factors);
   std::vector<double> shares;
