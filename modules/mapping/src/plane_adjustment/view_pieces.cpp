@@ -223,8 +223,7 @@ public:
   void
   visitTiles(const Visit& visit)
   {
-    const std::size_t height = samples_.size() / width_;
-    for (std::size_t y = 0; y < height; y += largest)
+    for (std::size_t y = 0; y < height(); y += largest)
       for (std::size_t x = 0; x < width_; x += largest) {
         gather({x, y, x + largest, y + largest});
         visit(tile_, fitRays(tile_, part_of_, noise_, kind_));
@@ -234,8 +233,7 @@ public:
   void
   cut(std::vector<PlanePiece>& pieces)
   {
-    const std::size_t height = samples_.size() / width_;
-    for (std::size_t y = 0; y < height; y += largest)
+    for (std::size_t y = 0; y < height(); y += largest)
       for (std::size_t x = 0; x < width_; x += largest)
         cutTile(x, y, largest, pieces);
   }
@@ -268,60 +266,78 @@ private:
 
   /** Adds the piece of a planar tile, without the quarters of it beyond which the surface
    * does not go on: it may end within them already, and the few points of the next
-   * surface, which noise hides, would pull all pieces of this edge the same way. */
+   * surface, which noise hides, would pull all pieces of this edge the same way. On the
+   * other sides the rest must go on, too: else it leans against the edge. */
   void
   addPiece(RayFit fit, Window tile, double max_radius, std::vector<PlanePiece>& pieces)
   {
-    const std::size_t height = samples_.size() / width_;
-    const std::size_t strip = (tile.right - tile.left) / parts_across;
-    Window inner = tile;
-    if (tile.left > 0 &&
-        !goesOn(fit.plane, {tile.left - strip, tile.top, tile.left, tile.bottom}))
-      inner.left += strip;
-    if (tile.right < width_ &&
-        !goesOn(fit.plane, {tile.right, tile.top, tile.right + strip, tile.bottom}))
-      inner.right -= strip;
-    if (tile.top > 0 &&
-        !goesOn(fit.plane, {tile.left, tile.top - strip, tile.right, tile.top}))
-      inner.top += strip;
-    if (tile.bottom < height &&
-        !goesOn(fit.plane, {tile.left, tile.bottom, tile.right, tile.bottom + strip}))
-      inner.bottom -= strip;
-    gather(inner);
-    if (tile_.size() < min_piece_points)
-      return;
-    fit = fitRays(tile_, part_of_, noise_, kind_);
+    const std::array<bool, 4> ends = endsOf(fit.plane, tile);
+    if (ends != std::array<bool, 4>{}) {
+      const std::size_t strip = (tile.right - tile.left) / parts_across;
+      gather({tile.left + (ends[0] ? strip : 0),
+              tile.top + (ends[1] ? strip : 0),
+              tile.right - (ends[2] ? strip : 0),
+              tile.bottom - (ends[3] ? strip : 0)});
+      fit = fitRays(tile_, part_of_, noise_, kind_);
+      if (!fit.isSolved())
+        return;
+      const std::array<bool, 4> ends_now = endsOf(fit.plane, tile);
+      for (std::size_t side = 0; side < 4; ++side)
+        if (ends_now[side] && !ends[side])
+          return;
+    }
     PlanePiece piece;
-    if (fit.isSolved() && makePiece(tile_, fit.plane, noise_, max_radius, piece))
+    if (makePiece(tile_, fit.plane, noise_, max_radius, piece))
       pieces.push_back(piece);
+  }
+
+  /** Does a plane end at the left, upper, right and lower side of a tile? */
+  std::array<bool, 4>
+  endsOf(const Eigen::Vector3d& plane, const Window& tile) const
+  {
+    const std::size_t strip = (tile.right - tile.left) / parts_across;
+    return {tile.left > 0 &&
+                !goesOn(plane, {tile.left - strip, tile.top, tile.left, tile.bottom}),
+            tile.top > 0 &&
+                !goesOn(plane, {tile.left, tile.top - strip, tile.right, tile.top}),
+            !goesOn(plane, {tile.right, tile.top, tile.right + strip, tile.bottom}),
+            !goesOn(plane, {tile.left, tile.bottom, tile.right, tile.bottom + strip})};
   }
 
   /** Do the measured points of a window lie on a plane, on average? Where nothing is
    * measured, no other surface can have come in. */
   bool
-  goesOn(const Eigen::Vector3d& plane, const Window& window)
+  goesOn(const Eigen::Vector3d& plane, const Window& window) const
   {
     constexpr double limit = 3; // standard deviations
-    gather(window);
-    double weights = 0, sum = 0;
-    for (const RaySample& sample : tile_) {
-      const double model = plane.dot(sample.ray.cast<double>());
-      if (!(model > 0))
-        return false;
-      const double weight = 1 / variance(sample, 1 / model, noise_);
-      weights += weight;
-      sum += weight * (response(sample, model, kind_) - model);
-    }
-    const double common = noise_.common * noise_.common * weights /
-                          std::max(static_cast<double>(tile_.size()), 1.0);
+    double weights = 0, sum = 0, count = 1e-9;
+    for (std::size_t y = window.top; y < std::min(window.bottom, height()); ++y)
+      for (std::size_t x = window.left; x < std::min(window.right, width_); ++x) {
+        const RaySample& sample = samples_[y * width_ + x];
+        if (!(sample.inverse > 0))
+          continue;
+        const double model = plane.dot(sample.ray.cast<double>());
+        if (!(model > 0))
+          return false;
+        const double weight = 1 / variance(sample, 1 / model, noise_);
+        weights += weight;
+        sum += weight * (response(sample, model, kind_) - model);
+        count += 1;
+      }
+    const double common = noise_.common * noise_.common * weights / count;
     return sum * sum <= limit * limit * weights * (1 + common);
+  }
+
+  std::size_t
+  height() const
+  {
+    return samples_.size() / width_;
   }
 
   void
   gather(const Window& window)
   {
-    const std::size_t height = samples_.size() / width_;
-    const std::size_t bottom = std::min(window.bottom, height),
+    const std::size_t bottom = std::min(window.bottom, height()),
                       right = std::min(window.right, width_);
     tile_.clear();
     part_of_.clear();
