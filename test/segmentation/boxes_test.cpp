@@ -116,6 +116,25 @@ TEST(Boxes, cupboardLeansAgainstTheWallAndItsTopIsFree)
       << "its height is known less than its depth";
 }
 
+/** The lower part of a desk is below the picture of a near camera. */
+TEST(Boxes, deskReachesTheFloorAtOneCorner)
+{
+  RectangleMap map = emptyRoom();
+  const Eigen::Vector3d least(-3, 0.5, 1), most(-2.2, 1.2, 2.6);
+  map.addBox(least, most, "+x-y-z");
+  for (PlanePatch& plane : map.planes)
+    for (Eigen::Vector3f& point : plane.polygons[0].outer) {
+      if (plane.coefficients.x() == 1 && point.x() > -2.5F && point.z() == 1.0F &&
+          point.y() > 1)
+        point.y() = 0.7F; // a corner of the face +x
+      if (plane.coefficients.z() == -1 && point.z() == 1.0F && point.y() > 1)
+        point.y() = 0.8F; // the lower edge of the face -z
+    }
+  const std::vector<BoxPatch> boxes = boxesOf(map.planes);
+  ASSERT_EQ(boxes.size(), 1U);
+  expectBox(boxes[0], least, most, 1e-6);
+}
+
 TEST(Boxes, oneWhoseTopIsInThePlaneOfAnotherOneIsApart)
 {
   RectangleMap map = emptyRoom();

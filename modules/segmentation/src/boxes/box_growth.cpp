@@ -187,24 +187,42 @@ BoxSearch::addPieces(Box& box, const std::vector<bool>& is_used) const
   }
 }
 
-/** Coordinate, along its outward direction, at which the faces beside a side end: as the
- * face tells that is widest there. */
+/** Coordinate, along its outward direction, at which the faces beside a side end: the
+ * mean over those that reach furthest; others were seen in part only. Corners are
+ * rounded over a length that is the same on all faces, so that the error of a rim falls
+ * with its width. */
 double
 BoxSearch::endOfFaces(const Box& box, std::size_t side) const
 {
-  double end = -infinity, width = 0;
+  std::vector<Rim> rims;
+  double furthest = -infinity;
   for (std::size_t k = 0; k < box.sides.size(); ++k) {
     if (Box::axisOf(k) == Box::axisOf(side) || box.sides[k].pieces.empty())
       continue;
     const int across = 3 - Box::axisOf(k) - Box::axisOf(side);
-    const Rim rim(
+    rims.emplace_back(
         pieces_, box.sides[k].pieces, box.outward(side), box.axes.col(across));
-    if (std::isfinite(rim.end) && rim.width > width) {
-      width = rim.width;
-      end = rim.end;
-    }
+    furthest = std::max(furthest, rims.back().end);
   }
-  return end;
+  double sum = 0, weights = 0;
+  for (const Rim& rim : rims)
+    if (rim.end > furthest - max_gap) {
+      sum += rim.width * rim.width * rim.end;
+      weights += rim.width * rim.width;
+    }
+  return sum / weights;
+}
+
+/** Greatest coordinate of the pieces along the outward direction of a side. */
+double
+BoxSearch::furthestPoint(const Box& box, std::size_t side) const
+{
+  double furthest = -infinity;
+  for (const Side& other : box.sides)
+    for (const std::size_t piece : other.pieces)
+      furthest =
+          std::max(furthest, rangeAlong(pieces_[piece], box.outward(side)).second);
+  return furthest;
 }
 
 /** Is a piece beside a side, as far as its other coordinates tell? */
@@ -233,7 +251,8 @@ BoxSearch::bound(Box& box) const
     if (one.kind == BoxFaceKind::Seen)
       continue;
     const Eigen::Vector3d outward = box.outward(side);
-    const double end = endOfFaces(box, side) - outward.dot(box.origin);
+    const double origin = outward.dot(box.origin), end = endOfFaces(box, side) - origin,
+                 furthest = furthestPoint(box, side) - origin;
     double gap = max_gap;
     one.kind = BoxFaceKind::Free;
     one.plane = -1;
@@ -244,8 +263,11 @@ BoxSearch::bound(Box& box) const
         continue;
       // where the plane is met from the middle of the box
       const double position = piece.height(box.origin) / -piece.normal.dot(outward);
-      if (std::abs(position - end) < gap && isBeside(box, side, piece)) {
-        gap = std::abs(position - end);
+      // a face of which the lower part was not seen may reach the floor at one place
+      const double miss =
+          std::min(std::abs(position - end), std::abs(position - furthest));
+      if (miss < gap && isBeside(box, side, piece)) {
+        gap = miss;
         one.kind = BoxFaceKind::Snapped;
         one.plane = static_cast<std::int32_t>(piece.plane);
         one.position = position;

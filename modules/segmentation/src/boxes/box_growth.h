@@ -48,6 +48,9 @@ private:
   double
   endOfFaces(const Box& box, std::size_t side) const;
 
+  double
+  furthestPoint(const Box& box, std::size_t side) const;
+
   bool
   isBeside(const Box& box, std::size_t side, const Piece& piece) const;
 
