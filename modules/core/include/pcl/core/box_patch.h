@@ -36,7 +36,8 @@ struct BoxPatch {
   std::array<BoxFace, 6> faces;
 
   /** \brief Covariance of (turn about each of the axes, shift of the center along each
-   * of them, size), radians and metres. */
+   * of them, size), radians and metres. It includes what a map does not tell of its
+   * planes: a millimetre and a milliradian. */
   Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
 
   /** \brief Boxes of the same number have the same size: it was fitted to all of them.
