@@ -409,42 +409,6 @@ TEST_F(Column, doesNotDependOnTheThreads)
   }
 }
 
-/** The views of the office that see the desk in the right room, without noise in the
- * poses. */
-TEST(Desk, isABoxAndItsSidesStayPlanes)
-{
-  SimulatedScene office = standardScene("office");
-  constexpr std::ptrdiff_t others = 20; // before those along the right room
-  office.views.erase(office.views.begin(), office.views.begin() + others);
-  const MergedObservations merged = mergeObservations(office, 20, 1);
-  const auto file = std::make_shared<PointCloudFile>();
-  file->cloud = cloudOf(merged);
-  std::vector<Eigen::Vector3f> viewpoints;
-  for (const Eigen::Isometry3d& pose : merged.trajectory.poses)
-    viewpoints.push_back(pose.translation().cast<float>());
-  PlaneMapping mapping;
-  mapping.setInputCloud(std::shared_ptr<const PointCloudFile>(file));
-  mapping.setViewpoints(viewpoints);
-  MappedPlanes without, with;
-  mapping.compute(without);
-  EXPECT_TRUE(without.boxes.empty());
-  EXPECT_FALSE(mapping.getReport().boxes);
-  mapping.setComputeBoxes(true);
-  mapping.compute(with);
-  ASSERT_TRUE(mapping.getReport().boxes);
-  EXPECT_EQ(equationsOf(with.planes), equationsOf(without.planes));
-  ASSERT_EQ(with.boxes.size(), 1U);
-  const BoxPatch& desk = with.boxes[0];
-  const Eigen::Vector3d center =
-      office.views[0].inverse() * Eigen::Vector3d(3.6, 0.875, 1.8);
-  EXPECT_LT((desk.center - center).norm(), 0.02);
-  EXPECT_NEAR(desk.size[0], 1.6, 0.015) << "its far side is hardly seen";
-  EXPECT_NEAR(desk.size[1], 0.8, 0.005);
-  EXPECT_NEAR(desk.size[2], 0.75, 0.005);
-  for (const BoxFace& face : desk.faces)
-    EXPECT_LT(face.plane, static_cast<std::int32_t>(with.planes.size()));
-}
-
 TEST_F(Office, hasNoColumnInItsFirstViews)
 {
   PlaneMapping mapping = this->mapping();
