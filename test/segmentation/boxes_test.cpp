@@ -135,6 +135,20 @@ TEST(Boxes, deskReachesTheFloorAtOneCorner)
   expectBox(boxes[0], least, most, 1e-6);
 }
 
+TEST(Boxes, deskThatPicturesCutEverywhereIsNone)
+{
+  RectangleMap map = emptyRoom();
+  map.addBox({-3, 0.5, 1}, {-2.2, 1.2, 2.6}, "+x-y-z");
+  for (PlanePatch& plane : map.planes)
+    for (Eigen::Vector3f& point : plane.polygons[0].outer)
+      if (point.z() >= 1 && point.z() < 2.7F && point.x() < -2.1F &&
+          point.y() == 1.2F && std::abs(plane.coefficients.y()) < 0.5 &&
+          point.x() > -3.1F &&
+          (plane.coefficients.x() == 1 || plane.coefficients.z() == -1))
+        point.y() = point.z() == 1.0F && point.x() > -2.3F ? 0.65F : 1;
+  EXPECT_TRUE(boxesOf(map.planes).empty());
+}
+
 TEST(Boxes, oneWhoseTopIsInThePlaneOfAnotherOneIsApart)
 {
   RectangleMap map = emptyRoom();

@@ -40,7 +40,8 @@ nearestRotation(const Eigen::Matrix3d& matrix)
  * \param[in] across the lines lie side by side along it */
 struct Rim {
   double end = -infinity;
-  double width = 0; ///< metres, across
+  double spread = 0; ///< metres; half of the lines end within it
+  double width = 0;  ///< metres, across
 
   Rim(const std::vector<Piece>& pieces,
       const std::vector<std::size_t>& chosen,
@@ -70,9 +71,9 @@ struct Rim {
     }
     if (ends.empty())
       return;
-    const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() / 2);
-    std::nth_element(ends.begin(), middle, ends.end());
-    end = *middle;
+    std::sort(ends.begin(), ends.end());
+    end = ends[ends.size() / 2];
+    spread = ends[3 * ends.size() / 4] - ends[ends.size() / 4];
   }
 
 private:
@@ -191,7 +192,7 @@ BoxSearch::addPieces(Box& box, const std::vector<bool>& is_used) const
  * mean over those that reach furthest; others were seen in part only. Corners are
  * rounded over a length that is the same on all faces, so that the error of a rim falls
  * with its width. */
-double
+BoxSearch::End
 BoxSearch::endOfFaces(const Box& box, std::size_t side) const
 {
   std::vector<Rim> rims;
@@ -204,13 +205,14 @@ BoxSearch::endOfFaces(const Box& box, std::size_t side) const
         pieces_, box.sides[k].pieces, box.outward(side), box.axes.col(across));
     furthest = std::max(furthest, rims.back().end);
   }
-  double sum = 0, weights = 0;
+  double sum = 0, weights = 0, spreads = 0;
   for (const Rim& rim : rims)
     if (rim.end > furthest - max_gap) {
       sum += rim.width * rim.width * rim.end;
+      spreads += rim.width * rim.width * rim.spread;
       weights += rim.width * rim.width;
     }
-  return sum / weights;
+  return {sum / weights, spreads / weights};
 }
 
 /** Greatest coordinate of the pieces along the outward direction of a side. */
@@ -232,8 +234,9 @@ BoxSearch::isBeside(const Box& box, std::size_t side, const Piece& piece) const
   for (std::size_t k = 0; k < box.sides.size(); ++k)
     if (Box::axisOf(k) != Box::axisOf(side)) {
       const auto [low, high] = rangeAlong(piece, box.outward(k));
-      const double reach = box.sides[k].kind == BoxFaceKind::Seen ? box.coordinate(k)
-                                                                  : endOfFaces(box, k);
+      const double reach = box.sides[k].kind == BoxFaceKind::Seen
+                               ? box.coordinate(k)
+                               : endOfFaces(box, k).position;
       if (low > reach + max_gap)
         return false;
     }
@@ -251,7 +254,8 @@ BoxSearch::bound(Box& box) const
     if (one.kind == BoxFaceKind::Seen)
       continue;
     const Eigen::Vector3d outward = box.outward(side);
-    const double origin = outward.dot(box.origin), end = endOfFaces(box, side) - origin,
+    const double origin = outward.dot(box.origin),
+                 end = endOfFaces(box, side).position - origin,
                  furthest = furthestPoint(box, side) - origin;
     double gap = max_gap;
     one.kind = BoxFaceKind::Free;
@@ -275,6 +279,18 @@ BoxSearch::bound(Box& box) const
       }
     }
   }
+}
+
+/** Do the faces end in a straight line where a side is free? Otherwise pictures ended
+ * there, and the box continues. */
+bool
+BoxSearch::hasStraightEnds(const Box& box) const
+{
+  for (std::size_t side = 0; side < box.sides.size(); ++side)
+    if (box.sides[side].kind == BoxFaceKind::Free &&
+        endOfFaces(box, side).spread > outline_error)
+      return false;
+  return true;
 }
 
 /** Do polygons cover the seen sides, and no more than these? */
@@ -395,7 +411,8 @@ BoxSearch::grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const
   const std::size_t known =
       box.count(BoxFaceKind::Seen) + box.count(BoxFaceKind::Snapped);
   if (known < min_known_sides || !(box.size().minCoeff() > outline_error) ||
-      !spansLikeAPillar(box) || !isCovered(box) || !isSolid(box))
+      !spansLikeAPillar(box) || !hasStraightEnds(box) || !isCovered(box) ||
+      !isSolid(box))
     return std::nullopt;
   return box;
 }

@@ -45,7 +45,13 @@ private:
   void
   addPieces(Box& box, const std::vector<bool>& is_used) const;
 
-  double
+  /** Where faces end: coordinate along a direction, and how much it varies; metres. */
+  struct End {
+    double position;
+    double spread;
+  };
+
+  End
   endOfFaces(const Box& box, std::size_t side) const;
 
   double
@@ -56,6 +62,9 @@ private:
 
   void
   bound(Box& box) const;
+
+  bool
+  hasStraightEnds(const Box& box) const;
 
   bool
   isCovered(const Box& box) const;
