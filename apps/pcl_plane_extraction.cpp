@@ -113,6 +113,7 @@ writeOutputs(const Options& options,
     pcl::CompactMap map;
     map.planes = found.planes;
     map.cylinders = found.cylinders;
+    map.boxes = found.boxes;
     pcl::saveMapFile(place, map);
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });

@@ -14,6 +14,9 @@ void
 bindAdjustment(pybind11::module_& module);
 
 void
+bindBoxPatches(pybind11::module_& module);
+
+void
 bindCompactMap(pybind11::module_& module);
 
 void

@@ -74,6 +74,13 @@ bindCompactMap(py::module_& module)
           "list of CylinderPatch, by falling area; empty unless primitives were asked "
           "for")
       .def_property_readonly(
+          "boxes",
+          memberList<ReportedMap, BoxPatch>(
+              [](const ReportedMap& reported) -> const std::vector<BoxPatch>& {
+                return reported.map.boxes;
+              }),
+          "list of BoxPatch, by falling volume; empty unless primitives were asked for")
+      .def_property_readonly(
           "charts",
           memberList<ReportedMap, TextureChart>(
               [](const ReportedMap& reported) -> const std::vector<TextureChart>& {

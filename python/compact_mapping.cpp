@@ -102,6 +102,7 @@ planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
   planes.setDepthSensor(settings.sensor);
   planes.setComputeMesh(false);
   planes.setComputeCylinders(settings.primitives);
+  planes.setComputeBoxes(settings.primitives);
   return planes;
 }
 
@@ -161,7 +162,7 @@ min_area   square metres, of a plane; 0: automatic
 regular    turns planes to be parallel or upright to larger ones, where their uncertainty
            allows
 primitives finds cylinders, too: columns, pipes and curved walls, which replace the planes
-           that they describe in fewer bits
+           that they describe in fewer bits; and boxes, whose sides stay planes
 texel_size metres, the edge of a texel of the textures
 folder     keeps the poses that were found, so that a later run with the same observations
            goes on from them; empty: none

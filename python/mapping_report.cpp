@@ -34,6 +34,8 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
   fields["voxel_size"] = report.consolidation ? report.consolidation->voxel_size : 0.0;
   if (report.cylinders)
     fields["cylinders"] = reportOf(*report.cylinders);
+  if (report.boxes)
+    fields["boxes"] = reportOf(*report.boxes);
   return reportOf(fields, report);
 }
 

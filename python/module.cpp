@@ -13,6 +13,7 @@ PYBIND11_MODULE(acmap, module)
   bindPlanePatches(module);
   bindPlanes(module);
   bindCylinderPatches(module);
+  bindBoxPatches(module);
   bindRectification(module);
   bindAdjustment(module);
   bindTextureCharts(module);

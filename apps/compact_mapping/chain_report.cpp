@@ -131,8 +131,9 @@ tellChain(const ChainOptions& options,
     if (map.contains(name))
       details[name] = map.at(name);
   details["planes"] = map.at("planes").size();
-  if (map.contains("cylinders"))
-    details["cylinders"] = map.at("cylinders").size();
+  for (const char* name : {"cylinders", "boxes"})
+    if (map.contains(name))
+      details[name] = map.at(name).size();
   details["stages"] = Json::array();
   for (const RunStage& stage : stages) {
     tellStage(stage, log);

@@ -125,6 +125,7 @@ mapSequence(const ChainOptions& options,
   result.map =
       paintPlanes(result.found.planes, *sequence.posed, options.texture, controls, log);
   result.map.cylinders = result.found.cylinders;
+  result.map.boxes = result.found.boxes;
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
@@ -147,6 +148,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   StepTimer paint_timer(log.report);
   result.map = paintPlanes(result.found.planes, file, options.texture, controls, log);
   result.map.cylinders = result.found.cylinders;
+  result.map.boxes = result.found.boxes;
   paint_timer.finish("paint");
   return result;
 }
@@ -226,6 +228,21 @@ jsonOf(const std::vector<CylinderPatch>& cylinders)
   return list;
 }
 
+/** \brief The same for the boxes. */
+nlohmann::ordered_json
+jsonOf(const std::vector<BoxPatch>& boxes)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t id = 0; id < boxes.size(); ++id) {
+    const BoxPatch& box = boxes[id];
+    list.push_back({{"id", id},
+                    {"size", {box.size[0], box.size[1], box.size[2]}},
+                    {"template", box.template_id},
+                    {"saved_bits", box.saved_bits}});
+  }
+  return list;
+}
+
 /** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
 tellUp(const CompactMap& map, StageLog& log)
@@ -246,8 +263,10 @@ tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 {
   tellPlanes(mapped.found, log);
   log.details["planes"] = jsonOf(mapped.map.planes);
-  if (options.planes.primitives)
+  if (options.planes.primitives) {
     log.details["cylinders"] = jsonOf(mapped.map.cylinders);
+    log.details["boxes"] = jsonOf(mapped.map.boxes);
+  }
   tellUp(mapped.map, log);
   tellCompactness(mapped.found.finite_points, mapped.map, options.output, log);
 }

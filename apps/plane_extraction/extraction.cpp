@@ -44,6 +44,7 @@ mappingOf(const PlaneOptions& options, unsigned threads)
   }
   mapping.setComputeMesh(options.keeps_mesh);
   mapping.setComputeCylinders(options.primitives);
+  mapping.setComputeBoxes(options.primitives);
   mapping.setNumberOfThreads(threads);
   return mapping;
 }
@@ -104,6 +105,29 @@ describe(const CylinderPatch& cylinder)
   return text;
 }
 
+std::string
+describe(const BoxPatch& box)
+{
+  std::size_t seen = 0, snapped = 0;
+  for (const BoxFace& face : box.faces) {
+    seen += face.kind == BoxFaceKind::Seen ? 1 : 0;
+    snapped += face.kind == BoxFaceKind::Snapped ? 1 : 0;
+  }
+  char text[160];
+  std::snprintf(text,
+                sizeof text,
+                "%.3f x %.3f x %.3f m, %zu sides seen, %zu on other planes, template "
+                "%d, %.0f bits saved",
+                box.size[0],
+                box.size[1],
+                box.size[2],
+                seen,
+                snapped,
+                box.template_id,
+                box.saved_bits);
+  return text;
+}
+
 std::size_t
 countLabelled(const std::vector<std::int32_t>& labels)
 {
@@ -111,17 +135,21 @@ countLabelled(const std::vector<std::int32_t>& labels)
       labels.begin(), labels.end(), [](auto label) { return label >= 0; }));
 }
 
-/** Tells each item of a list that is sorted by decreasing area, or the largest ones if
- * there are many. */
+/** Tells each item of a list that is sorted by decreasing size, or the largest ones if
+ * there are many.
+ * \param[in] plural of what it is */
 template <typename Item>
 void
-tellEach(const std::string& what, const std::vector<Item>& items, StageLog& log)
+tellEach(const std::string& what,
+         const std::string& plural,
+         const std::vector<Item>& items,
+         StageLog& log)
 {
   const std::size_t listed = items.size() <= max_lines ? items.size() : lines_of_many;
   for (std::size_t id = 0; id < listed; ++id)
     log.tell(what + " " + std::to_string(id), describe(items[id]));
   if (listed < items.size())
-    log.tell("further " + what + "s",
+    log.tell("further " + plural,
              std::to_string(items.size() - listed) + " smaller ones, in the file");
 }
 
@@ -133,7 +161,7 @@ tellCylinders(const MappedPlanes& found, StageLog& log)
   log.tell("cylinders", std::to_string(found.cylinders.size()));
   if (!found.cylinders.empty())
     log.tell("on cylinders", percent(points, found.finite_points) + " of the points");
-  tellEach("cylinder", found.cylinders, log);
+  tellEach("cylinder", "cylinders", found.cylinders, log);
 }
 
 /** Labels of planes, followed by those of cylinders. */
@@ -197,6 +225,8 @@ tellMapping(const PlaneMappingReport& report, StageLog& log)
     tellInSpace(report, log);
   if (report.cylinders)
     log.details["cylinder_report"] = jsonOf(*report.cylinders);
+  if (report.boxes)
+    log.details["box_report"] = jsonOf(*report.boxes);
   for (const auto& [step, seconds] : report.seconds)
     log.report.seconds.emplace_back(step, seconds);
 }
@@ -258,7 +288,7 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
       "--primitives",
       options.primitives,
       "Find cylinders, too: columns, pipes and curved walls, which replace the "
-      "planes that they describe in fewer bits");
+      "planes that they describe in fewer bits; and boxes, whose sides stay planes");
 }
 
 void
@@ -325,9 +355,13 @@ tellPlanes(const MappedPlanes& found, StageLog& log)
   log.details["points_on_planes"] = on_planes;
   log.tell("planes", std::to_string(found.planes.size()));
   log.tell("on planes", percent(on_planes, found.finite_points) + " of the points");
-  tellEach("plane", found.planes, log);
+  tellEach("plane", "planes", found.planes, log);
   if (!found.cylinder_labels.empty())
     tellCylinders(found, log);
+  if (log.details.contains("box_report")) {
+    log.tell("boxes", std::to_string(found.boxes.size()));
+    tellEach("box", "boxes", found.boxes, log);
+  }
 }
 
 std::vector<std::int32_t>

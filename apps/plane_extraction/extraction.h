@@ -19,7 +19,7 @@ struct PlaneOptions {
   std::optional<double> tolerance;  ///< metres
   DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;
-  bool primitives = false; ///< cylinders, too
+  bool primitives = false; ///< cylinders and boxes, too
   bool paper = false;      ///< set by the tool: \ref MappingMode::Paper
   bool keeps_mesh = false; ///< set by the tool: the mesh is needed
 
@@ -61,7 +61,7 @@ requirePlanes(const std::string& input, const MappedPlanes& found, const StageLo
 
 /** \brief Adds lines to the summary: the number of planes, the fraction of the points
  * on them, and each plane, or the largest ones if there are many; the same for cylinders
- * if these were searched. */
+ * and boxes if these were searched. */
 void
 tellPlanes(const MappedPlanes& found, StageLog& log);
 

@@ -10,14 +10,15 @@ main(int argc, char** argv)
   using namespace pcl::acmap::bench;
   constexpr char usage[] =
       "Usage: acmap_bench_primitive_figures [half_seen] [fit4cad] [fit4cad_tuned] "
-      "[walls] [sigma]\n"
-      "Prints how well cylinders are found, as Markdown tables; without a name all of\n"
-      "them. The models of Fit4CAD are read from the folder named by the environment\n"
-      "variable ACMAP_TEST_DATA.\n";
-  const std::array<TableSection, 5> parts{{{"half_seen", printHalfSeen},
+      "[walls] [sigma] [boxes]\n"
+      "Prints how well cylinders and boxes are found, as Markdown tables; without a\n"
+      "name all of them. The models of Fit4CAD are read from the folder named by the\n"
+      "environment variable ACMAP_TEST_DATA.\n";
+  const std::array<TableSection, 6> parts{{{"half_seen", printHalfSeen},
                                            {"fit4cad", printFit4cad},
                                            {"fit4cad_tuned", printFit4cadTuned},
                                            {"walls", printWalls},
-                                           {"sigma", printSigma}}};
+                                           {"sigma", printSigma},
+                                           {"boxes", printBoxes}}};
   return printParts(argc, argv, parts, usage);
 }

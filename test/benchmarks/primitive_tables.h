@@ -15,6 +15,11 @@ printFit4cadTuned();
 void
 printHalfSeen();
 
+/** \brief Boxes of simulated buildings, with and without furniture; columns, pipes and
+ * the curved wall of one of them. */
+void
+printBoxes();
+
 /** \brief Walls that are flat, bowed, or curved with a radius of 10 m. */
 void
 printWalls();

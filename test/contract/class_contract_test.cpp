@@ -1,3 +1,4 @@
+#include "box_fitting_traits.h"
 #include "cylinder_hypothesis_clustering_traits.h"
 #include "dewall_traits.h"
 #include "entropy_rectification_traits.h"
@@ -12,7 +13,8 @@
 namespace pcl::acmap::test {
 
 /** The traits of every public class with a main function. */
-using PublicClasses = testing::Types<CylinderHypothesisClusteringTraits,
+using PublicClasses = testing::Types<BoxFittingTraits,
+                                     CylinderHypothesisClusteringTraits,
                                      DeWallTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,

@@ -71,6 +71,7 @@ TEST_F(MapFile, EverythingComesBack)
   const CompactMap back = reloaded(map);
   expectSamePlanes(back, map);
   expectSameCylinders(back, map);
+  expectSameBoxes(back, map);
   expectSameCharts(back, map, false);
   EXPECT_EQ(back.exposure, map.exposure);
   EXPECT_EQ(back.up, map.up);
@@ -190,6 +191,21 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/cylinders/0/covariance/4", {1, 2}, "cylinders[0].covariance[4] has 2"},
            {"/cylinders/0/area", -1, "cylinders[0] has an area"},
            {"/cylinders/0/saved_bits", "many", "saved_bits is no number"},
+           {"/boxes", 3, "boxes is no array"},
+           {"/boxes/1/id", 7, "boxes[1].id is not 1"},
+           {"/boxes/1/center/0", 1e10, "boxes[1] has a center"},
+           {"/boxes/0/axes/2", {0, 0, 1}, "no right-handed basis"},
+           {"/boxes/0/axes", {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, "no right-handed"},
+           {"/boxes/0/size/1", 0, "boxes[0] has a size that is not above 0"},
+           {"/boxes/1/size/1", 1e300, "boxes[1] has a size"},
+           {"/boxes/2/size/1", 0.6, "boxes[2] has another size than box 0"},
+           {"/boxes/2/template", 3, "boxes[2] has template 3"},
+           {"/boxes/2/template", -1, "boxes[2].template is outside"},
+           {"/boxes/0/faces/0/kind", "open", "is no kind of a face"},
+           {"/boxes/0/faces/0/plane", 2, "boxes[0].faces[0].plane is outside"},
+           {"/boxes/0/faces", {1, 2}, "boxes[0].faces has 2"},
+           {"/boxes/0/covariance/8/0", nullptr, "covariance that is not finite"},
+           {"/boxes/0/saved_bits", "many", "saved_bits is no number"},
            {"/planes/0/covariance/2/1", "x", "planes[0].covariance[2][1] is no number"},
            {"/planes/0/support", -1, "planes[0].support is outside"},
            {"/planes/0/support", 1.5, "planes[0].support is no whole number"},
@@ -355,6 +371,16 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.cylinders[1].high = -1; });
   expectRefused([](CompactMap& map) { map.cylinders[1].arc = 6.3; });
   expectRefused([](CompactMap& map) { map.cylinders[1].saved_bits = INFINITY; });
+  expectRefused([](CompactMap& map) { map.boxes[1].center.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.boxes[1].axes.col(0) *= -1; });
+  expectRefused([](CompactMap& map) { map.boxes[1].size.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.boxes[1].faces[0].plane = 2; });
+  expectRefused([](CompactMap& map) { map.boxes[1].faces[0].plane = -1; });
+  expectRefused([](CompactMap& map) { map.boxes[1].faces[1].plane = 0; });
+  expectRefused([](CompactMap& map) { map.boxes[1].covariance(3, 3) = NAN; });
+  expectRefused([](CompactMap& map) { map.boxes[2].size.x() = 3; });
+  expectRefused([](CompactMap& map) { map.boxes[2].template_id = 3; });
+  expectRefused([](CompactMap& map) { map.boxes[1].saved_bits = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].center.x() = NAN; });
   expectRefused([](CompactMap& map) { map.rooms[0].seen_area = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].planes = {2}; });

@@ -78,11 +78,15 @@ class Room(MapTest):
     def test_there_are_no_cylinders_unless_asked_for(self):
         self.assertEqual(self.map.cylinders, [])
         self.assertFalse(hasattr(self.map.report.planes, "cylinders"))
+        self.assertEqual(self.map.boxes, [])
+        self.assertFalse(hasattr(self.map.report.planes, "boxes"))
 
     def test_a_room_of_planes_has_no_cylinders(self):
         found = mapping_of_room(rectify=False, primitives=True).compute()
         self.assertEqual(found.cylinders, [])
         self.assertEqual(found.report.planes.cylinders.cylinders, 0)
+        self.assertEqual(found.boxes, [], "seen from inside")
+        self.assertEqual(found.report.planes.boxes.boxes, 0)
         self.assertEqual(len(found.planes), len(self.map.planes))
 
     def test_poses_are_as_they_were_given(self):

@@ -112,6 +112,42 @@ expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
   expectSamePolygons(plane.proposed, wanted.proposed);
 }
 
+BoxPatch
+makeBox(std::int32_t template_id, double length)
+{
+  BoxPatch box;
+  box.center = {1.0 / 3, 1e5 + 0.1, -7};
+  box.axes.col(0) = Eigen::Vector3d(1, 2, 2) / 3;
+  box.axes.col(1) = Eigen::Vector3d(2, 1, -2) / 3;
+  box.axes.col(2) = box.axes.col(0).cross(box.axes.col(1));
+  box.size = {length, 0.5, 1.0 / 7};
+  box.faces = {{{BoxFaceKind::Seen, 1},
+                {BoxFaceKind::Free, -1},
+                {BoxFaceKind::Snapped, 0},
+                {BoxFaceKind::Free, -1},
+                {BoxFaceKind::Seen, 1},
+                {BoxFaceKind::Seen, 0}}};
+  box.covariance = 1e-6 / 3 * Eigen::Matrix<double, 9, 9>::Identity();
+  box.template_id = template_id;
+  box.saved_bits = 1e5 / 3;
+  return box;
+}
+
+void
+expectSameBox(const BoxPatch& box, const BoxPatch& wanted)
+{
+  EXPECT_TRUE(sameBits(box.center, wanted.center));
+  EXPECT_TRUE(sameBits(box.axes, wanted.axes));
+  EXPECT_TRUE(sameBits(box.size, wanted.size));
+  EXPECT_TRUE(sameBits(box.covariance, wanted.covariance));
+  for (std::size_t side = 0; side < box.faces.size(); ++side) {
+    EXPECT_EQ(box.faces[side].kind, wanted.faces[side].kind);
+    EXPECT_EQ(box.faces[side].plane, wanted.faces[side].plane);
+  }
+  EXPECT_EQ(box.template_id, wanted.template_id);
+  EXPECT_EQ(box.saved_bits, wanted.saved_bits);
+}
+
 void
 expectSameCylinder(const CylinderPatch& cylinder, const CylinderPatch& wanted)
 {
@@ -140,6 +176,7 @@ makeSampleMap()
   map.planes = {makePlane(), PlanePatch()};
   map.planes[1].coefficients = {0, 1, 0, -0.5};
   map.cylinders = {makeCylinder(true), makeCylinder(false)};
+  map.boxes = {makeBox(0, 2), makeBox(1, 1), makeBox(0, 2)};
   map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
   map.charts[1].image_place = {7, 9};
   map.charts[1].halvings = 2;
@@ -174,6 +211,14 @@ expectSameCylinders(const CompactMap& map, const CompactMap& wanted)
   ASSERT_EQ(map.cylinders.size(), wanted.cylinders.size());
   for (std::size_t i = 0; i < wanted.cylinders.size(); ++i)
     expectSameCylinder(map.cylinders[i], wanted.cylinders[i]);
+}
+
+void
+expectSameBoxes(const CompactMap& map, const CompactMap& wanted)
+{
+  ASSERT_EQ(map.boxes.size(), wanted.boxes.size());
+  for (std::size_t i = 0; i < wanted.boxes.size(); ++i)
+    expectSameBox(map.boxes[i], wanted.boxes[i]);
 }
 
 void

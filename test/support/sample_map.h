@@ -7,7 +7,7 @@ namespace pcl::acmap::test {
 
 /** \brief A map of two planes with arbitrary numbers: the first has two polygons, one
  * with a hole, and a chart on each; the second has no polygons. Two cylinders, the second
- * of unknown covariance. Two poses. Two rooms, with a window between them and a door of
+ * of unknown covariance. Three boxes, the last of the template of the first. Two poses. Two rooms, with a window between them and a door of
  * none whose height is unknown. */
 CompactMap
 makeSampleMap();
@@ -19,6 +19,10 @@ expectSamePlanes(const CompactMap& map, const CompactMap& wanted);
 /** \brief Expects bitwise equal numbers. */
 void
 expectSameCylinders(const CompactMap& map, const CompactMap& wanted);
+
+/** \brief Expects bitwise equal numbers. */
+void
+expectSameBoxes(const CompactMap& map, const CompactMap& wanted);
 
 /** \param[in] with_images also compare colours and kinds */
 void

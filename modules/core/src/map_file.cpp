@@ -114,6 +114,34 @@ jsonOf(const CylinderPatch& cylinder, std::size_t id)
 }
 
 Json
+jsonOf(const BoxFace& face)
+{
+  Json json = {{"kind", acmap::box_face_kinds[static_cast<std::size_t>(face.kind)]}};
+  if (face.kind != BoxFaceKind::Free)
+    json["plane"] = face.plane;
+  return json;
+}
+
+Json
+jsonOf(const BoxPatch& box, std::size_t id)
+{
+  Json faces = Json::array();
+  for (const BoxFace& face : box.faces)
+    faces.push_back(jsonOf(face));
+  return {{"id", id},
+          {"center", jsonOf(box.center)},
+          {"axes",
+           {jsonOf(Eigen::Vector3d(box.axes.col(0))),
+            jsonOf(Eigen::Vector3d(box.axes.col(1))),
+            jsonOf(Eigen::Vector3d(box.axes.col(2)))}},
+          {"size", jsonOf(box.size)},
+          {"faces", std::move(faces)},
+          {"template", box.template_id},
+          {"covariance", jsonOf(box.covariance)},
+          {"saved_bits", box.saved_bits}};
+}
+
+Json
 jsonOf(const TextureChart& chart)
 {
   Json json = {{"polygon", chart.polygon},
@@ -257,7 +285,7 @@ writeTopology(const Write& write, const std::vector<PlanePatch>& planes)
 bool
 hasPlanesAlone(const CompactMap& map)
 {
-  bool alone = map.charts.empty() && map.cylinders.empty() &&
+  bool alone = map.charts.empty() && map.cylinders.empty() && map.boxes.empty() &&
                map.trajectory.poses.empty() && map.rooms.empty() &&
                map.openings.empty() && map.up.isZero(0);
   for (const std::vector<std::int32_t>& seen_from : map.observations)
@@ -295,6 +323,12 @@ acmap::writeMap(const CompactMap& map, const Write& write)
     write("\n],\"cylinders\":[");
     writeLines(write, map.cylinders.size(), [&](std::size_t id) {
       return jsonOf(map.cylinders[id], id);
+    });
+  }
+  if (!map.boxes.empty()) {
+    write("\n],\"boxes\":[");
+    writeLines(write, map.boxes.size(), [&](std::size_t id) {
+      return jsonOf(map.boxes[id], id);
     });
   }
   writeTopology(write, map.planes);

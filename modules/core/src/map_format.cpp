@@ -132,6 +132,20 @@ requireRooms(const CompactMap& map)
   }
 }
 
+/** Lengths of maps, metres. */
+constexpr double max_length = 1e9;
+
+/** Are the columns a right-handed basis of unit vectors? */
+bool
+isBasis(const Eigen::Matrix3d& columns)
+{
+  constexpr double slack = 1e-6;
+  return (columns.transpose() * columns - Eigen::Matrix3d::Identity())
+                 .cwiseAbs()
+                 .maxCoeff() <= slack &&
+         columns.determinant() > 0;
+}
+
 } // namespace
 
 std::string
@@ -148,16 +162,13 @@ faultOfCoefficients(const Eigen::Vector4d& coefficients)
 std::string
 faultOfCylinder(const CylinderPatch& cylinder)
 {
-  constexpr double slack = 1e-6, max_length = 1e9; // metres
+  constexpr double slack = 1e-6;
   const auto isLength = [](double value) { return std::abs(value) <= max_length; };
   Eigen::Matrix3d basis;
   basis << cylinder.axis_u, cylinder.axis_v, cylinder.axis_direction;
   if (!(cylinder.axis_point.cwiseAbs().maxCoeff() <= max_length))
     return "has an axis_point that is not finite, or above 1e9";
-  if (!((basis.transpose() * basis - Eigen::Matrix3d::Identity())
-            .cwiseAbs()
-            .maxCoeff() <= slack) ||
-      !(basis.determinant() > 0))
+  if (!isBasis(basis))
     return "has axes that are no right-handed basis of unit vectors";
   if (!(cylinder.radius > 0) || !isLength(cylinder.radius))
     return "has a radius that is not above 0 and at most 1e9";
@@ -172,6 +183,39 @@ faultOfCylinder(const CylinderPatch& cylinder)
     return "has saved_bits that are not finite";
   if (cylinder.support > std::size_t{std::numeric_limits<std::int64_t>::max()})
     return "has a support above 2^63 - 1";
+  return "";
+}
+
+std::string
+faultOfBox(const CompactMap& map, std::size_t number)
+{
+  const BoxPatch& box = map.boxes[number];
+  if (!(box.center.cwiseAbs().maxCoeff() <= max_length))
+    return "has a center that is not finite, or above 1e9";
+  if (!isBasis(box.axes))
+    return "has axes that are no right-handed basis of unit vectors";
+  if (!(box.size.minCoeff() > 0) || !(box.size.maxCoeff() <= max_length))
+    return "has a size that is not above 0 and at most 1e9";
+  for (const BoxFace& face : box.faces) {
+    const bool has_plane =
+        face.plane >= 0 && static_cast<std::size_t>(face.plane) < map.planes.size();
+    if (face.kind == BoxFaceKind::Free ? face.plane != -1 : !has_plane)
+      return "has a face of plane " + std::to_string(face.plane) + " of " +
+             std::to_string(map.planes.size());
+  }
+  if (!box.covariance.allFinite())
+    return "has a covariance that is not finite";
+  if (!std::isfinite(box.saved_bits))
+    return "has saved_bits that are not finite";
+  std::int32_t templates = 0;
+  for (std::size_t i = 0; i < number; ++i) {
+    templates = std::max(templates, map.boxes[i].template_id + 1);
+    if (map.boxes[i].template_id == box.template_id && map.boxes[i].size != box.size)
+      return "has another size than box " + std::to_string(i) + " of its template";
+  }
+  if (box.template_id < 0 || box.template_id > templates)
+    return "has template " + std::to_string(box.template_id) + ", at most " +
+           std::to_string(templates) + " is next";
   return "";
 }
 
@@ -244,6 +288,9 @@ requireConsistent(const CompactMap& map)
   for (std::size_t i = 0; i < map.cylinders.size(); ++i)
     if (const std::string fault = faultOfCylinder(map.cylinders[i]); !fault.empty())
       refuse("cylinder", i, fault);
+  for (std::size_t i = 0; i < map.boxes.size(); ++i)
+    if (const std::string fault = faultOfBox(map, i); !fault.empty())
+      refuse("box", i, fault);
   std::int64_t texels = 0;
   for (std::size_t i = 0; i < map.charts.size(); ++i) {
     requireChart(map, i);

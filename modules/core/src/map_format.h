@@ -16,6 +16,9 @@ class ByteSource;
 inline constexpr std::array<const char*, 5> edge_kinds{
     "open", "crease", "contact", "rim", "frontier"};
 
+/** \brief The names of \ref BoxFaceKind in files. */
+inline constexpr std::array<const char*, 3> box_face_kinds{"free", "seen", "snapped"};
+
 /** \brief The names of \ref OpeningKind in files. */
 inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};
 
@@ -28,6 +31,10 @@ faultOfCoefficients(const Eigen::Vector4d& coefficients);
  * if it is valid. Its covariance and its rms may be NaN. */
 std::string
 faultOfCylinder(const CylinderPatch& cylinder);
+
+/** \brief As above, for a box of a map, its planes, and the boxes before it. */
+std::string
+faultOfBox(const CompactMap& map, std::size_t number);
 
 /** \brief As above, for a loop of a polygon. */
 std::string

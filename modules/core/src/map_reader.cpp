@@ -327,6 +327,40 @@ indicesOf(const JsonCursor& json, std::size_t count)
   return indices;
 }
 
+BoxFace
+boxFaceOf(const JsonCursor& json, std::size_t planes)
+{
+  BoxFace face;
+  face.kind = kindOf<BoxFaceKind>(json.at("kind"),
+                                  acmap::box_face_kinds,
+                                  "is no kind of a face: free, seen or snapped");
+  if (face.kind != BoxFaceKind::Free)
+    face.plane = static_cast<std::int32_t>(
+        json.at("plane").integer(0, static_cast<std::int64_t>(planes) - 1));
+  return face;
+}
+
+BoxPatch
+boxOf(const JsonCursor& json, std::size_t number, std::size_t planes)
+{
+  BoxPatch box;
+  requireNumber(json.at("id"), number, "boxes");
+  box.center = json.at("center").vector<3>();
+  const JsonCursor axes = json.at("axes"), faces = json.at("faces");
+  axes.requireSize(3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    box.axes.col(static_cast<Eigen::Index>(axis)) = axes[axis].vector<3>();
+  box.size = json.at("size").vector<3>();
+  faces.requireSize(box.faces.size());
+  for (std::size_t side = 0; side < box.faces.size(); ++side)
+    box.faces[side] = boxFaceOf(faces[side], planes);
+  box.template_id = static_cast<std::int32_t>(
+      json.at("template").integer(0, std::numeric_limits<std::int32_t>::max() - 1));
+  box.covariance = covarianceOf<9>(json.at("covariance"));
+  box.saved_bits = json.at("saved_bits").number();
+  return box;
+}
+
 MapRoom
 roomOf(const JsonCursor& json, std::size_t planes, std::size_t openings)
 {
@@ -427,6 +461,13 @@ acmap::readMap(const std::string& name, ByteSource& source)
     const JsonCursor cylinders = file.at("cylinders");
     for (std::size_t i = 0; i < cylinders.size(); ++i)
       map.cylinders.push_back(cylinderOf(cylinders[i], i));
+  }
+  if (file.has("boxes")) {
+    const JsonCursor boxes = file.at("boxes");
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      map.boxes.push_back(boxOf(boxes[i], i, map.planes.size()));
+      requireNone(faultOfBox(map, i), boxes[i]);
+    }
   }
   if (file.has("edges") && file.has("vertices"))
     readEdges(file, map.planes);

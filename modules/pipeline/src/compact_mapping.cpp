@@ -419,6 +419,7 @@ CompactMapping::compute(CompactMap& map)
   if (!mapped_.planes.empty() || !mapped_.cylinders.empty()) {
     result = paint(sequence, report);
     result.cylinders = mapped_.cylinders;
+    result.boxes = mapped_.boxes;
     result.up = estimated_.up.value_or(Eigen::Vector3d::Zero());
     setRooms(makeFloorPlan(result), result);
   }

@@ -7,6 +7,7 @@
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/segmentation/box_fitting.h>
 
 #include <cstring>
 
@@ -171,6 +172,21 @@ public:
     result.vertex_labels = labels;
     findCylinders(vertices, sharedCloud(cloud), {cloud->sensor_origin}, result);
     return result;
+  }
+
+  /** Finds boxes among the planes, if these are requested. */
+  void
+  findBoxes(MappedPlanes& result)
+  {
+    if (!mapping_.getComputeBoxes())
+      return;
+    BoxFitting fitting;
+    fitting.setPlanes(result.planes);
+    prepare(fitting, 1, 1);
+    fitting.segment(result.boxes);
+    report_.boxes = fitting.getReport();
+    addRemarks(*report_.boxes);
+    timer_.finish("boxes");
   }
 
 private:
@@ -448,6 +464,7 @@ PlaneMapping::compute(MappedPlanes& result)
     found = run.inPicture(input_, *picture);
   else
     found = run.inSpace(input_, viewpoints_);
+  run.findBoxes(found);
   result = std::move(found);
   report_ = std::move(report);
 }

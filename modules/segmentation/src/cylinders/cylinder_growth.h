@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cylinders/cylinder_fit.h"
-#include "cylinders/description_length.h"
 #include "cylinders/surface_elements.h"
+#include "description_length.h"
 
 #include <pcl/core/progress.h>
 

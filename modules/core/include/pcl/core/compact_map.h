@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/box_patch.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/plane_patch.h>
@@ -95,6 +96,11 @@ struct CompactMap {
    * the planes for which they stand are not in the map. Empty unless cylinders were
    * searched (\ref PlaneMapping::setComputeCylinders). */
   std::vector<CylinderPatch> cylinders;
+
+  /** \brief Furniture, crates and pillars, by decreasing volume. Their sides stay among
+   * the planes, with their charts. Empty unless boxes were searched
+   * (\ref PlaneMapping::setComputeBoxes). */
+  std::vector<BoxPatch> boxes;
 
   /** \brief For each plane the observations that saw it, in ascending order; empty if
    * unknown. An observation is given by the index of its pose. */

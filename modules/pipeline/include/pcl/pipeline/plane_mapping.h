@@ -33,7 +33,8 @@ namespace pcl {
  * (\ref DepthRefinement).
  *
  * On request, cylinders replace the planes and the mesh that they describe in fewer bits
- * (\ref CylinderHypothesisClustering, \ref setComputeCylinders).
+ * (\ref CylinderHypothesisClustering, \ref setComputeCylinders), and planes that are the
+ * sides of boxes are named (\ref BoxFitting, \ref setComputeBoxes).
  *
  * Each step is an object that can be set; its threads and progress are those of this
  * object. Any mesh construction of PCL can take the place of DeWallTriangulation.
@@ -232,6 +233,20 @@ public:
     return cylinder_clustering_;
   }
 
+  /** \brief Searches boxes among the planes (default false), after the cylinders. Their
+   * sides stay in the planes. */
+  void
+  setComputeBoxes(bool compute)
+  {
+    compute_boxes_ = compute;
+  }
+
+  bool
+  getComputeBoxes() const
+  {
+    return compute_boxes_;
+  }
+
   /** \brief Sets how planes are found in the picture of a view. */
   void
   setDepthSegmentation(const DepthSegmentation& segmentation)
@@ -275,6 +290,7 @@ private:
   Clustering clustering_;
   bool compute_cylinders_ = false;
   CylinderClustering cylinder_clustering_;
+  bool compute_boxes_ = false;
   DepthSegmentation depth_segmentation_;
   CostCallback cost_callback_;
 };

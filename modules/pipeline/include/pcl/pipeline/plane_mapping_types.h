@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/box_patch.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
@@ -11,6 +12,7 @@
 #include <pcl/filters/depth_refinement_types.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/box_fitting_types.h>
 #include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/depth_plane_types.h>
 #include <pcl/segmentation/plane_clustering_types.h>
@@ -59,6 +61,10 @@ struct MappedPlanes {
   std::vector<CylinderPatch> cylinders;
   std::vector<std::int32_t> cylinder_labels;  ///< cylinder of each input point, or -1
   std::vector<std::int32_t> vertex_cylinders; ///< the same for each vertex
+
+  /** \brief Furniture, crates and pillars, in the order of decreasing volume, if
+   * \ref PlaneMapping::setComputeBoxes was called. Their sides are among the planes. */
+  std::vector<BoxPatch> boxes;
 };
 
 /** \brief Report of PlaneMapping on its last run; steps that did not run have no
@@ -75,6 +81,7 @@ struct PlaneMappingReport : Report {
   std::optional<VotingReport> votes;
   std::optional<PlaneClusteringReport> planes;       ///< if planes were found in space
   std::optional<CylinderClusteringReport> cylinders; ///< if they were searched
+  std::optional<BoxFittingReport> boxes;             ///< the same
 };
 
 } // namespace pcl

@@ -10,7 +10,7 @@ namespace pcl {
 
 /** \brief Names of the scenes on which acmap is evaluated: `corridor`,
  * `corridor_drive`, `corridor_survey`, `l_corridor`, `l_corridor_drive`, `loop`,
- * `office`. \ingroup simulation */
+ * `office`, `room`. \ingroup simulation */
 ACMAP_EXPORT const std::vector<std::string>&
 standardSceneNames();
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl::acmap::cylinders {
+namespace pcl::acmap {
 
 /** Lengths of descriptions in bits, at the resolution that the noise allows: heights
  * are told to a quarter of sigma, and parameters to what the elements determine. */
@@ -64,4 +64,4 @@ private:
   double free_;
 };
 
-} // namespace pcl::acmap::cylinders
+} // namespace pcl::acmap

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+
+namespace pcl {
+
+/** \brief How the position of a side of a box is known. \ingroup core */
+enum class BoxFaceKind : std::uint8_t {
+  Free,   ///< not seen: it is where the seen faces end
+  Seen,   ///< a plane of the map lies in it
+  Snapped ///< not seen: the box stands on a plane of the map, or leans against it
+};
+
+/** \brief A side of a box. \ingroup core */
+struct BoxFace {
+  BoxFaceKind kind = BoxFaceKind::Free;
+  std::int32_t plane = -1; ///< number of the plane; -1 for a free side
+};
+
+/** \brief A box that stands for planes at right angles: furniture, a crate, a pillar.
+ * \ingroup core */
+struct BoxPatch {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres
+
+  /** \brief Unit directions of the edges, in the columns; right-handed. */
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+
+  /** \brief Lengths along the axes, metres. They decrease, except that all boxes of one
+   * template have the order of its first box. */
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+
+  /** \brief The sides at the ends of the axes, in the order +x, -x, +y, -y, +z, -z. */
+  std::array<BoxFace, 6> faces;
+
+  /** \brief Covariance of (turn about each of the axes, shift of the center along each
+   * of them, size), radians and metres. It includes what a map does not tell of its
+   * planes: a millimetre and a milliradian. */
+  Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
+
+  /** \brief Boxes of the same number have the same size: it was fitted to all of them.
+   */
+  std::int32_t template_id = 0;
+
+  /** \brief Bits by which it shortens the description of its planes. */
+  double saved_bits = 0;
+};
+
+} // namespace pcl

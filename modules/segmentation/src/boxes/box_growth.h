@@ -1,0 +1,81 @@
+#pragma once
+
+#include "boxes/box.h"
+#include "boxes/piece.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace pcl::acmap::boxes {
+
+/** Two pieces that meet at a right angle; each is behind the other one. */
+struct ConvexEdge {
+  std::size_t a = 0;
+  std::size_t b = 0;
+};
+
+/** Finds boxes among the pieces of a map. */
+class BoxSearch {
+public:
+  BoxSearch(const std::vector<PlanePatch>& planes, const std::vector<Piece>& pieces);
+
+  const std::vector<ConvexEdge>&
+  edges() const
+  {
+    return edges_;
+  }
+
+  /** The box that begins at an edge, fitted to its pieces.
+   * \param[in] is_used pieces of other boxes, which it does not take
+   * \return nothing where there is no sound box */
+  std::optional<Box>
+  grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const;
+
+private:
+  bool
+  isBehind(const Piece& piece, const Piece& other) const;
+
+  bool
+  meet(const Piece& a, const Piece& b) const;
+
+  bool
+  fits(const Box& box, std::size_t side, std::size_t piece) const;
+
+  void
+  addPieces(Box& box, const std::vector<bool>& is_used) const;
+
+  /** Where faces end: coordinate along a direction, and how much it varies; metres. */
+  struct End {
+    double position;
+    double spread;
+  };
+
+  End
+  endOfFaces(const Box& box, std::size_t side) const;
+
+  double
+  furthestPoint(const Box& box, std::size_t side) const;
+
+  bool
+  isBeside(const Box& box, std::size_t side, const Piece& piece) const;
+
+  void
+  bound(Box& box) const;
+
+  bool
+  hasStraightEnds(const Box& box) const;
+
+  bool
+  isCovered(const Box& box) const;
+
+  bool
+  isSolid(const Box& box) const;
+
+  const std::vector<PlanePatch>& planes_;
+  const std::vector<Piece>& pieces_;
+  std::vector<ConvexEdge> edges_;
+  std::vector<std::vector<std::size_t>> neighbours_; ///< of each piece, over edges
+};
+
+} // namespace pcl::acmap::boxes
