@@ -41,6 +41,7 @@ makeAdjustmentScene(const SimulatedScene& scene)
       point.x = pixel.x;
       point.y = pixel.y;
       point.z = pixel.z;
+      point.rgba = pixel.rgb;
       point.sigma = pixel.sigma;
     }
     result.clouds.push_back(cloud);

@@ -3,6 +3,7 @@
 #include "plane_landmarks.h"
 #include "pose_system.h"
 #include "ray_contradictions.h"
+#include "revisit_links.h"
 #include "surface_floor.h"
 #include "view_pieces.h"
 
@@ -31,6 +32,7 @@ constexpr double degree = M_PI / 180;   // radians
 PoseSystem
 covarianceAt(const Poses& poses,
              const OdometryPrior& prior,
+             const RevisitLinks& links,
              const std::vector<Landmark>& landmarks,
              const std::vector<Pair>& pairs)
 {
@@ -38,14 +40,18 @@ covarianceAt(const Poses& poses,
   for (const auto& [a, b] : pairs)
     if (a > 0)
       rows.emplace_back(a - 1, b - 1);
+  links.addPairs(rows);
   PoseSystem system(poses.size() - 1, rows);
   std::vector<Vector6> gradient(poses.size() - 1, Vector6::Zero());
-  prior.linearize(poses, system, gradient);
-  linearizeLandmarks(poses, landmarks, system, gradient);
+  const auto linearize = [&] {
+    prior.linearize(poses, system, gradient);
+    links.linearize(poses, system, gradient);
+    linearizeLandmarks(poses, landmarks, system, gradient);
+  };
+  linearize();
   for (double damping = 1e-9; !system.factorize(); damping *= 100) {
     system.setZero();
-    prior.linearize(poses, system, gradient);
-    linearizeLandmarks(poses, landmarks, system, gradient);
+    linearize();
     system.damp(damping);
     if (damping > 1)
       break;
@@ -156,6 +162,7 @@ public:
   : pieces_(pieces)
   , poses_(given)
   , prior_(given, settings)
+  , links_(settings.revisits)
   , settings_(settings)
   , progress_(progress)
   , report_(report)
@@ -165,11 +172,14 @@ public:
   bool
   run()
   {
+    if (links_.used() > 0)
+      closeLoops();
     double gate = 0;
     for (std::size_t round = 0; round < max_rounds; ++round) {
       progress_.tell(0.3 + 0.6 * static_cast<double>(round) / max_rounds, "adjust");
       const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
-      const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, pairs);
+      const PoseSystem inverse =
+          covarianceAt(poses_, prior_, links_, landmarks_, pairs);
       if (settings_.estimate_odometry && round >= 3)
         prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
       const RelativeCovariances relative(inverse, poses_, pairs);
@@ -188,7 +198,9 @@ public:
       landmarks_ = findLandmarks(pieces_, poses_, relative, association);
       if (landmarks_.empty())
         break;
-      const double moved = minimize(prior_, steps_per_round, landmarks_, poses_);
+      const double moved =
+          minimize(prior_, links_, steps_per_round, landmarks_, poses_);
+      links_.dropContradicted(poses_);
       floor_ = measureFloor(landmarks_, poses_, floor_);
       tellRound(gate, moved);
       if (gate >= last_gate && moved < still)
@@ -208,7 +220,7 @@ public:
   void
   judge(const Poses& given)
   {
-    const PoseSystem inverse = covarianceAt(poses_, prior_, landmarks_, {});
+    const PoseSystem inverse = covarianceAt(poses_, prior_, links_, landmarks_, {});
     double determined = static_cast<double>(6 * prior_.actions());
     const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -227,6 +239,8 @@ public:
     report_.thickness_before = thicknessOf(at_given, given);
     report_.thickness_after = thicknessOf(landmarks_, poses_);
     report_.landmarks = landmarks_.size();
+    report_.revisits_used = links_.used();
+    report_.revisits_dropped = settings_.revisits.size() - links_.used();
     for (const Landmark& landmark : landmarks_)
       report_.associated_pieces += landmark.pieces;
     report_.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
@@ -244,6 +258,30 @@ public:
   }
 
 private:
+  /** Lets the views of revisits overlap before planes are associated. */
+  void
+  closeLoops()
+  {
+    constexpr std::size_t steps = 20;
+    links_.dropImplausible(
+        poses_, covarianceAt(poses_, prior_, RevisitLinks({}), {}, linkedViews()));
+    const Poses given = poses_;
+    do {
+      poses_ = given;
+      minimize(prior_, links_, steps, landmarks_, poses_);
+    } while (links_.dropContradicted(poses_));
+  }
+
+  /** The pairs of views of the revisits. */
+  std::vector<Pair>
+  linkedViews() const
+  {
+    std::vector<Pair> pairs;
+    for (const RevisitConstraint& revisit : settings_.revisits)
+      pairs.emplace_back(revisit.earlier, revisit.later);
+    return pairs;
+  }
+
   void
   tellRound(double gate, double moved)
   {
@@ -262,6 +300,7 @@ private:
   const PiecesOfViews& pieces_;
   Poses poses_;
   OdometryPrior prior_;
+  RevisitLinks links_;
   const PlaneAdjustmentSettings& settings_;
   const Progress& progress_;
   PlaneAdjustmentReport& report_;
