@@ -22,6 +22,8 @@ namespace {
 
 using View = PointCloud<PointXYZRGBSigma>;
 
+constexpr std::size_t min_separation = 10; // views
+
 /** The share of the points of a view that another one saw at the same place. */
 double
 seenShare(const View& view,
@@ -65,8 +67,7 @@ struct RevisitScores {
 RevisitScores
 scoresOf(const std::vector<View::Ptr>& clouds,
          const std::vector<Eigen::Isometry3d>& truth,
-         const std::vector<Revisit>& revisits,
-         std::size_t separation)
+         const std::vector<Revisit>& revisits)
 {
   constexpr double max_shift = 0.1, max_turn = 3; // metres, degrees
   constexpr double same_place = 0.3;
@@ -89,7 +90,7 @@ scoresOf(const std::vector<View::Ptr>& clouds,
     const auto pinhole =
         fitPinhole({&clouds[a]->front().x, sizeof(PointXYZRGBSigma), clouds[a]->size()},
                    clouds[a]->width);
-    for (std::size_t b = a + separation; pinhole && b < clouds.size(); ++b) {
+    for (std::size_t b = a + min_separation; pinhole && b < clouds.size(); ++b) {
       const Eigen::Isometry3d T_a_b = truth[a].inverse() * truth[b];
       if (seenShare(*clouds[b], *clouds[a], *pinhole, T_a_b) > same_place &&
           seenShare(*clouds[a], *clouds[b], *pinhole, T_a_b.inverse()) > same_place)
@@ -107,72 +108,143 @@ scoresOf(const std::vector<View::Ptr>& clouds,
   return scores;
 }
 
-void
-printScores(const std::string& name,
-            const std::vector<View::Ptr>& clouds,
-            const std::vector<Eigen::Isometry3d>& truth)
+struct RevisitRun {
+  std::vector<Revisit> revisits;
+  RevisitReport report;
+  double seconds = 0; ///< CPU, one thread
+};
+
+RevisitRun
+detect(const std::vector<View::Ptr>& clouds)
 {
   RevisitDetection<PointXYZRGBSigma> detection;
   detection.setNumberOfThreads(1);
+  detection.setMinimumSeparation(min_separation);
   for (const View::Ptr& cloud : clouds)
     detection.addPointCloud(cloud);
-  const Cost cost = measureCost([&] { detection.compute(); });
-  const RevisitReport& report = detection.getReport();
-  const RevisitScores scores = scoresOf(
-      clouds, truth, detection.getRevisits(), detection.getMinimumSeparation());
-  MarkdownRow()
-      .text(name)
-      .count(report.views)
-      .count(report.keypoints)
-      .count(report.proposals)
-      .count(report.consistent)
-      .count(report.verified)
-      .count(scores.right)
-      .count(scores.places)
+  RevisitRun run;
+  run.seconds = measureCost([&] { detection.compute(); }).cpu;
+  run.revisits = detection.getRevisits();
+  run.report = detection.getReport();
+  return run;
+}
+
+void
+printScores(const std::string& name, const RevisitRun& run, const RevisitScores& scores)
+{
+  MarkdownRow row;
+  row.text(name)
+      .count(run.report.views)
+      .count(run.report.keypoints)
+      .count(run.report.proposals)
+      .count(run.report.consistent)
+      .count(run.report.verified);
+  if (scores.found > 0)
+    row.atLeast(
+        static_cast<double>(scores.right) / static_cast<double>(scores.found), 1, 3);
+  else
+    row.text("no revisit");
+  row.count(scores.places)
       .count(scores.answered)
       .number(milli * scores.shift, 1)
       .number(scores.turn, 2)
-      .number(cost.cpu, 1)
+      .number(run.seconds, 1)
       .print();
+}
+
+void
+printKitchenScores()
+{
+  const std::string folder = "C_sequence/redkitchen_000_495";
+  if (!test::hasTestData(folder + "/frame-000000.pose.txt"))
+    return;
+  const RgbdSequence recorded = openRgbdSequence(test::testDataPath(folder).string());
+  const ObservationSequence sequence(recorded, recorded.cameras());
+  std::vector<View::Ptr> clouds;
+  std::vector<Eigen::Isometry3d> given;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    const PosedObservation seen = sequence.load(i);
+    const auto cloud = std::make_shared<View>();
+    fromPCLPointCloud2(seen.file->cloud, *cloud);
+    clouds.push_back(cloud);
+    given.push_back(seen.T_map_camera);
+  }
+  const RevisitRun run = detect(clouds);
+  printScores("red kitchen", run, scoresOf(clouds, given, run.revisits));
+}
+
+/** Adjustments of one scene and drift, with and without revisits. */
+void
+printAdjusted(const AdjustmentScene& scene,
+              double level,
+              const std::vector<Revisit>& revisits,
+              const DriftSeeds& seeds)
+{
+  FreeDrift drift;
+  drift.level = level;
+  std::vector<double> before, ratios[2], used, dropped;
+  for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    const auto given = driftedFreely(scene.truth, drift, seed);
+    const AdjustmentRun without = adjust(scene, given, drift);
+    const AdjustmentRun with = adjust(scene, given, drift, revisits);
+    before.push_back(with.before);
+    ratios[0].push_back(without.ratio());
+    ratios[1].push_back(with.ratio());
+    used.push_back(static_cast<double>(with.report.revisits_used));
+    dropped.push_back(static_cast<double>(with.report.revisits_dropped));
+  }
+  MarkdownRow row;
+  row.text(scene.name)
+      .text(std::to_string(static_cast<int>(level)) + " x")
+      .count(before.size())
+      .number(median(before), 3);
+  for (const std::vector<double>& ratio : ratios)
+    row.number(median(ratio), 3).number(quantile(ratio, 1), 3);
+  row.number(median(used), 0).number(median(dropped), 0).print();
 }
 
 } // namespace
 
 void
-printRevisits(const DriftSeeds&)
+printRevisits(const DriftSeeds& seeds)
 {
-  std::cout << "\n### Revisits\n";
+  std::cout << "\n### Revisits by appearance\n";
   printHead({"views of",
              "views",
              "keypoints",
              "proposed",
              "consistent",
-             "revisits",
-             "right",
-             "views with one",
-             "found",
+             "verified",
+             "precision",
+             "views that see a place again",
+             "of these with a revisit",
              "error, median, mm",
              "degrees",
              "CPU s"});
-  const std::string folder = "C_sequence/redkitchen_000_495";
-  if (test::hasTestData(folder + "/frame-000000.pose.txt")) {
-    const RgbdSequence recorded = openRgbdSequence(test::testDataPath(folder).string());
-    const ObservationSequence sequence(recorded, recorded.cameras());
-    std::vector<View::Ptr> clouds;
-    std::vector<Eigen::Isometry3d> truth;
-    for (std::size_t i = 0; i < sequence.size(); ++i) {
-      const PosedObservation seen = sequence.load(i);
-      const auto cloud = std::make_shared<View>();
-      fromPCLPointCloud2(seen.file->cloud, *cloud);
-      clouds.push_back(cloud);
-      truth.push_back(seen.T_map_camera);
-    }
-    printScores("red kitchen", clouds, truth);
-  }
+  printKitchenScores();
+  std::vector<AdjustmentScene> scenes;
+  std::vector<RevisitRun> runs;
   for (const char* name : {"loop", "corridor_survey", "office"}) {
-    const AdjustmentScene scene = makeAdjustmentScene(standardScene(name));
-    printScores(name, scene.clouds, scene.truth);
+    scenes.push_back(makeAdjustmentScene(standardScene(name)));
+    const AdjustmentScene& scene = scenes.back();
+    runs.push_back(detect(scene.clouds));
+    printScores(
+        name, runs.back(), scoresOf(scene.clouds, scene.truth, runs.back().revisits));
   }
+  std::cout << "\n### Adjustment with and without them\n";
+  printHead({"scene",
+             "drift",
+             "runs",
+             "ATE before, median, m",
+             "ratio without, median",
+             "worst",
+             "ratio with, median",
+             "worst",
+             "used, median",
+             "dropped, median"});
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const double level : {4.0, 8.0})
+      printAdjusted(scenes[i], level, runs[i].revisits, seeds);
 }
 
 } // namespace pcl::acmap::bench

@@ -81,7 +81,8 @@ driftedFreely(const std::vector<Eigen::Isometry3d>& truth,
 AdjustmentRun
 adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
-       const FreeDrift& drift)
+       const FreeDrift& drift,
+       const std::vector<Revisit>& revisits)
 {
   const double level = drift.told * (drift.level > 0 ? drift.level : 1);
   PlaneAdjustment<PointXYZRGBSigma> adjustment;
@@ -90,6 +91,11 @@ adjust(const AdjustmentScene& scene,
       {1e-4 * level, length_share * level, turn_of_view * level, 0});
   for (std::size_t i = 0; i < given.size(); ++i)
     adjustment.addPointCloud(scene.clouds[i], given[i]);
+  for (const Revisit& revisit : revisits)
+    adjustment.addRevisit(revisit.earlier,
+                          revisit.later,
+                          revisit.estimate.T_target_source,
+                          revisit.estimate.covariance);
   AdjustmentRun run;
   run.seconds = measureCost([&] { adjustment.compute(); }).cpu;
   run.given = given;

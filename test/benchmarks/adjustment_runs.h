@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/point_types.h>
+#include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/simulation/simulated_scene.h>
 
@@ -54,7 +55,8 @@ struct AdjustmentRun {
 AdjustmentRun
 adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
-       const FreeDrift& drift);
+       const FreeDrift& drift,
+       const std::vector<Revisit>& revisits = {});
 
 std::string
 nameOf(AdjustmentOutcome outcome);

@@ -308,6 +308,43 @@ private:
   SurfaceFloor floor_;
 };
 
+/** Adjusts poses and judges the result.
+ * \return the given ones unless the outcome is Adjusted */
+Poses
+adjusted(const PiecesOfViews& pieces,
+         const Poses& given,
+         const PlaneAdjustmentSettings& settings,
+         const Progress& progress,
+         PlaneAdjustmentReport& report,
+         StepTimer& timer)
+{
+  PlaneAdjuster adjuster(pieces, given, settings, progress, report);
+  if (!adjuster.run()) {
+    report.reason = "no plane is seen from two views";
+    report.remarks.push_back(report.reason);
+    return given;
+  }
+  timer.finish("adjust");
+  progress.tell(0.9, "judge");
+  adjuster.judge(given);
+  report.rays_before = contradictionsOf(pieces, given);
+  report.rays_after = contradictionsOf(pieces, adjuster.poses());
+  decide(report);
+  timer.finish("judge");
+  return report.outcome == AdjustmentOutcome::Adjusted ? adjuster.poses() : given;
+}
+
+void
+requireViews(const std::vector<RevisitConstraint>& revisits, std::size_t views)
+{
+  for (const RevisitConstraint& revisit : revisits)
+    if (revisit.earlier >= revisit.later || revisit.later >= views)
+      throw BadArgumentException("there are no views " +
+                                 std::to_string(revisit.earlier) + " and " +
+                                 std::to_string(revisit.later) + " among " +
+                                 std::to_string(views) + ", the earlier one first");
+}
+
 } // namespace
 
 std::vector<Eigen::Isometry3d>
@@ -320,6 +357,7 @@ adjustPlanes(const AdjustedViewReader& read,
   if (!settings.action_covariances.empty() &&
       settings.action_covariances.size() + 1 != poses.size())
     throw BadArgumentException("each action needs one covariance");
+  requireViews(settings.revisits, poses.size());
   StepTimer timer(report);
   report.views = poses.size();
   progress.tell(0, "measure noise");
@@ -348,26 +386,22 @@ adjustPlanes(const AdjustedViewReader& read,
     report.remarks.push_back(report.reason);
     return result;
   }
-  PlaneAdjuster adjuster(pieces, poses, settings, progress, report);
-  if (!adjuster.run()) {
-    report.reason = "no plane is seen from two views";
-    report.remarks.push_back(report.reason);
-    return result;
+  const PlaneAdjustmentReport before = report;
+  result = adjusted(pieces, poses, settings, progress, report, timer);
+  if (report.outcome == AdjustmentOutcome::Refused && !settings.revisits.empty()) {
+    PlaneAdjustmentSettings without = settings;
+    without.revisits.clear();
+    report = before;
+    result = adjusted(pieces, poses, without, progress, report, timer);
+    report.revisits_dropped = settings.revisits.size();
+    report.remarks.push_back("rays contradict the poses that revisits lead to: none is "
+                             "used");
   }
-  timer.finish("adjust");
-  progress.tell(0.9, "judge");
-  adjuster.judge(poses);
-  report.rays_before = contradictionsOf(pieces, poses);
-  report.rays_after = contradictionsOf(pieces, adjuster.poses());
-  decide(report);
-  if (report.outcome == AdjustmentOutcome::Adjusted)
-    result = adjuster.poses();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
     report.turned[i] =
         rotationVector(poses[i].linear().transpose() * result[i].linear()).norm();
   }
-  timer.finish("judge");
   return result;
 }
 

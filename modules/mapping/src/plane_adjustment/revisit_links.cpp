@@ -16,13 +16,21 @@ constexpr double least_turn = 0.003; // radians
 /** Bound of a squared residual: three standard deviations in each of six directions. */
 constexpr double max_squared = 6 * 9;
 
+/** Covariance of the residual of a revisit's motion. */
 Matrix6
-withFloor(const ActionCovariance& covariance)
+residualCovariance(const RevisitConstraint& revisit)
 {
+  const Eigen::Vector3d way = revisit.T_earlier_later.translation();
+  Matrix6 of_motion = Matrix6::Zero(); // translation, rotation to rotation, translation
+  of_motion.topRightCorner<3, 3>() = revisit.T_earlier_later.linear().transpose();
+  of_motion.bottomLeftCorner<3, 3>().setIdentity();
+  of_motion.bottomRightCorner<3, 3>() << 0, way.z(), -way.y(), -way.z(), 0, way.x(),
+      way.y(), -way.x(), 0;
   Vector6 variances;
   variances.head<3>().setConstant(least_turn * least_turn);
   variances.tail<3>().setConstant(least_shift * least_shift);
-  return covariance + Matrix6(variances.asDiagonal());
+  return of_motion * revisit.covariance * of_motion.transpose() +
+         Matrix6(variances.asDiagonal());
 }
 
 } // namespace
@@ -30,7 +38,7 @@ withFloor(const ActionCovariance& covariance)
 RevisitLinks::RevisitLinks(const std::vector<RevisitConstraint>& revisits)
 {
   for (const RevisitConstraint& revisit : revisits) {
-    const Matrix6 covariance = withFloor(revisit.covariance);
+    const Matrix6 covariance = residualCovariance(revisit);
     links_.push_back({revisit.earlier,
                       revisit.later,
                       revisit.T_earlier_later,

@@ -125,14 +125,15 @@ public:
    * refused because of the rays. The report tells how many.
    * \param[in] earlier, later numbers of views, the smaller one first
    * \param[in] T_earlier_later maps points of the second into the frame of the first
-   * \param[in] covariance as in \ref setActionCovariances, in the frame of the first
+   * \param[in] covariance of small motions (tx, ty, tz in metres, rx, ry, rz in radians)
+   * in the frame of the first after T_earlier_later, as EgomotionEstimate::covariance
    * \throws BadArgumentException unless \a earlier < \a later and both exist, when the
    * pose is not a rigid motion or the covariance not positive definite */
   void
   addRevisit(std::size_t earlier,
              std::size_t later,
              const Eigen::Isometry3d& T_earlier_later,
-             const acmap::ActionCovariance& covariance);
+             const Eigen::Matrix<double, 6, 6>& covariance);
 
   std::size_t
   getNumberOfRevisits() const

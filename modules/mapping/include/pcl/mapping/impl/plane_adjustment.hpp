@@ -92,7 +92,7 @@ void
 PlaneAdjustment<PointT>::addRevisit(std::size_t earlier,
                                     std::size_t later,
                                     const Eigen::Isometry3d& T_earlier_later,
-                                    const acmap::ActionCovariance& covariance)
+                                    const Eigen::Matrix<double, 6, 6>& covariance)
 {
   acmap::requireObservation(later, poses_.size());
   if (earlier >= later)

@@ -30,7 +30,9 @@ requireActionCovariance(const ActionCovariance& covariance);
 struct RevisitConstraint {
   std::size_t earlier, later; ///< numbers of the views, the smaller one first
   Eigen::Isometry3d T_earlier_later;
-  ActionCovariance covariance; ///< in the frame of the earlier view
+  /** Of small motions (tx, ty, tz in metres, rx, ry, rz in radians) in the frame of the
+   * earlier view after T_earlier_later. */
+  Eigen::Matrix<double, 6, 6> covariance;
 };
 
 /** \brief Settings of \ref adjustPlanes; see PlaneAdjustment. */
