@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -113,18 +114,43 @@ TEST_F(AdjustedRevisits, oneWrongDoesNotTakeTheRightAlong)
   EXPECT_EQ(adjustment_.getReport().revisits_dropped, 1U);
 }
 
-/** Half a metre at the other end, where planes are taken for others. */
-TEST_F(AdjustedRevisits, aLargeDriftIsClosed)
+/** Views of the plain wall, floor and ceiling: no plane tells where the camera is along
+ * the wall. */
+TEST(AdjustmentAlongAWall, isDeterminedByARevisit)
 {
-  const double turn = 0.05; // radians
-  const RevisitPoses given = AdjustmentRoom::drifted(truth_, turn, action_length, 5);
-  add(given, turn);
-  const double without = errorAfter();
-  for (std::size_t i = 0; i < 3; ++i)
-    addRevisit(i, path_views - 1 - i);
-  EXPECT_LT(errorAfter(), 0.2 * without);
-  EXPECT_LT(errorAfter(), 0.01);
-  EXPECT_EQ(adjustment_.getReport().revisits_used, 3U);
+  constexpr double turn = 0.006, way_error = 0.03; // radians, metres
+  RevisitPoses truth;
+  for (std::size_t i = 0; i < path_views; ++i) {
+    Eigen::Isometry3d pose(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
+    const auto half = static_cast<double>(path_views) / 2;
+    pose.translation().x() = 1 - std::abs(static_cast<double>(i) - half) / half;
+    truth.push_back(pose);
+  }
+  const RevisitPoses given = AdjustmentRoom::drifted(truth, turn, way_error, 4);
+  double errors[2] = {};
+  for (const bool is_seen_again : {false, true}) {
+    PlaneAdjustment<PointXYZRGBSigma> adjustment;
+    adjustment.setOdometryNoise({way_error, 0, turn, 0});
+    for (std::size_t i = 0; i < path_views; ++i) {
+      const auto cloud = AdjustmentRoom::view(truth[i], view_sigma, i + 1);
+      for (PointXYZRGBSigma& point : *cloud)
+        if (std::abs(point.x) > 0.5F * point.z) // a side wall, from some places
+          point.getVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
+      adjustment.addPointCloud(cloud, given[i]);
+    }
+    if (is_seen_again)
+      adjustment.addRevisit(0,
+                            path_views - 1,
+                            truth[0].inverse() * truth[path_views - 1],
+                            1e-6 * Eigen::Matrix<double, 6, 6>::Identity());
+    adjustment.compute();
+    EXPECT_EQ(adjustment.getReport().outcome, AdjustmentOutcome::Adjusted);
+    errors[is_seen_again] =
+        std::abs(adjustment.getPose(path_views - 1).translation().x() -
+                 truth[path_views - 1].translation().x());
+  }
+  EXPECT_GT(errors[false], 0.03);
+  EXPECT_LT(errors[true], 0.012) << "a centimetre is assumed for errors of whole views";
 }
 
 TEST_F(AdjustedRevisits, threadsDoNotChangeAByte)
