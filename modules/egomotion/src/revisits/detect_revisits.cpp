@@ -6,7 +6,8 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
+#include <optional>
 
 namespace pcl::acmap {
 
@@ -26,9 +27,9 @@ check(const ProposedRevisit& proposal,
   CheckedProposal checked;
   const std::vector<FeaturePair> alike =
       alikePairs(views[proposal.later], views[proposal.earlier]);
-  if (agreeingPairs(alike).empty())
+  checked.is_consistent = areConsistent(alike);
+  if (!checked.is_consistent)
     return checked;
-  checked.is_consistent = true;
   checked.revisit = verifyRevisit(read(proposal.later), read(proposal.earlier), alike);
   if (checked.revisit) {
     checked.revisit->earlier = proposal.earlier;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,9 +14,10 @@ namespace pcl::acmap {
 
 namespace {
 
+// Of wrong pairs, which look alike, at most nine of the matches agree by chance.
 constexpr std::size_t min_inliers = 12;
 constexpr double min_spread = 0.1;   // of the mean distance of the points
-constexpr double min_overlap = 0.15; // share of the surfaces
+constexpr double min_overlap = 0.15; // share of the points
 constexpr double max_contradicted = 0.05;
 
 /** Standard deviation of places in the second of their principal directions, in units of
@@ -52,16 +54,14 @@ settingsOfRevisits()
 
 } // namespace
 
-std::vector<FeaturePair>
-agreeingPairs(const std::vector<FeaturePair>& alike)
+bool
+areConsistent(const std::vector<FeaturePair>& alike)
 {
   if (alike.size() < min_inliers)
-    return {};
-  std::vector<FeaturePair> pairs =
+    return false;
+  const std::vector<FeaturePair> pairs =
       consistentPairs(alike, settingsOfRevisits().worst_out);
-  if (pairs.size() < min_inliers || spreadOf(pairs) < min_spread)
-    pairs.clear();
-  return pairs;
+  return pairs.size() >= min_inliers && spreadOf(pairs) >= min_spread;
 }
 
 std::optional<Revisit>

@@ -9,10 +9,10 @@
 
 namespace pcl::acmap {
 
-/** \brief The keypoints among \a alike that agree on a rigid motion; none if they are
- * too few or too close together to distinguish the place from others. */
-std::vector<FeaturePair>
-agreeingPairs(const std::vector<FeaturePair>& alike);
+/** \brief Do enough of the keypoints agree on a rigid motion (Eq. 1), and are they spread
+ * so far that they tell the place from others? */
+bool
+areConsistent(const std::vector<FeaturePair>& alike);
 
 /** \brief Verifies by egomotion and by the surfaces that two views see the same place.
  * \return the revisit, without the numbers of its views */

@@ -47,7 +47,7 @@ separation(std::size_t a, std::size_t b)
 Votes
 votesOf(const std::vector<ViewKeypoints>& views, std::size_t min_separation)
 {
-  constexpr int neighbours = 64, checks = 512;
+  constexpr int checks = 512;
   constexpr int max_distance = 60; // bits of 256
   cv::Mat all;
   std::vector<std::size_t> view_of;
@@ -57,8 +57,9 @@ votesOf(const std::vector<ViewKeypoints>& views, std::size_t min_separation)
       view_of.insert(view_of.end(), views[i].keypoints.size(), i);
     }
   Votes votes;
-  if (all.rows < neighbours)
+  if (all.empty())
     return votes;
+  const int neighbours = std::min(64, all.rows);
   const SeededRandom seeded;
   cv::flann::GenericIndex<cvflann::Hamming<unsigned char>> index(
       all, cvflann::HierarchicalClusteringIndexParams());
