@@ -3,6 +3,7 @@
 #include <pcl/pipeline/sequence_adjustment.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace pcl::acmap {
 
@@ -18,7 +19,8 @@ outcomeName(AdjustmentOutcome outcome)
 }
 
 Json
-detailsOf(const PlaneAdjustmentReport& report)
+detailsOf(const PlaneAdjustmentReport& report,
+          const std::optional<RevisitReport>& revisits)
 {
   const auto in = [](const auto& fields) {
     Json json;
@@ -31,25 +33,44 @@ detailsOf(const PlaneAdjustmentReport& report)
     rounds.push_back(in(round));
   for (const PoseUncertainty& pose : report.uncertainty)
     uncertainty.push_back({{"position", pose.position}, {"rotation", pose.rotation}});
-  return {{"outcome", outcomeName(report.outcome)},
-          {outcomeName(report.outcome), report.reason},
-          {"points", report.points},
-          {"pieces", report.pieces},
-          {"planes", report.landmarks},
-          {"associated_pieces", report.associated_pieces},
-          {"noise_factor", report.noise_factor},
-          {"floor", report.floor},
-          {"odometry_factors", report.odometry_factors},
-          {"prior", report.prior},
-          {"thickness_before", report.thickness_before},
-          {"thickness_after", report.thickness_after},
-          {"significance", report.significance},
-          {"rays_before", in(report.rays_before)},
-          {"rays_after", in(report.rays_after)},
-          {"moved", report.moved},
-          {"turned", report.turned},
-          {"rounds", rounds},
-          {"uncertainty", uncertainty}};
+  Json details = {{"outcome", outcomeName(report.outcome)},
+                  {outcomeName(report.outcome), report.reason},
+                  {"points", report.points},
+                  {"pieces", report.pieces},
+                  {"planes", report.landmarks},
+                  {"associated_pieces", report.associated_pieces},
+                  {"noise_factor", report.noise_factor},
+                  {"floor", report.floor},
+                  {"odometry_factors", report.odometry_factors},
+                  {"prior", report.prior},
+                  {"thickness_before", report.thickness_before},
+                  {"thickness_after", report.thickness_after},
+                  {"significance", report.significance},
+                  {"rays_before", in(report.rays_before)},
+                  {"rays_after", in(report.rays_after)},
+                  {"moved", report.moved},
+                  {"turned", report.turned},
+                  {"rounds", rounds},
+                  {"uncertainty", uncertainty}};
+  if (revisits)
+    details["revisits"] = {{"keypoints", revisits->keypoints},
+                           {"proposals", revisits->proposals},
+                           {"consistent", revisits->consistent},
+                           {"verified", revisits->verified},
+                           {"used", report.revisits_used},
+                           {"dropped", report.revisits_dropped}};
+  return details;
+}
+
+void
+tellRevisits(const RevisitReport& revisits,
+             const PlaneAdjustmentReport& report,
+             StageLog& log)
+{
+  log.tell("revisits",
+           std::to_string(revisits.proposals) + " pairs of observations look alike, " +
+               std::to_string(revisits.verified) + " are verified, " +
+               std::to_string(report.revisits_used) + " used");
 }
 
 double
@@ -80,7 +101,9 @@ adjustPoses(const ObservationSequence& sequence,
                shortNumber(report.thickness_before) + " m, adjusted " +
                shortNumber(report.thickness_after) + " m");
   log.tell("moved by planes", "at most " + shortNumber(maximumOf(report.moved)) + " m");
-  log.details["adjustment"] = detailsOf(report);
+  if (adjustment.getRevisitReport())
+    tellRevisits(*adjustment.getRevisitReport(), report, log);
+  log.details["adjustment"] = detailsOf(report, adjustment.getRevisitReport());
   return adjusted;
 }
 

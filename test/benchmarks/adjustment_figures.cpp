@@ -8,7 +8,8 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_adjustment_figures [scenes] [entropy] [peers] [odometry] "
-    "[perfect] [blank] [kitchen] [livox] [size]\n"
+    "[perfect] [blank] [revisits] [kitchen] [livox] [size]
+"
     "Prints how well planes adjust poses, as Markdown tables; without a name all of\n"
     "them. Recordings are read from the folder named by the environment variable\n"
     "ACMAP_TEST_DATA. ACMAP_DRIFT_SEEDS=2 takes two seeds of the drift instead of "
@@ -29,6 +30,7 @@ main(int argc, char** argv)
                                              "odometry",
                                              "perfect",
                                              "blank",
+                                             "revisits",
                                              "kitchen",
                                              "livox",
                                              "size"},
@@ -50,6 +52,8 @@ main(int argc, char** argv)
     printRightPoses();
   if (sections.isWanted("blank"))
     printBlankCorridor(seeds);
+  if (sections.isWanted("revisits"))
+    printRevisits(seeds);
   if (sections.isWanted("kitchen"))
     printAdjustedKitchen();
   if (sections.isWanted("livox"))

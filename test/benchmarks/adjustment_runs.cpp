@@ -48,6 +48,7 @@ makeAdjustmentScene(const SimulatedScene& scene, std::uint64_t noise_seed)
       point.x = pixel.x;
       point.y = pixel.y;
       point.z = pixel.z;
+      point.rgba = pixel.rgb;
       point.sigma = pixel.sigma;
     }
     result.clouds.push_back(cloud);
@@ -87,13 +88,19 @@ driftedFreely(const std::vector<Eigen::Isometry3d>& truth,
 AdjustmentRun
 adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
-       const FreeDrift& drift)
+       const FreeDrift& drift,
+       const std::vector<Revisit>& revisits)
 {
   PlaneAdjustment<PointXYZRGBSigma> adjustment;
   adjustment.setNumberOfThreads(1);
   adjustment.setOdometryNoise(noiseOf(drift));
   for (std::size_t i = 0; i < given.size(); ++i)
     adjustment.addPointCloud(scene.clouds[i], given[i]);
+  for (const Revisit& revisit : revisits)
+    adjustment.addRevisit(revisit.earlier,
+                          revisit.later,
+                          revisit.estimate.T_target_source,
+                          revisit.estimate.covariance);
   AdjustmentRun run;
   run.seconds = measureCost([&] { adjustment.compute(); }).cpu;
   run.given = given;

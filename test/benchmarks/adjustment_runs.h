@@ -3,6 +3,7 @@
 #include "rectification_maps.h"
 
 #include <pcl/core/point_types.h>
+#include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/simulation/simulated_scene.h>
 
@@ -57,7 +58,8 @@ struct AdjustmentRun {
 AdjustmentRun
 adjust(const AdjustmentScene& scene,
        const std::vector<Eigen::Isometry3d>& given,
-       const FreeDrift& drift);
+       const FreeDrift& drift,
+       const std::vector<Revisit>& revisits = {});
 
 /** \brief The same after \ref EntropyRectification of the consolidated observations, as
  * the tools run both; errors before are those of the given poses. */

@@ -34,6 +34,10 @@ printRightPoses();
 void
 printBlankCorridor(const DriftSeeds& seeds);
 
+/** \brief Recall and precision of revisits, and what they add to the adjustment. */
+void
+printRevisits(const DriftSeeds& seeds);
+
 /** \brief A hand-held depth camera, with its own egomotion. */
 void
 printAdjustedKitchen();

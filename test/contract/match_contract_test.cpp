@@ -1,6 +1,7 @@
 #include "gradient_maximum_traits.h"
 #include "log_polar_traits.h"
 #include "planar_estimation_traits.h"
+#include "revisit_detection_traits.h"
 #include "visual_egomotion_traits.h"
 #include "worst_out_traits.h"
 
@@ -13,12 +14,18 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClassContract);
 using MatchClasses = testing::Types<GradientMaximumTraits,
                                     LogPolarTraits,
                                     PlanarEstimationTraits,
+                                    RevisitDetectionTraits,
                                     VisualEgomotionTraits,
                                     WorstOutTraits>;
-using ReportingClasses = testing::
-    Types<GradientMaximumTraits, LogPolarTraits, VisualEgomotionTraits, WorstOutTraits>;
-using ThreadedClasses =
-    testing::Types<GradientMaximumTraits, LogPolarTraits, VisualEgomotionTraits>;
+using ReportingClasses = testing::Types<GradientMaximumTraits,
+                                        LogPolarTraits,
+                                        RevisitDetectionTraits,
+                                        VisualEgomotionTraits,
+                                        WorstOutTraits>;
+using ThreadedClasses = testing::Types<GradientMaximumTraits,
+                                       LogPolarTraits,
+                                       RevisitDetectionTraits,
+                                       VisualEgomotionTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ShotContract, MatchClasses);
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ReportContract, ReportingClasses);

@@ -101,6 +101,63 @@ TEST_F(SequenceAdjustmentRoom, rightPosesAreKept)
     EXPECT_EQ(adjusted.poses[i].matrix(), truth_[i].matrix());
 }
 
+/** Paints a view with waves in space, 5 to 40 cm long. */
+void
+paintWaves(const Eigen::Isometry3d& pose, PointCloud<PointXYZRGBSigma>& cloud)
+{
+  Random random(9);
+  std::vector<Eigen::Vector4d> waves;
+  for (int i = 0; i < 12; ++i) {
+    Eigen::Vector3d direction(random.normal(), random.normal(), random.normal());
+    direction *= 2 * M_PI / random.uniform(0.05, 0.4) / direction.norm();
+    waves.emplace_back(
+        direction.x(), direction.y(), direction.z(), random.uniform(0, 2 * M_PI));
+  }
+  for (PointXYZRGBSigma& point : cloud) {
+    const Eigen::Vector3d place = pose * point.getVector3fMap().cast<double>();
+    double brightness = 128;
+    for (const Eigen::Vector4d& wave : waves)
+      brightness += 25 * std::sin(wave.head<3>().dot(place) + wave[3]);
+    point.r = point.g = point.b =
+        static_cast<std::uint8_t>(std::clamp(brightness, 0.0, 255.0));
+  }
+}
+
+TEST_F(SequenceAdjustmentRoom, imagesShowWhichPlacesAreSeenAgain)
+{
+  std::vector<std::shared_ptr<const PointCloudFile>> painted;
+  for (std::size_t i = 0; i < views; ++i) {
+    const auto cloud = AdjustmentRoom::view(truth_[i], sigma, i + 1);
+    paintWaves(truth_[i], *cloud);
+    const auto file = std::make_shared<PointCloudFile>();
+    toPCLPointCloud2(*cloud, file->cloud);
+    painted.push_back(file);
+  }
+  Trajectory adjusted;
+  adjustment_.compute(ObservationSequence(painted, trajectoryOf(given_)), adjusted);
+  ASSERT_TRUE(adjustment_.getRevisitReport());
+  EXPECT_GT(adjustment_.getRevisitReport()->verified, 0U) << "the path is closed";
+  EXPECT_EQ(adjustment_.getReport().revisits_used,
+            adjustment_.getRevisitReport()->verified);
+  EXPECT_LT(absoluteTrajectoryError(adjusted.poses, truth_).unaligned, 0.003);
+}
+
+TEST_F(SequenceAdjustmentRoom, withoutColoursThereAreNoRevisits)
+{
+  std::vector<std::shared_ptr<const PointCloudFile>> colourless;
+  for (const auto& file : files_) {
+    PointCloud<PointXYZ> points;
+    fromPCLPointCloud2(file->cloud, points);
+    const auto copy = std::make_shared<PointCloudFile>();
+    toPCLPointCloud2(points, copy->cloud);
+    colourless.push_back(copy);
+  }
+  Trajectory adjusted;
+  adjustment_.compute(ObservationSequence(colourless, trajectoryOf(given_)), adjusted);
+  EXPECT_FALSE(adjustment_.getRevisitReport());
+  EXPECT_EQ(adjustment_.getReport().revisits_used, 0U);
+}
+
 TEST_F(SequenceAdjustmentRoom, withoutSigmaTheNoiseIsMeasured)
 {
   std::vector<std::shared_ptr<const PointCloudFile>> bare;

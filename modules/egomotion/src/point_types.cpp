@@ -1,6 +1,7 @@
 #include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/egomotion/impl/correspondence_estimation_log_polar.hpp>
 #include <pcl/egomotion/impl/gradient_maximum_keypoint.hpp>
+#include <pcl/egomotion/impl/revisit_detection.hpp>
 #include <pcl/egomotion/impl/transformation_estimation_planar.hpp>
 #include <pcl/egomotion/impl/visual_egomotion.hpp>
 
@@ -15,6 +16,7 @@ template class pcl::Keypoint<pcl::PointXYZRGBSigma, pcl::PointXYZRGBSigma>;
 
 PCL_INSTANTIATE(CorrespondenceEstimationLogPolar, ACMAP_VIEW_POINT_TYPES)
 PCL_INSTANTIATE(GradientMaximumKeypoint, ACMAP_VIEW_POINT_TYPES)
+PCL_INSTANTIATE(RevisitDetection, ACMAP_VIEW_POINT_TYPES)
 PCL_INSTANTIATE(VisualEgomotion, ACMAP_VIEW_POINT_TYPES)
 
 namespace pcl::registration {

@@ -274,6 +274,7 @@ CompactMapping::adjust(const ObservationSequence& sequence,
   Trajectory adjusted;
   adjustment.compute(sequence, adjusted);
   report.adjustment = adjustment.getReport();
+  report.revisits = adjustment.getRevisitReport();
   addRemarks(*report.adjustment, report);
   EstimatedPoses poses;
   for (std::size_t i = 0; i < sequence.size(); ++i) {

@@ -56,8 +56,36 @@ isSigma(float sigma)
   return sigma > 0 && std::isfinite(sigma);
 }
 
-/** \brief Estimates the sigmas that the cloud does not have.
- * \return the number of estimated points, if the cloud has sigmas for others, else 0 */
+std::size_t
+countPlaces(const CameraView& view)
+{
+  return static_cast<std::size_t>(
+      std::count_if(view.points.begin(), view.points.end(), isPlace));
+}
+
+std::optional<Pinhole>
+pinholeOf(const CameraView& view)
+{
+  return fitUprightPinhole(
+      {view.points.data(), sizeof view.points[0], view.points.size()},
+      static_cast<std::size_t>(view.image.width));
+}
+
+/** \brief Surfaces and brightness of a view. */
+void
+addScene(const CameraView& view,
+         const std::vector<ViewLevel>& levels,
+         const EgomotionSettings& settings,
+         EgomotionView& prepared)
+{
+  prepared.surfaces = surfaceBlocks(view);
+  if (settings.refines)
+    for (std::size_t i = 1; i < levels.size(); ++i)
+      prepared.appearance.push_back(appearanceLevel(levels[i]));
+}
+
+} // namespace
+
 std::size_t
 completeSigmas(CameraView& view)
 {
@@ -76,7 +104,17 @@ completeSigmas(CameraView& view)
   return unknown;
 }
 
-} // namespace
+EgomotionView
+withoutFeatures(const CameraView& view, const EgomotionSettings& settings)
+{
+  EgomotionView prepared;
+  if (view.points.empty())
+    return prepared;
+  prepared.points = countPlaces(view);
+  prepared.pinhole = pinholeOf(view);
+  addScene(view, viewLevels(view), settings, prepared);
+  return prepared;
+}
 
 std::shared_ptr<const EgomotionView>
 prepareView(CameraView view, const EgomotionSettings& settings)
@@ -84,11 +122,8 @@ prepareView(CameraView view, const EgomotionSettings& settings)
   const auto prepared = std::make_shared<EgomotionView>();
   if (view.points.empty())
     return prepared;
-  for (const Eigen::Vector3f& point : view.points)
-    prepared->points += isPlace(point);
-  prepared->pinhole =
-      fitUprightPinhole({view.points.data(), sizeof view.points[0], view.points.size()},
-                        static_cast<std::size_t>(view.image.width));
+  prepared->points = countPlaces(view);
+  prepared->pinhole = pinholeOf(view);
   if (settings.paper) {
     view.sigmas.assign(view.points.size(), 0); // Eq. 2 has no weights
     const ViewLevel full{view.image, view.points, 0, 1};
@@ -99,10 +134,7 @@ prepareView(CameraView view, const EgomotionSettings& settings)
   const std::vector<ViewLevel> levels = viewLevels(view);
   for (std::size_t i = 0; i < std::min(levels.size(), feature_levels); ++i)
     prepared->features.push_back(featureLevel(levels[i], view, settings));
-  prepared->surfaces = surfaceBlocks(view);
-  if (settings.refines)
-    for (std::size_t i = 1; i < levels.size(); ++i)
-      prepared->appearance.push_back(appearanceLevel(levels[i]));
+  addScene(view, levels, settings, *prepared);
   return prepared;
 }
 

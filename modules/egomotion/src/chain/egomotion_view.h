@@ -40,4 +40,14 @@ struct EgomotionView {
   }
 };
 
+/** \brief Estimates the sigmas that a view does not have.
+ * \return the number of estimated points, if the view has sigmas for others, else 0 */
+std::size_t
+completeSigmas(CameraView& view);
+
+/** \brief Same as \ref prepareView, without features.
+ * \param[in] view must have sigmas */
+EgomotionView
+withoutFeatures(const CameraView& view, const EgomotionSettings& settings);
+
 } // namespace pcl::acmap

@@ -1,4 +1,5 @@
 #include "chain/egomotion_failure.h"
+#include "chain/estimate_from_pairs.h"
 #include "chain/feature_pairs.h"
 #include "chain/motion_step.h"
 #include "chain/refinement.h"
@@ -213,9 +214,9 @@ public:
   {}
 
   std::optional<EgomotionFailure>
-  match(EgomotionSolution& solution)
+  match(const std::vector<FeaturePair>& alike, EgomotionSolution& solution)
   {
-    alike_ = alikePairs(source_, target_, settings_);
+    alike_ = alike;
     solution.matches = pixelsOf(alike_);
     report_.matches = alike_.size();
     if (alike_.size() < minMatches(settings_))
@@ -353,7 +354,7 @@ run(const EgomotionView& source,
       return failure;
   StepTimer timer(report);
   EgomotionSteps chain(source, target, settings, report);
-  if (const auto failure = chain.match(solution))
+  if (const auto failure = chain.match(alikePairs(source, target, settings), solution))
     return failure;
   timer.finish("match");
   progress.tell(0.6, "fit");
@@ -373,6 +374,28 @@ run(const EgomotionView& source,
   timer.finish("refine");
   progress.tell(1.0, "refine");
   return failure;
+}
+
+std::optional<EgomotionFailure>
+runWithPairs(EgomotionSteps& chain,
+             const std::vector<FeaturePair>& pairs,
+             EgomotionSolution& solution)
+{
+  if (const auto failure = chain.match(pairs, solution))
+    return failure;
+  if (const auto failure = chain.leaveOut())
+    return failure;
+  if (const auto failure = chain.fit(solution))
+    return failure;
+  return chain.refine(solution);
+}
+
+void
+tellFailure(const std::optional<EgomotionFailure>& failure, EgomotionReport& report)
+{
+  report.outcome = failure ? failure->outcome : EgomotionOutcome::Estimated;
+  if (failure)
+    report.reason = failure->reason;
 }
 
 } // namespace
@@ -417,9 +440,20 @@ estimateEgomotion(const EgomotionView& source,
   remarkOnSigmas(target, "the target", report);
   const std::optional<EgomotionFailure> failure =
       run(source, target, settings, progress, report, solution);
-  report.outcome = failure ? failure->outcome : EgomotionOutcome::Estimated;
-  if (failure)
-    report.reason = failure->reason;
+  tellFailure(failure, report);
+  return solution;
+}
+
+EgomotionSolution
+estimateFromPairs(const EgomotionView& source,
+                  const EgomotionView& target,
+                  const std::vector<FeaturePair>& pairs,
+                  const EgomotionSettings& settings,
+                  EgomotionReport& report)
+{
+  EgomotionSolution solution;
+  EgomotionSteps chain(source, target, settings, report);
+  tellFailure(runWithPairs(chain, pairs, solution), report);
   return solution;
 }
 

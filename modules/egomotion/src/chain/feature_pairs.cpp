@@ -9,21 +9,16 @@ namespace pcl::acmap {
 
 namespace {
 
+/** \brief Covariance of a keypoint of a level. */
 Eigen::Matrix3d
-placeCovariance(const EgomotionView& view, std::size_t level, std::int32_t keypoint)
+keypointCovariance(const EgomotionView& view, std::size_t level, std::int32_t keypoint)
 {
-  constexpr double across_pixels = 0.5; // error of a maximum located on whole pixels
-  constexpr double usual_focal_length = 500;
   const FeatureLevel& features = view.features[level];
-  const Eigen::Vector3d place =
-      features.places[static_cast<std::size_t>(keypoint)].cast<double>();
-  const double along = features.sigmas[static_cast<std::size_t>(keypoint)];
-  const double focal_length =
-      view.pinhole ? (view.pinhole->fx + view.pinhole->fy) / 2 : usual_focal_length;
-  const double across = across_pixels * features.scale * place.norm() / focal_length;
-  const Eigen::Vector3d ray = place.normalized();
-  return across * across * Eigen::Matrix3d::Identity() +
-         std::max(along * along - across * across, 0.0) * ray * ray.transpose();
+  const auto place = static_cast<std::size_t>(keypoint);
+  return placeCovariance(features.places[place].cast<double>(),
+                         features.sigmas[place],
+                         features.scale,
+                         view.pinhole);
 }
 
 Eigen::Matrix3d
@@ -48,6 +43,22 @@ gateOf(const EgomotionSettings& settings)
 
 } // namespace
 
+Eigen::Matrix3d
+placeCovariance(const Eigen::Vector3d& place,
+                double sigma,
+                double scale,
+                const std::optional<Pinhole>& pinhole)
+{
+  constexpr double across_pixels = 0.5; // error of a maximum located on whole pixels
+  constexpr double usual_focal_length = 500;
+  const double focal_length =
+      pinhole ? (pinhole->fx + pinhole->fy) / 2 : usual_focal_length;
+  const double across = across_pixels * scale * place.norm() / focal_length;
+  const Eigen::Vector3d ray = place.normalized();
+  return across * across * Eigen::Matrix3d::Identity() +
+         std::max(sigma * sigma - across * across, 0.0) * ray * ray.transpose();
+}
+
 FeaturePair
 featurePair(const EgomotionView& source,
             const EgomotionView& target,
@@ -62,8 +73,8 @@ featurePair(const EgomotionView& source,
           before.pixels[to],
           now.places[from].cast<double>(),
           before.places[to].cast<double>(),
-          placeCovariance(source, level, match.source),
-          placeCovariance(target, level, match.target)};
+          keypointCovariance(source, level, match.source),
+          keypointCovariance(target, level, match.target)};
 }
 
 double

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -15,6 +16,17 @@ struct FeaturePair {
   Eigen::Vector3d source, target;                       ///< metres
   Eigen::Matrix3d source_covariance, target_covariance; ///< m^2
 };
+
+/** \brief Covariance of a keypoint, m^2: sigma along the ray, and half a pixel of the
+ * scale across.
+ * \param[in] place metres, camera frame
+ * \param[in] sigma metres
+ * \param[in] scale size of a pixel of the keypoint's level in pixels of the view */
+Eigen::Matrix3d
+placeCovariance(const Eigen::Vector3d& place,
+                double sigma,
+                double scale,
+                const std::optional<Pinhole>& pinhole);
 
 /** \brief The pair of two keypoints; the covariance has sigma along the ray, and half a
  * pixel of the level across. */

@@ -4,6 +4,7 @@
 #include "plane_landmarks.h"
 #include "pose_system.h"
 #include "ray_contradictions.h"
+#include "revisit_links.h"
 #include "surface_floor.h"
 #include "view_pieces.h"
 
@@ -33,6 +34,7 @@ constexpr double degree = M_PI / 180;   // radians
 PoseSystem
 covarianceAt(const Poses& poses,
              const OdometryPrior& prior,
+             const RevisitLinks& links,
              const std::vector<Landmark>& landmarks,
              const std::vector<Pair>& pairs)
 {
@@ -40,14 +42,18 @@ covarianceAt(const Poses& poses,
   for (const auto& [a, b] : pairs)
     if (a > 0)
       rows.emplace_back(a - 1, b - 1);
+  links.addPairs(rows);
   PoseSystem system(poses.size() - 1, rows);
   std::vector<Vector6> gradient(poses.size() - 1, Vector6::Zero());
-  prior.linearize(poses, system, gradient);
-  linearizeLandmarks(poses, landmarks, system, gradient);
+  const auto linearize = [&] {
+    prior.linearize(poses, system, gradient);
+    links.linearize(poses, system, gradient);
+    linearizeLandmarks(poses, landmarks, system, gradient);
+  };
+  linearize();
   for (double damping = 1e-9; !system.factorize(); damping *= 100) {
     system.setZero();
-    prior.linearize(poses, system, gradient);
-    linearizeLandmarks(poses, landmarks, system, gradient);
+    linearize();
     system.damp(damping);
     if (damping > 1)
       break;
@@ -158,6 +164,7 @@ public:
   : pieces_(pieces)
   , poses_(given)
   , prior_(given, settings)
+  , links_(settings.revisits)
   , settings_(settings)
   , progress_(progress)
   , report_(report)
@@ -167,11 +174,13 @@ public:
   bool
   run()
   {
+    if (links_.used() > 0)
+      closeLoops();
     double gate = 0;
     for (std::size_t round = 0; round < max_rounds; ++round) {
       progress_.tell(0.3 + 0.6 * static_cast<double>(round) / max_rounds, "adjust");
       const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
-      const PoseSystem inverse = covarianceAt(poses_, prior_, joined_, pairs);
+      const PoseSystem inverse = covarianceAt(poses_, prior_, links_, joined_, pairs);
       if (settings_.estimate_odometry && round >= 3)
         prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
       const RelativeCovariances relative(inverse, poses_, pairs);
@@ -192,7 +201,8 @@ public:
         break;
       joined_ =
           round >= first_joined_round ? joinLandmarks(landmarks_, poses_) : landmarks_;
-      const double moved = minimize(prior_, steps_per_round, joined_, poses_);
+      const double moved = minimize(prior_, links_, steps_per_round, joined_, poses_);
+      links_.dropContradicted(poses_);
       fitLandmarks(poses_, landmarks_);
       floor_ = measureFloor(landmarks_, poses_, floor_);
       tellRound(gate, moved);
@@ -213,7 +223,7 @@ public:
   void
   judge(const Poses& given)
   {
-    const PoseSystem inverse = covarianceAt(poses_, prior_, joined_, {});
+    const PoseSystem inverse = covarianceAt(poses_, prior_, links_, joined_, {});
     double determined = static_cast<double>(6 * prior_.actions());
     const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -232,6 +242,8 @@ public:
     report_.thickness_before = thicknessOf(at_given, given);
     report_.thickness_after = thicknessOf(landmarks_, poses_);
     report_.landmarks = landmarks_.size();
+    report_.revisits_used = links_.used();
+    report_.revisits_dropped = settings_.revisits.size() - links_.used();
     for (const Landmark& landmark : landmarks_)
       report_.associated_pieces += landmark.pieces;
     report_.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
@@ -249,6 +261,30 @@ public:
   }
 
 private:
+  /** Lets the views of revisits overlap before planes are associated. */
+  void
+  closeLoops()
+  {
+    constexpr std::size_t steps = 20;
+    links_.dropImplausible(
+        poses_, covarianceAt(poses_, prior_, RevisitLinks({}), {}, linkedViews()));
+    const Poses given = poses_;
+    do {
+      poses_ = given;
+      minimize(prior_, links_, steps, landmarks_, poses_);
+    } while (links_.dropContradicted(poses_));
+  }
+
+  /** The pairs of views of the revisits. */
+  std::vector<Pair>
+  linkedViews() const
+  {
+    std::vector<Pair> pairs;
+    for (const RevisitConstraint& revisit : settings_.revisits)
+      pairs.emplace_back(revisit.earlier, revisit.later);
+    return pairs;
+  }
+
   void
   tellRound(double gate, double moved)
   {
@@ -267,6 +303,7 @@ private:
   const PiecesOfViews& pieces_;
   Poses poses_;
   OdometryPrior prior_;
+  RevisitLinks links_;
   const PlaneAdjustmentSettings& settings_;
   const Progress& progress_;
   PlaneAdjustmentReport& report_;
@@ -274,6 +311,43 @@ private:
   std::vector<Landmark> joined_; ///< those that continue each other as one
   SurfaceFloor floor_;
 };
+
+/** Adjusts poses and judges the result.
+ * \return the given ones unless the outcome is Adjusted */
+Poses
+adjusted(const PiecesOfViews& pieces,
+         const Poses& given,
+         const PlaneAdjustmentSettings& settings,
+         const Progress& progress,
+         PlaneAdjustmentReport& report,
+         StepTimer& timer)
+{
+  PlaneAdjuster adjuster(pieces, given, settings, progress, report);
+  if (!adjuster.run()) {
+    report.reason = "no plane is seen from two views";
+    report.remarks.push_back(report.reason);
+    return given;
+  }
+  timer.finish("adjust");
+  progress.tell(0.9, "judge");
+  adjuster.judge(given);
+  report.rays_before = contradictionsOf(pieces, given);
+  report.rays_after = contradictionsOf(pieces, adjuster.poses());
+  decide(report);
+  timer.finish("judge");
+  return report.outcome == AdjustmentOutcome::Adjusted ? adjuster.poses() : given;
+}
+
+void
+requireViews(const std::vector<RevisitConstraint>& revisits, std::size_t views)
+{
+  for (const RevisitConstraint& revisit : revisits)
+    if (revisit.earlier >= revisit.later || revisit.later >= views)
+      throw BadArgumentException("there are no views " +
+                                 std::to_string(revisit.earlier) + " and " +
+                                 std::to_string(revisit.later) + " among " +
+                                 std::to_string(views) + ", the earlier one first");
+}
 
 } // namespace
 
@@ -287,6 +361,7 @@ adjustPlanes(const AdjustedViewReader& read,
   if (!settings.action_covariances.empty() &&
       settings.action_covariances.size() + 1 != poses.size())
     throw BadArgumentException("each action needs one covariance");
+  requireViews(settings.revisits, poses.size());
   StepTimer timer(report);
   report.views = poses.size();
   progress.tell(0, "measure noise");
@@ -315,26 +390,22 @@ adjustPlanes(const AdjustedViewReader& read,
     report.remarks.push_back(report.reason);
     return result;
   }
-  PlaneAdjuster adjuster(pieces, poses, settings, progress, report);
-  if (!adjuster.run()) {
-    report.reason = "no plane is seen from two views";
-    report.remarks.push_back(report.reason);
-    return result;
+  const PlaneAdjustmentReport before = report;
+  result = adjusted(pieces, poses, settings, progress, report, timer);
+  if (report.outcome == AdjustmentOutcome::Refused && !settings.revisits.empty()) {
+    PlaneAdjustmentSettings without = settings;
+    without.revisits.clear();
+    report = before;
+    result = adjusted(pieces, poses, without, progress, report, timer);
+    report.revisits_dropped = settings.revisits.size();
+    report.remarks.push_back("rays contradict the poses that revisits lead to: none is "
+                             "used");
   }
-  timer.finish("adjust");
-  progress.tell(0.9, "judge");
-  adjuster.judge(poses);
-  report.rays_before = contradictionsOf(pieces, poses);
-  report.rays_after = contradictionsOf(pieces, adjuster.poses());
-  decide(report);
-  if (report.outcome == AdjustmentOutcome::Adjusted)
-    result = adjuster.poses();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
     report.turned[i] =
         rotationVector(poses[i].linear().transpose() * result[i].linear()).norm();
   }
-  timer.finish("judge");
   return result;
 }
 

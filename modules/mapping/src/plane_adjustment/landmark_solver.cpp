@@ -156,19 +156,23 @@ linearizeLandmarks(const Poses& poses,
 
 double
 minimize(const OdometryPrior& prior,
+         const RevisitLinks& links,
          std::size_t steps,
          std::vector<Landmark>& landmarks,
          Poses& poses)
 {
   const std::size_t rows = poses.size() - 1;
-  PoseSystem system(rows, connectedRows(landmarks, poses.size()));
+  std::vector<PoseSystem::Pair> pairs = connectedRows(landmarks, poses.size());
+  links.addPairs(pairs);
+  PoseSystem system(rows, pairs);
   const Poses start = poses;
-  double cost = fitLandmarks(poses, landmarks) + prior.cost(poses);
+  double cost = fitLandmarks(poses, landmarks) + prior.cost(poses) + links.cost(poses);
   double damping = 0;
   for (std::size_t step = 0; step < steps; ++step) {
     system.setZero();
     std::vector<Vector6> gradient(rows, Vector6::Zero());
     prior.linearize(poses, system, gradient);
+    links.linearize(poses, system, gradient);
     linearizeLandmarks(poses, landmarks, system, gradient);
     system.damp(damping);
     if (!system.factorize()) {
@@ -180,7 +184,8 @@ minimize(const OdometryPrior& prior,
     for (std::size_t row = 0; row < rows; ++row)
       moved[row + 1] = retract(poses[row + 1], -motions[row]);
     std::vector<Landmark> fitted = landmarks;
-    const double new_cost = fitLandmarks(moved, fitted) + prior.cost(moved);
+    const double new_cost =
+        fitLandmarks(moved, fitted) + prior.cost(moved) + links.cost(moved);
     if (!(new_cost < cost)) {
       damping = std::max(1e-4, 10 * damping);
       continue;

@@ -3,6 +3,7 @@
 #include "odometry_prior.h"
 #include "plane_landmarks.h"
 #include "pose_system.h"
+#include "revisit_links.h"
 
 #include <cstddef>
 #include <vector>
@@ -28,11 +29,13 @@ linearizeLandmarks(const Poses& poses,
                    PoseSystem& system,
                    std::vector<Vector6>& gradient);
 
-/** \brief Levenberg-Marquardt steps on the poses.
+/** \brief Levenberg-Marquardt steps on the poses, from all evidence: odometry, revisits
+ * and landmarks.
  * \param[in] steps maximum number
  * \return the farthest move of a pose, metres */
 double
 minimize(const OdometryPrior& prior,
+         const RevisitLinks& links,
          std::size_t steps,
          std::vector<Landmark>& landmarks,
          Poses& poses);

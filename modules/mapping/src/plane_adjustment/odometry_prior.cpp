@@ -80,6 +80,33 @@ rotationVector(const Eigen::Matrix3d& rotation)
   return turn.angle() * turn.axis();
 }
 
+Vector6
+motionResidual(const Eigen::Isometry3d& measured, const Eigen::Isometry3d& motion)
+{
+  Vector6 residual;
+  residual << rotationVector(measured.linear().transpose() * motion.linear()),
+      motion.translation() - measured.translation();
+  return residual;
+}
+
+void
+motionJacobians(const Eigen::Isometry3d& measured,
+                const Eigen::Isometry3d& motion,
+                Matrix6& before,
+                Matrix6& after)
+{
+  const Eigen::Vector3d error =
+      rotationVector(measured.linear().transpose() * motion.linear());
+  const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(error);
+  before.setZero();
+  after.setZero();
+  before.topLeftCorner<3, 3>() = -turn * motion.linear().transpose();
+  before.bottomLeftCorner<3, 3>() = crossMatrix(motion.translation());
+  before.bottomRightCorner<3, 3>() = -Eigen::Matrix3d::Identity();
+  after.topLeftCorner<3, 3>() = turn;
+  after.bottomRightCorner<3, 3>() = motion.linear();
+}
+
 OdometryPrior::OdometryPrior(const Poses& given,
                              const PlaneAdjustmentSettings& settings)
 {
@@ -109,12 +136,8 @@ OdometryPrior::updateInformation()
 Vector6
 OdometryPrior::residual(const Poses& poses, std::size_t action) const
 {
-  const Eigen::Isometry3d motion = poses[action].inverse() * poses[action + 1];
-  const Eigen::Isometry3d& given = actions_[action].motion;
-  Vector6 residual;
-  residual << rotationVector(given.linear().transpose() * motion.linear()),
-      motion.translation() - given.translation();
-  return residual;
+  return motionResidual(actions_[action].motion,
+                        poses[action].inverse() * poses[action + 1]);
 }
 
 double
@@ -134,17 +157,10 @@ OdometryPrior::jacobians(const Poses& poses,
                          Matrix6& before,
                          Matrix6& after) const
 {
-  const Eigen::Isometry3d motion = poses[action].inverse() * poses[action + 1];
-  const Eigen::Vector3d error =
-      rotationVector(actions_[action].motion.linear().transpose() * motion.linear());
-  const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(error);
-  before.setZero();
-  after.setZero();
-  before.topLeftCorner<3, 3>() = -turn * motion.linear().transpose();
-  before.bottomLeftCorner<3, 3>() = crossMatrix(motion.translation());
-  before.bottomRightCorner<3, 3>() = -Eigen::Matrix3d::Identity();
-  after.topLeftCorner<3, 3>() = turn;
-  after.bottomRightCorner<3, 3>() = motion.linear();
+  motionJacobians(actions_[action].motion,
+                  poses[action].inverse() * poses[action + 1],
+                  before,
+                  after);
 }
 
 void

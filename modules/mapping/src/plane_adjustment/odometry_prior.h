@@ -22,6 +22,19 @@ retract(const Eigen::Isometry3d& pose, const Vector6& motion);
 Eigen::Vector3d
 rotationVector(const Eigen::Matrix3d& rotation);
 
+/** \brief Difference of a relative motion from the measured one: rotation vector, then
+ * translation, in the frame of the earlier view. */
+Vector6
+motionResidual(const Eigen::Isometry3d& measured, const Eigen::Isometry3d& motion);
+
+/** \brief Derivatives of \ref motionResidual by the motions (\ref retract) of the poses
+ * before and after. */
+void
+motionJacobians(const Eigen::Isometry3d& measured,
+                const Eigen::Isometry3d& motion,
+                Matrix6& before,
+                Matrix6& after);
+
 /** \brief What the odometry says about consecutive poses: residuals of the actions,
  * weighted by their inverse covariances. The first pose is fixed. */
 class OdometryPrior {

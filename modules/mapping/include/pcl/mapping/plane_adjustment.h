@@ -88,7 +88,7 @@ public:
     return loaders_.size();
   }
 
-  /** \brief Removes all views and the covariances of their actions. */
+  /** \brief Removes all views, the covariances of their actions and the revisits. */
   void
   clear();
 
@@ -115,6 +115,30 @@ public:
   getActionCovariances() const
   {
     return settings_.action_covariances;
+  }
+
+  /** \brief Adds the relative pose of two views that have seen the same place, such as
+   * RevisitDetection finds, so that surfaces which drift has moved apart are associated.
+   *
+   * It is dropped if it contradicts the odometry, other revisits or the planes by more
+   * than three standard deviations; and all are, if the poses that they lead to are
+   * refused because of the rays. The report tells how many.
+   * \param[in] earlier, later numbers of views, the smaller one first
+   * \param[in] T_earlier_later maps points of the second into the frame of the first
+   * \param[in] covariance of small motions (tx, ty, tz in metres, rx, ry, rz in radians)
+   * in the frame of the first after T_earlier_later, as EgomotionEstimate::covariance
+   * \throws BadArgumentException unless \a earlier < \a later and both exist, when the
+   * pose is not a rigid motion or the covariance not positive definite */
+  void
+  addRevisit(std::size_t earlier,
+             std::size_t later,
+             const Eigen::Isometry3d& T_earlier_later,
+             const Eigen::Matrix<double, 6, 6>& covariance);
+
+  std::size_t
+  getNumberOfRevisits() const
+  {
+    return settings_.revisits.size();
   }
 
   /** \brief Rescales the noise of the odometry so that its residuals agree with it

@@ -89,6 +89,8 @@ struct PlaneAdjustmentReport : Report {
   /** Decrease of chi^2 of the planes by the adjustment, in excess of what adjusting to
    * noise gives, in standard deviations of the latter. */
   double significance = 0;
+  std::size_t revisits_used = 0;    ///< revisits that agree with the adjusted poses
+  std::size_t revisits_dropped = 0; ///< revisits that other evidence contradicts
   RayContradictions rays_before, rays_after;
   std::vector<AdjustmentRound> rounds;
   std::vector<PoseUncertainty> uncertainty; ///< for each view

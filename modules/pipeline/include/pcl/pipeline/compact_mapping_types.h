@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/report.h>
+#include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/map_levelling_types.h>
 #include <pcl/mapping/plane_adjustment_types.h>
@@ -24,6 +25,7 @@ struct CompactMappingReport : Report {
   std::optional<MapLevellingReport> levelling;
   std::optional<EntropyRectificationReport> rectification;
   std::optional<PlaneAdjustmentReport> adjustment; ///< if it was requested
+  std::optional<RevisitReport> revisits; ///< of the adjustment, if there are images
   MergingReport merging;
   PlaneMappingReport planes;
   TexturingReport texture;

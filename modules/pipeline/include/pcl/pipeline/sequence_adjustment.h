@@ -3,15 +3,20 @@
 #include <pcl/core/export.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/observation_sequence.h>
+
+#include <optional>
 
 namespace pcl {
 
 /** \brief Adjusts the poses of a sequence by the planes that its observations share:
  * \ref PlaneAdjustment on points as they were measured, with their `sigma` if the first
- * observation has it. Observations are read when they are needed.
+ * observation has it. If the observations are organized and have colours,
+ * \ref RevisitDetection finds those that see the same place at different times, and they
+ * take part. Observations are read when they are needed.
  * \ingroup pipeline */
 class ACMAP_EXPORT SequenceAdjustment : public StageControls<PlaneAdjustmentReport> {
 public:
@@ -35,8 +40,16 @@ public:
   void
   compute(const ObservationSequence& sequence, Trajectory& trajectory);
 
+  /** \brief Report of \ref RevisitDetection in the last run; none without images. */
+  const std::optional<RevisitReport>&
+  getRevisitReport() const
+  {
+    return revisits_;
+  }
+
 private:
   OdometryNoise odometry_;
+  std::optional<RevisitReport> revisits_;
 };
 
 } // namespace pcl

@@ -9,6 +9,8 @@
 #include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/mapping/plane_adjustment.h>
 
+#include <string>
+
 namespace pcl {
 namespace acmap {
 
@@ -82,6 +84,24 @@ PlaneAdjustment<PointT>::clear()
   given_.clear();
   poses_.clear();
   settings_.action_covariances.clear();
+  settings_.revisits.clear();
+}
+
+template <typename PointT>
+void
+PlaneAdjustment<PointT>::addRevisit(std::size_t earlier,
+                                    std::size_t later,
+                                    const Eigen::Isometry3d& T_earlier_later,
+                                    const Eigen::Matrix<double, 6, 6>& covariance)
+{
+  acmap::requireObservation(later, poses_.size());
+  if (earlier >= later)
+    throw BadArgumentException("a revisit needs the earlier view first, not " +
+                               std::to_string(earlier) + " and " +
+                               std::to_string(later));
+  acmap::requireMapPose(T_earlier_later);
+  acmap::requireActionCovariance(covariance);
+  settings_.revisits.push_back({earlier, later, T_earlier_later, covariance});
 }
 
 template <typename PointT>

@@ -26,12 +26,22 @@ requireOdometryNoise(const OdometryNoise& noise);
 ACMAP_EXPORT void
 requireActionCovariance(const ActionCovariance& covariance);
 
+/** \brief Relative pose of two views that have seen the same place. */
+struct RevisitConstraint {
+  std::size_t earlier, later; ///< numbers of the views, the smaller one first
+  Eigen::Isometry3d T_earlier_later;
+  /** Of small motions (tx, ty, tz in metres, rx, ry, rz in radians) in the frame of the
+   * earlier view after T_earlier_later. */
+  Eigen::Matrix<double, 6, 6> covariance;
+};
+
 /** \brief Settings of \ref adjustPlanes; see PlaneAdjustment. */
 struct PlaneAdjustmentSettings {
   OdometryNoise odometry;
   /** One per action, from a view to the next; empty: from \ref odometry. */
   std::vector<ActionCovariance> action_covariances;
   bool estimate_odometry = true; ///< rescale the noise by the residuals
+  std::vector<RevisitConstraint> revisits;
 };
 
 /** \brief The points of a view. */
@@ -51,7 +61,8 @@ using AdjustedViewReader =
  * \param[in] poses T_map_camera, in the order in which the views were made
  * \param[out] report counts, outcome and remarks are added
  * \return as many poses; the given ones if the outcome is not Adjusted
- * \throws BadArgumentException if the covariances differ in number from the actions
+ * \throws BadArgumentException if the covariances differ in number from the actions, or
+ * a revisit is of a view that does not exist
  * \throws CancelledException when the progress callback requested to stop */
 ACMAP_EXPORT std::vector<Eigen::Isometry3d>
 adjustPlanes(const AdjustedViewReader& read,
