@@ -52,6 +52,7 @@ reportOfAdjustment(PlaneAdjustmentReport&& report)
                            "associated_pieces"_a = report.associated_pieces,
                            "noise_factor"_a = report.noise_factor,
                            "floor"_a = report.floor,
+                           "attempts"_a = report.attempts,
                            "odometry_factors"_a = report.odometry_factors,
                            "prior"_a = report.prior,
                            "thickness_before"_a = report.thickness_before,

@@ -8,8 +8,7 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_adjustment_figures [scenes] [entropy] [peers] [odometry] "
-    "[perfect] [blank] [revisits] [kitchen] [livox] [size]
-"
+    "[perfect] [blank] [revisits] [kitchen] [livox] [size]\n"
     "Prints how well planes adjust poses, as Markdown tables; without a name all of\n"
     "them. Recordings are read from the folder named by the environment variable\n"
     "ACMAP_TEST_DATA. ACMAP_DRIFT_SEEDS=2 takes two seeds of the drift instead of "

@@ -25,10 +25,9 @@ using Pair = PoseSystem::Pair;
 constexpr std::size_t max_rounds = 14;
 constexpr std::size_t steps_per_round = 3;
 constexpr std::size_t first_joined_round = 4;
-constexpr double last_gate = 0.5; // metres
-constexpr double still = 0.0003;  // metres: a round that moves less is the last one
-constexpr double annealing_share = 0.2; // of the uncertainty of neighbouring views
-constexpr double degree = M_PI / 180;   // radians
+constexpr double last_gate = 0.5;     // metres
+constexpr double still = 0.0003;      // metres: a round that moves less is the last one
+constexpr double degree = M_PI / 180; // radians
 
 /** Inverse of the normal equations at some poses, with all \a pairs in its pattern. */
 PoseSystem
@@ -114,13 +113,14 @@ neighbourDeviation(const PiecesOfViews& pieces,
   return *place;
 }
 
+constexpr std::size_t enough_rays = 50;
+constexpr double usual_contradictions = 0.01; // of the rays, in right maps
+
 /** Is a share of contradicted rays clearly larger than before? */
 bool
 isWorse(std::size_t rays_before, double before, std::size_t rays_after, double after)
 {
-  constexpr double more = 0.01;
-  constexpr std::size_t enough = 50;
-  return rays_after >= enough && after > before + more &&
+  return rays_after >= enough_rays && after > before + usual_contradictions &&
          after * static_cast<double>(rays_after) >
              1.2 * before * static_cast<double>(rays_before);
 }
@@ -146,6 +146,12 @@ decide(PlaneAdjustmentReport& report)
     report.reason = "rays contradict the adjusted poses more than the given ones";
     report.remarks.push_back(report.reason);
   }
+  else if (after.far_rays >= enough_rays &&
+           after.far_share > after.near_share + usual_contradictions) {
+    report.outcome = AdjustmentOutcome::Refused;
+    report.reason = "views of one place from different times contradict each other";
+    report.remarks.push_back(report.reason);
+  }
   else {
     report.outcome = AdjustmentOutcome::Adjusted;
     report.reason =
@@ -153,12 +159,23 @@ decide(PlaneAdjustmentReport& report)
   }
 }
 
+/** Settings of one of several attempts. */
+struct AttemptSettings : PlaneAdjustmentSettings {
+  AttemptSettings(const PlaneAdjustmentSettings& settings, double share)
+  : PlaneAdjustmentSettings(settings)
+  , annealing(share)
+  {}
+
+  double annealing; ///< systematic error of the first round, as a share of the
+                    ///< uncertainty of neighbouring views
+};
+
 /** The rounds of an adjustment. */
 class PlaneAdjuster {
 public:
   PlaneAdjuster(const PiecesOfViews& pieces,
                 const Poses& given,
-                const PlaneAdjustmentSettings& settings,
+                const AttemptSettings& settings,
                 const Progress& progress,
                 PlaneAdjustmentReport& report)
   : pieces_(pieces)
@@ -193,7 +210,7 @@ public:
       association.angle =
           (12 - 7 * std::min(1.0, static_cast<double>(round) / 3)) * degree;
       floor_.minimum = std::max(SurfaceFloor::min_constant,
-                                annealing_share * deviation *
+                                settings_.annealing * deviation *
                                     std::pow(0.5, static_cast<double>(round)));
       association.floor = floor_;
       landmarks_ = findLandmarks(pieces_, poses_, relative, association);
@@ -243,7 +260,6 @@ public:
     report_.thickness_after = thicknessOf(landmarks_, poses_);
     report_.landmarks = landmarks_.size();
     report_.revisits_used = links_.used();
-    report_.revisits_dropped = settings_.revisits.size() - links_.used();
     for (const Landmark& landmark : landmarks_)
       report_.associated_pieces += landmark.pieces;
     report_.prior = prior_.cost(poses_) / static_cast<double>(6 * prior_.actions());
@@ -304,7 +320,7 @@ private:
   Poses poses_;
   OdometryPrior prior_;
   RevisitLinks links_;
-  const PlaneAdjustmentSettings& settings_;
+  const AttemptSettings& settings_;
   const Progress& progress_;
   PlaneAdjustmentReport& report_;
   std::vector<Landmark> landmarks_;
@@ -312,30 +328,99 @@ private:
   SurfaceFloor floor_;
 };
 
-/** Adjusts poses and judges the result.
- * \return the given ones unless the outcome is Adjusted */
-Poses
+/** A result of an adjustment. */
+struct Attempt {
+  Poses poses; ///< the given ones unless the outcome is Adjusted
+  PlaneAdjustmentReport report;
+
+  /** The larger share of contradicted rays. */
+  double
+  contradicted() const
+  {
+    const RayContradictions& rays = report.rays_after;
+    return std::max(rays.near_rays >= enough_rays ? rays.near_share : 0,
+                    rays.far_rays >= enough_rays ? rays.far_share : 0);
+  }
+
+  /** Are more rays contradicted than in right maps, or nearly as many, although the
+   * odometry had to be distrusted? */
+  bool
+  isDoubtful() const
+  {
+    constexpr double distrust = 2;
+    const auto& factors = report.odometry_factors;
+    const bool is_distrusted = std::max(factors[0], factors[1]) > distrust;
+    return contradicted() > (is_distrusted ? 0.5 : 1.0) * usual_contradictions;
+  }
+};
+
+Attempt
 adjusted(const PiecesOfViews& pieces,
          const Poses& given,
-         const PlaneAdjustmentSettings& settings,
+         const AttemptSettings& settings,
          const Progress& progress,
-         PlaneAdjustmentReport& report,
-         StepTimer& timer)
+         const PlaneAdjustmentReport& before)
 {
+  Attempt attempt{given, before};
+  PlaneAdjustmentReport& report = attempt.report;
   PlaneAdjuster adjuster(pieces, given, settings, progress, report);
   if (!adjuster.run()) {
     report.reason = "no plane is seen from two views";
     report.remarks.push_back(report.reason);
-    return given;
+    return attempt;
   }
-  timer.finish("adjust");
   progress.tell(0.9, "judge");
   adjuster.judge(given);
   report.rays_before = contradictionsOf(pieces, given);
   report.rays_after = contradictionsOf(pieces, adjuster.poses());
   decide(report);
-  timer.finish("judge");
-  return report.outcome == AdjustmentOutcome::Adjusted ? adjuster.poses() : given;
+  if (report.outcome == AdjustmentOutcome::Adjusted)
+    attempt.poses = adjuster.poses();
+  return attempt;
+}
+
+/** The first attempt, and what else is tried where its result is doubtful: an early wrong
+ * association can be so strong that the odometry is distrusted rather than undone. */
+std::vector<AttemptSettings>
+attemptsOf(const PlaneAdjustmentSettings& settings)
+{
+  constexpr double usual = 0.2, longer = 0.5; // of the uncertainty of neighbours
+  std::vector<AttemptSettings> attempts{{settings, usual}};
+  AttemptSettings trusting{settings, usual};
+  trusting.estimate_odometry = false;
+  if (settings.estimate_odometry)
+    attempts.push_back(trusting);
+  trusting.annealing = longer;
+  attempts.push_back(trusting);
+  if (!settings.revisits.empty()) {
+    attempts.push_back(attempts.front());
+    attempts.back().revisits.clear();
+  }
+  return attempts;
+}
+
+/** The attempt that rays contradict least. */
+Attempt
+bestAttempt(const PiecesOfViews& pieces,
+            const Poses& given,
+            const PlaneAdjustmentSettings& settings,
+            const Progress& progress,
+            const PlaneAdjustmentReport& before)
+{
+  Attempt best{given, before};
+  std::size_t count = 0;
+  for (const AttemptSettings& way : attemptsOf(settings)) {
+    Attempt attempt = adjusted(pieces, given, way, progress, before);
+    attempt.report.revisits_dropped =
+        settings.revisits.size() - attempt.report.revisits_used;
+    if (count == 0 || attempt.contradicted() < best.contradicted())
+      best = std::move(attempt);
+    ++count;
+    if (!best.isDoubtful())
+      break;
+  }
+  best.report.attempts = count;
+  return best;
 }
 
 void
@@ -390,17 +475,10 @@ adjustPlanes(const AdjustedViewReader& read,
     report.remarks.push_back(report.reason);
     return result;
   }
-  const PlaneAdjustmentReport before = report;
-  result = adjusted(pieces, poses, settings, progress, report, timer);
-  if (report.outcome == AdjustmentOutcome::Refused && !settings.revisits.empty()) {
-    PlaneAdjustmentSettings without = settings;
-    without.revisits.clear();
-    report = before;
-    result = adjusted(pieces, poses, without, progress, report, timer);
-    report.revisits_dropped = settings.revisits.size();
-    report.remarks.push_back("rays contradict the poses that revisits lead to: none is "
-                             "used");
-  }
+  Attempt best = bestAttempt(pieces, poses, settings, progress, report);
+  result = std::move(best.poses);
+  report = std::move(best.report);
+  timer.finish("adjust");
   for (std::size_t i = 0; i < poses.size(); ++i) {
     report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
     report.turned[i] =

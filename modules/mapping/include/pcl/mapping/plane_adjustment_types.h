@@ -76,9 +76,10 @@ struct PlaneAdjustmentReport : Report {
   std::size_t pieces = 0;            ///< plane pieces of all views
   std::size_t landmarks = 0;         ///< planes seen from several views, last round
   std::size_t associated_pieces = 0; ///< pieces on these planes
-  double noise_factor = 1; ///< measured noise at 2 m, as a factor of the given sigma;
-                           ///< metres if none was given
-  double floor = 0;        ///< metres, systematic error of a view at 2 m
+  std::size_t attempts = 0; ///< searches: more than one where the first was doubtful
+  double noise_factor = 1;  ///< measured noise at 2 m, as a factor of the given sigma;
+                            ///< metres if none was given
+  double floor = 0;         ///< metres, systematic error of a view at 2 m
   /** Factors on the standard deviations of rotations and translations of the odometry
    * that its residuals indicate. */
   std::array<double, 2> odometry_factors{1, 1};
