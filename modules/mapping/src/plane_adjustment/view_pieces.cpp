@@ -255,21 +255,23 @@ private:
     if (tile_.size() < min_piece_points)
       return;
     const RayFit fit = fitRays(tile_, part_of_, noise_, kind_);
-    const double max_radius = size > smallest ? max_tile_radius : largest_radius;
-    if (fit.isSolved() && isPlanar(fit))
-      addPiece(fit, tile, max_radius, pieces);
+    PlanePiece piece;
+    if (fit.isSolved() && isPlanar(fit) &&
+        makeInnerPiece(
+            fit, tile, size > smallest ? max_tile_radius : largest_radius, piece))
+      pieces.push_back(piece);
     else if (size > smallest)
       for (const std::size_t dy : {std::size_t{0}, size / 2})
         for (const std::size_t dx : {std::size_t{0}, size / 2})
           cutTile(x + dx, y + dy, size / 2, pieces);
   }
 
-  /** Adds the piece of a planar tile, without the quarters of it beyond which the surface
+  /** The piece of a planar tile, without the quarters of it beyond which the surface
    * does not go on: it may end within them already, and the few points of the next
    * surface, which noise hides, would pull all pieces of this edge the same way. On the
    * other sides the rest must go on, too: else it leans against the edge. */
-  void
-  addPiece(RayFit fit, Window tile, double max_radius, std::vector<PlanePiece>& pieces)
+  bool
+  makeInnerPiece(RayFit fit, const Window& tile, double max_radius, PlanePiece& piece)
   {
     const std::array<bool, 4> ends = endsOf(fit.plane, tile);
     if (ends != std::array<bool, 4>{}) {
@@ -280,15 +282,13 @@ private:
               tile.bottom - (ends[3] ? strip : 0)});
       fit = fitRays(tile_, part_of_, noise_, kind_);
       if (!fit.isSolved())
-        return;
+        return false;
       const std::array<bool, 4> ends_now = endsOf(fit.plane, tile);
       for (std::size_t side = 0; side < 4; ++side)
         if (ends_now[side] && !ends[side])
-          return;
+          return false;
     }
-    PlanePiece piece;
-    if (makePiece(tile_, fit.plane, noise_, max_radius, piece))
-      pieces.push_back(piece);
+    return makePiece(tile_, fit.plane, noise_, max_radius, piece);
   }
 
   /** Does a plane end at the left, upper, right and lower side of a tile? */
