@@ -147,7 +147,7 @@ decide(PlaneAdjustmentReport& report)
     report.remarks.push_back(report.reason);
   }
   else if (after.far_rays >= enough_rays &&
-           after.far_share > after.near_share + usual_contradictions) {
+           after.far_share > after.near_share + 2 * usual_contradictions) {
     report.outcome = AdjustmentOutcome::Refused;
     report.reason = "views of one place from different times contradict each other";
     report.remarks.push_back(report.reason);
