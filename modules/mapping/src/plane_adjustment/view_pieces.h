@@ -80,11 +80,11 @@ struct PieceCounts {
 };
 
 /** \brief Cuts a view into planar pieces. An organized view is divided into tiles of 32
- * pixels, which are quartered down to 8 pixels until they are planar; quarters that lie
- * across an edge, together with their neighbours, are left out. Other views are divided
- * into cubes of 1 m, down to 25 cm. Planes are fitted by regression of the inverse distance,
- * in which they are linear in the ray, with weights from the predicted distance: those
- * from the measured one bias the fit. O(n log n). */
+ * pixels, which are quartered down to 8 pixels until they are planar; the rim of a tile
+ * beyond which its surface does not go on is left out. Other views are divided into cubes
+ * of 1 m, down to 25 cm. Planes are fitted by regression of the inverse distance, in which
+ * they are linear in the ray, with weights from the predicted distance: those from the
+ * measured one bias the fit. O(n log n). */
 std::vector<PlanePiece>
 piecesOf(const AdjustedView& view, const RangeNoise& noise, PieceCounts& counts);
 
