@@ -96,8 +96,10 @@ completeSigmas(CameraView& view)
   if (!view.sigmas.empty() && unknown == 0)
     return 0;
   std::vector<float> estimated = estimatedSigmas(view);
-  if (view.sigmas.empty())
+  if (view.sigmas.empty()) {
     view.sigmas = std::move(estimated);
+    return 0;
+  }
   for (std::size_t i = 0; i < view.points.size(); ++i)
     if (!isSigma(view.sigmas[i]))
       view.sigmas[i] = estimated[i];
