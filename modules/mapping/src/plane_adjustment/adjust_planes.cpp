@@ -371,7 +371,6 @@ adjusted(const PiecesOfViews& pieces,
   }
   progress.tell(0.9, "judge");
   adjuster.judge(given);
-  report.rays_before = contradictionsOf(pieces, given);
   report.rays_after = contradictionsOf(pieces, adjuster.poses());
   decide(report);
   if (report.outcome == AdjustmentOutcome::Adjusted)
@@ -413,7 +412,8 @@ bestAttempt(const PiecesOfViews& pieces,
     Attempt attempt = adjusted(pieces, given, way, progress, before);
     attempt.report.revisits_dropped =
         settings.revisits.size() - attempt.report.revisits_used;
-    if (count == 0 || attempt.contradicted() < best.contradicted())
+    if (count == 0 ||
+        (attempt.report.landmarks > 0 && attempt.contradicted() < best.contradicted()))
       best = std::move(attempt);
     ++count;
     if (!best.isDoubtful())
@@ -475,6 +475,7 @@ adjustPlanes(const AdjustedViewReader& read,
     report.remarks.push_back(report.reason);
     return result;
   }
+  report.rays_before = contradictionsOf(pieces, poses);
   Attempt best = bestAttempt(pieces, poses, settings, progress, report);
   result = std::move(best.poses);
   report = std::move(best.report);

@@ -1,38 +1,13 @@
 #include "joined_landmarks.h"
 
 #include "map_cells.h"
-
-#include <Eigen/Cholesky>
+#include "plane_frame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace pcl::acmap {
 namespace {
-
-/** Sums of a landmark or of several ones, relative to a place, along two axes of a plane
- * and its normal. */
-struct PlaneSums {
-  Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
-
-  /** chi^2 of the best plane. */
-  double
-  cost() const
-  {
-    const int use[3] = {0, 1, 3};
-    Eigen::Matrix3d products;
-    Eigen::Vector3d right;
-    for (int a = 0; a < 3; ++a) {
-      right[a] = sums(use[a], 2);
-      for (int b = 0; b < 3; ++b)
-        products(a, b) = sums(use[a], use[b]);
-    }
-    const Eigen::Vector3d plane = products.ldlt().solve(right);
-    const double square = 1 + plane.head<2>().squaredNorm();
-    return std::max(0.0, sums(2, 2) - plane.dot(right)) / square;
-  }
-};
 
 class Joining {
 public:
@@ -71,20 +46,13 @@ public:
 private:
   static constexpr double cell_edge = 1.2; ///< metres, to what continues a landmark
 
-  PlaneSums
-  sumsOf(const Landmark& landmark,
-         const Eigen::Matrix3d& axes,
-         const Eigen::Vector3d& origin) const
+  Eigen::Matrix4d
+  sumsOf(const Landmark& landmark, const PlaneFrame& frame) const
   {
-    PlaneSums result;
-    for (const LandmarkView& view : landmark.views) {
-      const Eigen::Isometry3d& pose = poses_[view.view];
-      Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-      local.topLeftCorner<3, 3>() = axes * pose.linear();
-      local.topRightCorner<3, 1>() = axes * (pose.translation() - origin);
-      result.sums.noalias() += local * view.cluster * local.transpose();
-    }
-    return result;
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+    for (const LandmarkView& view : landmark.views)
+      sums += frame.sumsOf(view.cluster, poses_[view.view]);
+    return sums;
   }
 
   Landmark
@@ -94,12 +62,9 @@ private:
     constexpr double min_cosine = 0.9986; // 3 degrees
     constexpr double max_increase = 16;   // of chi^2, by 3 degrees of freedom: .1 %
     const Landmark& first = landmarks_[seed];
-    Eigen::Matrix3d axes; // rows: two along the plane, its normal
-    axes.row(0) = first.normal.unitOrthogonal();
-    axes.row(1) = first.normal.cross(Eigen::Vector3d(axes.row(0)));
-    axes.row(2) = first.normal;
-    PlaneSums all = sumsOf(first, axes, first.center);
-    double cost = all.cost();
+    const PlaneFrame frame(first.normal, first.center);
+    Eigen::Matrix4d all = sumsOf(first, frame);
+    double cost = HeightPlane(all).cost;
     std::vector<std::size_t> members{seed};
     is_taken_[seed] = 1;
     std::vector<std::size_t> near;
@@ -112,11 +77,9 @@ private:
             (other.center - first.center).norm() > reach ||
             other.normal.dot(first.normal) < min_cosine)
           continue;
-        PlaneSums with = sumsOf(other, axes, first.center);
-        const double own = with.cost();
-        with.sums += all.sums;
-        const double together = with.cost();
-        if (together > cost + own + max_increase)
+        const Eigen::Matrix4d own = sumsOf(other, frame), with = own + all;
+        const double together = HeightPlane(with).cost;
+        if (together > cost + HeightPlane(own).cost + max_increase)
           continue;
         all = with;
         cost = together;

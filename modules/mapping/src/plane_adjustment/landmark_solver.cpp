@@ -1,5 +1,7 @@
 #include "landmark_solver.h"
 
+#include "plane_frame.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -12,17 +14,6 @@ using Matrix46 = Eigen::Matrix<double, 4, 6>;
 using Matrix43 = Eigen::Matrix<double, 4, 3>;
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 
-/** Rows: two axes along a plane, its normal. */
-Eigen::Matrix3d
-axesOf(const Eigen::Vector3d& normal)
-{
-  Eigen::Matrix3d axes;
-  axes.row(0) = normal.unitOrthogonal();
-  axes.row(1) = normal.cross(Eigen::Vector3d(axes.row(0)));
-  axes.row(2) = normal;
-  return axes;
-}
-
 /** Fits a plane by regression of the heights above the current one. Tilts are small, so
  * that this is the plane of least squares after two passes.
  * \return chi^2 */
@@ -31,30 +22,18 @@ fitPlaneOf(const Poses& poses, Landmark& landmark)
 {
   double cost = 0;
   for (int pass = 0; pass < 2; ++pass) {
-    const Eigen::Matrix3d axes = axesOf(landmark.normal);
     const Eigen::Vector3d origin = landmark.center + landmark.offset * landmark.normal;
-    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
-    for (const LandmarkView& view : landmark.views) {
-      const Eigen::Isometry3d& pose = poses[view.view];
-      Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-      local.topLeftCorner<3, 3>() = axes * pose.linear();
-      local.topRightCorner<3, 1>() = axes * (pose.translation() - origin);
-      sum.noalias() += local * view.cluster * local.transpose();
-    }
-    const int use[3] = {0, 1, 3};
-    Eigen::Matrix3d products;
-    Eigen::Vector3d right;
-    for (int a = 0; a < 3; ++a) {
-      right[a] = sum(use[a], 2);
-      for (int b = 0; b < 3; ++b)
-        products(a, b) = sum(use[a], use[b]);
-    }
-    const Eigen::Vector3d plane = products.ldlt().solve(right);
-    const double square = 1 + plane.head<2>().squaredNorm();
-    cost = std::max(0.0, sum(2, 2) - plane.dot(right)) / square;
-    const Eigen::Vector3d normal =
-        axes.transpose() * Eigen::Vector3d(-plane[0], -plane[1], 1) / std::sqrt(square);
-    landmark.offset = normal.dot(origin + plane[2] * landmark.normal - landmark.center);
+    const PlaneFrame frame(landmark.normal, origin);
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+    for (const LandmarkView& view : landmark.views)
+      sums += frame.sumsOf(view.cluster, poses[view.view]);
+    const HeightPlane fit(sums);
+    cost = fit.cost;
+    const Eigen::Vector3d normal = frame.axes.transpose() *
+                                   Eigen::Vector3d(-fit.plane[0], -fit.plane[1], 1) /
+                                   std::sqrt(fit.square);
+    landmark.offset =
+        normal.dot(origin + fit.plane[2] * landmark.normal - landmark.center);
     landmark.normal = normal;
   }
   return cost;
@@ -107,8 +86,8 @@ linearizeLandmarks(const Poses& poses,
   std::vector<ViewTerms> terms;
   for (const Landmark& landmark : landmarks) {
     terms.clear();
-    const Eigen::Matrix3d axes = axesOf(landmark.normal);
     const Eigen::Vector3d origin = landmark.center + landmark.offset * landmark.normal;
+    const Eigen::Matrix3d axes = PlaneFrame(landmark.normal, origin).axes;
     Eigen::Matrix3d of_plane = Eigen::Matrix3d::Zero();
     Eigen::Vector3d plane_gradient = Eigen::Vector3d::Zero();
     for (const LandmarkView& view : landmark.views) {

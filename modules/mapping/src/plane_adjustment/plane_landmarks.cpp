@@ -1,8 +1,8 @@
 #include "plane_landmarks.h"
 
 #include "map_cells.h"
+#include "plane_frame.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -210,21 +210,14 @@ private:
   bool
   fit(Eigen::Vector3d& plane) const
   {
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
     for (const Member& member : members_) {
       if (!(member.weight > 0))
         continue;
-      const Eigen::Matrix4d& local = clusters_[member.place];
-      const double share = member.weight / (local(3, 3) * member.variance);
-      const int use[3] = {0, 1, 3};
-      for (int a = 0; a < 3; ++a) {
-        right[a] += share * local(use[a], 2);
-        for (int b = 0; b < 3; ++b)
-          products(a, b) += share * local(use[a], use[b]);
-      }
+      const Eigen::Matrix4d& cluster = clusters_[member.place];
+      sums += member.weight / (cluster(3, 3) * member.variance) * cluster;
     }
-    plane = products.ldlt().solve(right);
+    plane = HeightPlane(sums).plane;
     return plane.allFinite() && plane.head<2>().norm() < 1;
   }
 
@@ -234,12 +227,10 @@ private:
   isNormalCertain() const
   {
     constexpr double max_sd = 0.025; // radians
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    const int use[3] = {0, 1, 3};
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
     for (const Member& member : members_)
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          products(a, b) += member.weight * clusters_[member.place](use[a], use[b]);
+      sums += member.weight * clusters_[member.place];
+    const Eigen::Matrix3d products = heightProducts(sums);
     const Eigen::Matrix2d spread =
         products.topLeftCorner<2, 2>() - products.topRightCorner<2, 1>() *
                                              products.bottomLeftCorner<1, 2>() /
@@ -256,21 +247,14 @@ private:
     if (members_.size() < 2 || !hasSeveralViews())
       return false;
     const PlacedPiece& first = pieces_[seed];
-    Eigen::Matrix3d axes; // rows: two along the plane, its normal
-    axes.row(0) = first.normal.unitOrthogonal();
-    axes.row(1) = first.normal.cross(Eigen::Vector3d(axes.row(0)));
-    axes.row(2) = first.normal;
+    const PlaneFrame frame(first.normal, first.center);
     clusters_.clear();
     heights_.clear();
     for (std::size_t k = 0; k < members_.size(); ++k) {
       members_[k].place = k;
       const PlacedPiece& piece = pieces_[members_[k].piece];
-      const Eigen::Isometry3d& pose = poses_[piece.view];
-      Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-      local.topLeftCorner<3, 3>() = axes * pose.linear();
-      local.topRightCorner<3, 1>() = axes * (pose.translation() - first.center);
-      clusters_.push_back(local * piece.piece->cluster * local.transpose());
-      heights_.push_back(axes * (piece.center - first.center));
+      clusters_.push_back(frame.sumsOf(piece.piece->cluster, poses_[piece.view]));
+      heights_.push_back(frame.axes * (piece.center - first.center));
     }
     constexpr int passes = 4;
     Eigen::Vector3d plane;
@@ -291,7 +275,7 @@ private:
                    members_.end());
     if (members_.size() < 2 || !hasSeveralViews() || !isNormalCertain())
       return false;
-    finish(axes, first.center, plane, landmark);
+    finish(frame.axes, first.center, plane, landmark);
     return true;
   }
 

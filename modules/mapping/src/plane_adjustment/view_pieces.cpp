@@ -216,7 +216,7 @@ public:
   , noise_(noise)
   {}
 
-  static constexpr std::size_t largest = 32, smallest = 8;
+  static constexpr std::size_t largest = 32, smallest = 8; // pixels
 
   /** Calls visit (samples, fit) for all tiles of the largest size. */
   template <typename Visit>
