@@ -1,5 +1,7 @@
 #include "dewall/predicates.h"
 
+#include <pcl/core/random.h>
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -105,6 +107,61 @@ TEST(ApexOrder, isThatOfTheTurnedSide)
                   isNearerApex(turned(p), turned(q), side.b, side.a, -side.u))
             << p.index << " " << q.index;
   }
+}
+
+/** A vector of whole numbers with at most so many bits. */
+Eigen::Vector3d
+makeLatticeVector(int bits, Random& random)
+{
+  const auto pick = [&] {
+    const auto magnitude =
+        static_cast<double>(random.bits() & ((std::uint64_t{1} << bits) - 1));
+    return random.bits() % 2 ? magnitude : -magnitude;
+  };
+  const double x = pick(), y = pick(), z = pick();
+  return {x, y, z};
+}
+
+/** Candidates over an edge: random ones, ones of the same circles, circles of the same
+ * size, and degenerate ones. */
+std::vector<Apex>
+makeCandidates(const Eigen::Vector3d& u, int bits, Random& random)
+{
+  std::vector<Eigen::Vector3d> all{u, -u, 2 * u, Eigen::Vector3d::Zero()};
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d v = makeLatticeVector(bits, random);
+    all.insert(all.end(), {v, u - v, Eigen::Vector3d(-v), u + v});
+  }
+  std::vector<Apex> candidates;
+  for (const Eigen::Vector3d& v : all)
+    candidates.push_back(
+        makeApex(static_cast<std::int32_t>(random.bits() % 1000), u, v));
+  return candidates;
+}
+
+/** Times an odd factor, the coordinates need so many bits more that they are decided in
+ * integers without a limit. The decisions must be the same. */
+TEST(ApexOrder, isTheSameInIntegersOfAnySize)
+{
+  Random random(12);
+  for (const int bits : {1, 3, 10, 20, 26, 27, 28})
+    for (int trial = 0; trial < 40; ++trial) {
+      const double factor = bits < 22 ? 0x1p30 + 1 : 33;
+      const Eigen::Vector3d u = makeLatticeVector(bits, random);
+      const std::vector<Apex> candidates = makeCandidates(u, bits, random);
+      const auto larger = [&](const Apex& apex) {
+        return makeApex(apex.index, factor * u, factor * apex.from_a);
+      };
+      for (const Apex& p : candidates)
+        for (const Apex& q : candidates) {
+          const auto isSame = [&](auto isBetter) {
+            return isBetter(p, q, 500, 400, u) ==
+                   isBetter(larger(p), larger(q), 500, 400, factor * u);
+          };
+          ASSERT_TRUE(isSame(isNearerApex)) << bits << " bits, trial " << trial;
+          ASSERT_TRUE(isSame(hasSmallerCircle)) << bits << " bits, trial " << trial;
+        }
+    }
 }
 
 /** Four points on a circle: the diagonal starts at the lowest index. */
