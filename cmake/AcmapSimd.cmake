@@ -1,7 +1,9 @@
-# acmap_add_simd_variant (<module> <instructions> <file>)
+# acmap_add_simd_variant (<module> <instructions> <file> [PRAGMA])
 #
 # Adds a source compiled for an instruction set, chosen at run time, where the compiler
 # makes it for this processor family; defines ACMAP_SIMD_<INSTRUCTIONS> for the module.
+# With PRAGMA, the source chooses the functions that get these instructions itself, because
+# it uses templates of libraries.
 include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
 
@@ -15,8 +17,10 @@ function(acmap_add_simd_variant module instructions file)
   cmake_pop_check_state()
   if(ACMAP_COMPILES_${name})
     target_sources(acmap_${module}_objects PRIVATE ${file})
-    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS -m${instructions}
-                                                   SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(NOT "PRAGMA" IN_LIST ARGN)
+      set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS -m${instructions})
+    endif()
     target_compile_definitions(acmap_${module}_objects PUBLIC ACMAP_SIMD_${name})
   endif()
 endfunction()

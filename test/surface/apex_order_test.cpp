@@ -1,4 +1,5 @@
 #include "dewall/predicates.h"
+#include "tested_variant.h"
 
 #include <pcl/core/random.h>
 
@@ -9,10 +10,10 @@
 namespace pcl::acmap::test {
 namespace {
 
-using dewall::Apex;
-using dewall::hasSmallerCircle;
-using dewall::isNearerApex;
-using dewall::makeApex;
+using ACMAP_DEWALL::Apex;
+using ACMAP_DEWALL::hasSmallerCircle;
+using ACMAP_DEWALL::isNearerApex;
+using ACMAP_DEWALL::makeApex;
 
 /** An edge of a lattice with all its possible apexes: many are on one circle, and many
  * more on circles of the same size around the edge. Indices are scattered as in a
@@ -56,9 +57,11 @@ latticeSides()
   return sides;
 }
 
+class ApexOrder : public VariantTest {};
+
 /** std::sort requires a strict weak order; otherwise it accesses memory out of
  * bounds. */
-TEST(ApexOrder, isOneOfAllCandidates)
+TEST_F(ApexOrder, isOneOfAllCandidates)
 {
   for (const LatticeSide& side : latticeSides())
     for (const Apex& p : side.apexes) {
@@ -79,7 +82,7 @@ TEST(ApexOrder, isOneOfAllCandidates)
 
 /** Squared radii are |ap|^2 |bp|^2 |ab|^2 / (4 |u x v|^2), exact in doubles here; ties are
  * those of the other order. */
-TEST(ApexOrder, smallestCircleIsThatOfRadii)
+TEST_F(ApexOrder, smallestCircleIsThatOfRadii)
 {
   for (const LatticeSide& side : latticeSides())
     for (const Apex& p : side.apexes)
@@ -95,7 +98,7 @@ TEST(ApexOrder, smallestCircleIsThatOfRadii)
 }
 
 /** The order must not depend on the direction of the edge. */
-TEST(ApexOrder, isThatOfTheTurnedSide)
+TEST_F(ApexOrder, isThatOfTheTurnedSide)
 {
   for (const LatticeSide& side : latticeSides()) {
     const auto turned = [&](const Apex& apex) {
@@ -141,7 +144,7 @@ makeCandidates(const Eigen::Vector3d& u, int bits, Random& random)
 
 /** Times an odd factor, the coordinates need so many bits more that they are decided in
  * integers without a limit. The decisions must be the same. */
-TEST(ApexOrder, isTheSameInIntegersOfAnySize)
+TEST_F(ApexOrder, isTheSameInIntegersOfAnySize)
 {
   Random random(12);
   for (const int bits : {1, 3, 10, 20, 26, 27, 28})
@@ -165,7 +168,7 @@ TEST(ApexOrder, isTheSameInIntegersOfAnySize)
 }
 
 /** Four points on a circle: the diagonal starts at the lowest index. */
-TEST(ApexOrder, lowestOfACircleIsJoined)
+TEST_F(ApexOrder, lowestOfACircleIsJoined)
 {
   const Eigen::Vector3d u(3, 0, 0), left(0, 4, 0), right(3, 4, 0);
   const auto isRightNearer = [&](std::int32_t a, std::int32_t b) {

@@ -1,7 +1,8 @@
 #include "clouds.h"
 #include "dewall/apex_search.h"
 #include "dewall/third_point.h"
-#include "simd/tree_search.h"
+#include "dewall/tree_search.h"
+#include "tested_variant.h"
 
 #include <pcl/core/random.h>
 
@@ -11,29 +12,13 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <string>
 
 namespace pcl::acmap::test {
 namespace {
 
-using namespace dewall;
+using namespace ACMAP_DEWALL;
 
-struct SearchVariant {
-  std::string name;
-  const TreeSearch* search;
-};
-
-/** The variants that this processor supports. */
-std::vector<SearchVariant>
-variants()
-{
-  std::vector<SearchVariant> all{{"base", &tree_search_base}};
-#ifdef ACMAP_SIMD_AVX2
-  if (__builtin_cpu_supports("avx2"))
-    all.push_back({"avx2", &tree_search_avx2});
-#endif
-  return all;
-}
+class TreeSearch : public VariantTest {};
 
 std::unique_ptr<PointTree>
 treeOf(const Cloud& cloud)
@@ -89,7 +74,7 @@ apexByBruteForce(const PointTree& tree,
   return best.index;
 }
 
-TEST(TreeSearch, findsTheApexOfBruteForce)
+TEST_F(TreeSearch, findsTheApexOfBruteForce)
 {
   for (const Cloud& cloud : clouds()) {
     const auto tree = treeOf(cloud);
@@ -117,7 +102,7 @@ TEST(TreeSearch, findsTheApexOfBruteForce)
 }
 
 /** The third point of the first triangle: on either side, within the size constraint. */
-TEST(TreeSearch, findsTheThirdPointOfBruteForce)
+TEST_F(TreeSearch, findsTheThirdPointOfBruteForce)
 {
   for (const Cloud& cloud : clouds()) {
     const auto tree = treeOf(cloud);
@@ -149,9 +134,9 @@ TEST(TreeSearch, findsTheThirdPointOfBruteForce)
   }
 }
 
-/** The hits of every variant include the point with the smallest circle beyond plane
+/** The hits include the point with the smallest circle beyond plane
  * beta. */
-TEST(TreeSearch, findsTheSmallestCircleOfBruteForce)
+TEST_F(TreeSearch, findsTheSmallestCircleOfBruteForce)
 {
   for (const Cloud& cloud : clouds()) {
     const auto tree = treeOf(cloud);
@@ -171,18 +156,16 @@ TEST(TreeSearch, findsTheSmallestCircleOfBruteForce)
             (best.index < 0 || hasSmallerCircle(apex, best, a, b, side.u)))
           best = apex;
       }
-      for (const SearchVariant& variant : variants()) {
-        SearchHits hits;
-        variant.search->circles(tree->cells(), apexQuery(*tree, side), hits);
-        if (best.index >= 0 && hits.count <= SearchHits::capacity) {
-          ASSERT_TRUE(contains(hits, best.index)) << variant.name;
-        }
+      SearchHits hits;
+      findCircleCandidates(tree->cells(), apexQuery(*tree, side), hits);
+      if (best.index >= 0 && hits.count <= SearchHits::capacity) {
+        ASSERT_TRUE(contains(hits, best.index));
       }
     }
   }
 }
 
-TEST(TreeSearch, everyVariantKnowsWhatLiesInABall)
+TEST_F(TreeSearch, knowsWhatLiesInABall)
 {
   for (const Cloud& cloud : clouds()) {
     const auto tree = treeOf(cloud);
@@ -202,96 +185,23 @@ TEST(TreeSearch, everyVariantKnowsWhatLiesInABall)
         is_empty &= i == corners[0] || i == corners[1] || i == corners[2] ||
                     (tree->position(i) - sphere.centre).norm() >= inside;
       const BallQuery query = ballQuery(*tree, corners, sphere);
-      for (const SearchVariant& variant : variants()) {
-        SearchHits hits;
-        const bool is_occupied = variant.search->ball(tree->cells(), query, hits);
-        bool holds = is_occupied;
-        for (std::int32_t i = 0; i < tree->size(); ++i) {
-          const bool is_inside = (tree->position(i) - sphere.centre).norm() < inside &&
-                                 std::count(corners.begin(), corners.end(), i) == 0;
-          holds |= is_inside && hits.count <= SearchHits::capacity && contains(hits, i);
-        }
-        if (hits.count <= SearchHits::capacity) {
-          EXPECT_EQ(holds, !is_empty) << variant.name;
-        }
+      SearchHits hits;
+      const bool is_occupied = findInBall(tree->cells(), query, hits);
+      bool holds = is_occupied;
+      for (std::int32_t i = 0; i < tree->size(); ++i) {
+        const bool is_inside = (tree->position(i) - sphere.centre).norm() < inside &&
+                               std::count(corners.begin(), corners.end(), i) == 0;
+        holds |= is_inside && hits.count <= SearchHits::capacity && contains(hits, i);
+      }
+      if (hits.count <= SearchHits::capacity) {
+        EXPECT_EQ(holds, !is_empty);
       }
       EXPECT_EQ(isSphereEmpty(*tree, corners), is_empty);
     }
   }
 }
 
-TEST(TreeSearch, variantsFindTheSameApexes)
-{
-  for (const Cloud& cloud : clouds()) {
-    const auto tree = treeOf(cloud);
-    const SizeConstraint size(*tree, 2);
-    for (std::int32_t a = 0; a + 2 < tree->size(); ++a) {
-      if (isDegenerate(tree->position(a), tree->position(a + 1), tree->position(a + 2)))
-        continue;
-      const SideFrame side(*tree, size, a, a + 1, a + 2);
-      SearchHits base;
-      const ApexQuery query = apexQuery(*tree, size, side, {});
-      tree_search_base.apexes(tree->cells(), query, base);
-      for (const SearchVariant& variant : variants()) {
-        SearchHits hits;
-        variant.search->apexes(tree->cells(), query, hits);
-        ASSERT_EQ(hits.count, base.count) << variant.name;
-        if (hits.count <= SearchHits::capacity) {
-          EXPECT_TRUE(std::equal(hits.index, hits.index + hits.count, base.index))
-              << variant.name;
-        }
-      }
-    }
-  }
-}
-
-/** As text, so that differences are visible. */
-std::string
-told(bool is_occupied, const SearchHits& hits)
-{
-  std::string text = is_occupied ? "occupied" : "hits";
-  for (std::int32_t i = 0; i < std::min(hits.count, SearchHits::capacity); ++i)
-    text += " " + std::to_string(hits.index[i]);
-  return text + " of " + std::to_string(hits.count);
-}
-
-std::string
-searched(const TreeSearch& search,
-         const PointTree& tree,
-         const ApexQuery& apex,
-         const BallQuery& ball)
-{
-  SearchHits hits;
-  search.apexes(tree.cells(), apex, hits);
-  const std::string apexes = told(false, hits);
-  const bool is_occupied = search.ball(tree.cells(), ball, hits);
-  return apexes + ", " + told(is_occupied, hits);
-}
-
-TEST(TreeSearch, variantsFindTheSameInCloudsOfAnySizeAndScale)
-{
-  // Leaves that do not fill a vector; squares that are denormal or nearly too large.
-  for (const float scale : {1.0F, 1e-22F, 1e-38F, 1e18F, 1e25F})
-    for (std::size_t points = 3; points <= 40; ++points) {
-      Cloud cloud = makeRandomBox(points, points);
-      for (auto& point : cloud)
-        point.getVector3fMap() *= scale;
-      const auto tree = treeOf(cloud);
-      const SizeConstraint size(*tree, 2 * double{scale});
-      for (std::int32_t a = 0; a + 2 < tree->size(); ++a) {
-        const SideFrame side(*tree, size, a, a + 1, a + 2);
-        const ApexQuery apex = apexQuery(*tree, size, side, {});
-        const std::array<std::int32_t, 3> corners{a, a + 1, a + 2};
-        const BallQuery ball = ballQuery(*tree, corners, sphereOf(*tree, corners));
-        const std::string wanted = searched(tree_search_base, *tree, apex, ball);
-        for (const SearchVariant& variant : variants())
-          ASSERT_EQ(searched(*variant.search, *tree, apex, ball), wanted)
-              << variant.name << ", " << points << " points, scale " << scale;
-      }
-    }
-}
-
-TEST(TreeSearch, manyPointsOnOneCircleAreTied)
+TEST_F(TreeSearch, manyPointsOnOneCircleAreTied)
 {
   Cloud ring;
   for (int i = 0; i < 400; ++i) {

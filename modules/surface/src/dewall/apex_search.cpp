@@ -3,7 +3,7 @@
 #include "ball_visit.h"
 #include <limits>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 SideFrame::SideFrame(const PointTree& tree,
                      const SizeConstraint& size,
@@ -186,7 +186,7 @@ findApex(const PointTree& tree,
   if (!isWithinFloats(side.half_length))
     return findApexOneByOne(tree, size, side, passed_over);
   SearchHits hits;
-  treeSearch().apexes(tree.cells(), apexQuery(tree, size, side, passed_over), hits);
+  findApexCandidates(tree.cells(), apexQuery(tree, size, side, passed_over), hits);
   if (hits.count > SearchHits::capacity)
     return findApexOneByOne(tree, size, side, passed_over);
   NearestApex nearest(tree, size, side);
@@ -214,7 +214,7 @@ isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
   if (!isWithinFloats(sphere.radius))
     return isSphereEmptyOneByOne(tree, corners, sphere);
   SearchHits hits;
-  if (treeSearch().ball(tree.cells(), ballQuery(tree, corners, sphere), hits))
+  if (findInBall(tree.cells(), ballQuery(tree, corners, sphere), hits))
     return false;
   if (hits.count > SearchHits::capacity)
     return isSphereEmptyOneByOne(tree, corners, sphere);
@@ -225,4 +225,4 @@ isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
   return true;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

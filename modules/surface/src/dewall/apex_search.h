@@ -4,11 +4,11 @@
 #include "predicates.h"
 #include "size_constraint.h"
 
-#include "simd/tree_search.h"
+#include "tree_search.h"
 
 #include <cmath>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief An open edge with the data for the search of its next triangle. */
 struct SideFrame {
@@ -126,4 +126,4 @@ sphereOf(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 bool
 isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "point_tree.h"
-#include "simd/tree_walk.h"
+#include "tree_walk.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Visits the leaves that intersect a ball, near ones first.
  *
@@ -59,4 +59,4 @@ visitBall(const PointTree& tree,
       tree, start, centre, radius, [](int, std::int32_t) { return 0xffu; }, visit);
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -2,7 +2,7 @@
 
 #include "ball_visit.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -133,4 +133,4 @@ countClusters(const PointTree& tree,
       sizes.begin(), sizes.end(), [](auto n) { return n >= min_cluster; }));
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,19 +1,18 @@
+#include "dewall_kernel.h"
+
 #include "facing.h"
 #include "mesh_steps.h"
 #include "spacing.h"
 #include "triangle_builder.h"
 
 #include <pcl/core/impl/parallel.h>
-#include <pcl/surface/impl/dewall_kernel.h>
 
 #include <atomic>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
 
-namespace pcl::acmap {
-
-namespace dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -132,6 +131,8 @@ guardedMesh(const PointTree& tree,
   return result;
 }
 
+} // namespace
+
 TriangleMesh
 triangulate(const PointView& view,
             const DeWallSettings& settings,
@@ -175,44 +176,4 @@ triangulate(const PointView& view,
   return result;
 }
 
-} // namespace
-
-void
-requireWithinLimit(std::size_t bytes, std::size_t limit)
-{
-  if (limit == 0 || bytes <= limit)
-    return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "the triangulation needs about " << static_cast<double>(bytes) / 1e9
-       << " GB beside its input, allowed are " << static_cast<double>(limit) / 1e9
-       << " GB";
-  throw MemoryLimitException(text.str());
-}
-
-} // namespace dewall
-
-std::size_t
-estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
-{
-  constexpr std::size_t bytes_a_normal = 12, rest = 1 << 20;
-  const std::size_t bytes_a_point = rule == DeWallRule::Strict ? 360 : 170;
-  return rest + points * (bytes_a_point + (with_normals ? bytes_a_normal : 0));
-}
-
-TriangleMesh
-triangulateDeWall(const PointView& view,
-                  const DeWallSettings& settings,
-                  const Progress& progress,
-                  DeWallReport& report)
-{
-  const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
-  dewall::requireWithinLimit(
-      estimateDeWallMemory(view.size(), with_facing, settings.rule),
-      settings.memory_limit);
-  return withThreads(settings.threads, [&] {
-    return dewall::triangulate(view, settings, progress, report);
-  });
-}
-
-} // namespace pcl::acmap
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "variant.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Union-find over indices; the lowest index of a set is its root. */
 class DisjointSets {
@@ -42,4 +44,4 @@ private:
   std::vector<std::int32_t> parent_;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

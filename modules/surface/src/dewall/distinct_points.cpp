@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -74,4 +74,4 @@ distinctPoints(const PointView& view, DeWallReport& report)
   return points;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

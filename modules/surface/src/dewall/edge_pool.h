@@ -1,5 +1,7 @@
 #pragma once
 
+#include "variant.h"
+
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -8,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief An edge of the mesh. */
 struct Edge {
@@ -136,4 +138,4 @@ private:
   std::mutex mutex_;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -67,4 +67,4 @@ Facing::byNormals(const PointTree& tree, const PointView& normals)
   return facing;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

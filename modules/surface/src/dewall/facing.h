@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Area of a triangle projected towards the sensor; negative if its back faces
  * the sensor. */
@@ -65,4 +65,4 @@ private:
       directions_; // unit, or zero for points whose direction is unknown
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

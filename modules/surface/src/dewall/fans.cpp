@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -173,4 +173,4 @@ keepLargestFans(GrowingMesh& mesh,
   return FanChoice(mesh, lists, are_walls_known).run();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

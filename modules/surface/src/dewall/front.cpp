@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 void
 Front::advance(const Range& range)
@@ -158,4 +158,4 @@ Front::startAt(std::int32_t p1, std::int32_t p2, const Range& range)
   advance(range);
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

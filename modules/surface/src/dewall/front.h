@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Grows triangles over edges in the order in which these were found ([P] Fig.
  * 6, the while loop). */
@@ -123,4 +123,4 @@ private:
   std::vector<Candidate> postponed_, bridges_;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

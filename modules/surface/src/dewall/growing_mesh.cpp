@@ -4,7 +4,7 @@
 
 #include <pcl/core/impl/parallel.h>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 Eigen::Vector3f
 GrowingMesh::areaVector(const std::array<std::int32_t, 3>& corners) const
@@ -295,4 +295,4 @@ GrowingMesh::openSides(std::int32_t begin, std::int32_t end)
   return sides;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

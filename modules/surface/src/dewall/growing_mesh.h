@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief An edge with one triangle, which traverses it from a to b. */
 struct Side {
@@ -281,4 +281,4 @@ private:
   bool is_of_wall_ = false;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -2,7 +2,7 @@
 
 #include <pcl/core/impl/parallel.h>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -153,4 +153,4 @@ joinParts(MeshArrays& arrays,
   return GrowingMesh(arrays, std::move(parity));
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,6 +1,6 @@
 #include "mesh_steps.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -95,4 +95,4 @@ finishMesh(GrowingMesh& mesh,
   return of_fans.size();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

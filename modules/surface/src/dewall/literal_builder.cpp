@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -231,4 +231,4 @@ buildLiterally(const LiteralPoints& points,
   return LiteralBuilder(points, leaf_size, tick).run();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

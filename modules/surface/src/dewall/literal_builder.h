@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A triangle of \ref buildLiterally. */
 struct LiteralTriangle {
@@ -35,4 +35,4 @@ buildLiterally(const LiteralPoints& points,
                std::int32_t leaf_size,
                const std::function<void()>& tick);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -3,7 +3,7 @@
 
 #include <pcl/core/impl/parallel.h>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -180,4 +180,4 @@ literalMesh(const PointTree& tree,
   return result;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

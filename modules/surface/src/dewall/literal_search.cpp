@@ -2,7 +2,7 @@
 
 #include "ball_visit.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -179,7 +179,7 @@ LiteralPoints::smallestCircle(const SideFrame& frame, double reach) const
   ApexQuery query = apexQuery(own_, frame);
   query.reach = static_cast<float>(reach);
   SearchHits hits;
-  treeSearch().circles(own_.cells(), query, hits);
+  findCircleCandidates(own_.cells(), query, hits);
   if (hits.count > SearchHits::capacity)
     return smallestCircleOneByOne(frame, reach);
   SmallestCircle smallest(frame, source(frame.a), source(frame.b));
@@ -204,4 +204,4 @@ LiteralPoints::smallestCircleOneByOne(const SideFrame& frame, double reach) cons
   return smallest.index();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

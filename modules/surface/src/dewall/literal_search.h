@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A side of a triangle (a, b, opposite): plane beta passes through a and b and is
  * perpendicular to the triangle. */
@@ -118,4 +118,4 @@ private:
   const PointTree own_; ///< its source is the index in the tree of the whole cloud
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

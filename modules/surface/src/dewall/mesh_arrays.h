@@ -7,7 +7,7 @@
 #include <atomic>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A vertex of the mesh. The number of its open edges is 0 if it is unused or
  * *saturated* (its fan is closed), 2 for one open fan, and more for a *pinch*, which
@@ -150,4 +150,4 @@ private:
   }
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

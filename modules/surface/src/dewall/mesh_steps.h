@@ -12,7 +12,7 @@
 #include <pcl/surface/dewall_types.h>
 #include <pcl/surface/impl/dewall_kernel.h>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Returns the finite points of a view without repetitions: the first of equal
  * points is kept. The report's counts of skipped points are set. */
@@ -114,4 +114,4 @@ literalMesh(const PointTree& tree,
             StepTimer& timer,
             DeWallReport& report);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -2,7 +2,7 @@
 
 #include "ball_visit.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Returns the nearest point to tree point \a i within a distance, among those
  * for which \a accept returns true; -1 if there is none. Ties are resolved by the lower
@@ -33,4 +33,4 @@ nearestPoint(const PointTree& tree, std::int32_t i, double within, const Accept&
   return best;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -2,7 +2,7 @@
 
 #include "disjoint_sets.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -121,4 +121,4 @@ orientedMesh(GrowingMesh& grown,
   return mesh;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "variant.h"
+
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Union-find over the seeds of the front that also stores whether two
  * components have the same orientation (parity 0) or one of them has to be flipped
@@ -93,4 +95,4 @@ private:
   std::vector<Root> parent_;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

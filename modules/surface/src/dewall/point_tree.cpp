@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -198,4 +198,4 @@ PointTree::boxOfLeaf(std::int32_t leaf) const
   return {low, high};
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

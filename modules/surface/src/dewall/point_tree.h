@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simd/tree_cells.h"
+#include "tree_cells.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A point and its index in the view. */
 struct SourcePoint {
@@ -110,7 +110,7 @@ public:
   std::int32_t
   firstOfLeaf(std::int32_t leaf) const
   {
-    return dewall::firstOfLeaf(cells_, leaf);
+    return ACMAP_DEWALL::firstOfLeaf(cells_, leaf);
   }
 
   /** \brief The leaf that contains tree point \a i. */
@@ -168,4 +168,4 @@ private:
   std::array<std::vector<CellBox>, TreeCells::max_levels + 1> cell_boxes_;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

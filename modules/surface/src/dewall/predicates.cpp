@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -276,4 +276,4 @@ hasSmallerCircle(const Apex& p,
   });
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

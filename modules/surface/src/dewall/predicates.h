@@ -1,10 +1,12 @@
 #pragma once
 
+#include "variant.h"
+
 #include <Eigen/Geometry>
 
 #include <cstdint>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief The smallest sphere through the corners of a triangle; its centre is in the
  * plane of the triangle. */
@@ -126,4 +128,4 @@ hasSmallerCircle(const Apex& p,
                  std::int32_t b,
                  const Eigen::Vector3d& u);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

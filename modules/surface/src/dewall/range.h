@@ -2,7 +2,7 @@
 
 #include "growing_mesh.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A contiguous range of tree points; for a wall, also the first one beyond the
  * splitting plane. */
@@ -46,4 +46,4 @@ private:
   }
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

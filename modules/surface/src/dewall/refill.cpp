@@ -3,7 +3,7 @@
 #include "ball_visit.h"
 #include "third_point.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -268,4 +268,4 @@ affectedBy(const std::vector<GrownTriangle>& removed,
   return affected;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

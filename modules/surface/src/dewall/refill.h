@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A triangle of the dense rule that the guard rejected. */
 struct Refusal {
@@ -109,4 +109,4 @@ affectedBy(const std::vector<GrownTriangle>& removed,
            const SizeConstraint& size,
            GrowingMesh& mesh);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -3,7 +3,7 @@
 #include "apex_search.h"
 #include "ball_visit.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -61,4 +61,4 @@ isFirstTriangle(const PointTree& tree,
   return true;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

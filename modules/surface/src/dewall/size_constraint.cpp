@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -42,4 +42,4 @@ SizeConstraint::SizeConstraint(const PointTree& tree, const Spacing& spacing)
   largest_ = *largest;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

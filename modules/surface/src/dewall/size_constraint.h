@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 struct Spacing;
 
@@ -67,4 +67,4 @@ private:
   double minimum_ = 0, largest_ = 0;
 };
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

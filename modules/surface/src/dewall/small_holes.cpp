@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -237,4 +237,4 @@ closeSmallHoles(const SizeConstraint& size, GrowingMesh& mesh, const Range& rang
     HoleFilling(size, mesh, hole).fill();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

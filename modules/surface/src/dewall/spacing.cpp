@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -114,4 +114,4 @@ measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours)
   return spacing;
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Spacing of the points in each leaf of the tree, metres. */
 struct Spacing {
@@ -29,4 +29,4 @@ struct Spacing {
 Spacing
 measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Returns the point p3 with the smallest circumcircle with p1 and p2, on either
  * side, under the size constraint ([P] II-C.1); -1 if there is none. */
@@ -56,4 +56,4 @@ isFirstTriangle(const PointTree& tree,
                 const SizeConstraint& size,
                 const std::array<std::int32_t, 3>& corners);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

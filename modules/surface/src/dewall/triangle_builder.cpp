@@ -5,7 +5,7 @@
 
 #include <oneapi/tbb/parallel_invoke.h>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
@@ -228,4 +228,4 @@ buildTriangles(MeshArrays& arrays,
   return Recursion(arrays, size, settings, tick).run();
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Result of one task of the recursion: a wall, or the part of the mesh in a
  * leaf. */
@@ -38,4 +38,4 @@ buildTriangles(MeshArrays& arrays,
                const BuilderSettings& settings,
                const std::function<void()>& tick);
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,14 +1,10 @@
-// The search kernels, compiled once for each variant; see lanes.h.
-#pragma once
-
 #include "tree_search.h"
+
 #include "tree_walk.h"
 
-namespace {
+namespace pcl::acmap::ACMAP_DEWALL {
 
-using pcl::acmap::dewall::ApexQuery;
-using pcl::acmap::dewall::BallQuery;
-using pcl::acmap::dewall::SearchHits;
+namespace {
 
 constexpr float unbounded = __builtin_inff();
 
@@ -154,7 +150,7 @@ struct ApexVisitor {
 
 template <bool OfCircles>
 void
-findApexes(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
+findCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
 {
   float middle[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -231,6 +227,20 @@ struct BallVisitor {
   }
 };
 
+} // namespace
+
+void
+findApexCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
+{
+  findCandidates<false>(tree, query, hits);
+}
+
+void
+findCircleCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
+{
+  findCandidates<true>(tree, query, hits);
+}
+
 bool
 findInBall(const TreeCells& tree, const BallQuery& query, SearchHits& hits)
 {
@@ -244,4 +254,4 @@ findInBall(const TreeCells& tree, const BallQuery& query, SearchHits& hits)
   return visitor.is_occupied;
 }
 
-} // namespace
+} // namespace pcl::acmap::ACMAP_DEWALL

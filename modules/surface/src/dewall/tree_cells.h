@@ -1,8 +1,10 @@
 #pragma once
 
+#include "variant.h"
+
 #include <cstdint>
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief The tight boxes of up to eight siblings of the tree, axis by axis. */
 struct alignas(32) SiblingBoxes {
@@ -37,4 +39,4 @@ firstOfLeaf(const TreeCells& tree, std::int32_t leaf)
   return static_cast<std::int32_t>((leaf * tree.points) >> tree.depth);
 }
 
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

@@ -1,7 +1,7 @@
-// Eight floats as a vector type of the compiler. To be included in a single source file
-// per variant: everything is in an unnamed namespace, because each variant is compiled
-// with its own flags.
+// Eight floats as a vector type of the compiler.
 #pragma once
+
+#include "variant.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -10,7 +10,7 @@
 // The vectors are never passed between functions of different files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 typedef float Lanes __attribute__((vector_size(32), aligned(32)));
 typedef int LaneMask __attribute__((vector_size(32), aligned(32)));
@@ -41,7 +41,7 @@ maxLanes(const Lanes& a, const Lanes& b)
 ACMAP_INLINE unsigned
 bitsOf(const LaneMask& mask)
 {
-#if defined(__AVX__)
+#if defined(ACMAP_DEWALL_AVX2)
   return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
 #elif defined(__SSE2__)
   __m128 halves[2];
@@ -62,4 +62,4 @@ lowestBit(unsigned bits)
   return static_cast<unsigned>(__builtin_ctz(bits));
 }
 
-} // namespace
+} // namespace pcl::acmap::ACMAP_DEWALL

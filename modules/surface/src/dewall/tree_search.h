@@ -2,7 +2,7 @@
 
 #include "tree_cells.h"
 
-namespace pcl::acmap::dewall {
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Query in floats for the apex over an edge a b: it finds the points whose
  * angle apb may be the largest, with a margin above all rounding errors. The decision
@@ -42,30 +42,19 @@ struct SearchHits {
   std::int32_t index[capacity];
 };
 
-/** \brief The searches that take most of the time, in variants for different
- * processors. The hits of all variants lead to the same result. */
-struct TreeSearch {
-  /** Finds candidates, including each permitted point with the largest angle. */
-  void (*apexes)(const TreeCells&, const ApexQuery&, SearchHits&);
+/** \brief Finds candidates, including each permitted point with the largest angle. */
+void
+findApexCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits);
 
-  /** Finds candidates, including the point whose circle through a and b is the smallest,
-   * at least among the points within the reach; their distances from a and b are not
-   * limited. */
-  void (*circles)(const TreeCells&, const ApexQuery&, SearchHits&);
+/** \brief Finds candidates, including the point whose circle through a and b is the
+ * smallest, at least among the points within the reach; their distances from a and b
+ * are not limited. */
+void
+findCircleCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits);
 
-  /** \brief Returns true if a point is certainly inside. If false, only the hits may be
-   * inside. */
-  bool (*ball)(const TreeCells&, const BallQuery&, SearchHits&);
-};
+/** \brief Returns true if a point is certainly inside. If false, only the hits may be
+ * inside. */
+bool
+findInBall(const TreeCells& tree, const BallQuery& query, SearchHits& hits);
 
-extern const TreeSearch tree_search_base;
-#ifdef ACMAP_SIMD_AVX2
-extern const TreeSearch tree_search_avx2;
-#endif
-
-/** \brief The variant for this processor, or the one that the environment variable
- * ACMAP_SIMD selects ("base"). */
-const TreeSearch&
-treeSearch();
-
-} // namespace pcl::acmap::dewall
+} // namespace pcl::acmap::ACMAP_DEWALL

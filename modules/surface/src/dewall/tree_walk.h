@@ -1,16 +1,10 @@
-// Traversal of a tree's groups of eight, near ones first. To be included in a single
-// source file per variant, as lanes.h.
+// Traversal of a tree's groups of eight, near ones first.
 #pragma once
 
 #include "lanes.h"
 #include "tree_cells.h"
 
-namespace {
-
-using pcl::acmap::dewall::CellBox;
-using pcl::acmap::dewall::firstOfLeaf;
-using pcl::acmap::dewall::SiblingBoxes;
-using pcl::acmap::dewall::TreeCells;
+namespace pcl::acmap::ACMAP_DEWALL {
 
 /** A ball that may shrink during the traversal; a negative radius ends it. */
 struct Ball {
@@ -135,4 +129,4 @@ walkTree(const TreeCells& tree, Visitor& visitor, std::int32_t leaf)
   }
 }
 
-} // namespace
+} // namespace pcl::acmap::ACMAP_DEWALL

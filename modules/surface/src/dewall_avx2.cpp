@@ -1,0 +1,64 @@
+// The kernel compiled once more, for processors with AVX2. Only its own functions get
+// these instructions: templates of the libraries may be merged with those of other
+// sources, which run on any processor, so all their headers are included before.
+#include <pcl/core/impl/parallel.h>
+#include <pcl/surface/impl/dewall_kernel.h>
+
+#include <Eigen/Geometry>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <immintrin.h>
+
+#include <atomic>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <thread>
+#include <tuple>
+
+#define ACMAP_DEWALL dewall_avx2
+#define ACMAP_DEWALL_AVX2
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "dewall/apex_search.cpp"
+#include "dewall/clusters.cpp"
+#include "dewall/dewall_kernel.cpp"
+#include "dewall/distinct_points.cpp"
+#include "dewall/facing.cpp"
+#include "dewall/fans.cpp"
+#include "dewall/front.cpp"
+#include "dewall/growing_mesh.cpp"
+#include "dewall/joined_parts.cpp"
+#include "dewall/last_passes.cpp"
+#include "dewall/literal_builder.cpp"
+#include "dewall/literal_mesh.cpp"
+#include "dewall/literal_search.cpp"
+#include "dewall/oriented_mesh.cpp"
+#include "dewall/point_tree.cpp"
+#include "dewall/predicates.cpp"
+#include "dewall/refill.cpp"
+#include "dewall/seed_test.cpp"
+#include "dewall/size_constraint.cpp"
+#include "dewall/small_holes.cpp"
+#include "dewall/spacing.cpp"
+#include "dewall/tree_search.cpp"
+#include "dewall/triangle_builder.cpp"
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif

@@ -1,7 +1,0 @@
-#include "tree_search_kernel.h"
-
-namespace pcl::acmap::dewall {
-
-const TreeSearch tree_search_avx2{findApexes<false>, findApexes<true>, findInBall};
-
-} // namespace pcl::acmap::dewall

@@ -1,0 +1,61 @@
+#include "dewall/dewall_kernel.h"
+
+#include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/simd_choice.h>
+
+#include <sstream>
+
+namespace pcl::acmap {
+
+namespace {
+
+void
+requireWithinLimit(std::size_t bytes, std::size_t limit)
+{
+  if (limit == 0 || bytes <= limit)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the triangulation needs about " << static_cast<double>(bytes) / 1e9
+       << " GB beside its input, allowed are " << static_cast<double>(limit) / 1e9
+       << " GB";
+  throw MemoryLimitException(text.str());
+}
+
+/** \brief The variant for this processor, or the one that the environment variable
+ * ACMAP_SIMD selects ("base"). */
+DeWallKernel&
+chooseKernel()
+{
+#ifdef ACMAP_SIMD_AVX2
+  if (isAvx2Chosen())
+    return dewall_avx2::triangulate;
+#endif
+  return dewall::triangulate;
+}
+
+} // namespace
+
+std::size_t
+estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
+{
+  constexpr std::size_t bytes_a_normal = 12, rest = 1 << 20;
+  const std::size_t bytes_a_point = rule == DeWallRule::Strict ? 360 : 170;
+  return rest + points * (bytes_a_point + (with_normals ? bytes_a_normal : 0));
+}
+
+TriangleMesh
+triangulateDeWall(const PointView& view,
+                  const DeWallSettings& settings,
+                  const Progress& progress,
+                  DeWallReport& report)
+{
+  static DeWallKernel& kernel = chooseKernel();
+  const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
+  requireWithinLimit(estimateDeWallMemory(view.size(), with_facing, settings.rule),
+                     settings.memory_limit);
+  return withThreads(settings.threads,
+                     [&] { return kernel(view, settings, progress, report); });
+}
+
+} // namespace pcl::acmap
