@@ -72,12 +72,22 @@ private:
   void
   join(std::int32_t one, std::int32_t other)
   {
-    for (std::int32_t i = tree_.firstOfLeaf(one); i < tree_.firstOfLeaf(one + 1); ++i)
+    const double longest =
+        std::min(size_.longestInLeaf(one), size_.longestInLeaf(other));
+    const double limit = longest * longest;
+    const Eigen::AlignedBox3d box = tree_.boxOfLeaf(other).cast<double>();
+    if (box.squaredExteriorDistance(tree_.boxOfLeaf(one).cast<double>()) > limit)
+      return;
+    for (std::int32_t i = tree_.firstOfLeaf(one); i < tree_.firstOfLeaf(one + 1); ++i) {
+      const Eigen::Vector3d p = tree_.position(i);
+      if (box.squaredExteriorDistance(p) > limit)
+        continue;
       for (std::int32_t j = tree_.firstOfLeaf(other); j < tree_.firstOfLeaf(other + 1);
            ++j)
         if (sets_.find(i) != sets_.find(j) &&
-            size_.allows(i, j, (tree_.position(i) - tree_.position(j)).squaredNorm()))
+            (p - tree_.position(j)).squaredNorm() <= limit)
           sets_.unite(i, j);
+    }
   }
 
   void

@@ -111,8 +111,9 @@ private:
   bool
   isLookedAt(std::int32_t corner) const
   {
-    const Vertex& v = mesh_.arrays().vertex(corner);
-    return v.was_pinched && (are_walls_known_ || !v.is_of_wall);
+    const MeshArrays& arrays = mesh_.arrays();
+    return arrays.is(corner, VertexFlag::pinched) &&
+           (are_walls_known_ || !arrays.is(corner, VertexFlag::of_wall));
   }
 
   /** \brief Returns the triangles at pinched vertices, sorted by vertex, then in their
@@ -139,7 +140,7 @@ private:
   {
     const std::vector<Incidence> incident = findIncidences();
     for (const Incidence& incidence : incident)
-      mesh_.arrays().vertex(incidence.first).was_pinched = false;
+      mesh_.arrays().clear(incidence.first, VertexFlag::pinched);
     const std::size_t before = removed_.size();
     std::vector<GrownTriangle*> around;
     for (auto begin = incident.begin(); begin != incident.end();) {

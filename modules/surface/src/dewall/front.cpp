@@ -63,20 +63,22 @@ Front::bridgesByVotes()
 void
 Front::reconsider(const Candidate& candidate, const Range& range, Doubt doubt)
 {
-  if (mesh_.oppositeOf(candidate.side) < 0)
+  const auto& [side, apex, bridge, votes] = candidate;
+  Edge* base = mesh_.findOpen(side);
+  if (!base)
     return;
-  const bool masked = rule_ == DeWallRule::Paper && mesh_.isSaturated(candidate.apex);
-  if (masked || !tryCandidate(candidate.side, candidate.apex, range, doubt))
-    process(candidate.side, range, doubt);
+  const bool masked = rule_ == DeWallRule::Paper && mesh_.isSaturated(apex);
+  if (masked || !tryCandidate(mesh_.propose(side, apex, base), range, doubt))
+    process(side, range, doubt);
 }
 
 void
 Front::process(const Side& side, const Range& range, Doubt doubt)
 {
-  const std::int32_t opposite = mesh_.oppositeOf(side);
-  if (opposite < 0)
+  Edge* base = mesh_.findOpen(side);
+  if (!base)
     return;
-  const SideFrame frame(tree_, size_, side.a, side.b, opposite);
+  const SideFrame frame(tree_, size_, side.a, side.b, base->opposites);
   const bool mask = rule_ == DeWallRule::Paper;
   PassedOver passed_over;
   if (mask) {
@@ -94,27 +96,20 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
       deferred_.push_back(side);
       return;
     }
-    if (tryApex(side, apex, range, doubt))
+    if (mask && !isSphereEmpty(tree_, {side.b, side.a, apex}))
+      return;
+    if (tryCandidate(mesh_.propose(side, apex, base), range, doubt))
       return;
     passed_over.point = apex;
   }
 }
 
 bool
-Front::tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt)
+Front::tryCandidate(const Proposal& proposal, const Range& range, Doubt doubt)
 {
-  const std::array<std::int32_t, 3> corners{side.b, side.a, apex};
-  return (rule_ == DeWallRule::Paper && !isSphereEmpty(tree_, corners)) ||
-         tryCandidate(side, apex, range, doubt);
-}
-
-bool
-Front::tryCandidate(const Side& side,
-                    std::int32_t apex,
-                    const Range& range,
-                    Doubt doubt)
-{
-  const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
+  const Side& side = proposal.side;
+  const std::int32_t apex = proposal.apex;
+  const GrowingMesh::Verdict verdict = mesh_.judge(proposal);
   if (verdict == GrowingMesh::Verdict::Blocked)
     return false;
   if (doubt != Doubt::MayBeContrary && mesh_.isContrary(side, apex)) {
@@ -125,23 +120,18 @@ Front::tryCandidate(const Side& side,
     postponed_.push_back({side, apex, {}, 0});
     return true;
   }
-  const GrowingMesh::Bridge bridge = mesh_.bridge(side, apex);
+  const GrowingMesh::Bridge bridge = mesh_.bridge(proposal);
   if (bridge.first >= 0 && verdict != GrowingMesh::Verdict::Fits &&
       doubt < Doubt::MayBridge) {
     bridges_.push_back({side, apex, bridge, 0});
     return true;
   }
-  mesh_.add(side, apex);
-  insertOpen({side.a, apex}, range);
-  insertOpen({apex, side.b}, range);
+  mesh_.add(proposal);
+  if (!proposal.at_a)
+    insert({side.a, apex}, range);
+  if (!proposal.at_b)
+    insert({apex, side.b}, range);
   return true;
-}
-
-void
-Front::insertOpen(const Side& side, const Range& range)
-{
-  if (mesh_.oppositeOf(side) >= 0)
-    insert(side, range);
 }
 
 void

@@ -102,17 +102,10 @@ private:
   void
   process(const Side& side, const Range& range, Doubt doubt);
 
-  /** \brief Adds, postpones or rejects a triangle. Returns false if another apex may be
-   * tried. */
+  /** \brief Adds, postpones or rejects a triangle. Returns
+   * false if another apex may be tried. */
   bool
-  tryApex(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
-
-  /** \brief As above, for an apex whose sphere is known to be empty. */
-  bool
-  tryCandidate(const Side& side, std::int32_t apex, const Range& range, Doubt doubt);
-
-  void
-  insertOpen(const Side& side, const Range& range);
+  tryCandidate(const Proposal& proposal, const Range& range, Doubt doubt);
 
   const PointTree& tree_;
   const SizeConstraint& size_;

@@ -38,12 +38,9 @@ GrowingMesh::isOdd(const Side& side, std::int32_t apex, std::int32_t component)
 }
 
 GrowingMesh::Demands
-GrowingMesh::demands(const Side& side,
-                     std::int32_t apex,
-                     const Edge* base,
-                     const Edge* at_a,
-                     const Edge* at_b)
+GrowingMesh::demands(const Proposal& proposal)
 {
+  const auto& [side, apex, base, at_a, at_b] = proposal;
   Demands all;
   // Neighbours have the same orientation if they traverse their common edge in opposite
   // directions.
@@ -61,13 +58,9 @@ GrowingMesh::demands(const Side& side,
 }
 
 GrowingMesh::Bridge
-GrowingMesh::bridge(const Side& side, std::int32_t apex)
+GrowingMesh::bridge(const Proposal& proposal)
 {
-  const Demands all = demands(side,
-                              apex,
-                              arrays_.find(side.a, side.b),
-                              arrays_.find(side.a, apex),
-                              arrays_.find(side.b, apex));
+  const Demands all = demands(proposal);
   for (std::size_t i = 1; i < all.count; ++i)
     if (all.of[i].root != all.of[0].root)
       return {std::min(all.of[i].root, all.of[0].root),
@@ -92,12 +85,9 @@ GrowingMesh::isOrientable(const Demands& all) const
 }
 
 double
-GrowingMesh::steepestCosine(const Side& side,
-                            std::int32_t apex,
-                            const Edge* base,
-                            const Edge* at_a,
-                            const Edge* at_b) const
+GrowingMesh::steepestCosine(const Proposal& proposal) const
 {
+  const auto& [side, apex, base, at_a, at_b] = proposal;
   const Eigen::Vector3d a = tree_.position(side.a), b = tree_.position(side.b),
                         p = tree_.position(apex);
   double minimum = cosineOfTurn(a, b, tree_.position(base->opposites), p);
@@ -109,20 +99,18 @@ GrowingMesh::steepestCosine(const Side& side,
 }
 
 GrowingMesh::Verdict
-GrowingMesh::judge(const Side& side, std::int32_t apex)
+GrowingMesh::judge(const Proposal& proposal)
 {
-  const Edge* at_a = arrays_.find(side.a, apex);
-  const Edge* at_b = arrays_.find(side.b, apex);
+  const auto& [side, apex, base, at_a, at_b] = proposal;
   if ((at_a && !at_a->isOpen()) || (at_b && !at_b->isOpen()))
     return Verdict::Blocked;
   // At most one pinch per vertex is permitted, because most are removed later.
   if (!at_a && !at_b && isUsed(apex))
     return vertex(apex).open_edges == 2 ? Verdict::Pinches : Verdict::Blocked;
-  const Edge* base = arrays_.find(side.a, side.b);
-  const double cosine = steepestCosine(side, apex, base, at_a, at_b);
+  const double cosine = steepestCosine(proposal);
   if (cosine <= cos_largest_turn)
     return Verdict::Blocked;
-  if ((at_a || at_b) && !isOrientable(demands(side, apex, base, at_a, at_b))) {
+  if ((at_a || at_b) && !isOrientable(demands(proposal))) {
     ++refused_moebius_;
     return Verdict::Blocked;
   }
@@ -132,13 +120,13 @@ GrowingMesh::judge(const Side& side, std::int32_t apex)
 }
 
 void
-GrowingMesh::attach(std::int32_t from,
-                    std::int32_t to,
+GrowingMesh::attach(const Side& side,
+                    Edge* edge,
                     std::int32_t opposite,
                     std::int32_t component)
 {
+  const auto [from, to] = side;
   const bool ascending = from < to;
-  Edge* edge = arrays_.find(from, to);
   if (!edge) {
     std::int32_t& first = vertex(std::min(from, to)).first_edge;
     const std::int32_t index = new_edges_.take();
@@ -146,8 +134,7 @@ GrowingMesh::attach(std::int32_t from,
     *edge = {std::max(from, to), first, opposite, 0, ascending, 0};
     edge->setComponent(component);
     first = index;
-    vertex(from).addOpenEdges(1);
-    vertex(to).addOpenEdges(1);
+    arrays_.countOpenEdge(from, to, 1);
   }
   else if (edge->isOpen()) {
     const std::int32_t first = edge->componentNumber();
@@ -155,8 +142,7 @@ GrowingMesh::attach(std::int32_t from,
     if (parity_.unite(first, component, flipped))
       joints_.push_back({first, component, flipped});
     edge->opposites ^= opposite;
-    vertex(from).addOpenEdges(-1);
-    vertex(to).addOpenEdges(-1);
+    arrays_.countOpenEdge(from, to, -1);
   }
   ++edge->triangles;
 }
@@ -165,9 +151,7 @@ void
 GrowingMesh::detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite)
 {
   Edge& edge = *arrays_.find(from, to);
-  const int change = edge.isOpen() ? -1 : 1;
-  vertex(from).addOpenEdges(change);
-  vertex(to).addOpenEdges(change);
+  arrays_.countOpenEdge(from, to, edge.isOpen() ? -1 : 1);
   edge.opposites ^= opposite;
   if (--edge.triangles == 0)
     new_edges_.giveBack(arrays_.unlink(from, to));
@@ -178,9 +162,9 @@ GrowingMesh::reassignEdges(const std::vector<GrownTriangle>& triangles)
 {
   for (const GrownTriangle& triangle : triangles)
     for (const Side& side : sidesOf(triangle)) {
-      const Vertex &start = vertex(side.a), &end = vertex(side.b);
-      if (!start.has_lost || !end.has_lost || start.open_edges == 0 ||
-          end.open_edges == 0)
+      if (!arrays_.is(side.a, VertexFlag::lost) ||
+          !arrays_.is(side.b, VertexFlag::lost) || vertex(side.a).open_edges == 0 ||
+          vertex(side.b).open_edges == 0)
         continue;
       Edge& edge = *arrays_.find(side.a, side.b);
       if (edge.isOpen()) {
@@ -204,32 +188,41 @@ GrowingMesh::sweep(const std::vector<std::vector<GrownTriangle>*>& lists)
 }
 
 void
-GrowingMesh::put(const GrownTriangle& triangle)
+GrowingMesh::put(const GrownTriangle& triangle, const std::array<Edge*, 3>& edges)
 {
-  const auto [a, b, c] = triangle.corners;
-  attach(a, b, c, triangle.component);
-  attach(b, c, a, triangle.component);
-  attach(c, a, b, triangle.component);
+  const std::array<Side, 3> sides = sidesOf(triangle);
+  for (std::size_t i = 0; i < 3; ++i)
+    attach(sides[i], edges[i], triangle.corners[(i + 2) % 3], triangle.component);
   const Eigen::Vector3f area = areaVector(triangle.corners);
-  const ParityUnion::Root own = parity_.find(triangle.component);
-  for (const std::int32_t corner : triangle.corners) {
-    Vertex& v = vertex(corner);
-    v.was_pinched |= v.open_edges > 2;
-    v.is_mixed |= v.triangles > 0 && v.component != triangle.component;
-    v.is_of_wall |= is_of_wall_;
-    if (v.triangles == 0) {
-      v.component = triangle.component;
-      v.normal.setZero();
-      arrays_.noteUse(corner, true);
-    }
-    if (v.triangles < 0xffff)
-      ++v.triangles;
-    const ParityUnion::Root root = parity_.find(v.component);
-    if (root.component == own.component)
-      v.normal += root.flipped != own.flipped ? Eigen::Vector3f(-area) : area;
-    if (v.open_edges == 0)
-      arrays_.noteSaturation(corner, true);
+  for (const std::int32_t corner : triangle.corners)
+    addToVertex(corner, triangle.component, area);
+}
+
+void
+GrowingMesh::addToVertex(std::int32_t corner,
+                         std::int32_t component,
+                         const Eigen::Vector3f& area)
+{
+  Vertex& v = vertex(corner);
+  if (v.open_edges > 2)
+    arrays_.set(corner, VertexFlag::pinched);
+  if (v.triangles > 0 && v.component != component)
+    arrays_.set(corner, VertexFlag::mixed);
+  if (is_of_wall_)
+    arrays_.set(corner, VertexFlag::of_wall);
+  if (v.triangles == 0) {
+    v.component = component;
+    v.normal.setZero();
+    arrays_.noteUse(corner, true);
   }
+  if (v.triangles < 0xffff)
+    ++v.triangles;
+  const ParityUnion::Root own = parity_.find(component);
+  const ParityUnion::Root root = parity_.find(v.component);
+  if (root.component == own.component)
+    v.normal += root.flipped != own.flipped ? Eigen::Vector3f(-area) : area;
+  if (v.open_edges == 0)
+    arrays_.noteSaturation(corner, true);
 }
 
 void
@@ -241,8 +234,8 @@ GrowingMesh::takeOut(GrownTriangle& triangle)
   detachEdge(c, a, b);
   for (const std::int32_t corner : triangle.corners) {
     Vertex& v = vertex(corner);
-    v.has_lost = true;
-    v.was_pinched = true; // its fan may be split by the removal
+    arrays_.set(corner, VertexFlag::lost);
+    arrays_.set(corner, VertexFlag::pinched); // its fan may be split by the removal
     if (--v.triangles == 0)
       arrays_.noteUse(corner, false);
     arrays_.noteSaturation(corner, v.triangles > 0 && v.open_edges == 0);
@@ -251,11 +244,11 @@ GrowingMesh::takeOut(GrownTriangle& triangle)
 }
 
 void
-GrowingMesh::add(const Side& side, std::int32_t apex)
+GrowingMesh::add(const Proposal& proposal)
 {
-  const std::int32_t component = arrays_.find(side.a, side.b)->componentNumber();
-  triangles_.push_back({{side.b, side.a, apex}, component});
-  put(triangles_.back());
+  const auto& [side, apex, base, at_a, at_b] = proposal;
+  triangles_.push_back({{side.b, side.a, apex}, base->componentNumber()});
+  put(triangles_.back(), {base, at_a, at_b});
 }
 
 void
@@ -264,13 +257,16 @@ GrowingMesh::addSeed(const std::array<std::int32_t, 3>& corners)
   const auto [a, b, c] = corners;
   const bool turned = facing_.shownArea(tree_, corners) < 0;
   triangles_.push_back({{a, turned ? c : b, turned ? b : c}, parity_.addComponent()});
-  put(triangles_.back());
+  put(triangles_.back(), {}); // no edge ends at an unused point
 }
 
 std::int32_t
 GrowingMesh::endOfFan(std::int32_t at, const Side& side)
 {
   std::int32_t previous = side.a == at ? side.b : side.a;
+  const Vertex& v = vertex(at);
+  if (v.open_edges == 2)
+    return v.open_ends ^ previous;
   std::int32_t next = oppositeOf(side);
   for (;;) {
     const Edge& edge = *arrays_.find(at, next);

@@ -35,6 +35,15 @@ sidesOf(const GrownTriangle& triangle)
   return {Side{a, b}, Side{b, c}, Side{c, a}};
 }
 
+/** \brief Triangle (b, a, apex) over an open edge, with the edges of the mesh that would
+ * be its own; valid until the mesh changes. */
+struct Proposal {
+  Side side;
+  std::int32_t apex;
+  Edge* base;
+  Edge *at_a, *at_b; ///< from these ends to the apex; nullptr: the edge would be new
+};
+
 /** \brief Triangles of one wall, or of one leaf. */
 struct TriangleList {
   std::vector<GrownTriangle>* triangles;
@@ -91,10 +100,22 @@ public:
     is_of_wall_ = is_of_wall;
   }
 
-  /** \brief Checks whether triangle (b, a, apex) over an open edge keeps the mesh
-   * manifold. */
+  Proposal
+  propose(const Side& side, std::int32_t apex)
+  {
+    return propose(side, apex, arrays_.find(side.a, side.b));
+  }
+
+  /** \param[in] base edge of the side */
+  Proposal
+  propose(const Side& side, std::int32_t apex, Edge* base)
+  {
+    return {side, apex, base, arrays_.find(side.a, apex), arrays_.find(side.b, apex)};
+  }
+
+  /** \brief Checks whether a triangle keeps the mesh manifold. */
   Verdict
-  judge(const Side& side, std::int32_t apex);
+  judge(const Proposal& proposal);
 
   /** \brief Would the back of triangle (b, a, apex) face the side from which its points
    * were measured? False if that is unknown. */
@@ -105,11 +126,10 @@ public:
   }
 
   Bridge
-  bridge(const Side& side, std::int32_t apex);
+  bridge(const Proposal& proposal);
 
-  /** \brief Adds triangle (b, a, apex) over an open edge. */
   void
-  add(const Side& side, std::int32_t apex);
+  add(const Proposal& proposal);
 
   /** \brief Adds the first triangle of a component, oriented by its facing
    * direction. */
@@ -132,13 +152,21 @@ public:
     return arrays_.find(a, b) != nullptr;
   }
 
+  /** \brief Returns an edge if it is open, otherwise nullptr. */
+  Edge*
+  findOpen(const Side& side)
+  {
+    Edge* edge = arrays_.find(side.a, side.b);
+    return edge && edge->isOpen() ? edge : nullptr;
+  }
+
   /** \brief Third corner of the only triangle at an edge; -1 if the edge is not
    * open. */
   std::int32_t
   oppositeOf(const Side& side)
   {
-    const Edge* edge = arrays_.find(side.a, side.b);
-    return edge && edge->isOpen() ? edge->opposites : -1;
+    const Edge* edge = findOpen(side);
+    return edge ? edge->opposites : -1;
   }
 
   /** \brief An open edge in the direction in which its triangle traverses it. */
@@ -229,11 +257,7 @@ private:
   };
 
   Demands
-  demands(const Side& side,
-          std::int32_t apex,
-          const Edge* base,
-          const Edge* at_a,
-          const Edge* at_b);
+  demands(const Proposal& proposal);
 
   /** \brief Is the triangle thin, or is its normal far from the mean normal at one of
    * the ends of its edge? A chain of gentle turns can flip the orientation just as a
@@ -249,20 +273,17 @@ private:
 
   /** \brief Cosine of the largest turn of the triangle at one of its edges. */
   double
-  steepestCosine(const Side& side,
-                 std::int32_t apex,
-                 const Edge* base,
-                 const Edge* at_a,
-                 const Edge* at_b) const;
+  steepestCosine(const Proposal& proposal) const;
+
+  /** \param[in] edges those of \ref sidesOf; nullptr: the edge is new */
+  void
+  put(const GrownTriangle& triangle, const std::array<Edge*, 3>& edges);
 
   void
-  put(const GrownTriangle& triangle);
+  attach(const Side& side, Edge* edge, std::int32_t opposite, std::int32_t component);
 
   void
-  attach(std::int32_t from,
-         std::int32_t to,
-         std::int32_t opposite,
-         std::int32_t component);
+  addToVertex(std::int32_t corner, std::int32_t component, const Eigen::Vector3f& area);
 
   void
   reassignEdges(const std::vector<GrownTriangle>& triangles);

@@ -95,7 +95,8 @@ findSeams(MeshArrays& arrays, std::vector<GrownTriangle>& triangles)
   std::vector<Seam> seams;
   for (GrownTriangle& triangle : triangles)
     for (const Side& side : sidesOf(triangle)) {
-      if (!arrays.vertex(side.a).is_mixed || !arrays.vertex(side.b).is_mixed)
+      if (!arrays.is(side.a, VertexFlag::mixed) ||
+          !arrays.is(side.b, VertexFlag::mixed))
         continue;
       const Edge& edge = *arrays.find(side.a, side.b);
       const std::int32_t first = edge.componentNumber();

@@ -43,11 +43,11 @@ addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& b
 }
 
 bool
-isAnyTouched(MeshArrays& arrays, const Refusal& refusal)
+isAnyTouched(const MeshArrays& arrays, const Refusal& refusal)
 {
-  return arrays.vertex(refusal.side.a).is_of_wall ||
-         arrays.vertex(refusal.side.b).is_of_wall ||
-         arrays.vertex(refusal.apex).is_of_wall;
+  return arrays.is(refusal.side.a, VertexFlag::of_wall) ||
+         arrays.is(refusal.side.b, VertexFlag::of_wall) ||
+         arrays.is(refusal.apex, VertexFlag::of_wall);
 }
 
 void
@@ -78,7 +78,7 @@ finishMesh(GrowingMesh& mesh,
   removed.insert(removed.end(), of_fans.begin(), of_fans.end());
   for (const GrownTriangle& triangle : removed)
     for (const std::int32_t corner : triangle.corners)
-      arrays.vertex(corner).is_of_wall = true;
+      arrays.set(corner, VertexFlag::of_wall);
 
   Unfinished begun = affectedBy(removed, size, mesh);
   for (const Part& part : parts) {

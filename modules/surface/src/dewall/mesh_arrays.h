@@ -16,26 +16,17 @@ struct Vertex {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< sum over its triangles, ...
   std::int32_t component = -1;  ///< ... in this component's orientation
   std::int32_t first_edge = -1; ///< head of the list of edges with it as lower end
+  std::int32_t open_ends = 0;   ///< XOR of the other ends of its open edges
   std::uint16_t triangles = 0;
-  std::uint16_t open_edges : 12;
-  std::uint16_t was_pinched : 1;
-  std::uint16_t has_lost : 1;   ///< a triangle was removed, so check its edges
-  std::uint16_t is_mixed : 1;   ///< triangles of several components meet here
-  std::uint16_t is_of_wall : 1; ///< used by a triangle across a plane
+  std::uint16_t open_edges = 0;
+};
 
-  void
-  addOpenEdges(int change)
-  {
-    open_edges = static_cast<std::uint16_t>(open_edges + change) & 0xfff;
-  }
-
-  Vertex()
-  : open_edges(0)
-  , was_pinched(0)
-  , has_lost(0)
-  , is_mixed(0)
-  , is_of_wall(0)
-  {}
+/** \brief Properties of vertices that passes over all triangles ask for. */
+struct VertexFlag {
+  static constexpr std::uint8_t pinched = 1; ///< it had several fans
+  static constexpr std::uint8_t lost = 2;    ///< a triangle was removed
+  static constexpr std::uint8_t mixed = 4;   ///< triangles of several components meet
+  static constexpr std::uint8_t of_wall = 8; ///< used by a triangle across a plane
 };
 
 /** \brief The arrays of the mesh, shared by the tasks that grow it: each task has its
@@ -44,6 +35,7 @@ struct MeshArrays {
   const PointTree& tree;
   const Facing& facing;
   std::vector<Vertex> vertices;
+  std::vector<std::uint8_t> flags; ///< VertexFlag of each vertex
   EdgePool edges;
   std::vector<std::uint16_t> saturated, unused; ///< bits for the points of each leaf
   /** Number of unused points in each group of eight leaves, which small tasks may
@@ -54,6 +46,7 @@ struct MeshArrays {
   : tree(t)
   , facing(f)
   , vertices(static_cast<std::size_t>(t.size()))
+  , flags(static_cast<std::size_t>(t.size()))
   , edges(t.size())
   , saturated(static_cast<std::size_t>(t.leafCount()))
   , unused(static_cast<std::size_t>(t.leafCount()))
@@ -76,6 +69,35 @@ struct MeshArrays {
   vertex(std::int32_t i)
   {
     return vertices[static_cast<std::size_t>(i)];
+  }
+
+  bool
+  is(std::int32_t i, std::uint8_t flag) const
+  {
+    return (flags[static_cast<std::size_t>(i)] & flag) != 0;
+  }
+
+  void
+  set(std::int32_t i, std::uint8_t flag)
+  {
+    flags[static_cast<std::size_t>(i)] |= flag;
+  }
+
+  void
+  clear(std::int32_t i, std::uint8_t flag)
+  {
+    flags[static_cast<std::size_t>(i)] &= static_cast<std::uint8_t>(~flag);
+  }
+
+  /** \brief Notes at both ends that an edge was opened (1) or closed (-1). */
+  void
+  countOpenEdge(std::int32_t a, std::int32_t b, int change)
+  {
+    for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)}) {
+      Vertex& v = vertex(at);
+      v.open_edges = static_cast<std::uint16_t>(v.open_edges + change);
+      v.open_ends ^= other;
+    }
   }
 
   bool

@@ -51,9 +51,10 @@ Refill::reconsider()
   do {
     before = mesh_.triangles().size();
     for (const Refusal& refusal : std::exchange(left_.refusals, {})) {
-      if (mesh_.oppositeOf(refusal.side) < 0)
+      Edge* base = mesh_.findOpen(refusal.side);
+      if (!base)
         continue;
-      if (!closeWith(refusal.side, refusal.apex))
+      if (!closeWith(mesh_.propose(refusal.side, refusal.apex, base)))
         left_.refusals.push_back(refusal);
       workOff();
     }
@@ -63,22 +64,24 @@ Refill::reconsider()
 void
 Refill::closeSide(const Side& side)
 {
-  const std::int32_t opposite = mesh_.oppositeOf(side);
-  if (opposite < 0)
+  Edge* base = mesh_.findOpen(side);
+  if (!base)
     return;
-  const SideFrame frame(tree_, size_, side.a, side.b, opposite);
+  const SideFrame frame(tree_, size_, side.a, side.b, base->opposites);
   if (rule_ == DeWallRule::Dense) {
-    closeSideDensely(side, frame);
+    closeSideDensely(side, base, frame);
     return;
   }
   findApexes(side, frame);
   for (const Apex& apex : apexes_) {
     const bool is_own = range_.contains(apex.index);
-    if ((is_own && !fits(side, apex.index)) ||
+    const Proposal proposal =
+        is_own ? mesh_.propose(side, apex.index, base) : Proposal{};
+    if ((is_own && !fits(proposal)) ||
         !isSphereEmpty(tree_, {side.b, side.a, apex.index}))
       continue;
     if (is_own)
-      closeWith(side, apex.index);
+      close(proposal);
     else
       left_.sides.push_back(side);
     return;
@@ -88,33 +91,40 @@ Refill::closeSide(const Side& side)
 }
 
 void
-Refill::closeSideDensely(const Side& side, const SideFrame& frame)
+Refill::closeSideDensely(const Side& side, Edge* base, const SideFrame& frame)
 {
   const std::int32_t apex = findApex(tree_, size_, frame, {});
   if (apex < 0)
     return;
   if (!range_.contains(apex))
     left_.sides.push_back(side);
-  else if (!closeWith(side, apex))
+  else if (!closeWith(mesh_.propose(side, apex, base)))
     left_.refusals.push_back({side, apex});
 }
 
 bool
-Refill::closeWith(const Side& side, std::int32_t apex)
+Refill::closeWith(const Proposal& proposal)
 {
-  if (!fits(side, apex))
+  if (!fits(proposal))
     return false;
-  mesh_.add(side, apex);
-  for (const Side& made : {Side{side.a, apex}, Side{apex, side.b}})
-    if (mesh_.oppositeOf(made) >= 0)
-      queue_.push_back(made);
+  close(proposal);
   return true;
 }
 
-bool
-Refill::fits(const Side& side, std::int32_t apex)
+void
+Refill::close(const Proposal& proposal)
 {
-  const GrowingMesh::Verdict verdict = mesh_.judge(side, apex);
+  mesh_.add(proposal);
+  if (!proposal.at_a)
+    queue_.push_back({proposal.side.a, proposal.apex});
+  if (!proposal.at_b)
+    queue_.push_back({proposal.apex, proposal.side.b});
+}
+
+bool
+Refill::fits(const Proposal& proposal)
+{
+  const GrowingMesh::Verdict verdict = mesh_.judge(proposal);
   return verdict == GrowingMesh::Verdict::Fits ||
          verdict == GrowingMesh::Verdict::Doubtful;
 }
@@ -132,7 +142,7 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
   for (const std::int32_t end : {side.a, side.b}) {
     // The fan at a wall may contain points of another task, or there may be several
     // fans.
-    if (!range_.isWhole(tree_) && mesh_.arrays().vertex(end).is_of_wall) {
+    if (!range_.isWhole(tree_) && mesh_.arrays().is(end, VertexFlag::of_wall)) {
       is_at_wall_ = true;
       continue;
     }

@@ -60,10 +60,10 @@ private:
   closeSide(const Side& side);
 
   void
-  closeSideDensely(const Side& side, const SideFrame& frame);
+  closeSideDensely(const Side& side, Edge* base, const SideFrame& frame);
 
   bool
-  closeWith(const Side& side, std::int32_t apex);
+  closeWith(const Proposal& proposal);
 
   enum class Ties { Matter, DoNotMatter };
 
@@ -85,8 +85,11 @@ private:
              std::int32_t start,
              const Eigen::Vector3f& inward);
 
+  void
+  close(const Proposal& proposal);
+
   bool
-  fits(const Side& side, std::int32_t apex);
+  fits(const Proposal& proposal);
 
   const PointTree& tree_;
   const SizeConstraint& size_;

@@ -86,15 +86,16 @@ private:
   {
     if (!range_.contains(corner))
       return false;
-    const Vertex& v = mesh_.arrays().vertex(corner);
-    return v.open_edges == 2 && (is_whole_ || !v.is_of_wall);
+    MeshArrays& arrays = mesh_.arrays();
+    return arrays.vertex(corner).open_edges == 2 &&
+           (is_whole_ || !arrays.is(corner, VertexFlag::of_wall));
   }
 
   bool
   isLookedAt(std::int32_t corner) const
   {
     return range_.contains(corner) &&
-           (!is_whole_ || mesh_.arrays().vertex(corner).is_of_wall);
+           (!is_whole_ || mesh_.arrays().is(corner, VertexFlag::of_wall));
   }
 
   GrowingMesh& mesh_;
@@ -213,7 +214,7 @@ private:
       return;
     const std::size_t apex = best(first, last).apex;
     const std::int32_t p = corners_[apex];
-    mesh_.add(chord, p);
+    mesh_.add(mesh_.propose(chord, p));
     // The new triangle is (b, a, p): its new edges are a p and p b.
     const bool starts_at_first = chord.a == corners_[first];
     add(first, apex, starts_at_first ? Side{chord.a, p} : Side{p, chord.b});
