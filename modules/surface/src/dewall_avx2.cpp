@@ -56,6 +56,7 @@
 #include "dewall/spacing.cpp"
 #include "dewall/tree_search.cpp"
 #include "dewall/triangle_builder.cpp"
+#include "dewall/unused_points.cpp"
 
 #ifdef __clang__
 #pragma clang attribute pop

@@ -134,10 +134,11 @@ Refill::fits(const Proposal& proposal)
 void
 Refill::findApexes(const Side& side, const SideFrame& frame)
 {
-  findUnused(reachFromMiddle(frame),
-             frame.origin + 0.5 * frame.u,
-             side.a,
-             frame.outward.cast<float>());
+  unused_.find({side.a,
+                frame.origin + 0.5 * frame.u,
+                reachFromMiddle(frame),
+                frame.outward.cast<float>()},
+               found_);
   is_at_wall_ = false;
   for (const std::int32_t end : {side.a, side.b}) {
     // The fan at a wall may contain points of another task, or there may be several
@@ -162,52 +163,11 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
 }
 
 bool
-Refill::findUnused(double radius,
-                   const Eigen::Vector3d& centre,
-                   std::int32_t start,
-                   const Eigen::Vector3f& inward)
-{
-  found_.clear();
-  bool is_all_in_range = true;
-  const MeshArrays& arrays = mesh_.arrays();
-  const Eigen::Vector3f origin = tree_.position(start).cast<float>();
-  const auto isOwn = [&](std::int32_t leaf) {
-    return leaf >= range_.first_leaf && leaf < range_.end_leaf;
-  };
-  const auto keep = [&](int level, std::int32_t group) {
-    unsigned bits =
-        membersBeyond(tree_.cells().boxes[level][group], origin.data(), inward.data());
-    const std::int32_t first = 8 * group;
-    if (level > 2 || !isOwn(first << (3 * level - 3)) ||
-        !isOwn(((first + 8) << (3 * level - 3)) - 1))
-      return bits;
-    for (unsigned lane = 0; lane < 8; ++lane) {
-      const auto member = static_cast<std::size_t>(first) + lane;
-      if (level == 1 ? arrays.unused[member] == 0 : arrays.unused_in_group[member] == 0)
-        bits &= ~(1u << lane);
-    }
-    return bits;
-  };
-  const auto visit = [&](std::int32_t leaf, std::int32_t first, std::int32_t end) {
-    unsigned unused = (1u << (end - first)) - 1;
-    if (isOwn(leaf))
-      unused = arrays.unused[static_cast<std::size_t>(leaf)];
-    else
-      is_all_in_range = false;
-    for (std::int32_t i = first; unused; ++i, unused >>= 1)
-      if (unused & 1)
-        found_.push_back(i);
-  };
-  visitBall(tree_, start, centre, radius, keep, visit);
-  return is_all_in_range;
-}
-
-bool
 Refill::startAt(std::int32_t p1, Ties ties)
 {
   const Eigen::Vector3d a = tree_.position(p1);
   const bool is_all_in_range =
-      findUnused(size_.longest(p1), a, p1, Eigen::Vector3f::Zero());
+      unused_.find({p1, a, size_.longest(p1), Eigen::Vector3f::Zero()}, found_);
   if (!is_all_in_range && ties == Ties::DoNotMatter)
     return false;
   std::vector<std::pair<double, std::int32_t>> unused;

@@ -2,6 +2,7 @@
 
 #include "apex_search.h"
 #include "range.h"
+#include "unused_points.h"
 
 #include <pcl/surface/dewall_types.h>
 
@@ -41,6 +42,7 @@ public:
   , rule_(rule)
   , mesh_(mesh)
   , range_(range)
+  , unused_(mesh.arrays(), size, range_)
   , tick_(std::move(tick))
   {}
 
@@ -75,16 +77,6 @@ private:
   void
   findApexes(const Side& side, const SideFrame& frame);
 
-  /** \brief Finds the points inside a ball that are unused or outside of the range.
-   * \param[in] inward unit normal of a plane through the start; points behind it are
-   * not needed; zero: no plane
-   * \return false if the ball intersects leaves outside of the range */
-  bool
-  findUnused(double radius,
-             const Eigen::Vector3d& centre,
-             std::int32_t start,
-             const Eigen::Vector3f& inward);
-
   void
   close(const Proposal& proposal);
 
@@ -96,10 +88,11 @@ private:
   const DeWallRule rule_;
   GrowingMesh& mesh_;
   const Range range_;
+  UnusedPoints unused_;
   std::function<void()> tick_;
   std::vector<Side> queue_;
   Unfinished left_;
-  std::vector<std::int32_t> found_; ///< unused points; reused memory
+  std::vector<std::int32_t> found_; ///< reused memory
   std::vector<Apex> apexes_;        ///< reused memory
   bool is_at_wall_ = false;         ///< at the last edge; it may have more apexes
 };
