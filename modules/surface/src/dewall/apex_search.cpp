@@ -189,6 +189,8 @@ findApex(const PointTree& tree,
   findApexCandidates(tree.cells(), apexQuery(tree, size, side, passed_over), hits);
   if (hits.count > SearchHits::capacity)
     return findApexOneByOne(tree, size, side, passed_over);
+  if (hits.is_decided)
+    return hits.index[0];
   NearestApex nearest(tree, size, side);
   for (std::int32_t i = 0; i < hits.count; ++i)
     nearest.consider(hits.index[i]);

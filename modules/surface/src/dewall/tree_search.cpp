@@ -16,6 +16,17 @@ cotangentOf(float signed_square)
                            : __builtin_sqrtf(signed_square);
 }
 
+/** Returns the lane with the least value among those whose bits are set. */
+ACMAP_INLINE unsigned
+leastOf(const float* values, unsigned lanes)
+{
+  unsigned least = lowestBit(lanes);
+  for (lanes &= lanes - 1; lanes; lanes &= lanes - 1)
+    if (values[lowestBit(lanes)] < values[least])
+      least = lowestBit(lanes);
+  return least;
+}
+
 /** Tests points as apexes, in units of the edge length: the angle apb is largest where
  * the signed square of its cotangent, (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p -
  * a)|^2, is minimal; the circle abp is smallest where the square without its sign is. A
@@ -114,16 +125,19 @@ struct ApexVisitor {
                              (far2 <= allLanes(limit2 * (1 - 1e-5f))) &
                              (cross2 > allLanes(1e-6f) * far2);
     const unsigned sure = bitsOf(certain);
-    for (; candidates; candidates &= candidates - 1) {
-      const unsigned lane = lowestBit(candidates);
+    alignas(32) float values[8];
+    __builtin_memcpy(values, &square, sizeof values);
+    while (candidates) { // the least one first: it excludes most of the others
+      const unsigned lane = leastOf(values, candidates);
+      candidates &= ~(1u << lane);
       const std::int32_t index = first + static_cast<std::int32_t>(lane);
-      const float value = square[lane];
-      if (value > limit || index == query.a || index == query.b ||
-          index == query.left_out)
+      if (index == query.a || index == query.b || index == query.left_out)
         continue;
-      if ((sure >> lane & 1u) && value < best)
-        raiseBar(value);
-      note(index, value);
+      if ((sure >> lane & 1u) && values[lane] < best) {
+        raiseBar(values[lane]);
+        candidates &= bitsOf(square <= allLanes(limit));
+      }
+      note(index, values[lane]);
     }
   }
 
@@ -166,6 +180,7 @@ findCandidates(const TreeCells& tree, const ApexQuery& query, SearchHits& hits)
   walkTree(tree, visitor, query.leaf);
   if (hits.count <= SearchHits::capacity)
     visitor.prune();
+  hits.is_decided = hits.count == 1 && visitor.best < unbounded;
 }
 
 /** Uses the radius as unit: squares in metres exceed the range of floats below 1e-19

@@ -38,7 +38,8 @@ struct BallQuery {
  * precision. */
 struct SearchHits {
   static constexpr std::int32_t capacity = 64;
-  std::int32_t count = 0; ///< capacity + 1: there are more
+  std::int32_t count = 0;  ///< capacity + 1: there are more
+  bool is_decided = false; ///< the only hit is the result
   std::int32_t index[capacity];
 };
 
