@@ -26,6 +26,10 @@
 #define ACMAP_DEWALL dewall_avx2
 #define ACMAP_DEWALL_AVX2
 
+// Its comparison could not be inlined into std::nth_element, which takes its time, if it
+// had other instructions.
+#include "dewall/point_tree.cpp"
+
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
@@ -47,7 +51,6 @@
 #include "dewall/literal_mesh.cpp"
 #include "dewall/literal_search.cpp"
 #include "dewall/oriented_mesh.cpp"
-#include "dewall/point_tree.cpp"
 #include "dewall/predicates.cpp"
 #include "dewall/refill.cpp"
 #include "dewall/seed_test.cpp"
