@@ -61,27 +61,6 @@ covarianceAt(const Poses& poses,
   return system;
 }
 
-/** Covariances of the residuals of the actions. */
-std::vector<Matrix6>
-actionCovariances(const PoseSystem& inverse,
-                  const OdometryPrior& prior,
-                  const Poses& poses)
-{
-  std::vector<Matrix6> covariances;
-  Matrix6 before, after;
-  for (std::size_t i = 0; i < prior.actions(); ++i) {
-    prior.jacobians(poses, i, before, after);
-    Matrix6 sum = after * inverse.inverse(i, i) * after.transpose();
-    if (i > 0) {
-      const Matrix6 shared = before * inverse.inverse(i - 1, i) * after.transpose();
-      sum += before * inverse.inverse(i - 1, i - 1) * before.transpose() + shared +
-             shared.transpose();
-    }
-    covariances.push_back(sum);
-  }
-  return covariances;
-}
-
 /** The 80 % quantile of the standard deviation of a piece relative to the view before
  * or after it. */
 double
@@ -199,7 +178,7 @@ public:
       const std::vector<Pair> pairs = overlappingViews(pieces_, poses_);
       const PoseSystem inverse = covarianceAt(poses_, prior_, links_, joined_, pairs);
       if (settings_.estimate_odometry && round >= 3)
-        prior_.rescale(poses_, actionCovariances(inverse, prior_, poses_));
+        prior_.rescale(poses_, prior_.covariances(poses_, inverse));
       const RelativeCovariances relative(inverse, poses_, pairs);
       const double deviation = neighbourDeviation(pieces_, poses_, relative);
       if (round == 0)
@@ -242,7 +221,7 @@ public:
   {
     const PoseSystem inverse = covarianceAt(poses_, prior_, links_, joined_, {});
     double determined = static_cast<double>(6 * prior_.actions());
-    const std::vector<Matrix6> actions = actionCovariances(inverse, prior_, poses_);
+    const std::vector<Matrix6> actions = prior_.covariances(poses_, inverse);
     for (std::size_t i = 0; i < actions.size(); ++i)
       determined -= prior_.shareOf(i, actions[i]);
     double free = -determined;
@@ -483,7 +462,7 @@ adjustPlanes(const AdjustedViewReader& read,
   for (std::size_t i = 0; i < poses.size(); ++i) {
     report.moved[i] = (result[i].translation() - poses[i].translation()).norm();
     report.turned[i] =
-        rotationVector(poses[i].linear().transpose() * result[i].linear()).norm();
+        Eigen::AngleAxisd(poses[i].linear().transpose() * result[i].linear()).angle();
   }
   return result;
 }

@@ -10,14 +10,6 @@
 namespace pcl::acmap {
 namespace {
 
-Eigen::Matrix3d
-crossMatrix(const Eigen::Vector3d& v)
-{
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
-
 Matrix6
 covarianceOf(const OdometryNoise& noise, const Eigen::Isometry3d& motion)
 {
@@ -73,47 +65,13 @@ retract(const Eigen::Isometry3d& pose, const Vector6& motion)
   return result;
 }
 
-Eigen::Vector3d
-rotationVector(const Eigen::Matrix3d& rotation)
-{
-  const Eigen::AngleAxisd turn(rotation);
-  return turn.angle() * turn.axis();
-}
-
-Vector6
-motionResidual(const Eigen::Isometry3d& measured, const Eigen::Isometry3d& motion)
-{
-  Vector6 residual;
-  residual << rotationVector(measured.linear().transpose() * motion.linear()),
-      motion.translation() - measured.translation();
-  return residual;
-}
-
-void
-motionJacobians(const Eigen::Isometry3d& measured,
-                const Eigen::Isometry3d& motion,
-                Matrix6& before,
-                Matrix6& after)
-{
-  const Eigen::Vector3d error =
-      rotationVector(measured.linear().transpose() * motion.linear());
-  const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(error);
-  before.setZero();
-  after.setZero();
-  before.topLeftCorner<3, 3>() = -turn * motion.linear().transpose();
-  before.bottomLeftCorner<3, 3>() = crossMatrix(motion.translation());
-  before.bottomRightCorner<3, 3>() = -Eigen::Matrix3d::Identity();
-  after.topLeftCorner<3, 3>() = turn;
-  after.bottomRightCorner<3, 3>() = motion.linear();
-}
-
 OdometryPrior::OdometryPrior(const Poses& given,
                              const PlaneAdjustmentSettings& settings)
 {
   const auto& covariances = settings.action_covariances;
   for (std::size_t i = 0; i + 1 < given.size(); ++i) {
     const Eigen::Isometry3d motion = given[i].inverse() * given[i + 1];
-    actions_.push_back({motion,
+    actions_.push_back({{i, i + 1, motion},
                         covariances.empty() ? covarianceOf(settings.odometry, motion)
                                             : covariances[i]});
   }
@@ -133,34 +91,22 @@ OdometryPrior::updateInformation()
                            scale.asDiagonal());
 }
 
-Vector6
-OdometryPrior::residual(const Poses& poses, std::size_t action) const
-{
-  return motionResidual(actions_[action].motion,
-                        poses[action].inverse() * poses[action + 1]);
-}
-
 double
 OdometryPrior::cost(const Poses& poses) const
 {
   double cost = 0;
-  for (std::size_t i = 0; i < actions_.size(); ++i) {
-    const Vector6 r = residual(poses, i);
-    cost += r.dot(information_[i] * r);
-  }
+  for (std::size_t i = 0; i < actions_.size(); ++i)
+    cost += actions_[i].motion.cost(poses, information_[i]);
   return cost;
 }
 
-void
-OdometryPrior::jacobians(const Poses& poses,
-                         std::size_t action,
-                         Matrix6& before,
-                         Matrix6& after) const
+std::vector<Matrix6>
+OdometryPrior::covariances(const Poses& poses, const PoseSystem& inverse) const
 {
-  motionJacobians(actions_[action].motion,
-                  poses[action].inverse() * poses[action + 1],
-                  before,
-                  after);
+  std::vector<Matrix6> covariances;
+  for (const Action& action : actions_)
+    covariances.push_back(action.motion.covariance(poses, inverse));
+  return covariances;
 }
 
 void
@@ -168,18 +114,8 @@ OdometryPrior::linearize(const Poses& poses,
                          PoseSystem& system,
                          std::vector<Vector6>& gradient) const
 {
-  Matrix6 before, after;
-  for (std::size_t i = 0; i < actions_.size(); ++i) {
-    jacobians(poses, i, before, after);
-    const Vector6 weighted = information_[i] * residual(poses, i);
-    system.add(i, i, after.transpose() * information_[i] * after);
-    gradient[i] += after.transpose() * weighted;
-    if (i > 0) {
-      system.add(i - 1, i - 1, before.transpose() * information_[i] * before);
-      system.add(i, i - 1, after.transpose() * information_[i] * before);
-      gradient[i - 1] += before.transpose() * weighted;
-    }
-  }
+  for (std::size_t i = 0; i < actions_.size(); ++i)
+    actions_[i].motion.linearize(poses, information_[i], system, gradient);
 }
 
 void
@@ -188,7 +124,7 @@ OdometryPrior::rescale(const Poses& poses, const std::vector<Matrix6>& covarianc
   constexpr double smallest = 0.05, largest = 10;
   Eigen::Vector2d squares = Eigen::Vector2d::Zero(), free = squares;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
-    const Vector6 r = residual(poses, i);
+    const Vector6 r = actions_[i].motion.residual(poses);
     for (int k = 0; k < 6; ++k) {
       const double factor = factors_[k / 3];
       const double variance = factor * factor * actions_[i].covariance(k, k);

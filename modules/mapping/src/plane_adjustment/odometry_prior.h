@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pose_system.h"
+#include "measured_motion.h"
 
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
@@ -11,29 +11,10 @@
 
 namespace pcl::acmap {
 
-using Poses = std::vector<Eigen::Isometry3d>; ///< T_map_camera
-
 /** \brief Applies a small motion in the frame of the camera: rotation vector, then
  * translation. */
 Eigen::Isometry3d
 retract(const Eigen::Isometry3d& pose, const Vector6& motion);
-
-/** \brief Rotation vector of a rotation. */
-Eigen::Vector3d
-rotationVector(const Eigen::Matrix3d& rotation);
-
-/** \brief Difference of a relative motion from the measured one: rotation vector, then
- * translation, in the frame of the earlier view. */
-Vector6
-motionResidual(const Eigen::Isometry3d& measured, const Eigen::Isometry3d& motion);
-
-/** \brief Derivatives of \ref motionResidual by the motions (\ref retract) of the poses
- * before and after. */
-void
-motionJacobians(const Eigen::Isometry3d& measured,
-                const Eigen::Isometry3d& motion,
-                Matrix6& before,
-                Matrix6& after);
 
 /** \brief What the odometry says about consecutive poses: residuals of the actions,
  * weighted by their inverse covariances. The first pose is fixed. */
@@ -81,22 +62,16 @@ public:
     return (information_[action] * covariance).trace();
   }
 
-  /** \brief Derivatives of the residual of an action by the motions of the poses before
-   * and after it. */
-  void
-  jacobians(const Poses& poses,
-            std::size_t action,
-            Matrix6& before,
-            Matrix6& after) const;
+  /** \brief Covariances of the actions that follow from those of the poses.
+   * \param[in] inverse of the equations */
+  std::vector<Matrix6>
+  covariances(const Poses& poses, const PoseSystem& inverse) const;
 
 private:
   struct Action {
-    Eigen::Isometry3d motion;
+    MeasuredMotion motion;
     Matrix6 covariance;
   };
-
-  Vector6
-  residual(const Poses& poses, std::size_t action) const;
 
   void
   updateInformation();

@@ -39,9 +39,7 @@ RevisitLinks::RevisitLinks(const std::vector<RevisitConstraint>& revisits)
 {
   for (const RevisitConstraint& revisit : revisits) {
     const Matrix6 covariance = residualCovariance(revisit);
-    links_.push_back({revisit.earlier,
-                      revisit.later,
-                      revisit.T_earlier_later,
+    links_.push_back({{revisit.earlier, revisit.later, revisit.T_earlier_later},
                       covariance,
                       covariance.llt().solve(Matrix6::Identity())});
   }
@@ -51,19 +49,16 @@ void
 RevisitLinks::addPairs(std::vector<PoseSystem::Pair>& pairs) const
 {
   for (const Link& link : links_)
-    if (link.earlier > 0)
-      pairs.emplace_back(link.earlier - 1, link.later - 1);
+    if (link.motion.earlier > 0)
+      pairs.emplace_back(link.motion.earlier - 1, link.motion.later - 1);
 }
 
 double
 RevisitLinks::cost(const Poses& poses) const
 {
   double cost = 0;
-  for (const Link& link : links_) {
-    const Vector6 r =
-        motionResidual(link.motion, poses[link.earlier].inverse() * poses[link.later]);
-    cost += r.dot(link.information * r);
-  }
+  for (const Link& link : links_)
+    cost += link.motion.cost(poses, link.information);
   return cost;
 }
 
@@ -72,46 +67,20 @@ RevisitLinks::linearize(const Poses& poses,
                         PoseSystem& system,
                         std::vector<Vector6>& gradient) const
 {
-  Matrix6 before, after;
-  for (const Link& link : links_) {
-    const Eigen::Isometry3d motion = poses[link.earlier].inverse() * poses[link.later];
-    motionJacobians(link.motion, motion, before, after);
-    const Vector6 weighted = link.information * motionResidual(link.motion, motion);
-    const std::size_t later = link.later - 1;
-    system.add(later, later, after.transpose() * link.information * after);
-    gradient[later] += after.transpose() * weighted;
-    if (link.earlier > 0) {
-      const std::size_t earlier = link.earlier - 1;
-      system.add(earlier, earlier, before.transpose() * link.information * before);
-      system.add(later, earlier, after.transpose() * link.information * before);
-      gradient[earlier] += before.transpose() * weighted;
-    }
-  }
+  for (const Link& link : links_)
+    link.motion.linearize(poses, link.information, system, gradient);
 }
 
 void
 RevisitLinks::dropImplausible(const Poses& poses, const PoseSystem& inverse)
 {
-  std::vector<Link> plausible;
-  Matrix6 before, after;
-  for (const Link& link : links_) {
-    const Eigen::Isometry3d motion = poses[link.earlier].inverse() * poses[link.later];
-    motionJacobians(link.motion, motion, before, after);
-    const std::size_t later = link.later - 1;
-    Matrix6 covariance =
-        link.covariance + after * inverse.inverse(later, later) * after.transpose();
-    if (link.earlier > 0) {
-      const std::size_t earlier = link.earlier - 1;
-      const Matrix6 shared =
-          before * inverse.inverse(earlier, later) * after.transpose();
-      covariance += before * inverse.inverse(earlier, earlier) * before.transpose() +
-                    shared + shared.transpose();
-    }
-    const Vector6 r = motionResidual(link.motion, motion);
-    if (r.dot(covariance.ldlt().solve(r)) < max_squared)
-      plausible.push_back(link);
-  }
-  links_ = std::move(plausible);
+  const auto isImplausible = [&](const Link& link) {
+    const Matrix6 covariance = link.covariance + link.motion.covariance(poses, inverse);
+    const Vector6 r = link.motion.residual(poses);
+    return !(r.dot(covariance.ldlt().solve(r)) < max_squared);
+  };
+  links_.erase(std::remove_if(links_.begin(), links_.end(), isImplausible),
+               links_.end());
 }
 
 bool
@@ -119,10 +88,7 @@ RevisitLinks::dropContradicted(const Poses& poses)
 {
   std::vector<std::pair<double, std::size_t>> contradicted;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Link& link = links_[i];
-    const Vector6 r =
-        motionResidual(link.motion, poses[link.earlier].inverse() * poses[link.later]);
-    const double squared = r.dot(link.information * r);
+    const double squared = links_[i].motion.cost(poses, links_[i].information);
     if (!(squared < max_squared))
       contradicted.emplace_back(-squared, i);
   }

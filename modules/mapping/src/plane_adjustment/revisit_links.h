@@ -1,7 +1,6 @@
 #pragma once
 
-#include "odometry_prior.h"
-#include "pose_system.h"
+#include "measured_motion.h"
 
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
@@ -52,8 +51,7 @@ public:
 
 private:
   struct Link {
-    std::size_t earlier, later; ///< numbers of the views
-    Eigen::Isometry3d motion;   ///< T_earlier_later
+    MeasuredMotion motion;
     Matrix6 covariance, information;
   };
 
