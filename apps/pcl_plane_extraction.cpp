@@ -114,6 +114,7 @@ writeOutputs(const Options& options,
     map.planes = found.planes;
     map.cylinders = found.cylinders;
     map.boxes = found.boxes;
+    map.recesses = found.recesses;
     pcl::saveMapFile(place, map);
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });

@@ -24,9 +24,10 @@ void
 addOptions(Tool& tool, Options& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("planes",
-                 options.planes,
-                 "Planes in the frame of the poses, of pcl_plane_extraction")
+  app.add_option(
+         "planes",
+         options.planes,
+         "Planes and cylinders in the frame of the poses, of pcl_plane_extraction")
       ->type_name("PLANES.json")
       ->required();
   app.add_option("observations",
@@ -55,31 +56,31 @@ checkOptions(const Tool& tool, const Options& options)
 
 pcl::CompactMap
 paint(const Options& options,
-      const std::vector<pcl::PlanePatch>& planes,
+      const pcl::CompactMap& surfaces,
       const RunControls& controls,
       StageLog& log)
 {
   const std::string ending = endingOf(options.observations);
   if (ending != ".pcd" && ending != ".ply" && ending != ".obj")
-    return paintPlanes(planes,
+    return paintPlanes(surfaces,
                        pcl::ObservationSequence(options.observations, controls.scale),
                        options.texture,
                        controls,
                        log);
   const auto cloud = std::make_shared<const pcl::PointCloudFile>(
       loadScaledCloud(options.observations, controls.scale));
-  return paintPlanes(planes, cloud, options.texture, controls, log);
+  return paintPlanes(surfaces, cloud, options.texture, controls, log);
 }
 
 void
 run(const Options& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
-  const std::vector<pcl::PlanePatch> planes = pcl::loadMapFile(options.planes).planes;
-  if (planes.empty())
+  const pcl::CompactMap surfaces = pcl::loadMapFile(options.planes);
+  if (surfaces.planes.empty() && surfaces.cylinders.empty())
     throw NothingFound(options.planes + ": holds no plane");
   timer.finish("read");
-  pcl::CompactMap map = paint(options, planes, controls, log);
+  pcl::CompactMap map = paint(options, surfaces, controls, log);
   pcl::setRooms(pcl::makeFloorPlan(map), map);
   timer.finish("paint");
   stopIfInterrupted();
@@ -87,7 +88,8 @@ run(const Options& options, const RunControls& controls, StageLog& log)
        pcl::saveCompactMap(options.output, map, options.texture.outputs))
     log.tell("file", options.output + "/" + name);
   timer.finish("write");
-  log.details["planes"] = planes.size();
+  log.details["planes"] = surfaces.planes.size();
+  log.details["cylinders"] = surfaces.cylinders.size();
 }
 
 } // namespace

@@ -44,6 +44,9 @@ void
 bindPlanes(pybind11::module_& module);
 
 void
+bindRecessPatches(pybind11::module_& module);
+
+void
 bindRectification(pybind11::module_& module);
 
 void

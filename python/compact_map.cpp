@@ -74,12 +74,29 @@ bindCompactMap(py::module_& module)
           "list of CylinderPatch, by falling area; empty unless primitives were asked "
           "for")
       .def_property_readonly(
+          "cylinder_pictures",
+          memberList<ReportedMap, TexturePicture>(
+              [](const ReportedMap& reported) -> const std::vector<TexturePicture>& {
+                return reported.map.cylinder_pictures;
+              }),
+          "list of TexturePicture: the texture of each cylinder, unrolled: columns "
+          "divide "
+          "its arc, rows its extent from high to low; without texels if it has none")
+      .def_property_readonly(
           "boxes",
           memberList<ReportedMap, BoxPatch>(
               [](const ReportedMap& reported) -> const std::vector<BoxPatch>& {
                 return reported.map.boxes;
               }),
           "list of BoxPatch, by falling volume; empty unless primitives were asked for")
+      .def_property_readonly(
+          "recesses",
+          memberList<ReportedMap, RecessPatch>(
+              [](const ReportedMap& reported) -> const std::vector<RecessPatch>& {
+                return reported.map.recesses;
+              }),
+          "list of RecessPatch, closed doors and the like, by falling volume; empty "
+          "unless primitives were asked for")
       .def_property_readonly(
           "charts",
           memberList<ReportedMap, TextureChart>(

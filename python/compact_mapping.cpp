@@ -32,7 +32,7 @@ struct MappingSettings {
   double voxel_size; ///< metres; 0: automatic
   double min_area;   ///< square metres; 0: automatic
   bool regular;
-  bool primitives;
+  std::optional<bool> primitives;
   double texel_size;  ///< metres
   std::string folder; ///< of poses; empty: none
   unsigned threads;
@@ -67,7 +67,7 @@ requireLegal(const MappingSettings& settings)
   refuse(settings.voxel_size > 0, "voxel_size");
   refuse(settings.min_area > 0, "min_area");
   refuse(settings.regular, "regular");
-  refuse(settings.primitives, "primitives");
+  refuse(settings.primitives.value_or(false), "primitives");
 }
 
 void
@@ -101,8 +101,10 @@ planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
   }
   planes.setDepthSensor(settings.sensor);
   planes.setComputeMesh(false);
-  planes.setComputeCylinders(settings.primitives);
-  planes.setComputeBoxes(settings.primitives);
+  if (settings.primitives) {
+    planes.setComputeCylinders(*settings.primitives);
+    planes.setComputeBoxes(*settings.primitives);
+  }
   return planes;
 }
 
@@ -162,7 +164,8 @@ min_area   square metres, of a plane; 0: automatic
 regular    turns planes to be parallel or upright to larger ones, where their uncertainty
            allows
 primitives finds cylinders, too: columns, pipes and curved walls, which replace the planes
-           that they describe in fewer bits; and boxes, whose sides stay planes
+           that they describe in fewer bits; and boxes and recesses such as closed doors,
+           whose sides and leaves stay planes; by default not with paper
 texel_size metres, the edge of a texel of the textures
 folder     keeps the poses that were found, so that a later run with the same observations
            goes on from them; empty: none
@@ -199,7 +202,7 @@ bindCompactMapping(py::module_& module)
                        std::optional<double> voxel_size,
                        double min_area,
                        bool regular,
-                       bool primitives,
+                       std::optional<bool> primitives,
                        double texel_size,
                        const std::string& folder,
                        unsigned threads) {
@@ -225,7 +228,7 @@ bindCompactMapping(py::module_& module)
            "voxel_size"_a = py::none(),
            "min_area"_a = clustering.getMinArea(),
            "regular"_a = clustering.getRegularize(),
-           "primitives"_a = defaults.getPlaneMapping().getComputeCylinders(),
+           "primitives"_a = py::none(),
            "texel_size"_a = defaults.getTexturing().getTexelSize(),
            "folder"_a = "",
            "threads"_a = defaults.getNumberOfThreads())

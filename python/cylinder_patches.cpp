@@ -62,6 +62,9 @@ bindCylinderPatches(py::module_& module)
       .def_readonly("support", &Patch::support, "points")
       .def_readonly("rmse", &Patch::rms, "metres, of the support about the cylinder")
       .def_readonly("area", &Patch::area, "square metres")
+      .def_readonly("template_id",
+                    &Patch::template_id,
+                    "cylinders of the same number have the same radius")
       .def_readonly("saved_bits",
                     &Patch::saved_bits,
                     "bits by which it shortens the description of its points");

@@ -25,6 +25,8 @@ nameOf(EdgeKind kind)
     return "rim";
   case EdgeKind::Frontier:
     return "frontier";
+  case EdgeKind::Arc:
+    return "arc";
   }
   return "";
 }
@@ -37,12 +39,15 @@ bindTopology(py::module_& module)
       .def_property_readonly(
           "kind",
           [](const MapEdge& edge) { return nameOf(edge.kind); },
-          "'open', 'crease', 'contact', 'rim' or 'frontier'")
+          "'open', 'crease', 'contact', 'rim', 'frontier' or 'arc'")
       .def_readonly(
           "planes",
           &MapEdge::planes,
           "the plane whose polygon has the edge, and the other one of a crease "
-          "or a contact, or -1");
+          "or a contact, or -1")
+      .def_readonly("cylinder",
+                    &MapEdge::cylinder,
+                    "index in CompactMap.cylinders of an arc, or -1");
   py::class_<MapFace>(module, "MapFace", "A polygon by the vertices of its boundaries.")
       .def_readonly("plane", &MapFace::plane, "index in CompactMap.planes")
       .def_readonly("polygon", &MapFace::polygon, "index in PlanePatch.polygons")

@@ -36,6 +36,8 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
     fields["cylinders"] = reportOf(*report.cylinders);
   if (report.boxes)
     fields["boxes"] = reportOf(*report.boxes);
+  if (report.recesses)
+    fields["recesses"] = reportOf(*report.recesses);
   return reportOf(fields, report);
 }
 

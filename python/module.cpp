@@ -14,6 +14,7 @@ PYBIND11_MODULE(acmap, module)
   bindPlanes(module);
   bindCylinderPatches(module);
   bindBoxPatches(module);
+  bindRecessPatches(module);
   bindRectification(module);
   bindAdjustment(module);
   bindTextureCharts(module);

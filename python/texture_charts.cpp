@@ -8,14 +8,14 @@ namespace pcl::acmap::python {
 
 namespace {
 
-/** Bytes of all texels as (h, w) or (h, w, channels); without any if the chart has no
+/** Bytes of all texels as (h, w) or (h, w, channels); without any if the picture has no
  * colours. */
 py::array
 texelArray(const py::object& self,
            const std::uint8_t* first,
            const std::vector<py::ssize_t>& channels)
 {
-  const RgbImage& image = self.cast<const TextureChart&>().colors;
+  const RgbImage& image = self.cast<const TexturePicture&>().colors;
   std::vector<py::ssize_t> shape = {0, 0};
   if (!image.values.empty())
     shape = {image.height, image.width};
@@ -26,14 +26,14 @@ texelArray(const py::object& self,
 py::array
 colorsOf(const py::object& self)
 {
-  return texelArray(self, self.cast<const TextureChart&>().colors.values.data(), {3});
+  return texelArray(self, self.cast<const TexturePicture&>().colors.values.data(), {3});
 }
 
 py::array
 kindsOf(const py::object& self)
 {
   static_assert(sizeof(TexelKind) == sizeof(std::uint8_t));
-  const auto* const first = self.cast<const TextureChart&>().kinds.data();
+  const auto* const first = self.cast<const TexturePicture&>().kinds.data();
   return texelArray(self, reinterpret_cast<const std::uint8_t*>(first), {});
 }
 
@@ -42,7 +42,15 @@ kindsOf(const py::object& self)
 void
 bindTextureCharts(py::module_& module)
 {
-  py::class_<TextureChart>(
+  py::class_<TexturePicture>(module, "TexturePicture", "The colours of a surface.")
+      .def_property_readonly(
+          "colors", &colorsOf, "(h, w, 3) uint8: red, green, blue of the texels")
+      .def_property_readonly(
+          "kinds",
+          &kindsOf,
+          "(h, w) uint8: 0 not seen by any observation, 1 coloured by observations, 2 "
+          "filled in from its neighbours");
+  py::class_<TextureChart, TexturePicture>(
       module,
       "TextureChart",
       "The texture of a polygon, or of a part of it if it is large.")
@@ -63,14 +71,7 @@ bindTextureCharts(py::module_& module)
           "texel_v",
           memberArray<TextureChart, double>(
               {3}, [](const TextureChart& chart) { return chart.texel_v.data(); }),
-          "(3,) float64, metres: step of one row")
-      .def_property_readonly(
-          "colors", &colorsOf, "(h, w, 3) uint8: red, green, blue of the texels")
-      .def_property_readonly(
-          "kinds",
-          &kindsOf,
-          "(h, w) uint8: 0 not seen by any observation, 1 coloured by observations, 2 "
-          "filled in from its neighbours");
+          "(3,) float64, metres: step of one row");
 }
 
 } // namespace pcl::acmap::python

@@ -53,6 +53,7 @@ addMapOptions(Tool& tool, ChainOptions& options)
 {
   CLI::App& app = tool.options();
   inGroup(tool, map_group, [&] {
+    options.planes.primitives_by_default = true;
     addPlaneChoices(tool, options.planes);
     options.planes.keeps_mesh = true;
     addTextureOptions(tool, options.texture);

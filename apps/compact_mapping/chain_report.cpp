@@ -131,7 +131,7 @@ tellChain(const ChainOptions& options,
     if (map.contains(name))
       details[name] = map.at(name);
   details["planes"] = map.at("planes").size();
-  for (const char* name : {"cylinders", "boxes"})
+  for (const char* name : {"cylinders", "boxes", "recesses"})
     if (map.contains(name))
       details[name] = map.at(name).size();
   details["stages"] = Json::array();

@@ -100,6 +100,18 @@ merge(const ChainOptions& options,
   return merged;
 }
 
+/** \brief A map of what was found, without textures. */
+CompactMap
+surfacesOf(const MappedPlanes& found)
+{
+  CompactMap map;
+  map.planes = found.planes;
+  map.cylinders = found.cylinders;
+  map.boxes = found.boxes;
+  map.recesses = found.recesses;
+  return map;
+}
+
 Mapped
 mapSequence(const ChainOptions& options,
             const Sequence& sequence,
@@ -122,10 +134,8 @@ mapSequence(const ChainOptions& options,
   }
   requirePlanes(options.input, result.found, log);
   StepTimer timer(log.report);
-  result.map =
-      paintPlanes(result.found.planes, *sequence.posed, options.texture, controls, log);
-  result.map.cylinders = result.found.cylinders;
-  result.map.boxes = result.found.boxes;
+  result.map = paintPlanes(
+      surfacesOf(result.found), *sequence.posed, options.texture, controls, log);
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   timer.finish("paint");
@@ -146,9 +156,8 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   result.found = extractPlanes(options.planes, file, viewpoints, controls, log);
   requirePlanes(options.input, result.found, log);
   StepTimer paint_timer(log.report);
-  result.map = paintPlanes(result.found.planes, file, options.texture, controls, log);
-  result.map.cylinders = result.found.cylinders;
-  result.map.boxes = result.found.boxes;
+  result.map =
+      paintPlanes(surfacesOf(result.found), file, options.texture, controls, log);
   paint_timer.finish("paint");
   return result;
 }
@@ -228,17 +237,18 @@ jsonOf(const std::vector<CylinderPatch>& cylinders)
   return list;
 }
 
-/** \brief The same for the boxes. */
+/** \brief The same for boxes or recesses. */
+template <typename Patch>
 nlohmann::ordered_json
-jsonOf(const std::vector<BoxPatch>& boxes)
+jsonOfSizes(const std::vector<Patch>& patches)
 {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < boxes.size(); ++id) {
-    const BoxPatch& box = boxes[id];
+  for (std::size_t id = 0; id < patches.size(); ++id) {
+    const Patch& patch = patches[id];
     list.push_back({{"id", id},
-                    {"size", {box.size[0], box.size[1], box.size[2]}},
-                    {"template", box.template_id},
-                    {"saved_bits", box.saved_bits}});
+                    {"size", {patch.size[0], patch.size[1], patch.size[2]}},
+                    {"template", patch.template_id},
+                    {"saved_bits", patch.saved_bits}});
   }
   return list;
 }
@@ -263,9 +273,10 @@ tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 {
   tellPlanes(mapped.found, log);
   log.details["planes"] = jsonOf(mapped.map.planes);
-  if (options.planes.primitives) {
+  if (options.planes.findsPrimitives()) {
     log.details["cylinders"] = jsonOf(mapped.map.cylinders);
-    log.details["boxes"] = jsonOf(mapped.map.boxes);
+    log.details["boxes"] = jsonOfSizes(mapped.map.boxes);
+    log.details["recesses"] = jsonOfSizes(mapped.map.recesses);
   }
   tellUp(mapped.map, log);
   tellCompactness(mapped.found.finite_points, mapped.map, options.output, log);

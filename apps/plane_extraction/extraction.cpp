@@ -43,8 +43,8 @@ mappingOf(const PlaneOptions& options, unsigned threads)
     mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
   }
   mapping.setComputeMesh(options.keeps_mesh);
-  mapping.setComputeCylinders(options.primitives);
-  mapping.setComputeBoxes(options.primitives);
+  mapping.setComputeCylinders(options.findsPrimitives());
+  mapping.setComputeBoxes(options.findsPrimitives());
   mapping.setNumberOfThreads(threads);
   return mapping;
 }
@@ -125,6 +125,25 @@ describe(const BoxPatch& box)
                 snapped,
                 box.template_id,
                 box.saved_bits);
+  return text;
+}
+
+std::string
+describe(const RecessPatch& recess)
+{
+  char text[160];
+  std::snprintf(text,
+                sizeof text,
+                "%.3f x %.3f m, %.3f m deep, plane %d behind %d, %s, template %d, %.0f "
+                "bits saved",
+                recess.size[0],
+                recess.size[1],
+                recess.size[2],
+                recess.leaf,
+                recess.wall,
+                recess.reaches_floor ? "reaches the floor" : "above the floor",
+                recess.template_id,
+                recess.saved_bits);
   return text;
 }
 
@@ -213,6 +232,29 @@ tellInPicture(const PlaneMappingReport& report, StageLog& log)
     details["votes"] = jsonOf(*report.votes);
 }
 
+/** The bits of the description before and after. */
+void
+tellBits(const PlaneMappingReport& report, StageLog& log)
+{
+  const auto thousands = [](double bits) {
+    return std::to_string(std::lround(bits / 1000));
+  };
+  std::string text;
+  if (report.cylinders)
+    text = thousands(report.cylinders->bits_before) + " kbit by planes, " +
+           thousands(report.cylinders->bits_after) + " kbit with cylinders";
+  if (report.boxes && report.boxes->boxes > 0)
+    text += (text.empty() ? "" : "; ") + std::string("sides of boxes ") +
+            thousands(report.boxes->bits_before) + " kbit as planes, " +
+            thousands(report.boxes->bits_after) + " kbit as boxes";
+  if (report.recesses && report.recesses->recesses > 0)
+    text += (text.empty() ? "" : "; ") + std::string("leaves of recesses ") +
+            thousands(report.recesses->bits_before) + " kbit as planes, " +
+            thousands(report.recesses->bits_after) + " kbit as recesses";
+  if (!text.empty())
+    log.tell("description", text);
+}
+
 void
 tellMapping(const PlaneMappingReport& report, StageLog& log)
 {
@@ -227,6 +269,9 @@ tellMapping(const PlaneMappingReport& report, StageLog& log)
     log.details["cylinder_report"] = jsonOf(*report.cylinders);
   if (report.boxes)
     log.details["box_report"] = jsonOf(*report.boxes);
+  if (report.recesses)
+    log.details["recess_report"] = jsonOf(*report.recesses);
+  tellBits(report, log);
   for (const auto& [step, seconds] : report.seconds)
     log.report.seconds.emplace_back(step, seconds);
 }
@@ -284,11 +329,13 @@ addPlaneChoices(Tool& tool, PlaneOptions& options)
                options.regular,
                "Turn planes to be exactly parallel or at right angles to larger ones, "
                "within their own uncertainty and a degree");
-  app.add_flag(
-      "--primitives",
-      options.primitives,
-      "Find cylinders, too: columns, pipes and curved walls, which replace the "
-      "planes that they describe in fewer bits; and boxes, whose sides stay planes");
+  app.add_flag_function(
+      "--primitives,!--no-primitives",
+      [&](std::int64_t times) { options.primitives = times > 0; },
+      "Find cylinders, too: columns, pipes and curved walls, which replace the planes "
+      "that they describe in fewer bits; and boxes and recesses such as closed doors, "
+      "whose sides and leaves stay planes [default: " +
+          std::string(options.primitives_by_default ? "yes" : "no") + "]");
 }
 
 void
@@ -302,7 +349,7 @@ checkChoices(const PlaneOptions& options)
   refuse(options.min_area.has_value(), "--min-area");
   refuse(options.tolerance.has_value(), "--tolerance");
   refuse(options.regular, "--regular");
-  refuse(options.primitives, "--primitives");
+  refuse(options.primitives.value_or(false), "--primitives");
   if (options.sensor != DepthSensor::Automatic && options.isInSpace())
     throw UsageError(
         "--sensor is not used with --consolidate, --tolerance and --paper, "
@@ -361,6 +408,10 @@ tellPlanes(const MappedPlanes& found, StageLog& log)
   if (log.details.contains("box_report")) {
     log.tell("boxes", std::to_string(found.boxes.size()));
     tellEach("box", "boxes", found.boxes, log);
+  }
+  if (log.details.contains("recess_report")) {
+    log.tell("recesses", std::to_string(found.recesses.size()));
+    tellEach("recess", "recesses", found.recesses, log);
   }
 }
 

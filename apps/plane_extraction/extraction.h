@@ -19,7 +19,8 @@ struct PlaneOptions {
   std::optional<double> tolerance;  ///< metres
   DepthSensor sensor = DepthSensor::Automatic;
   bool regular = false;
-  bool primitives = false; ///< cylinders and boxes, too
+  /** \brief Cylinders, boxes and recesses, too; by default the tool decides. */
+  std::optional<bool> primitives;
   bool paper = false;      ///< set by the tool: \ref MappingMode::Paper
   bool keeps_mesh = false; ///< set by the tool: the mesh is needed
 
@@ -28,6 +29,14 @@ struct PlaneOptions {
   isInSpace() const
   {
     return voxel_size || tolerance || paper;
+  }
+
+  bool primitives_by_default = false; ///< set by the tool, for all but the paper's way
+
+  bool
+  findsPrimitives() const
+  {
+    return primitives.value_or(primitives_by_default && !paper);
   }
 };
 
@@ -61,7 +70,7 @@ requirePlanes(const std::string& input, const MappedPlanes& found, const StageLo
 
 /** \brief Adds lines to the summary: the number of planes, the fraction of the points
  * on them, and each plane, or the largest ones if there are many; the same for cylinders
- * and boxes if these were searched. */
+ * and boxes and recesses if these were searched. */
 void
 tellPlanes(const MappedPlanes& found, StageLog& log);
 

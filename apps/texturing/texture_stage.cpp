@@ -20,12 +20,13 @@ namespace {
 using Texturing = PlaneTexturing<PointXYZRGB>;
 
 Texturing
-texturingOf(const std::vector<PlanePatch>& planes,
+texturingOf(const CompactMap& surfaces,
             const TextureOptions& options,
             const RunControls& controls)
 {
   Texturing texturing;
-  texturing.setPlanes(planes);
+  texturing.setPlanes(surfaces.planes);
+  texturing.setCylinders(surfaces.cylinders);
   texturing.setTexelSize(options.texel_size);
   texturing.setMaximumDistance(options.maximum_distance);
   texturing.setMaximumTextureSize(options.maximum_texture_size);
@@ -91,9 +92,11 @@ addTextureOptions(Tool& tool, TextureOptions& options)
                  "How far a point may be from the plane it colours, metres")
       ->type_name("M")
       ->check(CLI::Range(1e-6, 1e3).description(""));
-  app.add_option("--max-texture",
-                 options.maximum_texture_size,
-                 "Texels a side; larger polygons get several textures")
+  app.add_option(
+         "--max-texture",
+         options.maximum_texture_size,
+         "Texels a side; larger polygons get several textures, larger cylinders larger "
+         "texels")
       ->type_name("N")
       ->check(CLI::Range(16, 65500).description(""));
   app.add_option("--fill",
@@ -118,13 +121,13 @@ addTextureOptions(Tool& tool, TextureOptions& options)
 }
 
 CompactMap
-paintPlanes(const std::vector<PlanePatch>& planes,
+paintPlanes(const CompactMap& surfaces,
             const ObservationSequence& sequence,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log)
 {
-  Texturing texturing = texturingOf(planes, options, controls);
+  Texturing texturing = texturingOf(surfaces, options, controls);
   std::vector<std::string> remarks = sequence.remarks();
   const auto load = [&](std::size_t i) -> std::optional<TexturedObservation> {
     try {
@@ -147,6 +150,8 @@ paintPlanes(const std::vector<PlanePatch>& planes,
     texturing.addObservationLoader([&load, i] { return load(i); });
   CompactMap map;
   texturing.texture(map);
+  map.boxes = surfaces.boxes;
+  map.recesses = surfaces.recesses;
   const std::vector<std::string> told = log.report.remarks; // those of the merging
   for (const std::string& remark : remarks)
     if (std::find(told.begin(), told.end(), remark) == told.end())
@@ -159,19 +164,21 @@ paintPlanes(const std::vector<PlanePatch>& planes,
 }
 
 CompactMap
-paintPlanes(const std::vector<PlanePatch>& planes,
+paintPlanes(const CompactMap& surfaces,
             const std::shared_ptr<const PointCloudFile>& cloud,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log)
 {
-  Texturing texturing = texturingOf(planes, options, controls);
+  Texturing texturing = texturingOf(surfaces, options, controls);
   texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
     return TexturedObservation{
         sharedCloud(cloud), Eigen::Isometry3d::Identity(), 0, false};
   });
   CompactMap map;
   texturing.texture(map);
+  map.boxes = surfaces.boxes;
+  map.recesses = surfaces.recesses;
   tellTexture(texturing.getReport(), log);
   return map;
 }

@@ -31,19 +31,21 @@ struct TextureOptions {
 void
 addTextureOptions(Tool& tool, TextureOptions& options);
 
-/** \brief Textures planes with the observations of a folder, as a step of the tool.
+/** \brief Textures planes and cylinders with the observations of a folder, as a step of the
+ * tool.
+ * \param[in] surfaces map whose planes, cylinders, boxes and recesses the result has
  * \throws InputFileException when an observation cannot be read and none may be
  * skipped */
 CompactMap
-paintPlanes(const std::vector<PlanePatch>& planes,
+paintPlanes(const CompactMap& surfaces,
             const ObservationSequence& sequence,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log);
 
-/** \brief Textures planes with the colours of one cloud in their frame. */
+/** \brief The same with the colours of one cloud in the frame of the planes. */
 CompactMap
-paintPlanes(const std::vector<PlanePatch>& planes,
+paintPlanes(const CompactMap& surfaces,
             const std::shared_ptr<const PointCloudFile>& cloud,
             const TextureOptions& options,
             const RunControls& controls,

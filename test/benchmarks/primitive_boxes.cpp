@@ -2,10 +2,9 @@
 
 #include "cpu_time.h"
 #include "markdown_row.h"
-#include "simulated_clouds.h"
+#include "primitive_scenes.h"
 #include "units.h"
 
-#include <pcl/pipeline/plane_mapping.h>
 #include <pcl/segmentation/box_fitting.h>
 #include <pcl/simulation/standard_scenes.h>
 
@@ -32,21 +31,6 @@ struct SceneBox {
   /** Is the face a surface of the scene? The order is that of BoxPatch::faces. */
   std::array<bool, 6> has_face{};
 };
-
-/** Is the center of a box in the image of a view, and in reach? */
-bool
-isInSight(const SimulatedScene& scene, const SceneBox& box)
-{
-  const TrinocularRig& rig = scene.rig;
-  return std::any_of(
-      scene.views.begin(), scene.views.end(), [&](const Eigen::Isometry3d& view) {
-        const Eigen::Vector3d at = view.inverse() * box.place.center();
-        const double column = rig.focal_length * at.x() / at.z() + rig.center_x,
-                     row = rig.focal_length * at.y() / at.z() + rig.center_y;
-        return at.z() > 0 && at.z() < scene.sensor.reach && column > 0 &&
-               column < rig.width && row > 0 && row < rig.height;
-      });
-}
 
 /** The boxes of a scene with a top; blocks and partitions, which reach the ceiling, are
  * part of the building. */
@@ -151,15 +135,7 @@ struct SceneFinds {
 SceneFinds
 findIn(const SimulatedScene& scene, bool searches_cylinders)
 {
-  const SimulatedCloud cloud = makeSceneCloud(scene);
-  const auto file = std::make_shared<PointCloudFile>();
-  file->cloud = cloudOf(cloud.merged);
-  PlaneMapping mapping;
-  mapping.setInputCloud(std::shared_ptr<const PointCloudFile>(file));
-  mapping.setViewpoints(cloud.sensorOrigins());
-  mapping.setComputeCylinders(searches_cylinders);
-  MappedPlanes mapped;
-  mapping.compute(mapped);
+  MappedPlanes mapped = mapScene(scene, searches_cylinders);
   SceneFinds finds;
   finds.planes = std::move(mapped.planes);
   finds.cylinders = std::move(mapped.cylinders);
@@ -178,11 +154,12 @@ printBoxesRow(const std::string& name,
               double reach)
 {
   std::vector<SceneBox> truth = boxesOf(scene);
-  truth.erase(
-      std::remove_if(truth.begin(),
-                     truth.end(),
-                     [&](const SceneBox& box) { return !isInSight(scene, box); }),
-      truth.end());
+  truth.erase(std::remove_if(truth.begin(),
+                             truth.end(),
+                             [&](const SceneBox& box) {
+                               return !isInSight(scene, box.place.center());
+                             }),
+              truth.end());
   std::size_t found = 0, wrong_sides = 0;
   double error = 0, closed_error = 0;
   for (const SceneBox& one : truth)
@@ -248,6 +225,8 @@ printCylinders(const SimulatedScene& scene, const std::vector<CylinderPatch>& pa
     if (patch)
       row.atMost(milli * std::abs(patch->radius - truth->radius), milli * reach, 2)
           .number(patch->high - patch->low, 2);
+    else
+      row.text("–").text("–");
     row.print();
   }
   std::cout << "\nWrong cylinders: " << patches.size() - std::min(found, patches.size())

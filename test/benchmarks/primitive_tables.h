@@ -20,6 +20,10 @@ printHalfSeen();
 void
 printBoxes();
 
+/** \brief Closed doors of simulated buildings, and the same buildings without them. */
+void
+printDoors();
+
 /** \brief Walls that are flat, bowed, or curved with a radius of 10 m. */
 void
 printWalls();

@@ -8,6 +8,7 @@
 #include "plane_adjustment_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
 #include "plane_texturing_traits.h"
+#include "recess_fitting_traits.h"
 #include "voxel_consolidation_traits.h"
 
 namespace pcl::acmap::test {
@@ -23,6 +24,7 @@ using PublicClasses = testing::Types<BoxFittingTraits,
                                      PlaneAdjustmentTraits,
                                      PlaneHypothesisClusteringTraits,
                                      PlaneTexturingTraits,
+                                     RecessFittingTraits,
                                      VoxelConsolidationTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ClassContract, PublicClasses);

@@ -72,6 +72,7 @@ TEST_F(MapFile, EverythingComesBack)
   expectSamePlanes(back, map);
   expectSameCylinders(back, map);
   expectSameBoxes(back, map);
+  expectSameRecesses(back, map);
   expectSameCharts(back, map, false);
   EXPECT_EQ(back.exposure, map.exposure);
   EXPECT_EQ(back.up, map.up);
@@ -191,6 +192,12 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/cylinders/0/covariance/4", {1, 2}, "cylinders[0].covariance[4] has 2"},
            {"/cylinders/0/area", -1, "cylinders[0] has an area"},
            {"/cylinders/0/saved_bits", "many", "saved_bits is no number"},
+           {"/cylinders/0/template", 1, "cylinders[0] has template 1, at most 0"},
+           {"/cylinders/1/texture", 3, "cylinders[1].texture is no object"},
+           {"/cylinders/1/texture/width", 0, "cylinders[1].texture.width is outside"},
+           {"/cylinders/1/texture/height", 1 << 28, "cylinders[1] brings the map"},
+           {"/cylinders/1/texture/image", "\u00e9.png", "texture.image"},
+           {"/cylinders/1/texture/halvings", 29, "is halved 29 times"},
            {"/boxes", 3, "boxes is no array"},
            {"/boxes/1/id", 7, "boxes[1].id is not 1"},
            {"/boxes/1/center/0", 1e10, "boxes[1] has a center"},
@@ -198,7 +205,7 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/boxes/0/axes", {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, "no right-handed"},
            {"/boxes/0/size/1", 0, "boxes[0] has a size that is not above 0"},
            {"/boxes/1/size/1", 1e300, "boxes[1] has a size"},
-           {"/boxes/2/size/1", 0.6, "boxes[2] has another size than box 0"},
+           {"/boxes/2/size/1", 0.6, "boxes[2] has another size than number 0"},
            {"/boxes/2/template", 3, "boxes[2] has template 3"},
            {"/boxes/2/template", -1, "boxes[2].template is outside"},
            {"/boxes/0/faces/0/kind", "open", "is no kind of a face"},
@@ -206,6 +213,19 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/boxes/0/faces", {1, 2}, "boxes[0].faces has 2"},
            {"/boxes/0/covariance/8/0", nullptr, "covariance that is not finite"},
            {"/boxes/0/saved_bits", "many", "saved_bits is no number"},
+           {"/recesses", 3, "recesses is no array"},
+           {"/recesses/1/id", 7, "recesses[1].id is not 1"},
+           {"/recesses/1/center/0", 1e10, "recesses[1] has a center"},
+           {"/recesses/0/axes/2", {0, 0, 1}, "no right-handed basis"},
+           {"/recesses/0/size/2", 0, "recesses[0] has a size that is not above 0"},
+           {"/recesses/2/size/1", 0.6, "recesses[2] has another size than number 0"},
+           {"/recesses/2/template", 3, "recesses[2] has template 3"},
+           {"/recesses/0/wall", 2, "recesses[0].wall is outside"},
+           {"/recesses/0/leaf", -1, "recesses[0].leaf is outside"},
+           {"/recesses/0/wall", 0, "has its leaf in the plane of its wall"},
+           {"/recesses/0/reaches_floor", "yes", "recesses[0].reaches_floor is"},
+           {"/recesses/0/covariance/8/0", nullptr, "covariance that is not finite"},
+           {"/recesses/0/saved_bits", "many", "saved_bits is no number"},
            {"/planes/0/covariance/2/1", "x", "planes[0].covariance[2][1] is no number"},
            {"/planes/0/support", -1, "planes[0].support is outside"},
            {"/planes/0/support", 1.5, "planes[0].support is no whole number"},
@@ -371,6 +391,17 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.cylinders[1].high = -1; });
   expectRefused([](CompactMap& map) { map.cylinders[1].arc = 6.3; });
   expectRefused([](CompactMap& map) { map.cylinders[1].saved_bits = INFINITY; });
+  expectRefused([](CompactMap& map) { map.cylinders[1].template_id = 2; });
+  expectRefused([](CompactMap& map) { // another radius than the first one
+    map.cylinders[1].template_id = 0;
+    map.cylinders[1].radius = 1;
+  });
+  expectRefused([](CompactMap& map) { map.cylinder_pictures.pop_back(); });
+  expectRefused([](CompactMap& map) { map.cylinder_pictures[0].colors.width = 1; });
+  expectRefused([](CompactMap& map) { map.cylinder_pictures[1].halvings = -1; });
+  expectRefused([](CompactMap& map) { map.cylinder_pictures[1].image = "\xff"; });
+  expectRefused(
+      [](CompactMap& map) { map.cylinder_pictures[1].colors.height = 1 << 28; });
   expectRefused([](CompactMap& map) { map.boxes[1].center.x() = NAN; });
   expectRefused([](CompactMap& map) { map.boxes[1].axes.col(0) *= -1; });
   expectRefused([](CompactMap& map) { map.boxes[1].size.x() = NAN; });
@@ -381,6 +412,16 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.boxes[2].size.x() = 3; });
   expectRefused([](CompactMap& map) { map.boxes[2].template_id = 3; });
   expectRefused([](CompactMap& map) { map.boxes[1].saved_bits = INFINITY; });
+  expectRefused([](CompactMap& map) { map.recesses[1].center.x() = NAN; });
+  expectRefused([](CompactMap& map) { map.recesses[1].axes.col(0) *= -1; });
+  expectRefused([](CompactMap& map) { map.recesses[1].size.z() = 0; });
+  expectRefused([](CompactMap& map) { map.recesses[1].wall = 2; });
+  expectRefused([](CompactMap& map) { map.recesses[1].leaf = -1; });
+  expectRefused([](CompactMap& map) { map.recesses[1].leaf = 1; });
+  expectRefused([](CompactMap& map) { map.recesses[1].covariance(3, 3) = NAN; });
+  expectRefused([](CompactMap& map) { map.recesses[2].size.x() = 3; });
+  expectRefused([](CompactMap& map) { map.recesses[2].template_id = 3; });
+  expectRefused([](CompactMap& map) { map.recesses[1].saved_bits = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].center.x() = NAN; });
   expectRefused([](CompactMap& map) { map.rooms[0].seen_area = INFINITY; });
   expectRefused([](CompactMap& map) { map.rooms[0].planes = {2}; });

@@ -75,11 +75,13 @@ class Room(MapTest):
         }
         self.assertEqual(found, set(walls))
 
-    def test_there_are_no_cylinders_unless_asked_for(self):
-        self.assertEqual(self.map.cylinders, [])
-        self.assertFalse(hasattr(self.map.report.planes, "cylinders"))
-        self.assertEqual(self.map.boxes, [])
-        self.assertFalse(hasattr(self.map.report.planes, "boxes"))
+    def test_primitives_are_not_searched_where_they_are_refused(self):
+        found = mapping_of_room(rectify=False, primitives=False).compute()
+        self.assertEqual(found.cylinders, [])
+        self.assertEqual(found.boxes, [])
+        self.assertEqual(found.recesses, [])
+        for name in ("cylinders", "boxes", "recesses"):
+            self.assertFalse(hasattr(found.report.planes, name), name)
 
     def test_a_room_of_planes_has_no_cylinders(self):
         found = mapping_of_room(rectify=False, primitives=True).compute()
@@ -87,6 +89,8 @@ class Room(MapTest):
         self.assertEqual(found.report.planes.cylinders.cylinders, 0)
         self.assertEqual(found.boxes, [], "seen from inside")
         self.assertEqual(found.report.planes.boxes.boxes, 0)
+        self.assertEqual(found.recesses, [])
+        self.assertEqual(found.report.planes.recesses.recesses, 0)
         self.assertEqual(len(found.planes), len(self.map.planes))
 
     def test_poses_are_as_they_were_given(self):
@@ -185,7 +189,7 @@ class Room(MapTest):
             for pair in zip(face.outer, face.outer[1:] + face.outer[:1]):
                 self.assertIn(face.plane, edges[tuple(sorted(pair))].planes)
         kinds = {edge.kind for edge in topology.edges}
-        self.assertLessEqual(kinds, {"open", "crease", "contact", "rim", "frontier"})
+        self.assertLessEqual(kinds, {"open", "crease", "contact", "rim", "frontier", "arc"})
 
     def test_rooms_and_openings_of_a_file(self):
         rooms = [{"center": [1, 2, 3], "area": 12.5, "seen_area": 11, "planes": [0, 1],
@@ -208,6 +212,25 @@ class Room(MapTest):
         self.assertEqual((opening.kind, opening.bottom), ("door", 0))
         self.assertTrue(numpy.isnan(opening.top))
         self.assertEqual((opening.planes, opening.rooms), ([1, -1], [0, -1]))
+
+    def test_recesses_of_a_file(self):
+        recess = {"id": 0, "center": [1, 2, 3], "axes": [[0, 0, 1], [0, -1, 0], [1, 0, 0]],
+                  "size": [0.9, 2.1, 0.1], "wall": 1, "leaf": 2, "reaches_floor": True,
+                  "template": 0, "covariance": numpy.eye(9).tolist(), "saved_bits": 12.5}
+        with tempfile.TemporaryDirectory() as folder:
+            self.map.save(folder)
+            path = os.path.join(folder, "map.json")
+            with open(path) as file:
+                content = json.load(file)
+            with open(path, "w") as file:
+                json.dump(content | {"recesses": [recess]}, file)
+            [read] = acmap.read_map(folder).recesses
+        self.assertEqual(read.center.tolist(), recess["center"])
+        self.assertEqual(read.axes.tolist(), recess["axes"])
+        self.assertEqual(read.size.tolist(), recess["size"])
+        self.assertEqual(read.covariance.tolist(), recess["covariance"])
+        self.assertEqual((read.wall, read.leaf, read.reaches_floor), (1, 2, True))
+        self.assertEqual((read.template_id, read.saved_bits), (0, 12.5))
 
     def test_what_is_painted_in_python_is_saved(self):
         computed = self.mapping.compute()

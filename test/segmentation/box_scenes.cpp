@@ -1,6 +1,7 @@
 #include "box_scenes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::acmap::test {
 
@@ -95,6 +96,30 @@ transformed(std::vector<PlanePatch> planes, const Eigen::Isometry3d& T_b_a)
     for (PlanePolygon& polygon : plane.polygons)
       for (Eigen::Vector3f& point : polygon.outer)
         point = moved(point, T_b_a);
+  }
+  return planes;
+}
+
+std::vector<PlanePatch>
+disturbed(std::vector<PlanePatch> planes, Random& random, double factor)
+{
+  for (PlanePatch& plane : planes) {
+    const Eigen::Vector3d error =
+        factor * Eigen::Vector3d(std::sqrt(plane.covariance(0, 0)) * random.normal(),
+                                 std::sqrt(plane.covariance(1, 1)) * random.normal(),
+                                 std::sqrt(plane.covariance(2, 2)) * random.normal());
+    const Eigen::Vector3d old = plane.coefficients.head<3>();
+    const Eigen::Vector3d normal =
+        (old - error[0] * plane.axis_u - error[1] * plane.axis_v).normalized();
+    plane.center += error[2] * old;
+    plane.coefficients << normal, -normal.dot(plane.center);
+    plane.axis_u = (plane.axis_u - plane.axis_u.dot(normal) * normal).normalized();
+    plane.axis_v = normal.cross(plane.axis_u);
+    for (PlanePolygon& polygon : plane.polygons)
+      for (Eigen::Vector3f& point : polygon.outer) {
+        const double height = normal.dot(point.cast<double>()) + plane.coefficients[3];
+        point -= (height * normal).cast<float>();
+      }
   }
   return planes;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/plane_patch.h>
+#include <pcl/core/random.h>
 
 #include <Eigen/Geometry>
 
@@ -43,5 +44,10 @@ public:
 /** \brief The planes in another frame. */
 std::vector<PlanePatch>
 transformed(std::vector<PlanePatch> planes, const Eigen::Isometry3d& T_b_a);
+
+/** \brief The planes with errors as their covariances tell them.
+ * \param[in] factor of the errors */
+std::vector<PlanePatch>
+disturbed(std::vector<PlanePatch> planes, Random& random, double factor);
 
 } // namespace pcl::acmap::test

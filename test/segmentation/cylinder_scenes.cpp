@@ -83,19 +83,23 @@ RayHit
 meetRoom(const Eigen::Vector3d& ray)
 {
   RayHit hit;
-  meetPlane(ray, {0, 0, -1, 5}, hit);
-  meetPlane(ray, {1, 0, 0, 2.5}, hit);
-  meetPlane(ray, {0, -1, 0, 1.4}, hit);
+  for (const Eigen::Vector4d& plane : planesOfRoom())
+    meetPlane(ray, plane, hit);
   return hit;
 }
 
 } // namespace
 
+std::vector<Eigen::Vector4d>
+planesOfRoom()
+{
+  return {{0, 0, -1, 5}, {1, 0, 0, 2.5}, {0, -1, 0, 1.4}};
+}
+
 CylinderView
-seeColumns(double sigma, std::uint64_t seed)
+seeColumns(double sigma, std::uint64_t seed, std::vector<double> radii)
 {
   Random random(1000 + seed);
-  std::vector<double> radii{0.05, 0.15, 0.3};
   for (std::size_t i = radii.size() - 1; i > 0; --i)
     std::swap(radii[i], radii[random.bits() % (i + 1)]);
   CylinderView view;

@@ -26,11 +26,18 @@ struct CylinderView {
   std::vector<std::int32_t> truth; ///< cylinder of each point, -1 for none
 };
 
-/** \brief Three columns with radii of 5, 15 and 30 cm, turned and placed at random,
- * before two walls and a floor: 66,000 points.
- * \param[in] sigma of the noise, metres */
+/** \brief Three columns, by default with radii of 5, 15 and 30 cm, turned and placed at
+ * random, before two walls and a floor: 66,000 points.
+ * \param[in] sigma of the noise, metres
+ * \param[in] radii metres; in random order from left to right */
 CylinderView
-seeColumns(double sigma, std::uint64_t seed);
+seeColumns(double sigma,
+           std::uint64_t seed,
+           std::vector<double> radii = {0.05, 0.15, 0.3});
+
+/** \brief Its two walls and its floor; a point p is before one if plane . (p, 1) > 0. */
+std::vector<Eigen::Vector4d>
+planesOfRoom();
 
 /** \brief The same room without any column. */
 CylinderView

@@ -225,6 +225,55 @@ TEST(Cylinders, veryNoisyColumnsAreNotMistaken)
   }
 }
 
+TEST(Cylinders, planesThatAreGivenAreNotSearchedAgain)
+{
+  const CylinderView view = seeColumns(0.01, 41);
+  const std::vector<Eigen::Vector4d> room = planesOfRoom();
+  std::vector<PlanePatch> planes(room.size());
+  std::vector<std::int32_t> labels(view.cloud->size(), -1);
+  for (std::size_t p = 0; p < room.size(); ++p) {
+    planes[p].coefficients = room[p];
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (view.truth[i] < 0 &&
+          std::abs(
+              room[p].head<3>().dot((*view.cloud)[i].getVector3fMap().cast<double>()) +
+              room[p][3]) < 0.05)
+        labels[i] = static_cast<std::int32_t>(p);
+  }
+  Cylinders clustering;
+  clustering.setInputCloud(view.cloud);
+  clustering.setSourceCloud(view.cloud);
+  clustering.setPlanes(planes, labels, labels);
+  const FoundCylinders found = run(clustering);
+  EXPECT_EQ(found.report.planes, 3U);
+  EXPECT_EQ(found.patches.size(), 3U);
+  for (const SceneCylinder& truth : view.cylinders)
+    EXPECT_NE(patchOn(truth, found), nullptr) << truth.radius;
+}
+
+TEST(Cylinders, equalColumnsShareTheirRadius)
+{
+  const CylinderView view = seeColumns(0.01, 40, {0.15, 0.3, 0.15});
+  const FoundCylinders found = findIn(view);
+  ASSERT_EQ(found.patches.size(), 3U);
+  EXPECT_EQ(found.report.templates, 2U);
+  std::vector<const CylinderPatch*> narrow;
+  for (const CylinderPatch& patch : found.patches)
+    if (patch.radius < 0.2)
+      narrow.push_back(&patch);
+  ASSERT_EQ(narrow.size(), 2U);
+  EXPECT_EQ(narrow[0]->radius, narrow[1]->radius);
+  EXPECT_EQ(narrow[0]->template_id, narrow[1]->template_id);
+  EXPECT_NEAR(narrow[0]->radius, 0.15, 0.0015);
+  for (const CylinderPatch* const patch : narrow) {
+    EXPECT_NEAR(patch->axis_u.dot(patch->axis_direction), 0, 1e-12);
+    EXPECT_NEAR(
+        (patch->axis_direction.cross(patch->axis_u) - patch->axis_v).norm(), 0, 1e-12);
+    EXPECT_GT(patch->covariance(4, 4), 0);
+    EXPECT_LT(patch->covariance(4, 4), 1e-6);
+  }
+}
+
 TEST(Cylinders, roomsWithoutColumnsHaveNone)
 {
   for (const double sigma : {0.003, 0.02})

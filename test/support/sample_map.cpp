@@ -63,6 +63,7 @@ makeCylinder(bool is_hollow)
   cylinder.support = 1234567;
   cylinder.rms = 0.0123;
   cylinder.area = 4.5;
+  cylinder.template_id = is_hollow ? 0 : 1;
   cylinder.saved_bits = 1e5 / 3;
   return cylinder;
 }
@@ -133,6 +134,23 @@ makeBox(std::int32_t template_id, double length)
   return box;
 }
 
+RecessPatch
+makeRecess(std::int32_t template_id, double width)
+{
+  const BoxPatch box = makeBox(template_id, width);
+  RecessPatch recess;
+  recess.center = box.center / 3;
+  recess.axes = box.axes;
+  recess.size = {width, 2.1, 0.1};
+  recess.wall = 1;
+  recess.leaf = 0;
+  recess.reaches_floor = template_id == 0;
+  recess.covariance = box.covariance / 7;
+  recess.template_id = template_id;
+  recess.saved_bits = 100.0 / 3;
+  return recess;
+}
+
 void
 expectSameBox(const BoxPatch& box, const BoxPatch& wanted)
 {
@@ -164,7 +182,21 @@ expectSameCylinder(const CylinderPatch& cylinder, const CylinderPatch& wanted)
   EXPECT_EQ(cylinder.support, wanted.support);
   EXPECT_EQ(cylinder.rms, wanted.rms);
   EXPECT_EQ(cylinder.area, wanted.area);
+  EXPECT_EQ(cylinder.template_id, wanted.template_id);
   EXPECT_EQ(cylinder.saved_bits, wanted.saved_bits);
+}
+
+/** Compares sizes and files, not the colours. */
+void
+expectSamePicture(const TexturePicture& picture, const TexturePicture& wanted)
+{
+  EXPECT_EQ(picture.image, wanted.image);
+  EXPECT_EQ(picture.image_place, wanted.image_place);
+  EXPECT_EQ(picture.halvings, wanted.halvings);
+  EXPECT_EQ(picture.kinds_image, wanted.kinds_image);
+  EXPECT_EQ(picture.kinds_place, wanted.kinds_place);
+  EXPECT_EQ(picture.colors.width, wanted.colors.width);
+  EXPECT_EQ(picture.colors.height, wanted.colors.height);
 }
 
 } // namespace
@@ -176,7 +208,12 @@ makeSampleMap()
   map.planes = {makePlane(), PlanePatch()};
   map.planes[1].coefficients = {0, 1, 0, -0.5};
   map.cylinders = {makeCylinder(true), makeCylinder(false)};
+  map.cylinder_pictures = {TexturePicture(), makeChart(0, 5, 3)};
+  map.cylinder_pictures[1].image_place = {1, 2};
+  map.cylinder_pictures[1].halvings = 1;
+  map.cylinder_pictures[1].kinds_image = "kinds.png";
   map.boxes = {makeBox(0, 2), makeBox(1, 1), makeBox(0, 2)};
+  map.recesses = {makeRecess(0, 0.9), makeRecess(1, 0.8), makeRecess(0, 0.9)};
   map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
   map.charts[1].image_place = {7, 9};
   map.charts[1].halvings = 2;
@@ -211,6 +248,9 @@ expectSameCylinders(const CompactMap& map, const CompactMap& wanted)
   ASSERT_EQ(map.cylinders.size(), wanted.cylinders.size());
   for (std::size_t i = 0; i < wanted.cylinders.size(); ++i)
     expectSameCylinder(map.cylinders[i], wanted.cylinders[i]);
+  ASSERT_EQ(map.cylinder_pictures.size(), wanted.cylinder_pictures.size());
+  for (std::size_t i = 0; i < wanted.cylinder_pictures.size(); ++i)
+    expectSamePicture(map.cylinder_pictures[i], wanted.cylinder_pictures[i]);
 }
 
 void
@@ -219,6 +259,24 @@ expectSameBoxes(const CompactMap& map, const CompactMap& wanted)
   ASSERT_EQ(map.boxes.size(), wanted.boxes.size());
   for (std::size_t i = 0; i < wanted.boxes.size(); ++i)
     expectSameBox(map.boxes[i], wanted.boxes[i]);
+}
+
+void
+expectSameRecesses(const CompactMap& map, const CompactMap& wanted)
+{
+  ASSERT_EQ(map.recesses.size(), wanted.recesses.size());
+  for (std::size_t i = 0; i < wanted.recesses.size(); ++i) {
+    const RecessPatch &one = map.recesses[i], &other = wanted.recesses[i];
+    EXPECT_TRUE(sameBits(one.center, other.center));
+    EXPECT_TRUE(sameBits(one.axes, other.axes));
+    EXPECT_TRUE(sameBits(one.size, other.size));
+    EXPECT_TRUE(sameBits(one.covariance, other.covariance));
+    EXPECT_EQ(one.wall, other.wall);
+    EXPECT_EQ(one.leaf, other.leaf);
+    EXPECT_EQ(one.reaches_floor, other.reaches_floor);
+    EXPECT_EQ(one.template_id, other.template_id);
+    EXPECT_EQ(one.saved_bits, other.saved_bits);
+  }
 }
 
 void
@@ -233,13 +291,7 @@ expectSameCharts(const CompactMap& map, const CompactMap& wanted, bool with_imag
     EXPECT_TRUE(sameBits(chart.origin, other.origin));
     EXPECT_TRUE(sameBits(chart.texel_u, other.texel_u));
     EXPECT_TRUE(sameBits(chart.texel_v, other.texel_v));
-    EXPECT_EQ(chart.image, other.image);
-    EXPECT_EQ(chart.image_place, other.image_place);
-    EXPECT_EQ(chart.halvings, other.halvings);
-    EXPECT_EQ(chart.kinds_image, other.kinds_image);
-    EXPECT_EQ(chart.kinds_place, other.kinds_place);
-    EXPECT_EQ(chart.colors.width, other.colors.width);
-    EXPECT_EQ(chart.colors.height, other.colors.height);
+    expectSamePicture(chart, other);
     if (with_images) {
       EXPECT_EQ(chart.colors.values, other.colors.values);
       EXPECT_EQ(chart.kinds, other.kinds);

@@ -7,8 +7,9 @@ namespace pcl::acmap::test {
 
 /** \brief A map of two planes with arbitrary numbers: the first has two polygons, one
  * with a hole, and a chart on each; the second has no polygons. Two cylinders, the second
- * of unknown covariance. Three boxes, the last of the template of the first. Two poses. Two rooms, with a window between them and a door of
- * none whose height is unknown. */
+ * of unknown covariance. Three boxes and three recesses, the last of the template of the
+ * first. Two poses. Two rooms, with a window between them and a door of none whose height
+ * is unknown. */
 CompactMap
 makeSampleMap();
 
@@ -23,6 +24,10 @@ expectSameCylinders(const CompactMap& map, const CompactMap& wanted);
 /** \brief Expects bitwise equal numbers. */
 void
 expectSameBoxes(const CompactMap& map, const CompactMap& wanted);
+
+/** \brief Expects bitwise equal numbers. */
+void
+expectSameRecesses(const CompactMap& map, const CompactMap& wanted);
 
 /** \param[in] with_images also compare colours and kinds */
 void

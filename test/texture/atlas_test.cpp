@@ -302,7 +302,7 @@ TEST(TextureAtlas, ASecondPageIsBegunWhenTheFirstIsFull)
   EXPECT_THAT(atlas.halvings, testing::Each(0));
   const TemporaryFolder folder;
   writeObj(folder.path("map.obj"), map, surfacesOf(map), {}, atlas);
-  writeMtl(folder.path("map.mtl"), map, {"a.png", "b.png"});
+  writeMtl(folder.path("map.mtl"), map, {"a.png", "b.png"}, false);
   const std::string obj = contentOf(folder.path("map.obj"));
   const std::size_t second = obj.find("usemtl page_1");
   EXPECT_LT(obj.find("usemtl page_0"), second);
@@ -366,9 +366,9 @@ TEST(TextureAtlas, SameForEachNumberOfThreads)
 TEST(DisplayExposure, BrightensDarkMapsAndClipsFewTexels)
 {
   using texturing::displayExposure;
-  EXPECT_EQ(displayExposure({}), 16) << "nothing known: the limit";
+  EXPECT_EQ(displayExposure(CompactMap()), 16) << "nothing known: the limit";
   const auto exposureOf = [](const std::function<double(int, int)>& level) {
-    return displayExposure({chartOf(100, 100, level)});
+    return displayExposure(mapOf({chartOf(100, 100, level)}));
   };
   // green is 10, blue 20 brighter than red
   EXPECT_NEAR(exposureOf([](int, int) { return 100; }), 0.85 * 255 / 108, 0.01);

@@ -231,7 +231,27 @@ TEST_F(MapFormats, CylindersAreDrawnAsFacets)
   EXPECT_NEAR(area, wanted, 0.02);
   EXPECT_THAT(contentOf(path("map.obj")), HasSubstr("# cylinder 0\n"));
   EXPECT_EQ(loadCompactMap(path()).cylinders.size(), 1U);
+
+  TexturePicture& picture = map_.cylinder_pictures.emplace_back();
+  picture.colors = {16, 8, std::vector<std::uint8_t>(3 * 16 * 8, 90)};
+  for (std::size_t i = 0; i < 8; ++i) // the left half is red
+    for (std::size_t column = 0; column < 8; ++column)
+      picture.colors.values[3 * (16 * i + column)] = 200;
+  picture.kinds.assign(16 * 8, TexelKind::Seen);
+  picture.kinds[0] = TexelKind::None;
+  save();
+  const TexturePicture back = loadCompactMap(path()).cylinder_pictures.at(0);
+  ASSERT_EQ(back.colors.values.size(), picture.colors.values.size());
+  EXPECT_EQ(back.kinds, picture.kinds);
+  for (const int column : {1, 14})
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(back.colors.at(column, 4)[k], picture.colors.at(column, 4)[k], 2);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), mesh->GetNumberOfCells());
+
   map_.cylinders.clear();
+  map_.cylinder_pictures.clear();
   save();
   EXPECT_EQ(contentOf(path("map.obj")), before);
 }

@@ -63,7 +63,7 @@ TEST(MapFaces, ChartsCutPolygonsIntoPartsThatMakeUpTheWhole)
     floor_parts += part.plane == 4;
     ASSERT_EQ(part.places.size(), part.points.size());
     for (std::size_t i = 0; i < part.points.size(); ++i) {
-      const TextureChart& chart = *part.chart;
+      const TextureChart& chart = static_cast<const TextureChart&>(*part.chart);
       EXPECT_GT(part.places[i].minCoeff(), -1e-5);
       EXPECT_LT(part.places[i].maxCoeff(), 1 + 1e-5);
       const Vector3d point = chart.origin +

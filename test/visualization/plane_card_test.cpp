@@ -71,6 +71,27 @@ TEST(CylinderCard, TellsWhatIsKnown)
   expectLine(cylinderCard(cylinder, 0), "radius     0.2500 m, deviation unknown");
 }
 
+TEST(RecessCard, TellsWhatIsKnown)
+{
+  RecessPatch recess;
+  recess.size = {0.9, 2.1, 0.1};
+  recess.wall = 3;
+  recess.leaf = 7;
+  recess.reaches_floor = true;
+  recess.covariance.diagonal().tail<3>() << 4e-6, 9e-6, NAN;
+  recess.template_id = 2;
+  recess.saved_bits = 12.4;
+  const std::string card = recessCard(recess, 5);
+  expectLine(card, "recess 5, template 2");
+  expectLine(card, "width      0.900 m (deviation 2 mm)");
+  expectLine(card, "height     2.100 m (deviation 3 mm)");
+  expectLine(card, "depth      0.100 m (deviation unknown)");
+  expectLine(card, "planes     7 behind 3, down to the floor");
+  expectLine(card, "saved      12 bits");
+  recess.reaches_floor = false;
+  expectLine(recessCard(recess, 5), "planes     7 behind 3, above the floor");
+}
+
 TEST(PlaneOnRay, FindsNothingBehindACylinder)
 {
   CompactMap map = makeRoomMap();

@@ -110,7 +110,16 @@ jsonOf(const CylinderPatch& cylinder, std::size_t id)
           {"support", cylinder.support},
           {"rmse", cylinder.rms},
           {"area", cylinder.area},
+          {"template", cylinder.template_id},
           {"saved_bits", cylinder.saved_bits}};
+}
+
+Json
+jsonOfAxes(const Eigen::Matrix3d& axes)
+{
+  return {jsonOf(Eigen::Vector3d(axes.col(0))),
+          jsonOf(Eigen::Vector3d(axes.col(1))),
+          jsonOf(Eigen::Vector3d(axes.col(2)))};
 }
 
 Json
@@ -130,15 +139,45 @@ jsonOf(const BoxPatch& box, std::size_t id)
     faces.push_back(jsonOf(face));
   return {{"id", id},
           {"center", jsonOf(box.center)},
-          {"axes",
-           {jsonOf(Eigen::Vector3d(box.axes.col(0))),
-            jsonOf(Eigen::Vector3d(box.axes.col(1))),
-            jsonOf(Eigen::Vector3d(box.axes.col(2)))}},
+          {"axes", jsonOfAxes(box.axes)},
           {"size", jsonOf(box.size)},
           {"faces", std::move(faces)},
           {"template", box.template_id},
           {"covariance", jsonOf(box.covariance)},
           {"saved_bits", box.saved_bits}};
+}
+
+Json
+jsonOf(const RecessPatch& recess, std::size_t id)
+{
+  return {{"id", id},
+          {"center", jsonOf(recess.center)},
+          {"axes", jsonOfAxes(recess.axes)},
+          {"size", jsonOf(recess.size)},
+          {"wall", recess.wall},
+          {"leaf", recess.leaf},
+          {"reaches_floor", recess.reaches_floor},
+          {"template", recess.template_id},
+          {"covariance", jsonOf(recess.covariance)},
+          {"saved_bits", recess.saved_bits}};
+}
+
+/** Adds size and places of a picture to its description. */
+void
+addPicture(const TexturePicture& picture, Json& json)
+{
+  json["width"] = picture.colors.width;
+  json["height"] = picture.colors.height;
+  const auto place = [&](const char* key, const std::optional<Eigen::Vector2i>& at) {
+    if (at)
+      json[key] = {at->x(), at->y()};
+  };
+  place("at", picture.image_place);
+  if (picture.halvings > 0)
+    json["halvings"] = picture.halvings;
+  if (!picture.kinds_image.empty())
+    json["kinds"] = picture.kinds_image;
+  place("kinds_at", picture.kinds_place);
 }
 
 Json
@@ -148,19 +187,21 @@ jsonOf(const TextureChart& chart)
                {"image", chart.image},
                {"origin", jsonOf(chart.origin)},
                {"texel_u", jsonOf(chart.texel_u)},
-               {"texel_v", jsonOf(chart.texel_v)},
-               {"width", chart.colors.width},
-               {"height", chart.colors.height}};
-  const auto place = [&](const char* key, const std::optional<Eigen::Vector2i>& at) {
-    if (at)
-      json[key] = {at->x(), at->y()};
-  };
-  place("at", chart.image_place);
-  if (chart.halvings > 0)
-    json["halvings"] = chart.halvings;
-  if (!chart.kinds_image.empty())
-    json["kinds"] = chart.kinds_image;
-  place("kinds_at", chart.kinds_place);
+               {"texel_v", jsonOf(chart.texel_v)}};
+  addPicture(chart, json);
+  return json;
+}
+
+/** A cylinder with its texture, if it has one. */
+Json
+jsonOfCylinder(const CompactMap& map, std::size_t id)
+{
+  Json json = jsonOf(map.cylinders[id], id);
+  if (map.cylinder_pictures.empty() || map.cylinder_pictures[id].colors.width == 0)
+    return json;
+  Json& texture = json["texture"];
+  texture["image"] = map.cylinder_pictures[id].image;
+  addPicture(map.cylinder_pictures[id], texture);
   return json;
 }
 
@@ -199,9 +240,12 @@ jsonOfPlanes(const std::array<std::int32_t, 2>& planes)
 Json
 jsonOf(const MapEdge& edge)
 {
-  return {{"vertices", edge.vertices},
-          {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
-          {"planes", jsonOfPlanes(edge.planes)}};
+  Json json = {{"vertices", edge.vertices},
+               {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
+               {"planes", jsonOfPlanes(edge.planes)}};
+  if (edge.kind == EdgeKind::Arc)
+    json["cylinder"] = edge.cylinder;
+  return json;
 }
 
 Json
@@ -286,8 +330,8 @@ bool
 hasPlanesAlone(const CompactMap& map)
 {
   bool alone = map.charts.empty() && map.cylinders.empty() && map.boxes.empty() &&
-               map.trajectory.poses.empty() && map.rooms.empty() &&
-               map.openings.empty() && map.up.isZero(0);
+               map.recesses.empty() && map.trajectory.poses.empty() &&
+               map.rooms.empty() && map.openings.empty() && map.up.isZero(0);
   for (const std::vector<std::int32_t>& seen_from : map.observations)
     alone = alone && seen_from.empty();
   return alone;
@@ -322,13 +366,19 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   if (!map.cylinders.empty()) {
     write("\n],\"cylinders\":[");
     writeLines(write, map.cylinders.size(), [&](std::size_t id) {
-      return jsonOf(map.cylinders[id], id);
+      return jsonOfCylinder(map, id);
     });
   }
   if (!map.boxes.empty()) {
     write("\n],\"boxes\":[");
     writeLines(write, map.boxes.size(), [&](std::size_t id) {
       return jsonOf(map.boxes[id], id);
+    });
+  }
+  if (!map.recesses.empty()) {
+    write("\n],\"recesses\":[");
+    writeLines(write, map.recesses.size(), [&](std::size_t id) {
+      return jsonOf(map.recesses[id], id);
     });
   }
   writeTopology(write, map.planes);

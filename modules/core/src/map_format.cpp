@@ -56,6 +56,18 @@ requirePlane(const PlanePatch& plane, std::size_t index)
 }
 
 void
+requirePicture(const std::string& what,
+               std::size_t index,
+               const TexturePicture& picture)
+{
+  if (const std::string fault = faultOfPlace(picture); !fault.empty())
+    refuse(what, index, fault);
+  for (const std::string& name : {picture.image, picture.kinds_image})
+    if (const std::string unsound = faultOfImageName(name); !unsound.empty())
+      refuse(what, index, "has an image whose name " + unsound);
+}
+
+void
 requireChart(const CompactMap& map, std::size_t index)
 {
   const TextureChart& chart = map.charts[index];
@@ -70,12 +82,21 @@ requireChart(const CompactMap& map, std::size_t index)
            index,
            "is of polygon " + std::to_string(chart.polygon) + " of " +
                std::to_string(polygons));
-  for (const std::string& fault : {faultOfFrame(chart), faultOfPlace(chart)})
-    if (!fault.empty())
-      refuse("chart", index, fault);
-  for (const std::string& name : {chart.image, chart.kinds_image})
-    if (const std::string unsound = faultOfImageName(name); !unsound.empty())
-      refuse("chart", index, "has an image whose name " + unsound);
+  if (const std::string fault = faultOfFrame(chart); !fault.empty())
+    refuse("chart", index, fault);
+  requirePicture("chart", index, chart);
+}
+
+/** Pictures of cylinders without texels are legal. */
+void
+requirePictureOfCylinder(const TexturePicture& picture, std::size_t index)
+{
+  const std::int64_t width = picture.colors.width, height = picture.colors.height;
+  if (width < 0 || height < 0 || (width == 0) != (height == 0))
+    refuse("the picture of cylinder",
+           index,
+           "has " + std::to_string(width) + " x " + std::to_string(height) + " texels");
+  requirePicture("the picture of cylinder", index, picture);
 }
 
 void
@@ -132,6 +153,27 @@ requireRooms(const CompactMap& map)
   }
 }
 
+/** Describes what is wrong with the template of a patch: all of its patches have the same
+ * size, and new templates have the next number. */
+template <typename Patch, typename SizeOf>
+std::string
+faultOfTemplate(const std::vector<Patch>& patches,
+                std::size_t number,
+                const SizeOf& sizeOf)
+{
+  const std::int32_t id = patches[number].template_id;
+  std::int32_t templates = 0;
+  for (std::size_t i = 0; i < number; ++i) {
+    templates = std::max(templates, patches[i].template_id + 1);
+    if (patches[i].template_id == id && sizeOf(patches[i]) != sizeOf(patches[number]))
+      return "has another size than number " + std::to_string(i) + " of its template";
+  }
+  if (id < 0 || id > templates)
+    return "has template " + std::to_string(id) + ", at most " +
+           std::to_string(templates) + " is next";
+  return "";
+}
+
 /** Lengths of maps, metres. */
 constexpr double max_length = 1e9;
 
@@ -144,6 +186,31 @@ isBasis(const Eigen::Matrix3d& columns)
                  .cwiseAbs()
                  .maxCoeff() <= slack &&
          columns.determinant() > 0;
+}
+
+/** Describes what is wrong with center, axes, size, covariance and bits of a box or a
+ * recess. */
+template <typename Patch>
+std::string
+faultOfBlock(const Patch& patch)
+{
+  if (!(patch.center.cwiseAbs().maxCoeff() <= max_length))
+    return "has a center that is not finite, or above 1e9";
+  if (!isBasis(patch.axes))
+    return "has axes that are no right-handed basis of unit vectors";
+  if (!(patch.size.minCoeff() > 0) || !(patch.size.maxCoeff() <= max_length))
+    return "has a size that is not above 0 and at most 1e9";
+  if (!patch.covariance.allFinite())
+    return "has a covariance that is not finite";
+  if (!std::isfinite(patch.saved_bits))
+    return "has saved_bits that are not finite";
+  return "";
+}
+
+bool
+hasPlane(const CompactMap& map, std::int32_t plane)
+{
+  return plane >= 0 && static_cast<std::size_t>(plane) < map.planes.size();
 }
 
 } // namespace
@@ -160,8 +227,9 @@ faultOfCoefficients(const Eigen::Vector4d& coefficients)
 }
 
 std::string
-faultOfCylinder(const CylinderPatch& cylinder)
+faultOfCylinder(const CompactMap& map, std::size_t number)
 {
+  const CylinderPatch& cylinder = map.cylinders[number];
   constexpr double slack = 1e-6;
   const auto isLength = [](double value) { return std::abs(value) <= max_length; };
   Eigen::Matrix3d basis;
@@ -183,40 +251,38 @@ faultOfCylinder(const CylinderPatch& cylinder)
     return "has saved_bits that are not finite";
   if (cylinder.support > std::size_t{std::numeric_limits<std::int64_t>::max()})
     return "has a support above 2^63 - 1";
-  return "";
+  return faultOfTemplate(
+      map.cylinders, number, [](const CylinderPatch& one) { return one.radius; });
 }
 
 std::string
 faultOfBox(const CompactMap& map, std::size_t number)
 {
   const BoxPatch& box = map.boxes[number];
-  if (!(box.center.cwiseAbs().maxCoeff() <= max_length))
-    return "has a center that is not finite, or above 1e9";
-  if (!isBasis(box.axes))
-    return "has axes that are no right-handed basis of unit vectors";
-  if (!(box.size.minCoeff() > 0) || !(box.size.maxCoeff() <= max_length))
-    return "has a size that is not above 0 and at most 1e9";
-  for (const BoxFace& face : box.faces) {
-    const bool has_plane =
-        face.plane >= 0 && static_cast<std::size_t>(face.plane) < map.planes.size();
-    if (face.kind == BoxFaceKind::Free ? face.plane != -1 : !has_plane)
+  if (std::string fault = faultOfBlock(box); !fault.empty())
+    return fault;
+  for (const BoxFace& face : box.faces)
+    if (face.kind == BoxFaceKind::Free ? face.plane != -1 : !hasPlane(map, face.plane))
       return "has a face of plane " + std::to_string(face.plane) + " of " +
              std::to_string(map.planes.size());
-  }
-  if (!box.covariance.allFinite())
-    return "has a covariance that is not finite";
-  if (!std::isfinite(box.saved_bits))
-    return "has saved_bits that are not finite";
-  std::int32_t templates = 0;
-  for (std::size_t i = 0; i < number; ++i) {
-    templates = std::max(templates, map.boxes[i].template_id + 1);
-    if (map.boxes[i].template_id == box.template_id && map.boxes[i].size != box.size)
-      return "has another size than box " + std::to_string(i) + " of its template";
-  }
-  if (box.template_id < 0 || box.template_id > templates)
-    return "has template " + std::to_string(box.template_id) + ", at most " +
-           std::to_string(templates) + " is next";
-  return "";
+  return faultOfTemplate(
+      map.boxes, number, [](const BoxPatch& one) { return one.size; });
+}
+
+std::string
+faultOfRecess(const CompactMap& map, std::size_t number)
+{
+  const RecessPatch& recess = map.recesses[number];
+  if (std::string fault = faultOfBlock(recess); !fault.empty())
+    return fault;
+  for (const std::int32_t plane : {recess.wall, recess.leaf})
+    if (!hasPlane(map, plane))
+      return "has plane " + std::to_string(plane) + " of " +
+             std::to_string(map.planes.size());
+  if (recess.wall == recess.leaf)
+    return "has its leaf in the plane of its wall";
+  return faultOfTemplate(
+      map.recesses, number, [](const RecessPatch& one) { return one.size; });
 }
 
 std::string
@@ -246,16 +312,17 @@ faultOfUp(const Eigen::Vector3d& up)
 }
 
 std::string
-faultOfPlace(const TextureChart& chart)
+faultOfPlace(const TexturePicture& picture)
 {
   constexpr std::int32_t max_halvings = 28; // of the longest side
   for (const std::optional<Eigen::Vector2i>& place :
-       {chart.image_place, chart.kinds_place})
+       {picture.image_place, picture.kinds_place})
     if (place && (place->minCoeff() < 0 || place->maxCoeff() > maximum_texels))
       return "is at (" + std::to_string(place->x()) + ", " +
              std::to_string(place->y()) + ") of an image, 0 to 2^28 are legal";
-  if (chart.halvings < 0 || chart.halvings > max_halvings)
-    return "is halved " + std::to_string(chart.halvings) + " times, 0 to 28 are legal";
+  if (picture.halvings < 0 || picture.halvings > max_halvings)
+    return "is halved " + std::to_string(picture.halvings) +
+           " times, 0 to 28 are legal";
   return "";
 }
 
@@ -286,18 +353,33 @@ requireConsistent(const CompactMap& map)
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
   for (std::size_t i = 0; i < map.cylinders.size(); ++i)
-    if (const std::string fault = faultOfCylinder(map.cylinders[i]); !fault.empty())
+    if (const std::string fault = faultOfCylinder(map, i); !fault.empty())
       refuse("cylinder", i, fault);
   for (std::size_t i = 0; i < map.boxes.size(); ++i)
     if (const std::string fault = faultOfBox(map, i); !fault.empty())
       refuse("box", i, fault);
+  for (std::size_t i = 0; i < map.recesses.size(); ++i)
+    if (const std::string fault = faultOfRecess(map, i); !fault.empty())
+      refuse("recess", i, fault);
   std::int64_t texels = 0;
+  const auto addTexels =
+      [&](const std::string& what, std::size_t index, const TexturePicture& picture) {
+        texels += std::int64_t{picture.colors.width} * picture.colors.height;
+        if (const std::string fault = faultOfTexels(texels); !fault.empty())
+          refuse(what, index, fault);
+      };
   for (std::size_t i = 0; i < map.charts.size(); ++i) {
     requireChart(map, i);
-    texels += std::int64_t{map.charts[i].colors.width} * map.charts[i].colors.height;
-    const std::string fault = faultOfTexels(texels);
-    if (!fault.empty())
-      refuse("chart", i, fault);
+    addTexels("chart", i, map.charts[i]);
+  }
+  if (!map.cylinder_pictures.empty() &&
+      map.cylinder_pictures.size() != map.cylinders.size())
+    throw BadArgumentException(
+        "a map of " + std::to_string(map.cylinders.size()) + " cylinders has " +
+        std::to_string(map.cylinder_pictures.size()) + " pictures of them");
+  for (std::size_t i = 0; i < map.cylinder_pictures.size(); ++i) {
+    requirePictureOfCylinder(map.cylinder_pictures[i], i);
+    addTexels("the picture of cylinder", i, map.cylinder_pictures[i]);
   }
   if (!map.observations.empty() && map.observations.size() != map.planes.size())
     throw BadArgumentException("a map of " + std::to_string(map.planes.size()) +

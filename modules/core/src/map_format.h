@@ -13,8 +13,8 @@ namespace pcl::acmap {
 class ByteSource;
 
 /** \brief The names of \ref EdgeKind in files. */
-inline constexpr std::array<const char*, 5> edge_kinds{
-    "open", "crease", "contact", "rim", "frontier"};
+inline constexpr std::array<const char*, 6> edge_kinds{
+    "open", "crease", "contact", "rim", "frontier", "arc"};
 
 /** \brief The names of \ref BoxFaceKind in files. */
 inline constexpr std::array<const char*, 3> box_face_kinds{"free", "seen", "snapped"};
@@ -27,14 +27,19 @@ inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};
 std::string
 faultOfCoefficients(const Eigen::Vector4d& coefficients);
 
-/** \brief Describes what is wrong with a cylinder, as a continuation of its name; empty
- * if it is valid. Its covariance and its rms may be NaN. */
+/** \brief Describes what is wrong with a cylinder of a map, and the cylinders before it, as
+ * a continuation of its name; empty if it is valid. Its covariance and its rms may be
+ * NaN. */
 std::string
-faultOfCylinder(const CylinderPatch& cylinder);
+faultOfCylinder(const CompactMap& map, std::size_t number);
 
 /** \brief As above, for a box of a map, its planes, and the boxes before it. */
 std::string
 faultOfBox(const CompactMap& map, std::size_t number);
+
+/** \brief As above, for a recess of a map, its planes, and the recesses before it. */
+std::string
+faultOfRecess(const CompactMap& map, std::size_t number);
 
 /** \brief As above, for a loop of a polygon. */
 std::string
@@ -48,13 +53,13 @@ faultOfExposure(double exposure);
 std::string
 faultOfUp(const Eigen::Vector3d& up);
 
-/** \brief Describes what is wrong with the place of a chart in its files, as a
- * continuation of the name of the chart; empty if it is valid. */
+/** \brief Describes what is wrong with the place of a picture in its files, as a
+ * continuation of its name; empty if it is valid. */
 std::string
-faultOfPlace(const TextureChart& chart);
+faultOfPlace(const TexturePicture& picture);
 
-/** \brief As above, for the number of texels of all charts so far, as a continuation of
- * the name of the last chart. */
+/** \brief As above, for the number of texels of all pictures so far, as a continuation of
+ * the name of the last one. */
 std::string
 faultOfTexels(std::int64_t texels);
 

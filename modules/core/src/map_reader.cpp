@@ -143,6 +143,13 @@ planeOf(const JsonCursor& json, std::size_t number)
   return plane;
 }
 
+std::int32_t
+templateOf(const JsonCursor& json)
+{
+  return static_cast<std::int32_t>(
+      json.integer(0, std::numeric_limits<std::int32_t>::max() - 1));
+}
+
 CylinderPatch
 cylinderOf(const JsonCursor& json, std::size_t number)
 {
@@ -165,8 +172,8 @@ cylinderOf(const JsonCursor& json, std::size_t number)
       static_cast<std::size_t>(json.at("support").integer(0, max_integer));
   cylinder.rms = json.at("rmse").numberOrNan();
   cylinder.area = json.at("area").number();
+  cylinder.template_id = templateOf(json.at("template"));
   cylinder.saved_bits = json.at("saved_bits").number();
-  requireNone(acmap::faultOfCylinder(cylinder), json);
   return cylinder;
 }
 
@@ -189,6 +196,26 @@ placeOf(const JsonCursor& json)
   return place;
 }
 
+/** Reads size and places of a picture. */
+void
+readPicture(const JsonCursor& json, TexturePicture& picture)
+{
+  picture.image = imageNameOf(json.at("image"));
+  if (json.has("at"))
+    picture.image_place = placeOf(json.at("at"));
+  if (json.has("halvings"))
+    picture.halvings = static_cast<std::int32_t>(
+        json.at("halvings").integer(0, std::numeric_limits<std::int32_t>::max()));
+  if (json.has("kinds"))
+    picture.kinds_image = imageNameOf(json.at("kinds"));
+  if (json.has("kinds_at"))
+    picture.kinds_place = placeOf(json.at("kinds_at"));
+  for (const auto& [key, side] :
+       {std::pair{"width", &picture.colors.width}, {"height", &picture.colors.height}})
+    *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
+  requireNone(acmap::faultOfPlace(picture), json);
+}
+
 TextureChart
 chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
 {
@@ -200,24 +227,11 @@ chartOf(const JsonCursor& json, std::size_t plane, std::size_t polygons)
   if (chart.polygon >= polygons)
     json.at("polygon").fail("is " + std::to_string(polygon) + ", the plane has " +
                             std::to_string(polygons));
-  chart.image = imageNameOf(json.at("image"));
-  if (json.has("at"))
-    chart.image_place = placeOf(json.at("at"));
-  if (json.has("halvings"))
-    chart.halvings = static_cast<std::int32_t>(
-        json.at("halvings").integer(0, std::numeric_limits<std::int32_t>::max()));
-  if (json.has("kinds"))
-    chart.kinds_image = imageNameOf(json.at("kinds"));
-  if (json.has("kinds_at"))
-    chart.kinds_place = placeOf(json.at("kinds_at"));
   chart.origin = json.at("origin").vector<3>();
   chart.texel_u = json.at("texel_u").vector<3>();
   chart.texel_v = json.at("texel_v").vector<3>();
-  for (const auto& [key, side] :
-       {std::pair{"width", &chart.colors.width}, {"height", &chart.colors.height}})
-    *side = static_cast<std::int32_t>(json.at(key).integer(1, acmap::maximum_texels));
+  readPicture(json, chart);
   requireNone(acmap::faultOfFrame(chart), json);
-  requireNone(acmap::faultOfPlace(chart), json);
   return chart;
 }
 
@@ -267,8 +281,9 @@ planesOf(const JsonCursor& json, std::size_t count)
 /** Reads the edges of a map into its polygons. The vertices must be those of the
  * polygons in the order of \ref topologyOf. */
 void
-readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
+readEdges(const JsonCursor& file, CompactMap& map)
 {
+  std::vector<PlanePatch>& planes = map.planes;
   const MapTopology topology = topologyOf(planes);
   const JsonCursor vertices = file.at("vertices");
   vertices.requireSize(topology.vertices.size());
@@ -294,7 +309,11 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
     edge.kind = kindOf<EdgeKind>(
         item.at("kind"),
         acmap::edge_kinds,
-        "is no kind of an edge: open, crease, contact, rim or frontier");
+        "is no kind of an edge: open, crease, contact, rim, frontier or arc");
+    if (edge.kind == EdgeKind::Arc)
+      edge.cylinder = static_cast<std::int32_t>(
+          item.at("cylinder")
+              .integer(0, static_cast<std::int64_t>(map.cylinders.size()) - 1));
     known.emplace(edge.vertices, edge);
   }
   for (const MapFace& face : topology.faces) {
@@ -309,9 +328,11 @@ readEdges(const JsonCursor& file, std::vector<PlanePatch>& planes)
         if (edge == known.end())
           edges.fail("have none from vertex " + std::to_string(low) + " to " +
                      std::to_string(high));
-        const std::array<std::int32_t, 2>& sides = edge->second.planes;
-        polygon.edges.push_back(
-            {edge->second.kind, sides[0] == face.plane ? sides[1] : sides[0]});
+        const auto& [ends, kind, sides, cylinder] = edge->second;
+        polygon.edges.push_back({kind,
+                                 kind == EdgeKind::Arc    ? cylinder
+                                 : sides[0] == face.plane ? sides[1]
+                                                          : sides[0]});
       }
   }
 }
@@ -340,25 +361,46 @@ boxFaceOf(const JsonCursor& json, std::size_t planes)
   return face;
 }
 
+/** Reads what a box and a recess have in common. */
+template <typename Patch>
+void
+readBlock(const JsonCursor& json, Patch& patch)
+{
+  patch.center = json.at("center").vector<3>();
+  const JsonCursor axes = json.at("axes");
+  axes.requireSize(3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    patch.axes.col(static_cast<Eigen::Index>(axis)) = axes[axis].vector<3>();
+  patch.size = json.at("size").vector<3>();
+  patch.template_id = templateOf(json.at("template"));
+  patch.covariance = covarianceOf<9>(json.at("covariance"));
+  patch.saved_bits = json.at("saved_bits").number();
+}
+
 BoxPatch
 boxOf(const JsonCursor& json, std::size_t number, std::size_t planes)
 {
   BoxPatch box;
   requireNumber(json.at("id"), number, "boxes");
-  box.center = json.at("center").vector<3>();
-  const JsonCursor axes = json.at("axes"), faces = json.at("faces");
-  axes.requireSize(3);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    box.axes.col(static_cast<Eigen::Index>(axis)) = axes[axis].vector<3>();
-  box.size = json.at("size").vector<3>();
+  readBlock(json, box);
+  const JsonCursor faces = json.at("faces");
   faces.requireSize(box.faces.size());
   for (std::size_t side = 0; side < box.faces.size(); ++side)
     box.faces[side] = boxFaceOf(faces[side], planes);
-  box.template_id = static_cast<std::int32_t>(
-      json.at("template").integer(0, std::numeric_limits<std::int32_t>::max() - 1));
-  box.covariance = covarianceOf<9>(json.at("covariance"));
-  box.saved_bits = json.at("saved_bits").number();
   return box;
+}
+
+RecessPatch
+recessOf(const JsonCursor& json, std::size_t number, std::size_t planes)
+{
+  RecessPatch recess;
+  requireNumber(json.at("id"), number, "recesses");
+  readBlock(json, recess);
+  const auto last = static_cast<std::int64_t>(planes) - 1;
+  recess.wall = static_cast<std::int32_t>(json.at("wall").integer(0, last));
+  recess.leaf = static_cast<std::int32_t>(json.at("leaf").integer(0, last));
+  recess.reaches_floor = json.at("reaches_floor").boolean();
+  return recess;
 }
 
 MapRoom
@@ -441,6 +483,10 @@ acmap::readMap(const std::string& name, ByteSource& source)
   }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
+  const auto addTexels = [&](const TexturePicture& picture, const JsonCursor& at) {
+    texels += std::int64_t{picture.colors.width} * picture.colors.height;
+    requireNone(faultOfTexels(texels), at);
+  };
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const JsonCursor plane = planes[i];
     map.planes.push_back(planeOf(plane, i));
@@ -452,15 +498,24 @@ acmap::readMap(const std::string& name, ByteSource& source)
     const JsonCursor charts = plane.at("charts");
     for (std::size_t k = 0; k < charts.size(); ++k) {
       map.charts.push_back(chartOf(charts[k], i, map.planes[i].polygons.size()));
-      const RgbImage& size = map.charts.back().colors;
-      texels += std::int64_t{size.width} * size.height;
-      requireNone(faultOfTexels(texels), charts[k]);
+      addTexels(map.charts.back(), charts[k]);
     }
   }
   if (file.has("cylinders")) {
     const JsonCursor cylinders = file.at("cylinders");
-    for (std::size_t i = 0; i < cylinders.size(); ++i)
+    bool has_pictures = false;
+    for (std::size_t i = 0; i < cylinders.size(); ++i) {
       map.cylinders.push_back(cylinderOf(cylinders[i], i));
+      requireNone(faultOfCylinder(map, i), cylinders[i]);
+      TexturePicture& picture = map.cylinder_pictures.emplace_back();
+      if (!cylinders[i].has("texture"))
+        continue;
+      has_pictures = true;
+      readPicture(cylinders[i].at("texture"), picture);
+      addTexels(picture, cylinders[i]);
+    }
+    if (!has_pictures)
+      map.cylinder_pictures.clear();
   }
   if (file.has("boxes")) {
     const JsonCursor boxes = file.at("boxes");
@@ -469,8 +524,15 @@ acmap::readMap(const std::string& name, ByteSource& source)
       requireNone(faultOfBox(map, i), boxes[i]);
     }
   }
+  if (file.has("recesses")) {
+    const JsonCursor recesses = file.at("recesses");
+    for (std::size_t i = 0; i < recesses.size(); ++i) {
+      map.recesses.push_back(recessOf(recesses[i], i, map.planes.size()));
+      requireNone(faultOfRecess(map, i), recesses[i]);
+    }
+  }
   if (file.has("edges") && file.has("vertices"))
-    readEdges(file, map.planes);
+    readEdges(file, map);
   if (file.has("rooms") && file.has("openings"))
     readRooms(file, map);
   return map;

@@ -52,7 +52,8 @@ appendEdges(const std::vector<std::int32_t>& loop,
     edge.planes[0] = plane;
     if (next < told.size()) {
       edge.kind = told[next].kind;
-      edge.planes[1] = told[next].neighbour;
+      (edge.kind == EdgeKind::Arc ? edge.cylinder : edge.planes[1]) =
+          told[next].neighbour;
     }
     edges.push_back(edge);
   }
@@ -82,6 +83,7 @@ joined(std::vector<MapEdge> edges, std::size_t planes)
     const std::int32_t told = edge.planes[1];
     if (other < end) {
       edge.kind = EdgeKind::Crease;
+      edge.cylinder = -1;
       edge.planes[1] = edges[other].planes[0];
     }
     else if (edge.kind == EdgeKind::Crease ||

@@ -65,6 +65,8 @@ CompactMapping::CompactMapping()
 {
   // cameras see walls from a shorter distance than laser scanners
   rectification_.setBinSize(0.05);
+  planes_.setComputeCylinders(true);
+  planes_.setComputeBoxes(true);
 }
 
 CompactMapping::~CompactMapping() = default;
@@ -92,6 +94,8 @@ CompactMapping::setMode(MappingMode mode)
                                   : RectificationMode::Guarded);
   merging_.setDepthSensor(is_paper ? DepthSensor::Laser : DepthSensor::Automatic);
   planes_.setMode(mode);
+  planes_.setComputeCylinders(!is_paper);
+  planes_.setComputeBoxes(!is_paper);
   texturing_.setPaperMode(is_paper);
 }
 
@@ -351,6 +355,7 @@ CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport&
 {
   Texturing texturing = texturing_;
   texturing.setPlanes(mapped_.planes);
+  texturing.setCylinders(mapped_.cylinders);
   texturing.clearObservations();
   for (std::size_t i = 0; i < sequence.size(); ++i)
     texturing.addObservationLoader([this, &sequence, i] { return load(sequence, i); });
@@ -419,8 +424,8 @@ CompactMapping::compute(CompactMap& map)
   CompactMap result;
   if (!mapped_.planes.empty() || !mapped_.cylinders.empty()) {
     result = paint(sequence, report);
-    result.cylinders = mapped_.cylinders;
     result.boxes = mapped_.boxes;
+    result.recesses = mapped_.recesses;
     result.up = estimated_.up.value_or(Eigen::Vector3d::Zero());
     setRooms(makeFloorPlan(result), result);
   }

@@ -1,6 +1,7 @@
 #include "part_of_progress.h"
 #include "replaced_planes.h"
 
+#include <pcl/core/cylinder_rims.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/mesh_input.h>
@@ -8,7 +9,9 @@
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/segmentation/box_fitting.h>
+#include <pcl/segmentation/recess_fitting.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace pcl {
@@ -20,6 +23,14 @@ using Vertex = PlaneMapping::Vertex;
 using VertexCloud = PointCloud<Vertex>;
 
 constexpr double max_voxel = 1e9; // metres, of VoxelConsolidation::setVoxelSize
+
+/** How far the outline of a plane may be from its true rim, metres. */
+double
+rimTolerance(const CylinderClusteringReport& report)
+{
+  constexpr double vertices = 2, sigmas = 3, maximum = 1e9;
+  return std::min(maximum, vertices * report.spacing + sigmas * report.sigma);
+}
 
 /** Copies the value of a field if the cloud has that field. */
 class FieldCopy {
@@ -174,7 +185,7 @@ public:
     return result;
   }
 
-  /** Finds boxes among the planes, if these are requested. */
+  /** Finds boxes and recesses among the planes, if these are requested. */
   void
   findBoxes(MappedPlanes& result)
   {
@@ -185,8 +196,13 @@ public:
     prepare(fitting, 1, 1);
     fitting.segment(result.boxes);
     report_.boxes = fitting.getReport();
-    addRemarks(*report_.boxes);
     timer_.finish("boxes");
+    RecessFitting recess_fitting;
+    recess_fitting.setPlanes(result.planes);
+    prepare(recess_fitting, 1, 1);
+    recess_fitting.segment(result.recesses);
+    report_.recesses = recess_fitting.getReport();
+    timer_.finish("recesses");
   }
 
 private:
@@ -371,11 +387,13 @@ private:
     prepare(clustering, 0.9, 1);
     clustering.segment(result.cylinders);
     report_.cylinders = clustering.getReport();
-    addRemarks(*report_.cylinders);
     result.vertex_cylinders = clustering.getLabels();
     if (source)
       result.cylinder_labels = clustering.getSourceLabels();
     removeReplacedPlanes(result);
+    if (!result.cylinders.empty())
+      joinAtCylinders(
+          rimTolerance(*report_.cylinders), result.cylinders, result.planes);
     timer_.finish("cylinders");
   }
 

@@ -9,6 +9,8 @@ namespace pcl::acmap {
  * are told to a quarter of sigma, and parameters to what the elements determine. */
 class DescriptionLength {
 public:
+  static constexpr double label = 24; ///< of a model
+
   /** \param[in] sigma of the elements, metres, above 0
    * \param[in] spacing of the elements, metres
    * \param[in] extent of the scene, metres */
@@ -35,15 +37,26 @@ public:
     return std::min(free_, of_noise + ratio * ratio / 2 * log2_of_e);
   }
 
+  /** A parameter, to the accuracy that the elements give it. */
+  double
+  parameter(double elements) const
+  {
+    return std::log2(std::max(2.0, extent_ / sigma_ / elements)) +
+           0.5 * std::log2(std::max(elements, 1.0));
+  }
+
+  /** Lengths in an outline. */
+  double
+  outline(int lengths) const
+  {
+    return lengths * std::log2(std::max(2.0, extent_ / sigma_));
+  }
+
   /** A model with its label and an outline of four corners. */
   double
   model(int parameters, double elements) const
   {
-    constexpr double label = 24, corners = 4;
-    const double range = extent_ / sigma_;
-    return parameters * (std::log2(std::max(2.0, range / elements)) +
-                         0.5 * std::log2(std::max(elements, 1.0))) +
-           label + corners * std::log2(std::max(2.0, range));
+    return parameters * parameter(elements) + label + outline(4);
   }
 
   double

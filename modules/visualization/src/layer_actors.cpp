@@ -7,6 +7,7 @@
 #include "scene.h"
 #include "scene_renderer.h"
 
+#include <pcl/core/box_sides.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/exceptions.h>
 
@@ -109,6 +110,11 @@ proposedLayer(const LayerMaking& making)
     map.planes[plane].polygons = map.planes[plane].proposed;
     append(lines, outlinesOf(map, plane));
   }
+  for (const BoxPatch& box : making.scene.map.boxes)
+    for (PlanePatch& side : freeSidesOf(box)) {
+      map.planes.push_back(std::move(side));
+      append(lines, outlinesOf(map, map.planes.size() - 1));
+    }
   Actors actors = actorsOfPlanes(facesOf(map), hidesBacks(making), layer_opacity);
   actors.push_back(actorOfOutlines(lines));
   return actors;

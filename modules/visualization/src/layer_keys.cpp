@@ -9,11 +9,23 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+
 namespace pcl::acmap {
 
 namespace {
 
 constexpr int tick = 40; // milliseconds
+
+/** Does a plane lie in a side of a box? */
+bool
+isSideOf(const BoxPatch& box, std::size_t plane)
+{
+  return std::any_of(box.faces.begin(), box.faces.end(), [&](const BoxFace& face) {
+    return face.kind == BoxFaceKind::Seen &&
+           static_cast<std::size_t>(face.plane) == plane;
+  });
+}
 
 } // namespace
 
@@ -200,9 +212,15 @@ LayerKeys::showCard()
   if (plane) {
     const CompactMap& map = scene_->map;
     const std::size_t planes = map.planes.size();
-    const std::string card =
+    std::string card =
         *plane < planes ? planeCard(map.planes[*plane], *plane)
                         : cylinderCard(map.cylinders[*plane - planes], *plane - planes);
+    for (std::size_t box = 0; box < map.boxes.size(); ++box)
+      if (isSideOf(map.boxes[box], *plane))
+        card += boxCard(map.boxes[box], box);
+    for (std::size_t recess = 0; recess < map.recesses.size(); ++recess)
+      if (static_cast<std::size_t>(map.recesses[recess].leaf) == *plane)
+        card += recessCard(map.recesses[recess], recess);
     caption(card.substr(0, card.size() - 1)); // without the last line break
     say(card);
   }

@@ -7,6 +7,8 @@
 #include "picture.h"
 #include "scene_renderer.h"
 
+#include <pcl/core/box_sides.h>
+#include <pcl/core/impl/map_pictures.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -22,9 +24,15 @@ hasPoints(const PCLPointCloud2& cloud)
 }
 
 bool
-hasColors(const TextureChart& chart)
+hasColors(const TexturePicture* picture)
 {
-  return !chart.colors.values.empty();
+  return !picture->colors.values.empty();
+}
+
+bool
+hasFreeSides(const BoxPatch& box)
+{
+  return !freeSidesOf(box).empty();
 }
 
 /** \brief Prepares a view with at_pose; other views are unchanged.
@@ -52,13 +60,15 @@ layersOf(const LayeredScene& scene)
     layers.insert({SceneLayer::Mesh, SceneLayer::Normals});
   if (!scene.map.planes.empty() || !scene.map.cylinders.empty())
     layers.insert(SceneLayer::Planes);
-  if (std::any_of(scene.map.charts.begin(), scene.map.charts.end(), hasColors))
+  const auto pictures = acmap::picturesOf(scene.map);
+  if (std::any_of(pictures.begin(), pictures.end(), hasColors))
     layers.insert(SceneLayer::Texture);
   if (!scene.map.trajectory.poses.empty())
     layers.insert(SceneLayer::Trajectory);
   if (std::any_of(scene.map.planes.begin(),
                   scene.map.planes.end(),
-                  [](const PlanePatch& plane) { return !plane.proposed.empty(); }))
+                  [](const PlanePatch& plane) { return !plane.proposed.empty(); }) ||
+      std::any_of(scene.map.boxes.begin(), scene.map.boxes.end(), hasFreeSides))
     layers.insert(SceneLayer::Proposed);
   return layers;
 }

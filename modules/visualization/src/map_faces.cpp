@@ -19,6 +19,17 @@ namespace {
 using Eigen::Vector3d;
 using Polygon = std::pair<std::size_t, std::size_t>; // numbers of plane and polygon
 
+/** Has a picture as many colours as texels, and as many kinds or none? */
+bool
+isWhole(const TexturePicture& picture)
+{
+  const RgbImage& image = picture.colors;
+  const auto texels =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  return image.values.size() == 3 * texels &&
+         (picture.kinds.empty() || picture.kinds.size() == texels);
+}
+
 void
 requireSound(const CompactMap& map, const TextureChart& chart)
 {
@@ -33,11 +44,7 @@ requireSound(const CompactMap& map, const TextureChart& chart)
   const std::string fault = faultOfFrame(chart);
   if (!fault.empty())
     refuse(fault);
-  const RgbImage& image = chart.colors;
-  const auto texels =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (image.values.size() != 3 * texels ||
-      !(chart.kinds.empty() || chart.kinds.size() == texels))
+  if (!isWhole(chart))
     refuse("has not as many colours or kinds as texels");
 }
 
@@ -55,18 +62,21 @@ chartsByPolygon(const CompactMap& map)
   return charts;
 }
 
-/** Faces of a cylinder: a rectangle for each facet. */
+/** Faces of a cylinder: a rectangle for each facet, with places in the unrolled picture. */
 MapFaces
 facesOf(const CylinderPatch& cylinder, std::size_t number)
 {
   MapFaces faces;
   faces.plane = number;
-  for (const PlanePatch& facet : facetsOfCylinder(cylinder)) {
+  const std::vector<PlanePatch> facets = facetsOfCylinder(cylinder);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
     std::vector<std::int32_t>& face = faces.faces.emplace_back();
-    for (const Eigen::Vector3f& corner : facet.polygons.front().outer) {
+    for (const Eigen::Vector3f& corner : facets[i].polygons.front().outer) {
       face.push_back(static_cast<std::int32_t>(faces.points.size()));
       faces.points.push_back(corner);
     }
+    for (const Eigen::Vector2d& place : unrolledCorners(cylinder, i, facets.size()))
+      faces.places.emplace_back(place.cast<float>());
   }
   return faces;
 }
@@ -95,6 +105,21 @@ cutAt(const TextureChart& chart, const MapFaces& whole)
     }
   }
   return faces;
+}
+
+/** The picture of a cylinder; null if it has no colours.
+ * \throws BadArgumentException for a picture that does not fit */
+const TexturePicture*
+pictureOf(const CompactMap& map, std::size_t cylinder)
+{
+  if (cylinder >= map.cylinder_pictures.size() ||
+      map.cylinder_pictures[cylinder].colors.values.empty())
+    return nullptr;
+  const TexturePicture& picture = map.cylinder_pictures[cylinder];
+  if (!isWhole(picture))
+    throw BadArgumentException("the picture of a cylinder of the map has not as many "
+                               "colours or kinds as texels");
+  return &picture;
 }
 
 double
@@ -191,6 +216,11 @@ cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces)
   const auto charts = chartsByPolygon(map);
   std::vector<MapFaces> cut;
   for (const MapFaces& whole : faces) {
+    if (whole.plane >= map.planes.size()) {
+      cut.push_back(whole);
+      cut.back().chart = pictureOf(map, whole.plane - map.planes.size());
+      continue;
+    }
     const auto found = charts.find({whole.plane, whole.polygon});
     if (found == charts.end())
       cut.push_back(whole);

@@ -16,9 +16,9 @@ namespace pcl::acmap {
 struct MapFaces {
   std::size_t plane = 0;   ///< or the number of planes plus that of the cylinder
   std::size_t polygon = 0; ///< number in the plane
-  const TextureChart* chart = nullptr; ///< null: without a texture
-  std::vector<Eigen::Vector3f> points; ///< metres
-  std::vector<Eigen::Vector2f> places; ///< texture coordinates of the points, 0 to 1
+  const TexturePicture* chart = nullptr; ///< null: without a texture
+  std::vector<Eigen::Vector3f> points;   ///< metres
+  std::vector<Eigen::Vector2f> places;   ///< texture coordinates of the points, 0 to 1
   std::vector<std::vector<std::int32_t>> faces;
 };
 
@@ -26,8 +26,8 @@ struct MapFaces {
 std::vector<MapFaces>
 facesOf(const CompactMap& map);
 
-/** \brief As above, but polygons with charts are cut along the borders of the charts;
- * parts of them that no chart covers are left out.
+/** \brief As above, but with textures: polygons with charts are cut along the borders of the
+ * charts; parts of them that no chart covers are left out.
  * \throws BadArgumentException for charts that do not fit the map */
 std::vector<MapFaces>
 cutFaces(const CompactMap& map, const std::vector<MapFaces>& faces);

@@ -27,6 +27,15 @@ known(const char* form, double value)
   return std::isfinite(value) ? format(form, value) : "unknown";
 }
 
+/** \brief A length of a box or a recess, with its standard deviation. */
+template <typename Patch>
+std::string
+sizeOf(const Patch& patch, Eigen::Index axis)
+{
+  return format("%.3f m (deviation ", patch.size[axis]) +
+         known("%.3g mm", 1000 * std::sqrt(patch.covariance(6 + axis, 6 + axis))) + ")";
+}
+
 std::string
 deviations(const Eigen::Matrix3d& covariance)
 {
@@ -68,6 +77,34 @@ cylinderCard(const CylinderPatch& cylinder, std::size_t number)
          format("area       %.4g m2\n", cylinder.area) + "rmse       " +
          known("%.3g mm", cylinder.rms * 1000) +
          format("\nsaved      %.0f bits\n", cylinder.saved_bits);
+}
+
+std::string
+boxCard(const BoxPatch& box, std::size_t number)
+{
+  std::array<std::size_t, 3> sides{}; // of each kind
+  for (const BoxFace& face : box.faces)
+    ++sides[static_cast<std::size_t>(face.kind)];
+  return format("box %zu, template %d\n", number, box.template_id) + "size       " +
+         sizeOf(box, 0) + ", " + sizeOf(box, 1) + ", " + sizeOf(box, 2) +
+         format("\nsides      %zu seen, %zu on another plane, %zu not seen",
+                sides[static_cast<std::size_t>(BoxFaceKind::Seen)],
+                sides[static_cast<std::size_t>(BoxFaceKind::Snapped)],
+                sides[static_cast<std::size_t>(BoxFaceKind::Free)]) +
+         format("\nsaved      %.0f bits\n", box.saved_bits);
+}
+
+std::string
+recessCard(const RecessPatch& recess, std::size_t number)
+{
+  return format("recess %zu, template %d\n", number, recess.template_id) +
+         "width      " + sizeOf(recess, 0) + "\nheight     " + sizeOf(recess, 1) +
+         "\ndepth      " + sizeOf(recess, 2) +
+         format("\nplanes     %d behind %d, %s\n",
+                recess.leaf,
+                recess.wall,
+                recess.reaches_floor ? "down to the floor" : "above the floor") +
+         format("saved      %.0f bits\n", recess.saved_bits);
 }
 
 std::optional<std::size_t>

@@ -18,7 +18,7 @@ namespace {
 constexpr float anisotropy = 8;
 
 bool
-hasKnownTexels(const TextureChart& chart)
+hasKnownTexels(const TexturePicture& chart)
 {
   return chart.kinds.empty() ||
          std::any_of(chart.kinds.begin(), chart.kinds.end(), [](TexelKind kind) {
@@ -27,7 +27,7 @@ hasKnownTexels(const TextureChart& chart)
 }
 
 vtkSmartPointer<vtkTexture>
-textureOf(const TextureChart& chart, double exposure)
+textureOf(const TexturePicture& chart, double exposure)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(chart.colors.width, chart.colors.height, 1);
@@ -66,7 +66,7 @@ placesOf(const MapFaces& part)
 
 vtkSmartPointer<vtkActor>
 frontOf(const MapFaces& part,
-        const TextureChart* chart,
+        const TexturePicture* chart,
         double exposure,
         vtkPolyData* data)
 {

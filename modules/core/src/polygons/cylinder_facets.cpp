@@ -99,4 +99,15 @@ facetsOfCylinder(const CylinderPatch& cylinder, double tolerance)
   return facets;
 }
 
+std::array<Eigen::Vector2d, 4>
+unrolledCorners(const CylinderPatch& cylinder, std::size_t facet, std::size_t facets)
+{
+  const double left = static_cast<double>(facet) / static_cast<double>(facets);
+  const double right = static_cast<double>(facet + 1) / static_cast<double>(facets);
+  if (cylinder
+          .is_hollow) // its polygons begin at the top, and angles ascend to the left
+    return {{{1 - left, 0}, {1 - right, 0}, {1 - right, 1}, {1 - left, 1}}};
+  return {{{left, 1}, {right, 1}, {right, 0}, {left, 0}}};
+}
+
 } // namespace pcl

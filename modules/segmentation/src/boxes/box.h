@@ -28,6 +28,10 @@ struct Box {
 
   /** As that of BoxPatch. */
   Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
+  /** Standard deviation of the turn about the last axis if no plane tells it, radians;
+   * otherwise 0. */
+  double turn_deviation = 0;
+
   double misfit = 0; ///< chi squared of the planes of its faces
   double saved_bits = 0;
   double bits_of_planes = 0;

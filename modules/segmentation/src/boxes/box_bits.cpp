@@ -9,8 +9,6 @@
 
 namespace pcl::acmap::boxes {
 
-namespace {
-
 double
 pointsOn(const PlanePatch& plane)
 {
@@ -18,8 +16,6 @@ pointsOn(const PlanePatch& plane)
   return std::max(
       1.0, std::isfinite(effective) ? effective : static_cast<double>(plane.support));
 }
-
-} // namespace
 
 MapScale::MapScale(const std::vector<PlanePatch>& planes,
                    const std::vector<Piece>& pieces)
@@ -48,11 +44,10 @@ measureBits(const std::vector<PlanePatch>& planes,
             bool is_instance,
             Box& box)
 {
-  constexpr double label = 24, half_log2_of_e = 0.7213475204444817;
+  constexpr double half_log2_of_e = 0.7213475204444817;
   constexpr double pose = 6;
   // neither spacing nor free elements matter: the points stay on planes
   const DescriptionLength length(scale.sigma, scale.sigma, scale.extent);
-  const double range = std::log2(std::max(2.0, scale.extent / scale.sigma));
   double points = 0, sizes = 3, choices = 0;
   box.bits_of_planes = 0;
   for (const Side& side : box.sides) {
@@ -66,17 +61,15 @@ measureBits(const std::vector<PlanePatch>& planes,
       --sizes;
     }
     else
-      choices += range / 2;
+      choices += length.outline(1) / 2;
   }
-  const double ratio = scale.extent / (scale.sigma * points);
-  const double parameter =
-      std::log2(std::max(2.0, ratio)) + 0.5 * std::log2(std::max(1.0, points));
   if (is_instance) {
     sizes = std::min(sizes, 0.0);
     choices += std::log2(static_cast<double>(std::max<std::size_t>(1, templates)));
   }
-  const double own =
-      label + (pose + sizes) * parameter + choices + half_log2_of_e * box.misfit;
+  const double own = DescriptionLength::label +
+                     (pose + sizes) * length.parameter(points) + choices +
+                     half_log2_of_e * box.misfit;
   box.saved_bits = box.bits_of_planes - own;
 }
 

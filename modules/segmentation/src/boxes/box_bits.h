@@ -15,6 +15,10 @@ struct MapScale {
   MapScale(const std::vector<PlanePatch>& planes, const std::vector<Piece>& pieces);
 };
 
+/** The effective number of points of a plane, at least 1. */
+double
+pointsOn(const PlanePatch& plane);
+
 /** Sets the bits of the planes of a box, and those that it saves.
  * \param[in] templates number of sizes that are already described
  * \param[in] is_instance the size is one of these */

@@ -95,7 +95,7 @@ fitBoxes(const std::vector<PlanePatch>& planes,
   timer.finish("edges");
 
   std::vector<Box> boxes = chooseBoxes(planes, pieces, search, scale, progress);
-  report.templates = shareSizes(boxes);
+  report.templates = shareSizes(boxes, SizeOrder::Any);
   std::vector<BoxPatch> patches;
   std::vector<bool> is_described(report.templates, false);
   std::size_t described = 0;

@@ -57,6 +57,14 @@ struct Equations {
     misfit += residual.dot(weight * residual);
   }
 
+  /** The axes are at the given turn about an axis. */
+  void
+  addTurn(const Eigen::Vector3d& axis, double deviation)
+  {
+    information.topLeftCorner<3, 3>() +=
+        axis * axis.transpose() / (deviation * deviation);
+  }
+
   void
   addPosition(std::size_t side, double difference, double deviation)
   {
@@ -109,6 +117,8 @@ fitPose(const std::vector<PlanePatch>& planes, Box& box)
       else
         equations.addPosition(
             side, box.sides[side].position - given[side], box.sides[side].deviation);
+    if (box.turn_deviation > 0)
+      equations.addTurn(box.axes.col(2), box.turn_deviation);
     const Eigen::LDLT<Matrix9> solver(equations.information);
     if (step == steps) { // only to linearize at the result
       const Matrix9 change = toCenterAndSize(box.axes);

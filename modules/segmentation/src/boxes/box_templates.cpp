@@ -75,10 +75,10 @@ struct Template {
   }
 };
 
-/** The box in the order of axes in which its size is nearest to that of a template; none
- * if even that is another size. */
+/** The box in that of the equal orders of axes in which its size is nearest to that of a
+ * template; none if even that is another size. */
 std::optional<Box>
-asInstance(const Box& box, const Template& common)
+asInstance(const Box& box, const Template& common, SizeOrder which)
 {
   constexpr double largest_chi = 11.345;      // 1 % of equal sizes differ more
   constexpr double largest_difference = 0.02; // metres
@@ -95,7 +95,8 @@ asInstance(const Box& box, const Template& common)
       least = chi;
       best = turned;
     }
-  } while (std::next_permutation(order.begin(), order.end()));
+  } while (which == SizeOrder::Any &&
+           std::next_permutation(order.begin(), order.end()));
   return best;
 }
 
@@ -120,13 +121,14 @@ setSize(const Eigen::Vector3d& size, const Eigen::Matrix3d& covariance, Box& box
 } // namespace
 
 std::size_t
-shareSizes(std::vector<Box>& boxes)
+shareSizes(std::vector<Box>& boxes, SizeOrder order)
 {
   std::vector<Template> templates;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     bool is_new = true;
     for (std::size_t t = 0; t < templates.size() && is_new; ++t)
-      if (const std::optional<Box> instance = asInstance(boxes[i], templates[t])) {
+      if (const std::optional<Box> instance =
+              asInstance(boxes[i], templates[t], order)) {
         boxes[i] = *instance;
         boxes[i].template_id = static_cast<std::int32_t>(t);
         templates[t].add(boxes[i], i);
@@ -134,7 +136,8 @@ shareSizes(std::vector<Box>& boxes)
       }
     if (!is_new)
       continue;
-    boxes[i] = withFallingSize(boxes[i]);
+    if (order == SizeOrder::Any)
+      boxes[i] = withFallingSize(boxes[i]);
     boxes[i].template_id = static_cast<std::int32_t>(templates.size());
     templates.emplace_back();
     templates.back().add(boxes[i], i);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace pcl::acmap::cylinders {
@@ -105,5 +106,17 @@ struct Development {
     return std::atan2(normal.dot(v), normal.dot(u));
   }
 };
+
+/** At most about \a maximum of some values, evenly chosen. */
+template <typename T>
+std::vector<T>
+thinned(const std::vector<T>& values, std::size_t maximum)
+{
+  const std::size_t step = values.size() / maximum + 1;
+  std::vector<T> chosen;
+  for (std::size_t i = 0; i < values.size(); i += step)
+    chosen.push_back(values[i]);
+  return chosen;
+}
 
 } // namespace pcl::acmap::cylinders

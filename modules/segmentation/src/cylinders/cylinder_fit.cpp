@@ -64,17 +64,6 @@ struct Equations {
   double cost = 0;
 };
 
-double
-costOf(const std::vector<Sample>& samples, const Cylinder& cylinder, double gate)
-{
-  double cost = 0;
-  for (const Sample& sample : samples) {
-    const Offset offset(cylinder, sample);
-    cost += offset.exists ? tukeyCost(offset.value, gate) : 1;
-  }
-  return cost;
-}
-
 Equations
 equationsAt(const std::vector<Sample>& samples, const CylinderFit& fit, double gate)
 {
@@ -88,10 +77,9 @@ equationsAt(const std::vector<Sample>& samples, const CylinderFit& fit, double g
     if (weight == 0)
       continue;
     const Vector5 slope = slopeOf(offset, fit.cylinder, fit);
-    sums.matrix.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
+    sums.matrix.noalias() += (weight * slope) * slope.transpose();
     sums.right -= weight * offset.value * slope;
   }
-  sums.matrix = sums.matrix.selfadjointView<Eigen::Lower>();
   return sums;
 }
 
@@ -123,35 +111,56 @@ setMiddle(const std::vector<Sample>& samples, Cylinder& cylinder)
 /** Descends from a cylinder over fixed samples.
  * \return false if a step is not finite */
 bool
-descend(const std::vector<Sample>& samples, double gate, CylinderFit& fit)
+descend(const std::vector<Sample>& samples,
+        double gate,
+        int max_steps,
+        CylinderFit& fit)
 {
-  constexpr int max_steps = 20;
-  constexpr double settled = 1e-7; // of sigma
+  constexpr double settled = 1e-6, max_damping = 1e6; // the first in units of the gate
+  const double count = static_cast<double>(samples.size());
   double damping = 1e-4;
   Equations sums = equationsAt(samples, fit, gate);
-  for (int i = 0; i < max_steps; ++i) {
+  for (int i = 0; i < max_steps && damping <= max_damping; ++i) {
     Matrix5 damped = sums.matrix;
     damped.diagonal() *= 1 + damping;
     const Vector5 step = damped.ldlt().solve(sums.right);
     if (!step.allFinite())
       return false;
-    const Cylinder moved = retracted(fit, step);
-    constexpr double max_damping = 1e6;
-    if (!(moved.radius > 0) || costOf(samples, moved, gate) > sums.cost) {
-      damping *= 10;
-      if (damping > max_damping)
-        break;
+    CylinderFit moved = fit;
+    moved.cylinder = retracted(fit, step);
+    setFrame(moved);
+    damping *= 10;
+    if (!(moved.cylinder.radius > 0))
       continue;
-    }
-    fit.cylinder = moved;
-    setFrame(fit);
-    damping = std::max(damping / 10, 1e-9);
-    if (std::sqrt(step.dot(sums.matrix * step)) <
-        settled * gate * std::sqrt(static_cast<double>(samples.size())))
+    const Equations next = equationsAt(samples, moved, gate);
+    if (next.cost > sums.cost)
+      continue;
+    const double change = std::sqrt(step.dot(sums.matrix * step) / count);
+    fit = moved;
+    sums = next;
+    damping = std::max(damping / 100, 1e-9);
+    if (change < settled * gate)
       break;
-    sums = equationsAt(samples, fit, gate);
   }
   return true;
+}
+
+constexpr std::size_t min_samples = 8;
+
+/** Descends over the samples whose rays do not graze the cylinder.
+ * \return false if the samples do not determine one */
+bool
+approach(const std::vector<Sample>& samples,
+         double gate,
+         int max_steps,
+         CylinderFit& fit)
+{
+  const std::vector<Sample> steep = steepSamples(samples, fit.cylinder);
+  if (steep.size() < min_samples)
+    return false;
+  setMiddle(steep, fit.cylinder);
+  setFrame(fit);
+  return descend(steep, gate, max_steps, fit);
 }
 
 using PatchKey = std::pair<std::int64_t, std::int64_t>;
@@ -248,22 +257,29 @@ cylinderOfCircle(const std::vector<Sample>& samples, const Eigen::Vector3d& axis
 }
 
 std::optional<CylinderFit>
-fitCylinder(const std::vector<Sample>& samples, const Cylinder& start, double sigma)
+roughFit(const std::vector<Sample>& samples, const Cylinder& start, double sigma)
 {
-  constexpr std::size_t min_samples = 8;
-  constexpr int rounds = 3;
-  const double gate = gate_sigmas * sigma;
+  constexpr std::size_t enough = 500;
+  constexpr int few_steps = 5;
   CylinderFit fit;
   fit.cylinder = start;
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<Sample> steep = steepSamples(samples, fit.cylinder);
-    if (steep.size() < min_samples)
-      return {};
-    setMiddle(steep, fit.cylinder);
-    setFrame(fit);
-    if (!descend(steep, gate, fit))
-      return {};
-  }
+  if (!approach(thinned(samples, enough), gate_sigmas * sigma, few_steps, fit))
+    return {};
+  return fit;
+}
+
+std::optional<CylinderFit>
+fitCylinder(const std::vector<Sample>& samples, const Cylinder& start, double sigma)
+{
+  constexpr std::size_t enough_to_approach = 2000;
+  constexpr int max_steps = 20;
+  const double gate = gate_sigmas * sigma;
+  const std::vector<Sample> some = thinned(samples, enough_to_approach);
+  CylinderFit fit;
+  fit.cylinder = start;
+  if (!approach(some, gate, max_steps, fit) || !approach(some, gate, max_steps, fit) ||
+      !approach(samples, gate, max_steps, fit))
+    return {};
   double squares = 0;
   for (const Sample& sample : steepSamples(samples, fit.cylinder)) {
     const Offset offset(fit.cylinder, sample);

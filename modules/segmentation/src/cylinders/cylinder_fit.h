@@ -50,6 +50,11 @@ cylinderOfCircle(const std::vector<Sample>& samples, const Eigen::Vector3d& axis
 std::optional<CylinderFit>
 fitCylinder(const std::vector<Sample>& samples, const Cylinder& start, double sigma);
 
+/** A few steps of the same over at most 500 of the samples, while it is not settled yet which
+ * samples are of the cylinder. Does not set rms and count. */
+std::optional<CylinderFit>
+roughFit(const std::vector<Sample>& samples, const Cylinder& start, double sigma);
+
 /** Sets the covariance of a fit from the variation of its residuals between patches of
  * surface, because noise that neighbouring samples share does not average out.
  * \param[in] patch side of a patch, metres */

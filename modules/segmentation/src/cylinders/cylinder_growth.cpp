@@ -212,25 +212,54 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
   return seeds;
 }
 
-/** Marks the elements of planes that are wider than strips of a cylinder: no cylinder
- * replaces these, and it would take long to try at each of their elements. */
+/** Connected elements of one plane. */
+class PlanePiece {
+public:
+  PlanePiece(const std::vector<std::int32_t>& labels, std::int32_t plane)
+  : labels_(labels)
+  , plane_(plane)
+  {}
+
+  bool
+  accepts(std::size_t i) const
+  {
+    return labels_[i] == plane_;
+  }
+
+  void
+  add(std::size_t)
+  {}
+
+private:
+  const std::vector<std::int32_t>& labels_;
+  std::int32_t plane_;
+};
+
+/** Marks the elements of pieces of planes that are wider than strips of a cylinder: no
+ * cylinder replaces these, and it would take long to try at each of their elements. A
+ * strip on a column may be coplanar with a wall. */
 std::vector<std::int32_t>
 ownersOfWidePlanes(const SurfaceElements& elements, const KnownFaces& faces)
 {
   constexpr double max_width = 20; // spacings
-  std::vector<Moments> moments(faces.planes.size());
+  const MeshNeighbourhood neighbours(elements.neighbours);
   std::vector<std::int32_t> owners(elements.size(), no_region);
-  for (std::size_t i = 0; i < faces.labels.size(); ++i)
-    if (faces.labels[i] >= 0 && elements.points[i].allFinite())
-      moments[static_cast<std::size_t>(faces.labels[i])] +=
-          momentsOf(elements.points[i]);
-  std::vector<std::uint8_t> is_wide;
-  for (const Moments& of_plane : moments)
-    is_wide.push_back(std::sqrt(12 * fitPlane(of_plane).variances[1]) >
-                      max_width * elements.spacing);
-  for (std::size_t i = 0; i < faces.labels.size(); ++i)
-    if (faces.labels[i] >= 0 && is_wide[static_cast<std::size_t>(faces.labels[i])])
-      owners[i] = wide_plane;
+  std::vector<std::int32_t> pieces(elements.size(), no_region);
+  for (std::size_t i = 0; i < faces.labels.size(); ++i) {
+    if (faces.labels[i] < 0 || pieces[i] != no_region ||
+        !elements.points[i].allFinite())
+      continue;
+    PlanePiece piece(faces.labels, faces.labels[i]);
+    std::vector<std::int32_t> members{static_cast<std::int32_t>(i)};
+    pieces[i] = 0;
+    growRegion(neighbours, piece, members, pieces, 0);
+    Moments moments;
+    for (const std::int32_t member : members)
+      moments += momentsOf(elements.points[static_cast<std::size_t>(member)]);
+    if (std::sqrt(12 * fitPlane(moments).variances[1]) > max_width * elements.spacing)
+      for (const std::int32_t member : members)
+        owners[static_cast<std::size_t>(member)] = wide_plane;
+  }
   return owners;
 }
 
@@ -246,6 +275,7 @@ public:
   , owner_(ownersOfWidePlanes(elements, faces))
   , wide_(owner_)
   , scratch_(elements.size(), no_region)
+  , failures_(elements.size(), 0)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
   {
@@ -297,6 +327,10 @@ private:
   std::optional<GrownCylinder>
   grow(const Seed& seed);
   bool
+  isTried(const Seed& seed) const;
+  void
+  addFailure(const std::vector<std::int32_t>& members);
+  bool
   isCylinder(const GrownCylinder& grown, bool is_final) const;
   bool
   isRoundedEdge(double radius, double arc, bool is_hollow) const;
@@ -322,6 +356,8 @@ private:
   std::vector<std::int32_t> owner_;   ///< taken cylinder of each element, or wide_plane
   std::vector<std::int32_t> wide_;    ///< the same without cylinders
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
+  std::vector<std::uint8_t>
+      failures_; ///< regions of each element that were no cylinder
   std::vector<std::size_t> plane_sizes_;
   std::vector<double> plane_bits_; ///< of the elements of each plane
   std::vector<GrownCylinder> taken_;
@@ -333,7 +369,7 @@ CylinderSearch::growCandidates()
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
   std::vector<GrownCylinder> candidates;
   for (const Seed& seed : findSeeds(elements_, owner_)) {
-    if (is_covered[static_cast<std::size_t>(seed.element)])
+    if (is_covered[static_cast<std::size_t>(seed.element)] || isTried(seed))
       continue;
     std::optional<GrownCylinder> candidate = grow(seed);
     if (!candidate)
@@ -352,13 +388,6 @@ CylinderSearch::grow(const Seed& seed)
   constexpr int max_rounds = 8, wide_rounds = 2;
   constexpr double settled = 0.002; // change of the number of members
   const MeshNeighbourhood neighbours(elements_.neighbours);
-  const auto fitTo = [&](const std::vector<std::int32_t>& members,
-                         const Cylinder& start) {
-    auto fit = fitCylinder(samplesOf(members), start, elements_.sigma);
-    if (fit)
-      fit->cylinder.is_hollow = start.is_hollow;
-    return fit;
-  };
   GrownCylinder grown;
   grown.fit.cylinder = seed.cylinder;
   std::vector<std::int32_t> start = seed.patch;
@@ -393,21 +422,45 @@ CylinderSearch::grow(const Seed& seed)
         round >= wide_rounds &&
         change <= settled * static_cast<double>(grown.members.size());
     grown.members = std::move(members);
-    const auto fit = fitTo(grown.members, cylinder);
+    const bool is_last = is_settled || round + 1 == max_rounds;
+    auto fit = (is_last ? fitCylinder : roughFit)(
+        samplesOf(grown.members), cylinder, elements_.sigma);
     if (!fit || fit->cylinder.radius < limits_.min_radius / 2 ||
         fit->cylinder.radius > 2 * limits_.max_radius)
       return {};
+    fit->cylinder.is_hollow = cylinder.is_hollow;
     grown.fit = *fit;
     start = grown.members;
     if (is_settled)
       break;
   }
-  if (!isCylinder(grown, false))
-    return {};
-  weigh(grown);
-  if (!(grown.gain > minGain()))
-    return {};
-  return grown;
+  if (isCylinder(grown, false)) {
+    const std::vector<std::int32_t> members = grown.members;
+    weigh(grown);
+    if (grown.gain > minGain())
+      return grown;
+    grown.members = members;
+  }
+  addFailure(grown.members);
+  return {};
+}
+
+/** Neighbouring seeds of a surface that is curved, but no cylinder, grow to nearly the same
+ * region: after a few of them, the others are not tried. */
+bool
+CylinderSearch::isTried(const Seed& seed) const
+{
+  constexpr std::uint8_t enough = 6;
+  return failures_[static_cast<std::size_t>(seed.element)] >= enough;
+}
+
+void
+CylinderSearch::addFailure(const std::vector<std::int32_t>& members)
+{
+  for (const std::int32_t member : members) {
+    std::uint8_t& failures = failures_[static_cast<std::size_t>(member)];
+    failures += failures < 255 ? 1 : 0;
+  }
 }
 
 /** Bits alone say yes too often, because errors of models are correlated. */
@@ -430,8 +483,12 @@ CylinderSearch::isCylinder(const GrownCylinder& grown, bool is_final) const
   constexpr double max_rms = 0.12; // of the radius
   if (grown.fit.rms > max_rms * radius)
     return false;
+  constexpr double max_misfit = 0.35, of_few = 8; // nine terms are fitted
+  constexpr double mesh_bias = 0.08; // of the spacing, where views and surfaces end
+  const double noise = std::max(elements_.sigma / 2,
+                                elements_.is_mesh ? mesh_bias * elements_.spacing : 0);
   const double count = static_cast<double>(grown.members.size());
-  return misfit(samples, grown.fit, elements_.sigma / 2) <= 0.35 + 8 / count &&
+  return misfit(samples, grown.fit, noise) <= max_misfit + of_few / count &&
          areNormalsAcross(grown);
 }
 

@@ -1,4 +1,5 @@
 #include "cylinders/cylinder_growth.h"
+#include "cylinders/cylinder_templates.h"
 #include "cylinders/raw_cylinders.h"
 
 #include <pcl/core/impl/parallel.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace pcl::acmap {
 namespace cylinders {
@@ -90,18 +92,24 @@ describeBefore(const SurfaceElements& elements,
     report.bits_before += lengths.plane(size);
 }
 
-/** The source's points and planes; without noise if that cannot be measured. */
+/** Points and the planes that were given for them; without noise if that cannot be
+ * measured.
+ * \param[in] labels plane of each point; empty: there are no planes */
 RawCloud
-rawSource(const PlaneSource& source, const GivenPlanes& planes, double sigma)
+rawCloudOf(const PointView& points,
+           const SensorView& sensors,
+           const std::vector<PlanePatch>& planes,
+           const std::vector<std::int32_t>& labels,
+           double sigma)
 {
-  RawCloud cloud{source.points, source.sensors, {}, {}, {}, 0, sigma};
-  cloud.labels.assign(source.points.size(), -1);
-  if (!planes.source_labels.empty()) {
-    cloud.planes = planes.patches;
-    cloud.labels = planes.source_labels;
+  RawCloud cloud{points, sensors, {}, {}, {}, 0, sigma};
+  cloud.labels.assign(points.size(), -1);
+  if (!labels.empty()) {
+    cloud.planes = planes;
+    cloud.labels = labels;
     cloud.is_bent.assign(cloud.planes.size(), 0);
   }
-  const NoiseScale scale = measureNoiseScale(source.points, source.sensors);
+  const NoiseScale scale = measureNoiseScale(points, sensors);
   cloud.spacing = scale.spacing;
   if (sigma > 0)
     return cloud;
@@ -118,6 +126,7 @@ struct PointsBeside {
   std::vector<std::int32_t> free; ///< on no plane that stays and on no other cylinder
   std::size_t on = 0;             ///< within the noise of its surface
   std::size_t free_on = 0;        ///< those of them that are free
+  std::set<std::int32_t> planes;  ///< that stay, of the others
 };
 
 PointsBeside
@@ -145,6 +154,8 @@ pointsBeside(const RawCloud& source,
          std::find(replaced.begin(), replaced.end(), label) != replaced.end());
     if (is_free)
       beside.free.push_back(static_cast<std::int32_t>(i));
+    else if (label >= 0)
+      beside.planes.insert(label);
     const double turn = development.angle(cylinder.across(point)) - reach.arc_begin;
     if (std::abs(off) > gate * source.sigma ||
         turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) > reach.arc_length)
@@ -153,6 +164,34 @@ pointsBeside(const RawCloud& source,
     beside.free_on += is_free ? 1 : 0;
   }
   return beside;
+}
+
+/** Fits a cylinder again without the samples near planes that stay: which points these took
+ * there depends on the noise, and would shift the fit. */
+void
+fitAwayFromPlanes(const RawCloud& source,
+                  const std::set<std::int32_t>& beside,
+                  RawCylinder& cylinder)
+{
+  constexpr double gate = 4, min_share = 0.75;
+  std::vector<Eigen::Vector4d> planes;
+  for (const std::int32_t plane : beside)
+    planes.push_back(source.planes[static_cast<std::size_t>(plane)].coefficients);
+  std::vector<Sample> samples;
+  for (const Sample& sample : cylinder.samples)
+    if (std::none_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& plane) {
+          return std::abs(plane.head<3>().dot(sample.point) + plane[3]) <
+                 gate * source.sigma;
+        }))
+      samples.push_back(sample);
+  if (static_cast<double>(samples.size()) <
+      min_share * static_cast<double>(cylinder.samples.size()))
+    return;
+  auto fit = fitCylinder(samples, cylinder.fit.cylinder, source.sigma);
+  if (!fit)
+    return;
+  cylinder.fit = *fit;
+  setCovariance(samples, source.sigma, 2 * source.spacing, cylinder.fit);
 }
 
 /** Fits a cylinder to the points of the source that are on no plane that stays.
@@ -180,9 +219,10 @@ refitToSource(const RawCloud& source,
       cylinder.fit.rms > max_rms * source.sigma ||
       std::abs(cylinder.fit.cylinder.radius - radius) > max_radius_change * radius)
     return false;
+  fitAwayFromPlanes(source, beside.planes, cylinder);
   return !isLookedThrough(
       source,
-      cylinder.fit,
+      cylinder,
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing));
 }
 
@@ -219,11 +259,16 @@ searchSurface(const PlaneHypotheses& hypotheses,
   const KnownFaces faces = facesOf(planes, elements);
   describeBefore(elements, faces, report);
   report.bits_after = report.bits_before;
+  std::vector<GrownCylinder> candidates = growCylinders(
+      elements, faces, {settings.min_radius, settings.max_radius}, progress);
   RawCloud raw;
-  if (has_source)
-    raw = rawSource(source, planes, settings.sigma);
-  for (GrownCylinder& grown : growCylinders(
-           elements, faces, {settings.min_radius, settings.max_radius}, progress)) {
+  if (has_source && !candidates.empty())
+    raw = rawCloudOf(source.points,
+                     source.sensors,
+                     planes.patches,
+                     planes.source_labels,
+                     settings.sigma);
+  for (GrownCylinder& grown : candidates) {
     RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
     setCovariance(cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
     cylinder.fit.cylinder.point += elements.origin;
@@ -244,21 +289,23 @@ searchSurface(const PlaneHypotheses& hypotheses,
   }
 }
 
-/** Finds planes, and cylinders among the rest, in a cloud whose noise hides the
- * normals. */
+/** Finds planes, if none are given, and cylinders among the rest, in a cloud whose noise
+ * hides the normals. */
 void
 searchRaw(const PlaneHypotheses& hypotheses,
           double local_noise,
+          const GivenPlanes& planes,
           const CylinderClusteringSettings& settings,
           const Progress& progress,
           CylinderClusters& clusters,
           CylinderClusteringReport& report)
 {
-  RawCloud cloud = findRawPlanes(hypotheses.points,
-                                 hypotheses.sensors,
-                                 settings.sigma,
-                                 settings.threads,
-                                 progress);
+  const PointView& points = hypotheses.points;
+  const SensorView& sensors = hypotheses.sensors;
+  RawCloud cloud =
+      planes.labels.empty()
+          ? findRawPlanes(points, sensors, settings.sigma, settings.threads, progress)
+          : rawCloudOf(points, sensors, planes.patches, planes.labels, settings.sigma);
   if (!(cloud.sigma > 0))
     cloud.sigma = local_noise; // everything is too curved for planes
   report.spacing = cloud.spacing;
@@ -286,6 +333,8 @@ searchRaw(const PlaneHypotheses& hypotheses,
     patch.saved_bits = cylinder.gain;
     report.replaced_planes += cylinder.planes.size();
     report.bits_after -= cylinder.gain;
+    if (!planes.labels.empty())
+      patch.planes = cylinder.planes;
     append(std::move(patch), cylinder.members, clusters.labels, clusters.patches);
   }
 }
@@ -371,13 +420,14 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
       noise = measureLocalNoise(hypotheses.points);
     const bool is_raw = noise.sigma > max_noise * noise.spacing;
     if (is_raw)
-      searchRaw(hypotheses, noise.sigma, settings, progress, clusters, report);
+      searchRaw(hypotheses, noise.sigma, planes, settings, progress, clusters, report);
     else
       searchSurface(hypotheses, source, planes, settings, progress, clusters, report);
     if (is_raw && isSame(hypotheses.points, source.points))
       clusters.source_labels = clusters.labels;
     timer.finish("cylinders");
     sortByArea(clusters);
+    report.templates = shareRadii(clusters.patches);
     describe(hypotheses, clusters, report);
     progress.tell(1.0, "done");
     return clusters;

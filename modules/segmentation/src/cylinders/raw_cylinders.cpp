@@ -295,7 +295,7 @@ RawSearch::isCylinder(const RawCylinder& cylinder) const
   constexpr double max_misfit = 0.2;
   return misfit(cylinder.samples, cylinder.fit, cloud_.sigma / 2) <=
              max_misfit + 18 / count &&
-         !isLookedThrough(cloud_, cylinder.fit, reach);
+         !isLookedThrough(cloud_, cylinder, reach);
 }
 
 /** Are the points described in fewer bits than as free ones, with the planes that the
@@ -345,6 +345,7 @@ gatherRaw(const RawCloud& cloud,
           RawCylinder& cylinder)
 {
   constexpr int rounds = 3;
+  constexpr std::size_t enough_to_approach = 20000;
   constexpr double gate = 4;
   const double slack = 2 * cloud.spacing;
   const std::vector<Sample> all = samplesOf(cloud, pool);
@@ -366,7 +367,11 @@ gatherRaw(const RawCloud& cloud,
     }
     cylinder.samples = samplesOf(cloud, members);
     cylinder.members = std::move(members);
-    const auto fit = fitCylinder(cylinder.samples, now, cloud.sigma);
+    const bool is_last = round + 1 == rounds;
+    const auto fit = fitCylinder(
+        is_last ? cylinder.samples : thinned(cylinder.samples, enough_to_approach),
+        now,
+        cloud.sigma);
     if (!fit)
       return false;
     cylinder.fit = *fit;
@@ -378,14 +383,17 @@ gatherRaw(const RawCloud& cloud,
 
 bool
 isLookedThrough(const RawCloud& cloud,
-                const CylinderFit& fit,
+                const RawCylinder& cylinder,
                 const CylinderReach& reach)
 {
   constexpr double min_cosine = 0.4, max_share = 0.15, sigmas = 5;
+  constexpr std::size_t enough = 5000; // points on it
+  const CylinderFit& fit = cylinder.fit;
+  const std::size_t step = 1 + cylinder.members.size() / enough;
   if (fit.cylinder.is_hollow)
     return false;
   double through = 0, on = 0;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
     const Sample sample = sampleOf(cloud, i);
     if (!sample.hasRay() || !sample.point.allFinite())
       continue;

@@ -28,10 +28,6 @@ sampleOf(const RawCloud& cloud, std::size_t i);
 std::vector<Sample>
 samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members);
 
-/** At most about \a maximum of some members, evenly chosen. */
-std::vector<std::int32_t>
-thinned(const std::vector<std::int32_t>& members, std::size_t maximum);
-
 /** Finds planes over cells that are larger than the noise.
  * \param[in] sigma metres, 0: measured
  * \throws CancelledException when the progress callback requested to stop */
@@ -70,7 +66,7 @@ gatherRaw(const RawCloud& cloud,
 /** Do rays pass through a convex cylinder where it should stop them? */
 bool
 isLookedThrough(const RawCloud& cloud,
-                const CylinderFit& fit,
+                const RawCylinder& cylinder,
                 const CylinderReach& reach);
 
 /** Bits of a point on a plane, or of a free point. */

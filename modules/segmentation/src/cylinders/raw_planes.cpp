@@ -153,16 +153,6 @@ samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members)
   return samples;
 }
 
-std::vector<std::int32_t>
-thinned(const std::vector<std::int32_t>& members, std::size_t maximum)
-{
-  const std::size_t step = members.size() / maximum + 1;
-  std::vector<std::int32_t> chosen;
-  for (std::size_t i = 0; i < members.size(); i += step)
-    chosen.push_back(members[i]);
-  return chosen;
-}
-
 RawCloud
 findRawPlanes(const PointView& points,
               const SensorView& sensors,

@@ -24,7 +24,7 @@ struct PyramidLevel {
 /** \brief The picture of a chart in all resolutions, from its own on to one texel. */
 class PicturePyramid {
 public:
-  PicturePyramid(const TextureChart& chart, const std::vector<bool>& cover)
+  PicturePyramid(const TexturePicture& chart, const std::vector<bool>& cover)
   {
     PyramidLevel whole{chart.colors.width, chart.colors.height, {}};
     whole.sums.resize(cover.size());
@@ -107,7 +107,7 @@ private:
 
 /** Does a picture, enlarged, agree with a chart within the tolerance? */
 bool
-agrees(const TextureChart& chart,
+agrees(const TexturePicture& chart,
        const PicturePyramid& pyramid,
        const RgbImage& small,
        std::int32_t halvings,
@@ -116,7 +116,7 @@ agrees(const TextureChart& chart,
   constexpr std::int32_t block = 8; // texels
   constexpr double max_local = 3;   // times the tolerance
   constexpr double min_texels = 16; // of a block, so that one texel is no block
-  TextureChart large;
+  TexturePicture large;
   large.halvings = halvings;
   large.colors.width = chart.colors.width;
   large.colors.height = chart.colors.height;
@@ -173,7 +173,7 @@ exposed(double value, double exposure)
 }
 
 void
-enlarge(const RgbImage& small, double exposure, TextureChart& chart)
+enlarge(const RgbImage& small, double exposure, TexturePicture& chart)
 {
   const auto step = static_cast<double>(std::int64_t{1} << chart.halvings);
   struct Between {
@@ -207,7 +207,7 @@ enlarge(const RgbImage& small, double exposure, TextureChart& chart)
 }
 
 ChartPicture
-pictureOf(const TextureChart& chart,
+pictureOf(const TexturePicture& chart,
           const std::vector<bool>& cover,
           const PictureSettings& settings)
 {

@@ -22,7 +22,7 @@ exposed(double value, double exposure);
  * \param[in] small of \ref halvedSize
  * \param[in,out] chart gives the sizes, gets the colours */
 void
-enlarge(const RgbImage& small, double exposure, TextureChart& chart);
+enlarge(const RgbImage& small, double exposure, TexturePicture& chart);
 
 /** \brief The colours of a chart as they are stored. */
 struct ChartPicture {
@@ -47,7 +47,7 @@ struct PictureSettings {
  * and image compression find no edge there.
  * \param[in] cover for each texel, is its centre inside of the polygon? */
 ChartPicture
-pictureOf(const TextureChart& chart,
+pictureOf(const TexturePicture& chart,
           const std::vector<bool>& cover,
           const PictureSettings& settings);
 

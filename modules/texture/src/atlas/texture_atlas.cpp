@@ -3,6 +3,8 @@
 #include "atlas/chart_picture.h"
 #include "atlas/rectangle_packing.h"
 
+#include <pcl/core/impl/map_pictures.h>
+
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -28,17 +30,9 @@ shadeOf(const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
   return static_cast<std::uint8_t>(std::lround(dark + share * (bright - dark)));
 }
 
-bool
-hasColor(const TextureChart& chart)
-{
-  return std::any_of(chart.kinds.begin(), chart.kinds.end(), [](TexelKind kind) {
-    return kind != TexelKind::None;
-  });
-}
-
 /** The picture of a surface that has one colour. */
 ChartPicture
-plainPicture(const TextureChart* chart, std::uint8_t level)
+plainPicture(const TexturePicture* chart, std::uint8_t level)
 {
   ChartPicture picture;
   picture.image = {1, 1, {level, level, level}};
@@ -97,7 +91,7 @@ pack(Pictures& pictures, std::int32_t longest_page)
 
 /** Halvings without which a chart is longer than a page. */
 std::int32_t
-neededHalvings(const TextureChart& chart, std::int32_t longest_page)
+neededHalvings(const TexturePicture& chart, std::int32_t longest_page)
 {
   std::int32_t halvings = 0;
   while (halvedSize(chart.colors, halvings).maxCoeff() > longest_page - 2 * margin)
@@ -114,12 +108,15 @@ packedPictures(const CompactMap& map,
 {
   Pictures pictures;
   pictures.own.resize(surfaces.size());
+  const std::vector<const TexturePicture*> charts = picturesOf(map);
   const bool is_colorless =
-      std::none_of(map.charts.begin(), map.charts.end(), hasColor);
+      std::none_of(charts.begin(), charts.end(), [](const TexturePicture* chart) {
+        return hasColor(*chart);
+      });
   const auto draw = [&](std::size_t i, std::int32_t min_halvings) {
     const ChartSurface& surface = surfaces[i];
     const bool has_chart = surface.chart != ChartSurface::no_chart;
-    const TextureChart* const chart = has_chart ? &map.charts[surface.chart] : nullptr;
+    const TexturePicture* const chart = has_chart ? charts[surface.chart] : nullptr;
     if (!chart || !hasColor(*chart)) {
       const bool is_shaded = is_colorless || surface.plane >= map.planes.size();
       pictures.own[i] =
@@ -153,7 +150,7 @@ atlasOf(const CompactMap& map,
 {
   const Pictures pictures = packedPictures(map, surfaces, up, tolerance, limits);
   TextureAtlas atlas;
-  atlas.halvings.resize(map.charts.size());
+  atlas.halvings.resize(map.charts.size() + map.cylinder_pictures.size());
   for (const Eigen::Vector2i& size : pictures.packing.pages) {
     RgbImage& page = atlas.pages.emplace_back();
     page.width = size.x();
@@ -180,19 +177,19 @@ atlasOf(const CompactMap& map,
 }
 
 KindAtlas
-kindAtlasOf(const std::vector<TextureChart>& charts)
+kindAtlasOf(const std::vector<const TexturePicture*>& pictures)
 {
   constexpr std::int32_t longest = 16384; // for acmap alone
   KindAtlas atlas;
   std::vector<Eigen::Vector2i> sizes;
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    const std::vector<TexelKind>& kinds = charts[i].kinds;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::vector<TexelKind>& kinds = pictures[i]->kinds;
     if (std::all_of(kinds.begin(), kinds.end(), [](TexelKind kind) {
           return kind == TexelKind::Seen;
         }))
       continue;
     atlas.charts.push_back(i);
-    sizes.emplace_back(charts[i].colors.width, charts[i].colors.height);
+    sizes.emplace_back(pictures[i]->colors.width, pictures[i]->colors.height);
   }
   const Packing packing = packedRectangles(sizes, 1, longest);
   for (const Eigen::Vector2i& size : packing.pages)
@@ -202,7 +199,7 @@ kindAtlasOf(const std::vector<TextureChart>& charts)
          std::vector<std::uint8_t>(static_cast<std::size_t>(size.x()) *
                                    static_cast<std::size_t>(size.y()))});
   for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
-    const TextureChart& chart = charts[atlas.charts[k]];
+    const TexturePicture& chart = *pictures[atlas.charts[k]];
     const PackedPlace& place = packing.places[k];
     atlas.page_of.push_back(place.page);
     atlas.places.push_back(place.corner);

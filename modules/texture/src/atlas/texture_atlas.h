@@ -27,7 +27,7 @@ struct AtlasLimits {
 struct TextureAtlas {
   std::vector<RgbImage> pages;        ///< sides are powers of two
   std::vector<AtlasPlace> places;     ///< of each surface
-  std::vector<std::int32_t> halvings; ///< of each chart
+  std::vector<std::int32_t> halvings; ///< of each picture of \ref picturesOf
 
   /** \brief Texture coordinates of a point of a surface, from the top left.
    * \param[in] surface index in \a places
@@ -45,8 +45,8 @@ struct TextureAtlas {
 /** \brief Packs the pictures of all charts (\ref pictureOf) into pages. Charts begin at
  * multiples of 16 texels and continue for at least four texels beyond their borders, so
  * that interpolation, two levels of mipmaps and the blocks of JPEG do not mix them.
- * Surfaces without any known colour are grey; cylinders, and all surfaces if none has a
- * colour, are shaded by their normals. If there were too many pages, all charts are
+ * Surfaces without any known colour are grey; cylinders without one, and all surfaces if
+ * none has a colour, are shaded by their normals. If there were too many pages, all charts are
  * halved until there are not.
  * \param[in] surfaces of \ref surfacesOf
  * \param[in] up direction of the map
@@ -58,7 +58,7 @@ atlasOf(const CompactMap& map,
         double tolerance,
         const AtlasLimits& limits = {});
 
-/** \brief The kinds of those charts that were not seen completely, in few images. */
+/** \brief The kinds of those pictures that were not seen completely, in few images. */
 struct KindAtlas {
   struct Page {
     std::int32_t width, height;
@@ -66,12 +66,12 @@ struct KindAtlas {
   };
 
   std::vector<Page> pages;
-  std::vector<std::size_t> charts;     ///< that are in the pages, ascending
-  std::vector<std::size_t> page_of;    ///< of each of these
+  std::vector<std::size_t> charts;  ///< numbers of the pictures that are in the pages
+  std::vector<std::size_t> page_of; ///< of each of these
   std::vector<Eigen::Vector2i> places; ///< column and row of each of these
 };
 
 KindAtlas
-kindAtlasOf(const std::vector<TextureChart>& charts);
+kindAtlasOf(const std::vector<const TexturePicture*>& pictures);
 
 } // namespace pcl::acmap

@@ -1,7 +1,9 @@
 #include "export/chart_surface.h"
 
+#include <pcl/core/box_sides.h>
 #include <pcl/core/cylinder_facets.h>
 #include <pcl/core/impl/chart_clip.h>
+#include <pcl/core/impl/map_pictures.h>
 #include <pcl/core/polygon_triangles.h>
 
 #include <Eigen/Geometry>
@@ -37,8 +39,10 @@ private:
   indexOf(const ChartCorner& corner)
   {
     const Eigen::Vector3d& p = corner.point;
+    const Eigen::Vector2d& at = corner.place;
     const auto next = static_cast<std::int32_t>(surface_.points.size());
-    const auto [place, is_new] = indices_.try_emplace({p.x(), p.y(), p.z()}, next);
+    const auto [place, is_new] =
+        indices_.try_emplace({p.x(), p.y(), p.z(), at.x(), at.y()}, next);
     if (is_new) {
       surface_.points.push_back(p);
       surface_.places.push_back(corner.place);
@@ -47,7 +51,7 @@ private:
   }
 
   ChartSurface& surface_;
-  std::map<std::array<double, 3>, std::int32_t> indices_;
+  std::map<std::array<double, 5>, std::int32_t> indices_; ///< by point and place
 };
 
 /** Triangulates a polygon; returns three points per triangle. */
@@ -97,6 +101,50 @@ surfaceOfPolygon(std::size_t number,
   return surface;
 }
 
+/** The facets of a cylinder with its picture. Corners at the seam of a closed cylinder have
+ * two places, and are therefore doubled. */
+ChartSurface
+surfaceOfCylinder(const CylinderPatch& cylinder,
+                  const std::vector<PlanePatch>& facets,
+                  const TexturePicture& picture)
+{
+  ChartSurface surface;
+  surface.normal = cylinder.axis_u;
+  SurfaceBuilder builder(surface);
+  const Eigen::Array2d size(picture.colors.width, picture.colors.height);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const auto shares = unrolledCorners(cylinder, i, facets.size());
+    const auto corner = [&](std::size_t k) {
+      return ChartCorner{facets[i].polygons[0].outer[k].cast<double>(),
+                         shares[k].array() * size};
+    };
+    builder.append(corner(0), corner(1), corner(2));
+    builder.append(corner(0), corner(2), corner(3));
+  }
+  return surface;
+}
+
+void
+appendCylinder(const CompactMap& map,
+               std::size_t number,
+               std::vector<ChartSurface>& surfaces)
+{
+  const CylinderPatch& cylinder = map.cylinders[number];
+  const std::vector<PlanePatch> facets = facetsOfCylinder(cylinder);
+  const std::size_t surface = map.planes.size() + number;
+  if (facets.empty() || map.cylinder_pictures.empty() ||
+      !hasColor(map.cylinder_pictures[number])) {
+    for (const PlanePatch& facet : facets)
+      surfaces.push_back(
+          surfaceOfPolygon(surface, facet, trianglesOf(facet, facet.polygons.front())));
+    return;
+  }
+  surfaces.push_back(
+      surfaceOfCylinder(cylinder, facets, map.cylinder_pictures[number]));
+  surfaces.back().plane = surface;
+  surfaces.back().chart = map.charts.size() + number;
+}
+
 } // namespace
 
 std::vector<ChartSurface>
@@ -120,9 +168,7 @@ surfacesOf(const CompactMap& map)
         surfaces.push_back(surfaceOfPolygon(
             i, map.planes[i], trianglesOf(map.planes[i], map.planes[i].polygons[k])));
   for (std::size_t i = 0; i < map.cylinders.size(); ++i)
-    for (const PlanePatch& facet : facetsOfCylinder(map.cylinders[i]))
-      surfaces.push_back(surfaceOfPolygon(
-          map.planes.size() + i, facet, trianglesOf(facet, facet.polygons.front())));
+    appendCylinder(map, i, surfaces);
   return surfaces;
 }
 
@@ -134,6 +180,11 @@ proposedSurfacesOf(const CompactMap& map)
     for (const PlanePolygon& polygon : map.planes[i].proposed)
       surfaces.push_back(
           surfaceOfPolygon(i, map.planes[i], trianglesOf(map.planes[i], polygon)));
+  for (std::size_t i = 0; i < map.boxes.size(); ++i)
+    for (const PlanePatch& side : freeSidesOf(map.boxes[i]))
+      surfaces.push_back(surfaceOfPolygon(map.planes.size() + map.cylinders.size() + i,
+                                          side,
+                                          trianglesOf(side, side.polygons.front())));
   return surfaces;
 }
 

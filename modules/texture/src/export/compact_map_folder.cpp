@@ -3,6 +3,7 @@
 #include "export/map_writers.h"
 
 #include <pcl/core/impl/map_check.h>
+#include <pcl/core/impl/map_pictures.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
@@ -34,53 +35,63 @@ pageNames(const std::string& what, std::size_t pages, const char* end)
 void
 requireWholeCharts(const CompactMap& map)
 {
-  for (std::size_t i = 0; i < map.charts.size(); ++i) {
-    const TextureChart& chart = map.charts[i];
-    const auto texels = static_cast<std::uint64_t>(std::int64_t{chart.colors.width} *
-                                                   chart.colors.height);
-    if (chart.colors.values.size() != 3 * texels || chart.kinds.size() != texels)
-      throw BadArgumentException("chart " + std::to_string(i) + " of a map has " +
-                                 std::to_string(chart.colors.values.size()) +
-                                 " values of colour and " +
-                                 std::to_string(chart.kinds.size()) + " kinds for " +
-                                 std::to_string(chart.colors.width) + " x " +
-                                 std::to_string(chart.colors.height) + " texels");
+  const std::vector<const TexturePicture*> pictures = acmap::picturesOf(map);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const RgbImage& colors = pictures[i]->colors;
+    const std::vector<TexelKind>& kinds = pictures[i]->kinds;
+    const auto texels =
+        static_cast<std::uint64_t>(std::int64_t{colors.width} * colors.height);
+    if (colors.values.size() == 3 * texels && kinds.size() == texels)
+      continue;
+    const std::size_t charts = map.charts.size();
+    throw BadArgumentException(
+        (i < charts ? "chart " + std::to_string(i)
+                    : "the picture of cylinder " + std::to_string(i - charts)) +
+        " of a map has " + std::to_string(colors.values.size()) +
+        " values of colour and " + std::to_string(kinds.size()) + " kinds for " +
+        std::to_string(colors.width) + " x " + std::to_string(colors.height) +
+        " texels");
   }
 }
 
-/** \brief Sets where the charts are in the pages; restores the old places unless keep()
+/** \brief Sets where the pictures of a map are in the pages; restores the old places unless keep()
  * is called. */
-class ChartPlaces {
+class PicturePlaces {
 public:
-  explicit ChartPlaces(std::vector<TextureChart>& charts)
-  : charts_(charts)
+  explicit PicturePlaces(CompactMap& map)
+  : pictures_(acmap::picturesOf(map))
   {
-    for (const TextureChart& chart : charts)
-      before_.emplace_back(chart.image,
-                           chart.image_place,
-                           chart.halvings,
-                           chart.kinds_image,
-                           chart.kinds_place);
+    for (const TexturePicture* const picture : pictures_)
+      before_.emplace_back(picture->image,
+                           picture->image_place,
+                           picture->halvings,
+                           picture->kinds_image,
+                           picture->kinds_place);
   }
 
-  ~ChartPlaces()
+  ~PicturePlaces()
   {
     for (std::size_t i = 0; i < before_.size(); ++i)
-      placesOf(charts_[i]) = before_[i];
+      placesOf(*pictures_[i]) = before_[i];
   }
 
-  ChartPlaces(const ChartPlaces&) = delete;
-  ChartPlaces&
-  operator=(const ChartPlaces&) = delete;
+  PicturePlaces(const PicturePlaces&) = delete;
+  PicturePlaces&
+  operator=(const PicturePlaces&) = delete;
 
   /** \param[in] images file name of each page */
   void
-  set(const TextureAtlas& atlas, const std::vector<std::string>& images)
+  set(const std::vector<acmap::ChartSurface>& surfaces,
+      const TextureAtlas& atlas,
+      const std::vector<std::string>& images)
   {
-    for (std::size_t i = 0; i < charts_.size(); ++i) { // the first surfaces
-      charts_[i].image = images[atlas.places[i].page];
-      charts_[i].image_place = atlas.places[i].corner.cast<int>();
-      charts_[i].halvings = atlas.halvings[i];
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (surfaces[i].chart == acmap::ChartSurface::no_chart)
+        continue;
+      TexturePicture& picture = *pictures_[surfaces[i].chart];
+      picture.image = images[atlas.places[i].page];
+      picture.image_place = atlas.places[i].corner.cast<int>();
+      picture.halvings = atlas.halvings[surfaces[i].chart];
     }
   }
 
@@ -88,14 +99,14 @@ public:
   void
   set(const KindAtlas& atlas, const std::vector<std::string>& images)
   {
-    for (TextureChart& chart : charts_) {
-      chart.kinds_image.clear();
-      chart.kinds_place.reset();
+    for (TexturePicture* const picture : pictures_) {
+      picture->kinds_image.clear();
+      picture->kinds_place.reset();
     }
     for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
-      TextureChart& chart = charts_[atlas.charts[k]];
-      chart.kinds_image = images[atlas.page_of[k]];
-      chart.kinds_place = atlas.places[k];
+      TexturePicture& picture = *pictures_[atlas.charts[k]];
+      picture.kinds_image = images[atlas.page_of[k]];
+      picture.kinds_place = atlas.places[k];
     }
   }
 
@@ -109,16 +120,16 @@ private:
   using Place = std::optional<Eigen::Vector2i>;
 
   static std::tuple<std::string&, Place&, std::int32_t&, std::string&, Place&>
-  placesOf(TextureChart& chart)
+  placesOf(TexturePicture& picture)
   {
-    return {chart.image,
-            chart.image_place,
-            chart.halvings,
-            chart.kinds_image,
-            chart.kinds_place};
+    return {picture.image,
+            picture.image_place,
+            picture.halvings,
+            picture.kinds_image,
+            picture.kinds_place};
   }
 
-  std::vector<TextureChart>& charts_;
+  std::vector<TexturePicture*> pictures_;
   std::vector<std::tuple<std::string, Place, std::int32_t, std::string, Place>> before_;
 };
 
@@ -137,14 +148,14 @@ public:
   {}
 
   std::vector<std::string>
-  writeAll(ChartPlaces& places)
+  writeAll(PicturePlaces& places)
   {
     const std::vector<std::string> images = pageNames(
         "texture", atlas_.pages.size(), outputs_.jpeg_images ? ".jpg" : ".png");
-    const KindAtlas kinds = acmap::kindAtlasOf(map_.charts);
+    const KindAtlas kinds = acmap::kindAtlasOf(acmap::picturesOf(map_));
     const std::vector<std::string> kind_images =
         pageNames("kinds", kinds.pages.size(), ".png");
-    places.set(atlas_, images);
+    places.set(surfaces_, atlas_, images);
     places.set(kinds, kind_images);
     saveMapFile(place(map_name), map_);
     for (std::size_t i = 0; i < images.size(); ++i)
@@ -158,7 +169,8 @@ public:
     }
     if (outputs_.obj) {
       acmap::writeObj(place("map.obj"), map_, surfaces_, proposed_, atlas_);
-      acmap::writeMtl(place(acmap::material_file_name), map_, images);
+      acmap::writeMtl(
+          place(acmap::material_file_name), map_, images, !proposed_.empty());
     }
     if (outputs_.glb)
       acmap::writeGlb(
@@ -210,7 +222,7 @@ saveCompactMap(const std::string& folder,
         " is refused: it must be within [0, 255]");
   acmap::requireConsistent(map);
   requireWholeCharts(map);
-  ChartPlaces places(map.charts);
+  PicturePlaces places(map);
   OutputFolder target(folder);
   const std::vector<std::string> written =
       MapFolderWriter(target, map, outputs).writeAll(places);

@@ -1,6 +1,7 @@
 #include "atlas/chart_picture.h"
 
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/map_pictures.h>
 #include <pcl/core/map_file.h>
 #include <pcl/texture/compact_map_folder.h>
 
@@ -28,30 +29,30 @@ public:
     return map_path_;
   }
 
-  /** Reads the colours and kinds of the charts. Each image is read once, and only one is
+  /** Reads the colours and kinds of the pictures. Each image is read once, and only one is
    * in memory at a time. */
   void
   read(CompactMap& map) const
   {
-    std::map<std::string, std::vector<TextureChart*>> of_image, of_kinds;
-    for (TextureChart& chart : map.charts) {
-      if (chart.image.empty())
-        continue; // a chart without colours
-      of_image[chart.image].push_back(&chart);
-      if (!chart.kinds_image.empty())
-        of_kinds[chart.kinds_image].push_back(&chart);
+    std::map<std::string, std::vector<TexturePicture*>> of_image, of_kinds;
+    for (TexturePicture* const picture : acmap::picturesOf(map)) {
+      if (picture->image.empty())
+        continue; // without colours
+      of_image[picture->image].push_back(picture);
+      if (!picture->kinds_image.empty())
+        of_kinds[picture->kinds_image].push_back(picture);
     }
-    for (const auto& [name, charts] : of_image) {
+    for (const auto& [name, pictures] : of_image) {
       const std::string path = pathOf(name);
       const RgbImage image = loadRgbImage(path);
-      for (TextureChart* const chart : charts)
-        readColors(path, image, map.exposure, *chart);
+      for (TexturePicture* const picture : pictures)
+        readColors(path, image, map.exposure, *picture);
     }
-    for (const auto& [name, charts] : of_kinds) {
+    for (const auto& [name, pictures] : of_kinds) {
       const std::string path = pathOf(name);
       const GrayImage16 image = loadGrayImage16(path);
-      for (TextureChart* const chart : charts)
-        readKinds(path, image, *chart);
+      for (TexturePicture* const picture : pictures)
+        readKinds(path, image, *picture);
     }
   }
 
@@ -60,7 +61,7 @@ private:
   readColors(const std::string& path,
              const RgbImage& image,
              double exposure,
-             TextureChart& chart)
+             TexturePicture& chart)
   {
     const Eigen::Vector2i size = acmap::halvedSize(chart.colors, chart.halvings);
     const Eigen::Vector2i place =
@@ -76,7 +77,7 @@ private:
   }
 
   static void
-  readKinds(const std::string& path, const GrayImage16& image, TextureChart& chart)
+  readKinds(const std::string& path, const GrayImage16& image, TexturePicture& chart)
   {
     const Eigen::Vector2i size(chart.colors.width, chart.colors.height);
     const Eigen::Vector2i place =

@@ -34,11 +34,13 @@ writeObj(const std::string& path,
          const TextureAtlas& atlas);
 
 /** \brief Writes the material file for \ref writeObj.
- * \param[in] images file name of each page */
+ * \param[in] images file name of each page
+ * \param[in] has_proposed writes the material of what is proposed, too */
 void
 writeMtl(const std::string& path,
          const CompactMap& map,
-         const std::vector<std::string>& images);
+         const std::vector<std::string>& images,
+         bool has_proposed);
 
 /** \brief Writes binary glTF 2.0, y up, with the pages as embedded images and one
  * primitive per page. Needs no extension: one share of each colour is emitted, the rest

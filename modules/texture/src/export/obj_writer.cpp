@@ -42,15 +42,26 @@ axesOf(const Eigen::Matrix3d& turn)
   return text;
 }
 
-/** Vertices of a surface, with its plane or cylinder as a comment.
- * \param[in] planes number of the planes of the map */
+/** The name of what a surface is of. */
 std::string
-verticesOf(const ChartSurface& surface, std::size_t planes, const Eigen::Matrix3d& turn)
+ownerOf(const ChartSurface& surface, const CompactMap& map)
 {
-  const bool is_plane = surface.plane < planes;
-  std::string text = (is_plane ? "# plane " : "# cylinder ") +
-                     std::to_string(is_plane ? surface.plane : surface.plane - planes) +
-                     "\n";
+  std::size_t number = surface.plane;
+  if (number < map.planes.size())
+    return "plane " + std::to_string(number);
+  number -= map.planes.size();
+  if (number < map.cylinders.size())
+    return "cylinder " + std::to_string(number);
+  return "box " + std::to_string(number - map.cylinders.size());
+}
+
+/** Vertices of a surface, with its owner as a comment. */
+std::string
+verticesOf(const ChartSurface& surface,
+           const CompactMap& map,
+           const Eigen::Matrix3d& turn)
+{
+  std::string text = "# " + ownerOf(surface, map) + "\n";
   for (const Eigen::Vector3d& point : surface.points) {
     const Eigen::Vector3d p = turn * point;
     text += "v " + textOf(p.x()) + " " + textOf(p.y()) + " " + textOf(p.z()) + "\n";
@@ -132,17 +143,15 @@ writeObj(const std::string& path,
       if (atlas.places[i].page != page)
         continue;
       write(file,
-            verticesOf(surfaces[i], map.planes.size(), turn) +
-                coordinatesOf(surfaces, i, atlas) + facesOf(surfaces[i], first, true));
+            verticesOf(surfaces[i], map, turn) + coordinatesOf(surfaces, i, atlas) +
+                facesOf(surfaces[i], first, true));
       first += surfaces[i].points.size();
     }
   }
   if (!proposed.empty())
     write(file, groupOf(proposed_layer::name));
   for (const ChartSurface& surface : proposed) {
-    write(file,
-          verticesOf(surface, map.planes.size(), turn) +
-              facesOf(surface, first, false));
+    write(file, verticesOf(surface, map, turn) + facesOf(surface, first, false));
     first += surface.points.size();
   }
   file.commit();
@@ -151,7 +160,8 @@ writeObj(const std::string& path,
 void
 writeMtl(const std::string& path,
          const CompactMap& map,
-         const std::vector<std::string>& images)
+         const std::vector<std::string>& images,
+         bool has_proposed)
 {
   OutputFile file(path);
   write(file,
@@ -162,10 +172,7 @@ writeMtl(const std::string& path,
           "newmtl " + materialOf(page) +
               "\nKa 0.3 0.3 0.3\nKd 0.7 0.7 0.7\nKs 0 0 0\nillum 1\nmap_Kd " +
               images[page] + "\n");
-  const auto isProposed = [](const PlanePatch& plane) {
-    return !plane.proposed.empty();
-  };
-  if (std::any_of(map.planes.begin(), map.planes.end(), isProposed)) {
+  if (has_proposed) {
     using namespace proposed_layer;
     const auto color = [](double share) {
       return textOf(share * red) + " " + textOf(share * green) + " " +

@@ -1,5 +1,5 @@
 #include "export/map_writers.h"
-#include "texturing/chart_frame.h"
+#include "texturing/canvas_surface.h"
 
 #include <pcl/PCLPointField.h>
 #include <pcl/core/mesh_file.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t none = -1;
 
-/** \brief The vertices and faces of all charts. */
+/** \brief The vertices and faces of all pictures. */
 struct VertexGrid {
   std::vector<std::uint8_t> data; ///< x y z rgb
   std::size_t vertices = 0;
@@ -40,13 +40,17 @@ struct VertexGrid {
   }
 
   void
-  append(const TextureChart& chart, const ChartSurface& surface);
+  append(const TexturePicture& picture,
+         const texturing::CanvasSurface& shape,
+         const ChartSurface& surface);
 };
 
 void
-VertexGrid::append(const TextureChart& chart, const ChartSurface& surface)
+VertexGrid::append(const TexturePicture& picture,
+                   const texturing::CanvasSurface& shape,
+                   const ChartSurface& surface)
 {
-  const RgbImage& image = chart.colors;
+  const RgbImage& image = picture.colors;
   const std::vector<bool> cover = coverOf(surface, image);
   const auto width = static_cast<std::size_t>(image.width);
   // vertices of the previous and of the current row
@@ -56,10 +60,10 @@ VertexGrid::append(const TextureChart& chart, const ChartSurface& surface)
     for (std::size_t i = 0; i < width; ++i) {
       const std::size_t texel = static_cast<std::size_t>(row) * width + i;
       row_vertices[i] = none;
-      if (cover[texel] && chart.kinds[texel] != TexelKind::None)
-        row_vertices[i] = appendVertex(
-            texturing::middleOf(chart, static_cast<double>(i), row).cast<float>(),
-            &image.values[3 * texel]);
+      if (cover[texel] && picture.kinds[texel] != TexelKind::None)
+        row_vertices[i] =
+            appendVertex(shape.middleOf(static_cast<double>(i), row).cast<float>(),
+                         &image.values[3 * texel]);
       if (i == 0)
         continue;
       const std::int32_t quad[4] = {
@@ -95,11 +99,19 @@ writeVertexPly(const std::string& path,
   for (const ChartSurface& surface : surfaces) {
     if (surface.chart == ChartSurface::no_chart)
       continue;
-    const TextureChart& chart = map.charts[surface.chart];
     const std::size_t first = grid.mesh.triangles.size();
-    grid.append(chart, surface);
-    // the axes of a chart can have either orientation about the normal
-    if (chart.texel_u.cross(chart.texel_v).dot(surface.normal) < 0)
+    bool is_left_handed = true; // columns to the right, rows downwards
+    if (surface.chart < map.charts.size()) {
+      const TextureChart& chart = map.charts[surface.chart];
+      grid.append(chart, {chart, map.planes[chart.plane]}, surface);
+      is_left_handed = chart.texel_u.cross(chart.texel_v).dot(surface.normal) < 0;
+    }
+    else {
+      const std::size_t cylinder = surface.chart - map.charts.size();
+      const TexturePicture& picture = map.cylinder_pictures[cylinder];
+      grid.append(picture, {map.cylinders[cylinder], picture.colors}, surface);
+    }
+    if (is_left_handed)
       for (std::size_t i = first; i < grid.mesh.triangles.size(); ++i)
         std::swap(grid.mesh.triangles[i][1], grid.mesh.triangles[i][2]);
   }

@@ -77,25 +77,25 @@ blendedColor(const Samples& samples, const std::vector<double>& gains)
 }
 
 void
-clear(TextureChart& chart, std::size_t texels)
+clear(TexturePicture& picture, std::size_t texels)
 {
-  chart.colors.values.assign(3 * texels, unknown_grey);
-  chart.kinds.assign(texels, TexelKind::None);
+  picture.colors.values.assign(3 * texels, unknown_grey);
+  picture.kinds.assign(texels, TexelKind::None);
 }
 
 void
 setSeen(const std::array<std::uint8_t, 3>& color,
         std::size_t texel,
-        TextureChart& chart)
+        TexturePicture& picture)
 {
-  std::copy(color.begin(), color.end(), &chart.colors.values[3 * texel]);
-  chart.kinds[texel] = TexelKind::Seen;
+  std::copy(color.begin(), color.end(), &picture.colors.values[3 * texel]);
+  picture.kinds[texel] = TexelKind::Seen;
 }
 
 /** Mean colour of the known texels among the eight neighbours. \return false if there
  * are none */
 bool
-meanOfNeighbours(const TextureChart& chart,
+meanOfNeighbours(const TexturePicture& picture,
                  std::int32_t column,
                  std::int32_t row,
                  std::array<std::uint8_t, 3>& color)
@@ -103,19 +103,19 @@ meanOfNeighbours(const TextureChart& chart,
   std::array<int, 3> sums{};
   int count = 0;
   for (std::int32_t r = std::max(row - 1, 0);
-       r <= std::min(row + 1, chart.colors.height - 1);
+       r <= std::min(row + 1, picture.colors.height - 1);
        ++r)
     for (std::int32_t c = std::max(column - 1, 0);
-         c <= std::min(column + 1, chart.colors.width - 1);
+         c <= std::min(column + 1, picture.colors.width - 1);
          ++c) {
       const auto texel =
-          static_cast<std::size_t>(r) * static_cast<std::size_t>(chart.colors.width) +
+          static_cast<std::size_t>(r) * static_cast<std::size_t>(picture.colors.width) +
           static_cast<std::size_t>(c);
-      if (chart.kinds[texel] == TexelKind::None)
+      if (picture.kinds[texel] == TexelKind::None)
         continue;
       ++count;
       for (std::size_t k = 0; k < 3; ++k)
-        sums[k] += chart.colors.at(c, r)[k];
+        sums[k] += picture.colors.at(c, r)[k];
     }
   for (std::size_t k = 0; k < 3 && count > 0; ++k)
     color[k] = static_cast<std::uint8_t>((sums[k] + count / 2) / count);
@@ -125,36 +125,36 @@ meanOfNeighbours(const TextureChart& chart,
 } // namespace
 
 void
-blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart)
+blend(const std::vector<double>& gains, const Canvas& canvas, TexturePicture& picture)
 {
-  clear(chart, canvas.mask.size());
+  clear(picture, canvas.mask.size());
   for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel)
     if (canvas.samples[texel].front().weight > 0)
-      setSeen(blendedColor(canvas.samples[texel], gains), texel, chart);
+      setSeen(blendedColor(canvas.samples[texel], gains), texel, picture);
 }
 
 void
-average(const Canvas& canvas, TextureChart& chart)
+average(const Canvas& canvas, TexturePicture& picture)
 {
-  clear(chart, canvas.mask.size());
+  clear(picture, canvas.mask.size());
   for (std::size_t texel = 0; texel < canvas.mask.size(); ++texel)
     if (canvas.points[texel].count > 0)
-      setSeen(canvas.points[texel].mean(), texel, chart);
+      setSeen(canvas.points[texel].mean(), texel, picture);
 }
 
 void
-fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart)
+fillHoles(int distance, const std::vector<TexelPlace>& mask, TexturePicture& picture)
 {
   const auto texelAt = [&](std::int32_t column, std::int32_t row) {
     return static_cast<std::size_t>(row) *
-               static_cast<std::size_t>(chart.colors.width) +
+               static_cast<std::size_t>(picture.colors.width) +
            static_cast<std::size_t>(column);
   };
   std::vector<std::pair<std::int32_t, std::int32_t>> holes;
-  for (std::int32_t row = 0; row < chart.colors.height; ++row)
-    for (std::int32_t column = 0; column < chart.colors.width; ++column) {
+  for (std::int32_t row = 0; row < picture.colors.height; ++row)
+    for (std::int32_t column = 0; column < picture.colors.width; ++column) {
       const std::size_t texel = texelAt(column, row);
-      if (mask[texel] != TexelPlace::Outside && chart.kinds[texel] == TexelKind::None)
+      if (mask[texel] != TexelPlace::Outside && picture.kinds[texel] == TexelKind::None)
         holes.emplace_back(column, row);
     }
   for (int ring = 0; ring <= distance && !holes.empty(); ++ring) {
@@ -164,7 +164,7 @@ fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart
     for (const auto& [column, row] : holes) {
       std::array<std::uint8_t, 3> color{};
       const bool may_be = !is_last || mask[texelAt(column, row)] == TexelPlace::Rim;
-      if (may_be && meanOfNeighbours(chart, column, row, color)) {
+      if (may_be && meanOfNeighbours(picture, column, row, color)) {
         filled.emplace_back(column, row);
         colors.push_back(color);
       }
@@ -175,8 +175,8 @@ fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart
       break;
     for (std::size_t k = 0; k < filled.size(); ++k) {
       const auto& [column, row] = filled[k];
-      std::copy(colors[k].begin(), colors[k].end(), chart.colors.at(column, row));
-      chart.kinds[texelAt(column, row)] = TexelKind::Filled;
+      std::copy(colors[k].begin(), colors[k].end(), picture.colors.at(column, row));
+      picture.kinds[texelAt(column, row)] = TexelKind::Filled;
     }
     holes = std::move(left);
   }

@@ -1,5 +1,8 @@
 #include "texturing/canvas.h"
 
+#include "texturing/chart_frame.h"
+
+#include <pcl/core/cylinder_facets.h>
 #include <pcl/core/exceptions.h>
 
 #include <algorithm>
@@ -22,13 +25,44 @@ gridsOf(const std::vector<PlanePatch>& planes, double texel_size)
   return grids;
 }
 
+/** Size of an unrolled cylinder in texels, integral, possibly too large for an int; 0 if
+ * it cannot be drawn. */
+Eigen::Array2d
+unrolledSize(const CylinderPatch& cylinder, double texel_size)
+{
+  if (facetsOfCylinder(cylinder).empty())
+    return {0, 0};
+  return (Eigen::Array2d(cylinder.arc * cylinder.radius, cylinder.high - cylinder.low) /
+          texel_size)
+      .ceil();
+}
+
 double
-texelsOf(const Grids& grids)
+texelsOf(const Grids& grids,
+         const std::vector<CylinderPatch>& cylinders,
+         double texel_size)
 {
   double texels = 0;
   for (const std::optional<ChartGrid>& grid : grids)
     texels += grid ? grid->columns * grid->rows : 0;
+  for (const CylinderPatch& cylinder : cylinders)
+    texels += unrolledSize(cylinder, texel_size).prod();
   return texels;
+}
+
+/** The canvas of a cylinder, all of whose texels belong to it. */
+Canvas
+canvasOf(const CylinderPatch& cylinder, const Eigen::Array2d& size, int maximum)
+{
+  TextureChart chart;
+  chart.colors.width = static_cast<std::int32_t>(std::min<double>(size.x(), maximum));
+  chart.colors.height = static_cast<std::int32_t>(std::min<double>(size.y(), maximum));
+  const CanvasSurface surface(cylinder, chart.colors);
+  Canvas canvas{0, std::move(chart), surface, {}, {}, {}, {}};
+  canvas.mask.assign(static_cast<std::size_t>(canvas.chart.colors.width) *
+                         static_cast<std::size_t>(canvas.chart.colors.height),
+                     TexelPlace::Inside);
+  return canvas;
 }
 
 /** Positions at which the centre line of each row crosses the loops. */
@@ -76,23 +110,25 @@ addRim(std::size_t width, std::size_t height, std::vector<TexelPlace>& mask)
 
 double
 canvasBytes(const std::vector<PlanePatch>& planes,
+            const std::vector<CylinderPatch>& cylinders,
             double texel_size,
             std::size_t bytes_per_texel)
 {
   constexpr std::size_t finished = 4; // bytes of colour and kind
-  return texelsOf(gridsOf(planes, texel_size)) *
+  return texelsOf(gridsOf(planes, texel_size), cylinders, texel_size) *
          static_cast<double>(sizeof(TexelPlace) + bytes_per_texel + finished);
 }
 
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
+           const std::vector<CylinderPatch>& cylinders,
            double texel_size,
            int maximum,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
   constexpr double max_texels = 1 << 28;
-  if (texelsOf(grids) > max_texels)
+  if (texelsOf(grids, cylinders, texel_size) > max_texels)
     throw BadArgumentException("the charts have more than 2^28 texels: choose larger "
                                "ones");
   std::vector<Canvas> canvases;
@@ -101,12 +137,23 @@ canvasesOf(const std::vector<PlanePatch>& planes,
     for (std::size_t k = 0; k < planes[p].polygons.size(); ++k, ++grid) {
       left_out += *grid ? 0 : 1;
       if (*grid)
-        for (TextureChart& chart : chartsOf(**grid, p, k, maximum))
-          canvases.emplace_back().chart = std::move(chart);
+        for (TextureChart& chart : chartsOf(**grid, p, k, maximum)) {
+          const CanvasSurface surface(chart, planes[p]);
+          canvases.push_back({p, std::move(chart), surface, {}, {}, {}, {}});
+        }
     }
   for (Canvas& canvas : canvases)
     canvas.mask =
-        maskOf(canvas.chart, planes[canvas.chart.plane].polygons[canvas.chart.polygon]);
+        maskOf(canvas.chart, planes[canvas.number].polygons[canvas.chart.polygon]);
+  for (std::size_t i = 0; i < cylinders.size(); ++i) {
+    const Eigen::Array2d size = unrolledSize(cylinders[i], texel_size);
+    if (size.minCoeff() > 0) {
+      canvases.push_back(canvasOf(cylinders[i], size, maximum));
+      canvases.back().number = planes.size() + i;
+    }
+    else
+      ++left_out;
+  }
   return canvases;
 }
 

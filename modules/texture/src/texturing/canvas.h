@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texturing/chart_frame.h"
+#include "texturing/canvas_surface.h"
 
 #include <pcl/core/compact_map.h>
 
@@ -52,12 +52,15 @@ struct PointColors {
   }
 };
 
-/** A chart during texturing. */
+/** A chart or an unrolled cylinder during texturing. */
 struct Canvas {
   static constexpr std::size_t max_samples = 4;
   using Samples = std::array<Sample, max_samples>;
 
-  TextureChart chart; ///< without colours yet
+  std::size_t number =
+      0; ///< of its plane, or the number of planes plus that of the cylinder
+  TextureChart chart; ///< without colours yet; of a cylinder only the size is set
+  CanvasSurface surface;
   std::vector<TexelPlace> mask;
   std::vector<Samples> samples;    ///< of each texel, best first; not in paper mode
   std::vector<PointColors> points; ///< in each texel; in paper mode only
@@ -99,13 +102,15 @@ struct Canvas {
   }
 };
 
-/** The canvases of the polygons, in the order of the planes, without samples and
- * points.
- * \param[in,out] left_out is increased by the number of polygons that cannot have a
- * canvas
+/** The canvases of the polygons, in the order of the planes, then those of the cylinders,
+ * without samples and points. A cylinder has one canvas, whose texels are enlarged if it
+ * would have too many.
+ * \param[in,out] left_out is increased by the number of polygons and cylinders that cannot
+ * have a canvas
  * \throws BadArgumentException when they have more than 2^28 texels */
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
+           const std::vector<CylinderPatch>& cylinders,
            double texel_size,
            int maximum,
            std::size_t& left_out);
@@ -114,6 +119,7 @@ canvasesOf(const std::vector<PlanePatch>& planes,
  * \param[in] bytes_per_texel of samples or points */
 double
 canvasBytes(const std::vector<PlanePatch>& planes,
+            const std::vector<CylinderPatch>& cylinders,
             double texel_size,
             std::size_t bytes_per_texel);
 

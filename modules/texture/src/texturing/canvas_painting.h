@@ -10,12 +10,11 @@
 namespace pcl::acmap::texturing {
 
 /** For each point of a view, the canvas that it colours, or -1: the canvas of the
- * closest plane that faces the sensor and whose polygon contains the projection of the
- * point (the last step of the paper).
+ * closest plane or cylinder that faces the sensor and whose polygon contains the
+ * projection of the point (the last step of the paper).
  * \param[in] outermost texels in which the projection may be */
 std::vector<std::int32_t>
 nearestCanvases(const ColoredView& view,
-                const std::vector<PlanePatch>& planes,
                 const std::vector<Canvas>& canvases,
                 double maximum_distance,
                 TexelPlace outermost);
@@ -32,7 +31,6 @@ paintPinhole(const ColoredView& view,
              const Pinhole& camera,
              std::int32_t number,
              const std::vector<std::int32_t>& nearest,
-             const std::vector<PlanePatch>& planes,
              std::vector<Canvas>& canvases);
 
 /** Colours each texel with the mean of the points that fall into it; for clouds whose
@@ -58,26 +56,26 @@ addPoints(const ColoredView& view,
 std::vector<double>
 exposureGains(const std::vector<Canvas>& canvases, std::size_t views);
 
-/** CompactMap::exposure for these charts: 95 % of the known texels get a luminance of at
+/** CompactMap::exposure for the charts and cylinders of a map: 95 % of the known texels get a luminance of at
  * most 0.85, and at most 1 % of them are clipped; from 1 to 16. */
 double
-displayExposure(const std::vector<TextureChart>& charts);
+displayExposure(const CompactMap& map);
 
-/** Colours the chart of a canvas. The samples of each texel are brought to a common
+/** Colours the picture of a canvas. The samples of each texel are brought to a common
  * exposure; the colour is the mean of those that agree with the weighted median. So an
  * object that is visible in one view only leaves no trace where other views saw the
  * wall. */
 void
-blend(const std::vector<double>& gains, const Canvas& canvas, TextureChart& chart);
+blend(const std::vector<double>& gains, const Canvas& canvas, TexturePicture& picture);
 
 /** Colours each texel with the mean of its points. */
 void
-average(const Canvas& canvas, TextureChart& chart);
+average(const Canvas& canvas, TexturePicture& picture);
 
 /** Colours texels without a sample from their neighbours, ring by ring from the border
  * of the observed texels: at most \a distance texels, and the rim of the polygon one
  * texel further. */
 void
-fillHoles(int distance, const std::vector<TexelPlace>& mask, TextureChart& chart);
+fillHoles(int distance, const std::vector<TexelPlace>& mask, TexturePicture& picture);
 
 } // namespace pcl::acmap::texturing

@@ -1,5 +1,7 @@
 #include "texturing/canvas_painting.h"
 
+#include <pcl/core/impl/map_pictures.h>
+
 #include <Eigen/Sparse>
 
 #include <algorithm>
@@ -70,16 +72,16 @@ levelAbove(const std::array<std::size_t, 256>& counts, double share)
 } // namespace
 
 double
-displayExposure(const std::vector<TextureChart>& charts)
+displayExposure(const CompactMap& map)
 {
   constexpr double bright_share = 0.05, bright_level = 0.85 * 255;
   constexpr double clipped_share = 0.01, maximum = 16;
   std::array<std::size_t, 256> luminances{}, maxima{};
-  for (const TextureChart& chart : charts)
-    for (std::size_t i = 0; i < chart.kinds.size(); ++i) {
-      if (chart.kinds[i] == TexelKind::None)
+  for (const TexturePicture* const picture : picturesOf(map))
+    for (std::size_t i = 0; i < picture->kinds.size(); ++i) {
+      if (picture->kinds[i] == TexelKind::None)
         continue;
-      const std::uint8_t* const c = &chart.colors.values[3 * i];
+      const std::uint8_t* const c = &picture->colors.values[3 * i];
       // of Rec. 709, in units of 1/10000, so that it is exact
       ++luminances[(2126U * c[0] + 7152U * c[1] + 722U * c[2]) / 10000U];
       ++maxima[std::max({c[0], c[1], c[2]})];

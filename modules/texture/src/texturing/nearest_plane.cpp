@@ -20,22 +20,9 @@ boxOf(const ColoredView& view)
   return box;
 }
 
-Eigen::AlignedBox3d
-boxOf(const TextureChart& chart)
-{
-  Eigen::AlignedBox3d box(chart.origin);
-  const Eigen::Vector3d u = chart.colors.width * chart.texel_u;
-  const Eigen::Vector3d v = chart.colors.height * chart.texel_v;
-  box.extend(chart.origin + u);
-  box.extend(chart.origin + v);
-  box.extend(chart.origin + u + v);
-  return box;
-}
-
 /** The canvases to which points of a view can belong. */
 std::vector<std::int32_t>
 canvasesNear(const ColoredView& view,
-             const std::vector<PlanePatch>& planes,
              const std::vector<Canvas>& canvases,
              double maximum_distance)
 {
@@ -45,10 +32,9 @@ canvasesNear(const ColoredView& view,
     return near;
   const Eigen::Vector3d eye = view.T_map_camera.translation();
   for (std::size_t c = 0; c < canvases.size(); ++c) {
-    const TextureChart& chart = canvases[c].chart;
-    const Eigen::Vector4d& plane = planes[chart.plane].coefficients;
-    const bool is_front = !view.has_eye || plane.head<3>().dot(eye) + plane[3] > 0;
-    const Eigen::AlignedBox3d box = boxOf(chart);
+    const CanvasSurface& surface = canvases[c].surface;
+    const bool is_front = !view.has_eye || surface.faces(eye);
+    const Eigen::AlignedBox3d box = surface.box();
     if (is_front && seen.exteriorDistance(box.center()) <
                         box.diagonal().norm() / 2 + maximum_distance)
       near.push_back(static_cast<std::int32_t>(c));
@@ -60,13 +46,11 @@ canvasesNear(const ColoredView& view,
 
 std::vector<std::int32_t>
 nearestCanvases(const ColoredView& view,
-                const std::vector<PlanePatch>& planes,
                 const std::vector<Canvas>& canvases,
                 double maximum_distance,
                 TexelPlace outermost)
 {
-  const std::vector<std::int32_t> near =
-      canvasesNear(view, planes, canvases, maximum_distance);
+  const std::vector<std::int32_t> near = canvasesNear(view, canvases, maximum_distance);
   std::vector<std::int32_t> nearest(view.points.size(), -1);
   parallelForChunks(nearest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -74,10 +58,9 @@ nearestCanvases(const ColoredView& view,
       double minimum = maximum_distance;
       for (const std::int32_t c : near) {
         const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
-        const Eigen::Vector4d& plane = planes[canvas.chart.plane].coefficients;
-        const double distance = std::abs(plane.head<3>().dot(point) + plane[3]);
+        const double distance = canvas.surface.distance(point);
         if (distance < minimum &&
-            canvas.at(placeOn(canvas.chart, point)) >= outermost) {
+            canvas.at(canvas.surface.placeOf(point)) >= outermost) {
           minimum = distance;
           nearest[i] = c;
         }

@@ -13,6 +13,7 @@ using namespace texturing;
 
 struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
+  std::vector<CylinderPatch> cylinders;
   TexturingSettings settings;
   std::vector<Canvas> canvases;
   IntensityGreys greys;
@@ -21,13 +22,18 @@ struct TextureBuilder::State {
 };
 
 TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
+                               const std::vector<CylinderPatch>& cylinders,
                                const TexturingSettings& settings)
 : state_(std::make_unique<State>())
 {
   state_->planes = planes;
+  state_->cylinders = cylinders;
   state_->settings = settings;
-  state_->canvases = canvasesOf(
-      planes, settings.texel_size, settings.maximum_texture_size, state_->left_out);
+  state_->canvases = canvasesOf(planes,
+                                cylinders,
+                                settings.texel_size,
+                                settings.maximum_texture_size,
+                                state_->left_out);
   for (Canvas& canvas : state_->canvases)
     if (settings.paper)
       canvas.points.resize(canvas.mask.size());
@@ -37,9 +43,11 @@ TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
 
 double
 texturingMemory(const std::vector<PlanePatch>& planes,
+                const std::vector<CylinderPatch>& cylinders,
                 const TexturingSettings& settings)
 {
   return canvasBytes(planes,
+                     cylinders,
                      settings.texel_size,
                      settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples));
 }
@@ -72,7 +80,6 @@ TextureBuilder::add(const ColoredView& given)
   withThreads(state.settings.threads, [&] {
     const std::vector<std::int32_t> nearest =
         nearestCanvases(view,
-                        state.planes,
                         state.canvases,
                         state.settings.maximum_distance,
                         state.settings.paper ? TexelPlace::Inside : TexelPlace::Rim);
@@ -89,7 +96,7 @@ TextureBuilder::add(const ColoredView& given)
     else if (const std::optional<Pinhole> camera =
                  fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
       ++state.pinholes;
-      paintPinhole(view, *camera, number, nearest, state.planes, state.canvases);
+      paintPinhole(view, *camera, number, nearest, state.canvases);
     }
     else {
       ++state.splatted;
@@ -106,7 +113,9 @@ observationsOf(const std::vector<Canvas>& canvases, std::size_t planes)
 {
   std::vector<std::set<std::int32_t>> seen(planes);
   for (const Canvas& canvas : canvases) {
-    std::set<std::int32_t>& views = seen[canvas.chart.plane];
+    if (canvas.number >= planes)
+      break; // the cylinders follow
+    std::set<std::int32_t>& views = seen[canvas.number];
     views.insert(canvas.views.begin(), canvas.views.end());
     std::int32_t last = -1;
     for (const auto& samples : canvas.samples)
@@ -123,26 +132,47 @@ observationsOf(const std::vector<Canvas>& canvases, std::size_t planes)
 }
 
 void
-count(const Canvas& canvas, const TextureChart& chart, TexturingReport& report)
+count(const Canvas& canvas, const TexturePicture& picture, TexturingReport& report)
 {
   for (std::size_t t = 0; t < canvas.mask.size(); ++t) {
     if (canvas.mask[t] != TexelPlace::Inside)
       continue;
     ++report.texels;
-    report.seen += chart.kinds[t] == TexelKind::Seen ? 1 : 0;
-    report.filled += chart.kinds[t] == TexelKind::Filled ? 1 : 0;
+    report.seen += picture.kinds[t] == TexelKind::Seen ? 1 : 0;
+    report.filled += picture.kinds[t] == TexelKind::Filled ? 1 : 0;
   }
+}
+
+/** Appends charts and pictures without colours to a map with planes and cylinders.
+ * \return the picture of each canvas */
+std::vector<TexturePicture*>
+takePictures(const std::vector<Canvas>& canvases, CompactMap& map)
+{
+  map.cylinder_pictures.resize(map.cylinders.size());
+  for (const Canvas& canvas : canvases)
+    if (canvas.number < map.planes.size())
+      map.charts.push_back(canvas.chart);
+  std::vector<TexturePicture*> pictures;
+  for (const Canvas& canvas : canvases)
+    if (canvas.number < map.planes.size())
+      pictures.push_back(&map.charts[pictures.size()]);
+    else {
+      pictures.push_back(&map.cylinder_pictures[canvas.number - map.planes.size()]);
+      *pictures.back() = canvas.chart;
+    }
+  return pictures;
 }
 
 void
 remark(std::size_t left_out, TexturingReport& report)
 {
   if (left_out > 0)
-    report.remarks.push_back("polygons left out: " + std::to_string(left_out) +
-                             "; they have no area, or they or their planes are not "
-                             "finite");
+    report.remarks.push_back(
+        "polygons and cylinders left out: " + std::to_string(left_out) +
+        "; they have no area, or are not finite");
   if (report.charts == 0)
-    report.remarks.emplace_back("nothing to paint: no plane has a polygon");
+    report.remarks.emplace_back(
+        "nothing to paint: no plane has a polygon, and there is no cylinder");
   else if (report.observations == 0)
     report.remarks.emplace_back("no observation was given: all texels are grey");
   else if (report.colorless == report.observations)
@@ -183,21 +213,21 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
     progress.tell(0.3, "blending");
     CompactMap map;
     map.planes = state.planes;
+    map.cylinders = state.cylinders;
     map.observations = observationsOf(state.canvases, state.planes.size());
-    map.charts.resize(state.canvases.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, map.charts.size(), [&](std::size_t c) {
-      map.charts[c] = state.canvases[c].chart;
+    const std::vector<TexturePicture*> pictures = takePictures(state.canvases, map);
+    oneapi::tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t c) {
       if (is_paper)
-        average(state.canvases[c], map.charts[c]);
+        average(state.canvases[c], *pictures[c]);
       else
-        blend(report.gains, state.canvases[c], map.charts[c]);
+        blend(report.gains, state.canvases[c], *pictures[c]);
       fillHoles(is_paper ? 0 : state.settings.fill_distance,
                 state.canvases[c].mask,
-                map.charts[c]);
+                *pictures[c]);
     });
-    for (std::size_t c = 0; c < map.charts.size(); ++c)
-      count(state.canvases[c], map.charts[c], report);
-    map.exposure = displayExposure(map.charts);
+    for (std::size_t c = 0; c < pictures.size(); ++c)
+      count(state.canvases[c], *pictures[c], report);
+    map.exposure = displayExposure(map);
     timer.finish("blending");
     remark(state.left_out, report);
     progress.tell(1.0, "done");

@@ -35,13 +35,11 @@ public:
           const Pinhole& camera,
           std::int32_t number,
           const std::vector<std::int32_t>& nearest,
-          const PlanePatch& plane,
           Canvas& canvas)
   : view_(view)
   , camera_(camera)
   , number_(number)
   , nearest_(nearest)
-  , plane_(plane)
   , canvas_(canvas)
   , height_(static_cast<int>(view.points.size()) / view.width)
   , T_camera_map_(view.T_map_camera.inverse())
@@ -55,9 +53,10 @@ public:
       const std::size_t texel = canvas_.index(column, row);
       if (canvas_.mask[texel] != TexelPlace::Inside)
         continue;
-      const Eigen::Vector3d middle = middleOf(chart, column, row);
+      const Eigen::Vector3d middle = canvas_.surface.middleOf(column, row);
       const Eigen::Vector3d point = T_camera_map_ * middle;
-      if (!(point.z() > min_depth))
+      if (!(point.z() > min_depth) ||
+          !canvas_.surface.faces(view_.T_map_camera.translation(), middle))
         continue;
       const Eigen::Vector2d pixel = camera_.project(point);
       if (!isInside(pixel))
@@ -115,7 +114,7 @@ private:
   void
   count(std::size_t pixel, int& own, int& others) const
   {
-    if (nearest_[pixel] == static_cast<std::int32_t>(canvas_.chart.plane))
+    if (nearest_[pixel] == static_cast<std::int32_t>(canvas_.number))
       ++own;
     else if (view_.points[pixel].allFinite())
       ++others;
@@ -130,7 +129,7 @@ private:
   {
     const Eigen::Vector3d ray = middle - view_.T_map_camera.translation();
     const double range = ray.norm();
-    const double slant = std::abs(plane_.coefficients.head<3>().dot(ray)) / range;
+    const double slant = std::abs(canvas_.surface.normalAt(middle).dot(ray)) / range;
     constexpr double fade = 0.1; // fraction of the image width
     const double from_rim = std::min(
         {pixel.x(), pixel.y(), view_.width - 1 - pixel.x(), height_ - 1 - pixel.y()});
@@ -143,7 +142,7 @@ private:
   Rgb
   meanColor(std::int32_t column, std::int32_t row, const Eigen::Vector3d& point) const
   {
-    const double texel = canvas_.chart.texel_u.norm();
+    const double texel = canvas_.surface.texelWidth();
     const double pixels = texel * camera_.fx / point.z();
     const int side = static_cast<int>(std::clamp(std::ceil(pixels), 1.0, 5.0));
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -151,9 +150,8 @@ private:
     for (int v = 0; v < side; ++v)
       for (int u = 0; u < side; ++u) {
         const Eigen::Vector3d place =
-            T_camera_map_ * middleOf(canvas_.chart,
-                                     column + (u + 0.5) / side - 0.5,
-                                     row + (v + 0.5) / side - 0.5);
+            T_camera_map_ * canvas_.surface.middleOf(column + (u + 0.5) / side - 0.5,
+                                                     row + (v + 0.5) / side - 0.5);
         const Eigen::Vector2d pixel = camera_.project(place);
         if (!(place.z() > min_depth) || !isInside(pixel) || seesOthers(pixel))
           continue;
@@ -205,7 +203,6 @@ private:
   const Pinhole& camera_;
   std::int32_t number_;
   const std::vector<std::int32_t>& nearest_;
-  const PlanePatch& plane_;
   Canvas& canvas_;
   int height_; ///< pixels
   Eigen::Isometry3d T_camera_map_;
@@ -223,7 +220,7 @@ splatOnto(const ColoredView& view,
   std::vector<PointColors> sums(canvas.mask.size());
   for (const std::size_t i : points) {
     const Eigen::Vector2d place =
-        placeOn(canvas.chart, view.T_map_camera * view.points[i].cast<double>());
+        canvas.surface.placeOf(view.T_map_camera * view.points[i].cast<double>());
     const std::size_t texel = canvas.texelAt(place);
     if (canvas.mask[texel] == TexelPlace::Inside)
       sums[texel].add(colorOf(view, i));
@@ -240,25 +237,22 @@ paintPinhole(const ColoredView& view,
              const Pinhole& camera,
              std::int32_t number,
              const std::vector<std::int32_t>& nearest,
-             const std::vector<PlanePatch>& planes,
              std::vector<Canvas>& canvases)
 {
-  // compares planes, not canvases, as a texel at the border of a tile has neighbours on
+  // compares surfaces, not canvases, as a texel at the border of a tile has neighbours on
   // another tile
-  std::vector<std::int32_t> nearest_planes(nearest.size(), -1);
-  std::vector<bool> is_seen(planes.size(), false);
+  std::vector<std::int32_t> nearest_surfaces(nearest.size(), -1);
+  std::vector<bool> is_seen(canvases.empty() ? 0 : canvases.back().number + 1, false);
   for (std::size_t i = 0; i < nearest.size(); ++i)
     if (nearest[i] >= 0) {
-      const std::size_t plane =
-          canvases[static_cast<std::size_t>(nearest[i])].chart.plane;
-      nearest_planes[i] = static_cast<std::int32_t>(plane);
-      is_seen[plane] = true;
+      const std::size_t surface = canvases[static_cast<std::size_t>(nearest[i])].number;
+      nearest_surfaces[i] = static_cast<std::int32_t>(surface);
+      is_seen[surface] = true;
     }
   for (Canvas& canvas : canvases) {
-    if (!is_seen[canvas.chart.plane])
+    if (!is_seen[canvas.number])
       continue;
-    Painter painter(
-        view, camera, number, nearest_planes, planes[canvas.chart.plane], canvas);
+    Painter painter(view, camera, number, nearest_surfaces, canvas);
     oneapi::tbb::parallel_for(std::int32_t{0},
                               canvas.chart.colors.height,
                               [&](std::int32_t row) { painter.paintRow(row); });
@@ -291,7 +285,7 @@ addPoints(const ColoredView& view,
       continue;
     Canvas& canvas = canvases[static_cast<std::size_t>(nearest[i])];
     const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
-    canvas.points[canvas.texelAt(placeOn(canvas.chart, point))].add(colorOf(view, i));
+    canvas.points[canvas.texelAt(canvas.surface.placeOf(point))].add(colorOf(view, i));
     if (canvas.views.empty() || canvas.views.back() != number)
       canvas.views.push_back(number);
   }

@@ -4,6 +4,7 @@
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/plane_patch.h>
+#include <pcl/core/recess_patch.h>
 #include <pcl/core/trajectory.h>
 
 #include <Eigen/Core>
@@ -27,19 +28,9 @@ enum class TexelKind : std::uint8_t {
 /** \brief Value of all three channels of a texel without a colour. \ingroup core */
 inline constexpr std::uint8_t unknown_grey = 128;
 
-/** \brief The texture of a rectangle on a plane that covers one of its polygons, or a
- * part of it if the polygon is larger than the maximum size of a texture.
- *
- * Texel (i, j), column i of row j, covers the parallelogram that begins at
- * origin + i * texel_u + j * texel_v and is spanned by texel_u and texel_v.
+/** \brief The colours of a part of a surface, and where they are in the files of a map.
  * \ingroup core */
-struct TextureChart {
-  std::size_t plane = 0;   ///< index in the map
-  std::size_t polygon = 0; ///< index in the plane
-  /** \brief Outer corner of texel (0, 0), in the map frame. */
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  Eigen::Vector3d texel_u = Eigen::Vector3d::Zero(); ///< step of one column, metres
-  Eigen::Vector3d texel_v = Eigen::Vector3d::Zero(); ///< step of one row, metres
+struct TexturePicture {
   RgbImage colors;
   std::vector<TexelKind> kinds; ///< one per texel, rows from the top
 
@@ -53,6 +44,21 @@ struct TextureChart {
   /** \brief Name of the file of the kinds; empty if all are Seen. */
   std::string kinds_image;
   std::optional<Eigen::Vector2i> kinds_place; ///< as image_place; never halved
+};
+
+/** \brief The texture of a rectangle on a plane that covers one of its polygons, or a
+ * part of it if the polygon is larger than the maximum size of a texture.
+ *
+ * Texel (i, j), column i of row j, covers the parallelogram that begins at
+ * origin + i * texel_u + j * texel_v and is spanned by texel_u and texel_v.
+ * \ingroup core */
+struct TextureChart : TexturePicture {
+  std::size_t plane = 0;   ///< index in the map
+  std::size_t polygon = 0; ///< index in the plane
+  /** \brief Outer corner of texel (0, 0), in the map frame. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d texel_u = Eigen::Vector3d::Zero(); ///< step of one column, metres
+  Eigen::Vector3d texel_v = Eigen::Vector3d::Zero(); ///< step of one row, metres
 };
 
 /** \brief Kind of an opening in a wall. \ingroup core */
@@ -92,15 +98,25 @@ struct CompactMap {
   std::vector<PlanePatch> planes;
   std::vector<TextureChart> charts;
 
-  /** \brief Columns, pipes and curved walls, by decreasing area. They have no charts, and
-   * the planes for which they stand are not in the map. Empty unless cylinders were
-   * searched (\ref PlaneMapping::setComputeCylinders). */
+  /** \brief Columns, pipes and curved walls, by decreasing area. The planes for which they
+   * stand are not in the map. Empty unless cylinders were searched
+   * (\ref PlaneMapping::setComputeCylinders). */
   std::vector<CylinderPatch> cylinders;
+
+  /** \brief The texture of each cylinder, unrolled: the columns divide its arc, from left
+   * to right as it was seen with axis_direction upwards, and the rows divide its extent
+   * from high to low (\ref unrolledCorners). One for each cylinder, without texels if it
+   * has no colours; or empty. */
+  std::vector<TexturePicture> cylinder_pictures;
 
   /** \brief Furniture, crates and pillars, by decreasing volume. Their sides stay among
    * the planes, with their charts. Empty unless boxes were searched
    * (\ref PlaneMapping::setComputeBoxes). */
   std::vector<BoxPatch> boxes;
+
+  /** \brief Closed doors, windows and niches, by decreasing volume. Wall and leaf stay
+   * among the planes. Empty unless boxes were searched. */
+  std::vector<RecessPatch> recesses;
 
   /** \brief For each plane the observations that saw it, in ascending order; empty if
    * unknown. An observation is given by the index of its pose. */

@@ -4,6 +4,10 @@
 #include <pcl/core/export.h>
 #include <pcl/core/plane_patch.h>
 
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace pcl {
@@ -26,5 +30,14 @@ inline constexpr double facet_tolerance = 0.001;
  * \ingroup core */
 ACMAP_EXPORT std::vector<PlanePatch>
 facetsOfCylinder(const CylinderPatch& cylinder, double tolerance = facet_tolerance);
+
+/** \brief Where the corners of a facet are in the unrolled cylinder
+ * (CompactMap::cylinder_pictures).
+ * \param[in] facet number of the facet
+ * \param[in] facets number of facets of the cylinder
+ * \return for each point of its polygon the shares of width and height, from the top
+ * left. \ingroup core */
+ACMAP_EXPORT std::array<Eigen::Vector2d, 4>
+unrolledCorners(const CylinderPatch& cylinder, std::size_t facet, std::size_t facets);
 
 } // namespace pcl

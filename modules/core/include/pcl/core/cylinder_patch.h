@@ -43,6 +43,10 @@ struct CylinderPatch {
   double rms = 0;
   double area = 0; ///< square metres, arc times radius times extent
 
+  /** \brief Cylinders of the same number have the same radius: it was fitted to all of
+   * them. Numbers ascend from 0. */
+  std::int32_t template_id = 0;
+
   /** \brief Bits by which it shortens the description of its points. */
   double saved_bits = 0;
 

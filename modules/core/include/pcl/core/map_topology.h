@@ -19,6 +19,7 @@ struct MapEdge {
    * contact, or -1. Both polygons of a crease have it; the first plane is the one with
    * the lower number. */
   std::array<std::int32_t, 2> planes{-1, -1};
+  std::int32_t cylinder = -1; ///< of an arc; otherwise -1
 };
 
 /** \brief A polygon of a plane by the vertices of its boundaries. \ingroup core */

@@ -10,17 +10,19 @@ namespace pcl {
 
 /** \brief What is beyond an edge of a polygon. \ingroup core */
 enum class EdgeKind : std::uint8_t {
-  Open,    ///< not told: the sensors are unknown
-  Crease,  ///< another plane begins, and its polygon has the same edge
-  Contact, ///< the plane ends on another one that continues on both sides
-  Rim,     ///< nothing: sensors looked past it (an occluding edge)
-  Frontier ///< not seen
+  Open,     ///< not told: the sensors are unknown
+  Crease,   ///< another plane begins, and its polygon has the same edge
+  Contact,  ///< the plane ends on another one that continues on both sides
+  Rim,      ///< nothing: sensors looked past it (an occluding edge)
+  Frontier, ///< not seen
+  Arc       ///< a cylinder begins
 };
 
 /** \brief An edge of a polygon. \ingroup core */
 struct PolygonEdge {
   EdgeKind kind = EdgeKind::Open;
-  std::int32_t neighbour = -1; ///< plane of a crease or contact; otherwise -1
+  /** \brief Plane of a crease or contact, cylinder of an arc; otherwise -1. */
+  std::int32_t neighbour = -1;
 };
 
 /** \brief A polygon in space, metres. Its outer boundary is counter-clockwise and its

@@ -150,8 +150,8 @@ public:
    * Paper, II-A to II-C with nothing added: the median of the shots' disparities
    * (\ref DisparityFusion::Method), the paper's egomotion
    * (\ref VisualEgomotion::setPaperMode), the voting of \ref RectificationMode::Paper
-   * on raw points, no refinement of quantised depth, \ref PlaneMapping::setMode, and
-   * the colours of points (\ref PlaneTexturing::setPaperMode). Other settings of the
+   * on raw points, no refinement of quantised depth, \ref PlaneMapping::setMode without
+   * cylinders and boxes, and the colours of points (\ref PlaneTexturing::setPaperMode). Other settings of the
    * steps stay. A step that is set later replaces what this call set: each departure
    * from the paper can be taken back alone. Discards the frames of the current
    * observation: to be called before they are added. */

@@ -34,7 +34,8 @@ namespace pcl {
  *
  * On request, cylinders replace the planes and the mesh that they describe in fewer bits
  * (\ref CylinderHypothesisClustering, \ref setComputeCylinders), and planes that are the
- * sides of boxes are named (\ref BoxFitting, \ref setComputeBoxes).
+ * sides of boxes, or leaves of recesses such as closed doors, are named (\ref BoxFitting,
+ * \ref RecessFitting, \ref setComputeBoxes).
  *
  * Each step is an object that can be set; its threads and progress are those of this
  * object. Any mesh construction of PCL can take the place of DeWallTriangulation.
@@ -233,8 +234,8 @@ public:
     return cylinder_clustering_;
   }
 
-  /** \brief Searches boxes among the planes (default false), after the cylinders. Their
-   * sides stay in the planes. */
+  /** \brief Searches boxes and recesses, such as closed doors, among the planes (default
+   * false), after the cylinders. Their sides and leaves stay in the planes. */
   void
   setComputeBoxes(bool compute)
   {

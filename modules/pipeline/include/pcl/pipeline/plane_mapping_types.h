@@ -5,6 +5,7 @@
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/recess_patch.h>
 #include <pcl/core/report.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/voting_types.h>
@@ -16,6 +17,7 @@
 #include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/depth_plane_types.h>
 #include <pcl/segmentation/plane_clustering_types.h>
+#include <pcl/segmentation/recess_fitting_types.h>
 #include <pcl/surface/dewall_types.h>
 
 #include <cstddef>
@@ -65,6 +67,10 @@ struct MappedPlanes {
   /** \brief Furniture, crates and pillars, in the order of decreasing volume, if
    * \ref PlaneMapping::setComputeBoxes was called. Their sides are among the planes. */
   std::vector<BoxPatch> boxes;
+
+  /** \brief Closed doors, windows and niches, in the same order, if boxes were searched.
+   * Their walls and leaves are among the planes. */
+  std::vector<RecessPatch> recesses;
 };
 
 /** \brief Report of PlaneMapping on its last run; steps that did not run have no
@@ -82,6 +88,7 @@ struct PlaneMappingReport : Report {
   std::optional<PlaneClusteringReport> planes;       ///< if planes were found in space
   std::optional<CylinderClusteringReport> cylinders; ///< if they were searched
   std::optional<BoxFittingReport> boxes;             ///< the same
+  std::optional<RecessFittingReport> recesses;       ///< the same, with the boxes
 };
 
 } // namespace pcl

@@ -14,6 +14,7 @@ struct CylinderClusteringReport : Report {
   std::size_t planes = 0;         ///< given, or found in a noisy cloud
   std::size_t replaced_planes = 0;
   std::size_t cylinders = 0;
+  std::size_t templates = 0;        ///< different radii
   std::size_t points_on_planes = 0; ///< before; of the described points
   std::size_t points_on_cylinders = 0;
 
@@ -36,6 +37,7 @@ visitFields(const CylinderClusteringReport& report, Visitor&& visit)
   visit("planes", report.planes);
   visit("replaced_planes", report.replaced_planes);
   visit("cylinders", report.cylinders);
+  visit("templates", report.templates);
   visit("points_on_planes", report.points_on_planes);
   visit("points_on_cylinders", report.points_on_cylinders);
   visit("bits_before", report.bits_before);

@@ -18,7 +18,7 @@ namespace acmap {
 struct TexturingSettings;
 }
 
-/** \brief Textures planes with the colours of the observations: the last step of
+/** \brief Textures planes and cylinders with the colours of the observations: the last step of
  * "Active Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
  *
  * Each polygon of a plane gets a rectangular chart of texels. As in the paper, a point
@@ -68,6 +68,23 @@ public:
   getPlanes() const
   {
     return planes_;
+  }
+
+  /** \brief Sets the cylinders (default none). Each gets one picture, unrolled
+   * (CompactMap::cylinder_pictures), whose texels are enlarged where it would have
+   * more than \ref setMaximumTextureSize permits. They are coloured as planes are; cylinders
+   * without an area, or that are not finite, get no picture, and the report mentions
+   * them. */
+  void
+  setCylinders(std::vector<CylinderPatch> cylinders)
+  {
+    cylinders_ = std::move(cylinders);
+  }
+
+  const std::vector<CylinderPatch>&
+  getCylinders() const
+  {
+    return cylinders_;
   }
 
   /** \brief Adds the cloud that was observed from one pose. An organized cloud is
@@ -184,7 +201,7 @@ public:
   estimateMemory() const;
 
   /** \brief Textures the planes.
-   * \param[out] map the planes with their charts, the observations that saw each
+   * \param[out] map planes and cylinders with their pictures, the observations that saw each
    * plane, and the poses; empty when there are no planes, and the report says why
    * \throws InitFailedException when no planes were set, or an observation has no
    * coordinates
@@ -204,6 +221,7 @@ private:
   settings() const;
 
   std::vector<PlanePatch> planes_;
+  std::vector<CylinderPatch> cylinders_;
   bool has_planes_ = false;
   std::vector<Observation> observations_;
   bool paper_mode_ = false;

@@ -21,6 +21,16 @@ planeCard(const PlanePatch& plane, std::size_t number);
 ACMAP_EXPORT std::string
 cylinderCard(const CylinderPatch& cylinder, std::size_t number);
 
+/** \brief The same for a box: number, template, size, what is known of its sides, bits.
+ * \param[in] number of the box in its map \ingroup visualization */
+ACMAP_EXPORT std::string
+boxCard(const BoxPatch& box, std::size_t number);
+
+/** \brief The same for a recess: number, template, size, wall and leaf, bits.
+ * \param[in] number of the recess in its map \ingroup visualization */
+ACMAP_EXPORT std::string
+recessCard(const RecessPatch& recess, std::size_t number);
+
 /** \brief Finds the first plane that a ray intersects inside its polygons.
  * \param[in] eye origin of the ray, metres
  * \param[in] direction of any length but 0

@@ -116,7 +116,7 @@ template <typename PointT>
 double
 PlaneTexturing<PointT>::estimateMemory() const
 {
-  return acmap::texturingMemory(planes_, settings());
+  return acmap::texturingMemory(planes_, cylinders_, settings());
 }
 
 template <typename PointT>
@@ -126,7 +126,7 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
   if (!has_planes_)
     PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
   const acmap::Progress progress(progress_);
-  acmap::TextureBuilder builder(planes_, settings());
+  acmap::TextureBuilder builder(planes_, cylinders_, settings());
   Trajectory trajectory;
   bool has_poses = true;
   for (std::size_t i = 0; i < observations_.size(); ++i) {

@@ -53,27 +53,29 @@ struct ColoredView {
 ACMAP_EXPORT ColoredView
 viewOfObservation(const TexturedObservation& observation);
 
-/** \brief Estimates the memory in bytes for texturing these planes with any number of
+/** \brief Estimates the memory in bytes for texturing these surfaces with any number of
  * views. */
 ACMAP_EXPORT double
 texturingMemory(const std::vector<PlanePatch>& planes,
+                const std::vector<CylinderPatch>& cylinders,
                 const TexturingSettings& settings);
 
-/** \brief Textures planes view by view. Keeps only the best samples of each texel, so
+/** \brief Textures planes and cylinders view by view. Keeps only the best samples of each texel, so
  * that the views need not be in memory at the same time. */
 class ACMAP_EXPORT TextureBuilder {
 public:
   /** \param[in] planes in the map's frame; those without polygons get no chart
    * \throws BadArgumentException when all charts together have more than 2^28 texels */
   TextureBuilder(const std::vector<PlanePatch>& planes,
+                 const std::vector<CylinderPatch>& cylinders,
                  const TexturingSettings& settings);
   ~TextureBuilder();
 
   void
   add(const ColoredView& view);
 
-  /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes
-   * and charts of the map, and the observations that saw each plane. */
+  /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes and
+   * cylinders of the map with their pictures, and the observations that saw each plane. */
   CompactMap
   finish(const Progress& progress, TexturingReport& report) const;
 
