@@ -236,23 +236,17 @@ tellInPicture(const PlaneMappingReport& report, StageLog& log)
 void
 tellBits(const PlaneMappingReport& report, StageLog& log)
 {
-  const auto thousands = [](double bits) {
-    return std::to_string(std::lround(bits / 1000));
+  const auto tell = [&](const std::string& what, double before, double after) {
+    log.tell("description",
+             what + ": " + std::to_string(std::lround(before)) + " bits before, " +
+                 std::to_string(std::lround(after)) + " after");
   };
-  std::string text;
-  if (report.cylinders)
-    text = thousands(report.cylinders->bits_before) + " kbit by planes, " +
-           thousands(report.cylinders->bits_after) + " kbit with cylinders";
+  if (report.cylinders && report.cylinders->cylinders > 0)
+    tell("cylinders", report.cylinders->bits_before, report.cylinders->bits_after);
   if (report.boxes && report.boxes->boxes > 0)
-    text += (text.empty() ? "" : "; ") + std::string("sides of boxes ") +
-            thousands(report.boxes->bits_before) + " kbit as planes, " +
-            thousands(report.boxes->bits_after) + " kbit as boxes";
+    tell("boxes", report.boxes->bits_before, report.boxes->bits_after);
   if (report.recesses && report.recesses->recesses > 0)
-    text += (text.empty() ? "" : "; ") + std::string("leaves of recesses ") +
-            thousands(report.recesses->bits_before) + " kbit as planes, " +
-            thousands(report.recesses->bits_after) + " kbit as recesses";
-  if (!text.empty())
-    log.tell("description", text);
+    tell("recesses", report.recesses->bits_before, report.recesses->bits_after);
 }
 
 void

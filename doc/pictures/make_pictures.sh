@@ -70,6 +70,11 @@ xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/many" -o "$scratch/map"
 cp "$scratch/map/inside.png" "$pictures/map_inside.png"
 cp "$scratch/map/floor_plan.png" "$pictures/map_plan.png"
 
+"$bin/pcl_simulated_rig" -o "$scratch/room" --scene room --clouds
+"$bin/pcl_compact_mapping" "$scratch/room" -o "$scratch/room_map" --no-pictures
+xvfb-run -a -s "-screen 0 1280x960x24" "$bin/pcl_compact_viewer" "$scratch/room_map" --quiet \
+  --hide-backs --layers texture --size 900x600 --screenshot "$pictures/room_primitives.png"
+
 "$bin/pcl_simulated_rig" -o "$scratch/drive" --scene l_corridor_drive
 "$bin/pcl_active_stereo" "$scratch/drive" -o "$scratch/seen"
 "$bin/pcl_visual_egomotion" "$scratch/seen" -o "$scratch/way" --truth "$scratch/drive/trajectory.txt"

@@ -178,12 +178,14 @@ fitAwayFromPlanes(const RawCloud& source,
   for (const std::int32_t plane : beside)
     planes.push_back(source.planes[static_cast<std::size_t>(plane)].coefficients);
   std::vector<Sample> samples;
-  for (const Sample& sample : cylinder.samples)
+  for (const Sample& sample : cylinder.samples) {
+    // where the ray meets the cylinder: the measured points would be chosen by their noise
+    const Eigen::Vector3d foot = Offset(cylinder.fit.cylinder, sample).foot;
     if (std::none_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& plane) {
-          return std::abs(plane.head<3>().dot(sample.point) + plane[3]) <
-                 gate * source.sigma;
+          return std::abs(plane.head<3>().dot(foot) + plane[3]) < gate * source.sigma;
         }))
       samples.push_back(sample);
+  }
   if (static_cast<double>(samples.size()) <
       min_share * static_cast<double>(cylinder.samples.size()))
     return;
