@@ -317,6 +317,27 @@ planesOf(const Json& details)
   return planes;
 }
 
+/** What describes the map in fewer bits than planes. */
+Json
+primitivesOf(const Json& details)
+{
+  static const std::pair<const char*, const char*> kinds[] = {
+      {"cylinders", "cylinder_report"},
+      {"boxes", "box_report"},
+      {"recesses", "recess_report"}};
+  Json primitives = Json::array();
+  for (const auto& [kind, name] : kinds) {
+    const Json& report = fieldOf(details, name);
+    const auto found = numberIn(fieldOf(report, kind));
+    if (found && *found > 0)
+      primitives.push_back({{"kind", kind},
+                            {"found", fieldOf(report, kind)},
+                            {"before", fieldOf(report, "bits_before")},
+                            {"after", fieldOf(report, "bits_after")}});
+  }
+  return primitives;
+}
+
 /** The seconds of the stages and of the run outside of its stages, and their sum
  * without stages that were reused from an earlier run. */
 Json
@@ -408,6 +429,7 @@ reportPage(const Json& report, const std::string& picture_folder)
             ? nothing
             : pictureOf(picture_folder, "pictures/energy.png", "")},
        {"planes", planesOf(details)},
+       {"primitives", primitivesOf(details)},
        {"times", timesOf(values)}});
   // Nothing remains of a line with only the begin or end of a section.
   static const std::regex end("(\\{\\{[#/][^}]*\\}\\})\n");

@@ -344,6 +344,24 @@ TEST(ReportPage, PlanesHaveEquationsAndUnits)
   EXPECT_THAT(pageOf(reportOfDetails({{"planes", 3}})), Not(HasSubstr("<table")));
 }
 
+TEST(ReportPage, BitsOfWhatIsFoundAreTold)
+{
+  const std::string page = pageOf(reportOfDetails(
+      {{"cylinder_report",
+        {{"cylinders", 9}, {"bits_before", 563200.4}, {"bits_after", 524100.0}}},
+       {"box_report", {{"boxes", 0}, {"bits_before", 0}, {"bits_after", 0}}},
+       {"recess_report", {{"recesses", 2}, {"bits_before", 187.4}}}}));
+  EXPECT_EQ(htmlFault(page), "");
+  EXPECT_THAT(page, HasSubstr(">cylinders<"));
+  EXPECT_THAT(page, HasSubstr(">563,200<"));
+  EXPECT_THAT(page, HasSubstr(">524,100<"));
+  EXPECT_THAT(page, Not(HasSubstr(">boxes<"))) << "there is none";
+  EXPECT_THAT(page, HasSubstr(">recesses<"));
+  EXPECT_EQ(countOf(page, "\xE2\x80\x93"), 1U); // the missing value
+  EXPECT_THAT(pageOf(reportOfDetails({{"cylinder_report", {{"cylinders", 0}}}})),
+              Not(HasSubstr("<table")));
+}
+
 TEST(ReportPage, NumbersInTablesHaveFixedDigits)
 {
   const Json planes = {{{"coefficients", {-0.00004, 1, 0, 0}}, {"area", -1234567.25}},
