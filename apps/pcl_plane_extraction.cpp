@@ -109,14 +109,8 @@ writeOutputs(const Options& options,
     if (!path.empty())
       outputs.write(path, save);
   };
-  write(options.output, [&](const std::string& place) {
-    pcl::CompactMap map;
-    map.planes = found.planes;
-    map.cylinders = found.cylinders;
-    map.boxes = found.boxes;
-    map.recesses = found.recesses;
-    pcl::saveMapFile(place, map);
-  });
+  write(options.output,
+        [&](const std::string& place) { pcl::saveMapFile(place, surfacesOf(found)); });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
   write(options.picture, [&](const std::string& place) { savePicture(place, found); });
   write(options.labels, [&](const std::string& place) {

@@ -100,18 +100,6 @@ merge(const ChainOptions& options,
   return merged;
 }
 
-/** \brief A map of what was found, without textures. */
-CompactMap
-surfacesOf(const MappedPlanes& found)
-{
-  CompactMap map;
-  map.planes = found.planes;
-  map.cylinders = found.cylinders;
-  map.boxes = found.boxes;
-  map.recesses = found.recesses;
-  return map;
-}
-
 Mapped
 mapSequence(const ChainOptions& options,
             const Sequence& sequence,

@@ -409,6 +409,17 @@ tellPlanes(const MappedPlanes& found, StageLog& log)
   }
 }
 
+CompactMap
+surfacesOf(const MappedPlanes& found)
+{
+  CompactMap map;
+  map.planes = found.planes;
+  map.cylinders = found.cylinders;
+  map.boxes = found.boxes;
+  map.recesses = found.recesses;
+  return map;
+}
+
 std::vector<std::int32_t>
 labelsOf(const MappedPlanes& found)
 {

@@ -2,6 +2,7 @@
 
 #include "tool.h"
 
+#include <pcl/core/compact_map.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -73,6 +74,10 @@ requirePlanes(const std::string& input, const MappedPlanes& found, const StageLo
  * and boxes and recesses if these were searched. */
 void
 tellPlanes(const MappedPlanes& found, StageLog& log);
+
+/** \brief A map of what was found, without textures. */
+CompactMap
+surfacesOf(const MappedPlanes& found);
 
 /** \brief Label of each point of the input, from 0: the number of its plane, or the
  * number of planes plus that of its cylinder; -1 for none. */

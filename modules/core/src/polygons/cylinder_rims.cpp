@@ -22,9 +22,11 @@ using Eigen::Vector3d;
 /** The intersection of a plane with a cylinder. */
 class Rim {
 public:
-  /** \param[in] number of the cylinder */
+  /** \param[in] number of the cylinder
+   * \param[in] facets number of its facets */
   Rim(const CylinderPatch& cylinder,
       std::size_t number,
+      std::size_t facets,
       const PlanePatch& plane,
       double tolerance)
   : cylinder_(cylinder)
@@ -32,10 +34,11 @@ public:
   , plane_(plane.coefficients)
   , slope_(plane_.head<3>().dot(cylinder.axis_direction))
   , tolerance_(std::min(tolerance, cylinder.radius / 2))
-  , facets_(facetsOfCylinder(cylinder).size())
+  , facets_(facets)
   {
     constexpr double min_slope = 0.2; // sine of 12 degrees
-    exists_ = facets_ > 0 && plane_.allFinite() && std::abs(slope_) > min_slope;
+    exists_ = facets_ > 0 && cylinder.high > cylinder.low && plane_.allFinite() &&
+              std::abs(slope_) > min_slope;
   }
 
   bool
@@ -263,10 +266,11 @@ joinAtCylinders(double tolerance,
   std::size_t arcs = 0;
   for (std::size_t c = 0; c < cylinders.size(); ++c)
     arcs += acmap::joinAlongAxis(tolerance, c, cylinders[c], planes);
-  for (std::size_t c = 0; c < cylinders.size(); ++c)
+  for (std::size_t c = 0; c < cylinders.size(); ++c) {
+    CylinderPatch& cylinder = cylinders[c];
+    const std::size_t facets = facetsOfCylinder(cylinder).size();
     for (PlanePatch& plane : planes) {
-      CylinderPatch& cylinder = cylinders[c];
-      const Rim rim(cylinder, c, plane, tolerance);
+      const Rim rim(cylinder, c, facets, plane, tolerance);
       const std::size_t found = rim.exists() ? joinPlane(rim, plane) : 0;
       arcs += found;
       const std::optional<double> end = rim.end();
@@ -277,6 +281,7 @@ joinAtCylinders(double tolerance,
           *side = *end;
       cylinder.area = cylinder.arc * cylinder.radius * (cylinder.high - cylinder.low);
     }
+  }
   return arcs;
 }
 

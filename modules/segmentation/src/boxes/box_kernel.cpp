@@ -97,13 +97,11 @@ fitBoxes(const std::vector<PlanePatch>& planes,
   std::vector<Box> boxes = chooseBoxes(planes, pieces, search, scale, progress);
   report.templates = shareSizes(boxes, SizeOrder::Any);
   std::vector<BoxPatch> patches;
-  std::vector<bool> is_described(report.templates, false);
-  std::size_t described = 0;
-  for (Box& box : boxes) {
-    const auto number = static_cast<std::size_t>(box.template_id);
-    measureBits(planes, pieces, scale, described, is_described[number], box);
-    described += is_described[number] ? 0 : 1;
-    is_described[number] = true;
+  const auto measure = [&](Box& box, std::size_t described, bool is_instance) {
+    measureBits(planes, pieces, scale, described, is_instance, box);
+  };
+  measureInstances(report.templates, measure, boxes);
+  for (const Box& box : boxes) {
     report.bits_before += box.bits_of_planes;
     report.bits_after += box.bits_of_planes - box.saved_bits;
     report.faces += box.count(BoxFaceKind::Seen);

@@ -21,4 +21,21 @@ enum class SizeOrder {
 std::size_t
 shareSizes(std::vector<Box>& boxes, SizeOrder order);
 
+/** Calls measure (box, number of sizes that are described before, is its size one of
+ * these?) for each box with a shared size, in their order.
+ * \param[in] templates number of sizes */
+template <typename Measure>
+void
+measureInstances(std::size_t templates, const Measure& measure, std::vector<Box>& boxes)
+{
+  std::vector<bool> is_described(templates, false);
+  std::size_t described = 0;
+  for (Box& box : boxes) {
+    const auto number = static_cast<std::size_t>(box.template_id);
+    measure(box, described, is_described[number]);
+    described += is_described[number] ? 0 : 1;
+    is_described[number] = true;
+  }
+}
+
 } // namespace pcl::acmap::boxes

@@ -134,13 +134,11 @@ fitRecesses(const std::vector<PlanePatch>& planes,
   std::vector<Box> recesses = chooseRecesses(planes, pieces, search, scale, progress);
   report.templates = boxes::shareSizes(recesses, boxes::SizeOrder::Given);
   std::vector<RecessPatch> patches;
-  std::vector<bool> is_described(report.templates, false);
-  std::size_t described = 0;
-  for (Box& recess : recesses) {
-    const auto number = static_cast<std::size_t>(recess.template_id);
-    measureRecessBits(planes, pieces, scale, described, is_described[number], recess);
-    described += is_described[number] ? 0 : 1;
-    is_described[number] = true;
+  const auto measure = [&](Box& recess, std::size_t described, bool is_instance) {
+    measureRecessBits(planes, pieces, scale, described, is_instance, recess);
+  };
+  boxes::measureInstances(report.templates, measure, recesses);
+  for (const Box& recess : recesses) {
     report.bits_before += recess.bits_of_planes;
     report.bits_after += recess.bits_of_planes - recess.saved_bits;
     patches.push_back(patchOf(recess));
