@@ -108,7 +108,7 @@ paint(const SimulatedScene& scene,
   Painted painted;
   std::size_t left_out = 0;
   painted.canvases = texturing::canvasesOf(
-      planes, settings.texel_size, settings.maximum_texture_size, left_out);
+      planes, {}, settings.texel_size, settings.maximum_texture_size, left_out);
   for (texturing::Canvas& canvas : painted.canvases)
     canvas.samples.resize(canvas.mask.size());
   for (std::size_t v = 0; v < trajectory.poses.size(); ++v) {
@@ -117,7 +117,6 @@ paint(const SimulatedScene& scene,
     painted.seconds +=
         measureCost([&] {
           const auto nearest = texturing::nearestCanvases(view,
-                                                          planes,
                                                           painted.canvases,
                                                           settings.maximum_distance,
                                                           texturing::TexelPlace::Rim);
@@ -126,7 +125,6 @@ paint(const SimulatedScene& scene,
               *fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)),
               static_cast<std::int32_t>(v),
               nearest,
-              planes,
               painted.canvases);
         }).cpu;
   }
@@ -262,7 +260,7 @@ printStored(const SimulatedScene& scene,
 {
   const std::vector<double> exposures(trajectory.poses.size(), 1.0);
   Painted painted = paint(scene, trajectory, planes, exposures);
-  painted.map.exposure = texturing::displayExposure(painted.map.charts);
+  painted.map.exposure = texturing::displayExposure(painted.map);
   printHead({"color_tolerance",
              "texels in the pages, %",
              "charts of one texel",
