@@ -17,7 +17,7 @@ namespace {
 std::array<std::pair<std::string, std::int32_t>, 6>
 facesOf(const BoxPatch& box)
 {
-  constexpr std::array<const char*, 3> kinds{"free", "seen", "snapped"};
+  constexpr std::array<const char*, 4> kinds{"free", "seen", "snapped", "slanted"};
   std::array<std::pair<std::string, std::int32_t>, 6> faces;
   for (std::size_t side = 0; side < faces.size(); ++side)
     faces[side] = {kinds[static_cast<std::size_t>(box.faces[side].kind)],
@@ -51,7 +51,14 @@ bindBoxPatches(py::module_& module)
           &facesOf,
           "list of (kind, plane) of the sides +x, -x, +y, -y, +z, -z: kind is "
           "\"seen\", "
-          "\"snapped\" to a plane that bounds it, or \"free\", with plane -1")
+          "\"snapped\" to a plane that bounds it, \"slanted\", or \"free\", with plane "
+          "-1")
+      .def_property_readonly(
+          "slant",
+          memberArray<Patch, double>({4},
+                                     [](const Patch& box) { return box.slant.data(); }),
+          "(4,) float64: unit normal and offset in metres of the plane of the slanted "
+          "side, behind which the box is; 0 without one")
       .def_property_readonly(
           "covariance",
           memberArray<Patch, double>(

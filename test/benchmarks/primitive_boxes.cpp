@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -22,69 +21,6 @@
 
 namespace pcl::acmap::bench {
 namespace {
-
-/** A box of a scene, in the scene's frame. */
-struct SceneBox {
-  std::string name;
-  Eigen::AlignedBox3d place;
-
-  /** Is the face a surface of the scene? The order is that of BoxPatch::faces. */
-  std::array<bool, 6> has_face{};
-};
-
-/** The boxes of a scene with a top; blocks and partitions, which reach the ceiling, are
- * part of the building. */
-std::vector<SceneBox>
-boxesOf(const SimulatedScene& scene)
-{
-  const std::array<std::string, 6> names{
-      " right", " left", " bottom", " top", " back", " front"};
-  std::map<std::string, SceneBox> boxes;
-  for (const TruthPlane& plane : scene.geometry.planes())
-    for (std::size_t face = 0; face < names.size(); ++face) {
-      const std::string& ending = names[face];
-      if (plane.name.size() <= ending.size() ||
-          plane.name.compare(
-              plane.name.size() - ending.size(), ending.size(), ending) != 0)
-        continue;
-      const std::string name = plane.name.substr(0, plane.name.size() - ending.size());
-      SceneBox& box = boxes[name];
-      box.name = name;
-      box.has_face[face] = true;
-      for (const SimulatedRectangle& one : plane.rectangles)
-        box.place.extend(one.corner)
-            .extend(Eigen::Vector3d(one.corner + one.edge_u + one.edge_v));
-    }
-  constexpr std::size_t top = 3;
-  std::vector<SceneBox> list;
-  for (const auto& [name, box] : boxes)
-    if (box.has_face[top])
-      list.push_back(box);
-  return list;
-}
-
-/** The building alone: walls, blocks and doors. */
-SimulatedScene
-withoutBoxes(SimulatedScene scene)
-{
-  const std::vector<SceneBox> boxes = boxesOf(scene);
-  const auto isOfBox = [&](const std::string& name) {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const SceneBox& box) {
-      return name.compare(0, box.name.size() + 1, box.name + " ") == 0;
-    });
-  };
-  SceneGeometry building;
-  const std::vector<TruthPlane>& planes = scene.geometry.planes();
-  for (const SimulatedSurface& surface : scene.geometry.surfaces())
-    if (const auto* const shape = std::get_if<SimulatedRectangle>(&surface.shape);
-        shape && !isOfBox(surface.name))
-      building.addRectangle(surface.name,
-                            planes[static_cast<std::size_t>(surface.plane)].name,
-                            *shape,
-                            surface.look);
-  scene.geometry = building;
-  return scene;
-}
 
 /** How a box was found. */
 struct FoundBox {

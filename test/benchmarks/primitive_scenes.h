@@ -3,7 +3,31 @@
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/simulation/simulated_scene.h>
 
+#include <Eigen/Geometry>
+
+#include <array>
+#include <string>
+#include <vector>
+
 namespace pcl::acmap::bench {
+
+/** \brief A box of a scene, in the scene's frame. */
+struct SceneBox {
+  std::string name;
+  Eigen::AlignedBox3d place;
+
+  /** Is the face a surface of the scene? The order is that of BoxPatch::faces. */
+  std::array<bool, 6> has_face{};
+};
+
+/** \brief The boxes of a scene with a top; blocks and partitions, which reach the ceiling,
+ * are part of the building. */
+std::vector<SceneBox>
+boxesOf(const SimulatedScene& scene);
+
+/** \brief The building alone: walls, blocks and doors. */
+SimulatedScene
+withoutBoxes(SimulatedScene scene);
 
 /** \brief Is a place in the image of a view, and in reach? It may be occluded.
  * \param[in] place in the frame of the scene, metres */

@@ -20,6 +20,10 @@ printHalfSeen();
 void
 printBoxes();
 
+/** \brief Desks with a slanted top, and pedestals with a tapered side. */
+void
+printSlants();
+
 /** \brief Closed doors of simulated buildings, and the same buildings without them. */
 void
 printDoors();

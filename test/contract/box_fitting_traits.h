@@ -17,8 +17,8 @@ struct BoxFittingTraits : PatchFittingTraits<BoxFittingTraits, BoxFitting, BoxPa
           a.faces[side].plane != b.faces[side].plane)
         return false;
     return a.center == b.center && a.axes == b.axes && a.size == b.size &&
-           a.covariance == b.covariance && a.template_id == b.template_id &&
-           a.saved_bits == b.saved_bits;
+           a.slant == b.slant && a.covariance == b.covariance &&
+           a.template_id == b.template_id && a.saved_bits == b.saved_bits;
   }
 
   /** A cube on a floor. */

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 
 namespace pcl::acmap::test {
@@ -60,6 +61,37 @@ TEST(BoxSides, seenAndSnappedSidesAreLeftOut)
   }
 }
 
+/** A box cut from an upper edge to a lower one, and half of a box along a diagonal. */
+TEST(BoxSides, slantedSideCutsTheOthers)
+{
+  BoxPatch box = makeBox();
+  box.faces[4] = {BoxFaceKind::Slanted, 2};
+  const auto cutBetween = [&](const Eigen::Vector3d& normal,
+                              const Eigen::Vector3d& at) {
+    const Eigen::Vector3d turned = box.axes * normal.normalized();
+    box.slant << turned, -turned.dot(box.center + box.axes * at);
+    double area = 0, volume = 0;
+    std::size_t count = 0;
+    for (const PlanePatch& side : freeSidesOf(box)) {
+      area += side.area;
+      volume +=
+          side.area *
+          side.coefficients.head<3>().dot(side.center - box.center - box.axes * at) / 3;
+      ++count;
+    }
+    return std::array<double, 3>{static_cast<double>(count), area, volume};
+  };
+  // z from 0.5 at x = -1.5 to 0 at x = 1.5; the slanted side is seen from a place in it
+  const auto [sides, area, volume] = cutBetween({0.5, 0, 3}, {-1.5, 0, 0.5});
+  EXPECT_EQ(sides, 5);
+  EXPECT_NEAR(area, 3 * 2 + 2 * 1 + 2 * 0.5 + 2 * (3 * 0.75), 1e-9);
+  EXPECT_NEAR(volume, 3 * 2 * 0.75, 1e-9);
+  const auto [left, left_area, left_volume] = cutBetween({1, 0, 3}, {-1.5, 0, 0.5});
+  EXPECT_EQ(left, 4) << "nothing is left of the side +x";
+  EXPECT_NEAR(left_area, 3 * 2 + 2 * 1 + 3 * 1, 1e-9);
+  EXPECT_NEAR(left_volume, 3, 1e-9);
+}
+
 TEST(BoxSides, boxesThatAreNotFiniteHaveNone)
 {
   BoxPatch box = makeBox();
@@ -67,6 +99,9 @@ TEST(BoxSides, boxesThatAreNotFiniteHaveNone)
   EXPECT_TRUE(freeSidesOf(box).empty());
   box = makeBox();
   box.size.y() = 1e39;
+  EXPECT_TRUE(freeSidesOf(box).empty());
+  box = makeBox();
+  box.slant.w() = NAN;
   EXPECT_TRUE(freeSidesOf(box).empty());
 }
 

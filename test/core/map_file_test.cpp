@@ -210,6 +210,13 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/boxes/2/template", -1, "boxes[2].template is outside"},
            {"/boxes/0/faces/0/kind", "open", "is no kind of a face"},
            {"/boxes/0/faces/0/plane", 2, "boxes[0].faces[0].plane is outside"},
+           {"/boxes/2/faces/1",
+            {{"kind", "slanted"}, {"plane", 0}},
+            "has a slant that"},
+           {"/boxes/2/slant", {0, 0, 1, 0}, "has a slant that is not the plane"},
+           {"/boxes/1/slant", {0, 0, 2, 0}, "has a slant that is not the plane"},
+           {"/boxes/1/slant", {0, 0, 1}, "slant has 3"},
+           {"/boxes/1/faces/5/kind", "slanted", "more than one slanted face"},
            {"/boxes/0/faces", {1, 2}, "boxes[0].faces has 2"},
            {"/boxes/0/covariance/8/0", nullptr, "covariance that is not finite"},
            {"/boxes/0/saved_bits", "many", "saved_bits is no number"},
@@ -408,6 +415,8 @@ TEST_F(MapFile, NonsenseIsNotWritten)
   expectRefused([](CompactMap& map) { map.boxes[1].faces[0].plane = 2; });
   expectRefused([](CompactMap& map) { map.boxes[1].faces[0].plane = -1; });
   expectRefused([](CompactMap& map) { map.boxes[1].faces[1].plane = 0; });
+  expectRefused([](CompactMap& map) { map.boxes[1].slant.setZero(); });
+  expectRefused([](CompactMap& map) { map.boxes[0].slant.x() = 1; });
   expectRefused([](CompactMap& map) { map.boxes[1].covariance(3, 3) = NAN; });
   expectRefused([](CompactMap& map) { map.boxes[2].size.x() = 3; });
   expectRefused([](CompactMap& map) { map.boxes[2].template_id = 3; });

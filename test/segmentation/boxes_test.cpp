@@ -202,6 +202,153 @@ TEST(Boxes, facesOutOfSquareAreNone)
   EXPECT_TRUE(boxesOf(map.planes).empty());
 }
 
+/** Adds a convex polygon, counter-clockwise as it is seen. */
+void
+addPolygon(RectangleMap& map, const std::vector<Eigen::Vector3d>& corners)
+{
+  const Eigen::Vector3d u = corners[1] - corners[0], across = corners[2] - corners[0];
+  map.add(corners[0], u, across - across.dot(u) / u.squaredNorm() * u);
+  std::vector<Eigen::Vector3f>& outer = map.planes.back().polygons[0].outer;
+  outer.clear();
+  for (const Eigen::Vector3d& corner : corners)
+    outer.push_back(corner.cast<float>());
+}
+
+/** A desk against the wall z = 3, whose top falls towards the room by 20 cm. */
+struct SlantedDesk {
+  double left = -0.5, right = 0.4, front = 2.4, floor = 1.2, low = 0.5, high = 0.3;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+
+  void
+  addTo(RectangleMap& map) const
+  {
+    const auto add = [&](std::vector<Eigen::Vector3d> corners) {
+      for (Eigen::Vector3d& corner : corners)
+        corner = pose * corner;
+      addPolygon(map, corners);
+    };
+    add({{left, floor, front},
+         {left, low, front},
+         {right, low, front},
+         {right, floor, front}});
+    add({{left, floor, 3}, {left, high, 3}, {left, low, front}, {left, floor, front}});
+    add({{right, floor, 3},
+         {right, floor, front},
+         {right, low, front},
+         {right, high, 3}});
+    add({{left, low, front}, {left, high, 3}, {right, high, 3}, {right, low, front}});
+  }
+
+  /** Towards the room and upwards. */
+  Eigen::Vector3d
+  slope() const
+  {
+    return pose.linear() * Eigen::Vector3d(0, front - 3, high - low).normalized();
+  }
+};
+
+TEST(Boxes, deskWithASlantedTop)
+{
+  RectangleMap map = emptyRoom();
+  const SlantedDesk desk;
+  desk.addTo(map);
+  const std::vector<BoxPatch> boxes = boxesOf(map.planes);
+  ASSERT_EQ(boxes.size(), 1U);
+  expectBox(
+      boxes[0], {desk.left, desk.high, desk.front}, {desk.right, desk.floor, 3}, 1e-6);
+  const BoxFace& top = boxes[0].faces[sideTowards(boxes[0], {0, -1, 0})];
+  EXPECT_EQ(top.kind, BoxFaceKind::Slanted);
+  EXPECT_EQ(top.plane, static_cast<std::int32_t>(map.planes.size()) - 1);
+  EXPECT_TRUE(boxes[0].slant.isApprox(map.planes.back().coefficients, 1e-12));
+  EXPECT_LT((boxes[0].slant.head<3>() - desk.slope()).norm(), 1e-6);
+  EXPECT_EQ(boxes[0].faces[sideTowards(boxes[0], {0, 0, 1})].kind,
+            BoxFaceKind::Snapped);
+}
+
+/** A pedestal of which one side leans, by 18 degrees. */
+TEST(Boxes, pedestalWithATaperedSide)
+{
+  RectangleMap map = emptyRoom();
+  const double floor = 1.2, top = 0.3;
+  addPolygon(map,
+             {{-0.3, floor, 0}, {-0.3, top, 0.3}, {0.3, top, 0.3}, {0.3, floor, 0}});
+  addPolygon(
+      map, {{-0.3, floor, 0.8}, {-0.3, top, 0.8}, {-0.3, top, 0.3}, {-0.3, floor, 0}});
+  addPolygon(map,
+             {{0.3, floor, 0}, {0.3, top, 0.3}, {0.3, top, 0.8}, {0.3, floor, 0.8}});
+  addPolygon(map,
+             {{-0.3, top, 0.3}, {-0.3, top, 0.8}, {0.3, top, 0.8}, {0.3, top, 0.3}});
+  const std::vector<BoxPatch> boxes = boxesOf(map.planes);
+  ASSERT_EQ(boxes.size(), 1U);
+  expectBox(boxes[0], {-0.3, top, 0}, {0.3, floor, 0.8}, 1e-6);
+  EXPECT_EQ(boxes[0].faces[sideTowards(boxes[0], {0, 0, -1})].kind,
+            BoxFaceKind::Slanted);
+  EXPECT_EQ(boxes[0].faces[sideTowards(boxes[0], {0, 0, 1})].kind, BoxFaceKind::Free);
+}
+
+TEST(Boxes, saddleRoofIsNoSlantedSide)
+{
+  RectangleMap map = emptyRoom();
+  const double left = -0.5, right = 0.5, front = 0, back = 1, floor = 1.2, eaves = 0.6,
+               ridge = 0.2;
+  addPolygon(map,
+             {{left, floor, front},
+              {left, eaves, front},
+              {right, eaves, front},
+              {right, floor, front}});
+  addPolygon(map,
+             {{right, floor, back},
+              {right, eaves, back},
+              {left, eaves, back},
+              {left, floor, back}});
+  addPolygon(map,
+             {{left, floor, back},
+              {left, eaves, back},
+              {left, ridge, 0.5},
+              {left, eaves, front},
+              {left, floor, front}});
+  addPolygon(map,
+             {{right, floor, front},
+              {right, eaves, front},
+              {right, ridge, 0.5},
+              {right, eaves, back},
+              {right, floor, back}});
+  addPolygon(map,
+             {{left, eaves, front},
+              {left, ridge, 0.5},
+              {right, ridge, 0.5},
+              {right, eaves, front}});
+  addPolygon(map,
+             {{left, ridge, 0.5},
+              {left, eaves, back},
+              {right, eaves, back},
+              {right, ridge, 0.5}});
+  EXPECT_TRUE(boxesOf(map.planes).empty());
+}
+
+TEST(Boxes, equalSlantedOnesShareTheirSize)
+{
+  Random random(11);
+  RectangleMap map = emptyRoom();
+  SlantedDesk desk;
+  desk.addTo(map);
+  desk.pose.rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()));
+  desk.addTo(map); // at the wall x = 3
+  SlantedDesk flatter;
+  flatter.left = 1.2;
+  flatter.right = 2.1;
+  flatter.low = 0.4;
+  flatter.addTo(map);
+  const std::vector<BoxPatch> boxes = boxesOf(disturbed(map.planes, random, 1));
+  ASSERT_EQ(boxes.size(), 3U);
+  std::vector<std::int32_t> templates;
+  for (const BoxPatch& box : boxes)
+    templates.push_back(box.template_id);
+  std::sort(templates.begin(), templates.end());
+  EXPECT_EQ(templates, (std::vector<std::int32_t>{0, 0, 1}))
+      << "the flatter one has the size of the others, but another side";
+}
+
 TEST(Boxes, pillarIsOneAndTheCornerOfACorridorIsNone)
 {
   RectangleMap pillar = emptyRoom();

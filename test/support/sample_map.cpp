@@ -157,6 +157,7 @@ expectSameBox(const BoxPatch& box, const BoxPatch& wanted)
   EXPECT_TRUE(sameBits(box.center, wanted.center));
   EXPECT_TRUE(sameBits(box.axes, wanted.axes));
   EXPECT_TRUE(sameBits(box.size, wanted.size));
+  EXPECT_TRUE(sameBits(box.slant, wanted.slant));
   EXPECT_TRUE(sameBits(box.covariance, wanted.covariance));
   for (std::size_t side = 0; side < box.faces.size(); ++side) {
     EXPECT_EQ(box.faces[side].kind, wanted.faces[side].kind);
@@ -213,6 +214,8 @@ makeSampleMap()
   map.cylinder_pictures[1].halvings = 1;
   map.cylinder_pictures[1].kinds_image = "kinds.png";
   map.boxes = {makeBox(0, 2), makeBox(1, 1), makeBox(0, 2)};
+  map.boxes[1].faces[3] = {BoxFaceKind::Slanted, 1};
+  map.boxes[1].slant << 1.0 / 3, -2.0 / 3, 2.0 / 3, 1e5 / 3;
   map.recesses = {makeRecess(0, 0.9), makeRecess(1, 0.8), makeRecess(0, 0.9)};
   map.charts = {makeChart(0, 3, 2), makeChart(1, 1, 4)};
   map.charts[1].image_place = {7, 9};

@@ -39,6 +39,12 @@ jsonOf(const Eigen::Vector3d& vector)
   return {vector.x(), vector.y(), vector.z()};
 }
 
+Json
+jsonOf(const Eigen::Vector4d& plane)
+{
+  return {plane[0], plane[1], plane[2], plane[3]};
+}
+
 template <int size>
 Json
 jsonOf(const Eigen::Matrix<double, size, size>& matrix)
@@ -82,9 +88,8 @@ jsonOf(const std::vector<PlanePolygon>& polygons)
 Json
 jsonOf(const PlanePatch& plane, std::size_t id)
 {
-  const Eigen::Vector4d& c = plane.coefficients;
   return {{"id", id},
-          {"coefficients", {c[0], c[1], c[2], c[3]}},
+          {"coefficients", jsonOf(plane.coefficients)},
           {"center", jsonOf(plane.center)},
           {"axes", {jsonOf(plane.axis_u), jsonOf(plane.axis_v)}},
           {"covariance", jsonOf(plane.covariance)},
@@ -137,14 +142,17 @@ jsonOf(const BoxPatch& box, std::size_t id)
   Json faces = Json::array();
   for (const BoxFace& face : box.faces)
     faces.push_back(jsonOf(face));
-  return {{"id", id},
-          {"center", jsonOf(box.center)},
-          {"axes", jsonOfAxes(box.axes)},
-          {"size", jsonOf(box.size)},
-          {"faces", std::move(faces)},
-          {"template", box.template_id},
-          {"covariance", jsonOf(box.covariance)},
-          {"saved_bits", box.saved_bits}};
+  Json json = {{"id", id},
+               {"center", jsonOf(box.center)},
+               {"axes", jsonOfAxes(box.axes)},
+               {"size", jsonOf(box.size)},
+               {"faces", std::move(faces)},
+               {"template", box.template_id},
+               {"covariance", jsonOf(box.covariance)},
+               {"saved_bits", box.saved_bits}};
+  if (!box.slant.isZero(0))
+    json["slant"] = jsonOf(box.slant);
+  return json;
 }
 
 Json

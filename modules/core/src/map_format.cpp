@@ -265,6 +265,14 @@ faultOfBox(const CompactMap& map, std::size_t number)
     if (face.kind == BoxFaceKind::Free ? face.plane != -1 : !hasPlane(map, face.plane))
       return "has a face of plane " + std::to_string(face.plane) + " of " +
              std::to_string(map.planes.size());
+  const auto slanted =
+      std::count_if(box.faces.begin(), box.faces.end(), [](const BoxFace& face) {
+        return face.kind == BoxFaceKind::Slanted;
+      });
+  if (slanted > 1)
+    return "has more than one slanted face";
+  if (slanted == 0 ? !box.slant.isZero(0) : !faultOfCoefficients(box.slant).empty())
+    return "has a slant that is not the plane of a slanted face";
   return faultOfTemplate(
       map.boxes, number, [](const BoxPatch& one) { return one.size; });
 }

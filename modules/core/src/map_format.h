@@ -17,7 +17,8 @@ inline constexpr std::array<const char*, 6> edge_kinds{
     "open", "crease", "contact", "rim", "frontier", "arc"};
 
 /** \brief The names of \ref BoxFaceKind in files. */
-inline constexpr std::array<const char*, 3> box_face_kinds{"free", "seen", "snapped"};
+inline constexpr std::array<const char*, 4> box_face_kinds{
+    "free", "seen", "snapped", "slanted"};
 
 /** \brief The names of \ref OpeningKind in files. */
 inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};

@@ -352,9 +352,10 @@ BoxFace
 boxFaceOf(const JsonCursor& json, std::size_t planes)
 {
   BoxFace face;
-  face.kind = kindOf<BoxFaceKind>(json.at("kind"),
-                                  acmap::box_face_kinds,
-                                  "is no kind of a face: free, seen or snapped");
+  face.kind =
+      kindOf<BoxFaceKind>(json.at("kind"),
+                          acmap::box_face_kinds,
+                          "is no kind of a face: free, seen, snapped or slanted");
   if (face.kind != BoxFaceKind::Free)
     face.plane = static_cast<std::int32_t>(
         json.at("plane").integer(0, static_cast<std::int64_t>(planes) - 1));
@@ -387,6 +388,8 @@ boxOf(const JsonCursor& json, std::size_t number, std::size_t planes)
   faces.requireSize(box.faces.size());
   for (std::size_t side = 0; side < box.faces.size(); ++side)
     box.faces[side] = boxFaceOf(faces[side], planes);
+  if (json.has("slant"))
+    box.slant = json.at("slant").vector<4>();
   return box;
 }
 

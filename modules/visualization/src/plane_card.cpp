@@ -82,7 +82,7 @@ cylinderCard(const CylinderPatch& cylinder, std::size_t number)
 std::string
 boxCard(const BoxPatch& box, std::size_t number)
 {
-  std::array<std::size_t, 3> sides{}; // of each kind
+  std::array<std::size_t, 4> sides{}; // of each kind
   for (const BoxFace& face : box.faces)
     ++sides[static_cast<std::size_t>(face.kind)];
   return format("box %zu, template %d\n", number, box.template_id) + "size       " +
@@ -91,6 +91,7 @@ boxCard(const BoxPatch& box, std::size_t number)
                 sides[static_cast<std::size_t>(BoxFaceKind::Seen)],
                 sides[static_cast<std::size_t>(BoxFaceKind::Snapped)],
                 sides[static_cast<std::size_t>(BoxFaceKind::Free)]) +
+         (box.slant.isZero(0) ? "" : ", one slanted") +
          format("\nsaved      %.0f bits\n", box.saved_bits);
 }
 

@@ -25,6 +25,7 @@ struct Box {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< a place inside
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   std::array<Side, 6> sides;
+  Eigen::Vector4d slant = Eigen::Vector4d::Zero(); ///< as that of BoxPatch
 
   /** As that of BoxPatch. */
   Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
@@ -71,6 +72,12 @@ struct Box {
                                 sides[2].position - sides[3].position,
                                 sides[4].position - sides[5].position);
     return origin + axes * twice / 2;
+  }
+
+  bool
+  isSlanted() const
+  {
+    return count(BoxFaceKind::Slanted) > 0;
   }
 
   std::size_t

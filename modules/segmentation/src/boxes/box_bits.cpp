@@ -45,13 +45,12 @@ measureBits(const std::vector<PlanePatch>& planes,
             Box& box)
 {
   constexpr double half_log2_of_e = 0.7213475204444817;
-  constexpr double pose = 6;
   // neither spacing nor free elements matter: the points stay on planes
   const DescriptionLength length(scale.sigma, scale.sigma, scale.extent);
-  double points = 0, sizes = 3, choices = 0;
+  double points = 0, pose = 6, sizes = 3, choices = 0;
   box.bits_of_planes = 0;
   for (const Side& side : box.sides) {
-    if (side.kind == BoxFaceKind::Seen) {
+    if (side.kind == BoxFaceKind::Seen || side.kind == BoxFaceKind::Slanted) {
       const double on_it = pointsOn(planes[static_cast<std::size_t>(side.plane)]);
       points += on_it;
       box.bits_of_planes += length.plane(on_it);
@@ -62,6 +61,10 @@ measureBits(const std::vector<PlanePatch>& planes,
     }
     else
       choices += length.outline(1) / 2;
+  }
+  if (box.isSlanted()) { // which side it is, and two angles; its offset is a size
+    choices += std::log2(static_cast<double>(box.sides.size()));
+    pose += 2;
   }
   if (is_instance) {
     sizes = std::min(sizes, 0.0);

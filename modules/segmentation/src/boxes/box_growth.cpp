@@ -20,6 +20,7 @@ constexpr double behind = 0.9;         ///< share of a face that is behind its n
 constexpr double min_cover = 0.55;     ///< share of the seen sides that polygons cover
 constexpr double min_inside = 0.88;    ///< share of the polygons that is on their sides
 constexpr std::size_t min_known_sides = 4;
+constexpr double max_cosine = 0.87; ///< 30 degrees, between the normals of two faces
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 HalfSpace
@@ -92,6 +93,67 @@ private:
   }
 };
 
+/** Everything without a slanted side. */
+HalfSpace
+behindSlant(const Box& box, double slack)
+{
+  const Eigen::Vector3d normal = box.slant.head<3>();
+  return {normal, slack * normal.squaredNorm() - box.slant[3]};
+}
+
+/** The rectangle of a side; that of a slanted one lies in its plane, and the cuboid may
+ * end before it on the opposite side. */
+Piece
+rectangleOf(const Box& box, std::size_t side)
+{
+  const Eigen::Vector3d outward = box.outward(side);
+  const int first = (Box::axisOf(side) + 1) % 3, second = (Box::axisOf(side) + 2) % 3;
+  const Eigen::Vector3d middle = box.origin + box.sides[side].position * outward;
+  Piece piece;
+  piece.normal = outward;
+  if (box.sides[side].kind == BoxFaceKind::Slanted) {
+    piece.normal = box.slant.head<3>();
+    piece.offset = box.slant[3];
+  }
+  std::vector<Eigen::Vector3d>& corners = piece.loops.emplace_back();
+  for (const auto& [u, v] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    const std::size_t a = static_cast<std::size_t>(2 * first + u),
+                      b = static_cast<std::size_t>(2 * second + v);
+    const Eigen::Vector3d corner = middle + box.sides[a].position * box.outward(a) +
+                                   box.sides[b].position * box.outward(b);
+    corners.push_back(box.sides[side].kind == BoxFaceKind::Slanted
+                          ? Eigen::Vector3d(corner - piece.height(corner) /
+                                                         piece.normal.dot(outward) *
+                                                         outward)
+                          : corner);
+  }
+  return piece;
+}
+
+/** The area of a side, as far as it belongs to the box. */
+double
+areaOf(const Box& box, std::size_t side)
+{
+  const Piece rectangle = rectangleOf(box, side);
+  if (box.sides[side].kind != BoxFaceKind::Slanted)
+    return std::abs(clipped(rectangle, behindSlant(box, 0)).area);
+  const std::size_t opposite = side ^ 1U;
+  return std::abs(
+      clipped(rectangle, {box.outward(opposite), box.coordinate(opposite)}).area);
+}
+
+/** The cuboid ends where its slanted side reaches furthest. */
+void
+placeSlant(Box& box)
+{
+  for (std::size_t side = 0; side < box.sides.size(); ++side)
+    if (box.sides[side].kind == BoxFaceKind::Slanted) {
+      const Eigen::Vector3d outward = box.outward(side);
+      box.sides[side].position =
+          rangeAlong(rectangleOf(box, side), outward).second - outward.dot(box.origin);
+    }
+}
+
 } // namespace
 
 BoxSearch::BoxSearch(const std::vector<PlanePatch>& planes,
@@ -99,22 +161,39 @@ BoxSearch::BoxSearch(const std::vector<PlanePatch>& planes,
 : planes_(planes)
 , pieces_(pieces)
 , neighbours_(pieces.size())
+, slanted_(pieces.size())
 {
+  // of pieces that meet, no further apart than this from their common line
+  const double reach = 2 * max_gap / std::sqrt(1 - max_cosine * max_cosine);
+  std::vector<Eigen::AlignedBox3d> places(pieces.size());
   for (std::size_t a = 0; a < pieces.size(); ++a)
-    for (std::size_t b = a + 1; b < pieces.size(); ++b)
-      if (std::abs(pieces[a].normal.dot(pieces[b].normal)) < max_skew &&
-          meet(pieces[a], pieces[b]) && isBehind(pieces[a], pieces[b]) &&
-          isBehind(pieces[b], pieces[a])) {
+    for (const Eigen::Vector3d& corner : pieces[a].loops.front())
+      places[a].extend(corner);
+  for (std::size_t a = 0; a < pieces.size(); ++a)
+    for (std::size_t b = a + 1; b < pieces.size(); ++b) {
+      const double cosine = std::abs(pieces[a].normal.dot(pieces[b].normal));
+      if (cosine > max_cosine || places[a].exteriorDistance(places[b]) > reach ||
+          !meet(pieces[a], pieces[b]) || !isConvex(pieces[a], pieces[b]))
+        continue;
+      const bool is_right = cosine < max_skew;
+      if (is_right)
         edges_.push_back({a, b});
-        neighbours_[a].push_back(b);
-        neighbours_[b].push_back(a);
-      }
+      (is_right ? neighbours_ : slanted_)[a].push_back(b);
+      (is_right ? neighbours_ : slanted_)[b].push_back(a);
+    }
 }
 
 bool
 BoxSearch::isBehind(const Piece& piece, const Piece& other) const
 {
   return clipped(piece, behindOf(other, outline_error)).area >= behind * piece.area;
+}
+
+/** Is each behind the other one? */
+bool
+BoxSearch::isConvex(const Piece& a, const Piece& b) const
+{
+  return isBehind(a, b) && isBehind(b, a);
 }
 
 /** Both reach their common line, at the same places. */
@@ -152,12 +231,12 @@ BoxSearch::fits(const Box& box, std::size_t side, std::size_t piece) const
       const std::vector<std::size_t>& neighbours = neighbours_[piece];
       has_edge = has_edge || std::find(neighbours.begin(), neighbours.end(), other) !=
                                  neighbours.end();
-      if (!isBehind(one, pieces_[other]) || !isBehind(pieces_[other], one))
+      if (!isConvex(one, pieces_[other]))
         return false;
     }
   }
   for (const std::size_t other : box.sides[side ^ 1U].pieces)
-    if (!isBehind(one, pieces_[other]) || !isBehind(pieces_[other], one))
+    if (!isConvex(one, pieces_[other]))
       return false;
   return has_edge;
 }
@@ -186,6 +265,61 @@ BoxSearch::addPieces(Box& box, const std::vector<bool>& is_used) const
     box.sides[its_side].pieces.push_back(best);
     box.sides[its_side].kind = BoxFaceKind::Seen;
   }
+}
+
+/** The side in place of which a piece may cut a box: that which it resembles most; not
+ * if this was seen. It has convex edges with two sides, is behind all, and all are behind
+ * it. */
+std::optional<std::size_t>
+BoxSearch::sideOfSlant(const Box& box, std::size_t piece) const
+{
+  const auto has = [](const std::vector<std::size_t>& list, std::size_t one) {
+    return std::find(list.begin(), list.end(), one) != list.end();
+  };
+  std::size_t its_side = 0, edges = 0;
+  for (std::size_t side = 0; side < box.sides.size(); ++side) {
+    if (pieces_[piece].normal.dot(box.outward(side)) >
+        pieces_[piece].normal.dot(box.outward(its_side)))
+      its_side = side;
+    bool has_edge = false;
+    for (const std::size_t other : box.sides[side].pieces) {
+      if (!isConvex(pieces_[piece], pieces_[other]))
+        return std::nullopt;
+      has_edge =
+          has_edge || has(neighbours_[piece], other) || has(slanted_[piece], other);
+    }
+    edges += has_edge ? 1 : 0;
+  }
+  if (edges < 2 || box.sides[its_side].kind == BoxFaceKind::Seen)
+    return std::nullopt;
+  return its_side;
+}
+
+/** The box with its largest slanted side. */
+std::optional<Box>
+BoxSearch::withSlant(const Box& box, const std::vector<bool>& is_used) const
+{
+  std::vector<std::size_t> candidates;
+  for (const Side& side : box.sides)
+    for (const std::size_t piece : side.pieces)
+      for (const std::size_t other : slanted_[piece])
+        if (!is_used[other])
+          candidates.push_back(other);
+  std::optional<Box> best;
+  double area = 0;
+  for (const std::size_t piece : candidates) {
+    if (pieces_[piece].area <= area)
+      continue;
+    const std::optional<std::size_t> side = sideOfSlant(box, piece);
+    if (!side)
+      continue;
+    area = pieces_[piece].area;
+    best = box;
+    best->sides[*side].kind = BoxFaceKind::Slanted;
+    best->sides[*side].pieces = {piece};
+    best->slant << pieces_[piece].normal, pieces_[piece].offset;
+  }
+  return best;
 }
 
 /** Coordinate, along its outward direction, at which the faces beside a side end: the
@@ -251,7 +385,7 @@ BoxSearch::bound(Box& box) const
   constexpr double plane_deviation = 0.002, rim_deviation = 0.01; // metres
   for (std::size_t side = 0; side < box.sides.size(); ++side) {
     Side& one = box.sides[side];
-    if (one.kind == BoxFaceKind::Seen)
+    if (one.kind == BoxFaceKind::Seen || one.kind == BoxFaceKind::Slanted)
       continue;
     const Eigen::Vector3d outward = box.outward(side);
     const double origin = outward.dot(box.origin),
@@ -279,6 +413,10 @@ BoxSearch::bound(Box& box) const
       }
     }
   }
+  for (Side& side : box.sides)
+    if (side.kind == BoxFaceKind::Slanted)
+      side.deviation = plane_deviation;
+  placeSlant(box);
 }
 
 /** Do the faces end in a straight line where a side is free? Otherwise pictures ended
@@ -298,16 +436,16 @@ bool
 BoxSearch::isCovered(const Box& box) const
 {
   double covered = 0, all = 0;
-  const Eigen::Vector3d size = box.size();
   for (std::size_t side = 0; side < box.sides.size(); ++side) {
-    if (box.sides[side].kind != BoxFaceKind::Seen)
+    if (box.sides[side].pieces.empty())
       continue;
-    all += size.prod() / size[Box::axisOf(side)];
+    all += areaOf(box, side);
     for (const std::size_t piece : box.sides[side].pieces) {
       Piece part = pieces_[piece];
       for (std::size_t k = 0; k < box.sides.size(); ++k)
         if (Box::axisOf(k) != Box::axisOf(side))
           part = clipped(part, {box.outward(k), box.coordinate(k) + outline_error});
+      part = clipped(part, behindSlant(box, outline_error));
       if (part.area < min_inside * pieces_[piece].area)
         return false;
       covered += part.area;
@@ -326,6 +464,7 @@ BoxSearch::isSolid(const Box& box) const
     Piece part = piece;
     for (std::size_t side = 0; side < box.sides.size() && part.area > 0; ++side)
       part = clipped(part, {box.outward(side), box.coordinate(side) - max_gap});
+    part = clipped(part, behindSlant(box, -max_gap));
     if (part.area > std::max(min_area, piece.area / 2))
       return false;
   }
@@ -388,7 +527,7 @@ placeOrigin(const std::vector<Piece>& pieces, Box& box)
 
 } // namespace
 
-std::optional<Box>
+std::vector<Box>
 BoxSearch::grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const
 {
   Box box;
@@ -401,6 +540,19 @@ BoxSearch::grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const
   box.sides[0].pieces = {edge.a};
   box.sides[2].pieces = {edge.b};
   addPieces(box, is_used);
+  std::vector<Box> sound;
+  std::optional<Box> slanted = withSlant(box, is_used);
+  if (slanted && fit(*slanted))
+    sound.push_back(std::move(*slanted));
+  if (fit(box))
+    sound.push_back(std::move(box));
+  return sound;
+}
+
+/** Fits the box to its pieces. \return is it a sound one? */
+bool
+BoxSearch::fit(Box& box) const
+{
   choosePlanes(pieces_, box);
   placeOrigin(pieces_, box);
   constexpr int rounds = 2; // the axes of the second one are those of all faces
@@ -408,13 +560,10 @@ BoxSearch::grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const
     bound(box);
     fitPose(planes_, box);
   }
-  const std::size_t known =
-      box.count(BoxFaceKind::Seen) + box.count(BoxFaceKind::Snapped);
-  if (known < min_known_sides || !(box.size().minCoeff() > outline_error) ||
-      !spansLikeAPillar(box) || !hasStraightEnds(box) || !isCovered(box) ||
-      !isSolid(box))
-    return std::nullopt;
-  return box;
+  placeSlant(box);
+  return box.count(BoxFaceKind::Free) <= box.sides.size() - min_known_sides &&
+         box.size().minCoeff() > outline_error && spansLikeAPillar(box) &&
+         hasStraightEnds(box) && isCovered(box) && isSolid(box);
 }
 
 } // namespace pcl::acmap::boxes

@@ -26,10 +26,11 @@ public:
     return edges_;
   }
 
-  /** The box that begins at an edge, fitted to its pieces.
-   * \param[in] is_used pieces of other boxes, which it does not take
-   * \return nothing where there is no sound box */
-  std::optional<Box>
+  /** The boxes that begin at an edge, fitted to their pieces: with right angles only,
+   * and with a slanted side.
+   * \param[in] is_used pieces of other boxes, which they do not take
+   * \return those that are sound */
+  std::vector<Box>
   grow(const ConvexEdge& edge, const std::vector<bool>& is_used) const;
 
 private:
@@ -40,10 +41,22 @@ private:
   meet(const Piece& a, const Piece& b) const;
 
   bool
+  isConvex(const Piece& a, const Piece& b) const;
+
+  bool
   fits(const Box& box, std::size_t side, std::size_t piece) const;
 
   void
   addPieces(Box& box, const std::vector<bool>& is_used) const;
+
+  std::optional<std::size_t>
+  sideOfSlant(const Box& box, std::size_t piece) const;
+
+  std::optional<Box>
+  withSlant(const Box& box, const std::vector<bool>& is_used) const;
+
+  bool
+  fit(Box& box) const;
 
   /** Where faces end: coordinate along a direction, and how much it varies; metres. */
   struct End {
@@ -76,6 +89,8 @@ private:
   const std::vector<Piece>& pieces_;
   std::vector<ConvexEdge> edges_;
   std::vector<std::vector<std::size_t>> neighbours_; ///< of each piece, over edges
+  /** Of each piece, those that it meets in a convex edge at another angle. */
+  std::vector<std::vector<std::size_t>> slanted_;
 };
 
 } // namespace pcl::acmap::boxes

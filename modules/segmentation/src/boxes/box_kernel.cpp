@@ -44,10 +44,13 @@ chooseBoxes(const std::vector<PlanePatch>& planes,
       const bool is_stale =
           !is_grown[e] || (candidates[e] && hasAny(*candidates[e], is_used));
       if (is_stale) {
-        candidates[e] = search.grow(edges[e], is_used);
+        candidates[e].reset();
         is_grown[e] = true;
-        if (candidates[e])
-          measureBits(planes, pieces, scale, 0, false, *candidates[e]);
+        for (Box& box : search.grow(edges[e], is_used)) {
+          measureBits(planes, pieces, scale, 0, false, box);
+          if (!candidates[e] || box.saved_bits > candidates[e]->saved_bits)
+            candidates[e] = std::move(box);
+        }
       }
       if (candidates[e] && candidates[e]->saved_bits > (best ? best->saved_bits : 0))
         best = &*candidates[e];
@@ -70,6 +73,7 @@ patchOf(const Box& box)
   patch.size = box.size();
   for (std::size_t side = 0; side < box.sides.size(); ++side)
     patch.faces[side] = {box.sides[side].kind, box.sides[side].plane};
+  patch.slant = box.slant;
   patch.covariance = box.covariance;
   patch.template_id = box.template_id;
   patch.saved_bits = box.saved_bits;
@@ -104,7 +108,7 @@ fitBoxes(const std::vector<PlanePatch>& planes,
   for (const Box& box : boxes) {
     report.bits_before += box.bits_of_planes;
     report.bits_after += box.bits_of_planes - box.saved_bits;
-    report.faces += box.count(BoxFaceKind::Seen);
+    report.faces += box.count(BoxFaceKind::Seen) + box.count(BoxFaceKind::Slanted);
     patches.push_back(patchOf(box));
   }
   report.boxes = patches.size();

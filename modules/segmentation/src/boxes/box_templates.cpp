@@ -53,11 +53,20 @@ withFallingSize(const Box& box)
   return reordered(box, order);
 }
 
+/** Components, along the axes, of the normal of a slanted side; 0 without one. Their
+ * signs tell which of two equal boxes was turned. */
+Eigen::Vector3d
+slopeOf(const Box& box)
+{
+  return (box.axes.transpose() * box.slant.head<3>()).cwiseAbs();
+}
+
 /** A common size, by information. */
 struct Template {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   std::vector<std::size_t> boxes;
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero(); ///< of the first box
 
   Eigen::Vector3d
   size() const
@@ -71,6 +80,8 @@ struct Template {
     const Eigen::Matrix3d inverse = box.covariance.block<3, 3>(6, 6).inverse();
     information += inverse;
     weighted += inverse * box.size();
+    if (boxes.empty())
+      slope = slopeOf(box);
     boxes.push_back(number);
   }
 };
@@ -82,6 +93,7 @@ asInstance(const Box& box, const Template& common, SizeOrder which)
 {
   constexpr double largest_chi = 11.345;      // 1 % of equal sizes differ more
   constexpr double largest_difference = 0.02; // metres
+  constexpr double largest_turn = 0.035;      // 2 degrees
   std::optional<Box> best;
   double least = largest_chi;
   Order order{0, 1, 2};
@@ -91,7 +103,8 @@ asInstance(const Box& box, const Template& common, SizeOrder which)
     const Eigen::Matrix3d covariance =
         turned.covariance.block<3, 3>(6, 6) + common.information.inverse();
     const double chi = difference.dot(covariance.ldlt().solve(difference));
-    if (chi < least && difference.cwiseAbs().maxCoeff() < largest_difference) {
+    if (chi < least && difference.cwiseAbs().maxCoeff() < largest_difference &&
+        (slopeOf(turned) - common.slope).norm() < largest_turn) {
       least = chi;
       best = turned;
     }

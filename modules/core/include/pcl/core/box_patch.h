@@ -9,9 +9,10 @@ namespace pcl {
 
 /** \brief How the position of a side of a box is known. \ingroup core */
 enum class BoxFaceKind : std::uint8_t {
-  Free,   ///< not seen: it is where the seen faces end
-  Seen,   ///< a plane of the map lies in it
-  Snapped ///< not seen: the box stands on a plane of the map, or leans against it
+  Free,    ///< not seen: it is where the seen faces end
+  Seen,    ///< a plane of the map lies in it
+  Snapped, ///< not seen: the box stands on a plane of the map, or leans against it
+  Slanted ///< a plane of the map cuts the box there, at another angle; one side at most
 };
 
 /** \brief A side of a box. \ingroup core */
@@ -34,6 +35,11 @@ struct BoxPatch {
 
   /** \brief The sides at the ends of the axes, in the order +x, -x, +y, -y, +z, -z. */
   std::array<BoxFace, 6> faces;
+
+  /** \brief The plane of the slanted side as (unit normal, offset), metres: of the
+   * cuboid, the box is the part where normal * x + offset <= 0. The cuboid ends where
+   * this part reaches furthest. 0 without a slanted side. */
+  Eigen::Vector4d slant = Eigen::Vector4d::Zero();
 
   /** \brief Covariance of (turn about each of the axes, shift of the center along each
    * of them, size), radians and metres. It includes what a map does not tell of its

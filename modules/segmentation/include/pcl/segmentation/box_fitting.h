@@ -17,8 +17,9 @@ namespace pcl {
  * It is future work (ii) of "Active Stereo Based Compact Mapping" (IV). A box begins at
  * a convex edge of two polygons at a right angle, and takes further polygons that meet
  * it in convex edges. Sides that were not seen are where a plane of the map bounds the
- * box, such as the floor, or where its faces end. A box is taken if at least four sides
- * are planes, seen or bounding, and if its parameters and the residuals of its faces
+ * box, such as the floor, or where its faces end. One side may be slanted: a polygon at
+ * another angle that has convex edges with two others. A box is taken if at least four
+ * sides are planes, seen or bounding, and if its parameters and the residuals of its faces
  * need fewer bits than the planes. Boxes whose sizes agree within their standard
  * deviations share one size, as instances of a template.
  *
