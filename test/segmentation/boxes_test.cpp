@@ -202,10 +202,11 @@ TEST(Boxes, facesOutOfSquareAreNone)
   EXPECT_TRUE(boxesOf(map.planes).empty());
 }
 
-/** Adds a convex polygon, counter-clockwise as it is seen. */
+/** Adds a convex polygon, clockwise as it is seen. */
 void
-addPolygon(RectangleMap& map, const std::vector<Eigen::Vector3d>& corners)
+addPolygon(RectangleMap& map, std::vector<Eigen::Vector3d> corners)
 {
+  std::reverse(corners.begin(), corners.end());
   const Eigen::Vector3d u = corners[1] - corners[0], across = corners[2] - corners[0];
   map.add(corners[0], u, across - across.dot(u) / u.squaredNorm() * u);
   std::vector<Eigen::Vector3f>& outer = map.planes.back().polygons[0].outer;
