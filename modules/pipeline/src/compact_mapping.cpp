@@ -1,3 +1,4 @@
+#include "observation_stream.h"
 #include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>
@@ -100,6 +101,14 @@ CompactMapping::setMode(MappingMode mode)
 }
 
 void
+CompactMapping::setMaximumWaiting(std::size_t observations)
+{
+  if (observations == 0)
+    throw BadArgumentException("at least one observation has to be allowed to wait");
+  maximum_waiting_ = observations;
+}
+
+void
 CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
 {
   if (frame && current_ && *current_ != frame->observation)
@@ -109,17 +118,37 @@ CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
 }
 
 void
+CompactMapping::start()
+{
+  if (sequence_ || current_ || getNumberOfObservations() > 0)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "observations were added before start (): clear () first");
+  acmap::ObservationStream::Steps steps;
+  steps.projection = projection_;
+  steps.odometry = odometry_;
+  steps.consolidation.setRawPoints(rectification_.getMode() ==
+                                   RectificationMode::Paper);
+  steps.maximum_waiting = maximum_waiting_;
+  steps.callback = state_callback_;
+  fusion_.setNumberOfThreads(threads_);
+  steps.projection.setNumberOfThreads(threads_);
+  steps.odometry.setNumberOfThreads(threads_);
+  steps.consolidation.setNumberOfThreads(threads_);
+  stream_ = std::make_unique<acmap::ObservationStream>(std::move(steps));
+}
+
+void
 CompactMapping::finishObservation()
 {
-  MatchedDisparity disparity;
-  const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>();
+  current_.reset();
+  if (stream_) {
+    stream_->add(fusion_.release());
+    return;
+  }
   fusion_.setNumberOfThreads(threads_);
   projection_.setNumberOfThreads(threads_);
-  fusion_.fuse(disparity);
-  projection_.project(disparity, fusion_.getColor(), *cloud);
+  add(acmap::projectFused(fusion_, projection_), std::nullopt);
   fusion_.clear();
-  current_.reset();
-  addObservation(cloud);
 }
 
 void
@@ -130,10 +159,13 @@ CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
     throw BadArgumentException("an observation needs a cloud");
   if (T_map_camera && !acmap::isRigid(*T_map_camera, acmap::float_pose_tolerance))
     throw BadArgumentException("the pose of an observation is no rigid motion");
-  clouds_.push_back(std::move(cloud));
   poses_.push_back(T_map_camera);
   if (T_map_camera && !acmap::isRigid(*T_map_camera)) // rounded to floats
     poses_.back() = asInFiles(*T_map_camera);
+  if (stream_)
+    stream_->add(std::move(cloud), poses_.back());
+  else
+    clouds_.push_back(std::move(cloud));
 }
 
 boost::signals2::connection
@@ -172,6 +204,7 @@ CompactMapping::clear()
 {
   fusion_.clear();
   current_.reset();
+  stream_.reset();
   clouds_.clear();
   poses_.clear();
   sequence_.reset();
@@ -180,12 +213,19 @@ CompactMapping::clear()
 std::size_t
 CompactMapping::getNumberOfObservations() const
 {
+  if (stream_)
+    return stream_->size();
   return sequence_ ? sequence_->size() : clouds_.size();
 }
 
 ObservationSequence
-CompactMapping::collected() const
+CompactMapping::collected()
 {
+  if (stream_) {
+    stream_->finish();
+    clouds_ = stream_->clouds();
+    poses_.resize(clouds_.size());
+  }
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
   if (clouds_.empty())
@@ -209,7 +249,8 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
   VisualOdometry odometry = odometry_;
   odometry.setNumberOfThreads(threads_);
   odometry.setProgressCallback(partOf(progress_, 0, 0.2));
-  report.odometry = odometry.compute(sequence);
+  report.odometry =
+      stream_ ? stream_->odometry().finish(sequence) : odometry.compute(sequence);
   const VisualOdometryResult& found = *report.odometry;
   if (found.posed() == 0)
     PCL_THROW_EXCEPTION(InitFailedException,
@@ -236,6 +277,15 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   consolidation.setRawPoints(rectification_.getMode() == RectificationMode::Paper);
   consolidation.setNumberOfThreads(threads_);
   consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
+  if (stream_) {
+    std::vector<ConsolidatedObservation> done = stream_->consolidated();
+    if (!estimated_.places.empty()) {
+      done.clear();
+      for (const std::size_t place : estimated_.places)
+        done.push_back(stream_->consolidated()[place]);
+    }
+    consolidation.setConsolidated(std::move(done));
+  }
   ConsolidatedObservations observations;
   consolidation.compute(sequence, observations);
   report.consolidation = consolidation.getReport();
@@ -373,7 +423,7 @@ CompactMapping::compute(CompactMap& map)
 {
   if (current_)
     finishObservation();
-  if (sequence_ && !clouds_.empty())
+  if (sequence_ && (stream_ || !clouds_.empty()))
     PCL_THROW_EXCEPTION(InitFailedException,
                         "there are a sequence and observations: give one of both");
   CompactMappingReport report;

@@ -29,12 +29,14 @@ finitePoints(const acmap::PointView& points)
 }
 
 void
-count(const ConsolidationReport& consolidation, SequenceConsolidationReport& report)
+count(const ConsolidatedObservation& observation, SequenceConsolidationReport& report)
 {
-  if (consolidation.representatives == 0)
+  report.points += observation.points;
+  report.colored = report.colored || observation.is_colored;
+  const double voxel = observation.voxel_size;
+  if (voxel == 0 || observation.cloud->empty())
     return;
-  const double voxel = consolidation.voxel_size;
-  report.representatives += consolidation.representatives;
+  report.representatives += observation.cloud->size();
   report.max_voxel_size = std::max(report.max_voxel_size, voxel);
   report.min_voxel_size =
       report.min_voxel_size > 0 ? std::min(report.min_voxel_size, voxel) : voxel;
@@ -69,28 +71,29 @@ inOneLine(const std::vector<std::string>& remarks)
 
 } // namespace
 
-/** Adds the consolidated points of an observation. */
-void
-SequenceConsolidation::consolidate(const std::string& path,
-                                   const PointCloudFile& seen,
-                                   const PointCloud<PointNormal>::Ptr& points,
-                                   ConsolidatedObservations& found,
-                                   SequenceConsolidationReport& report) const
+ConsolidatedObservation
+SequenceConsolidation::consolidate(const PointCloudFile& observation,
+                                   const std::string& name) const
 {
-  const double voxel_size = std::max(
+  ConsolidatedObservation found;
+  const PointCloud<PointNormal>::Ptr points = finitePoints(observation.points());
+  found.points = points->size();
+  found.is_colored = acmap::findColor(observation.cloud) != nullptr;
+  found.cloud = points;
+  if (raw_points_)
+    return found;
+  found.voxel_size = std::max(
       min_voxel,
       acmap::automaticVoxel(acmap::measureNoiseScale(
-          seen.points(), acmap::SensorView(Eigen::Vector3f::Zero()), threads_)));
-  const float weight = weightOf(path, voxel_size);
+          observation.points(), acmap::SensorView(Eigen::Vector3f::Zero()), threads_)));
+  found.weight = weightOf(name, found.voxel_size);
   VoxelConsolidation<PointNormal> consolidation;
   consolidation.setInputCloud(points);
   consolidation.setNumberOfThreads(threads_);
-  consolidation.setVoxelSize(voxel_size);
-  const PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
-  consolidation.filter(*cloud);
-  found.weights.emplace_back(cloud->size(), weight);
-  found.clouds.push_back(cloud);
-  count(consolidation.getReport(), report);
+  consolidation.setVoxelSize(found.voxel_size);
+  found.cloud.reset(new PointCloud<PointNormal>);
+  consolidation.filter(*found.cloud);
+  return found;
 }
 
 void
@@ -101,26 +104,27 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
   SequenceConsolidationReport report;
   ConsolidatedObservations found;
   std::vector<std::string> remarks;
+  if (!consolidated_.empty() && consolidated_.size() != sequence.size())
+    throw BadArgumentException(std::to_string(consolidated_.size()) +
+                               " consolidated observations for a sequence of " +
+                               std::to_string(sequence.size()));
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                   "reading");
     try {
       const PosedObservation seen = sequence.load(i);
       remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
-      const PointCloud<PointNormal>::Ptr points = finitePoints(seen.file->points());
-      if (points->empty())
+      const ConsolidatedObservation one =
+          consolidated_.empty() ? consolidate(*seen.file, sequence.path(i))
+                                : consolidated_[i];
+      if (one.points == 0)
         report.remarks.push_back(sequence.path(i) + ": has no point");
-      if (raw_points_) {
-        found.weights.emplace_back();
-        found.clouds.push_back(points);
-      }
-      else
-        consolidate(sequence.path(i), *seen.file, points, found, report);
+      count(one, report);
+      found.clouds.push_back(one.cloud);
+      found.weights.emplace_back(raw_points_ ? 0 : one.cloud->size(), one.weight);
       found.places.push_back(i);
       found.trajectory.stamps.push_back(sequence.stamp(i));
       found.trajectory.poses.push_back(seen.T_map_camera);
-      report.points += points->size();
-      report.colored = report.colored || acmap::findColor(seen.file->cloud);
     }
     catch (const InputFileException& error) {
       if (!skip_broken_)

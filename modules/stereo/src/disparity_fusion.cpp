@@ -282,6 +282,19 @@ DisparityFusion::fuse(MatchedDisparity& fused)
   state_->report = std::move(report);
 }
 
+DisparityFusion
+DisparityFusion::release()
+{
+  std::optional<Observation> shots = std::move(state_->observation);
+  state_->observation.reset();
+  DisparityFusion released;
+  *released.state_ = *state_;
+  released.setProgressCallback({});
+  released.state_->observation = std::move(shots);
+  state_->forget();
+  return released;
+}
+
 CameraImage
 DisparityFusion::getColor() const
 {

@@ -27,6 +27,10 @@
 
 namespace pcl {
 
+namespace acmap {
+class ObservationStream;
+}
+
 /** \brief Computes a compact map from the images or observations of a robot: the whole
  * chain of "Active Stereo Based Compact Mapping" as one object.
  *
@@ -46,7 +50,8 @@ namespace pcl {
  * The map has the frame of the poses; if these are estimated, that of the first
  * observation. If it is not level, it is turned about its origin (\ref MapLevelling). Metres. The result is the same for every number of threads, and that of
  * `pcl_compact_mapping` for the same observations. Not thread-safe: observations must
- * not be added while \ref compute runs.
+ * not be added while \ref compute runs. A robot that calls \ref start first has most
+ * of the work done when the last observation arrives.
  * \ingroup pipeline */
 class ACMAP_EXPORT CompactMapping : public StageControls<CompactMappingReport> {
 public:
@@ -66,6 +71,39 @@ public:
    * \throws BadArgumentException for a rig without neighbours */
   void
   setInputRig(const TrinocularRig& rig);
+
+  /** \brief Works while observations arrive: a thread of this object computes the
+   * disparities of each as soon as it is complete, its motion, and its consolidated points,
+   * so that \ref compute has less to do. The map is the same as without.
+   *
+   * Of fusion, back-projection, odometry and the mode, the settings at this call count.
+   * When too many observations wait, those who add further ones wait, too, and the
+   * callback of \ref setStateCallback is told. What the thread throws is thrown by the
+   * next call that adds something, or by \ref compute. \ref clear ends it.
+   * \throws InitFailedException after observations were added */
+  void
+  start();
+
+  /** \brief Sets how many complete observations may wait for the thread of \ref start
+   * (default 8). Each has its shots in memory, some 30 MB for eleven of a Digiclops.
+   * \throws BadArgumentException for 0 */
+  void
+  setMaximumWaiting(std::size_t observations);
+
+  std::size_t
+  getMaximumWaiting() const
+  {
+    return maximum_waiting_;
+  }
+
+  /** \brief Sets what is told while observations arrive, after \ref start. It is called
+   * by the thread of this object, and by the one that adds observations when it has to
+   * wait; it must not call this object. */
+  void
+  setStateCallback(MappingStateCallback callback)
+  {
+    state_callback_ = std::move(callback);
+  }
 
   /** \brief Adds a rectified frame. The previous observation is computed when the first
    * frame of another one arrives, and the last one by \ref compute.
@@ -349,7 +387,7 @@ private:
   finishObservation();
 
   ObservationSequence
-  collected() const;
+  collected();
 
   void
   estimatePoses(const ObservationSequence& sequence, CompactMappingReport& report);
@@ -376,7 +414,10 @@ private:
   CompactMap
   paint(const ObservationSequence& sequence, CompactMappingReport& report);
 
-  std::optional<std::int32_t> current_; ///< observation of the last frame
+  std::optional<std::int32_t> current_;              ///< observation of the last frame
+  std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
+  std::size_t maximum_waiting_ = 8;
+  MappingStateCallback state_callback_;
   std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;
   std::optional<ObservationSequence> sequence_;

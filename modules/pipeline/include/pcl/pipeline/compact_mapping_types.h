@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/entropy_rectification_types.h>
@@ -11,9 +12,40 @@
 #include <pcl/pipeline/visual_odometry.h>
 #include <pcl/texture/texturing_types.h>
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace pcl {
+
+/** \brief State of a CompactMapping that works while observations arrive.
+ * \ingroup pipeline */
+struct MappingState {
+  std::size_t arrived = 0;   ///< observations that are complete
+  std::size_t processed = 0; ///< of these, those whose disparities and motion are known
+
+  /** \brief The thread that adds observations waits, because too many of them wait. */
+  bool is_late = false;
+
+  /** \brief Seconds for which the oldest observation that is not processed has been
+   * complete. */
+  double lag = 0;
+
+  /** \brief The last one that was processed, camera frame, metres. */
+  std::shared_ptr<const PointCloudFile> newest;
+
+  /** \brief Poses of the processed ones, before rectification; empty where an
+   * observation could not be joined to those before. */
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+};
+
+/** \brief Called with the state when an observation was processed, and when observations
+ * begin to wait. \ingroup pipeline */
+using MappingStateCallback = std::function<void(const MappingState&)>;
 
 /** \brief Report of CompactMapping on its last run; steps that did not run have no
  * report. Its seconds are those of the steps, its remarks those of all steps.

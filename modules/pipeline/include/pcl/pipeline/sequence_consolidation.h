@@ -10,9 +10,23 @@
 #include <pcl/point_types.h>
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
+
+/** \brief An observation that was consolidated on its own. \ingroup pipeline */
+struct ConsolidatedObservation {
+  /** \brief Consolidated points with normals, or raw points (\ref
+   * SequenceConsolidation::setRawPoints); NaN where there is no normal; sensor frame,
+   * metres. */
+  PointCloud<PointNormal>::Ptr cloud;
+  std::size_t points = 0;  ///< finite points of the observation
+  double voxel_size = 0;   ///< metres; 0 if raw or without a point
+  float weight = 1;        ///< of each point, in areas of the smallest voxel
+  bool is_colored = false; ///< Does the observation have colours?
+};
 
 /** \brief Observations of a sequence, each consolidated on its own.
  * \ingroup pipeline */
@@ -21,9 +35,7 @@ struct ConsolidatedObservations {
   std::vector<std::size_t> places;
   Trajectory trajectory; ///< T_map_camera of each observation
 
-  /** \brief Consolidated points with normals, or raw points (\ref
-   * SequenceConsolidation::setRawPoints); NaN where there is no normal; sensor frame,
-   * metres. */
+  /** \brief As \ref ConsolidatedObservation::cloud. */
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
 
   /** \brief Surface area that each of these points represents, in units of the smallest
@@ -71,6 +83,21 @@ public:
     return raw_points_;
   }
 
+  /** \brief Consolidates one observation, of whatever pose.
+   * \param[in] name for messages
+   * \throws InputFileException if its points are too far apart to be in metres */
+  ConsolidatedObservation
+  consolidate(const PointCloudFile& observation, const std::string& name) const;
+
+  /** \brief Gives what \ref consolidate returned for each observation of the sequence,
+   * where that was done before, so that \ref compute need not (default: none).
+   * \param[in] observations one per observation of the sequence; empty for none */
+  void
+  setConsolidated(std::vector<ConsolidatedObservation> observations)
+  {
+    consolidated_ = std::move(observations);
+  }
+
   /** \brief Reads and consolidates a sequence with poses.
    * \throws InputFileException if an observation cannot be read and none may be
    * skipped, none can be read, all poses are the same though there are several, or the
@@ -80,13 +107,7 @@ public:
   compute(const ObservationSequence& sequence, ConsolidatedObservations& result);
 
 private:
-  void
-  consolidate(const std::string& path,
-              const PointCloudFile& seen,
-              const PointCloud<PointNormal>::Ptr& points,
-              ConsolidatedObservations& found,
-              SequenceConsolidationReport& report) const;
-
+  std::vector<ConsolidatedObservation> consolidated_;
   bool skip_broken_ = false;
   bool raw_points_ = false;
 };

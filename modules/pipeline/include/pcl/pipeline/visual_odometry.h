@@ -135,10 +135,22 @@ public:
     pair_callback_ = std::move(callback);
   }
 
+  const PairCallback&
+  getPairCallback() const
+  {
+    return pair_callback_;
+  }
+
   void
   setPoseCallback(PoseCallback callback)
   {
     pose_callback_ = std::move(callback);
+  }
+
+  const PoseCallback&
+  getPoseCallback() const
+  {
+    return pose_callback_;
   }
 
   /** \brief Estimates the poses of a sequence.

@@ -159,6 +159,12 @@ public:
   void
   fuse(MatchedDisparity& fused);
 
+  /** \brief Hands the shots so far to another fusion with the same settings, to be fused
+   * there while this one takes the shots of the next observation. The progress callback
+   * stays here. */
+  DisparityFusion
+  release();
+
   /** \brief Colour of the reference view, three channels; empty without shots. */
   CameraImage
   getColor() const;

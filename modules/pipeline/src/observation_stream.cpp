@@ -1,0 +1,182 @@
+#include "observation_stream.h"
+
+#include <pcl/conversions.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/pipeline/observation_files.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::acmap {
+
+std::shared_ptr<const PointCloudFile>
+projectFused(DisparityFusion& fusion, DisparityBackProjection& projection)
+{
+  MatchedDisparity disparity;
+  fusion.fuse(disparity);
+  PointCloud<PointXYZRGBSigma> cloud;
+  projection.project(disparity, fusion.getColor(), cloud);
+  const auto file = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(cloud, file->cloud);
+  file->sensor_origin = cloud.sensor_origin_.head<3>();
+  file->sensor_orientation = cloud.sensor_orientation_;
+  return file;
+}
+
+ObservationStream::ObservationStream(Steps steps)
+: steps_(std::move(steps))
+, odometry_(steps_.odometry)
+, worker_([this] { work(); })
+{}
+
+ObservationStream::~ObservationStream()
+{
+  {
+    const std::lock_guard lock(mutex_);
+    is_stopped_ = true;
+  }
+  changed_.notify_all();
+  if (worker_.joinable())
+    worker_.join();
+}
+
+void
+ObservationStream::add(DisparityFusion shots)
+{
+  push({std::move(shots), nullptr, std::nullopt});
+}
+
+void
+ObservationStream::add(std::shared_ptr<const PointCloudFile> cloud,
+                       const std::optional<Eigen::Isometry3d>& T_map_camera)
+{
+  push({std::nullopt, std::move(cloud), T_map_camera});
+}
+
+std::size_t
+ObservationStream::size() const
+{
+  const std::lock_guard lock(mutex_);
+  return arrived_;
+}
+
+void
+ObservationStream::push(Item item)
+{
+  std::unique_lock lock(mutex_);
+  if (ends_)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the map of the observations was computed: clear () begins "
+                        "another one");
+  const auto has_room = [this] {
+    return fault_ || waiting_.size() < steps_.maximum_waiting;
+  };
+  if (!has_room()) {
+    MappingState late = state();
+    late.is_late = true;
+    lock.unlock();
+    tell(late);
+    lock.lock();
+    changed_.wait(lock, has_room);
+  }
+  if (fault_)
+    std::rethrow_exception(fault_);
+  waiting_.push_back(std::move(item));
+  ++arrived_;
+  changed_.notify_all();
+}
+
+void
+ObservationStream::finish()
+{
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  if (worker_.joinable())
+    worker_.join();
+  if (fault_)
+    std::rethrow_exception(fault_);
+}
+
+void
+ObservationStream::work()
+{
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return is_stopped_ || ends_ || !waiting_.empty(); });
+    if (is_stopped_ || waiting_.empty())
+      return;
+    Item& item = waiting_.front(); // push () leaves it where it is
+    lock.unlock();
+    try {
+      process(item);
+      lock.lock();
+      waiting_.pop_front();
+      const MappingState now = state();
+      lock.unlock();
+      tell(now);
+      lock.lock();
+    }
+    catch (...) {
+      if (!lock.owns_lock())
+        lock.lock();
+      fault_ = std::current_exception();
+      changed_.notify_all();
+      return;
+    }
+    changed_.notify_all();
+  }
+}
+
+void
+ObservationStream::process(Item& item)
+{
+  const std::size_t index = clouds_.size();
+  const std::string name = observationName(index);
+  const ProgressCallback goes_on = [this](double, const std::string&) {
+    const std::lock_guard lock(mutex_);
+    return !is_stopped_;
+  };
+  if (item.shots) {
+    item.shots->setProgressCallback(goes_on);
+    item.cloud = projectFused(*item.shots, steps_.projection);
+  }
+  odometry_.setProgressCallback(goes_on);
+  if (!item.T_map_camera)
+    odometry_.add(odometryView(index, name, item.cloud), name);
+  ConsolidatedObservation consolidated =
+      steps_.consolidation.consolidate(*item.cloud, name);
+  const std::lock_guard lock(mutex_);
+  clouds_.push_back(item.cloud);
+  consolidated_.push_back(std::move(consolidated));
+  if (item.T_map_camera)
+    poses_.push_back(item.T_map_camera);
+  else
+    poses_ = odometry_.result().poses;
+}
+
+MappingState
+ObservationStream::state() const
+{
+  MappingState now;
+  now.arrived = arrived_;
+  now.processed = clouds_.size();
+  if (!waiting_.empty())
+    now.lag =
+        std::chrono::duration<double>(Clock::now() - waiting_.front().complete).count();
+  if (!clouds_.empty())
+    now.newest = clouds_.back();
+  now.poses = poses_;
+  return now;
+}
+
+void
+ObservationStream::tell(const MappingState& state) const
+{
+  if (steps_.callback)
+    steps_.callback(state);
+}
+
+} // namespace pcl::acmap

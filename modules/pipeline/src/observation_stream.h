@@ -1,0 +1,131 @@
+#pragma once
+
+#include "odometry_run.h"
+
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/pipeline/compact_mapping_types.h>
+#include <pcl/pipeline/sequence_consolidation.h>
+#include <pcl/stereo/disparity_back_projection.h>
+#include <pcl/stereo/disparity_fusion.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief Projects the fused disparities of an observation.
+ * \return the points, camera frame, metres */
+std::shared_ptr<const PointCloudFile>
+projectFused(DisparityFusion& fusion, DisparityBackProjection& projection);
+
+/** \brief Processes observations in a thread of its own, each as soon as it is complete:
+ * disparities, its motion since the one before, and its consolidated points. What it
+ * computes is what the same steps compute of the whole sequence. */
+class ObservationStream {
+public:
+  struct Steps {
+    DisparityBackProjection projection;
+    VisualOdometry odometry;
+    SequenceConsolidation consolidation;
+    std::size_t maximum_waiting = 8; ///< observations
+    MappingStateCallback callback;
+  };
+
+  explicit ObservationStream(Steps steps);
+
+  /** \brief Stops at once; what is not processed is lost. */
+  ~ObservationStream();
+
+  /** \brief Adds the shots of an observation; waits as long as too many wait already.
+   * \throws InitFailedException after \ref finish
+   * \throws what the processing of earlier ones has thrown */
+  void
+  add(DisparityFusion shots);
+
+  /** \brief Adds an observation that was computed elsewhere; its motion is estimated if
+   * it has no pose. */
+  void
+  add(std::shared_ptr<const PointCloudFile> cloud,
+      const std::optional<Eigen::Isometry3d>& T_map_camera);
+
+  /** \brief Number of observations that were added. */
+  std::size_t
+  size() const;
+
+  /** \brief Waits until all observations are processed.
+   * \throws what the processing has thrown */
+  void
+  finish();
+
+  /** \name Results, after \ref finish */
+  ///@{
+  const std::vector<std::shared_ptr<const PointCloudFile>>&
+  clouds() const
+  {
+    return clouds_;
+  }
+
+  const std::vector<ConsolidatedObservation>&
+  consolidated() const
+  {
+    return consolidated_;
+  }
+
+  OdometryRun&
+  odometry()
+  {
+    return odometry_;
+  }
+  ///@}
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Item {
+    std::optional<DisparityFusion> shots;
+    std::shared_ptr<const PointCloudFile> cloud;
+    std::optional<Eigen::Isometry3d> T_map_camera;
+    Clock::time_point complete = Clock::now();
+  };
+
+  void
+  push(Item item);
+
+  void
+  work();
+
+  void
+  process(Item& item);
+
+  MappingState
+  state() const;
+
+  void
+  tell(const MappingState& state) const;
+
+  Steps steps_;
+  OdometryRun odometry_;
+  std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
+  std::vector<ConsolidatedObservation> consolidated_;
+
+  mutable std::mutex mutex_; ///< of all below, and of what was processed
+  std::condition_variable changed_;
+  std::deque<Item> waiting_; ///< the first one is being processed
+  std::vector<std::optional<Eigen::Isometry3d>> poses_;
+  std::size_t arrived_ = 0;
+  bool ends_ = false; ///< no observation follows
+  bool is_stopped_ = false;
+  std::exception_ptr fault_;
+  std::thread worker_;
+};
+
+} // namespace pcl::acmap

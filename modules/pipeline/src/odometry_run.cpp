@@ -1,0 +1,199 @@
+#include "odometry_run.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/impl/cloud_fields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+using Egomotion = OdometryRun::Egomotion;
+using View = PointCloud<PointXYZRGBSigma>;
+
+constexpr double pi = 3.14159265358979323846;
+
+/** The points with their colours; `sigma` is 0 where the file has none. */
+View::ConstPtr
+pointsWithColor(const PCLPointCloud2& from)
+{
+  const std::size_t place = findField(from, "x")->offset;
+  const std::size_t color = findColor(from)->offset;
+  const PCLPointField* const sigma = findField(from, "sigma", PCLPointField::FLOAT32);
+  View::Ptr cloud(new View(from.width, from.height));
+  cloud->is_dense = from.is_dense != 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    PointXYZRGBSigma& point = (*cloud)[i];
+    const std::uint8_t* const row = &from.data[i * from.point_step];
+    std::memcpy(point.data, row + place, 3 * sizeof(float));
+    std::memcpy(&point.rgba, row + color, sizeof point.rgba);
+    if (sigma)
+      std::memcpy(&point.sigma, row + sigma->offset, sizeof point.sigma);
+  }
+  return cloud;
+}
+
+std::string
+sizeText(const View& cloud)
+{
+  return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " points";
+}
+
+/** Sets the search limits for two observations that are this number of steps apart.
+ * They grow with the gap, but not so far that every motion would be possible. */
+void
+setReach(double steps, const Egomotion& of_step, Egomotion& egomotion)
+{
+  constexpr double max_steps = 3;
+  constexpr double max_translation = 1e6; // metres
+  steps = std::min(steps, max_steps);
+  egomotion.setMaximumTranslation(
+      std::min(steps * of_step.getMaximumTranslation(), max_translation));
+  egomotion.setMaximumRotation(std::min(steps * of_step.getMaximumRotation(), pi));
+}
+
+double
+medianOf(std::vector<double> values)
+{
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Does a motion leave the floor by clearly more than its uncertainty? */
+bool
+isFree(const EgomotionEstimate& estimate, double tilt, double rise)
+{
+  constexpr double min_tilt = 0.5 * pi / 180, min_rise = 0.02; // radians, metres
+  constexpr double sigmas = 4;
+  const auto& covariance = estimate.covariance;
+  return tilt > std::max(min_tilt,
+                         sigmas * std::sqrt(covariance(3, 3) + covariance(5, 5))) ||
+         rise > std::max(min_rise, sigmas * std::sqrt(covariance(1, 1)));
+}
+
+/** Estimates motions of neighbouring observations, spread over the sequence, with six
+ * degrees of freedom. */
+FreeMotion
+probeFreeMotion(const ObservationSequence& sequence, Egomotion egomotion)
+{
+  constexpr std::size_t max_pairs = 5;
+  egomotion.setMotionModel(MotionModel::Rigid);
+  FreeMotion result;
+  std::vector<double> tilts, rises;
+  const std::size_t steps = sequence.size() - 1; // from one observation to the next
+  const std::size_t pairs = std::min(steps, max_pairs);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const std::size_t first = (2 * k + 1) * steps / (2 * pairs);
+    egomotion.setInputTarget(odometryView(sequence, first).cloud);
+    egomotion.setInputSource(odometryView(sequence, first + 1).cloud);
+    const std::optional<EgomotionEstimate> estimate = egomotion.compute();
+    if (!estimate)
+      continue;
+    const Eigen::Isometry3d& motion = estimate->T_target_source;
+    tilts.push_back(std::acos(std::clamp(motion.linear()(1, 1), -1.0, 1.0)));
+    rises.push_back(std::abs(motion.translation().y()));
+    ++result.pairs;
+    result.free += isFree(*estimate, tilts.back(), rises.back());
+  }
+  result.tilt = medianOf(tilts);
+  result.rise = medianOf(rises);
+  return result;
+}
+
+} // namespace
+
+OdometryView
+odometryView(std::size_t index,
+             const std::string& name,
+             std::shared_ptr<const PointCloudFile> observation)
+{
+  OdometryView view;
+  view.index = index;
+  view.file = std::move(observation);
+  const PCLPointCloud2& cloud = view.file->cloud;
+  if (cloud.height < 2)
+    throw InputFileException(name +
+                             ": is not organized, it has one row of points only");
+  if (!findColor(cloud))
+    throw InputFileException(name + ": has no colour, a field rgb is needed");
+  view.cloud = pointsWithColor(cloud);
+  return view;
+}
+
+OdometryView
+odometryView(const ObservationSequence& sequence, std::size_t index)
+{
+  return odometryView(index, sequence.path(index), sequence.load(index).file);
+}
+
+OdometryRun::OdometryRun(const VisualOdometry& settings)
+: of_step_(settings.getEgomotion())
+, egomotion_(settings.getEgomotion())
+, pair_callback_(settings.getPairCallback())
+, pose_callback_(settings.getPoseCallback())
+, chain_([this](const OdometryView& now,
+                const OdometryView& before) { return estimate(now, before); },
+         [this](const OdometryView& view, const Eigen::Isometry3d& T_map_camera) {
+           keep(view, T_map_camera);
+         })
+{
+  egomotion_.setNumberOfThreads(settings.getNumberOfThreads());
+}
+
+void
+OdometryRun::setProgressCallback(ProgressCallback progress)
+{
+  egomotion_.setProgressCallback(std::move(progress));
+}
+
+void
+OdometryRun::add(OdometryView view, const std::string& name)
+{
+  if (size_.empty())
+    size_ = sizeText(*view.cloud);
+  if (sizeText(*view.cloud) != size_)
+    throw InputFileException(name + ": has " + sizeText(*view.cloud) +
+                             ", the observations before have " + size_);
+  result_.poses.resize(view.index + 1);
+  chain_.add(std::move(view));
+}
+
+const VisualOdometryResult&
+OdometryRun::finish(const ObservationSequence& sequence)
+{
+  if (of_step_.getMotionModel() == MotionModel::Planar && sequence.size() > 1) {
+    setReach(1, of_step_, egomotion_);
+    result_.free = probeFreeMotion(sequence, egomotion_);
+  }
+  return result_;
+}
+
+std::optional<Eigen::Isometry3d>
+OdometryRun::estimate(const OdometryView& now, const OdometryView& before)
+{
+  setReach(static_cast<double>(now.index - before.index), of_step_, egomotion_);
+  egomotion_.setInputSource(now.cloud);
+  egomotion_.setInputTarget(before.cloud);
+  const std::optional<EgomotionEstimate> found = egomotion_.compute();
+  result_.pairs.push_back({now.index, before.index, egomotion_.getReport(), found});
+  if (pair_callback_)
+    pair_callback_(result_.pairs.back(), egomotion_);
+  return found ? std::optional(found->T_target_source) : std::nullopt;
+}
+
+void
+OdometryRun::keep(const OdometryView& view, const Eigen::Isometry3d& T_map_camera)
+{
+  result_.poses[view.index] = T_map_camera;
+  if (pose_callback_)
+    pose_callback_(view.index, *view.file, T_map_camera);
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "pose_chain.h"
+
+#include <pcl/pipeline/visual_odometry.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace pcl::acmap {
+
+/** \brief An observation as input of the egomotion.
+ * \param[in] name for messages
+ * \throws InputFileException if it is not organized, or has no colour */
+OdometryView
+odometryView(std::size_t index,
+             const std::string& name,
+             std::shared_ptr<const PointCloudFile> observation);
+
+/** \brief The same for an observation that is read from its sequence. */
+OdometryView
+odometryView(const ObservationSequence& sequence, std::size_t index);
+
+/** \brief A run of VisualOdometry: observations are added one after the other, as soon as
+ * each is there. */
+class OdometryRun {
+public:
+  using Egomotion = VisualOdometry::Egomotion;
+
+  explicit OdometryRun(const VisualOdometry& settings);
+
+  OdometryRun(const OdometryRun&) = delete; // the chain refers to this object
+  OdometryRun&
+  operator=(const OdometryRun&) = delete;
+
+  /** \brief Is told the progress of each motion, and can cancel the run. */
+  void
+  setProgressCallback(ProgressCallback progress);
+
+  /** \brief Adds the next observation.
+   * \param[in] view with the number of views before as its index
+   * \throws InputFileException if its size is not that of the first one
+   * \throws CancelledException if the progress callback stopped it */
+  void
+  add(OdometryView view, const std::string& name);
+
+  /** \brief Poses and pairs so far. */
+  const VisualOdometryResult&
+  result() const
+  {
+    return result_;
+  }
+
+  /** \brief Probes the free motion, after the last observation.
+   * \param[in] sequence all observations */
+  const VisualOdometryResult&
+  finish(const ObservationSequence& sequence);
+
+private:
+  std::optional<Eigen::Isometry3d>
+  estimate(const OdometryView& now, const OdometryView& before);
+
+  void
+  keep(const OdometryView& view, const Eigen::Isometry3d& T_map_camera);
+
+  Egomotion of_step_; ///< with the limits from one observation to the next
+  Egomotion egomotion_;
+  VisualOdometry::PairCallback pair_callback_;
+  VisualOdometry::PoseCallback pose_callback_;
+  VisualOdometryResult result_;
+  std::string size_; ///< of the first observation
+  PoseChain chain_;
+};
+
+} // namespace pcl::acmap
