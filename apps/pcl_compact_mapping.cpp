@@ -1,6 +1,7 @@
 #include "compact_mapping/chain.h"
 #include "compact_mapping/chain_report.h"
 #include "compact_mapping/map_stage.h"
+#include "compact_mapping/recorded_stage.h"
 #include "compact_mapping/report_page.h"
 #include "output_target.h"
 
@@ -90,12 +91,16 @@ run(Tool& tool, const ChainOptions& options)
               tool.log(),
               (fs::path(options.output) / "stages").string());
   Sequence sequence;
-  if (start != StartingPoint::Cloud)
+  if (start != StartingPoint::Cloud && !options.as_recorded)
     sequence = chain.sequenceFrom(start);
+  nlohmann::ordered_json map_values = values(map_group);
+  if (options.as_recorded) // in one stage
+    for (const char* group :
+         {stereo_group, egomotion_group, motion_group, rectification_group})
+      map_values.update(values(group));
   // pictures of the same map are kept, even if this run would not draw any
   const auto madeOf = [&](bool has_pictures) {
-    return mapIsMadeOf(
-        options, sequence, values(map_group), controls.scale, has_pictures);
+    return mapIsMadeOf(options, sequence, map_values, controls.scale, has_pictures);
   };
   const bool has_pictures =
       display || chain.isFinished("map", madeOf(true), options.output);
@@ -103,8 +108,10 @@ run(Tool& tool, const ChainOptions& options)
       "map",
       madeOf(has_pictures),
       [&](StageLog& log) {
-        return makeMap(
-            options, chain, sequence, display != nullptr, folder, controls, log);
+        const bool draws = display != nullptr;
+        return options.as_recorded
+                   ? mapAsRecorded(options, draws, folder, controls, log)
+                   : makeMap(options, chain, sequence, draws, folder, controls, log);
       },
       options.output);
   std::optional<pcl::MapFigures> figures;

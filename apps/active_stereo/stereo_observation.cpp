@@ -101,32 +101,42 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   return range;
 }
 
-ShotFusion::ShotFusion(const TrinocularRig& rig,
-                       const StereoOptions& options,
-                       unsigned threads)
-: range_(disparitiesBetween(rig, options.nearest, options.farthest))
+SearchRange
+setUpStereo(const TrinocularRig& rig,
+            const StereoOptions& options,
+            unsigned threads,
+            DisparityFusion& fusion,
+            DisparityBackProjection& projection)
 {
-  requireMemory(disparityMemory(rig, range_),
-                std::to_string(range_.count) + " disparities of " +
+  const SearchRange range = disparitiesBetween(rig, options.nearest, options.farthest);
+  requireMemory(disparityMemory(rig, range),
+                std::to_string(range.count) + " disparities of " +
                     std::to_string(rig.width) + " x " + std::to_string(rig.height) +
                     " pixels");
   TrinocularMatching matching;
-  matching.setXOffset(range_.minimum);
-  matching.setMaxDisparity(range_.count);
+  matching.setXOffset(range.minimum);
+  matching.setMaxDisparity(range.count);
   if (options.correlation)
     matching.setCorrelationThreshold(*options.correlation);
   if (options.texture)
     matching.setPeakFilter(*options.texture);
-  fusion_.setMatching(matching);
-  fusion_.setInputRig(rig);
-  fusion_.setMethod(disparityFusionMethod(options.method));
-  fusion_.setPassive(options.isPassive());
-  fusion_.setNumberOfThreads(threads);
-  projection_.setInputRig(rig);
-  projection_.setMinimumDepth(options.nearest);
-  projection_.setMaximumDepth(options.farthest);
-  projection_.setNumberOfThreads(threads);
+  fusion.setMatching(matching);
+  fusion.setInputRig(rig);
+  fusion.setMethod(disparityFusionMethod(options.method));
+  fusion.setPassive(options.isPassive());
+  fusion.setNumberOfThreads(threads);
+  projection.setInputRig(rig);
+  projection.setMinimumDepth(options.nearest);
+  projection.setMaximumDepth(options.farthest);
+  projection.setNumberOfThreads(threads);
+  return range;
 }
+
+ShotFusion::ShotFusion(const TrinocularRig& rig,
+                       const StereoOptions& options,
+                       unsigned threads)
+: range_(setUpStereo(rig, options, threads, fusion_, projection_))
+{}
 
 MadeObservation
 ShotFusion::make(const ObservationShots& shots, const ProgressCallback& progress)

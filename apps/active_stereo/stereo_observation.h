@@ -38,6 +38,19 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest);
 double
 depthOf(const TrinocularRig& rig, double disparity);
 
+/** \brief Sets fusion and projection for a rig.
+ * \param[in] threads 0 = all
+ * \return the disparities that are searched
+ * \throws UsageError, BadArgumentException for depths that do not suit the rig
+ * \throws MemoryRefused when the costs of all disparities do not fit. The memory of the
+ * shots is not considered: their number is not known before they are read */
+SearchRange
+setUpStereo(const TrinocularRig& rig,
+            const StereoOptions& options,
+            unsigned threads,
+            DisparityFusion& fusion,
+            DisparityBackProjection& projection);
+
 /** \brief Result of the shots of an observation. */
 struct MadeObservation {
   MatchedDisparity matched;
@@ -49,10 +62,7 @@ struct MadeObservation {
 /** \brief Computes the observations of one rig from their shots. */
 class ShotFusion {
 public:
-  /** \param[in] threads 0 = all
-   * \throws UsageError, BadArgumentException for depths that do not suit the rig
-   * \throws MemoryRefused when the costs of all disparities do not fit. The memory of
-   * the shots is not considered: their number is not known before they are read */
+  /** \throws what \ref setUpStereo does */
   ShotFusion(const TrinocularRig& rig, const StereoOptions& options, unsigned threads);
 
   const SearchRange&
@@ -66,9 +76,9 @@ public:
   make(const ObservationShots& shots, const ProgressCallback& progress);
 
 private:
-  SearchRange range_;
   DisparityFusion fusion_;
   DisparityBackProjection projection_;
+  SearchRange range_; ///< set with both
 };
 
 /** \brief Refuses a folder that already holds files with which results would mix.

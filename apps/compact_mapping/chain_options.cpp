@@ -26,6 +26,12 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
   inGroup(tool, stereo_group, [&] {
     addStereoChoices(app, options.stereo);
     addUnlit(app, options.stereo);
+    app.add_flag(
+        "--as-recorded",
+        options.as_recorded,
+        "Replay the session at the pace of its recording and map it meanwhile, as "
+        "with a camera; tells how long the map takes after the last shot. Keeps "
+        "no stages for later runs");
     app.add_option("--poses",
                    options.stereo.poses,
                    "Known poses of the session's observations, TUM's form, one row "
@@ -153,6 +159,11 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
     throw UsageError("--scale is for point clouds, and " + what);
   if (!options.stereo.poses.empty())
     refuseGroup(tool, egomotion_group, "is not used where --poses are known");
+  if (options.as_recorded && !options.stereo.poses.empty())
+    throw UsageError("--poses: a session that is replayed gets its poses on the way");
+  if (options.as_recorded && !options.truth.empty())
+    throw UsageError(
+        "--truth: is told of the stages of a map, which --as-recorded has not");
   requireStereoSense(options.stereo);
   checkChoices(options.planes);
 }

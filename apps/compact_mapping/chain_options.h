@@ -16,6 +16,7 @@ struct ChainOptions {
   std::string truth; ///< simulated session to compare with; empty: none
   bool has_pictures = true;
   bool rectifies = true;
+  bool as_recorded = false; ///< replay a session at its pace, and map it meanwhile
   /** \brief Maximum for the merged cloud, before it is consolidated. */
   std::size_t max_points = 50000000;
   StereoOptions stereo;

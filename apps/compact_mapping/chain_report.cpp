@@ -104,6 +104,8 @@ mapIsMadeOf(const ChainOptions& options,
     files = stateOf(sequence.posed->folder(), sequence.posed->names());
     files.push_back(stateOf(sequence.posed->folder(), {trajectory_name}));
   }
+  else if (options.as_recorded)
+    files = stateOf(options.input, filesIn(options.input));
   else
     files = stateOfFile(options.input);
   values.erase("--no-pictures"); // added below

@@ -50,12 +50,6 @@ savePictures(const OutputFolder& folder,
 
 namespace fs = std::filesystem;
 
-/** \brief Result for the input. */
-struct Mapped {
-  MappedPlanes found;
-  CompactMap map;
-};
-
 /** \brief Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
 thinned(const PCLPointCloud2& map)
@@ -154,6 +148,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
 void
 takeAlong(const Chain& chain, const OutputFolder& folder)
 {
+  fs::create_directories(folder.path(pictureName("")));
   const auto copy = [&](const char* name, const std::string& to) {
     const fs::path from = fs::path(chain.folderOf("rectification")) / name;
     std::error_code error;
@@ -273,6 +268,31 @@ tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 } // namespace
 
 std::vector<std::string>
+writeMap(const ChainOptions& options,
+         Mapped& mapped,
+         bool draws,
+         OutputFolder& folder,
+         StageLog& log)
+{
+  StepTimer timer(log.report);
+  const FloorPlan plan = makeFloorPlan(mapped.map);
+  setRooms(plan, mapped.map);
+  saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
+  fs::create_directories(folder.path(pictureName("")));
+  saveFloorPlan(folder.path("plan.svg"), plan);
+  saveNormals(folder.path("mesh.ply"), mapped.found);
+  timer.finish("write map");
+  if (draws)
+    drawPictures(folder, mapped, log);
+  timer.finish("pictures");
+  stopIfInterrupted();
+  std::vector<std::string> names = filesOf(folder);
+  folder.commit();
+  tellMap(options, mapped, log);
+  return names;
+}
+
+std::vector<std::string>
 makeMap(const ChainOptions& options,
         const Chain& chain,
         const Sequence& sequence,
@@ -284,25 +304,9 @@ makeMap(const ChainOptions& options,
   Mapped mapped = sequence.posed ? mapSequence(options, sequence, folder, controls, log)
                                  : mapCloud(options, controls, log);
   stopIfInterrupted();
-  StepTimer timer(log.report);
-
-  const FloorPlan plan = makeFloorPlan(mapped.map);
-  setRooms(plan, mapped.map);
-  saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
-  fs::create_directories(folder.path(pictureName("")));
-  saveFloorPlan(folder.path("plan.svg"), plan);
-  saveNormals(folder.path("mesh.ply"), mapped.found);
   if (sequence.is_rectified)
     takeAlong(chain, folder);
-  timer.finish("write map");
-  if (draws)
-    drawPictures(folder, mapped, log);
-  timer.finish("pictures");
-  stopIfInterrupted();
-  std::vector<std::string> names = filesOf(folder);
-  folder.commit();
-  tellMap(options, mapped, log);
-  return names;
+  return writeMap(options, mapped, draws, folder, log);
 }
 
 } // namespace pcl::acmap

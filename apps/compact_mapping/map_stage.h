@@ -12,6 +12,22 @@ namespace pcl::acmap {
 /** \brief Minimum tilt that is reported, in degrees. */
 inline constexpr double min_tilt_told = 2;
 
+/** \brief Result for the input. */
+struct Mapped {
+  MappedPlanes found;
+  CompactMap map;
+};
+
+/** \brief Writes a map with its floor plan, its mesh and its pictures, and reports it.
+ * \param[in,out] folder is committed
+ * \return names of the files */
+std::vector<std::string>
+writeMap(const ChainOptions& options,
+         Mapped& mapped,
+         bool draws,
+         OutputFolder& folder,
+         StageLog& log);
+
 /** \brief Computes a compact map of observations, or of one cloud, and writes it with
  * its mesh, thinned points, poses and pictures, as a step of the chain.
  * \param[in] sequence the observations; without poses: one cloud, the options' input

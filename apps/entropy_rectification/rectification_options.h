@@ -2,9 +2,10 @@
 
 #include "tool.h"
 
-#include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/mapping/entropy_rectification.h>
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/point_types.h>
 
 #include <Eigen/Core>
 
@@ -60,6 +61,10 @@ addRectificationChoices(Tool& tool, RectificationOptions& options);
  * the bin size permits */
 void
 requireSense(const RectificationOptions& options);
+
+/** \brief The rectification with these options, without observations. */
+EntropyRectification<PointNormal>
+rectificationOf(const RectificationOptions& options);
 
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.

@@ -199,14 +199,8 @@ rectify(const RectificationOptions& options,
         const Eigen::Vector3d& up,
         const RunControls& controls)
 {
-  Rectification rectification;
+  Rectification rectification = rectificationOf(options);
   rectification.setUpDirection(up);
-  rectification.setMode(options.mode);
-  rectification.setBinSize(options.binSize());
-  if (options.smoothing)
-    rectification.setSmoothing(*options.smoothing);
-  rectification.setSeed(options.seed);
-  rectification.setOdometryNoise(options.odometry);
   rectification.setNumberOfThreads(controls.threads);
   rectification.setProgressCallback(controls.progress);
   for (std::size_t i = 0; i < observations.clouds.size(); ++i)
@@ -351,6 +345,19 @@ rectifyMap(const RectificationOptions& options,
 }
 
 } // namespace
+
+EntropyRectification<PointNormal>
+rectificationOf(const RectificationOptions& options)
+{
+  Rectification rectification;
+  rectification.setMode(options.mode);
+  rectification.setBinSize(options.binSize());
+  if (options.smoothing)
+    rectification.setSmoothing(*options.smoothing);
+  rectification.setSeed(options.seed);
+  rectification.setOdometryNoise(options.odometry);
+  return rectification;
+}
 
 EstimatedPoses
 rectifyPoses(const RectificationOptions& options,

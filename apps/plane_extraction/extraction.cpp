@@ -19,36 +19,6 @@ namespace pcl::acmap {
 
 namespace {
 
-PlaneMapping
-mappingOf(const PlaneOptions& options, unsigned threads)
-{
-  PlaneMapping mapping;
-  if (options.paper)
-    mapping.setMode(MappingMode::Paper);
-  PlaneMapping::Clustering clustering = mapping.getClustering();
-  PlaneMapping::DepthSegmentation segmentation;
-  if (options.tolerance)
-    clustering.setDistanceThreshold(*options.tolerance);
-  clustering.setMinArea(options.min_area.value_or(0));
-  segmentation.setMinArea(options.min_area.value_or(0));
-  clustering.setRegularize(options.regular);
-  segmentation.setRegularize(options.regular);
-  mapping.setClustering(clustering);
-  mapping.setDepthSegmentation(segmentation);
-  mapping.setDepthSensor(options.isInSpace() ? DepthSensor::Laser : options.sensor);
-  if (options.voxel_size) {
-    PlaneMapping::Consolidation consolidation;
-    consolidation.setVoxelSize(*options.voxel_size);
-    mapping.setConsolidation(consolidation);
-    mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
-  }
-  mapping.setComputeMesh(options.keeps_mesh);
-  mapping.setComputeCylinders(options.findsPrimitives());
-  mapping.setComputeBoxes(options.findsPrimitives());
-  mapping.setNumberOfThreads(threads);
-  return mapping;
-}
-
 /** Callback that refuses work for which there is not enough memory, and warns of work
  * that takes long. */
 CostCallback
@@ -249,27 +219,6 @@ tellBits(const PlaneMappingReport& report, StageLog& log)
     tell("recesses", report.recesses->bits_before, report.recesses->bits_after);
 }
 
-void
-tellMapping(const PlaneMappingReport& report, StageLog& log)
-{
-  log.warn(report.remarks);
-  log.details["mode"] = report.mode == MappingMode::Paper ? "paper" : "accurate";
-  log.details["consolidated_points"] = report.consolidated_points;
-  if (report.depth_planes)
-    tellInPicture(report, log);
-  else
-    tellInSpace(report, log);
-  if (report.cylinders)
-    log.details["cylinder_report"] = jsonOf(*report.cylinders);
-  if (report.boxes)
-    log.details["box_report"] = jsonOf(*report.boxes);
-  if (report.recesses)
-    log.details["recess_report"] = jsonOf(*report.recesses);
-  tellBits(report, log);
-  for (const auto& [step, seconds] : report.seconds)
-    log.report.seconds.emplace_back(step, seconds);
-}
-
 PCLPointCloud2
 withVotes(const MappedPlanes& found)
 {
@@ -294,6 +243,57 @@ withVotes(const MappedPlanes& found)
 }
 
 } // namespace
+
+PlaneMapping
+mappingOf(const PlaneOptions& options, unsigned threads)
+{
+  PlaneMapping mapping;
+  if (options.paper)
+    mapping.setMode(MappingMode::Paper);
+  PlaneMapping::Clustering clustering = mapping.getClustering();
+  PlaneMapping::DepthSegmentation segmentation;
+  if (options.tolerance)
+    clustering.setDistanceThreshold(*options.tolerance);
+  clustering.setMinArea(options.min_area.value_or(0));
+  segmentation.setMinArea(options.min_area.value_or(0));
+  clustering.setRegularize(options.regular);
+  segmentation.setRegularize(options.regular);
+  mapping.setClustering(clustering);
+  mapping.setDepthSegmentation(segmentation);
+  mapping.setDepthSensor(options.isInSpace() ? DepthSensor::Laser : options.sensor);
+  if (options.voxel_size) {
+    PlaneMapping::Consolidation consolidation;
+    consolidation.setVoxelSize(*options.voxel_size);
+    mapping.setConsolidation(consolidation);
+    mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
+  }
+  mapping.setComputeMesh(options.keeps_mesh);
+  mapping.setComputeCylinders(options.findsPrimitives());
+  mapping.setComputeBoxes(options.findsPrimitives());
+  mapping.setNumberOfThreads(threads);
+  return mapping;
+}
+
+void
+tellMapping(const PlaneMappingReport& report, StageLog& log)
+{
+  log.warn(report.remarks);
+  log.details["mode"] = report.mode == MappingMode::Paper ? "paper" : "accurate";
+  log.details["consolidated_points"] = report.consolidated_points;
+  if (report.depth_planes)
+    tellInPicture(report, log);
+  else
+    tellInSpace(report, log);
+  if (report.cylinders)
+    log.details["cylinder_report"] = jsonOf(*report.cylinders);
+  if (report.boxes)
+    log.details["box_report"] = jsonOf(*report.boxes);
+  if (report.recesses)
+    log.details["recess_report"] = jsonOf(*report.recesses);
+  tellBits(report, log);
+  for (const auto& [step, seconds] : report.seconds)
+    log.report.seconds.emplace_back(step, seconds);
+}
 
 void
 addPlaneChoices(Tool& tool, PlaneOptions& options)

@@ -50,6 +50,11 @@ addPlaneChoices(Tool& tool, PlaneOptions& options);
 void
 checkChoices(const PlaneOptions& options);
 
+/** \brief The mapping of planes with these options.
+ * \param[in] threads 0 = all */
+PlaneMapping
+mappingOf(const PlaneOptions& options, unsigned threads);
+
 /** \brief Finds the planes of a cloud, or of a mesh, and reports all steps: warnings,
  * summary, JSON report and seconds.
  * \param[in] viewpoints of a cloud with a field `view`, metres
@@ -63,6 +68,10 @@ extractPlanes(const PlaneOptions& options,
               const RunControls& controls,
               StageLog& log,
               TriangleMesh mesh = {});
+
+/** \brief Reports all steps of a mapping: warnings, summary, JSON report and seconds. */
+void
+tellMapping(const PlaneMappingReport& report, StageLog& log);
 
 /** \param[in] input name of the input
  * \throws NothingFound, with the reasons, when there is neither a plane nor a cylinder */

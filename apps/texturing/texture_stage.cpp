@@ -24,16 +24,9 @@ texturingOf(const CompactMap& surfaces,
             const TextureOptions& options,
             const RunControls& controls)
 {
-  Texturing texturing;
+  Texturing texturing = acmap::texturingOf(options, controls.threads);
   texturing.setPlanes(surfaces.planes);
   texturing.setCylinders(surfaces.cylinders);
-  texturing.setTexelSize(options.texel_size);
-  texturing.setMaximumDistance(options.maximum_distance);
-  texturing.setMaximumTextureSize(options.maximum_texture_size);
-  texturing.setFillDistance(options.fill_distance);
-  texturing.setCorrectExposure(!options.keep_exposure);
-  texturing.setPaperMode(options.paper);
-  texturing.setNumberOfThreads(controls.threads);
   texturing.setProgressCallback(controls.progress);
   // within the range of an integer, but beyond the memory of any machine
   constexpr double maximum = 1e18;
@@ -56,6 +49,22 @@ geometryBytes(const CompactMap& map)
   return bytes;
 }
 
+} // namespace
+
+PlaneTexturing<PointXYZRGB>
+texturingOf(const TextureOptions& options, unsigned threads)
+{
+  Texturing texturing;
+  texturing.setTexelSize(options.texel_size);
+  texturing.setMaximumDistance(options.maximum_distance);
+  texturing.setMaximumTextureSize(options.maximum_texture_size);
+  texturing.setFillDistance(options.fill_distance);
+  texturing.setCorrectExposure(!options.keep_exposure);
+  texturing.setPaperMode(options.paper);
+  texturing.setNumberOfThreads(threads);
+  return texturing;
+}
+
 void
 tellTexture(const TexturingReport& report, StageLog& log)
 {
@@ -67,8 +76,6 @@ tellTexture(const TexturingReport& report, StageLog& log)
                percent(report.seen, report.texels) + " seen, " +
                percent(report.filled, report.texels) + " filled");
 }
-
-} // namespace
 
 TextureOptions::TextureOptions()
 {

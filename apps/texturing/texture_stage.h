@@ -4,7 +4,9 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/point_types.h>
 #include <pcl/texture/compact_map_folder.h>
+#include <pcl/texture/plane_texturing.h>
 
 #include <memory>
 #include <string>
@@ -30,6 +32,15 @@ struct TextureOptions {
 /** \brief Adds the options to the command line. */
 void
 addTextureOptions(Tool& tool, TextureOptions& options);
+
+/** \brief The texturing with these options, without planes.
+ * \param[in] threads 0 = all */
+PlaneTexturing<PointXYZRGB>
+texturingOf(const TextureOptions& options, unsigned threads);
+
+/** \brief Reports a texturing: warnings, summary and JSON report. */
+void
+tellTexture(const TexturingReport& report, StageLog& log);
 
 /** \brief Textures planes and cylinders with the observations of a folder, as a step of the
  * tool.

@@ -4,6 +4,7 @@
 
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/visual_odometry.h>
 
 #include <string>
 #include <vector>
@@ -42,6 +43,10 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options);
  * \throws InputFileException if it is no folder, or holds no PCD file */
 ObservationSequence
 observationsOf(const EgomotionOptions& options, double scale);
+
+/** \brief The estimator of the motions with these options. */
+VisualOdometry::Egomotion
+egomotionOf(const EgomotionOptions& options);
 
 /** \brief Estimates the poses of a sequence and writes them into a folder: the complete
  * work of pcl_visual_egomotion.

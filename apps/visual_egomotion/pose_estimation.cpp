@@ -475,15 +475,8 @@ run(const EgomotionOptions& options,
     const RunControls& controls,
     StageLog& log)
 {
-  VisualOdometry::Egomotion egomotion;
-  egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
-  egomotion.setMaximumKeypoints(options.keypoints);
-  egomotion.setRefinement(options.refines);
-  egomotion.setPaperMode(options.paper);
-  egomotion.setMaximumTranslation(options.max_translation);
-  egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
   VisualOdometry odometry;
-  odometry.setEgomotion(egomotion);
+  odometry.setEgomotion(egomotionOf(options));
   odometry.setNumberOfThreads(controls.threads);
   odometry.setProgressCallback(controls.progress);
   if (options.pictures)
@@ -501,6 +494,19 @@ run(const EgomotionOptions& options,
 }
 
 } // namespace
+
+VisualOdometry::Egomotion
+egomotionOf(const EgomotionOptions& options)
+{
+  VisualOdometry::Egomotion egomotion;
+  egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
+  egomotion.setMaximumKeypoints(options.keypoints);
+  egomotion.setRefinement(options.refines);
+  egomotion.setPaperMode(options.paper);
+  egomotion.setMaximumTranslation(options.max_translation);
+  egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
+  return egomotion;
+}
 
 EstimatedPoses
 estimatePoses(const EgomotionOptions& options,

@@ -113,11 +113,11 @@ struct PaperMap {
 };
 
 Trajectory
-asInFiles(Trajectory trajectory)
+asInFiles(const Trajectory& trajectory)
 {
-  for (Eigen::Isometry3d& pose : trajectory.poses)
-    pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
-  return trajectory;
+  const TemporaryFolder folder;
+  saveTrajectory(folder.path(trajectory_name), trajectory);
+  return loadTrajectory(folder.path(trajectory_name));
 }
 
 /** Which steps are the paper's; the planes have a test of their own. */

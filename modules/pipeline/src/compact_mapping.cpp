@@ -35,12 +35,16 @@ isDefault(const OdometryNoise& noise)
          noise.turn_per_radian == usual.turn_per_radian;
 }
 
-/** A pose as it is read from a trajectory file, so that the map has the same bytes whether
+/** A pose as it is read from a trajectory file, bit by bit, so that the map has the same bytes whether
  * steps pass poses in memory or in files. */
 Eigen::Isometry3d
 asInFiles(Eigen::Isometry3d pose)
 {
-  pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  Eigen::Quaterniond written(pose.linear());
+  written.normalize();
+  if (written.w() < 0)
+    written.coeffs() = -written.coeffs();
+  pose.linear() = written.normalized().toRotationMatrix();
   return pose;
 }
 
@@ -111,7 +115,7 @@ CompactMapping::setMaximumWaiting(std::size_t observations)
 void
 CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
 {
-  if (frame && current_ && *current_ != frame->observation)
+  if (frame && current_ != frame->observation)
     finishObservation();
   fusion_.addShot(frame);
   current_ = frame->observation;
@@ -140,6 +144,8 @@ CompactMapping::start()
 void
 CompactMapping::finishObservation()
 {
+  if (!current_)
+    return;
   current_.reset();
   if (stream_) {
     stream_->add(fusion_.release());
@@ -421,8 +427,7 @@ CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport&
 void
 CompactMapping::compute(CompactMap& map)
 {
-  if (current_)
-    finishObservation();
+  finishObservation();
   if (sequence_ && (stream_ || !clouds_.empty()))
     PCL_THROW_EXCEPTION(InitFailedException,
                         "there are a sequence and observations: give one of both");

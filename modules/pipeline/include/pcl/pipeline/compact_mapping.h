@@ -112,6 +112,13 @@ public:
   void
   addFrame(const TrinocularFrame::ConstPtr& frame);
 
+  /** \brief Completes the observation of the frames so far, as the first frame of another
+   * one does: for a robot that knows that it has taken the last shot. No effect without
+   * frames.
+   * \throws what \ref DisparityFusion::fuse does */
+  void
+  finishObservation();
+
   /** \brief Adds an observation whose pose is to be estimated.
    * \param[in] cloud organized, with colours, camera frame; copied
    * \throws BadArgumentException without a cloud */
@@ -382,9 +389,6 @@ private:
   void
   add(std::shared_ptr<const PointCloudFile> cloud,
       const std::optional<Eigen::Isometry3d>& T_map_camera);
-
-  void
-  finishObservation();
 
   ObservationSequence
   collected();
