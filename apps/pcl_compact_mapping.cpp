@@ -110,7 +110,12 @@ run(Tool& tool, const ChainOptions& options)
       [&](StageLog& log) {
         const bool draws = display != nullptr;
         return options.as_recorded
-                   ? mapAsRecorded(options, draws, folder, controls, log)
+                   ? mapAsRecorded(options,
+                                   chain.folderOf("observations"),
+                                   draws,
+                                   folder,
+                                   controls,
+                                   log)
                    : makeMap(options, chain, sequence, draws, folder, controls, log);
       },
       options.output);

@@ -136,6 +136,7 @@ tellSteps(const CompactMappingReport& report, StageLog& log)
 
 std::vector<std::string>
 mapAsRecorded(const ChainOptions& options,
+              const std::string& observations,
               bool draws,
               OutputFolder& folder,
               const RunControls& controls,
@@ -147,6 +148,7 @@ mapAsRecorded(const ChainOptions& options,
   CompactMapping mapping;
   setUp(options, source.rig(), controls, mapping);
   Lateness lateness;
+  mapping.setObservationFolder(observations);
   mapping.setStateCallback([&](const MappingState& state) { lateness.note(state); });
   mapping.start();
   const double recorded = replay(source, controls, mapping);

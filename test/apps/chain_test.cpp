@@ -77,6 +77,43 @@ TEST_F(ChainTest, ThePointsTellWhoSawThem)
             jsonOfFile(map_ + "/report.json").at("finite_points"));
 }
 
+TEST_F(ChainTest, TheMapOfAReplayIsThatOfTheStages)
+{
+  const std::string out = folder_.path("replayed");
+  const ToolRun run =
+      runSessionChain(session_, out, {"--as-recorded", "--threads", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("after the last shot"));
+  for (const char* name : {"map.json",
+                           "map.glb",
+                           "map.obj",
+                           "mesh.ply",
+                           "plan.svg",
+                           "trajectory.txt",
+                           "trajectory_before.txt"})
+    EXPECT_EQ(contentOf(out + "/" + name), contentOf(map_ + "/" + name)) << name;
+  EXPECT_THAT(stagesOf(out), ElementsAre("map"));
+  const auto details =
+      jsonOfFile(out + "/report.json").at("stages").at(0).at("details");
+  EXPECT_GT(details.at("recorded_seconds"), 0);
+  EXPECT_GT(details.at("seconds_after_last_shot"), 0);
+  EXPECT_THAT(hiddenIn(out), IsEmpty());
+}
+
+TEST_F(ChainTest, OnlySessionsAreReplayed)
+{
+  const ToolRun run = runChain(observations(), folder_.path("out"), {"--as-recorded"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--as-recorded: is for raw sessions"));
+  for (const char* option : {"--truth", "--poses"}) {
+    const ToolRun refused =
+        runChain(session_, folder_.path("out"), {"--as-recorded", option, session_});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(option));
+  }
+  EXPECT_FALSE(fs::exists(folder_.path("out")));
+}
+
 TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
 {
   const std::string out = folder_.path("thin");

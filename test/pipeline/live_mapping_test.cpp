@@ -1,3 +1,5 @@
+#include "temporary_folder.h"
+
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
@@ -129,6 +131,25 @@ TEST_F(ArrivingViews, thatComeTooFastWaitAndAreNotLost)
   EXPECT_GT(lag, 0);
   EXPECT_EQ(processed, views);
   EXPECT_EQ(map.trajectory.poses.size(), views);
+}
+
+TEST_F(ArrivingViews, becomeTheSameMapFromTheirFolder)
+{
+  const TemporaryFolder folder;
+  CompactMapping kept, in_memory;
+  kept.setObservationFolder(folder.path("deep/observations"));
+  CompactMap map, expected;
+  kept.start();
+  in_memory.start();
+  addAll(kept, false);
+  addAll(in_memory, false);
+  kept.compute(map);
+  in_memory.compute(expected);
+  expectSame(map, expected);
+  EXPECT_EQ(ObservationSequence(folder.path("deep/observations")).size(), views);
+  CompactMapping nowhere;
+  nowhere.setObservationFolder("/proc/no/folder");
+  EXPECT_THROW(nowhere.start(), OutputFileException);
 }
 
 TEST_F(ArrivingViews, cannotComeBeforeTheStartNorAfterTheMap)

@@ -133,6 +133,13 @@ CompactMapping::start()
   steps.consolidation.setRawPoints(rectification_.getMode() ==
                                    RectificationMode::Paper);
   steps.maximum_waiting = maximum_waiting_;
+  steps.folder = observation_folder_;
+  if (!steps.folder.empty()) {
+    std::error_code error;
+    fs::create_directories(steps.folder, error);
+    if (error)
+      throw OutputFileException(steps.folder + ": " + error.message());
+  }
   steps.callback = state_callback_;
   fusion_.setNumberOfThreads(threads_);
   steps.projection.setNumberOfThreads(threads_);
@@ -229,23 +236,26 @@ CompactMapping::collected()
 {
   if (stream_) {
     stream_->finish();
-    clouds_ = stream_->clouds();
-    poses_.resize(clouds_.size());
+    poses_.resize(stream_->size());
   }
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
-  if (clouds_.empty())
+  if (poses_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "there is no observation");
   if (posed != 0 && posed != poses_.size())
     PCL_THROW_EXCEPTION(InitFailedException,
                         posed << " of " << poses_.size()
                               << " observations have poses: give all of them, or none");
+  const ObservationSequence all =
+      stream_ ? stream_->observations() : ObservationSequence(clouds_);
   Trajectory trajectory;
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < posed; ++i) {
     trajectory.stamps.push_back(static_cast<double>(i));
     trajectory.poses.push_back(*poses_[i]);
+    places.push_back(i);
   }
-  return ObservationSequence(clouds_, trajectory);
+  return posed == 0 ? all : all.withPoses(places, std::move(trajectory));
 }
 
 void

@@ -197,6 +197,13 @@ ObservationSequence::stamp(std::size_t i) const
                                          : static_cast<double>(i);
 }
 
+Eigen::Isometry3d
+ObservationSequence::pose(std::size_t i) const
+{
+  return hasTrajectory() ? trajectory_.poses[rows_[i]]
+                         : viewpointOf(*cache_->load(paths_[i]));
+}
+
 PosedObservation
 ObservationSequence::load(std::size_t i) const
 {

@@ -4,7 +4,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/pipeline/observation_files.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace pcl::acmap {
@@ -133,7 +133,7 @@ ObservationStream::work()
 void
 ObservationStream::process(Item& item)
 {
-  const std::size_t index = clouds_.size();
+  const std::size_t index = consolidated_.size();
   const std::string name = observationName(index);
   const ProgressCallback goes_on = [this](double, const std::string&) {
     const std::lock_guard lock(mutex_);
@@ -148,8 +148,9 @@ ObservationStream::process(Item& item)
     odometry_.add(odometryView(index, name, item.cloud), name);
   ConsolidatedObservation consolidated =
       steps_.consolidation.consolidate(*item.cloud, name);
+  keep(name, item.cloud);
   const std::lock_guard lock(mutex_);
-  clouds_.push_back(item.cloud);
+  newest_ = item.cloud;
   consolidated_.push_back(std::move(consolidated));
   if (item.T_map_camera)
     poses_.push_back(item.T_map_camera);
@@ -157,17 +158,28 @@ ObservationStream::process(Item& item)
     poses_ = odometry_.result().poses;
 }
 
+void
+ObservationStream::keep(const std::string& name,
+                        const std::shared_ptr<const PointCloudFile>& cloud)
+{
+  if (steps_.folder.empty()) {
+    clouds_.push_back(cloud);
+    return;
+  }
+  files_.push_back((std::filesystem::path(steps_.folder) / name).string());
+  saveObservation(files_.back(), cloud->cloud, Eigen::Isometry3d::Identity());
+}
+
 MappingState
 ObservationStream::state() const
 {
   MappingState now;
   now.arrived = arrived_;
-  now.processed = clouds_.size();
+  now.processed = consolidated_.size();
   if (!waiting_.empty())
     now.lag =
         std::chrono::duration<double>(Clock::now() - waiting_.front().complete).count();
-  if (!clouds_.empty())
-    now.newest = clouds_.back();
+  now.newest = newest_;
   now.poses = poses_;
   return now;
 }

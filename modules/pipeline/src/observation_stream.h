@@ -36,6 +36,7 @@ public:
     DisparityBackProjection projection;
     VisualOdometry odometry;
     SequenceConsolidation consolidation;
+    std::string folder; ///< for the observations; empty: they stay in memory
     std::size_t maximum_waiting = 8; ///< observations
     MappingStateCallback callback;
   };
@@ -68,10 +69,12 @@ public:
 
   /** \name Results, after \ref finish */
   ///@{
-  const std::vector<std::shared_ptr<const PointCloudFile>>&
-  clouds() const
+  /** \brief All observations, without poses.
+   * \throws BadArgumentException if there are none */
+  ObservationSequence
+  observations() const
   {
-    return clouds_;
+    return files_.empty() ? ObservationSequence(clouds_) : ObservationSequence(files_);
   }
 
   const std::vector<ConsolidatedObservation>&
@@ -106,6 +109,9 @@ private:
   void
   process(Item& item);
 
+  void
+  keep(const std::string& name, const std::shared_ptr<const PointCloudFile>& cloud);
+
   MappingState
   state() const;
 
@@ -114,12 +120,14 @@ private:
 
   Steps steps_;
   OdometryRun odometry_;
-  std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
+  std::vector<std::string> files_;
+  std::vector<std::shared_ptr<const PointCloudFile>> clouds_; ///< without files only
   std::vector<ConsolidatedObservation> consolidated_;
 
   mutable std::mutex mutex_; ///< of all below, and of what was processed
   std::condition_variable changed_;
   std::deque<Item> waiting_; ///< the first one is being processed
+  std::shared_ptr<const PointCloudFile> newest_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;
   std::size_t arrived_ = 0;
   bool ends_ = false; ///< no observation follows

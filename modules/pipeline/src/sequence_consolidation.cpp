@@ -112,11 +112,14 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
     progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                   "reading");
     try {
-      const PosedObservation seen = sequence.load(i);
-      remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
-      const ConsolidatedObservation one =
-          consolidated_.empty() ? consolidate(*seen.file, sequence.path(i))
-                                : consolidated_[i];
+      ConsolidatedObservation one;
+      if (consolidated_.empty()) {
+        const PosedObservation seen = sequence.load(i);
+        remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
+        one = consolidate(*seen.file, sequence.path(i));
+      }
+      else
+        one = consolidated_[i];
       if (one.points == 0)
         report.remarks.push_back(sequence.path(i) + ": has no point");
       count(one, report);
@@ -124,7 +127,7 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
       found.weights.emplace_back(raw_points_ ? 0 : one.cloud->size(), one.weight);
       found.places.push_back(i);
       found.trajectory.stamps.push_back(sequence.stamp(i));
-      found.trajectory.poses.push_back(seen.T_map_camera);
+      found.trajectory.poses.push_back(sequence.pose(i));
     }
     catch (const InputFileException& error) {
       if (!skip_broken_)

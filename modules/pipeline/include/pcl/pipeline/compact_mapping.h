@@ -23,6 +23,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -80,7 +82,9 @@ public:
    * When too many observations wait, those who add further ones wait, too, and the
    * callback of \ref setStateCallback is told. What the thread throws is thrown by the
    * next call that adds something, or by \ref compute. \ref clear ends it.
-   * \throws InitFailedException after observations were added */
+   * \throws InitFailedException after observations were added
+   * \throws OutputFileException if the folder of \ref setObservationFolder cannot be
+   * made */
   void
   start();
 
@@ -94,6 +98,22 @@ public:
   getMaximumWaiting() const
   {
     return maximum_waiting_;
+  }
+
+  /** \brief Sets a folder in which \ref start keeps observations as files, of which only
+   * some are in memory at a time (\ref ObservationSequence::setCacheSize); files of the
+   * same names are replaced (default: none, all stay in memory, 6 MB each for 640 x 480
+   * pixels). A full disk is told as other faults of the thread are. */
+  void
+  setObservationFolder(std::string folder)
+  {
+    observation_folder_ = std::move(folder);
+  }
+
+  const std::string&
+  getObservationFolder() const
+  {
+    return observation_folder_;
   }
 
   /** \brief Sets what is told while observations arrive, after \ref start. It is called
@@ -421,6 +441,7 @@ private:
   std::optional<std::int32_t> current_;              ///< observation of the last frame
   std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
   std::size_t maximum_waiting_ = 8;
+  std::string observation_folder_; ///< of stream_; empty: memory
   MappingStateCallback state_callback_;
   std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;

@@ -140,6 +140,12 @@ public:
   double
   stamp(std::size_t i) const;
 
+  /** \brief Pose of an observation, T_map_camera; it is read unless it is in memory or
+   * the poses are those of a trajectory.
+   * \throws what \ref load does */
+  Eigen::Isometry3d
+  pose(std::size_t i) const;
+
   /** \brief Reads an observation, unless it is in memory.
    * \throws InputFileException as pcl::loadPointCloud, for a frame of an RGB-D folder as
    * \ref loadRgbdObservation */

@@ -90,7 +90,8 @@ public:
   consolidate(const PointCloudFile& observation, const std::string& name) const;
 
   /** \brief Gives what \ref consolidate returned for each observation of the sequence,
-   * where that was done before, so that \ref compute need not (default: none).
+   * where that was done before, so that \ref compute need not read them (default:
+   * none).
    * \param[in] observations one per observation of the sequence; empty for none */
   void
   setConsolidated(std::vector<ConsolidatedObservation> observations)
