@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl::acmap::test {
 namespace {
@@ -147,6 +148,60 @@ TEST(PlyReader, readsEveryTypeOfBothBinaryOrders)
   EXPECT_THAT(floatsOf(little, "z"), ElementsAre(3));
   expectEqual(big, little);
   expectEqual(text, little);
+}
+
+/** Rows of many more bytes than the buffer of a file, with colour, and faces. */
+template <typename Store>
+std::string
+manyRows(const std::string& format, const Store& store, float last_x)
+{
+  constexpr std::uint32_t count = 70000;
+  std::string text = "ply\nformat " + format +
+                     " 1.0\nelement vertex 70000\n"
+                     "property double x\nproperty float y\nproperty float z\n"
+                     "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                     "property uint number\nelement face 70000\n"
+                     "property list uchar int vertex_indices\nend_header\n";
+  for (std::uint32_t i = 0; i < count; ++i)
+    text += store(i + 1 == count ? double(last_x) : 0.5 * i) + store(float(i)) +
+            store(-1.0F) + store(std::uint8_t(i)) + store(std::uint8_t(i / 256)) +
+            store(std::uint8_t{3}) + store(i);
+  for (std::int32_t i = 0; i < std::int32_t(count); ++i)
+    text += store(std::uint8_t{3}) + store(i) + store(i) + store(i);
+  return text;
+}
+
+TEST(PlyReader, readsMoreThanTheBufferHolds)
+{
+  const auto little = [](auto value) { return rawBytes(value); };
+  const auto big = [](auto value) { return bigEndian(value); };
+  const std::string text = manyRows("binary_little_endian", little, 1.0F);
+  const PCLPointCloud2 cloud = loadPly(text).cloud;
+  EXPECT_THAT(namesOf(cloud), ElementsAre("x", "y", "z", "rgb", "number"));
+  const auto x = floatsOf(cloud, "x");
+  const auto y = floatsOf(cloud, "y");
+  const auto colour = bytesOf(cloud, "rgb");
+  ASSERT_EQ(y.size(), 70000U);
+  for (std::uint32_t i = 0; i + 1 < y.size(); ++i) {
+    ASSERT_EQ(x[i], 0.5F * float(i));
+    ASSERT_EQ(y[i], float(i));
+    ASSERT_EQ(colour[4 * i], 3);
+    ASSERT_EQ(colour[4 * i + 1], i / 256 % 256);
+    ASSERT_EQ(colour[4 * i + 2], i % 256);
+    ASSERT_EQ(colour[4 * i + 3], 0);
+  }
+  EXPECT_TRUE(cloud.is_dense);
+  expectEqual(loadPly(manyRows("binary_big_endian", big, 1.0F)).cloud, cloud);
+  EXPECT_THROW(loadPly(text.substr(0, text.size() - 1)), InputFileException);
+}
+
+TEST(PlyReader, seesTheLastPointThatIsNotFinite)
+{
+  const auto little = [](auto value) { return rawBytes(value); };
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity()})
+    EXPECT_FALSE(loadPly(manyRows("binary_little_endian", little, bad)).cloud.is_dense);
 }
 
 TEST(PlyReader, leavesColoursOfOtherTypesAsTheyAre)

@@ -113,6 +113,14 @@ ByteSource::skip(std::uint64_t bytes)
   unread_ -= far;
 }
 
+std::string_view
+ByteSource::ahead(std::size_t minimum)
+{
+  if (windowSize() < minimum)
+    refill();
+  return {window_, windowSize()};
+}
+
 bool
 ByteSource::readLine(std::string_view& line)
 {

@@ -45,6 +45,12 @@ public:
   void
   skip(std::uint64_t bytes);
 
+  /** \brief Returns the bytes that follow, without moving on: at least \a minimum of
+   * them, fewer at the end of the source. Valid until the next call.
+   * \param[in] minimum at most \ref maximum_line */
+  std::string_view
+  ahead(std::size_t minimum);
+
   /** \brief Returns the next line without its end (LF or CR LF); valid until the next
    * call.
    * \return false at the end of the source */

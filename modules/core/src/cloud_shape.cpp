@@ -1,11 +1,16 @@
 #include "byte_source.h"
+#include "large_memory.h"
 #include "point_cloud_readers.h"
+
+#include <pcl/core/impl/cloud_fields.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -26,6 +31,37 @@ requireCountable(std::uint64_t points, const ByteSource& source)
   if (points > max_points)
     source.fail("holds " + std::to_string(points) + " points; an index counts " +
                 std::to_string(max_points) + " at most");
+}
+
+/** \brief Whether no coordinate of a block is infinite or NaN, without a branch per
+ * value: only then all bits of the exponent are set, and adding its least one carries
+ * into the bit of the sign. */
+bool
+areFinite(const std::uint8_t* coordinates, std::size_t step, std::size_t count)
+{
+  constexpr std::uint32_t magnitude = 0x7fffffff;
+  constexpr std::uint32_t exponent_one = 0x00800000;
+  const auto carry = [](const std::uint8_t* coordinate) {
+    std::uint32_t bits;
+    std::memcpy(&bits, coordinate, sizeof bits);
+    return (bits & magnitude) + exponent_one;
+  };
+  std::uint32_t carried = 0;
+  for (std::size_t i = 0; i < count; ++i, coordinates += step)
+    carried |= carry(coordinates) | carry(coordinates + sizeof(float)) |
+               carry(coordinates + 2 * sizeof(float));
+  return carried <= magnitude;
+}
+
+/** \brief Largest magnitude of a coordinate of the finite points. */
+float
+largestOf(const PointView& points)
+{
+  float largest = 0.0F;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3f point = points[i]; point.allFinite())
+      largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  return largest;
 }
 
 } // namespace
@@ -51,10 +87,10 @@ requireTextPointsFit(std::uint64_t points,
 }
 
 void
-shapeCloud(PCLPointCloud2& cloud,
-           const FieldLayout& layout,
-           std::uint64_t width,
-           std::uint64_t height)
+describeCloud(PCLPointCloud2& cloud,
+              const FieldLayout& layout,
+              std::uint64_t width,
+              std::uint64_t height)
 {
   cloud.fields = layout.fields;
   cloud.width = static_cast<uindex_t>(width);
@@ -63,32 +99,83 @@ shapeCloud(PCLPointCloud2& cloud,
   // Overflows for a row of more than 4 GB, as in PCL; it is not used for unorganized
   // clouds.
   cloud.row_step = static_cast<uindex_t>(width * layout.point_step);
-  cloud.data.resize(static_cast<std::size_t>(width * height * layout.point_step));
 }
 
 void
-inspectCoordinates(PointCloudFile& file, bool narrowed)
+shapeCloud(PCLPointCloud2& cloud,
+           const FieldLayout& layout,
+           std::uint64_t width,
+           std::uint64_t height)
 {
-  const PointView points = file.points();
-  bool dense = true;
-  float largest = 0.0F;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f point = points[i];
-    const bool finite = point.allFinite();
-    dense = dense && finite;
-    if (finite)
-      largest = std::max(largest, point.cwiseAbs().maxCoeff());
-  }
-  file.cloud.is_dense = dense ? 1 : 0;
+  describeCloud(cloud, layout, width, height);
+  const auto bytes = static_cast<std::size_t>(width * height * layout.point_step);
+  reserveLarge(cloud.data, bytes);
+  cloud.data.resize(bytes);
+}
+
+void
+CoordinateCheck::add(const std::uint8_t* coordinates,
+                     std::size_t step,
+                     std::size_t count)
+{
+  dense_ = dense_ && areFinite(coordinates, step, count);
+  if (narrowed_)
+    largest_ = std::max(largest_, largestOf(PointView(coordinates, step, count)));
+}
+
+void
+CoordinateCheck::add(const PointCloudFile& file)
+{
+  const std::size_t count = file.points().size();
+  const PCLPointField* const x = findField(file.cloud, "x");
+  if (count > 0)
+    add(&file.cloud.data[x->offset], file.cloud.point_step, count);
+}
+
+void
+CoordinateCheck::finish(PointCloudFile& file) const
+{
+  file.cloud.is_dense = dense_ ? 1 : 0;
   constexpr float millimetre_lost = 1e4F;
-  if (!narrowed || largest < millimetre_lost)
+  if (!narrowed_ || largest_ < millimetre_lost)
     return;
   const float step =
-      std::nextafter(largest, std::numeric_limits<float>::max()) - largest;
+      std::nextafter(largest_, std::numeric_limits<float>::max()) - largest_;
   std::ostringstream remark;
-  remark << "coordinates reach " << largest << " m; float32 rounds them to " << step
+  remark << "coordinates reach " << largest_ << " m; float32 rounds them to " << step
          << " m: subtract an offset first";
   file.remarks.push_back(remark.str());
+}
+
+void
+readRecords(ByteSource& source,
+            const FieldLayout& layout,
+            bool swap_bytes,
+            std::size_t count,
+            PCLPointCloud2& cloud,
+            CoordinateCheck& check)
+{
+  const std::size_t step = layout.source_step;
+  const std::size_t x = findField(cloud, "x")->offset;
+  const bool copies = layout.same && !swap_bytes;
+  // Blocks fit into the cache, and are long enough to bypass the buffer of the source.
+  const std::size_t block =
+      std::min(count, ByteSource::maximum_line / std::max<std::size_t>(step, 1) + 1);
+  std::vector<std::uint8_t> records(copies ? 0 : block * step);
+  const auto moves = layout.moves();
+  reserveLarge(cloud.data, count * layout.point_step);
+  for (std::size_t done = 0; done < count; done += block) {
+    const std::size_t now = std::min(block, count - done);
+    cloud.data.resize((done + now) * layout.point_step);
+    std::uint8_t* const points = &cloud.data[done * layout.point_step];
+    std::uint8_t* const read = copies ? points : records.data();
+    source.read(read, now * step);
+    if (swap_bytes)
+      swapRecords(layout, read, now);
+    if (!copies)
+      moveRecords(moves, read, step, points, layout.point_step, now);
+    check.add(points + x, layout.point_step, now);
+  }
 }
 
 } // namespace pcl::acmap

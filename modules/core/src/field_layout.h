@@ -85,13 +85,4 @@ planLayout(std::vector<SourceField> source, const ByteSource& file);
 void
 swapRecords(const FieldLayout& layout, std::uint8_t* records, std::size_t count);
 
-/** \brief Reads \a count binary records into points, without a copy if the layout
- * allows it. The caller has checked that the source contains them. */
-void
-readRecords(ByteSource& source,
-            const FieldLayout& layout,
-            bool swap_bytes,
-            std::size_t count,
-            std::uint8_t* points);
-
 } // namespace pcl::acmap

@@ -54,15 +54,17 @@ void
 readBinary(ByteSource& source,
            const PcdHeader& header,
            const FieldLayout& layout,
-           PointCloudFile& file)
+           PointCloudFile& file,
+           CoordinateCheck& check)
 {
   requirePointsFit(header.points, layout.source_step, source);
-  shapeCloud(file.cloud, layout, header.width, header.height);
+  describeCloud(file.cloud, layout, header.width, header.height);
   readRecords(source,
               layout,
               false,
               static_cast<std::size_t>(header.points),
-              file.cloud.data.data());
+              file.cloud,
+              check);
 }
 
 std::unique_ptr<std::uint8_t[]>
@@ -159,19 +161,22 @@ readPcd(ByteSource& source)
   file.sensor_origin = header.origin;
   file.sensor_orientation = header.orientation;
   file.remarks = std::move(header.remarks);
+  CoordinateCheck check(layout.narrows);
   switch (header.encoding) {
   case PcdHeader::Encoding::ascii:
     readAscii(source, header, layout, file);
+    check.add(file);
     break;
   case PcdHeader::Encoding::binary:
-    readBinary(source, header, layout, file);
+    readBinary(source, header, layout, file, check);
     break;
   case PcdHeader::Encoding::binary_compressed:
     readCompressed(source, header, layout, file);
+    check.add(file);
     break;
   }
   remarkRest(source, header.encoding == PcdHeader::Encoding::ascii, file);
-  inspectCoordinates(file, layout.narrows);
+  check.finish(file);
   return file;
 }
 

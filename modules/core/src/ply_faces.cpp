@@ -1,7 +1,9 @@
 #include "mesh_codecs.h"
 
 #include "byte_source.h"
+#include "large_memory.h"
 #include "ply_header.h"
+#include "ply_list_rows.h"
 #include "record_moves.h"
 #include "text_number.h"
 
@@ -151,18 +153,185 @@ addPolygon(const std::vector<double>& corners,
                               static_cast<std::int32_t>(corners[i])});
 }
 
+/** \brief Layout of faces that are read where they are in the buffer: one list, of
+ * integers, and at most one `wall_depth`, of a byte. */
+struct FaceRow {
+  PlyListRow layout;
+  std::uint32_t corner_limit = 0; // corners that are not less are left to PlyValues
+  bool has_depth = false;
+  bool depth_precedes = false; // the list
+  std::size_t depth = 0;       // position in the bytes before or after the list
+
+  std::uint8_t
+  depthOf(const char* row, std::uint32_t length) const
+  {
+    const char* const at =
+        depth_precedes ? row : row + layout.bytes(length) - layout.after;
+    return static_cast<std::uint8_t>(at[depth]);
+  }
+};
+
+/** \brief Least number that is no corner: also excludes negative ones of a type. */
+std::uint32_t
+cornerLimit(std::uint8_t datatype, double vertices)
+{
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return static_cast<std::uint32_t>(std::min(vertices, 128.0));
+  case PCLPointField::INT16:
+    return static_cast<std::uint32_t>(std::min(vertices, 32768.0));
+  default:
+    return static_cast<std::uint32_t>(vertices); // at most 2^31 - 1
+  }
+}
+
+std::optional<FaceRow>
+planFaceRow(const PlyElement& element, PlyHeader::Encoding encoding, double vertices)
+{
+  const std::optional<PlyListRow> layout = planListRow(element, encoding);
+  if (!layout || !holdsCorners(*layout->list) ||
+      layout->list->datatype == PCLPointField::FLOAT32 ||
+      layout->list->datatype == PCLPointField::FLOAT64)
+    return std::nullopt;
+  FaceRow row;
+  row.layout = *layout;
+  row.corner_limit = cornerLimit(layout->list->datatype, vertices);
+  std::size_t position = 0;
+  row.depth_precedes = true;
+  bool precedes = true;
+  for (const PlyProperty& property : element.properties) {
+    if (property.isList()) {
+      precedes = false;
+      position = 0;
+      continue;
+    }
+    if (holdsDepth(property)) {
+      if (row.has_depth || property.datatype != PCLPointField::UINT8)
+        return std::nullopt;
+      row.has_depth = true;
+      row.depth_precedes = precedes;
+      row.depth = position;
+    }
+    position += sizeOfType(property.datatype);
+  }
+  return row;
+}
+
+/** \brief Adds the fan of a polygon if all its corners are less than the limit. */
+template <typename Corner, bool Swap>
+bool
+addFan(const char* corners,
+       std::uint32_t length,
+       std::uint32_t limit,
+       std::vector<TriangleMesh::Triangle>& triangles)
+{
+  const auto corner = [&](std::uint32_t i) -> std::uint32_t {
+    return loadUnsigned<Corner>(corners + i * sizeof(Corner), Swap);
+  };
+  // Written in place: a triangle made elsewhere is stored in three parts and loaded in
+  // two, which waits for the stores.
+  const auto add = [&](std::uint32_t b, std::uint32_t c) {
+    TriangleMesh::Triangle& triangle = triangles.emplace_back();
+    triangle[0] = static_cast<std::int32_t>(corner(0));
+    triangle[1] = static_cast<std::int32_t>(b);
+    triangle[2] = static_cast<std::int32_t>(c);
+  };
+  if (length == 3) { // nearly always, and without loops
+    const std::uint32_t b = corner(1);
+    const std::uint32_t c = corner(2);
+    if (std::max({corner(0), b, c}) >= limit)
+      return false;
+    add(b, c);
+    return true;
+  }
+  for (std::uint32_t i = 0; i < length; ++i)
+    if (corner(i) >= limit)
+      return false;
+  for (std::uint32_t i = 2; i < length; ++i)
+    add(corner(i - 1), corner(i));
+  return true;
+}
+
+/** \brief Adds faces until one is not of the usual form.
+ * \return their number */
+template <typename Corner, bool Swap>
+std::uint64_t
+addUsualFaces(ByteSource& source,
+              const FaceRow& face,
+              std::uint64_t rows,
+              TriangleMesh& mesh)
+{
+  const auto add = [face, &mesh](const char* row, std::uint32_t length) {
+    if (!addFan<Corner, Swap>(
+            row + face.layout.valuesBegin(), length, face.corner_limit, mesh.triangles))
+      return false;
+    if (face.has_depth)
+      mesh.wall_depth.resize(mesh.triangles.size(), face.depthOf(row, length));
+    return true;
+  };
+  return forShortLists(source, face.layout, rows, add);
+}
+
+template <typename Corner>
+std::uint64_t
+addUsualFaces(ByteSource& source,
+              const FaceRow& face,
+              std::uint64_t rows,
+              TriangleMesh& mesh)
+{
+  return face.layout.swap ? addUsualFaces<Corner, true>(source, face, rows, mesh)
+                          : addUsualFaces<Corner, false>(source, face, rows, mesh);
+}
+
+std::uint64_t
+addUsualFaces(ByteSource& source,
+              const FaceRow& face,
+              std::uint64_t rows,
+              TriangleMesh& mesh)
+{
+  switch (face.layout.value_bytes) {
+  case 1:
+    return addUsualFaces<std::uint8_t>(source, face, rows, mesh);
+  case 2:
+    return addUsualFaces<std::uint16_t>(source, face, rows, mesh);
+  default:
+    return addUsualFaces<std::uint32_t>(source, face, rows, mesh);
+  }
+}
+
+/** \brief Reserves memory for as many triangles as rows and remaining bytes allow. */
+void
+reserveTriangles(const FaceRow& face,
+                 std::uint64_t rows,
+                 const ByteSource& source,
+                 TriangleMesh& mesh)
+{
+  const auto most = static_cast<std::size_t>(
+      std::min<std::uint64_t>(rows, source.remaining() / face.layout.bytes(3)));
+  reserveLarge(mesh.triangles, most);
+  if (face.has_depth)
+    reserveLarge(mesh.wall_depth, most);
+}
+
 void
 readFaces(PlyValues& values,
           const PlyElement& element,
+          const std::optional<FaceRow>& usual,
           double vertices,
           TriangleMesh& mesh,
-          const ByteSource& source)
+          ByteSource& source)
 {
   if (std::none_of(element.properties.begin(), element.properties.end(), holdsCorners))
     return values.skip(element);
+  if (usual)
+    reserveTriangles(*usual, element.rows, source, mesh);
   std::vector<double> corners;
   std::vector<double> others;
   for (std::uint64_t row = 0; row < element.rows; ++row) {
+    if (usual)
+      row += addUsualFaces(source, *usual, element.rows - row, mesh);
+    if (row == element.rows)
+      return;
     values.beginRow(element);
     std::optional<std::uint8_t> depth;
     for (const PlyProperty& property : element.properties)
@@ -191,7 +360,12 @@ readPlyFaces(ByteSource& source)
   TriangleMesh mesh;
   for (const PlyElement& element : header.elements) {
     if (element.name == "face")
-      readFaces(values, element, vertices, mesh, source);
+      readFaces(values,
+                element,
+                planFaceRow(element, header.encoding, vertices),
+                vertices,
+                mesh,
+                source);
     else
       values.skip(element);
   }

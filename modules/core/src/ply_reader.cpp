@@ -1,13 +1,14 @@
 #include "byte_source.h"
 #include "field_layout.h"
 #include "ply_header.h"
+#include "ply_list_rows.h"
 #include "point_cloud_readers.h"
 #include "text_fields.h"
 
 #include <pcl/PCLPointField.h>
 
 #include <array>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ class PlyRows {
 public:
   PlyRows(ByteSource& source, PlyHeader::Encoding encoding)
   : source_(source)
+  , encoding_(encoding)
   , text_(encoding == PlyHeader::Encoding::ascii)
   , swap_(encoding == PlyHeader::Encoding::big_endian)
   {}
@@ -58,12 +60,20 @@ public:
   void
   readVertices(const PlyElement& element,
                const FieldLayout& layout,
-               std::uint8_t* points);
+               PointCloudFile& file);
 
   void
   skip(const PlyElement& element);
 
 private:
+  void
+  readListedVertices(const PlyElement& element,
+                     const FieldLayout& layout,
+                     std::uint8_t* points);
+
+  void
+  skipListed(const PlyElement& element);
+
   Words
   nextRow(const PlyElement& element, std::uint64_t row);
 
@@ -80,6 +90,7 @@ private:
                  std::uint8_t* point);
 
   ByteSource& source_;
+  PlyHeader::Encoding encoding_;
   bool text_;
   bool swap_;
 };
@@ -137,22 +148,34 @@ PlyRows::readTextVertex(Words row,
 void
 PlyRows::readVertices(const PlyElement& element,
                       const FieldLayout& layout,
-                      std::uint8_t* points)
+                      PointCloudFile& file)
 {
   const auto rows = static_cast<std::size_t>(element.rows);
-  if (text_) {
-    for (std::size_t row = 0; row < rows; ++row)
-      readTextVertex(
-          nextRow(element, row), element, layout, points + row * layout.point_step);
-    return;
+  CoordinateCheck check(layout.narrows);
+  if (!text_ && !element.hasList()) {
+    describeCloud(file.cloud, layout, rows, 1);
+    readRecords(source_, layout, swap_, rows, file.cloud, check);
+    return check.finish(file);
   }
-  if (!element.hasList()) {
-    readRecords(source_, layout, swap_, rows, points);
-    return;
-  }
+  shapeCloud(file.cloud, layout, rows, 1);
+  std::uint8_t* const points = file.cloud.data.data();
+  if (!text_)
+    readListedVertices(element, layout, points);
+  for (std::size_t row = 0; text_ && row < rows; ++row)
+    readTextVertex(
+        nextRow(element, row), element, layout, points + row * layout.point_step);
+  check.add(file);
+  check.finish(file);
+}
+
+void
+PlyRows::readListedVertices(const PlyElement& element,
+                            const FieldLayout& layout,
+                            std::uint8_t* points)
+{
   const auto moves = layout.moves();
   std::vector<std::uint8_t> record(layout.source_step);
-  for (std::size_t row = 0; row < rows; ++row) {
+  for (std::size_t row = 0; row < element.rows; ++row) {
     std::size_t offset = 0;
     for (const PlyProperty& property : element.properties) {
       if (property.isList()) {
@@ -186,13 +209,26 @@ PlyRows::skip(const PlyElement& element)
                  " bytes follow");
   if (!element.hasList())
     return source_.skip(element.rows * minimum);
-  for (std::uint64_t row = 0; row < element.rows; ++row)
+  skipListed(element);
+}
+
+void
+PlyRows::skipListed(const PlyElement& element)
+{
+  const auto pass = [](const char*, std::uint32_t) { return true; };
+  const std::optional<PlyListRow> layout = planListRow(element, encoding_);
+  for (std::uint64_t row = 0; row < element.rows; ++row) {
+    if (layout)
+      row += forShortLists(source_, *layout, element.rows - row, pass);
+    if (row == element.rows)
+      return;
     for (const PlyProperty& property : element.properties) {
       if (property.isList())
         skipList(property);
       else
         source_.skip(sizeOfType(property.datatype));
     }
+  }
 }
 
 } // namespace
@@ -203,7 +239,6 @@ readPly(ByteSource& source)
   const PlyHeader header = readPlyHeader(source);
   PointCloudFile file;
   PlyRows rows(source, header.encoding);
-  bool narrows = false;
   for (const PlyElement& element : header.elements) {
     if (element.name != "vertex") {
       rows.skip(element);
@@ -211,11 +246,8 @@ readPly(ByteSource& source)
     }
     const FieldLayout layout = planLayout(scalarFieldsOf(element), source);
     rows.requireFit(element);
-    shapeCloud(file.cloud, layout, element.rows, 1);
-    rows.readVertices(element, layout, file.cloud.data.data());
-    narrows = layout.narrows;
+    rows.readVertices(element, layout, file);
   }
-  inspectCoordinates(file, narrows);
   return file;
 }
 

@@ -4,6 +4,7 @@
 
 #include <pcl/core/point_cloud_file.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace pcl::acmap {
@@ -37,17 +38,58 @@ requireTextPointsFit(std::uint64_t points,
                      std::uint64_t values,
                      const ByteSource& source);
 
-/** \brief Sets the fields of the cloud and allocates memory for its points. */
+/** \brief Sets the fields of the cloud and its size, without points. */
+void
+describeCloud(PCLPointCloud2& cloud,
+              const FieldLayout& layout,
+              std::uint64_t width,
+              std::uint64_t height);
+
+/** \brief Like \ref describeCloud, with zeros as points. */
 void
 shapeCloud(PCLPointCloud2& cloud,
            const FieldLayout& layout,
            std::uint64_t width,
            std::uint64_t height);
 
-/** \brief Checks the coordinates: sets `is_dense` and, if they were converted from a
- * type with more digits than float32, adds a remark if more than about a millimetre is
- * lost. */
+/** \brief Checks the coordinates of a cloud, all at once or in blocks. */
+class CoordinateCheck {
+public:
+  /** \param[in] narrowed the coordinates are converted from a type with more digits
+   * than float32 */
+  explicit CoordinateCheck(bool narrowed)
+  : narrowed_(narrowed)
+  {}
+
+  /** \param[in] coordinates x of the first point of the block
+   * \param[in] step bytes from a point to the next
+   * \param[in] count number of points */
+  void
+  add(const std::uint8_t* coordinates, std::size_t step, std::size_t count);
+
+  /** \brief Adds all points of a cloud. */
+  void
+  add(const PointCloudFile& file);
+
+  /** \brief Sets `is_dense`, and adds a remark if narrowing the coordinates lost more
+   * than about a millimetre. */
+  void
+  finish(PointCloudFile& file) const;
+
+private:
+  bool narrowed_;
+  bool dense_ = true;
+  float largest_ = 0.0F; // only if narrowed
+};
+
+/** \brief Reads \a count binary records as the points of a described cloud, and adds
+ * them to the check. The caller has checked that the source contains them. */
 void
-inspectCoordinates(PointCloudFile& file, bool narrowed);
+readRecords(ByteSource& source,
+            const FieldLayout& layout,
+            bool swap_bytes,
+            std::size_t count,
+            PCLPointCloud2& cloud,
+            CoordinateCheck& check);
 
 } // namespace pcl::acmap

@@ -71,6 +71,113 @@ copyRecords(std::size_t bytes,
   }
 }
 
+// A colour of three bytes: red green blue in files, blue green red in PCL.
+void
+reverseTriples(const std::uint8_t* from,
+               std::size_t from_step,
+               std::uint8_t* to,
+               std::size_t to_step,
+               std::size_t count)
+{
+  for (std::size_t i = 0; i < count; ++i, from += from_step, to += to_step) {
+    to[0] = from[2];
+    to[1] = from[1];
+    to[2] = from[0];
+  }
+}
+
+template <typename Value>
+void
+narrowRecords(const std::uint8_t* from,
+              std::size_t from_step,
+              std::uint8_t* to,
+              std::size_t to_step,
+              std::size_t count)
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const float value = narrowed(loadAs<Value>(from + i * from_step));
+    std::memcpy(to + i * to_step, &value, sizeof value);
+  }
+}
+
+void
+convertRecords(std::uint8_t datatype,
+               const std::uint8_t* from,
+               std::size_t from_step,
+               std::uint8_t* to,
+               std::size_t to_step,
+               std::size_t count)
+{
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return narrowRecords<std::int8_t>(from, from_step, to, to_step, count);
+  case PCLPointField::BOOL:
+  case PCLPointField::UINT8:
+    return narrowRecords<std::uint8_t>(from, from_step, to, to_step, count);
+  case PCLPointField::INT16:
+    return narrowRecords<std::int16_t>(from, from_step, to, to_step, count);
+  case PCLPointField::UINT16:
+    return narrowRecords<std::uint16_t>(from, from_step, to, to_step, count);
+  case PCLPointField::INT32:
+    return narrowRecords<std::int32_t>(from, from_step, to, to_step, count);
+  case PCLPointField::UINT32:
+    return narrowRecords<std::uint32_t>(from, from_step, to, to_step, count);
+  case PCLPointField::INT64:
+    return narrowRecords<std::int64_t>(from, from_step, to, to_step, count);
+  case PCLPointField::UINT64:
+    return narrowRecords<std::uint64_t>(from, from_step, to, to_step, count);
+  default:
+    return narrowRecords<double>(from, from_step, to, to_step, count);
+  }
+}
+
+void
+moveRecord(const RecordMove& move,
+           const std::uint8_t* from,
+           std::size_t from_step,
+           std::uint8_t* to,
+           std::size_t to_step,
+           std::size_t count)
+{
+  from += move.from;
+  to += move.to;
+  if (move.float_from != 0)
+    convertRecords(move.float_from, from, from_step, to, to_step, count);
+  else if (move.reverses)
+    reverseTriples(from, from_step, to, to_step, count);
+  else
+    copyRecords(move.bytes, from, from_step, to, to_step, count);
+}
+
+bool
+isCopy(const RecordMove& move)
+{
+  return move.float_from == 0 && !move.reverses;
+}
+
+/** \brief Whether three copies move contiguous bytes to contiguous places in reverse
+ * order. */
+bool
+formReversal(const RecordMove& a, const RecordMove& b, const RecordMove& c)
+{
+  for (const RecordMove* move : {&a, &b, &c})
+    if (!isCopy(*move) || move->bytes != 1)
+      return false;
+  const bool forward = b.from == a.from + 1 && c.from == b.from + 1 &&
+                       a.to == b.to + 1 && b.to == c.to + 1;
+  const bool backward = a.from == b.from + 1 && b.from == c.from + 1 &&
+                        b.to == a.to + 1 && c.to == b.to + 1;
+  return forward || backward;
+}
+
+template <std::size_t Bytes>
+void
+swapFixed(std::uint8_t* at, std::size_t step, std::size_t count)
+{
+  for (std::size_t i = 0; i < count; ++i)
+    std::reverse(at + i * step, at + i * step + Bytes);
+}
+
 } // namespace
 
 std::size_t
@@ -138,12 +245,23 @@ narrowed(double value)
 void
 appendCopy(std::vector<RecordMove>& moves, const RecordMove& copy)
 {
-  if (!moves.empty() && moves.back().float_from == 0 &&
+  if (!moves.empty() && isCopy(moves.back()) &&
       moves.back().from + moves.back().bytes == copy.from &&
       moves.back().to + moves.back().bytes == copy.to)
     moves.back().bytes += copy.bytes;
   else
     moves.push_back(copy);
+  if (moves.size() < 3)
+    return;
+  const auto last = moves.end() - 3;
+  if (!formReversal(last[0], last[1], last[2]))
+    return;
+  *last = {std::min(last[0].from, last[2].from),
+           std::min(last[0].to, last[2].to),
+           3,
+           0,
+           true};
+  moves.resize(moves.size() - 2);
 }
 
 void
@@ -154,26 +272,33 @@ moveRecords(const std::vector<RecordMove>& moves,
             std::size_t to_step,
             std::size_t count)
 {
-  for (const RecordMove& move : moves) {
-    const std::uint8_t* const source = from + move.from;
-    std::uint8_t* const target = to + move.to;
-    if (move.float_from == 0) {
-      copyRecords(move.bytes, source, from_step, target, to_step, count);
-      continue;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const double wide = valueOfType(move.float_from, source + i * from_step);
-      const float value = narrowed(wide);
-      std::memcpy(target + i * to_step, &value, sizeof(value));
-    }
-  }
+  // All moves of a block find it in the first-level cache.
+  constexpr std::size_t block_bytes = 16 * 1024;
+  const std::size_t block = std::max<std::size_t>(
+      1, block_bytes / std::max<std::size_t>(1, from_step + to_step));
+  for (std::size_t done = 0; done < count; done += block)
+    for (const RecordMove& move : moves)
+      moveRecord(move,
+                 from + done * from_step,
+                 from_step,
+                 to + done * to_step,
+                 to_step,
+                 std::min(block, count - done));
 }
 
 void
 swapValues(std::uint8_t* at, std::size_t size, std::size_t step, std::size_t count)
 {
-  for (std::size_t i = 0; i < count; ++i)
-    std::reverse(at + i * step, at + i * step + size);
+  switch (size) {
+  case 2:
+    return swapFixed<2>(at, step, count);
+  case 4:
+    return swapFixed<4>(at, step, count);
+  case 8:
+    return swapFixed<8>(at, step, count);
+  default:
+    return;
+  }
 }
 
 } // namespace pcl::acmap

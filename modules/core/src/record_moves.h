@@ -33,10 +33,14 @@ struct RecordMove {
   /** \brief 0 copies the bytes; a PCLPointField datatype converts one value of this
    * type to float. */
   std::uint8_t float_from = 0;
+
+  /** \brief The three bytes are written in reverse order. */
+  bool reverses = false;
 };
 
 /** \brief Appends a copy, or extends the last one if the bytes are contiguous in both
- * records. */
+ * records. Three copies of a byte to contiguous places in reverse order become one move.
+ */
 void
 appendCopy(std::vector<RecordMove>& moves, const RecordMove& copy);
 

@@ -67,7 +67,9 @@ makeCloud(const std::vector<float>& points, bool colour, const ByteSource& sourc
               file.cloud.data.data(),
               layout.point_step,
               count);
-  inspectCoordinates(file, true);
+  CoordinateCheck check(true);
+  check.add(file);
+  check.finish(file);
   return file;
 }
 
