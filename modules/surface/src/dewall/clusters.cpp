@@ -17,6 +17,7 @@ public:
   , size_(size)
   , sets_(tree.size())
   , is_one_set_(static_cast<std::size_t>(tree.leafCount()))
+  , has_searched_(static_cast<std::size_t>(tree.leafCount()))
   {
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
@@ -29,6 +30,7 @@ public:
       if (!isWithin(leaf, largest)) {
         join(leaf, leaf);
         joinNeighbours(leaf);
+        has_searched_[static_cast<std::size_t>(leaf)] = true;
       }
   }
 
@@ -69,6 +71,33 @@ private:
     return is_one_set_[static_cast<std::size_t>(leaf)] = true;
   }
 
+  /** \brief Sets of the points of a leaf, so that pairs of points need not be looked up.
+   */
+  struct LeafSets {
+    LeafSets(const PointTree& tree, std::int32_t leaf, DisjointSets& sets)
+    : first(tree.firstOfLeaf(leaf))
+    , count(tree.firstOfLeaf(leaf + 1) - first)
+    {
+      for (std::int32_t i = 0; i < count; ++i)
+        of[static_cast<std::size_t>(i)] = sets.find(first + i);
+    }
+
+    std::int32_t
+    operator[](std::int32_t i) const
+    {
+      return of[static_cast<std::size_t>(i)];
+    }
+
+    void
+    rename(std::int32_t before, std::int32_t after)
+    {
+      std::replace(of.begin(), of.begin() + count, before, after);
+    }
+
+    std::int32_t first, count;
+    std::array<std::int32_t, PointTree::leaf_capacity> of;
+  };
+
   void
   join(std::int32_t one, std::int32_t other)
   {
@@ -78,15 +107,28 @@ private:
     const Eigen::AlignedBox3d box = tree_.boxOfLeaf(other).cast<double>();
     if (box.squaredExteriorDistance(tree_.boxOfLeaf(one).cast<double>()) > limit)
       return;
-    for (std::int32_t i = tree_.firstOfLeaf(one); i < tree_.firstOfLeaf(one + 1); ++i) {
-      const Eigen::Vector3d p = tree_.position(i);
+    LeafSets ours(tree_, one, sets_);
+    LeafSets theirs(tree_, other, sets_);
+    for (std::int32_t i = 0; i < ours.count; ++i) {
+      const Eigen::Vector3d p = tree_.position(ours.first + i);
       if (box.squaredExteriorDistance(p) > limit)
         continue;
-      for (std::int32_t j = tree_.firstOfLeaf(other); j < tree_.firstOfLeaf(other + 1);
-           ++j)
-        if (sets_.find(i) != sets_.find(j) &&
-            (p - tree_.position(j)).squaredNorm() <= limit)
-          sets_.unite(i, j);
+      for (std::int32_t j = 0; j < theirs.count; ++j)
+        if (ours[i] != theirs[j] &&
+            (p - tree_.position(theirs.first + j)).squaredNorm() <= limit)
+          unite(ours, i, theirs, j);
+    }
+  }
+
+  void
+  unite(LeafSets& ours, std::int32_t i, LeafSets& theirs, std::int32_t j)
+  {
+    sets_.unite(ours.first + i, theirs.first + j);
+    const std::int32_t first = ours[i], second = theirs[j];
+    const std::int32_t joined = sets_.find(ours.first + i);
+    for (LeafSets* sets : {&ours, &theirs}) {
+      sets->rename(first, joined);
+      sets->rename(second, joined);
     }
   }
 
@@ -97,7 +139,7 @@ private:
     const double radius = box.diagonal().norm() / 2 + size_.longestInLeaf(leaf);
     const std::int32_t own = tree_.firstOfLeaf(leaf);
     const auto visit = [&](std::int32_t other, std::int32_t first, std::int32_t) {
-      if (other == leaf)
+      if (other == leaf || has_searched_[static_cast<std::size_t>(other)])
         return;
       const bool joined =
           sets_.find(first) == sets_.find(own) && isOneSet(leaf) && isOneSet(other);
@@ -110,7 +152,8 @@ private:
   const PointTree& tree_;
   const SizeConstraint& size_;
   DisjointSets sets_;
-  std::vector<bool> is_one_set_; ///< for each leaf
+  std::vector<bool> is_one_set_;   ///< for each leaf
+  std::vector<bool> has_searched_; ///< for each leaf; it found its neighbours by itself
 };
 
 } // namespace
