@@ -135,7 +135,8 @@ Chain::sequenceFrom(StartingPoint start)
   if (sequence.is_rectified)
     sequence.posed = rectify(observations, *sequence.posed, noise, scale);
   if (options_.egomotion.is_rigid && has_several)
-    sequence.posed = adjust(observations, *sequence.posed, noise, scale);
+    sequence.posed =
+        adjust(observations, *sequence.posed, sequence.is_rectified, noise, scale);
   sequence.up = poses_.up;
   return sequence;
 }
@@ -204,6 +205,7 @@ Chain::rectify(const std::string& observations,
 ObservationSequence
 Chain::adjust(const std::string& observations,
               const ObservationSequence& posed,
+              bool rectifies,
               const OdometryNoise& noise,
               double scale)
 {
@@ -218,7 +220,11 @@ Chain::adjust(const std::string& observations,
       [&](StageLog& log) {
         StepTimer timer(log.report);
         EstimatedPoses poses;
-        poses.trajectory = adjustPoses(posed, noise, controls_, log);
+        Trajectory before;
+        if (rectifies)
+          before = loadTrajectory(
+              (fs::path(folderOf("rectification")) / "trajectory_before.txt").string());
+        poses.trajectory = adjustPoses(posed, before.poses, noise, controls_, log);
         for (std::size_t i = 0; i < posed.size(); ++i)
           poses.places.push_back(i);
         poses.up = poses_.up;

@@ -97,9 +97,11 @@ private:
           const OdometryNoise& noise,
           double scale);
 
+  /** \param[in] rectifies Were the poses rectified before? */
   ObservationSequence
   adjust(const std::string& observations,
          const ObservationSequence& posed,
+         bool rectifies,
          const OdometryNoise& noise,
          double scale);
 

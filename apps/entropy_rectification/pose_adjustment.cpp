@@ -84,6 +84,7 @@ maximumOf(const std::vector<double>& values)
 
 Trajectory
 adjustPoses(const ObservationSequence& sequence,
+            const std::vector<Eigen::Isometry3d>& before,
             const OdometryNoise& noise,
             const RunControls& controls,
             StageLog& log)
@@ -92,6 +93,7 @@ adjustPoses(const ObservationSequence& sequence,
   adjustment.setNumberOfThreads(controls.threads);
   adjustment.setProgressCallback(controls.progress);
   adjustment.setOdometryNoise(noise);
+  adjustment.setPosesBefore(before);
   Trajectory adjusted;
   adjustment.compute(sequence, adjusted);
   const PlaneAdjustmentReport& report = adjustment.getReport();

@@ -316,6 +316,7 @@ rectifyMap(const RectificationOptions& options,
   if (options.six_degrees && posed) {
     const Trajectory rectified = {observations.trajectory.stamps, poses};
     poses = adjustPoses(posed->withPoses(observations.places, rectified),
+                        observations.trajectory.poses,
                         options.odometry,
                         controls,
                         log)

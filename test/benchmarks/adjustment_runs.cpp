@@ -125,6 +125,10 @@ rectifyAndAdjust(const AdjustmentScene& scene,
                  const std::vector<Eigen::Isometry3d>& given,
                  const FreeDrift& drift)
 {
+  AdjustmentRun first = adjust(scene, given, drift);
+  if (first.report.outcome == AdjustmentOutcome::Adjusted ||
+      first.report.outcome == AdjustmentOutcome::Kept)
+    return first;
   EntropyRectification<PointNormal> rectification;
   rectification.setNumberOfThreads(1);
   rectification.setBinSize(map.bin_size);
@@ -140,7 +144,7 @@ rectifyAndAdjust(const AdjustmentScene& scene,
   run.before = absoluteTrajectoryError(given, scene.truth).unaligned;
   run.length_before =
       100 * (lengthBetweenEnds(given) / lengthBetweenEnds(scene.truth) - 1);
-  run.seconds += seconds;
+  run.seconds += seconds + first.seconds;
   return run;
 }
 

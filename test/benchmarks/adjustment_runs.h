@@ -61,8 +61,9 @@ adjust(const AdjustmentScene& scene,
        const FreeDrift& drift,
        const std::vector<Revisit>& revisits = {});
 
-/** \brief The same after \ref EntropyRectification of the consolidated observations, as
- * the tools run both; errors before are those of the given poses. */
+/** \brief The same, and where it is refused after \ref EntropyRectification of the
+ * consolidated observations, as the tools run both; errors before are those of the given
+ * poses. */
 AdjustmentRun
 rectifyAndAdjust(const AdjustmentScene& scene,
                  const RectificationMap& map,

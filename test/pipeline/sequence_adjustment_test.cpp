@@ -101,6 +101,36 @@ TEST_F(SequenceAdjustmentRoom, rightPosesAreKept)
     EXPECT_EQ(adjusted.poses[i].matrix(), truth_[i].matrix());
 }
 
+/** Poses so far from each other that no view sees what another one does. */
+Poses
+farApart(Poses poses)
+{
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[i].translation().x() += 100 * static_cast<double>(i);
+  return poses;
+}
+
+TEST_F(SequenceAdjustmentRoom, posesBeforeARectificationAreTriedFirst)
+{
+  Trajectory alone, wrong, undetermined;
+  adjustment_.compute(ObservationSequence(files_, trajectoryOf(given_)), alone);
+  adjustment_.setPosesBefore(given_);
+  adjustment_.compute(ObservationSequence(files_, trajectoryOf(farApart(given_))),
+                      wrong);
+  EXPECT_EQ(adjustment_.getReport().outcome, AdjustmentOutcome::Adjusted);
+  adjustment_.setPosesBefore(farApart(given_));
+  adjustment_.compute(ObservationSequence(files_, trajectoryOf(given_)), undetermined);
+  EXPECT_EQ(adjustment_.getReport().outcome, AdjustmentOutcome::Adjusted);
+  for (std::size_t i = 0; i < views; ++i) {
+    EXPECT_EQ(wrong.poses[i].matrix(), alone.poses[i].matrix()) << i;
+    EXPECT_EQ(undetermined.poses[i].matrix(), alone.poses[i].matrix()) << i;
+  }
+  adjustment_.setPosesBefore({given_.front()});
+  EXPECT_THROW(
+      adjustment_.compute(ObservationSequence(files_, trajectoryOf(given_)), alone),
+      BadArgumentException);
+}
+
 /** Paints a view with waves in space, 5 to 40 cm long. */
 void
 paintWaves(const Eigen::Isometry3d& pose, PointCloud<PointXYZRGBSigma>& cloud)

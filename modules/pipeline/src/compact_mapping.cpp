@@ -341,6 +341,7 @@ CompactMapping::adjust(const ObservationSequence& sequence,
   adjustment.setOdometryNoise(odometry_noise_);
   adjustment.setNumberOfThreads(threads_);
   adjustment.setProgressCallback(partOf(progress_, 0.45, 0.5));
+  adjustment.setPosesBefore(before_.poses);
   Trajectory adjusted;
   adjustment.compute(sequence, adjusted);
   report.adjustment = adjustment.getReport();

@@ -112,6 +112,10 @@ SequenceAdjustment::setOdometryNoise(const OdometryNoise& noise)
 void
 SequenceAdjustment::compute(const ObservationSequence& sequence, Trajectory& trajectory)
 {
+  if (!before_.empty() && before_.size() != sequence.size())
+    throw BadArgumentException("there are " + std::to_string(before_.size()) +
+                               " poses before the rectification of " +
+                               std::to_string(sequence.size()) + " observations");
   Trajectory result;
   bool has_images = true;
   for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -131,11 +135,20 @@ SequenceAdjustment::compute(const ObservationSequence& sequence, Trajectory& tra
     detection.compute();
     revisits = detection.getReport();
   }
-  const auto run = [&](auto adjustment) {
+  const Trajectory given = result;
+  const auto runFrom = [&](const std::vector<Eigen::Isometry3d>& start,
+                           auto adjustment) {
+    result.poses = start;
     adjustment.setNumberOfThreads(threads_);
     adjustment.setProgressCallback(acmap::partOf(progress_, revisits ? 0.5 : 0, 1));
     adjustment.setOdometryNoise(odometry_);
     report_ = adjustSequence(reader, detection.getRevisits(), adjustment, result);
+    return report_.outcome == AdjustmentOutcome::Adjusted ||
+           report_.outcome == AdjustmentOutcome::Kept;
+  };
+  const auto run = [&](const auto& adjustment) {
+    if (before_.empty() || !runFrom(before_, adjustment))
+      runFrom(given.poses, adjustment);
   };
   if (acmap::findField(sequence.load(0).file->cloud, "sigma", PCLPointField::FLOAT32))
     run(PlaneAdjustment<PointXYZRGBSigma>());

@@ -32,9 +32,21 @@ public:
     return odometry_;
   }
 
+  /** \brief Sets the poses of the same observations before a rectification (default:
+   * none). They are adjusted first: a rectification moves poses in one plane only, and is
+   * wrong more often than the planes where the drift also tilts. If this is refused or
+   * undetermined, the poses of the sequence are adjusted.
+   * \param[in] poses one per observation; empty for none */
+  void
+  setPosesBefore(std::vector<Eigen::Isometry3d> poses)
+  {
+    before_ = std::move(poses);
+  }
+
   /** \brief Adjusts the poses of a sequence.
    * \param[out] trajectory the stamps of the sequence; the poses that were given if they
    * are not adjusted
+   * \throws BadArgumentException if there is another number of poses before
    * \throws InputFileException if an observation cannot be read
    * \throws CancelledException if the progress callback stopped it */
   void
@@ -49,6 +61,7 @@ public:
 
 private:
   OdometryNoise odometry_;
+  std::vector<Eigen::Isometry3d> before_;
   std::optional<RevisitReport> revisits_;
 };
 
