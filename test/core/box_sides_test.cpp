@@ -61,7 +61,8 @@ TEST(BoxSides, seenAndSnappedSidesAreLeftOut)
   }
 }
 
-/** A box cut from an upper edge to a lower one, and half of a box along a diagonal. */
+/** A box whose slanted side falls to a middle height, and one where it meets the bottom
+ * before the other end. */
 TEST(BoxSides, slantedSideCutsTheOthers)
 {
   BoxPatch box = makeBox();
@@ -86,10 +87,10 @@ TEST(BoxSides, slantedSideCutsTheOthers)
   EXPECT_EQ(sides, 5);
   EXPECT_NEAR(area, 3 * 2 + 2 * 1 + 2 * 0.5 + 2 * (3 * 0.75), 1e-9);
   EXPECT_NEAR(volume, 3 * 2 * 0.75, 1e-9);
-  const auto [left, left_area, left_volume] = cutBetween({1, 0, 3}, {-1.5, 0, 0.5});
+  const auto [left, left_area, left_volume] = cutBetween({1.2, 0, 3}, {-1.5, 0, 0.5});
   EXPECT_EQ(left, 4) << "nothing is left of the side +x";
-  EXPECT_NEAR(left_area, 3 * 2 + 2 * 1 + 3 * 1, 1e-9);
-  EXPECT_NEAR(left_volume, 3, 1e-9);
+  EXPECT_NEAR(left_area, 2.5 * 2 + 2 * 1 + 2.5 * 1, 1e-9);
+  EXPECT_NEAR(left_volume, 2.5, 1e-9);
 }
 
 TEST(BoxSides, boxesThatAreNotFiniteHaveNone)
