@@ -86,12 +86,13 @@ describe(const BoxPatch& box)
   char text[160];
   std::snprintf(text,
                 sizeof text,
-                "%.3f x %.3f x %.3f m, %zu sides seen, %zu on other planes, template "
-                "%d, %.0f bits saved",
+                "%.3f x %.3f x %.3f m, %zu sides seen%s, %zu on other planes, "
+                "template %d, %.0f bits saved",
                 box.size[0],
                 box.size[1],
                 box.size[2],
                 seen,
+                box.slant.isZero(0) ? "" : " and a slanted one",
                 snapped,
                 box.template_id,
                 box.saved_bits);
