@@ -111,7 +111,7 @@ run(Tool& tool, const ChainOptions& options)
         const bool draws = display != nullptr;
         return options.as_recorded
                    ? mapAsRecorded(options,
-                                   chain.folderOf("observations"),
+                                   chain.folderOf("replay"),
                                    draws,
                                    folder,
                                    controls,

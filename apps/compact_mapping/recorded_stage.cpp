@@ -9,13 +9,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double
@@ -116,6 +119,43 @@ replay(ShotSource& source, const RunControls& controls, CompactMapping& mapping)
   }
 }
 
+/** \brief Removes the observations of a replay that was not finished. */
+class ObservationFolder {
+public:
+  explicit ObservationFolder(std::string path)
+  : path_(std::move(path))
+  {}
+
+  ObservationFolder(const ObservationFolder&) = delete;
+  ObservationFolder&
+  operator=(const ObservationFolder&) = delete;
+
+  ~ObservationFolder()
+  {
+    if (is_finished_)
+      return;
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove(fs::path(path_).parent_path(), ignored); // if nothing else is in it
+  }
+
+  const std::string&
+  path() const
+  {
+    return path_;
+  }
+
+  void
+  finish()
+  {
+    is_finished_ = true;
+  }
+
+private:
+  std::string path_;
+  bool is_finished_ = false;
+};
+
 void
 tellSteps(const CompactMappingReport& report, StageLog& log)
 {
@@ -145,10 +185,11 @@ mapAsRecorded(const ChainOptions& options,
   StereoOptions stereo = options.stereo;
   stereo.session = options.input;
   ShotSource source(stereo, controls.threads, ReplayPace::AsRecorded);
+  ObservationFolder kept(observations); // longer than the thread that writes into it
   CompactMapping mapping;
   setUp(options, source.rig(), controls, mapping);
   Lateness lateness;
-  mapping.setObservationFolder(observations);
+  mapping.setObservationFolder(kept.path());
   mapping.setStateCallback([&](const MappingState& state) { lateness.note(state); });
   mapping.start();
   const double recorded = replay(source, controls, mapping);
@@ -166,6 +207,7 @@ mapAsRecorded(const ChainOptions& options,
   if (const Trajectory& before = mapping.getOdometryTrajectory(); !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);
   std::vector<std::string> names = writeMap(options, mapped, draws, folder, log);
+  kept.finish();
   const double after = secondsSince(last_shot);
   lateness.tell(recorded, log);
   log.details["seconds_after_last_shot"] = after;

@@ -98,6 +98,7 @@ TEST_F(ChainTest, TheMapOfAReplayIsThatOfTheStages)
   EXPECT_GT(details.at("recorded_seconds"), 0);
   EXPECT_GT(details.at("seconds_after_last_shot"), 0);
   EXPECT_THAT(hiddenIn(out), IsEmpty());
+  EXPECT_TRUE(fs::exists(out + "/stages/replay/observation_0002.pcd"));
 }
 
 TEST_F(ChainTest, OnlySessionsAreReplayed)
