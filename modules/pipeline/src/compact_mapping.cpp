@@ -35,8 +35,8 @@ isDefault(const OdometryNoise& noise)
          noise.turn_per_radian == usual.turn_per_radian;
 }
 
-/** A pose as it is read from a trajectory file, bit by bit, so that the map has the same bytes whether
- * steps pass poses in memory or in files. */
+/** A pose as it is read from a trajectory file, bit by bit, so that the map has the same
+ * bytes whether steps pass poses in memory or in files. */
 Eigen::Isometry3d
 asInFiles(Eigen::Isometry3d pose)
 {
@@ -46,6 +46,16 @@ asInFiles(Eigen::Isometry3d pose)
     written.coeffs() = -written.coeffs();
   pose.linear() = written.normalized().toRotationMatrix();
   return pose;
+}
+
+/** \throws OutputFileException if the folder cannot be made */
+void
+makeFolder(const std::string& folder)
+{
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw OutputFileException(folder + ": " + error.message());
 }
 
 /** Connects a callback that adds clouds of a point type.
@@ -134,12 +144,8 @@ CompactMapping::start()
                                    RectificationMode::Paper);
   steps.maximum_waiting = maximum_waiting_;
   steps.folder = observation_folder_;
-  if (!steps.folder.empty()) {
-    std::error_code error;
-    fs::create_directories(steps.folder, error);
-    if (error)
-      throw OutputFileException(steps.folder + ": " + error.message());
-  }
+  if (!steps.folder.empty())
+    makeFolder(steps.folder);
   steps.callback = state_callback_;
   fusion_.setNumberOfThreads(threads_);
   steps.projection.setNumberOfThreads(threads_);
@@ -294,12 +300,11 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   consolidation.setNumberOfThreads(threads_);
   consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
   if (stream_) {
-    std::vector<ConsolidatedObservation> done = stream_->consolidated();
-    if (!estimated_.places.empty()) {
-      done.clear();
-      for (const std::size_t place : estimated_.places)
-        done.push_back(stream_->consolidated()[place]);
-    }
+    std::vector<ConsolidatedObservation> done;
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      done.push_back(
+          stream_
+              ->consolidated()[estimated_.places.empty() ? i : estimated_.places[i]]);
     consolidation.setConsolidated(std::move(done));
   }
   ConsolidatedObservations observations;
@@ -389,10 +394,7 @@ CompactMapping::goOnFrom(const std::string& step,
     return posed();
   }
   (this->*run)(sequence, report);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw OutputFileException(folder + ": " + error.message());
+  makeFolder(folder);
   if (!before_.poses.empty())
     saveTrajectory(before, before_);
   saveEstimatedPoses(folder, estimated_, made_of);

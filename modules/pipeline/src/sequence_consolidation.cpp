@@ -113,13 +113,17 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
                   "reading");
     try {
       ConsolidatedObservation one;
+      Eigen::Isometry3d T_map_camera;
       if (consolidated_.empty()) {
         const PosedObservation seen = sequence.load(i);
         remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
         one = consolidate(*seen.file, sequence.path(i));
+        T_map_camera = seen.T_map_camera;
       }
-      else
+      else {
         one = consolidated_[i];
+        T_map_camera = sequence.pose(i);
+      }
       if (one.points == 0)
         report.remarks.push_back(sequence.path(i) + ": has no point");
       count(one, report);
@@ -127,7 +131,7 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
       found.weights.emplace_back(raw_points_ ? 0 : one.cloud->size(), one.weight);
       found.places.push_back(i);
       found.trajectory.stamps.push_back(sequence.stamp(i));
-      found.trajectory.poses.push_back(sequence.pose(i));
+      found.trajectory.poses.push_back(T_map_camera);
     }
     catch (const InputFileException& error) {
       if (!skip_broken_)

@@ -29,6 +29,12 @@ behindOf(const Piece& piece, double slack)
   return {piece.normal, slack - piece.offset};
 }
 
+bool
+has(const std::vector<std::size_t>& list, std::size_t one)
+{
+  return std::find(list.begin(), list.end(), one) != list.end();
+}
+
 Eigen::Matrix3d
 nearestRotation(const Eigen::Matrix3d& matrix)
 {
@@ -228,9 +234,7 @@ BoxSearch::fits(const Box& box, std::size_t side, std::size_t piece) const
     if (Box::axisOf(k) == Box::axisOf(side))
       continue;
     for (const std::size_t other : box.sides[k].pieces) {
-      const std::vector<std::size_t>& neighbours = neighbours_[piece];
-      has_edge = has_edge || std::find(neighbours.begin(), neighbours.end(), other) !=
-                                 neighbours.end();
+      has_edge = has_edge || has(neighbours_[piece], other);
       if (!isConvex(one, pieces_[other]))
         return false;
     }
@@ -273,9 +277,6 @@ BoxSearch::addPieces(Box& box, const std::vector<bool>& is_used) const
 std::optional<std::size_t>
 BoxSearch::sideOfSlant(const Box& box, std::size_t piece) const
 {
-  const auto has = [](const std::vector<std::size_t>& list, std::size_t one) {
-    return std::find(list.begin(), list.end(), one) != list.end();
-  };
   std::size_t its_side = 0, edges = 0;
   for (std::size_t side = 0; side < box.sides.size(); ++side) {
     if (pieces_[piece].normal.dot(box.outward(side)) >
