@@ -61,13 +61,6 @@ public:
     return options_.hasLists() && has_cameras_ && !isRectifying();
   }
 
-  /** \brief Number of frames, including broken ones. */
-  std::size_t
-  frames() const
-  {
-    return grabber_->frames();
-  }
-
   /** \brief Reads the next observation. Broken frames of a session are left out and
    * reported in the remarks.
    * \throws InputFileException for an image of the lists that cannot be read */

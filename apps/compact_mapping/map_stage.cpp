@@ -64,15 +64,7 @@ merge(const ChainOptions& options,
       const RunControls& controls,
       StageLog& log)
 {
-  ObservationMerging merging;
-  merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
-                                                    : options.planes.sensor);
-  merging.setSkipBroken(options.texture.skip_broken);
-  merging.setMaximumPoints(options.max_points);
-  merging.setNumberOfThreads(controls.threads);
-  merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
-    requireMemory(bytes, work);
-  });
+  ObservationMerging merging = mergingOf(options, controls.threads);
   merging.setProgressCallback(controls.progress);
   MergedCloud merged;
   merging.compute(posed, merged);
@@ -266,6 +258,21 @@ tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
 }
 
 } // namespace
+
+ObservationMerging
+mergingOf(const ChainOptions& options, unsigned threads)
+{
+  ObservationMerging merging;
+  merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
+                                                    : options.planes.sensor);
+  merging.setSkipBroken(options.texture.skip_broken);
+  merging.setMaximumPoints(options.max_points);
+  merging.setNumberOfThreads(threads);
+  merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
+    requireMemory(bytes, work);
+  });
+  return merging;
+}
 
 std::vector<std::string>
 writeMap(const ChainOptions& options,

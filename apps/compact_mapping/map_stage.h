@@ -6,6 +6,7 @@
 #include <pcl/core/compact_map.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/pipeline/map_comparison.h>
+#include <pcl/pipeline/observation_merging.h>
 
 namespace pcl::acmap {
 
@@ -17,6 +18,11 @@ struct Mapped {
   MappedPlanes found;
   CompactMap map;
 };
+
+/** \brief The merging with these options, without progress.
+ * \param[in] threads 0 = all */
+ObservationMerging
+mergingOf(const ChainOptions& options, unsigned threads);
 
 /** \brief Writes a map with its floor plan, its mesh and its pictures, and reports it.
  * \param[in,out] folder is committed

@@ -2,7 +2,6 @@
 
 #include "active_stereo/shot_source.h"
 #include "active_stereo/stereo_observation.h"
-#include "memory.h"
 
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/observation_files.h>
@@ -52,14 +51,7 @@ setUp(const ChainOptions& options,
   mapping.setRectification(rectificationOf(options.rectification));
   mapping.setRectify(options.rectifies);
   mapping.setAdjust(options.egomotion.is_rigid);
-  ObservationMerging merging;
-  merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
-                                                    : options.planes.sensor);
-  merging.setMaximumPoints(options.max_points);
-  merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
-    requireMemory(bytes, work);
-  });
-  mapping.setMerging(merging);
+  mapping.setMerging(mergingOf(options, controls.threads));
   mapping.setPlaneMapping(mappingOf(options.planes, controls.threads));
   mapping.setTexturing(texturingOf(options.texture, controls.threads));
 }
@@ -73,7 +65,7 @@ public:
   {
     const std::lock_guard lock(mutex_);
     waits_ += state.is_late ? 1 : 0;
-    most_behind_ = std::max(most_behind_, state.arrived - state.processed);
+    largest_backlog_ = std::max(largest_backlog_, state.arrived - state.processed);
     largest_lag_ = std::max(largest_lag_, state.lag);
   }
 
@@ -84,8 +76,8 @@ public:
     log.details["largest_lag_seconds"] = largest_lag_;
     log.details["waits"] = waits_;
     log.tell("recorded",
-             "in " + shortNumber(recorded) + " s; the mapping was behind by at most " +
-                 std::to_string(most_behind_) + " observations, " +
+             "in " + shortNumber(recorded) + " s; the mapping lagged by at most " +
+                 std::to_string(largest_backlog_) + " observations, " +
                  shortNumber(largest_lag_) + " s");
     if (waits_ > 0)
       log.warn("the camera had to wait " + std::to_string(waits_) +
@@ -95,7 +87,7 @@ public:
 private:
   std::mutex mutex_;
   std::size_t waits_ = 0;
-  std::size_t most_behind_ = 0;
+  std::size_t largest_backlog_ = 0;
   double largest_lag_ = 0;
 };
 
