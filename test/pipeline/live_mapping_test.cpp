@@ -1,11 +1,9 @@
+#include "office_views.h"
 #include "temporary_folder.h"
 
-#include <pcl/pipeline/compact_mapping.h>
-#include <pcl/simulation/simulated_observation.h>
-#include <pcl/simulation/simulated_rig_grabber.h>
-#include <pcl/simulation/standard_scenes.h>
-
 #include <pcl/conversions.h>
+#include <pcl/pipeline/compact_mapping.h>
+#include <pcl/simulation/simulated_rig_grabber.h>
 
 #include <gmock/gmock.h>
 
@@ -15,35 +13,8 @@
 namespace pcl::acmap::test {
 namespace {
 
-constexpr std::size_t views = 3;
-
-/** Views of an office from places that are close to each other. */
-class ArrivingViews : public testing::Test {
+class ArrivingViews : public OfficeViews {
 protected:
-  static void
-  SetUpTestSuite()
-  {
-    SimulatedScene office = standardScene("office");
-    office.sensor.points /= 4;
-    office.rig.width /= 2;
-    office.rig.height /= 2;
-    office.rig.focal_length /= 2;
-    office.rig.center_x = (office.rig.width - 1) / 2.0;
-    office.rig.center_y = (office.rig.height - 1) / 2.0;
-    trajectory_ = trajectoryOf(office, views);
-    for (std::size_t i = 0; i < views; ++i) {
-      const auto file = std::make_shared<PointCloudFile>();
-      file->cloud = cloudOf(observe(office, i, 1));
-      clouds_.push_back(file);
-    }
-  }
-
-  static void
-  TearDownTestSuite()
-  {
-    clouds_.clear();
-  }
-
   static void
   addAll(CompactMapping& mapping, bool with_poses)
   {
@@ -53,21 +24,13 @@ protected:
   }
 
   static void
-  expectSame(const CompactMap& a, const CompactMap& b)
+  expectSameWithPoses(const CompactMap& a, const CompactMap& b)
   {
-    ASSERT_EQ(a.planes.size(), b.planes.size());
-    ASSERT_EQ(a.charts.size(), b.charts.size());
+    expectSame(a, b);
     ASSERT_EQ(a.trajectory.poses.size(), b.trajectory.poses.size());
-    for (std::size_t i = 0; i < a.planes.size(); ++i)
-      EXPECT_EQ(a.planes[i].coefficients, b.planes[i].coefficients);
-    for (std::size_t i = 0; i < a.charts.size(); ++i)
-      EXPECT_EQ(a.charts[i].colors.values, b.charts[i].colors.values);
     for (std::size_t i = 0; i < a.trajectory.poses.size(); ++i)
       EXPECT_EQ(a.trajectory.poses[i].matrix(), b.trajectory.poses[i].matrix());
   }
-
-  static inline Trajectory trajectory_;
-  static inline std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
 };
 
 TEST_F(ArrivingViews, becomeTheMapThatTheyBecomeAfterwards)
@@ -86,7 +49,7 @@ TEST_F(ArrivingViews, becomeTheMapThatTheyBecomeAfterwards)
     addAll(arriving, with_poses);
     EXPECT_EQ(arriving.getNumberOfObservations(), views);
     arriving.compute(map);
-    expectSame(map, expected);
+    expectSameWithPoses(map, expected);
     EXPECT_EQ(arriving.getReport().remarks, afterwards.getReport().remarks);
     ASSERT_EQ(arriving.getReport().odometry.has_value(), !with_poses);
     ASSERT_EQ(arriving.getReport().consolidation->representatives,
@@ -145,7 +108,7 @@ TEST_F(ArrivingViews, becomeTheSameMapFromTheirFolder)
   addAll(in_memory, false);
   kept.compute(map);
   in_memory.compute(expected);
-  expectSame(map, expected);
+  expectSameWithPoses(map, expected);
   EXPECT_EQ(ObservationSequence(folder.path("deep/observations")).size(), views);
   CompactMapping nowhere;
   nowhere.setObservationFolder("/proc/no/folder");
@@ -210,11 +173,7 @@ TEST_F(ArrivingViews, canBeLeftAlone)
 TEST(LiveMapping, framesBecomeObservationsAsByTheirClasses)
 {
   SimulatedScene scene = standardScene("office");
-  scene.rig.width /= 4;
-  scene.rig.height /= 4;
-  scene.rig.focal_length /= 4;
-  scene.rig.center_x = (scene.rig.width - 1) / 2.0;
-  scene.rig.center_y = (scene.rig.height - 1) / 2.0;
+  makeSmall(scene, 4);
   scene.views.resize(2);
   RgbImage stripes{1024, 768, {}};
   for (std::size_t i = 0; i < std::size_t{1024} * 768; ++i)
