@@ -1,15 +1,18 @@
 #include "compact_mapping/chain.h"
 #include "compact_mapping/chain_report.h"
+#include "compact_mapping/live_map.h"
 #include "compact_mapping/map_stage.h"
-#include "compact_mapping/recorded_stage.h"
 #include "compact_mapping/report_page.h"
+#include "live_window.h"
 #include "output_target.h"
 
 #include <pcl/visualization/display_connection.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace {
@@ -94,10 +97,13 @@ run(Tool& tool, const ChainOptions& options)
   if (start != StartingPoint::Cloud && !options.as_recorded)
     sequence = chain.sequenceFrom(start);
   nlohmann::ordered_json map_values = values(map_group);
-  if (options.as_recorded) // in one stage
-    for (const char* group :
-         {stereo_group, egomotion_group, motion_group, rectification_group})
-      map_values.update(values(group));
+  if (options.as_recorded) // whoever asks for a replay does not want an earlier one
+    map_values["replayed"] =
+        std::chrono::system_clock::now().time_since_epoch().count();
+  std::mutex drawing;
+  const auto window = options.live
+                          ? std::make_unique<LiveWindow>(drawing, "pcl_compact_mapping")
+                          : nullptr;
   // pictures of the same map are kept, even if this run would not draw any
   const auto madeOf = [&](bool has_pictures) {
     return mapIsMadeOf(options, sequence, map_values, controls.scale, has_pictures);
@@ -113,6 +119,7 @@ run(Tool& tool, const ChainOptions& options)
                    ? mapAsRecorded(options,
                                    chain.folderOf("replay"),
                                    draws,
+                                   window.get(),
                                    folder,
                                    controls,
                                    log)
@@ -124,6 +131,7 @@ run(Tool& tool, const ChainOptions& options)
     figures = compareMap(options, chain, sequence, *truth);
   tellChain(options, start, chain.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
+  requireAllObservations(chain.stages().back().told.details, options.output);
 }
 
 } // namespace

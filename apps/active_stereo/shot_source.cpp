@@ -157,6 +157,7 @@ ShotSource::waitFor(const TrinocularFrame& frame)
     due_ += std::chrono::microseconds(std::min(frame.stamp - before, longest));
   while (Clock::now() < due_) {
     stopIfInterrupted();
+    idle_();
     std::this_thread::sleep_until(std::min(due_, Clock::now() + step));
   }
 }

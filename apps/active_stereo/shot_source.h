@@ -8,9 +8,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap {
@@ -40,6 +42,13 @@ public:
   ShotSource(const StereoOptions& options,
              unsigned threads,
              ReplayPace pace = ReplayPace::AtOnce);
+
+  /** \brief Sets what is called about ten times a second while a replay waits. */
+  void
+  setIdle(std::function<void()> idle)
+  {
+    idle_ = std::move(idle);
+  }
 
   /** \brief Rig of the rectified frames. */
   const TrinocularRig&
@@ -98,6 +107,7 @@ private:
   bool has_cameras_;
   FrameRectifier rectifier_;
   ReplayPace pace_;
+  std::function<void()> idle_ = [] {};
   std::size_t next_ = 0;
   ShotGroups groups_;
   std::size_t broken_; ///< number of frames that are known to be

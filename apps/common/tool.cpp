@@ -414,6 +414,13 @@ interrupted()
 }
 
 void
+forgetInterruption()
+{
+  interruption_noted = 0;
+  noteInterruptions();
+}
+
+void
 stopIfInterrupted()
 {
   if (interrupted())

@@ -157,6 +157,10 @@ obeyInterruptions();
 bool
 interrupted();
 
+/** \brief Forgets an interruption that was obeyed: the next one is only recorded again. */
+void
+forgetInterruption();
+
 /** \throws CancelledException when there was an interruption */
 void
 stopIfInterrupted();

@@ -32,6 +32,10 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
         "Replay the session at the pace of its recording and map it meanwhile, as "
         "with a camera; tells how long the map takes after the last shot. Keeps "
         "no stages for later runs");
+    app.add_flag("--live",
+                 options.live,
+                 "With --as-recorded: show the newest view and the plan so far in a "
+                 "window; needs an X server");
     app.add_option("--poses",
                    options.stereo.poses,
                    "Known poses of the session's observations, TUM's form, one row "
@@ -59,9 +63,7 @@ addMapOptions(Tool& tool, ChainOptions& options)
 {
   CLI::App& app = tool.options();
   inGroup(tool, map_group, [&] {
-    options.planes.primitives_by_default = true;
     addPlaneChoices(tool, options.planes);
-    options.planes.keeps_mesh = true;
     addTextureOptions(tool, options.texture);
     app.add_option("--max-points",
                    options.max_points,
@@ -164,6 +166,8 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
   if (options.as_recorded && !options.truth.empty())
     throw UsageError(
         "--truth: is told of the stages of a map, which --as-recorded has not");
+  if (options.live && !options.as_recorded)
+    throw UsageError("--live: shows a session while it is replayed, --as-recorded");
   requireStereoSense(options.stereo);
   checkChoices(options.planes);
 }

@@ -11,12 +11,19 @@ namespace pcl::acmap {
 
 /** \brief Options of the user: those of all stages. */
 struct ChainOptions {
+  ChainOptions()
+  {
+    planes.primitives_by_default = true;
+    planes.keeps_mesh = true;
+  }
+
   std::string input;
   std::string output;
   std::string truth; ///< simulated session to compare with; empty: none
   bool has_pictures = true;
   bool rectifies = true;
   bool as_recorded = false; ///< replay a session at its pace, and map it meanwhile
+  bool live = false;        ///< show the map of the replay so far
   /** \brief Maximum for the merged cloud, before it is consolidated. */
   std::size_t max_points = 50000000;
   StereoOptions stereo;

@@ -19,11 +19,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /** \brief Draws pictures/mesh.png, planes.png, outside.png, inside.png and
  * floor_plan.png.
@@ -34,6 +37,7 @@ savePictures(const OutputFolder& folder,
              const CompactMap& map)
 {
   const UnlimitedMemory while_drawing;
+  fs::create_directories(folder.path(pictureName("")));
   const auto place = [&](const char* name) { return folder.path(pictureName(name)); };
   saveSnapshot(place("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
   savePicture(place("planes.png"), found);
@@ -47,8 +51,6 @@ savePictures(const OutputFolder& folder,
     saveMapSnapshot(place(name), map, map_view);
   }
 }
-
-namespace fs = std::filesystem;
 
 /** \brief Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
@@ -171,8 +173,10 @@ std::vector<std::string>
 filesOf(const OutputFolder& folder)
 {
   std::vector<std::string> names = filesIn(folder.path(""));
-  for (const std::string& name : filesIn(folder.path(pictureName(""))))
-    names.push_back(pictureName(name));
+  const std::string pictures = folder.path(pictureName(""));
+  if (std::error_code error; fs::exists(pictures, error))
+    for (const std::string& name : filesIn(pictures))
+      names.push_back(pictureName(name));
   return names;
 }
 
@@ -285,7 +289,6 @@ writeMap(const ChainOptions& options,
   const FloorPlan plan = makeFloorPlan(mapped.map);
   setRooms(plan, mapped.map);
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
-  fs::create_directories(folder.path(pictureName("")));
   saveFloorPlan(folder.path("plan.svg"), plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");

@@ -1,8 +1,10 @@
 #include "active_stereo/stereo_observation.h"
+#include "compact_mapping/live_map.h"
 #include "frame_queue.h"
 #include "grabber_options.h"
 #include "live_window.h"
 #include "memory.h"
+#include "output_target.h"
 #include "terminal.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
@@ -299,7 +301,7 @@ rectifierOf(const GrabberOptions& options, const Device& device, unsigned thread
 struct CloudOutput {
   CloudOutput(const GrabberOptions& options, const Device& device, unsigned threads)
   : rectifier(rectifierOf(options, device, threads))
-  , fusion(rectifier.rig(), options.stereo, threads)
+  , fusion(rectifier.rig(), options.map.stereo, threads)
   {
     if (!options.clouds.empty())
       requireNoStereo(folder.emplace(options.clouds));
@@ -311,6 +313,51 @@ struct CloudOutput {
   ShotGroups groups;
   StereoResults results;
 };
+
+/** \brief The map of a run. Its files are in the folder's hidden part until it is
+ * committed, its observations in its stages. */
+struct MapOutput {
+  MapOutput(const GrabberOptions& options,
+            const Device& device,
+            unsigned threads,
+            LiveWindow* live)
+  : settings(options.map)
+  , folder(settings.output)
+  , observations((fs::path(settings.output) / "stages" / "replay").string())
+  , rectifier(rectifierOf(options, device, threads))
+  {
+    requireNoneIn(folder, [](const std::string&) { return true; });
+    settings.input = options.isRecording() ? options.device : "the camera";
+    map.emplace(settings, rectifier.rig(), observations, threads, live);
+  }
+
+  ChainOptions settings;
+  OutputFolder folder;
+  std::string observations; ///< folder
+  FrameRectifier rectifier;
+  ShotGroups groups;
+  std::optional<LiveMap> map;
+  bool is_finishing = false; ///< all observations are there
+  bool is_finished = false;
+};
+
+/** \brief The frames of an observation as they are matched; nothing without a shot. */
+std::optional<ObservationShots>
+shotsOf(const std::vector<TrinocularFrame::ConstPtr>& frames,
+        const FrameRectifier& rectifier,
+        ShotGroups& groups)
+{
+  for (const TrinocularFrame::ConstPtr& frame : frames)
+    groups.add(frame);
+  std::optional<ObservationShots> shots = groups.finish();
+  if (shots && rectifier.isRectifying())
+    for (TrinocularFrame::ConstPtr& frame : shots->frames) {
+      const TrinocularFrame::Ptr rectified(new TrinocularFrame(*frame));
+      rectifier.rectify(*rectified);
+      frame = rectified;
+    }
+  return shots;
+}
 
 /** \brief All outputs of a run. Session and clouds are consistent: an observation is
  * recorded when it is complete, and then its cloud is computed. */
@@ -329,7 +376,11 @@ public:
   , live_(live)
   , log_(log)
   {
-    if (!options.clouds.empty() || (options.live && !options.isStream())) {
+    if (!options.map.output.empty()) {
+      map_.emplace(options, device, threads, live);
+      log_.warn(map_->rectifier.remarks());
+    }
+    else if (!options.clouds.empty() || (options.live && !options.isStream())) {
       clouds_.emplace(options, device, threads);
       log_.warn(clouds_->rectifier.remarks());
     }
@@ -387,9 +438,22 @@ public:
       makeCloud(frames, progress);
       timer.finish("match");
     }
+    if (map_) {
+      if (const auto shots = shotsOf(frames, map_->rectifier, map_->groups))
+        map_->map->add(shots->frames);
+      timer.finish("map");
+    }
     for (const auto& [step, seconds] : steps.seconds)
       seconds_[step] += seconds;
     ++observations_;
+  }
+
+  /** \brief Shows what is new of the map. */
+  void
+  show()
+  {
+    if (map_)
+      map_->map->show();
   }
 
   /** \brief Number of closed observations. */
@@ -414,7 +478,9 @@ public:
     if (recorder_)
       status.written = recorder_->bytes();
     std::error_code error;
-    const std::string& place = recorder_ ? options_.session : options_.clouds;
+    const std::string& place = recorder_ ? options_.session
+                               : map_    ? options_.map.output
+                                         : options_.clouds;
     const fs::space_info space = fs::space(place, error);
     if (!place.empty() && !error)
       status.free = space.available;
@@ -423,7 +489,7 @@ public:
   /** \brief Completes the outputs and moves them to their final place.
    * \throws NothingFound when there is no point in any cloud; the session is kept */
   void
-  finish()
+  finish(const RunControls& controls)
   {
     if (recorder_)
       recorder_->finish();
@@ -433,17 +499,23 @@ public:
     }
     if (clouds_ && clouds_->folder)
       clouds_->folder->commit();
+    if (map_) {
+      map_->is_finishing = true;
+      map_->map->finish(false, map_->folder, controls, log_);
+      map_->is_finished = true;
+      requireAllObservations(log_.details, map_->settings.output);
+    }
   }
 
   /** \brief Keeps complete outputs after an error, and rethrows it with a note about
    * what was kept. */
   [[noreturn]] void
-  keep(const std::exception_ptr& error)
+  keep(const std::exception_ptr& error, const RunControls& controls)
   {
-    const std::string kept = keepClouds() + keepSession();
+    const Failure failure = failureOf(error);
+    const std::string kept = keepClouds() + keepSession() + keepMap(failure, controls);
     if (kept.empty())
       std::rethrow_exception(error);
-    const Failure failure = failureOf(error);
     switch (failure.code) {
     case exit_interrupted:
       throw InterruptedPartway("interrupted" + kept);
@@ -467,11 +539,13 @@ public:
     Json& details = log_.details;
     if (clouds_)
       log_.warn(clouds_->groups.remarks());
+    if (map_)
+      log_.warn(map_->groups.remarks());
     log_.tell("observations", std::to_string(observations_));
     if (clouds_) {
       const StereoResults& results = clouds_->results;
       results.warnOfRemarks(log_);
-      details["method"] = options_.stereo.method;
+      details["method"] = options_.map.stereo.method;
       details["least_disparity"] = clouds_->fusion.range().minimum;
       details["most_disparity"] = clouds_->fusion.range().maximum();
       details["points"] = results.points;
@@ -482,6 +556,7 @@ public:
     for (const auto& [step, seconds] : seconds_)
       log_.report.seconds.emplace_back(step, seconds);
     details["clouds"] = options_.clouds;
+    details["map"] = options_.map.output;
     details["session"] = options_.session;
     if (recorder_) {
       details["recorded_frames"] = recorder_->frames();
@@ -494,21 +569,13 @@ private:
   makeCloud(const std::vector<TrinocularFrame::ConstPtr>& frames,
             const ProgressCallback& progress)
   {
-    for (const TrinocularFrame::ConstPtr& frame : frames)
-      clouds_->groups.add(frame);
-    std::optional<ObservationShots> shots = clouds_->groups.finish();
+    const auto shots = shotsOf(frames, clouds_->rectifier, clouds_->groups);
     if (!shots)
       return;
-    if (clouds_->rectifier.isRectifying())
-      for (TrinocularFrame::ConstPtr& frame : shots->frames) {
-        const TrinocularFrame::Ptr rectified(new TrinocularFrame(*frame));
-        clouds_->rectifier.rectify(*rectified);
-        frame = rectified;
-      }
     const MadeObservation made = clouds_->fusion.make(*shots, progress);
     if (clouds_->folder)
       saveResults(*clouds_->folder,
-                  options_.stereo,
+                  options_.map.stereo,
                   shots->number,
                   made,
                   Eigen::Isometry3d::Identity());
@@ -542,9 +609,41 @@ private:
            std::to_string(recorder_->frames());
   }
 
+  /** Makes the map of the observations so far; if it was being made, or that fails, they
+   * are kept. */
+  std::string
+  keepMap(const Failure& failure, const RunControls& controls)
+  {
+    if (!map_ || map_->is_finished || map_->map->observations() == 0)
+      return "";
+    std::string why;
+    if (!map_->is_finishing) {
+      if (failure.code == exit_interrupted)
+        forgetInterruption();
+      else
+        map_->map->keepProcessed(failure.line, log_);
+      try {
+        map_->map->finish(false, map_->folder, controls, log_);
+        return "; the map of the " + std::to_string(map_->map->observations()) +
+               " observations by then is in " + map_->settings.output;
+      }
+      catch (const std::exception&) {
+        const Failure fault = failureOf(std::current_exception());
+        why = "; there is no map of them: " + fault.line;
+      }
+    }
+    const std::size_t kept = map_->map->processed();
+    if (kept == 0)
+      return why;
+    map_->map->keep();
+    return "; observations finished by then, in " + map_->observations + ": " +
+           std::to_string(kept) + why;
+  }
+
   const GrabberOptions& options_;
   LiveWindow* const live_;
   StageLog& log_;
+  std::optional<MapOutput> map_;
   std::optional<CloudOutput> clouds_;
   std::optional<TrinocularRecorder> recorder_; // of the raw session
   bool is_new_session_ = false;
@@ -680,9 +779,10 @@ public:
   /** \brief Opens device, outputs, projector and window. */
   GrabRun(const GrabberOptions& options, const RunControls& controls, StageLog& log)
   : options_(options)
-  , threads_(controls.threads)
+  , controls_(controls)
   , log_(log)
-  , live_(options.live ? std::make_unique<LiveWindow>(drawing_) : nullptr)
+  , live_(options.live ? std::make_unique<LiveWindow>(drawing_, "pcl_digiclops_grabber")
+                       : nullptr)
   , status_(!controls.is_quiet)
   , device_(openDevice(options))
   , outputs_(options, device_, controls.threads, live_.get(), log)
@@ -717,10 +817,10 @@ public:
       else
         passRecording();
       timer.finish("grab");
-      outputs_.finish();
+      outputs_.finish(mapControls());
     }
     catch (...) {
-      outputs_.keep(std::current_exception());
+      outputs_.keep(std::current_exception(), mapControls());
     }
   }
 
@@ -810,7 +910,7 @@ private:
   passObservations(PatternSequenceGrabber& sequence)
   {
     if (options_.early) {
-      need_.emplace(rectifierOf(options_, device_, threads_));
+      need_.emplace(rectifierOf(options_, device_, controls_.threads));
       sequence.setWantMore([this](const TrinocularFrame& frame) {
         return need_->wantsMoreAfter(frame);
       });
@@ -903,6 +1003,15 @@ private:
                      std::to_string(shots_));
   }
 
+  /** \brief Those of the map after the last observation. */
+  RunControls
+  mapControls()
+  {
+    RunControls controls = controls_;
+    controls.progress = progress();
+    return controls;
+  }
+
   ProgressCallback
   progress()
   {
@@ -916,6 +1025,7 @@ private:
   void
   update(const std::string& doing)
   {
+    outputs_.show();
     if (live_)
       live_->update();
     if (!status_.isDue())
@@ -936,7 +1046,7 @@ private:
   }
 
   const GrabberOptions& options_;
-  const unsigned threads_;
+  const RunControls& controls_;
   StageLog& log_;
   // locks the drawing of the projector's window and of the live window
   std::mutex drawing_;

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <sstream>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -65,9 +66,16 @@ addPlaces(CLI::App& app, GrabberOptions& options)
       ->type_name("DIR");
   app.add_option("-o,--output", options.session, "Folder for the frames, a raw session")
       ->type_name("SESSION");
+  app.add_option(
+         "--map",
+         options.map.output,
+         "Folder for a compact map, which is computed while observations arrive; "
+         "the camera moves level, as on a robot")
+      ->type_name("DIR");
   app.add_flag("--live",
                options.live,
-               "Show images and last cloud in a window; needs an X server");
+               "Show images, last cloud, and with --map the plan so far, in a window; "
+               "needs an X server");
 }
 
 void
@@ -208,8 +216,10 @@ requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
   }
   for (const char* const names : {for_projector, "--observations"})
     refuse(app, names, "is for patterns, --patterns 0 has none");
-  if (!options.clouds.empty())
-    throw UsageError("--pcd needs patterns, --patterns 0 has none");
+  for (const auto& [name, output] :
+       {std::pair("--pcd", &options.clouds), std::pair("--map", &options.map.output)})
+    if (!output->empty())
+      throw UsageError(std::string(name) + " needs patterns, --patterns 0 has none");
 }
 
 /** \brief Refuses outputs that would mix with each other or with the recording. */
@@ -223,10 +233,12 @@ requirePlaces(const GrabberOptions& options)
            fs::weakly_canonical(fs::absolute(a) / "", error) ==
                fs::weakly_canonical(fs::absolute(b) / "", error);
   };
-  if (same(options.clouds, options.session))
-    throw UsageError(options.clouds + ": is to hold the session, too");
+  for (const std::string& output : {options.clouds, options.map.output})
+    if (same(output, options.session))
+      throw UsageError(output + ": is to hold the session, too");
   if (options.isRecording())
-    for (const std::string& output : {options.clouds, options.session})
+    for (const std::string& output :
+         {options.clouds, options.session, options.map.output})
       if (same(output, options.device))
         throw UsageError(output + ": is the recording's folder, too");
 }
@@ -241,7 +253,7 @@ addOptions(Tool& tool, GrabberOptions& options)
   addAmounts(app, options);
   addProjector(tool, options);
   addCamera(app, options);
-  addStereoChoices(app, options.stereo);
+  addStereoChoices(app, options.map.stereo);
   tool.addThreads();
 }
 
@@ -270,15 +282,20 @@ void
 requireSense(Tool& tool, const GrabberOptions& options)
 {
   const CLI::App& app = tool.options();
-  for (const char* const name : {"--device", "--rig", "--pcd", "--output"})
+  for (const char* const name : {"--device", "--rig", "--pcd", "--output", "--map"})
     if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty())
       throw UsageError(std::string(name) + " names nothing");
   if (options.list) {
-    refuse(app, "--pcd --output --live", "makes no sense with --list");
+    refuse(app, "--pcd --output --map --live", "makes no sense with --list");
     return;
   }
-  if (options.clouds.empty() && options.session.empty() && !options.live)
-    throw UsageError("nothing to do: --pcd DIR, -o SESSION or --live is needed");
+  if (options.clouds.empty() && options.session.empty() && options.map.output.empty() &&
+      !options.live)
+    throw UsageError(
+        "nothing to do: --pcd DIR, -o SESSION, --map DIR or --live is needed");
+  if (!options.clouds.empty() && !options.map.output.empty())
+    throw UsageError("--pcd: a --map keeps the observations that it is made of, in its "
+                     "stages/replay");
   if (options.isRecording()) {
     const std::string reason = "is for a camera, " + options.device + " is a recording";
     for (const char* const names :
@@ -288,7 +305,7 @@ requireSense(Tool& tool, const GrabberOptions& options)
   else
     requireSenseOfCamera(app, options);
   channelOrderOf(options.channel_order);
-  requireStereoSense(options.stereo);
+  requireStereoSense(options.map.stereo);
   requirePlaces(options);
   tool.requireReportWritable({options.rigPath()});
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "active_stereo/stereo_options.h"
+#include "compact_mapping/chain_options.h"
 #include "line_pattern/pattern_options.h"
 
 #include <pcl/acquisition/channel_order.h>
@@ -22,6 +23,8 @@ struct GrabberOptions {
   std::string rig;    ///< of a camera
   std::string clouds; ///< folder for observations; empty: not written
   std::string session;
+  ChainOptions
+      map; ///< with the options of the stereo; without a map its output is empty
   bool live = false;
 
   std::optional<std::size_t> observations;
@@ -41,8 +44,6 @@ struct GrabberOptions {
   NumberOrAuto gain;    ///< dB
   std::string trigger = "off";
   std::string channel_order = "auto";
-
-  StereoOptions stereo;
 
   /** \brief Is the device the folder of a recording? */
   bool

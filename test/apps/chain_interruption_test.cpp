@@ -124,5 +124,32 @@ TEST_F(ChainInterruption, AKilledRunKeepsItsObservationsAndLeavesNothingThatStay
   EXPECT_EQ(fs::last_write_time(first_), time);
 }
 
+/** The replay of the three observations takes a second or two. */
+TEST_F(ChainInterruption, AReplayEndsWithAMapOfWhatItHasSeen)
+{
+  const std::string second = stage("replay") + "/observation_0001.pcd";
+  RunSettings settings;
+  settings.interrupt_when = [&] { return fs::exists(second); };
+  const ToolRun stopped = runSessionChain(session_, out_, {"--as-recorded"}, settings);
+  expectRefused(stopped, 130, "observations by then is in " + out_);
+  EXPECT_THAT(stopped.err, HasSubstr("interrupted; the map of the "));
+  EXPECT_TRUE(fs::exists(out_ + "/map.glb"));
+  EXPECT_THAT(hiddenIn(out_), IsEmpty());
+  // an interrupted replay is no result that a later one would take
+  const ToolRun again = runSessionChain(session_, out_, {"--as-recorded"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(contentOf(out_ + "/map.json"), contentOf(map_ + "/map.json"));
+}
+
+TEST_F(ChainInterruption, AReplayWithoutAnObservationLeavesNothing)
+{
+  RunSettings settings;
+  settings.interrupt_after = 0;
+  expectRefused(
+      runSessionChain(session_, out_, {"--as-recorded"}, settings), 130, "interrupted");
+  EXPECT_FALSE(fs::exists(out_ + "/map.json"));
+  EXPECT_FALSE(fs::exists(stage("replay")));
+}
+
 } // namespace
 } // namespace pcl::acmap::test

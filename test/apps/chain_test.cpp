@@ -101,8 +101,48 @@ TEST_F(ChainTest, TheMapOfAReplayIsThatOfTheStages)
   EXPECT_TRUE(fs::exists(out + "/stages/replay/observation_0002.pcd"));
 }
 
+TEST_F(ChainTest, TheMapOfAGrabberIsThatOfTheStages)
+{
+  const std::string out = folder_.path("grabbed");
+  const auto grab = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {
+        "--device", session_, "--map", out, "--min-depth", "1"};
+    all.insert(all.end(), more.begin(), more.end());
+    return runTool(ACMAP_DIGICLOPS_GRABBER, all);
+  };
+  const ToolRun run = grab({});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("after the last shot"));
+  for (const char* name : {"map.json", "map.glb", "mesh.ply", "trajectory.txt"})
+    EXPECT_EQ(contentOf(out + "/" + name), contentOf(map_ + "/" + name)) << name;
+  EXPECT_THAT(hiddenIn(out), IsEmpty());
+  const ToolRun taken = grab({});
+  EXPECT_EQ(taken.exit_code, 5);
+  EXPECT_THAT(taken.err, HasSubstr("already holds"));
+  const ToolRun twice = grab({"--pcd", folder_.path("clouds")});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("stages/replay"));
+}
+
+/** A folder stands where the file of the last observation belongs: it cannot be
+ * written. */
+TEST_F(ChainTest, AFaultOnTheWayEndsWithAMapOfWhatWasSeenBefore)
+{
+  const std::string out = folder_.path("faulty");
+  fs::create_directories(out + "/stages/replay/observation_0002.pcd/x");
+  const ToolRun run = runSessionChain(session_, out, {"--as-recorded"});
+  EXPECT_EQ(run.exit_code, 5);
+  EXPECT_THAT(run.err, HasSubstr("observation_0002.pcd"));
+  EXPECT_THAT(run.err, HasSubstr("the map of the 2 observations by then is in " + out));
+  EXPECT_TRUE(fs::exists(out + "/map.glb"));
+  EXPECT_FALSE(fs::exists(out + "/stages/replay"));
+}
+
 TEST_F(ChainTest, OnlySessionsAreReplayed)
 {
+  const ToolRun live = runSessionChain(session_, folder_.path("out"), {"--live"});
+  EXPECT_EQ(live.exit_code, 2);
+  EXPECT_THAT(live.err, HasSubstr("--live: shows a session while it is replayed"));
   const ToolRun run = runChain(observations(), folder_.path("out"), {"--as-recorded"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("--as-recorded: is for raw sessions"));

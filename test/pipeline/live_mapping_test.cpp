@@ -3,11 +3,15 @@
 
 #include <pcl/conversions.h>
 #include <pcl/pipeline/compact_mapping.h>
+#include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 
 namespace pcl::acmap::test {
@@ -38,6 +42,7 @@ TEST_F(ArrivingViews, becomeTheMapThatTheyBecomeAfterwards)
   for (const bool with_poses : {false, true}) {
     CompactMapping afterwards, arriving;
     std::vector<MappingState> told;
+    arriving.setProvisionalInterval(0);
     arriving.setStateCallback([&](const MappingState& state) {
       if (!state.is_late)
         told.push_back(state);
@@ -76,6 +81,7 @@ TEST_F(ArrivingViews, thatComeTooFastWaitAndAreNotLost)
   std::condition_variable changed;
   std::size_t late = 0, processed = 0;
   double lag = 0;
+  mapping.setProvisionalInterval(0);
   mapping.setStateCallback([&](const MappingState& state) {
     std::unique_lock lock(mutex);
     if (state.is_late) {
@@ -143,6 +149,8 @@ TEST_F(ArrivingViews, thatAreBrokenAreToldByTheNextCall)
   CompactMap map;
   EXPECT_THROW(mapping.compute(map), InputFileException);
   EXPECT_THROW(mapping.compute(map), InputFileException) << "and not a map of the rest";
+  mapping.keepProcessed();
+  EXPECT_THROW(mapping.compute(map), InputFileException) << "there is no rest";
   mapping.clear();
   mapping.start();
   mapping.setMaximumWaiting(1); // of the next start
@@ -154,6 +162,60 @@ TEST_F(ArrivingViews, thatAreBrokenAreToldByTheNextCall)
         mapping.compute(map);
       },
       InputFileException);
+}
+
+/** A folder stands where the file of the last view belongs. */
+TEST_F(ArrivingViews, beforeAFaultBecomeAMap)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path(observationName(views - 1)) + "/x");
+  CompactMapping faulty, expecting;
+  faulty.setObservationFolder(folder.path(""));
+  CompactMap map, expected;
+  faulty.start();
+  addAll(faulty, true);
+  EXPECT_THROW(faulty.compute(map), OutputFileException);
+  faulty.keepProcessed();
+  faulty.compute(map);
+  EXPECT_THAT(faulty.getReport().remarks,
+              testing::Contains(testing::HasSubstr("observations are missing")));
+  for (std::size_t i = 0; i + 1 < views; ++i)
+    expecting.addObservation(clouds_[i], trajectory_.poses[i]);
+  expecting.compute(expected);
+  expectSameWithPoses(map, expected);
+}
+
+TEST_F(ArrivingViews, showTheirPlanesOnTheWay)
+{
+  CompactMapping mapping;
+  EXPECT_THROW(mapping.setProvisionalInterval(-1), BadArgumentException);
+  mapping.setProvisionalInterval(1e-3);
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::shared_ptr<const CompactMap> told;
+  mapping.setStateCallback([&](const MappingState& state) {
+    const std::lock_guard lock(mutex);
+    told = state.provisional;
+    changed.notify_all();
+  });
+  mapping.start();
+  addAll(mapping, true);
+  {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return told && told->trajectory.poses.size() == views; });
+  }
+  CompactMap map;
+  mapping.compute(map);
+  ASSERT_FALSE(map.planes.empty());
+  const PlanePatch& largest = map.planes.front();
+  const bool is_there = std::any_of(
+      told->planes.begin(), told->planes.end(), [&](const PlanePatch& plane) {
+        constexpr double max_angle = 0.05, max_distance = 0.05; // radians, metres
+        const Eigen::Vector4d& n = largest.coefficients;
+        return plane.coefficients.head<3>().dot(n.head<3>()) > std::cos(max_angle) &&
+               std::abs(plane.coefficients[3] - n[3]) < max_distance;
+      });
+  EXPECT_TRUE(is_there) << told->planes.size() << " planes";
 }
 
 /** The destructor stops the thread, which throws away what it was doing. */
@@ -183,6 +245,7 @@ TEST(LiveMapping, framesBecomeObservationsAsByTheirClasses)
   CompactMapping mapping;
   mapping.setInputRig(scene.rig);
   std::vector<std::shared_ptr<const PointCloudFile>> clouds;
+  mapping.setProvisionalInterval(0);
   mapping.setStateCallback([&](const MappingState& state) {
     if (!state.is_late)
       clouds.push_back(state.newest);

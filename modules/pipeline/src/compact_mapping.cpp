@@ -2,6 +2,7 @@
 #include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/fingerprint.h>
@@ -123,6 +124,20 @@ CompactMapping::setMaximumWaiting(std::size_t observations)
 }
 
 void
+CompactMapping::setProvisionalInterval(double seconds)
+{
+  acmap::requireInRange("interval of provisional maps", seconds, 0, 1e6, "s");
+  provisional_interval_ = seconds;
+}
+
+void
+CompactMapping::keepProcessed()
+{
+  if (stream_)
+    stream_->keepProcessed();
+}
+
+void
 CompactMapping::addFrame(const TrinocularFrame::ConstPtr& frame)
 {
   if (frame && current_ != frame->observation)
@@ -147,6 +162,7 @@ CompactMapping::start()
   if (!steps.folder.empty())
     makeFolder(steps.folder);
   steps.callback = state_callback_;
+  steps.provisional_interval = provisional_interval_;
   fusion_.setNumberOfThreads(threads_);
   steps.projection.setNumberOfThreads(threads_);
   steps.odometry.setNumberOfThreads(threads_);
@@ -242,7 +258,7 @@ CompactMapping::collected()
 {
   if (stream_) {
     stream_->finish();
-    poses_.resize(stream_->size());
+    poses_.resize(stream_->consolidated().size());
   }
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
@@ -271,8 +287,8 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
   VisualOdometry odometry = odometry_;
   odometry.setNumberOfThreads(threads_);
   odometry.setProgressCallback(partOf(progress_, 0, 0.2));
-  report.odometry =
-      stream_ ? stream_->odometry().finish(sequence) : odometry.compute(sequence);
+  report.odometry = stream_ ? stream_->odometry().finish(sequence.size())
+                            : odometry.compute(sequence);
   const VisualOdometryResult& found = *report.odometry;
   if (found.posed() == 0)
     PCL_THROW_EXCEPTION(InitFailedException,
@@ -450,6 +466,10 @@ CompactMapping::compute(CompactMap& map)
   before_ = Trajectory();
   estimated_ = EstimatedPoses();
   ObservationSequence sequence = sequence_ ? *sequence_ : collected();
+  if (stream_ && stream_->missing() > 0)
+    report.remarks.push_back("the last " + std::to_string(stream_->missing()) + " of " +
+                             std::to_string(stream_->size()) +
+                             " observations are missing, a fault has ended the work");
   const bool has_poses = sequence_ ? has_poses_ : poses_.front().has_value();
   if (!has_poses && sequence.size() > 1) {
     sequence = goOnFrom("odometry", sequence, &CompactMapping::estimatePoses, report);

@@ -26,6 +26,11 @@ projectFused(DisparityFusion& fusion, DisparityBackProjection& projection)
 ObservationStream::ObservationStream(Steps steps)
 : steps_(std::move(steps))
 , odometry_(steps_.odometry)
+, provisional_(steps_.callback && steps_.provisional_interval > 0
+                   ? std::make_unique<ProvisionalMapping>(
+                         steps_.provisional_interval,
+                         [this](const auto& map) { tellProvisional(map); })
+                   : nullptr)
 , worker_([this] { work(); })
 {}
 
@@ -96,8 +101,16 @@ ObservationStream::finish()
   changed_.notify_all();
   if (worker_.joinable())
     worker_.join();
-  if (fault_)
+  provisional_.reset(); // the map itself needs the processors now
+  if (fault_ && (!is_partial_ || consolidated_.empty()))
     std::rethrow_exception(fault_);
+}
+
+void
+ObservationStream::keepProcessed()
+{
+  const std::lock_guard lock(mutex_);
+  is_partial_ = true;
 }
 
 void
@@ -149,13 +162,39 @@ ObservationStream::process(Item& item)
   ConsolidatedObservation consolidated =
       steps_.consolidation.consolidate(*item.cloud, name);
   keep(name, item.cloud);
-  const std::lock_guard lock(mutex_);
-  newest_ = item.cloud;
-  consolidated_.push_back(std::move(consolidated));
-  if (item.T_map_camera)
-    poses_.push_back(item.T_map_camera);
-  else
-    poses_ = odometry_.result().poses;
+  {
+    const std::lock_guard lock(mutex_);
+    newest_ = item.cloud;
+    consolidated_.push_back(std::move(consolidated));
+    if (item.T_map_camera)
+      poses_.push_back(item.T_map_camera);
+    else
+      poses_ = odometry_.result().poses;
+  }
+  if (provisional_)
+    addToProvisionalMap();
+}
+
+void
+ObservationStream::addToProvisionalMap()
+{
+  ObservationsSoFar so_far;
+  for (const ConsolidatedObservation& observation : consolidated_)
+    so_far.clouds.push_back(observation.cloud);
+  so_far.poses = poses_;
+  provisional_->update(std::move(so_far));
+}
+
+void
+ObservationStream::tellProvisional(std::shared_ptr<const CompactMap> map)
+{
+  MappingState now;
+  {
+    const std::lock_guard lock(mutex_);
+    provisional_map_ = std::move(map);
+    now = state();
+  }
+  tell(now);
 }
 
 void
@@ -166,8 +205,9 @@ ObservationStream::keep(const std::string& name,
     clouds_.push_back(cloud);
     return;
   }
-  files_.push_back((std::filesystem::path(steps_.folder) / name).string());
-  saveObservation(files_.back(), cloud->cloud, Eigen::Isometry3d::Identity());
+  const std::string file = (std::filesystem::path(steps_.folder) / name).string();
+  saveObservation(file, cloud->cloud, Eigen::Isometry3d::Identity());
+  files_.push_back(file);
 }
 
 MappingState
@@ -181,6 +221,7 @@ ObservationStream::state() const
         std::chrono::duration<double>(Clock::now() - waiting_.front().complete).count();
   now.newest = newest_;
   now.poses = poses_;
+  now.provisional = provisional_map_;
   return now;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "odometry_run.h"
+#include "provisional_mapping.h"
 
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/compact_mapping_types.h>
@@ -39,6 +40,7 @@ public:
     std::string folder; ///< for the observations; empty: they stay in memory
     std::size_t maximum_waiting = 8; ///< observations
     MappingStateCallback callback;
+    double provisional_interval = 0; ///< seconds between provisional maps; 0: none
   };
 
   explicit ObservationStream(Steps steps);
@@ -63,9 +65,14 @@ public:
   size() const;
 
   /** \brief Waits until all observations are processed.
-   * \throws what the processing has thrown */
+   * \throws what the processing has thrown, unless \ref keepProcessed was called */
   void
   finish();
+
+  /** \brief After a fault of the processing: the results are those of the observations
+   * before it. */
+  void
+  keepProcessed();
 
   /** \name Results, after \ref finish */
   ///@{
@@ -75,6 +82,13 @@ public:
   observations() const
   {
     return files_.empty() ? ObservationSequence(clouds_) : ObservationSequence(files_);
+  }
+
+  /** \brief Number of observations that a fault has left out. */
+  std::size_t
+  missing() const
+  {
+    return arrived_ - consolidated_.size();
   }
 
   const std::vector<ConsolidatedObservation>&
@@ -112,6 +126,12 @@ private:
   void
   keep(const std::string& name, const std::shared_ptr<const PointCloudFile>& cloud);
 
+  void
+  addToProvisionalMap();
+
+  void
+  tellProvisional(std::shared_ptr<const CompactMap> map);
+
   MappingState
   state() const;
 
@@ -129,10 +149,13 @@ private:
   std::deque<Item> waiting_; ///< the first one is being processed
   std::shared_ptr<const PointCloudFile> newest_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;
+  std::shared_ptr<const CompactMap> provisional_map_;
   std::size_t arrived_ = 0;
   bool ends_ = false; ///< no observation follows
   bool is_stopped_ = false;
+  bool is_partial_ = false; ///< \ref keepProcessed was called
   std::exception_ptr fault_;
+  std::unique_ptr<ProvisionalMapping> provisional_; ///< null if it is not told
   std::thread worker_;
 };
 

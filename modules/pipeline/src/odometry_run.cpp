@@ -78,33 +78,17 @@ isFree(const EgomotionEstimate& estimate, double tilt, double rise)
          rise > std::max(min_rise, sigmas * std::sqrt(covariance(1, 1)));
 }
 
-/** Estimates motions of neighbouring observations, spread over the sequence, with six
- * degrees of freedom. */
-FreeMotion
-probeFreeMotion(const ObservationSequence& sequence, Egomotion egomotion)
+/** Is the motion to this observation probed with six degrees of freedom? The first ones
+ * are, then ever fewer: the choice must not depend on how many observations follow. */
+bool
+isProbed(std::size_t index)
 {
-  constexpr std::size_t max_pairs = 5;
-  egomotion.setMotionModel(MotionModel::Rigid);
-  FreeMotion result;
-  std::vector<double> tilts, rises;
-  const std::size_t steps = sequence.size() - 1; // from one observation to the next
-  const std::size_t pairs = std::min(steps, max_pairs);
-  for (std::size_t k = 0; k < pairs; ++k) {
-    const std::size_t first = (2 * k + 1) * steps / (2 * pairs);
-    egomotion.setInputTarget(odometryView(sequence, first).cloud);
-    egomotion.setInputSource(odometryView(sequence, first + 1).cloud);
-    const std::optional<EgomotionEstimate> estimate = egomotion.compute();
-    if (!estimate)
-      continue;
-    const Eigen::Isometry3d& motion = estimate->T_target_source;
-    tilts.push_back(std::acos(std::clamp(motion.linear()(1, 1), -1.0, 1.0)));
-    rises.push_back(std::abs(motion.translation().y()));
-    ++result.pairs;
-    result.free += isFree(*estimate, tilts.back(), rises.back());
-  }
-  result.tilt = medianOf(tilts);
-  result.rise = medianOf(rises);
-  return result;
+  constexpr std::size_t factor = 3;
+  if (index == 2)
+    return true;
+  while (index > 1 && index % factor == 0)
+    index /= factor;
+  return index == 1;
 }
 
 } // namespace
@@ -162,17 +146,46 @@ OdometryRun::add(OdometryView view, const std::string& name)
     throw InputFileException(name + ": has " + sizeText(*view.cloud) +
                              ", the observations before have " + size_);
   result_.poses.resize(view.index + 1);
+  if (of_step_.getMotionModel() == MotionModel::Planar && last_.cloud &&
+      isProbed(view.index))
+    probeFreeMotion(view);
+  last_ = view;
+  last_.file = nullptr;
   chain_.add(std::move(view));
 }
 
 const VisualOdometryResult&
-OdometryRun::finish(const ObservationSequence& sequence)
+OdometryRun::finish(std::size_t observations)
 {
-  if (of_step_.getMotionModel() == MotionModel::Planar && sequence.size() > 1) {
-    setReach(1, of_step_, egomotion_);
-    result_.free = probeFreeMotion(sequence, egomotion_);
-  }
+  result_.poses.resize(observations);
+  const auto is_beyond = [&](const OdometryPair& pair) {
+    return pair.now >= observations;
+  };
+  result_.pairs.erase(
+      std::remove_if(result_.pairs.begin(), result_.pairs.end(), is_beyond),
+      result_.pairs.end());
+  result_.free.tilt = medianOf(tilts_);
+  result_.free.rise = medianOf(rises_);
   return result_;
+}
+
+/** Estimates the motion to the next observation with six degrees of freedom. */
+void
+OdometryRun::probeFreeMotion(const OdometryView& now)
+{
+  setReach(1, of_step_, egomotion_);
+  Egomotion egomotion = egomotion_;
+  egomotion.setMotionModel(MotionModel::Rigid);
+  egomotion.setInputTarget(last_.cloud);
+  egomotion.setInputSource(now.cloud);
+  const std::optional<EgomotionEstimate> estimate = egomotion.compute();
+  if (!estimate)
+    return;
+  const Eigen::Isometry3d& motion = estimate->T_target_source;
+  tilts_.push_back(std::acos(std::clamp(motion.linear()(1, 1), -1.0, 1.0)));
+  rises_.push_back(std::abs(motion.translation().y()));
+  ++result_.free.pairs;
+  result_.free.free += isFree(*estimate, tilts_.back(), rises_.back());
 }
 
 std::optional<Eigen::Isometry3d>

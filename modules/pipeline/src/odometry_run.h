@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -52,12 +53,15 @@ public:
     return result_;
   }
 
-  /** \brief Probes the free motion, after the last observation.
-   * \param[in] sequence all observations */
+  /** \brief Completes the result, after the last observation.
+   * \param[in] observations number of these; further ones are left out */
   const VisualOdometryResult&
-  finish(const ObservationSequence& sequence);
+  finish(std::size_t observations);
 
 private:
+  void
+  probeFreeMotion(const OdometryView& now);
+
   std::optional<Eigen::Isometry3d>
   estimate(const OdometryView& now, const OdometryView& before);
 
@@ -69,7 +73,9 @@ private:
   VisualOdometry::PairCallback pair_callback_;
   VisualOdometry::PoseCallback pose_callback_;
   VisualOdometryResult result_;
-  std::string size_; ///< of the first observation
+  std::string size_;                  ///< of the first observation
+  OdometryView last_;                 ///< without its file
+  std::vector<double> tilts_, rises_; ///< of \ref FreeMotion, radians and metres
   PoseChain chain_;
 };
 

@@ -124,12 +124,8 @@ VisualOdometry::compute(const ObservationSequence& sequence)
     run.add(reader.next(), sequence.path(i));
   }
   timer.finish("estimate");
-  done = 1;
-  const VisualOdometryResult& result = run.finish(sequence);
-  if (result.free.pairs > 0)
-    timer.finish("probe free motion");
   report_ = std::move(report);
-  return result;
+  return run.finish(sequence.size());
 }
 
 } // namespace pcl

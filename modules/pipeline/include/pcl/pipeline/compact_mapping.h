@@ -81,7 +81,8 @@ public:
    * Of fusion, back-projection, odometry and the mode, the settings at this call count.
    * When too many observations wait, those who add further ones wait, too, and the
    * callback of \ref setStateCallback is told. What the thread throws is thrown by the
-   * next call that adds something, or by \ref compute. \ref clear ends it.
+   * next calls that add something, and by \ref compute unless \ref keepProcessed was
+   * called. \ref clear ends it.
    * \throws InitFailedException after observations were added
    * \throws OutputFileException if the folder of \ref setObservationFolder cannot be
    * made */
@@ -117,13 +118,34 @@ public:
   }
 
   /** \brief Sets what is told while observations arrive, after \ref start. It is called
-   * by the thread of this object, and by the one that adds observations when it has to
-   * wait; it must not call this object. */
+   * by the threads of this object, and by the one that adds observations when it has to
+   * wait, possibly at the same time; it must not call this object. */
   void
   setStateCallback(MappingStateCallback callback)
   {
     state_callback_ = std::move(callback);
   }
+
+  /** \brief Sets the shortest time between two provisional maps, which the callback of
+   * \ref setStateCallback is told (default 5). They are made of the consolidated points at
+   * the poses of the odometry, with voxels of 10 cm, by a thread that takes at most a
+   * fifth of one processor.
+   * \param[in] seconds 0 for no such maps
+   * \throws BadArgumentException unless within [0, 1e6] */
+  void
+  setProvisionalInterval(double seconds);
+
+  double
+  getProvisionalInterval() const
+  {
+    return provisional_interval_;
+  }
+
+  /** \brief After a fault of the thread of \ref start: \ref compute makes the map of the
+   * observations that were processed before it, with a remark. It throws the fault all
+   * the same if there is none. Has no effect without a fault. */
+  void
+  keepProcessed();
 
   /** \brief Adds a rectified frame. The previous observation is computed when the first
    * frame of another one arrives, and the last one by \ref compute.
@@ -441,7 +463,8 @@ private:
   std::optional<std::int32_t> current_;              ///< observation of the last frame
   std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
   std::size_t maximum_waiting_ = 8;
-  std::string observation_folder_; ///< of stream_; empty: memory
+  std::string observation_folder_;  ///< of stream_; empty: memory
+  double provisional_interval_ = 5; ///< seconds
   MappingStateCallback state_callback_;
   std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;

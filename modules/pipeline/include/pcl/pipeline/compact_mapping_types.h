@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/compact_map.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/revisit_detection_types.h>
@@ -41,10 +42,16 @@ struct MappingState {
   /** \brief Poses of the processed ones, before rectification; empty where an
    * observation could not be joined to those before. */
   std::vector<std::optional<Eigen::Isometry3d>> poses;
+
+  /** \brief Planes, without textures, and poses of the observations up to some seconds
+   * ago, before rectification; null until there are any
+   * (\ref CompactMapping::setProvisionalInterval). */
+  std::shared_ptr<const CompactMap> provisional;
 };
 
-/** \brief Called with the state when an observation was processed, and when observations
- * begin to wait. \ingroup pipeline */
+/** \brief Called with the state when an observation was processed, when a provisional map
+ * was computed, and when observations begin to wait; from several threads, possibly at
+ * the same time. \ingroup pipeline */
 using MappingStateCallback = std::function<void(const MappingState&)>;
 
 /** \brief Report of CompactMapping on its last run; steps that did not run have no

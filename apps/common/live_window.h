@@ -2,14 +2,18 @@
 
 #include "memory.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/trinocular_frame.h>
+#include <pcl/pipeline/compact_mapping_types.h>
 #include <pcl/point_cloud.h>
+#include <pcl/texture/floor_plan.h>
 #include <pcl/visualization/display_connection.h>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkImageMapper3D.h>
@@ -28,7 +32,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -74,18 +82,77 @@ dataOf(const PointCloud<PointXYZRGBSigma>& cloud)
   return data;
 }
 
-/** \brief A window with the last cloud, and next to it the last images in small size.
- * Used by one thread. After the user has closed it, nothing is shown any more. */
+/** \brief The plan of a map so far as coloured lines: its floor, its walls, and the way
+ * of the camera. */
+class PlanLines {
+public:
+  explicit PlanLines(const FloorPlan& plan)
+  : plan_(plan)
+  {
+    colors_->SetNumberOfComponents(3);
+    for (const auto& polygon : plan.floors)
+      for (const std::vector<Eigen::Vector2d>& loop : polygon)
+        add(loop, true, {70, 74, 84});
+    for (const PlanWall& wall : plan.walls)
+      add({wall.from, wall.to}, false, {235, 235, 235});
+  }
+
+  void
+  addWay(const std::vector<std::optional<Eigen::Isometry3d>>& poses)
+  {
+    std::vector<Eigen::Vector2d> way;
+    for (const auto& pose : poses)
+      if (pose)
+        way.emplace_back(pose->translation().dot(plan_.x_axis),
+                         pose->translation().dot(plan_.y_axis));
+    add(way, false, {90, 160, 255});
+  }
+
+  vtkSmartPointer<vtkPolyData>
+  data() const
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points_);
+    data->SetLines(lines_);
+    data->GetCellData()->SetScalars(colors_);
+    return data;
+  }
+
+private:
+  void
+  add(const std::vector<Eigen::Vector2d>& line,
+      bool is_closed,
+      const std::array<unsigned char, 3>& color)
+  {
+    if (line.empty())
+      return;
+    const vtkIdType first = points_->GetNumberOfPoints();
+    lines_->InsertNextCell(static_cast<int>(line.size()) + (is_closed ? 1 : 0));
+    for (const Eigen::Vector2d& point : line)
+      lines_->InsertCellPoint(points_->InsertNextPoint(point.x(), point.y(), 0));
+    if (is_closed)
+      lines_->InsertCellPoint(first);
+    colors_->InsertNextTypedTuple(color.data());
+  }
+
+  const FloorPlan& plan_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> lines_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+};
+
+/** \brief A window with the last cloud, next to it the last images in small size, and
+ * below it the plan of the map so far if one is made. Used by one thread. After the user has closed it, nothing is shown any more. */
 class LiveWindow {
 public:
   /** \param[in] drawing is locked during drawing; outlives the window
    * \throws InitFailedException with advice when there is no X server */
-  explicit LiveWindow(std::mutex& drawing)
+  LiveWindow(std::mutex& drawing, const std::string& title)
   : drawing_(drawing)
   {
     const std::lock_guard lock(drawing_);
     window_->SetSize(1120, 720);
-    window_->SetWindowName("pcl_digiclops_grabber");
+    window_->SetWindowName(title.c_str());
     addCloud();
     for (std::size_t i = 0; i < images_.size(); ++i) {
       const double height = 1.0 / static_cast<double>(images_.size());
@@ -122,6 +189,29 @@ public:
     const std::lock_guard lock(drawing_);
     points_mapper_->SetInputData(dataOf(cloud));
     scene_->ResetCameraClippingRange();
+    is_new_ = true;
+  }
+
+  /** \brief Sets the newest view of a map that is being made, and its plan. */
+  void
+  show(const MappingState& state)
+  {
+    if (state.newest && state.newest != newest_) {
+      newest_ = state.newest;
+      PointCloud<PointXYZRGBSigma> cloud;
+      fromPCLPointCloud2(newest_->cloud, cloud);
+      show(cloud);
+    }
+    const std::lock_guard lock(drawing_);
+    if (!is_plan_shown_)
+      addPlan();
+    if (state.provisional && state.provisional != provisional_)
+      floor_plan_ = makeFloorPlan(*state.provisional);
+    provisional_ = state.provisional;
+    PlanLines lines(floor_plan_);
+    lines.addWay(state.poses);
+    plan_mapper_->SetInputData(lines.data());
+    turnPlan(plan_mapper_->GetBounds());
     is_new_ = true;
   }
 
@@ -174,6 +264,33 @@ private:
   }
 
   void
+  addPlan()
+  {
+    constexpr double plan_height = 0.45; // of the window
+    scene_->SetViewport(0, plan_height, images_from, 1);
+    plan_scene_->SetViewport(0, 0, images_from, plan_height);
+    plan_scene_->SetBackground(0.06, 0.07, 0.09);
+    plan_scene_->GetActiveCamera()->ParallelProjectionOn();
+    plan_scene_->InteractiveOff();
+    plan_->SetMapper(plan_mapper_);
+    plan_->GetProperty()->SetLineWidth(2);
+    plan_->GetProperty()->LightingOff();
+    plan_scene_->AddActor(plan_);
+    window_->AddRenderer(plan_scene_);
+    is_plan_shown_ = true;
+  }
+
+  /** Lays the longer side of the plan along the window.
+   * \param[in] bounds least and most x and y */
+  void
+  turnPlan(const double* bounds)
+  {
+    const bool is_tall = bounds[3] - bounds[2] > bounds[1] - bounds[0];
+    plan_scene_->GetActiveCamera()->SetViewUp(is_tall ? -1 : 0, is_tall ? 0 : 1, 0);
+    plan_scene_->ResetCamera();
+  }
+
+  void
   setImage(std::size_t i, const CameraImage& image)
   {
     const bool is_first = images_[i]->GetInput() == nullptr;
@@ -194,6 +311,13 @@ private:
   vtkNew<vtkRenderer> scene_;
   vtkNew<vtkPolyDataMapper> points_mapper_;
   vtkNew<vtkActor> points_;
+  vtkNew<vtkRenderer> plan_scene_;
+  vtkNew<vtkPolyDataMapper> plan_mapper_;
+  vtkNew<vtkActor> plan_;
+  FloorPlan floor_plan_;
+  std::shared_ptr<const PointCloudFile> newest_;  ///< that is shown
+  std::shared_ptr<const CompactMap> provisional_; ///< of the plan
+  bool is_plan_shown_ = false;
   std::array<vtkNew<vtkRenderer>, 3> corners_;
   std::array<vtkNew<vtkImageActor>, 3> images_;
   bool is_new_ = false;

@@ -1,0 +1,272 @@
+#include "live_map.h"
+
+#include "active_stereo/shot_source.h"
+#include "active_stereo/stereo_observation.h"
+#include "live_window.h"
+
+#include <pcl/pipeline/observation_files.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double
+secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void
+tellSteps(const CompactMappingReport& report, StageLog& log)
+{
+  log.warn(report.remarks);
+  for (const auto& [step, seconds] : report.seconds)
+    log.report.seconds.emplace_back(step, seconds);
+  if (report.odometry)
+    log.tell("posed",
+             std::to_string(report.odometry->posed()) + " of " +
+                 std::to_string(report.odometry->poses.size()) + " observations");
+  if (report.rectification)
+    log.tell("rectification", report.rectification->reason);
+  tellMapping(report.planes, log);
+  tellTexture(report.texture, log);
+}
+
+} // namespace
+
+LiveMap::LiveMap(const ChainOptions& options,
+                 const TrinocularRig& rig,
+                 std::string observations,
+                 unsigned threads,
+                 LiveWindow* window)
+: options_(options)
+, folder_(std::move(observations))
+, window_(window)
+{
+  setUp(rig, threads);
+  mapping_.setObservationFolder(folder_);
+  mapping_.setStateCallback([this](const MappingState& state) { note(state); });
+  if (!window)
+    mapping_.setProvisionalInterval(0);
+  mapping_.start();
+}
+
+LiveMap::~LiveMap()
+{
+  mapping_.clear(); // its thread writes into the folder
+  if (!is_kept_)
+    removeObservations();
+}
+
+void
+LiveMap::removeObservations() const
+{
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  fs::remove(fs::path(folder_).parent_path(), ignored); // if nothing else is in it
+}
+
+/** Sets all steps as the stages of the chain set theirs. */
+void
+LiveMap::setUp(const TrinocularRig& rig, unsigned threads)
+{
+  mapping_.setNumberOfThreads(threads);
+  if (options_.planes.paper)
+    mapping_.setMode(MappingMode::Paper);
+  setUpStereo(
+      rig, options_.stereo, threads, mapping_.fusion(), mapping_.backProjection());
+  VisualOdometry odometry;
+  odometry.setEgomotion(egomotionOf(options_.egomotion));
+  mapping_.setVisualOdometry(odometry);
+  CompactMapping::Levelling levelling;
+  if (options_.rectification.up)
+    levelling.setUpDirection(*options_.rectification.up);
+  mapping_.setLevelling(levelling);
+  mapping_.setRectification(rectificationOf(options_.rectification));
+  mapping_.setRectify(options_.rectifies);
+  mapping_.setAdjust(options_.egomotion.is_rigid);
+  mapping_.setMerging(mergingOf(options_, threads));
+  mapping_.setPlaneMapping(mappingOf(options_.planes, threads));
+  mapping_.setTexturing(texturingOf(options_.texture, threads));
+}
+
+void
+LiveMap::keepProcessed(const std::string& fault, StageLog& log)
+{
+  log.details["ended_by"] = fault;
+  mapping_.keepProcessed();
+  is_partial_ = true;
+}
+
+void
+LiveMap::add(const std::vector<TrinocularFrame::ConstPtr>& frames)
+{
+  if (!begin_)
+    begin_ = Clock::now();
+  if (window_ && !frames.empty())
+    window_->show(*frames.back());
+  for (const TrinocularFrame::ConstPtr& frame : frames)
+    mapping_.addFrame(frame);
+  mapping_.finishObservation();
+}
+
+void
+LiveMap::note(const MappingState& state)
+{
+  const std::lock_guard lock(mutex_);
+  processed_ = std::max(processed_, state.processed);
+  waits_ += state.is_late ? 1 : 0;
+  largest_backlog_ = std::max(largest_backlog_, state.arrived - state.processed);
+  largest_lag_ = std::max(largest_lag_, state.lag);
+  if (window_)
+    news_ = state;
+}
+
+void
+LiveMap::show()
+{
+  if (!window_)
+    return;
+  std::optional<MappingState> news;
+  {
+    const std::lock_guard lock(mutex_);
+    news = std::exchange(news_, std::nullopt);
+  }
+  if (news)
+    window_->show(*news);
+  window_->update();
+}
+
+void
+LiveMap::tellLateness(double recorded, StageLog& log) const
+{
+  log.details["recorded_seconds"] = recorded;
+  log.details["largest_lag_seconds"] = largest_lag_;
+  log.details["waits"] = waits_;
+  log.tell("recorded",
+           "in " + shortNumber(recorded) + " s; the mapping lagged by at most " +
+               std::to_string(largest_backlog_) + " observations, " +
+               shortNumber(largest_lag_) + " s");
+  if (waits_ > 0)
+    log.warn("the camera had to wait " + std::to_string(waits_) +
+             " times, because the mapping was too far behind");
+}
+
+std::vector<std::string>
+LiveMap::finish(bool draws,
+                OutputFolder& folder,
+                const RunControls& controls,
+                StageLog& log)
+{
+  const Clock::time_point last_shot = Clock::now();
+  const double recorded = begin_ ? secondsSince(*begin_) : 0;
+  mapping_.setProgressCallback([&](double done, const std::string& step) {
+    show();
+    return !controls.progress || controls.progress(0.5 + done / 2, step);
+  });
+  Mapped mapped;
+  try {
+    mapping_.compute(mapped.map);
+  }
+  catch (const OutputFileException&) {
+    if (is_partial_)
+      throw;
+    keepProcessed(failureOf(std::current_exception()).line, log);
+    mapping_.compute(mapped.map);
+  }
+  mapped.found = mapping_.getMappedPlanes();
+  made_of_ = mapped.map.trajectory.poses.size();
+  if (is_partial_) // the map may need their place on the disk
+    removeObservations();
+  requirePlanes(options_.input, mapped.found, log);
+  tellSteps(mapping_.getReport(), log);
+  saveTrajectory(folder.path(trajectory_name), mapped.map.trajectory);
+  if (const Trajectory& before = mapping_.getOdometryTrajectory();
+      !before.poses.empty())
+    saveTrajectory(folder.path("trajectory_before.txt"), before);
+  std::vector<std::string> names = writeMap(options_, mapped, draws, folder, log);
+  keep();
+  const double after = secondsSince(last_shot);
+  tellLateness(recorded, log);
+  log.details["observations"] = observations();
+  log.details["seconds_after_last_shot"] = after;
+  log.tell("map",
+           shortNumber(after) + " s after the last shot" +
+               (draws ? ", with pictures" : ""));
+  return names;
+}
+
+void
+requireAllObservations(const nlohmann::ordered_json& details, const std::string& output)
+{
+  if (!details.contains("ended_by"))
+    return;
+  const std::string by = details["ended_by"];
+  const std::string line = by + "; the map of the " + details["observations"].dump() +
+                           " observations by then is in " + output;
+  if (by == "interrupted")
+    throw InterruptedPartway(line);
+  throw OutputFileException(line);
+}
+
+namespace {
+
+/** \brief Adds all observations as they come, up to an interruption or a fault. */
+void
+replay(ShotSource& source, const RunControls& controls, LiveMap& map, StageLog& log)
+{
+  constexpr double share = 0.5; // of the progress
+  const Progress progress(controls.progress);
+  source.setIdle([&map] { map.show(); });
+  try {
+    double done = 0;
+    while (true) {
+      progress.tell(share * done, "replaying");
+      ComingShots coming = source.next();
+      done = coming.done;
+      if (!coming.shots)
+        return;
+      map.add(coming.shots->frames);
+    }
+  }
+  catch (const CancelledException&) {
+    if (map.observations() == 0)
+      throw;
+    forgetInterruption();
+    log.details["ended_by"] = "interrupted";
+  }
+  catch (const OutputFileException&) {
+    map.keepProcessed(failureOf(std::current_exception()).line, log);
+  }
+}
+
+} // namespace
+
+std::vector<std::string>
+mapAsRecorded(const ChainOptions& options,
+              const std::string& observations,
+              bool draws,
+              LiveWindow* window,
+              OutputFolder& folder,
+              const RunControls& controls,
+              StageLog& log)
+{
+  StereoOptions stereo = options.stereo;
+  stereo.session = options.input;
+  ShotSource source(stereo, controls.threads, ReplayPace::AsRecorded);
+  LiveMap map(options, source.rig(), observations, controls.threads, window);
+  replay(source, controls, map, log);
+  std::vector<std::string> names = map.finish(draws, folder, controls, log);
+  warnOfFindings(log, source.remarks());
+  return names;
+}
+
+} // namespace pcl::acmap
