@@ -56,6 +56,8 @@ inputsOf(const ChainOptions& options)
   std::vector<std::string> inputs = {options.input};
   if (!options.stereo.poses.empty())
     inputs.push_back(options.stereo.poses);
+  if (!options.earlier.empty())
+    inputs.push_back(options.earlier);
   if (!options.truth.empty())
     inputs.push_back(options.truth + "/truth.json");
   return inputs;

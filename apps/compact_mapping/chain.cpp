@@ -6,6 +6,8 @@
 #include "visual_egomotion/egomotion_options.h"
 
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_list.h>
+#include <pcl/pipeline/sequence_alignment.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,6 +29,17 @@ sequenceState(const std::string& folder)
 }
 
 } // namespace
+
+void
+tellExtension(const SequenceAlignmentReport& report, StageLog& log)
+{
+  log.details["proposals"] = report.revisits.proposals;
+  log.details["places"] = report.places;
+  log.details["agreeing"] = report.agreeing;
+  log.tell("joined",
+           "at " + std::to_string(report.agreeing) + " of " +
+               std::to_string(report.places) + " places that both maps have seen");
+}
 
 Chain::Chain(const ChainOptions& options,
              ValuesOfGroup values,
@@ -130,6 +143,8 @@ Chain::sequenceFrom(StartingPoint start)
   OdometryNoise noise = rectification.odometry;
   if (poses_.noise && !rectification.has_odometry_noise)
     noise = *poses_.noise;
+  if (!options_.earlier.empty())
+    sequence.posed = extend(*sequence.posed);
   const bool has_several = sequence.posed->size() > 1;
   sequence.is_rectified = options_.rectifies && has_several;
   if (sequence.is_rectified)
@@ -175,6 +190,31 @@ Chain::findPoses(const std::string& observations, double scale)
                   sequence,
                   [&](StageLog& log) {
                     return estimatePoses(egomotion, sequence, controls_, log);
+                  });
+}
+
+ObservationSequence
+Chain::extend(const ObservationSequence& posed)
+{
+  const ObservationSequence earlier = openMappedObservations(options_.earlier);
+  const ObservationSequence joined = earlier.followedBy(posed);
+  return runPoses("extension",
+                  {{"observations", joined.fingerprint()}},
+                  joined,
+                  [&](StageLog& log) {
+                    StepTimer timer(log.report);
+                    SequenceAlignment alignment;
+                    alignment.setInputTarget(earlier);
+                    alignment.setMotionModel(options_.egomotion.is_rigid
+                                                 ? MotionModel::Rigid
+                                                 : MotionModel::Planar);
+                    alignment.setNumberOfThreads(controls_.threads);
+                    alignment.setProgressCallback(controls_.progress);
+                    EstimatedPoses poses =
+                        extendedPoses(joined, earlier.size(), alignment, poses_.noise);
+                    tellExtension(alignment.getReport(), log);
+                    timer.finish("align");
+                    return poses;
                   });
 }
 

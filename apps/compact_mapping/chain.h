@@ -5,6 +5,7 @@
 
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/sequence_alignment.h>
 
 #include <functional>
 #include <optional>
@@ -28,6 +29,10 @@ struct RunStage {
   /** \brief Results of an earlier run that this run does not have. */
   std::vector<std::string> removed;
 };
+
+/** \brief Reports how observations were joined to an earlier map. */
+void
+tellExtension(const SequenceAlignmentReport& report, StageLog& log);
 
 /** \brief The stages of the pipeline to a compact map. Each has a folder of its own for
  * its results, so that a later run can reuse those that have not changed. */
@@ -90,6 +95,10 @@ private:
 
   ObservationSequence
   findPoses(const std::string& observations, double scale);
+
+  /** \brief Adds the observations to those of an earlier map. */
+  ObservationSequence
+  extend(const ObservationSequence& posed);
 
   ObservationSequence
   rectify(const std::string& observations,

@@ -49,6 +49,14 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
           "degrees of freedom, and then adjusted so that planes which several "
           "observations see become thin; else it moves level, as on a robot")
       ->group(motion_group);
+  inGroup(tool, motion_group, [&] {
+    app.add_option(
+           "--extend",
+           options.earlier,
+           "Earlier map of observations: the new ones extend it, if both have seen "
+           "the same place")
+        ->type_name("MAP_DIR");
+  });
   inGroup(tool, rectification_group, [&] {
     app.add_flag_callback(
         "--no-rectification",

@@ -19,7 +19,8 @@ struct ChainOptions {
 
   std::string input;
   std::string output;
-  std::string truth; ///< simulated session to compare with; empty: none
+  std::string earlier; ///< folder of a map that is extended; empty: none
+  std::string truth;   ///< simulated session to compare with; empty: none
   bool has_pictures = true;
   bool rectifies = true;
   bool as_recorded = false; ///< replay a session at its pace, and map it meanwhile

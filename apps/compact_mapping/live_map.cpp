@@ -2,9 +2,11 @@
 
 #include "active_stereo/shot_source.h"
 #include "active_stereo/stereo_observation.h"
+#include "chain.h"
 #include "live_window.h"
 
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_list.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -34,6 +36,8 @@ tellSteps(const CompactMappingReport& report, StageLog& log)
     log.tell("posed",
              std::to_string(report.odometry->posed()) + " of " +
                  std::to_string(report.odometry->poses.size()) + " observations");
+  if (report.extension)
+    tellExtension(*report.extension, log);
   if (report.rectification)
     log.tell("rectification", report.rectification->reason);
   tellMapping(report.planes, log);
@@ -53,6 +57,8 @@ LiveMap::LiveMap(const ChainOptions& options,
 {
   setUp(rig, threads);
   mapping_.setObservationFolder(folder_);
+  if (!options_.earlier.empty())
+    mapping_.setEarlierObservations(openMappedObservations(options_.earlier));
   mapping_.setStateCallback([this](const MappingState& state) { note(state); });
   if (!window)
     mapping_.setProvisionalInterval(0);
@@ -189,6 +195,9 @@ LiveMap::finish(bool draws,
   requirePlanes(options_.input, mapped.found, log);
   tellSteps(mapping_.getReport(), log);
   saveTrajectory(folder.path(trajectory_name), mapped.map.trajectory);
+  saveObservationList(folder.path(observation_list_name),
+                      options_.output,
+                      mapping_.getMappedSequence());
   if (const Trajectory& before = mapping_.getOdometryTrajectory();
       !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);

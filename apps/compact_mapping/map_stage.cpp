@@ -10,6 +10,7 @@
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_list.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
@@ -114,6 +115,8 @@ mapSequence(const ChainOptions& options,
       surfacesOf(result.found), *sequence.posed, options.texture, controls, log);
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
+  saveObservationList(
+      folder.path(observation_list_name), options.output, *sequence.posed);
   timer.finish("paint");
   return result;
 }

@@ -72,6 +72,12 @@ addPlaces(CLI::App& app, GrabberOptions& options)
          "Folder for a compact map, which is computed while observations arrive; "
          "the camera moves level, as on a robot")
       ->type_name("DIR");
+  app.add_option(
+         "--extend",
+         options.map.earlier,
+         "With --map: an earlier map, which the observations extend if both have "
+         "seen the same place")
+      ->type_name("MAP_DIR");
   app.add_flag("--live",
                options.live,
                "Show images, last cloud, and with --map the plan so far, in a window; "
@@ -286,13 +292,15 @@ requireSense(Tool& tool, const GrabberOptions& options)
     if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty())
       throw UsageError(std::string(name) + " names nothing");
   if (options.list) {
-    refuse(app, "--pcd --output --map --live", "makes no sense with --list");
+    refuse(app, "--pcd --output --map --extend --live", "makes no sense with --list");
     return;
   }
   if (options.clouds.empty() && options.session.empty() && options.map.output.empty() &&
       !options.live)
     throw UsageError(
         "nothing to do: --pcd DIR, -o SESSION, --map DIR or --live is needed");
+  if (!options.map.earlier.empty() && options.map.output.empty())
+    throw UsageError("--extend is for a --map");
   if (!options.clouds.empty() && !options.map.output.empty())
     throw UsageError("--pcd: a --map keeps the observations that it is made of, in its "
                      "stages/replay");

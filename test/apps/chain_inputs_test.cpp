@@ -233,5 +233,24 @@ TEST_F(ChainInputs, BrokenObservationsAreSkippedOnRequest)
   EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").poses.size(), 2u);
 }
 
+TEST_F(ChainTest, ExtendsAMapThatHasSeenTheSamePlace)
+{
+  const std::string out = folder_.path("extended");
+  const ToolRun run = runSessionChain(session_, out, {"--extend", map_});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("places that both maps have seen"));
+  EXPECT_THAT(
+      stagesOf(out),
+      ElementsAre("observations", "egomotion", "extension", "rectification", "map"));
+  const ToolRun again = runSessionChain(session_, out, {"--extend", map_});
+  EXPECT_THAT(madeStages(out), IsEmpty()) << again.err;
+  EXPECT_EQ(runSessionChain(session_, map_, {"--extend", map_}).exit_code, 2);
+  fs::remove(map_ + "/observations.txt");
+  const ToolRun without =
+      runSessionChain(session_, folder_.path("other"), {"--extend", map_});
+  EXPECT_EQ(without.exit_code, 3);
+  EXPECT_THAT(without.err, HasSubstr("observations.txt: is missing"));
+}
+
 } // namespace
 } // namespace pcl::acmap::test

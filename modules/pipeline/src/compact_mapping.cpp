@@ -6,6 +6,7 @@
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/fingerprint.h>
+#include <pcl/pipeline/sequence_alignment.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/texture/floor_plan.h>
 
@@ -243,6 +244,7 @@ CompactMapping::clear()
   clouds_.clear();
   poses_.clear();
   sequence_.reset();
+  earlier_.reset();
 }
 
 std::size_t
@@ -306,6 +308,20 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
     pose = asInFiles(pose);
 }
 
+/** \param[in] sequence the earlier observations, then the new ones in their own map */
+void
+CompactMapping::extend(const ObservationSequence& sequence,
+                       CompactMappingReport& report)
+{
+  SequenceAlignment alignment;
+  alignment.setInputTarget(*earlier_);
+  alignment.setMotionModel(odometry_.getEgomotion().getMotionModel());
+  alignment.setNumberOfThreads(threads_);
+  alignment.setProgressCallback(partOf(progress_, 0.15, 0.2));
+  estimated_ = extendedPoses(sequence, earlier_->size(), alignment, estimated_.noise);
+  report.extension = alignment.getReport();
+}
+
 void
 CompactMapping::rectify(const ObservationSequence& sequence,
                         CompactMappingReport& report)
@@ -317,10 +333,12 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   consolidation.setProgressCallback(partOf(progress_, 0.2, 0.3));
   if (stream_) {
     std::vector<ConsolidatedObservation> done;
-    for (std::size_t i = 0; i < sequence.size(); ++i)
+    const std::size_t earlier = earlier_ ? earlier_->size() : 0;
+    for (std::size_t i = 0; i < earlier; ++i)
       done.push_back(
-          stream_
-              ->consolidated()[estimated_.places.empty() ? i : estimated_.places[i]]);
+          consolidation.consolidate(*sequence.load(i).file, sequence.path(i)));
+    for (const std::size_t place : processed_places_)
+      done.push_back(stream_->consolidated()[place]);
     consolidation.setConsolidated(std::move(done));
   }
   ConsolidatedObservations observations;
@@ -475,6 +493,15 @@ CompactMapping::compute(CompactMap& map)
     sequence = goOnFrom("odometry", sequence, &CompactMapping::estimatePoses, report);
     timer.finish("odometry");
   }
+  processed_places_ = estimated_.places;
+  if (processed_places_.empty())
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      processed_places_.push_back(i);
+  if (earlier_) {
+    sequence = goOnFrom(
+        "extension", earlier_->followedBy(sequence), &CompactMapping::extend, report);
+    timer.finish("extension");
+  }
   odometry_noise_ = rectification_.getOdometryNoise();
   if (estimated_.noise && isDefault(odometry_noise_))
     odometry_noise_ = *estimated_.noise;
@@ -519,7 +546,16 @@ CompactMapping::compute(CompactMap& map)
   }
   timer.finish("texture");
   map = std::move(result);
+  mapped_sequence_ = sequence;
   report_ = std::move(report);
+}
+
+const ObservationSequence&
+CompactMapping::getMappedSequence() const
+{
+  if (!mapped_sequence_)
+    PCL_THROW_EXCEPTION(InitFailedException, "no map was computed");
+  return *mapped_sequence_;
 }
 
 } // namespace pcl

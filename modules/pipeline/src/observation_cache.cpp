@@ -17,7 +17,7 @@ ObservationCache::load(const std::string& path)
 {
   if (std::shared_ptr<const PointCloudFile> kept = find(path))
     return kept;
-  auto file = std::make_shared<const PointCloudFile>(reader_(path));
+  std::shared_ptr<const PointCloudFile> file = reader_(path);
   const std::lock_guard lock(mutex_);
   ++reads_;
   const std::size_t bytes = file->cloud.data.size();

@@ -20,7 +20,8 @@ namespace pcl::acmap {
 class ObservationCache {
 public:
   /** \brief Function that reads an observation from its path. Must be thread-safe. */
-  using Reader = std::function<PointCloudFile(const std::string& path)>;
+  using Reader =
+      std::function<std::shared_ptr<const PointCloudFile>(const std::string& path)>;
 
   /** \param[in] reader may be empty if all clouds are given to \ref hold */
   explicit ObservationCache(Reader reader = {})

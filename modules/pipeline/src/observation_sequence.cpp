@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -46,8 +47,9 @@ shortText(double value)
 std::shared_ptr<acmap::ObservationCache>
 cacheOfFiles(double scale)
 {
-  return std::make_shared<acmap::ObservationCache>(
-      [scale](const std::string& path) { return acmap::loadScaledCloud(path, scale); });
+  return std::make_shared<acmap::ObservationCache>([scale](const std::string& path) {
+    return std::make_shared<const PointCloudFile>(acmap::loadScaledCloud(path, scale));
+  });
 }
 
 } // namespace
@@ -113,8 +115,9 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
   }
   const auto reader =
       std::make_shared<acmap::RgbdReader>(recorded, cameras, trajectory_, threads);
-  cache_ = std::make_shared<acmap::ObservationCache>(
-      [reader](const std::string& name) { return reader->read(name); });
+  cache_ = std::make_shared<acmap::ObservationCache>([reader](const std::string& name) {
+    return std::make_shared<const PointCloudFile>(reader->read(name));
+  });
 }
 
 ObservationSequence
@@ -141,6 +144,41 @@ ObservationSequence::withPoses(const std::vector<std::size_t>& places,
   posed.trajectory_ = std::move(trajectory);
   posed.is_given_ = true;
   return posed;
+}
+
+ObservationSequence
+ObservationSequence::followedBy(const ObservationSequence& next) const
+{
+  constexpr double pause = 1; // seconds
+  std::map<std::string,
+           std::pair<std::shared_ptr<acmap::ObservationCache>, std::string>>
+      origins;
+  ObservationSequence joined = *this;
+  joined.paths_.clear();
+  joined.trajectory_ = Trajectory();
+  joined.is_given_ = true;
+  const auto add = [&](const ObservationSequence& sequence, double delay) {
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      std::string name = sequence.paths_[i];
+      if (origins.count(name) > 0)
+        name = "next/" + name; // clouds in memory are called alike in all sequences
+      joined.paths_.push_back(name);
+      origins.emplace(name, std::pair(sequence.cache_, sequence.paths_[i]));
+      joined.trajectory_.stamps.push_back(sequence.stamp(i) + delay);
+      joined.trajectory_.poses.push_back(sequence.pose(i));
+    }
+  };
+  add(*this, 0);
+  add(next, std::max(0.0, joined.trajectory_.stamps.back() + pause - next.stamp(0)));
+  joined.rows_.resize(joined.size());
+  std::iota(joined.rows_.begin(), joined.rows_.end(), std::size_t{0});
+  joined.cache_ = std::make_shared<acmap::ObservationCache>(
+      [origins = std::move(origins)](const std::string& path) {
+        const auto& [cache, name] = origins.at(path);
+        return cache->load(name);
+      });
+  joined.setCacheSize(0); // those of both sequences are sufficient
+  return joined;
 }
 
 std::string

@@ -1,14 +1,10 @@
+#include "locked_reader.h"
 #include "part_of_progress.h"
 
-#include <pcl/core/impl/cloud_fields.h>
-#include <pcl/core/point_types.h>
 #include <pcl/egomotion/revisit_detection.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/pipeline/sequence_adjustment.h>
 
-#include <cstring>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,71 +13,9 @@ namespace pcl {
 
 namespace {
 
-/** Coordinates of a file, and sigma and colours if the point type has them. */
-template <typename PointT>
-typename PointCloud<PointT>::ConstPtr
-measuredCloud(const PointCloudFile& file)
-{
-  const acmap::PointView points = file.points();
-  auto cloud = std::make_shared<PointCloud<PointT>>();
-  cloud->resize(points.size());
-  if (std::size_t{file.cloud.width} * file.cloud.height == points.size()) {
-    cloud->width = file.cloud.width;
-    cloud->height = file.cloud.height;
-  }
-  const PCLPointField* const sigma =
-      acmap::findField(file.cloud, "sigma", PCLPointField::FLOAT32);
-  const PCLPointField* const color = acmap::findColor(file.cloud);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    PointT& point = (*cloud)[i];
-    point.getVector3fMap() = points[i];
-    if constexpr (std::is_same_v<PointT, PointXYZRGBSigma>) {
-      const std::uint8_t* const row =
-          file.cloud.data.data() + i * file.cloud.point_step;
-      if (sigma)
-        std::memcpy(&point.sigma, row + sigma->offset, sizeof point.sigma);
-      if (color)
-        std::memcpy(&point.rgba, row + color->offset, sizeof point.rgba);
-    }
-  }
-  return cloud;
-}
-
-/** Reads observations for several threads: the cache of a sequence is not for them. */
-class LockedReader {
-public:
-  explicit LockedReader(const ObservationSequence& sequence)
-  : sequence_(sequence)
-  {}
-
-  template <typename PointT>
-  auto
-  loader(std::size_t i)
-  {
-    return [this, i] {
-      std::shared_ptr<const PointCloudFile> file;
-      {
-        const std::lock_guard<std::mutex> lock(reading_);
-        file = sequence_.load(i).file;
-      }
-      return measuredCloud<PointT>(*file);
-    };
-  }
-
-private:
-  const ObservationSequence& sequence_;
-  std::mutex reading_;
-};
-
-bool
-isImage(const PCLPointCloud2& cloud)
-{
-  return cloud.height > 1 && acmap::findColor(cloud);
-}
-
 template <typename PointT>
 PlaneAdjustmentReport
-adjustSequence(LockedReader& reader,
+adjustSequence(acmap::LockedReader& reader,
                const std::vector<Revisit>& revisits,
                PlaneAdjustment<PointT>& adjustment,
                Trajectory& trajectory)
@@ -122,9 +56,9 @@ SequenceAdjustment::compute(const ObservationSequence& sequence, Trajectory& tra
     const PosedObservation seen = sequence.load(i);
     result.stamps.push_back(sequence.stamp(i));
     result.poses.push_back(seen.T_map_camera);
-    has_images = has_images && isImage(seen.file->cloud);
+    has_images = has_images && acmap::isImage(seen.file->cloud);
   }
-  LockedReader reader(sequence);
+  acmap::LockedReader reader(sequence);
   RevisitDetection<PointXYZRGBSigma> detection;
   std::optional<RevisitReport> revisits;
   if (has_images) {

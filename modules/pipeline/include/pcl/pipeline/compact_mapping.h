@@ -220,6 +220,17 @@ public:
   void
   setInputSequence(const ObservationSequence& sequence, bool has_poses);
 
+  /** \brief Sets the observations of an earlier map, which is extended: the map is made
+   * of these and of the new ones. Both are joined at places that both have seen
+   * (\ref SequenceAlignment), before the rectification; the frame of the earlier map
+   * stays.
+   * \param[in] sequence with the poses of that map; organized, with colours */
+  void
+  setEarlierObservations(const ObservationSequence& sequence)
+  {
+    earlier_ = sequence;
+  }
+
   /** \brief Removes all frames and observations. */
   void
   clear();
@@ -403,6 +414,7 @@ public:
    * \param[out] map no planes, with the reason in the report, if there are none
    * \throws InitFailedException without an observation, if observations have poses only
    * in part, or if none could be joined to another one
+   * \throws EmptyInputException if no place of an earlier map was seen again
    * \throws what the steps throw; OutputFileException if the folder cannot be written
    * \throws CancelledException if the progress callback stopped it */
   void
@@ -414,6 +426,11 @@ public:
   {
     return mapped_;
   }
+
+  /** \brief Observations of the last run with the poses of the map.
+   * \throws InitFailedException before the first run */
+  const ObservationSequence&
+  getMappedSequence() const;
 
   /** \brief Poses of the last run before the rectification, in the level frame, metres; empty if the map was not
    * rectified. */
@@ -437,6 +454,9 @@ private:
 
   void
   estimatePoses(const ObservationSequence& sequence, CompactMappingReport& report);
+
+  void
+  extend(const ObservationSequence& sequence, CompactMappingReport& report);
 
   void
   rectify(const ObservationSequence& sequence, CompactMappingReport& report);
@@ -469,7 +489,8 @@ private:
   std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;
   std::optional<ObservationSequence> sequence_;
-  bool has_poses_ = false; ///< of the sequence
+  std::optional<ObservationSequence> earlier_; ///< of a map that is extended
+  bool has_poses_ = false;                     ///< of the sequence
   MappingMode mode_ = MappingMode::Accurate;
   DisparityFusion fusion_;
   DisparityBackProjection projection_;
@@ -480,14 +501,16 @@ private:
   bool rectify_ = true;
   bool adjust_ = false;
   bool skip_broken_ = false;
-  std::string folder_;           ///< of poses for later runs; empty: none
-  std::string settings_;         ///< of the steps that estimate poses
-  EstimatedPoses estimated_;     ///< by the last of these steps
+  std::string folder_;                        ///< of poses for later runs; empty: none
+  std::string settings_;                      ///< of the steps that estimate poses
+  EstimatedPoses estimated_;                  ///< by the last of these steps
+  std::vector<std::size_t> processed_places_; ///< of the new observations with poses
   OdometryNoise odometry_noise_; ///< of the poses that are rectified and adjusted
   ObservationMerging merging_;
   PlaneMapping planes_;
   Texturing texturing_;
   MappedPlanes mapped_;
+  std::optional<ObservationSequence> mapped_sequence_;
   Trajectory before_;
 };
 

@@ -9,6 +9,7 @@
 #include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/sequence_alignment.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/pipeline/visual_odometry.h>
 #include <pcl/texture/texturing_types.h>
@@ -59,7 +60,8 @@ using MappingStateCallback = std::function<void(const MappingState&)>;
  * \ingroup pipeline */
 struct CompactMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref CompactMapping::setMode set it
-  std::optional<VisualOdometryResult> odometry; ///< if the poses were unknown
+  std::optional<VisualOdometryResult> odometry;     ///< if the poses were unknown
+  std::optional<SequenceAlignmentReport> extension; ///< of an earlier map
   std::optional<SequenceConsolidationReport> consolidation;
   std::optional<MapLevellingReport> levelling;
   std::optional<EntropyRectificationReport> rectification;

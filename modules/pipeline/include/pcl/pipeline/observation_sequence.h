@@ -92,6 +92,14 @@ public:
   ObservationSequence
   withPoses(const std::vector<std::size_t>& places, Trajectory trajectory) const;
 
+  /** \brief The observations of this sequence, then those of another one.
+   *
+   * Poses are those of their sequences, and so are times, but those of the other one are
+   * moved if it would not begin a second after this one.
+   * \throws what \ref pose does */
+  ObservationSequence
+  followedBy(const ObservationSequence& next) const;
+
   /** \brief A short hash that changes with the observations: the names, sizes and times
    * of files, the bytes of clouds that are not files, and the poses. */
   std::string
