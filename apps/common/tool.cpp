@@ -308,8 +308,12 @@ RunControls
 Tool::controls()
 {
   const bool draws = !quiet_ && isatty(STDERR_FILENO);
-  const auto progress = [draws, bar = std::shared_ptr<ProgressBar>(), last = 2.0](
-                            double fraction, const std::string& step) mutable {
+  const auto progress = [draws,
+                         silence = silence_,
+                         bar = std::shared_ptr<ProgressBar>(),
+                         last = 2.0](double fraction,
+                                     const std::string& step) mutable {
+    silence->end(step);
     if (draws && fraction < last) {
       bar.reset(); // clears the line of the one before
       bar = std::make_shared<ProgressBar>();
@@ -331,6 +335,27 @@ Tool::warnAtOnce(const std::string& remark) const
     complain("warning: " + remark);
 }
 
+void
+Silence::end(const std::string& step)
+{
+  const Clock::time_point now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  if (seconds > longest_) {
+    longest_ = seconds;
+    longest_step_ = step_;
+  }
+  begin_ = now;
+  step_ = step;
+}
+
+nlohmann::ordered_json
+Silence::longest() const
+{
+  Silence until_now = *this;
+  until_now.end({});
+  return {{"seconds", until_now.longest_}, {"step", until_now.longest_step_}};
+}
+
 nlohmann::ordered_json
 Tool::fullReport() const
 {
@@ -341,6 +366,7 @@ Tool::fullReport() const
   json.update(log_.details);
   if (!log_.report.seconds.empty())
     json["seconds"] = secondsOf(log_.report);
+  json["seconds_without_progress"] = silence_->longest();
   json["peak_memory_bytes"] = peakMemory();
   json["remarks"] = log_.report.remarks;
   return json;

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,26 @@ class App;
 }
 
 namespace pcl::acmap {
+
+/** \brief The longest time for which a tool told no progress. */
+class Silence {
+public:
+  /** \brief Progress was told. */
+  void
+  end(const std::string& step);
+
+  /** \brief Seconds, and the step that was told before, as JSON. */
+  nlohmann::ordered_json
+  longest() const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point begin_ = Clock::now();
+  std::string step_ = "start";
+  double longest_ = 0; ///< seconds
+  std::string longest_step_ = step_;
+};
 
 /** \brief Common base of all tools: common options, exit codes, one-line error
  * messages, progress, warnings, the summary on stdout and the report as JSON.
@@ -142,6 +163,7 @@ private:
   std::vector<std::string> command_line_;
   void (*pipe_action_)(int) = nullptr; // original action of SIGPIPE
   StageLog log_;
+  std::shared_ptr<Silence> silence_ = std::make_shared<Silence>();
 };
 
 /** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
