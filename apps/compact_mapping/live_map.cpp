@@ -213,14 +213,21 @@ LiveMap::finish(bool draws,
   return names;
 }
 
+std::string
+partialMapText(std::size_t observations, const std::string& output)
+{
+  return "the map of the " + std::to_string(observations) +
+         (observations == 1 ? " observation" : " observations") + " by then is in " +
+         output;
+}
+
 void
 requireAllObservations(const nlohmann::ordered_json& details, const std::string& output)
 {
   if (!details.contains("ended_by"))
     return;
   const std::string by = details["ended_by"];
-  const std::string line = by + "; the map of the " + details["observations"].dump() +
-                           " observations by then is in " + output;
+  const std::string line = by + "; " + partialMapText(details["observations"], output);
   if (by == "interrupted")
     throw InterruptedPartway(line);
   throw OutputFileException(line);

@@ -123,6 +123,10 @@ private:
   CompactMapping mapping_; ///< its threads end before what they tell goes
 };
 
+/** \brief Where the map of a part of the observations is, for a message. */
+std::string
+partialMapText(std::size_t observations, const std::string& output);
+
 /** \brief Fails after a map of a part of the observations was written.
  * \param[in] details of the log that the \ref LiveMap told
  * \param[in] output folder of the map

@@ -624,8 +624,7 @@ private:
         map_->map->keepProcessed(failure.line, log_);
       try {
         map_->map->finish(false, map_->folder, controls, log_);
-        return "; the map of the " + std::to_string(map_->map->observations()) +
-               " observations by then is in " + map_->settings.output;
+        return "; " + partialMapText(map_->map->observations(), map_->settings.output);
       }
       catch (const std::exception&) {
         const Failure fault = failureOf(std::current_exception());

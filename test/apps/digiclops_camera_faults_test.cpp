@@ -37,6 +37,25 @@ TEST_F(DigiclopsCameraFaults, UnpluggedItKeepsTheObservationsBefore)
   EXPECT_EQ(framesOf(recorded_).size(), 5u);
 }
 
+TEST_F(DigiclopsCameraFaults, UnpluggedItLeavesTheMapOfTheObservationsBefore)
+{
+  camera_.faults().failFrame(FrameFault::Unplug, 1 + (patterns + 1) + 2);
+  const std::string map = folder_.path("map");
+  const ToolRun run = runGrabber({"--rig",
+                                  truth() + "/rig.yaml",
+                                  "--map",
+                                  map,
+                                  "--patterns",
+                                  std::to_string(patterns),
+                                  "--shutter",
+                                  "0.01",
+                                  "--observations",
+                                  "2"});
+  expectGrabberFails(run, 1, "the map of the 1 observation by then is in " + map);
+  const auto planes = nlohmann::json::parse(contentOf(map + "/map.json"))["planes"];
+  EXPECT_EQ(planes.size(), 3u);
+}
+
 TEST_F(DigiclopsCameraFaults, UnpluggedAtOnceItLeavesNothing)
 {
   camera_.faults().failFrame(FrameFault::Unplug, 2);
