@@ -292,7 +292,8 @@ writeMap(const ChainOptions& options,
   const FloorPlan plan = makeFloorPlan(mapped.map);
   setRooms(plan, mapped.map);
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
-  saveFloorPlan(folder.path("plan.svg"), plan);
+  for (const char* name : {"floor_plan.svg", "floor_plan.dxf", "floor_plan.geojson"})
+    saveFloorPlan(folder.path(name), plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");
   if (draws)

@@ -88,7 +88,7 @@ TEST_F(ChainTest, TheMapOfAReplayIsThatOfTheStages)
                            "map.glb",
                            "map.obj",
                            "mesh.ply",
-                           "plan.svg",
+                           "floor_plan.svg",
                            "trajectory.txt",
                            "trajectory_before.txt"})
     EXPECT_EQ(contentOf(out + "/" + name), contentOf(map_ + "/" + name)) << name;

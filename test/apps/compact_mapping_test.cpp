@@ -116,7 +116,7 @@ TEST(CompactMapping, OneColouredCloudDoes)
   const auto report = jsonOfFile(map + "/report.json");
   EXPECT_EQ(report.at("texture").at("splatted"), 1);
   EXPECT_GT(report.at("texture").at("seen"), 20000);
-  EXPECT_NE(contentOf(map + "/plan.svg").find("</svg>"), std::string::npos);
+  EXPECT_NE(contentOf(map + "/floor_plan.svg").find("</svg>"), std::string::npos);
   const CompactMap loaded = loadCompactMap(map);
   EXPECT_TRUE(loaded.trajectory.poses.empty());
   EXPECT_GE(loaded.planes.size(), 3u);

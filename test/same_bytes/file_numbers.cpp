@@ -205,7 +205,7 @@ FileNumbers
 numbersIn(const std::string& folder)
 {
   static const std::set<std::string> left_out = {
-      "report.json", "report.html", "stage.json", "map.glb", "plan.svg"};
+      "report.json", "report.html", "stage.json", "map.glb", "floor_plan.svg"};
   std::set<fs::path> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && left_out.count(entry.path().filename()) == 0)

@@ -380,12 +380,13 @@ countOf(const std::string& part, const std::string& text)
 TEST(FloorPlan, IsSavedAsSvg)
 {
   const TemporaryFolder folder;
-  const std::string path = folder.path("plan.svg");
+  const std::string path = folder.path("floor_plan.svg");
   saveFloorPlan(path, makeFloorPlan(makeRooms()));
   const std::string text = contentOf(path);
   EXPECT_THAT(text, HasSubstr("width=\"81.000mm\" height=\"50.000mm\""));
   EXPECT_THAT(text, HasSubstr("<title>"));
-  EXPECT_EQ(countOf("<line", text), 9U + 3U + 3U); // walls, openings, scale bar
+  EXPECT_EQ(countOf("<line", text),
+            9U + 3U + 3U + 3U); // walls, openings, scale bar, north
   EXPECT_EQ(countOf("<path", text), 1U);
   EXPECT_EQ(countOf(" m²</text>", text), 2U);
   EXPECT_EQ(countOf("<g ", text), countOf("</g>", text));
@@ -395,7 +396,8 @@ TEST(FloorPlan, IsSavedAsSvg)
   EXPECT_EQ(contentOf(path), text);
   EXPECT_NO_THROW(saveFloorPlan(path, {}));
   EXPECT_THAT(contentOf(path), HasSubstr("</svg>"));
-  EXPECT_THROW(saveFloorPlan(folder.path("none/plan.svg"), {}), OutputFileException);
+  EXPECT_THROW(saveFloorPlan(folder.path("none/floor_plan.svg"), {}),
+               OutputFileException);
 }
 
 } // namespace

@@ -1,31 +1,27 @@
-#include <pcl/texture/floor_plan.h>
-
-#include <pcl/core/output_file.h>
-
-#include <Eigen/Geometry>
+#include "export/floor_plan_writers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <locale>
 #include <sstream>
 
-namespace pcl {
+namespace pcl::acmap {
 
 namespace {
 
 using Eigen::Vector2d;
 
 // on the drawing, metres of the building
-constexpr double margin = 1, wall_width = 0.06, opening_width = 0.04, text_height = 0.4;
+constexpr double plan_margin = 1, wall_width = 0.06, opening_width = 0.04,
+                 text_height = 0.4;
 
 /** \brief Writes the elements of a drawing. Its y axis points down. */
 class SvgDrawing {
 public:
   explicit SvgDrawing(const Eigen::AlignedBox2d& box)
-  : corner_(box.min().x() - margin, box.max().y() + margin)
+  : corner_(box.min().x() - plan_margin, box.max().y() + plan_margin)
   {
     constexpr double paper = 10; // mm for a metre: 1 : 100
-    const Vector2d size = box.sizes() + Vector2d::Constant(2 * margin);
+    const Vector2d size = box.sizes() + Vector2d::Constant(2 * plan_margin);
     text_.imbue(std::locale::classic());
     text_.setf(std::ios::fixed);
     text_.precision(3);
@@ -100,32 +96,6 @@ private:
   std::ostringstream text_;
 };
 
-Eigen::AlignedBox2d
-boxOf(const FloorPlan& plan)
-{
-  Eigen::AlignedBox2d box;
-  for (const auto& polygon : plan.floors)
-    for (const auto& loop : polygon)
-      for (const Vector2d& place : loop)
-        box.extend(place);
-  for (const PlanWall& wall : plan.walls)
-    box.extend(wall.from).extend(wall.to);
-  if (box.isEmpty())
-    box.extend(Vector2d::Zero());
-  return box;
-}
-
-std::string
-areaText(double area)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.setf(std::ios::fixed);
-  text.precision(1);
-  text << area << " m²";
-  return text.str();
-}
-
 std::string
 stroke(const std::string& color, double width, const std::string& more = {})
 {
@@ -141,7 +111,7 @@ addScaleBar(const Eigen::AlignedBox2d& box, SvgDrawing& drawing)
 {
   const double extent = box.sizes().maxCoeff();
   const double length = extent < 8 ? 1 : extent < 60 ? 5 : 25;
-  const Vector2d from = box.min() - Vector2d(0, 0.6 * margin);
+  const Vector2d from = box.min() - Vector2d(0, 0.6 * plan_margin);
   const Vector2d to = from + Vector2d(length, 0), tick(0, 0.1);
   drawing.begin("scale", stroke("#000000", 0.02));
   drawing.addLine(from, to);
@@ -154,10 +124,29 @@ addScaleBar(const Eigen::AlignedBox2d& box, SvgDrawing& drawing)
   drawing.end();
 }
 
+/** \brief An arrow beside the upper right corner. */
+void
+addNorth(const Eigen::AlignedBox2d& box, const PlanNorth& north, SvgDrawing& drawing)
+{
+  constexpr double length = 0.6, head = 0.15;
+  const Vector2d ahead = north.direction, aside(-ahead.y(), ahead.x());
+  const Vector2d middle = box.max() + Vector2d(0.5, -0.5) * plan_margin;
+  const Vector2d from = middle - length / 2 * ahead;
+  const Vector2d to = from + length * ahead;
+  drawing.begin("north", stroke("#000000", 0.02));
+  drawing.addLine(from, to);
+  for (const double side : {-0.5, 0.5})
+    drawing.addLine(to, to - head * (ahead + side * aside));
+  drawing.end();
+  drawing.begin("north_text", "font-family=\"sans-serif\" font-size=\"0.3\"");
+  drawing.addText(to + Vector2d(0.1, -0.1), north.axis);
+  drawing.end();
+}
+
 } // namespace
 
-void
-saveFloorPlan(const std::string& path, const FloorPlan& plan)
+std::string
+svgOf(const FloorPlan& plan)
 {
   const Eigen::AlignedBox2d box = boxOf(plan);
   SvgDrawing drawing(box);
@@ -185,13 +174,11 @@ saveFloorPlan(const std::string& path, const FloorPlan& plan)
         << "\" text-anchor=\"middle\" dominant-baseline=\"middle\"";
   drawing.begin("rooms", style.str());
   for (const PlanRoom& room : plan.rooms)
-    drawing.addText(room.center, areaText(room.area));
+    drawing.addText(room.center, areaText(room.area) + " m²");
   drawing.end();
   addScaleBar(box, drawing);
-  const std::string text = drawing.finish();
-  acmap::OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  addNorth(box, northOf(plan), drawing);
+  return drawing.finish();
 }
 
-} // namespace pcl
+} // namespace pcl::acmap

@@ -102,9 +102,15 @@ makeFloorPlan(const CompactMap& map);
 ACMAP_EXPORT void
 setRooms(const FloorPlan& plan, CompactMap& map);
 
-/** \brief Writes a floor plan as SVG 1.1 with a scale of 1 : 100: the floor, walls,
- * doors and windows, the area of each room, and a scale bar. Coordinates are metres with
- * millimetres as decimals.
+/** \brief Writes a floor plan: the floor, walls, doors and windows, rooms with their areas, and
+ * the direction of a horizontal axis of the map (z, or y where z is up).
+ *
+ * The ending of the path chooses the format. `.svg`: SVG 1.1 with a scale of 1 : 100 and a
+ * scale bar; coordinates are metres with millimetres as decimals. `.dxf`: ASCII DXF of
+ * release 12, metres, layers FLOOR, WALLS, DOORS, WINDOWS, ROOMS and NORTH. `.geojson`:
+ * GeoJSON, whose coordinates are metres in the frame of the plan, and no longitudes; each
+ * feature has a property `kind`, and walls and openings the number of their plane.
+ * \throws BadArgumentException for another ending
  * \throws OutputFileException when the file could not be written \ingroup texture */
 ACMAP_EXPORT void
 saveFloorPlan(const std::string& path, const FloorPlan& plan);

@@ -1,0 +1,164 @@
+#include "export/floor_plan_writers.h"
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Writes features one after the other. */
+class FeatureList {
+public:
+  FeatureList()
+  {
+    text_.imbue(std::locale::classic());
+    text_.precision(10);
+  }
+
+  std::ostringstream&
+  text()
+  {
+    return text_;
+  }
+
+  void
+  begin(const char* type)
+  {
+    text_ << (is_first_ ? "\n" : ",\n") << R"({"type":"Feature","geometry":{"type":")"
+          << type << R"(","coordinates":)";
+    is_first_ = false;
+  }
+
+  /** \brief Ends the geometry, and begins the properties. */
+  std::ostringstream&
+  properties(const char* kind)
+  {
+    text_ << R"(},"properties":{"kind":")" << kind << '"';
+    return text_;
+  }
+
+  void
+  end()
+  {
+    text_ << "}}";
+  }
+
+  void
+  addPlace(const Eigen::Vector2d& place)
+  {
+    text_ << '[' << place.x() << ',' << place.y() << ']';
+  }
+
+  void
+  addLine(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    begin("LineString");
+    text_ << '[';
+    addPlace(from);
+    text_ << ',';
+    addPlace(to);
+    text_ << ']';
+  }
+
+  /** \brief Adds a loop, whose last place is its first one again. */
+  void
+  addLoop(const std::vector<Eigen::Vector2d>& loop)
+  {
+    text_ << '[';
+    for (const Eigen::Vector2d& place : loop) {
+      addPlace(place);
+      text_ << ',';
+    }
+    addPlace(loop.front());
+    text_ << ']';
+  }
+
+private:
+  std::ostringstream text_;
+  bool is_first_ = true;
+};
+
+void
+addAxis(const char* name, const Eigen::Vector3d& axis, std::ostringstream& text)
+{
+  text << ",\n\"" << name << "\":[" << axis.x() << ',' << axis.y() << ',' << axis.z()
+       << ']';
+}
+
+/** \brief null for what is unknown. */
+void
+addNumber(const char* name, double value, std::ostringstream& text)
+{
+  text << ",\"" << name << "\":";
+  if (std::isfinite(value))
+    text << value;
+  else
+    text << "null";
+}
+
+void
+addFloors(const FloorPlan& plan, FeatureList& features)
+{
+  for (const auto& polygon : plan.floors) {
+    features.begin("Polygon");
+    features.text() << '[';
+    bool is_first = true;
+    for (const std::vector<Eigen::Vector2d>& loop : polygon) {
+      if (loop.empty())
+        continue;
+      features.text() << (is_first ? "" : ",");
+      features.addLoop(loop);
+      is_first = false;
+    }
+    features.text() << ']';
+    features.properties("floor");
+    features.end();
+  }
+}
+
+} // namespace
+
+std::string
+geoJsonOf(const FloorPlan& plan)
+{
+  FeatureList features;
+  std::ostringstream& text = features.text();
+  text << R"({"type":"FeatureCollection","name":"floor_plan","units":"metres")";
+  addAxis("x_axis", plan.x_axis, text);
+  addAxis("y_axis", plan.y_axis, text);
+  addAxis("up", plan.up, text);
+  addNumber("floor", plan.floor, text);
+  addNumber("cut", plan.cut, text);
+  const PlanNorth north = northOf(plan);
+  text << ",\n\"north\":[" << north.direction.x() << ',' << north.direction.y()
+       << "],\"north_axis\":\"" << north.axis << "\",\n\"features\":[";
+  addFloors(plan, features);
+  for (const PlanWall& wall : plan.walls) {
+    features.addLine(wall.from, wall.to);
+    features.properties("wall") << ",\"plane\":" << wall.plane;
+    features.end();
+  }
+  for (const PlanOpening& opening : plan.openings) {
+    features.addLine(opening.from, opening.to);
+    features.properties(opening.is_window ? "window" : "door")
+        << ",\"plane\":" << opening.plane << ",\"rooms\":[" << opening.rooms[0] << ','
+        << opening.rooms[1] << ']';
+    addNumber("bottom", opening.bottom, text);
+    addNumber("top", opening.top, text);
+    features.end();
+  }
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    features.begin("Point");
+    features.addPlace(plan.rooms[i].center);
+    features.properties("room") << ",\"room\":" << i;
+    addNumber("area", plan.rooms[i].area, text);
+    addNumber("seen_area", plan.rooms[i].seen_area, text);
+    features.end();
+  }
+  text << "\n]}\n";
+  return text.str();
+}
+
+} // namespace pcl::acmap
