@@ -14,6 +14,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
+#include <pcl/texture/map_page.h>
 #include <pcl/visualization/map_snapshot.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -171,6 +172,15 @@ drawPictures(const OutputFolder& folder, const Mapped& mapped, StageLog& log)
   }
 }
 
+/** \brief The poses before the rectification, if there was one. */
+Trajectory
+posesBefore(const OutputFolder& folder)
+{
+  const std::string path = folder.path("trajectory_before.txt");
+  std::error_code error;
+  return fs::exists(path, error) ? loadTrajectory(path) : Trajectory();
+}
+
 /** \brief Names of the files of the map, relative to its folder. */
 std::vector<std::string>
 filesOf(const OutputFolder& folder)
@@ -294,6 +304,8 @@ writeMap(const ChainOptions& options,
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
   for (const char* name : {"floor_plan.svg", "floor_plan.dxf", "floor_plan.geojson"})
     saveFloorPlan(folder.path(name), plan);
+  if (options.texture.outputs.glb)
+    saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");
   if (draws)

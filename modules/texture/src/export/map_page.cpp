@@ -1,0 +1,103 @@
+#include "export/map_page_parts.h"
+
+#include <pcl/core/output_file.h>
+#include <pcl/texture/map_page.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <locale>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+/** \throws InputFileException when it cannot be read */
+std::string
+bytesOf(const std::filesystem::path& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)),
+                    std::istreambuf_iterator<char>());
+  if (!stream || bytes.empty())
+    throw InputFileException(path.string() + ": cannot be read");
+  return bytes;
+}
+
+std::string
+inBase64(const std::string& bytes)
+{
+  constexpr char digits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) -> std::uint32_t {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0;
+    };
+    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
+    for (int digit = 3; digit >= 0; --digit)
+      text += digits[three >> (6 * digit) & 63];
+  }
+  for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing)
+    text[text.size() - missing] = '=';
+  return text;
+}
+
+/** JSON as the content of a script element: no text in it ends the element. */
+std::string
+inScript(std::string json)
+{
+  for (std::size_t at = json.find('<'); at != std::string::npos;
+       at = json.find('<', at))
+    json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+std::string
+positionsOf(const Trajectory& trajectory)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << '[';
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+    const Eigen::Vector3d place = trajectory.poses[i].translation();
+    text << (i > 0 ? "," : "") << '[' << place.x() << ',' << place.y() << ','
+         << place.z() << ']';
+  }
+  text << ']';
+  return text.str();
+}
+
+} // namespace
+
+void
+saveMapPage(const std::string& path, const std::string& map, const Trajectory& before)
+{
+  const std::filesystem::path folder(map);
+  const std::pair<std::string_view, std::string> parts[] = {
+      {"three", acmap::threeScript()},
+      {"gltf_loader", acmap::gltfLoaderScript()},
+      {"orbit_controls", acmap::orbitControlsScript()},
+      {"map", inScript(bytesOf(folder / "map.json"))},
+      {"before", positionsOf(before)},
+      {"glb", inBase64(bytesOf(folder / "map.glb"))}};
+  acmap::OutputFile page(path);
+  std::string_view rest = acmap::mapPageTemplate();
+  for (const auto& [name, text] : parts) {
+    const std::string mark = "{{" + std::string(name) + "}}";
+    const std::size_t at = rest.find(mark);
+    page.write(rest.data(), at);
+    page.write(text.data(), text.size());
+    rest.remove_prefix(at + mark.size());
+  }
+  page.write(rest.data(), rest.size());
+  page.commit();
+}
+
+} // namespace pcl
