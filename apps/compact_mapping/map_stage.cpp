@@ -14,6 +14,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
+#include <pcl/texture/map_ifc.h>
 #include <pcl/texture/map_page.h>
 #include <pcl/visualization/map_snapshot.h>
 #include <pcl/visualization/mesh_snapshot.h>
@@ -306,6 +307,7 @@ writeMap(const ChainOptions& options,
     saveFloorPlan(folder.path(name), plan);
   if (options.texture.outputs.glb)
     saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
+  saveMapIfc(folder.path("map.ifc"), mapped.map);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");
   if (draws)

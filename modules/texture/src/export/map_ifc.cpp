@@ -1,0 +1,536 @@
+#include "export/map_writers.h"
+#include "export/step_file.h"
+
+#include <pcl/core/box_sides.h>
+#include <pcl/core/build_config.h>
+#include <pcl/core/cylinder_facets.h>
+#include <pcl/core/map_up.h>
+#include <pcl/core/output_file.h>
+#include <pcl/core/polygon_triangles.h>
+#include <pcl/texture/map_ifc.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+
+namespace acmap {
+namespace {
+
+constexpr double level_cosine = 0.98, upright_cosine = 0.2;
+
+/** \brief An identifier of 128 bits that depends on a name only, in the 22 digits of IFC. */
+std::string
+guidOf(const std::string& name)
+{
+  constexpr char digits[] =
+      "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
+  constexpr std::uint64_t prime = 1099511628211U;
+  std::string guid;
+  std::uint64_t hash = 14695981039346656037U; // FNV-1a
+  for (const char c : "acmap " + name)
+    hash = (hash ^ static_cast<unsigned char>(c)) * prime;
+  for (int digit = 0; digit < 22; ++digit) {
+    hash = (hash ^ static_cast<std::uint64_t>(digit)) * prime;
+    guid += digits[digit == 0 ? hash >> 32 & 3 : hash >> 32 & 63];
+  }
+  return guid;
+}
+
+/** \brief Triangles of surfaces in the frame of the model. */
+struct ModelShape {
+  std::vector<std::vector<double>> points;
+  std::vector<std::vector<std::size_t>> triangles; ///< corners from 1 on
+  bool is_closed = false;
+};
+
+/** \brief Writes a map as instances. */
+class IfcModel {
+public:
+  explicit IfcModel(const CompactMap& map)
+  : map_(map)
+  , up_(upDirection(map))
+  {
+    Eigen::Matrix3d to_z_up; // from a frame with y up
+    to_z_up << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    turn_ = to_z_up * turnToYUp(map);
+    addProject();
+    addBoxes();
+    addCylinders();
+    addRecesses();
+    addPlanes();
+    addOpenings();
+    addSpaces();
+    aggregate("storey", storey_, spaces_);
+    if (!elements_.empty())
+      file_.add("IFCRELCONTAINEDINSPATIALSTRUCTURE",
+                guidOf("contents"),
+                nullptr,
+                nullptr,
+                nullptr,
+                elements_,
+                storey_);
+  }
+
+  std::string
+  text() const
+  {
+    return "ISO-10303-21;\nHEADER;\n"
+           "FILE_DESCRIPTION(('ViewDefinition [ReferenceView_V1.2]'),'2;1');\n"
+           "FILE_NAME('map.ifc','1970-01-01T00:00:00',(''),(''),'acmap " ACMAP_VERSION
+           "','acmap','');\nFILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" +
+           file_.text() + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+private:
+  using References = std::vector<StepReference>;
+
+  StepReference
+  addPlacement(StepReference relative_to)
+  {
+    return file_.add("IFCLOCALPLACEMENT", relative_to, axes_);
+  }
+
+  /** \brief Makes parts of a whole in the tree of project, site, building, storey. */
+  void
+  aggregate(const std::string& name, StepReference whole, const References& parts)
+  {
+    if (!parts.empty())
+      file_.add("IFCRELAGGREGATES",
+                guidOf("parts of " + name),
+                nullptr,
+                nullptr,
+                nullptr,
+                whole,
+                parts);
+  }
+
+  void
+  addProject()
+  {
+    const StepReference origin =
+        file_.add("IFCCARTESIANPOINT", std::vector<double>{0, 0, 0});
+    axes_ = file_.add("IFCAXIS2PLACEMENT3D", origin, nullptr, nullptr);
+    context_ = file_.add("IFCGEOMETRICREPRESENTATIONCONTEXT",
+                         nullptr,
+                         "Model",
+                         std::size_t{3},
+                         1e-5,
+                         axes_,
+                         nullptr);
+    References units;
+    for (const auto& [kind, unit] : {std::pair("LENGTHUNIT", "METRE"),
+                                     {"AREAUNIT", "SQUARE_METRE"},
+                                     {"VOLUMEUNIT", "CUBIC_METRE"},
+                                     {"PLANEANGLEUNIT", "RADIAN"}})
+      units.push_back(file_.add(
+          "IFCSIUNIT", StepDerived(), StepEnum{kind}, nullptr, StepEnum{unit}));
+    const StepReference assignment = file_.add("IFCUNITASSIGNMENT", units);
+    const StepReference project = file_.add("IFCPROJECT",
+                                            guidOf("project"),
+                                            nullptr,
+                                            "Compact map",
+                                            nullptr,
+                                            nullptr,
+                                            nullptr,
+                                            nullptr,
+                                            References{context_},
+                                            assignment);
+    const StepEnum whole{"ELEMENT"};
+    const StepReference site_place = addPlacement({});
+    const StepReference site = file_.add("IFCSITE",
+                                         guidOf("site"),
+                                         nullptr,
+                                         "Site",
+                                         nullptr,
+                                         nullptr,
+                                         site_place,
+                                         nullptr,
+                                         nullptr,
+                                         whole,
+                                         nullptr,
+                                         nullptr,
+                                         nullptr,
+                                         nullptr,
+                                         nullptr);
+    const StepReference building_place = addPlacement(site_place);
+    const StepReference building = file_.add("IFCBUILDING",
+                                             guidOf("building"),
+                                             nullptr,
+                                             "Building",
+                                             nullptr,
+                                             nullptr,
+                                             building_place,
+                                             nullptr,
+                                             nullptr,
+                                             whole,
+                                             nullptr,
+                                             nullptr,
+                                             nullptr);
+    place_ = addPlacement(building_place);
+    storey_ = file_.add("IFCBUILDINGSTOREY",
+                        guidOf("storey"),
+                        nullptr,
+                        "Storey",
+                        nullptr,
+                        nullptr,
+                        place_,
+                        nullptr,
+                        nullptr,
+                        whole,
+                        nullptr);
+    aggregate("project", project, {site});
+    aggregate("site", site, {building});
+    aggregate("building", building, {storey_});
+  }
+
+  void
+  addTriangles(const PlanePatch& surface, ModelShape& shape) const
+  {
+    for (const PlanePolygon& polygon : surface.polygons) {
+      const std::size_t first = shape.points.size() + 1;
+      for (const Eigen::Vector3f& point : pointsOfPolygon(polygon)) {
+        const Eigen::Vector3d place = turn_ * point.cast<double>();
+        shape.points.push_back({place.x(), place.y(), place.z()});
+      }
+      for (const auto& triangle :
+           trianglesOfPolygon(polygon, surface.coefficients.head<3>()))
+        shape.triangles.push_back(
+            {first + triangle[0], first + triangle[1], first + triangle[2]});
+    }
+  }
+
+  StepReference
+  addShape(const ModelShape& shape)
+  {
+    if (shape.triangles.empty())
+      return {};
+    const StepReference points = file_.add("IFCCARTESIANPOINTLIST3D", shape.points);
+    const StepReference faces = file_.add("IFCTRIANGULATEDFACESET",
+                                          points,
+                                          nullptr,
+                                          StepEnum{shape.is_closed ? "T" : "F"},
+                                          shape.triangles,
+                                          nullptr);
+    const StepReference body = file_.add(
+        "IFCSHAPEREPRESENTATION", context_, "Body", "Tessellation", References{faces});
+    return file_.add("IFCPRODUCTDEFINITIONSHAPE", nullptr, nullptr, References{body});
+  }
+
+  /** \brief Adds an element of the storey that has a predefined type. */
+  StepReference
+  addElement(const char* type,
+             const std::string& name,
+             const ModelShape& shape,
+             const char* predefined = "NOTDEFINED")
+  {
+    const StepReference surface = addShape(shape);
+    const StepReference element = file_.add(type,
+                                            guidOf(name),
+                                            nullptr,
+                                            name,
+                                            nullptr,
+                                            nullptr,
+                                            addPlacement(place_),
+                                            surface,
+                                            nullptr,
+                                            StepEnum{predefined});
+    elements_.push_back(element);
+    return element;
+  }
+
+  StepReference
+  property(const char* name, const StepMeasure& value)
+  {
+    return file_.add("IFCPROPERTYSINGLEVALUE", name, nullptr, value, nullptr);
+  }
+
+  void
+  addProperties(StepReference element, const std::string& name, References properties)
+  {
+    const StepReference set = file_.add("IFCPROPERTYSET",
+                                        guidOf("properties of " + name),
+                                        nullptr,
+                                        "acmap_Plane",
+                                        nullptr,
+                                        properties);
+    file_.add("IFCRELDEFINESBYPROPERTIES",
+              guidOf("has properties " + name),
+              nullptr,
+              nullptr,
+              nullptr,
+              References{element},
+              set);
+  }
+
+  void
+  addPlaneProperties(StepReference element, const std::string& name, std::size_t id)
+  {
+    const PlanePatch& plane = map_.planes[id];
+    std::vector<StepMeasure> covariance;
+    for (Eigen::Index i = 0; i < 9; ++i)
+      covariance.push_back({"IFCREAL", plane.covariance(i / 3, i % 3)});
+    addProperties(element,
+                  name,
+                  {property("Area", {"IFCAREAMEASURE", plane.area}),
+                   property("RootMeanSquare", {"IFCLENGTHMEASURE", plane.rms}),
+                   property("Support", {"IFCREAL", static_cast<double>(plane.support)}),
+                   file_.add("IFCPROPERTYLISTVALUE",
+                             "CovarianceOfSlopesAndOffset",
+                             nullptr,
+                             covariance,
+                             nullptr)});
+  }
+
+  void
+  addBoxes()
+  {
+    for (std::size_t i = 0; i < map_.boxes.size(); ++i) {
+      ModelShape shape;
+      for (const BoxFace& face : map_.boxes[i].faces)
+        if (face.kind == BoxFaceKind::Seen && has(face.plane)) {
+          addTriangles(map_.planes[static_cast<std::size_t>(face.plane)], shape);
+          used_.insert(face.plane);
+        }
+      for (const PlanePatch& side : freeSidesOf(map_.boxes[i]))
+        addTriangles(side, shape);
+      addElement("IFCBUILDINGELEMENTPROXY", "Box " + std::to_string(i), shape);
+    }
+  }
+
+  void
+  addCylinders()
+  {
+    for (std::size_t i = 0; i < map_.cylinders.size(); ++i) {
+      const CylinderPatch& cylinder = map_.cylinders[i];
+      ModelShape shape;
+      for (const PlanePatch& facet : facetsOfCylinder(cylinder))
+        addTriangles(facet, shape);
+      const bool is_column = !cylinder.is_hollow &&
+                             std::abs(cylinder.axis_direction.dot(up_)) > level_cosine;
+      addElement(is_column ? "IFCCOLUMN" : "IFCBUILDINGELEMENTPROXY",
+                 "Cylinder " + std::to_string(i),
+                 shape);
+    }
+  }
+
+  void
+  addRecesses()
+  {
+    for (std::size_t i = 0; i < map_.recesses.size(); ++i) {
+      const RecessPatch& recess = map_.recesses[i];
+      if (!recess.reaches_floor || !has(recess.leaf) ||
+          !used_.insert(recess.leaf).second)
+        continue;
+      const std::string name = "Door " + std::to_string(i);
+      ModelShape shape;
+      addTriangles(map_.planes[static_cast<std::size_t>(recess.leaf)], shape);
+      const StepReference surface = addShape(shape);
+      elements_.push_back(file_.add("IFCDOOR",
+                                    guidOf(name),
+                                    nullptr,
+                                    name,
+                                    nullptr,
+                                    nullptr,
+                                    addPlacement(place_),
+                                    surface,
+                                    nullptr,
+                                    recess.size[1],
+                                    recess.size[0],
+                                    StepEnum{"DOOR"},
+                                    StepEnum{"NOTDEFINED"},
+                                    nullptr));
+      addPlaneProperties(elements_.back(), name, static_cast<std::size_t>(recess.leaf));
+    }
+  }
+
+  bool
+  has(std::int32_t plane) const
+  {
+    return plane >= 0 && static_cast<std::size_t>(plane) < map_.planes.size();
+  }
+
+  /** \brief Height of the floor: of the lowest level plane with at least half of the
+   * largest area of these, as in a floor plan. */
+  double
+  floorHeight() const
+  {
+    double largest = 0, height = std::numeric_limits<double>::infinity();
+    for (const PlanePatch& plane : map_.planes)
+      if (levelOf(plane) > level_cosine)
+        largest = std::max(largest, plane.area);
+    for (const PlanePatch& plane : map_.planes)
+      if (levelOf(plane) > level_cosine && plane.area >= largest / 2)
+        height = std::min(height, plane.center.dot(up_));
+    return height;
+  }
+
+  double
+  levelOf(const PlanePatch& plane) const
+  {
+    return plane.coefficients.head<3>().dot(up_);
+  }
+
+  void
+  addPlanes()
+  {
+    constexpr double floor_range = 0.3; // metres
+    const double floor = floorHeight();
+    walls_.resize(map_.planes.size());
+    for (std::size_t id = 0; id < map_.planes.size(); ++id) {
+      if (used_.count(static_cast<std::int32_t>(id)) > 0)
+        continue;
+      const PlanePatch& plane = map_.planes[id];
+      const double level = levelOf(plane);
+      const bool is_floor = level > level_cosine &&
+                            std::abs(plane.center.dot(up_) - floor) <= floor_range;
+      const std::string name = "Plane " + std::to_string(id);
+      ModelShape shape;
+      addTriangles(plane, shape);
+      StepReference element;
+      if (std::abs(level) < upright_cosine)
+        walls_[id] = element = addElement("IFCWALL", name, shape);
+      else if (is_floor)
+        element = addElement("IFCSLAB", name, shape, "FLOOR");
+      else if (level < -level_cosine)
+        element = addElement("IFCCOVERING", name, shape, "CEILING");
+      else
+        element = addElement("IFCBUILDINGELEMENTPROXY", name, shape);
+      addPlaneProperties(element, name, id);
+    }
+  }
+
+  /** \brief A box around an opening, through its wall. */
+  ModelShape
+  openingShape(const MapOpening& opening) const
+  {
+    constexpr double half_depth = 0.1, usual_height = 2; // metres
+    const double top =
+        std::isfinite(opening.top) ? opening.top : opening.bottom + usual_height;
+    const Eigen::Vector3d aside =
+        half_depth * (opening.to - opening.from).cross(up_).normalized();
+    ModelShape shape;
+    shape.is_closed = true;
+    const Eigen::Vector3d corners[] = {opening.from - aside,
+                                       opening.to - aside,
+                                       opening.to + aside,
+                                       opening.from + aside};
+    for (const double height : {opening.bottom, top})
+      for (const Eigen::Vector3d& place : corners) {
+        const Eigen::Vector3d p = turn_ * (place + height * up_);
+        shape.points.push_back({p.x(), p.y(), p.z()});
+      }
+    shape.triangles = {{1, 3, 2},
+                       {1, 4, 3},
+                       {5, 6, 7},
+                       {5, 7, 8},
+                       {1, 2, 6},
+                       {1, 6, 5},
+                       {2, 3, 7},
+                       {2, 7, 6},
+                       {3, 4, 8},
+                       {3, 8, 7},
+                       {4, 1, 5},
+                       {4, 5, 8}};
+    return shape;
+  }
+
+  void
+  addOpenings()
+  {
+    for (std::size_t i = 0; i < map_.openings.size(); ++i) {
+      const MapOpening& opening = map_.openings[i];
+      const std::int32_t wall = opening.planes[0];
+      if (!has(wall) || walls_[static_cast<std::size_t>(wall)].number == 0)
+        continue;
+      const std::string name = "Opening " + std::to_string(i);
+      const StepReference shape = addShape(openingShape(opening));
+      const StepReference element = file_.add("IFCOPENINGELEMENT",
+                                              guidOf(name),
+                                              nullptr,
+                                              name,
+                                              nullptr,
+                                              nullptr,
+                                              addPlacement(place_),
+                                              shape,
+                                              nullptr,
+                                              StepEnum{"OPENING"});
+      file_.add("IFCRELVOIDSELEMENT",
+                guidOf("voids " + name),
+                nullptr,
+                nullptr,
+                nullptr,
+                walls_[static_cast<std::size_t>(wall)],
+                element);
+    }
+  }
+
+  void
+  addSpaces()
+  {
+    for (std::size_t i = 0; i < map_.rooms.size(); ++i) {
+      const std::string name = "Room " + std::to_string(i);
+      spaces_.push_back(file_.add("IFCSPACE",
+                                  guidOf(name),
+                                  nullptr,
+                                  name,
+                                  nullptr,
+                                  nullptr,
+                                  addPlacement(place_),
+                                  nullptr,
+                                  nullptr,
+                                  StepEnum{"ELEMENT"},
+                                  StepEnum{"INTERNAL"},
+                                  nullptr));
+      const StepReference area = file_.add("IFCQUANTITYAREA",
+                                           "NetFloorArea",
+                                           nullptr,
+                                           nullptr,
+                                           map_.rooms[i].area,
+                                           nullptr);
+      const StepReference quantities = file_.add("IFCELEMENTQUANTITY",
+                                                 guidOf("quantities of " + name),
+                                                 nullptr,
+                                                 "Qto_SpaceBaseQuantities",
+                                                 nullptr,
+                                                 nullptr,
+                                                 References{area});
+      file_.add("IFCRELDEFINESBYPROPERTIES",
+                guidOf("has quantities " + name),
+                nullptr,
+                nullptr,
+                nullptr,
+                References{spaces_.back()},
+                quantities);
+    }
+  }
+
+  const CompactMap& map_;
+  Eigen::Vector3d up_;
+  Eigen::Matrix3d turn_; ///< from the map to a frame with z up
+  StepFile file_;
+  StepReference axes_, context_, place_, storey_;
+  References elements_, spaces_;
+  References walls_;            ///< for each plane
+  std::set<std::int32_t> used_; ///< planes that are parts of other elements
+};
+
+} // namespace
+} // namespace acmap
+
+void
+saveMapIfc(const std::string& path, const CompactMap& map)
+{
+  const std::string text = acmap::IfcModel(map).text();
+  acmap::OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+} // namespace pcl

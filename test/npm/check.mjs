@@ -1,0 +1,70 @@
+// Usage: node check.mjs MAP_DIR
+// Opens map.glb with the validator of Khronos and map.ifc with web-ifc, and compares both with
+// map.json. Ends with 1 if there is an error.
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import validator from 'gltf-validator';
+import * as ifc from 'web-ifc';
+
+const folder = process.argv[2];
+if (!folder) {
+  console.error('usage: node check.mjs MAP_DIR');
+  process.exit(2);
+}
+let faults = 0;
+function expect(isTrue, text) {
+  console.log((isTrue ? 'ok      ' : 'FAILED  ') + text);
+  faults += isTrue ? 0 : 1;
+}
+
+const map = JSON.parse(readFileSync(join(folder, 'map.json')));
+
+const glb = await validator.validateBytes(new Uint8Array(readFileSync(join(folder, 'map.glb'))));
+expect(glb.issues.numErrors === 0, `map.glb: ${glb.issues.numErrors} errors, ${glb.issues.numWarnings} warnings`);
+for (const issue of glb.issues.messages)
+  console.log('        ' + issue.code + ': ' + issue.message + ' ' + (issue.pointer || ''));
+
+const api = new ifc.IfcAPI();
+await api.Init();
+api.SetLogLevel(ifc.LogLevel.LOG_LEVEL_WARN);
+const model = api.OpenModel(new Uint8Array(readFileSync(join(folder, 'map.ifc'))));
+expect(api.GetModelSchema(model) === 'IFC4', 'map.ifc: schema ' + api.GetModelSchema(model));
+
+const count = type => api.GetLineIDsWithType(model, type).size();
+const elements = [ifc.IFCWALL, ifc.IFCSLAB, ifc.IFCCOVERING, ifc.IFCBUILDINGELEMENTPROXY, ifc.IFCDOOR, ifc.IFCCOLUMN];
+expect(count(ifc.IFCSPACE) === (map.rooms || []).length, `map.ifc: ${count(ifc.IFCSPACE)} spaces`);
+expect(count(ifc.IFCOPENINGELEMENT) <= (map.openings || []).length, `map.ifc: ${count(ifc.IFCOPENINGELEMENT)} openings of ${(map.openings || []).length}`);
+expect(count(ifc.IFCWALL) > 0, `map.ifc: ${count(ifc.IFCWALL)} walls, ${count(ifc.IFCSLAB)} slabs, ${count(ifc.IFCCOVERING)} ceilings, ` +
+       `${count(ifc.IFCDOOR)} doors, ${count(ifc.IFCCOLUMN)} columns, ${count(ifc.IFCBUILDINGELEMENTPROXY)} proxies`);
+
+// every identifier is there once
+const guids = [];
+const all = api.GetAllLines(model);
+for (let i = 0; i < all.size(); ++i) {
+  const line = api.GetLine(model, all.get(i));
+  if (line && line.GlobalId)
+    guids.push(line.GlobalId.value);
+}
+expect(new Set(guids).size === guids.length, `map.ifc: ${guids.length} identifiers, all different`);
+
+// the corners of each wall are those of its plane
+const up = map.up || [0, -1, 0];
+const axis = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
+const sign = Math.sign(up[axis]);
+const turned = p => axis === 1 ? [p[0], -sign * p[2], sign * p[1]] : p;
+let farthest = 0, walls = 0, meshes = 0;
+const near = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+const ids = api.GetLineIDsWithType(model, ifc.IFCWALL);
+for (let i = 0; i < ids.size(); ++i) {
+  const wall = api.GetLine(model, ids.get(i), true);
+  const plane = map.planes[Number(wall.Name.value.replace('Plane ', ''))];
+  const corners = plane.polygons.flatMap(p => [p.outer, ...(p.holes || [])]).flat().map(turned);
+  const list = wall.Representation.Representations[0].Items[0].Coordinates.CoordList;
+  list.map(row => row.map(x => x.value)).forEach((p, k) => { farthest = Math.max(farthest, near(p, corners[k])); });
+  ++walls;
+}
+expect(farthest < 0.001, `map.ifc: corners of ${walls} walls within ${(1000 * farthest).toFixed(6)} mm of map.json`);
+api.StreamAllMeshes(model, mesh => { meshes += mesh.geometries.size(); });
+const shaped = elements.reduce((sum, type) => sum + count(type), 0);
+expect(meshes >= shaped, `map.ifc: ${meshes} meshes of ${shaped} elements`);
+process.exit(faults > 0 ? 1 : 0);
