@@ -50,7 +50,7 @@ garbage(std::size_t size)
 TEST(UglyInput, MissingFolderEmpty)
 {
   const TemporaryFolder folder;
-  for (const char* ending : {".pcd", ".ply", ".obj", ".xyz"}) {
+  for (const char* ending : {".pcd", ".ply", ".obj", ".xyz", ".las"}) {
     expectUnreadable(folder, folder.path(std::string("missing") + ending));
     std::filesystem::create_directory(folder.path(std::string("folder") + ending));
     expectUnreadable(folder, folder.path(std::string("folder") + ending));
@@ -61,7 +61,7 @@ TEST(UglyInput, MissingFolderEmpty)
 TEST(UglyInput, BinaryGarbageAndUnknownEndings)
 {
   const TemporaryFolder folder;
-  for (const char* ending : {".pcd", ".ply", ".obj", ".xyz", ".las", ""})
+  for (const char* ending : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz", ""})
     expectUnreadable(folder,
                      folder.write(std::string("garbage") + ending, garbage(9000)));
   expectUnreadable(

@@ -32,7 +32,11 @@ loadPointCloud(const std::string& path)
     return acmap::readObj(source);
   if (ending == ".xyz")
     return acmap::readXyz(source);
-  source.fail("ending '" + ending + "' is not known; pcd, ply, obj and xyz are");
+  if (ending == ".las")
+    return acmap::readLas(source);
+  if (ending == ".laz")
+    source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
+  source.fail("ending '" + ending + "' is not known; pcd, ply, obj, xyz and las are");
 }
 
 } // namespace pcl
@@ -68,6 +72,7 @@ scaleCloud(PointCloudFile& file, double scale)
   if (const auto* sigma = findField(file.cloud, "sigma", PCLPointField::FLOAT32))
     scaleValues(file.cloud, sigma->offset, 1, scale);
   file.sensor_origin = (file.sensor_origin.cast<double>() * scale).cast<float>();
+  file.shift *= scale;
 }
 
 PointCloudFile

@@ -25,6 +25,8 @@ PointCloudFile
 readObj(ByteSource& source);
 PointCloudFile
 readXyz(ByteSource& source);
+PointCloudFile
+readLas(ByteSource& source);
 
 /** \brief Rejects more points than the remaining bytes can contain or than an index can
  * represent.

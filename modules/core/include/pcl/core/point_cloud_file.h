@@ -27,6 +27,10 @@ struct PointCloudFile {
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
+  /** \brief What was subtracted from the coordinates of the file, so that float32 keeps their
+   * millimetres; zero unless they are large (LAS). */
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
   /** \brief Warnings about the file that did not prevent reading it, one per entry. */
   std::vector<std::string> remarks;
 
@@ -46,6 +50,10 @@ struct PointCloudFile {
  * - XYZ: rows of x y z, separated by blanks, tabs, commas or semicolons. Further
  *   columns and comments after # or // are ignored. A number of points or column names
  *   before the rows cause a remark.
+ *
+ * - LAS: 1.0 to 1.4, point formats 0 to 10: coordinates, `intensity`, `classification`,
+ *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255. Coordinates beyond
+ *   10 km are shifted by whole kilometres. Packed points (LAZ) are refused.
  *
  * The header is compared with the size of the file before memory is allocated for the
  * points: a file of n bytes takes at most 8 n bytes of memory, a compressed one 450 n.

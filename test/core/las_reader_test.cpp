@@ -1,0 +1,269 @@
+#include "temporary_folder.h"
+#include "test_data.h"
+
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/point_cloud_file.h>
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace pcl::acmap::test {
+namespace {
+
+using testing::HasSubstr;
+
+/** A LAS file as its specification has it, with points at a place. */
+class LasFile {
+public:
+  static constexpr std::size_t points = 5;
+  static constexpr double scale = 0.001; // metres
+
+  LasFile(int minor, int format, const Eigen::Vector3d& place = Eigen::Vector3d::Zero())
+  : place_(place)
+  {
+    constexpr std::array<std::size_t, 11> sizes = {
+        20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+    record_ = sizes[static_cast<std::size_t>(format)] + 2; // with bytes of the user
+    const std::size_t header = minor == 4 ? 375 : minor == 3 ? 235 : 227;
+    bytes.assign(header + 10, '\0'); // and a gap
+    std::memcpy(bytes.data(), "LASF", 4);
+    set<std::uint8_t>(24, 1);
+    set<std::uint8_t>(25, static_cast<std::uint8_t>(minor));
+    set<std::uint16_t>(94, static_cast<std::uint16_t>(header));
+    set<std::uint32_t>(96, static_cast<std::uint32_t>(bytes.size()));
+    set<std::uint8_t>(104, static_cast<std::uint8_t>(format));
+    set<std::uint16_t>(105, static_cast<std::uint16_t>(record_));
+    set<std::uint32_t>(107, minor == 4 ? 0 : points);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      set(131 + 8 * axis, scale);
+      set(155 + 8 * axis, place_[static_cast<Eigen::Index>(axis)]);
+    }
+    if (minor == 4)
+      set<std::uint64_t>(247, points);
+    first_ = bytes.size();
+    bytes.resize(first_ + points * record_);
+    for (std::size_t i = 0; i < points; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        set(at(i) + 4 * axis, static_cast<std::int32_t>(1000 * i + axis));
+  }
+
+  template <typename Value>
+  void
+  set(std::size_t offset, Value value)
+  {
+    std::memcpy(&bytes[offset], &value, sizeof value);
+  }
+
+  /** Offset of a point. */
+  std::size_t
+  at(std::size_t point) const
+  {
+    return first_ + point * record_;
+  }
+
+  /** Where a point is. */
+  Eigen::Vector3d
+  position(std::size_t point) const
+  {
+    return place_ +
+           scale * (Eigen::Vector3d::Constant(1000.0 * static_cast<double>(point)) +
+                    Eigen::Vector3d(0, 1, 2));
+  }
+
+  PointCloudFile
+  load(const TemporaryFolder& folder) const
+  {
+    return loadPointCloud(folder.write("cloud.las", bytes));
+  }
+
+  std::string bytes;
+
+private:
+  Eigen::Vector3d place_;
+  std::size_t record_ = 0, first_ = 0;
+};
+
+template <typename Value>
+Value
+valueOf(const PCLPointCloud2& cloud, const char* name, std::size_t point)
+{
+  const PCLPointField* const field = findField(cloud, name);
+  Value value{};
+  EXPECT_NE(field, nullptr) << name;
+  if (field)
+    std::memcpy(
+        &value, &cloud.data[point * cloud.point_step + field->offset], sizeof value);
+  return value;
+}
+
+TEST(LasReader, AllVersionsAndFormatsHaveTheirPoints)
+{
+  const TemporaryFolder folder;
+  for (int minor = 0; minor <= 4; ++minor)
+    for (int format = 0; format <= (minor == 4 ? 10 : 5); ++format) {
+      LasFile las(minor, format);
+      const std::size_t classification = format < 6 ? 15 : 16;
+      for (std::size_t i = 0; i < LasFile::points; ++i) {
+        las.set<std::uint16_t>(las.at(i) + 12, static_cast<std::uint16_t>(60000 + i));
+        las.set<std::uint8_t>(las.at(i) + classification,
+                              static_cast<std::uint8_t>(i + 2));
+      }
+      const PointCloudFile file = las.load(folder);
+      ASSERT_EQ(file.points().size(), LasFile::points) << minor << " " << format;
+      EXPECT_TRUE(file.shift.isZero(0));
+      for (std::size_t i = 0; i < LasFile::points; ++i) {
+        EXPECT_LT((file.points()[i].cast<double>() - las.position(i)).norm(), 1e-6);
+        EXPECT_EQ(valueOf<float>(file.cloud, "intensity", i),
+                  60000.0F + static_cast<float>(i));
+        EXPECT_EQ(valueOf<std::uint8_t>(file.cloud, "classification", i), i + 2);
+      }
+      constexpr std::array<bool, 11> colored = {
+          false, false, true, true, false, true, false, true, true, false, true};
+      EXPECT_EQ(findField(file.cloud, "rgb") != nullptr,
+                colored[static_cast<std::size_t>(format)]);
+    }
+}
+
+TEST(LasReader, ColoursMayHaveEightBitsOrSixteen)
+{
+  const TemporaryFolder folder;
+  for (const std::uint16_t unit : {1, 256}) {
+    LasFile las(2, 2);
+    for (std::uint16_t c = 0; c < 3; ++c)
+      las.set<std::uint16_t>(las.at(1) + 20 + 2 * c,
+                             static_cast<std::uint16_t>((10 + c) * unit));
+    const PointCloudFile file = las.load(folder);
+    EXPECT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", 1) & 0xFFFFFF, 0x0A0B0CU)
+        << unit;
+    EXPECT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", 0) & 0xFFFFFF, 0U);
+  }
+}
+
+TEST(LasReader, NationalGridsKeepTheirMillimetres)
+{
+  const TemporaryFolder folder;
+  const LasFile las(2, 0, Eigen::Vector3d(635619.25, -5848899.5, 412.125));
+  const PointCloudFile file = las.load(folder);
+  EXPECT_EQ(file.shift, Eigen::Vector3d(635000, -5849000, 0));
+  for (std::size_t i = 0; i < LasFile::points; ++i)
+    EXPECT_LT((file.points()[i].cast<double>() + file.shift - las.position(i)).norm(),
+              2e-4);
+  ASSERT_EQ(file.remarks.size(), 1U);
+  EXPECT_THAT(file.remarks[0], HasSubstr("635000, -5849000, 0"));
+  PointCloudFile scaled = file;
+  scaleCloud(scaled, 0.5);
+  EXPECT_EQ(scaled.shift, file.shift / 2);
+}
+
+TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
+{
+  const TemporaryFolder folder;
+  const auto expectFault = [&](const LasFile& las, const char* fault) {
+    try {
+      las.load(folder);
+      ADD_FAILURE() << fault;
+    }
+    catch (const InputFileException& error) {
+      EXPECT_THAT(error.what(), HasSubstr(fault));
+    }
+  };
+  LasFile las(2, 0);
+  las.bytes[0] = 'X';
+  expectFault(las, "no LAS file");
+  las = LasFile(2, 0);
+  las.set<std::uint8_t>(25, 5);
+  expectFault(las, "LAS 1.5");
+  las = LasFile(2, 0);
+  las.set<std::uint8_t>(104, 0x80);
+  expectFault(las, "packed by LASzip");
+  las = LasFile(2, 0);
+  las.set<std::uint8_t>(104, 11);
+  expectFault(las, "format 11");
+  las = LasFile(2, 0);
+  las.set<std::uint16_t>(105, 19);
+  expectFault(las, "claims points of 19 bytes");
+  las = LasFile(2, 0);
+  las.set<std::uint32_t>(107, 4000000000U);
+  expectFault(las, "4000000000");
+  las = LasFile(4, 6);
+  las.set<std::uint64_t>(247, ~std::uint64_t{0});
+  expectFault(las, "points");
+  las = LasFile(2, 0);
+  las.set(131, std::nan(""));
+  expectFault(las, "scale");
+  las = LasFile(2, 0);
+  las.set<std::uint32_t>(96, 100);
+  expectFault(las, "within its header");
+  las = LasFile(2, 0);
+  las.set<std::uint32_t>(96, 100000);
+  expectFault(las, "ends before its points");
+  for (std::size_t size : {0, 3, 100, 226, 240, 260}) {
+    las = LasFile(2, 0);
+    las.bytes.resize(size);
+    EXPECT_THROW(las.load(folder), InputFileException) << size;
+  }
+  EXPECT_THROW(loadPointCloud(folder.write("cloud.laz", LasFile(2, 0).bytes)),
+               InputFileException);
+}
+
+/** The points are within the bounds of the header, and reach them. */
+TEST(LasReader, FilesOfOthersHaveTheirBounds)
+{
+  if (!hasTestData("G_formats/las/1.0_0.las"))
+    GTEST_SKIP() << "G_formats/las is not in the folder that ACMAP_TEST_DATA names";
+  for (const char* name : {"1.0_0.las",
+                           "1.0_1.las",
+                           "1.1_0.las",
+                           "1.1_1.las",
+                           "1.2_0.las",
+                           "1.2_1.las",
+                           "1.2_2.las",
+                           "1.2_3.las",
+                           "100-points.las",
+                           "autzen_trim.las",
+                           "autzen-bmx-2010.las",
+                           "bad_vlr_count.las",
+                           "gps-time-nan.las",
+                           "test1_4.las"}) {
+    const std::string path =
+        testDataPath(std::string("G_formats/las/") + name).string();
+    std::array<char, 375> header{};
+    std::ifstream(path, std::ios::binary).read(header.data(), header.size());
+    const auto number = [&](std::size_t offset) {
+      double value = 0;
+      std::memcpy(&value, &header[offset], sizeof value);
+      return value;
+    };
+    const PointCloudFile file = loadPointCloud(path);
+    std::uint32_t count = 0;
+    std::memcpy(&count, &header[107], sizeof count);
+    if (count == 0) // of LAS 1.4
+      std::memcpy(&count, &header[247], sizeof count);
+    EXPECT_EQ(file.points().size(), count) << name;
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < file.points().size(); ++i)
+      box.extend(file.points()[i].cast<double>() + file.shift);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double step =
+          std::max(std::abs(number(131 + 8 * static_cast<std::size_t>(axis))), 0.001);
+      EXPECT_NEAR(
+          box.max()[axis], number(179 + 16 * static_cast<std::size_t>(axis)), step)
+          << name;
+      EXPECT_NEAR(
+          box.min()[axis], number(187 + 16 * static_cast<std::size_t>(axis)), step)
+          << name;
+    }
+  }
+  for (const char* name : {"simple.laz", "1.2-no-points.las"}) // the latter claims 1065
+    EXPECT_THROW(
+        loadPointCloud(testDataPath(std::string("G_formats/las/") + name).string()),
+        InputFileException)
+        << name;
+}
+
+} // namespace
+} // namespace pcl::acmap::test
