@@ -67,6 +67,7 @@ readScans(const std::string& path, std::size_t every, StageLog& log)
     observations.trajectory.poses.push_back(isometryOf(scan.pose));
     observations.clouds.push_back(std::move(echoes.cloud));
     observations.weights.push_back(std::move(echoes.weights));
+    observations.scans.push_back(scan);
   }
   // some logs have the same stamp for all scans
   if (std::adjacent_find(stamps.begin(), stamps.end(), std::greater_equal<>()) !=

@@ -2,6 +2,7 @@
 
 #include "stage_log.h"
 
+#include <pcl/core/planar_scan.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 
 #include <functional>
@@ -13,6 +14,7 @@ namespace pcl::acmap {
 
 /** \brief The observations to be rectified, from any kind of input. */
 struct MapObservations : ConsolidatedObservations {
+  std::vector<PlanarScan> scans;  ///< of a log
   std::vector<std::string> files; ///< names of the observations; empty for a log
 
   /** \brief Loads an observation as measured; sensor frame, metres.

@@ -8,7 +8,9 @@
 #include "pose_adjustment.h"
 #include "stage_reports.h"
 
+#include <pcl/core/carmen_log.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
@@ -18,6 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
 
 namespace pcl::acmap {
 
@@ -286,6 +291,32 @@ writeOutputs(const RectificationOptions& options,
   savePng(folder.path("plan.png"), beside(image_before, image_after));
 }
 
+/** Writes the scans of a log with their new poses as a log, and the poses as a table. */
+void
+writeScans(std::vector<PlanarScan> scans,
+           const Poses& poses,
+           const OutputFolder& folder)
+{
+  std::vector<PlanarPose> before;
+  std::ostringstream table;
+  table.imbue(std::locale::classic());
+  table.precision(std::numeric_limits<double>::max_digits10);
+  table << "# stamp x y theta: seconds, metres, radians; x forward, y left, theta "
+           "counter-clockwise\n";
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    before.push_back(scans[i].pose);
+    const PlanarPose pose = planarPartOf(poses[i]);
+    scans[i].pose = pose;
+    table << scans[i].stamp << ' ' << pose.z << ' ' << 0.0 - pose.x << ' '
+          << 0.0 - pose.theta << '\n';
+  }
+  saveCarmenLog(folder.path("corrected.log"), scans, before);
+  const std::string text = table.str();
+  OutputFile file(folder.path("poses_2d.txt"));
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
 /** Rectifies the map of the observations that a function reads.
  * \param[in] posed sequence of the observations; nullptr for a log */
 EstimatedPoses
@@ -325,6 +356,8 @@ rectifyMap(const RectificationOptions& options,
   }
   const EntropyRectificationReport& report = rectification.getReport();
   writeOutputs(options, observations, poses, levelled.axis, folder, controls);
+  if (!observations.scans.empty())
+    writeScans(observations.scans, poses, folder);
   savePng(folder.path("energy.png"), energyPicture(report.steps));
   stopIfInterrupted();
   folder.commit();

@@ -2,6 +2,7 @@
 #include "temporary_folder.h"
 #include "tool_cases.h"
 
+#include <pcl/core/carmen_log.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <regex>
@@ -225,7 +227,9 @@ TEST(RectificationTool, StraightensALog)
   const ToolRun run = runRectification(
       {"--carmen", folder.write("a log", roomLog(true)), "-o", output});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(namesIn(output), all_outputs);
+  std::set<std::string> outputs = all_outputs;
+  outputs.insert({"corrected.log", "poses_2d.txt"});
+  EXPECT_EQ(namesIn(output), outputs);
   EXPECT_THAT(run.out, HasSubstr("60 of 60 scans, 10680 echoes, 120 beams without"));
   EXPECT_THAT(run.out, HasSubstr("rectified:"));
   const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
@@ -239,6 +243,12 @@ TEST(RectificationTool, StraightensALog)
   for (const PointXYZ& point : map)
     ASSERT_EQ(point.y, 0);
   EXPECT_EQ(reportOf(output).at("missing_beams"), 120);
+  const CarmenLog corrected = loadCarmenLog(output + "/corrected.log");
+  ASSERT_EQ(corrected.scans.size(), 60U);
+  for (std::size_t i = 0; i < 60; ++i)
+    EXPECT_TRUE(isometryOf(corrected.scans[i].pose).isApprox(rectified.poses[i], 1e-9));
+  const std::string table = contentOf(output + "/poses_2d.txt");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 61);
 }
 
 TEST(RectificationTool, TakesEachNthScan)

@@ -277,6 +277,41 @@ TEST(CarmenLog, DamagedCompressionIsNamed)
   }
 }
 
+TEST(CarmenLog, IsReadAsItWasWritten)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.path("corrected.log");
+  Random random(4);
+  std::string text;
+  for (int i = 0; i < 5; ++i)
+    text += message(randomRanges(180 + static_cast<std::size_t>(i), random),
+                    random.normal(),
+                    random.normal(),
+                    random.normal(),
+                    1e9 + i / 7.0);
+  const CarmenLog log = loadCarmenLog(folder.write("given.log", text));
+  const std::vector<PlanarPose> odometry(log.scans.size(), PlanarPose{1, 2, 3});
+  for (const auto& beside : {std::vector<PlanarPose>(), odometry}) {
+    saveCarmenLog(path, log.scans, beside);
+    const CarmenLog again = loadCarmenLog(path);
+    ASSERT_EQ(again.scans.size(), log.scans.size());
+    EXPECT_EQ(again.other_messages, 0U);
+    for (std::size_t i = 0; i < log.scans.size(); ++i) {
+      EXPECT_EQ(again.scans[i].ranges, log.scans[i].ranges);
+      EXPECT_EQ(again.scans[i].stamp, log.scans[i].stamp);
+      EXPECT_EQ(again.scans[i].pose.x, log.scans[i].pose.x);
+      EXPECT_EQ(again.scans[i].pose.z, log.scans[i].pose.z);
+      EXPECT_EQ(again.scans[i].pose.theta, log.scans[i].pose.theta);
+    }
+  }
+  EXPECT_THAT(contentOf(path), HasSubstr(" 2 -1 -3 ")) << "the odometry";
+  EXPECT_THROW(saveCarmenLog(path, log.scans, {PlanarPose()}), BadArgumentException);
+  PlanarScan turned = log.scans[0];
+  turned.first_angle = 0;
+  EXPECT_THROW(saveCarmenLog(path, {turned}), BadArgumentException);
+  EXPECT_THROW(saveCarmenLog(folder.path("none/log"), log.scans), OutputFileException);
+}
+
 struct RealLog {
   const char* name;
   std::size_t scans, beams;

@@ -4,13 +4,17 @@
 #include "carmen_reader.h"
 #include "text_number.h"
 
+#include <pcl/core/output_file.h>
+
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <new>
+#include <sstream>
 #include <vector>
 
 namespace pcl::acmap {
@@ -236,7 +240,54 @@ setMaximumRange(std::vector<PlanarScan>& scans)
     scan.maximum_range = maximum;
 }
 
+/** x y theta of a log: x forward, y left, theta counter-clockwise. */
+void
+writePose(const PlanarPose& pose, std::ostream& text)
+{
+  text << ' ' << pose.z << ' ' << 0.0 - pose.x << ' ' << 0.0 - pose.theta;
+}
+
+void
+writeScan(const PlanarScan& scan, const PlanarPose& odometry, std::ostream& text)
+{
+  PlanarScan as_read = scan;
+  setSweep(as_read);
+  if (scan.ranges.size() < 2 || as_read.first_angle != scan.first_angle ||
+      as_read.angle_step != scan.angle_step)
+    throw BadArgumentException(
+        "the beams of a scan do not sweep 180 degrees from right "
+        "to left, as those of a CARMEN log do");
+  text << "FLASER " << scan.ranges.size();
+  text.precision(std::numeric_limits<float>::max_digits10);
+  for (const float range : scan.ranges)
+    text << ' ' << range;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  writePose(scan.pose, text);
+  writePose(odometry, text);
+  text << ' ' << scan.stamp << " acmap " << scan.stamp << '\n';
+}
+
 } // namespace
+
+void
+saveCarmenLog(const std::string& path,
+              const std::vector<PlanarScan>& scans,
+              const std::vector<PlanarPose>& odometry)
+{
+  if (!odometry.empty() && odometry.size() != scans.size())
+    throw BadArgumentException(std::to_string(odometry.size()) +
+                               " poses of odometry for " +
+                               std::to_string(scans.size()) + " scans");
+  acmap::OutputFile file(path);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    writeScan(scans[i], odometry.empty() ? scans[i].pose : odometry[i], text);
+    const std::string line = text.str();
+    file.write(line.data(), line.size());
+  }
+  file.commit();
+}
 
 CarmenLog
 acmap::readCarmenLog(ByteSource& source)

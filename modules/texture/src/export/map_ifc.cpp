@@ -223,26 +223,36 @@ private:
     return file_.add("IFCPRODUCTDEFINITIONSHAPE", nullptr, nullptr, References{body});
   }
 
-  /** \brief Adds an element of the storey that has a predefined type. */
+  /** \brief Adds a product of the storey.
+   * \param[in] more values after its representation and a name */
+  template <typename... Values>
+  StepReference
+  addProduct(const char* type,
+             const std::string& name,
+             StepReference surface,
+             const Values&... more)
+  {
+    return file_.add(type,
+                     guidOf(name),
+                     nullptr,
+                     name,
+                     nullptr,
+                     nullptr,
+                     addPlacement(place_),
+                     surface,
+                     nullptr,
+                     more...);
+  }
+
+  /** \brief Adds an element that has a predefined type. */
   StepReference
   addElement(const char* type,
              const std::string& name,
              const ModelShape& shape,
              const char* predefined = "NOTDEFINED")
   {
-    const StepReference surface = addShape(shape);
-    const StepReference element = file_.add(type,
-                                            guidOf(name),
-                                            nullptr,
-                                            name,
-                                            nullptr,
-                                            nullptr,
-                                            addPlacement(place_),
-                                            surface,
-                                            nullptr,
-                                            StepEnum{predefined});
-    elements_.push_back(element);
-    return element;
+    elements_.push_back(addProduct(type, name, addShape(shape), StepEnum{predefined}));
+    return elements_.back();
   }
 
   StepReference
@@ -331,21 +341,14 @@ private:
       const std::string name = "Door " + std::to_string(i);
       ModelShape shape;
       addTriangles(map_.planes[static_cast<std::size_t>(recess.leaf)], shape);
-      const StepReference surface = addShape(shape);
-      elements_.push_back(file_.add("IFCDOOR",
-                                    guidOf(name),
-                                    nullptr,
-                                    name,
-                                    nullptr,
-                                    nullptr,
-                                    addPlacement(place_),
-                                    surface,
-                                    nullptr,
-                                    recess.size[1],
-                                    recess.size[0],
-                                    StepEnum{"DOOR"},
-                                    StepEnum{"NOTDEFINED"},
-                                    nullptr));
+      elements_.push_back(addProduct("IFCDOOR",
+                                     name,
+                                     addShape(shape),
+                                     recess.size[1],
+                                     recess.size[0],
+                                     StepEnum{"DOOR"},
+                                     StepEnum{"NOTDEFINED"},
+                                     nullptr));
       addPlaneProperties(elements_.back(), name, static_cast<std::size_t>(recess.leaf));
     }
   }
@@ -450,17 +453,10 @@ private:
       if (!has(wall) || walls_[static_cast<std::size_t>(wall)].number == 0)
         continue;
       const std::string name = "Opening " + std::to_string(i);
-      const StepReference shape = addShape(openingShape(opening));
-      const StepReference element = file_.add("IFCOPENINGELEMENT",
-                                              guidOf(name),
-                                              nullptr,
-                                              name,
-                                              nullptr,
-                                              nullptr,
-                                              addPlacement(place_),
-                                              shape,
-                                              nullptr,
-                                              StepEnum{"OPENING"});
+      const StepReference element = addProduct("IFCOPENINGELEMENT",
+                                               name,
+                                               addShape(openingShape(opening)),
+                                               StepEnum{"OPENING"});
       file_.add("IFCRELVOIDSELEMENT",
                 guidOf("voids " + name),
                 nullptr,
@@ -476,18 +472,8 @@ private:
   {
     for (std::size_t i = 0; i < map_.rooms.size(); ++i) {
       const std::string name = "Room " + std::to_string(i);
-      spaces_.push_back(file_.add("IFCSPACE",
-                                  guidOf(name),
-                                  nullptr,
-                                  name,
-                                  nullptr,
-                                  nullptr,
-                                  addPlacement(place_),
-                                  nullptr,
-                                  nullptr,
-                                  StepEnum{"ELEMENT"},
-                                  StepEnum{"INTERNAL"},
-                                  nullptr));
+      spaces_.push_back(addProduct(
+          "IFCSPACE", name, {}, StepEnum{"ELEMENT"}, StepEnum{"INTERNAL"}, nullptr));
       const StepReference area = file_.add("IFCQUANTITYAREA",
                                            "NetFloorArea",
                                            nullptr,

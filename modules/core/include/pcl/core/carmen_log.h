@@ -35,4 +35,16 @@ struct CarmenLog {
 ACMAP_EXPORT CarmenLog
 loadCarmenLog(const std::string& path);
 
+/** \brief Writes scans as a CARMEN log that \ref loadCarmenLog reads with the same
+ * ranges, poses and stamps.
+ * \param[in] odometry poses of the odometry, one per scan, which the log has beside those of
+ * the scans; empty: these again
+ * \throws BadArgumentException for a scan whose beams do not sweep 180 degrees as those
+ * of a log do, or another number of poses
+ * \throws OutputFileException when it could not be written completely \ingroup core */
+ACMAP_EXPORT void
+saveCarmenLog(const std::string& path,
+              const std::vector<PlanarScan>& scans,
+              const std::vector<PlanarPose>& odometry = {});
+
 } // namespace pcl
