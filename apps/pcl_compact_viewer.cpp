@@ -111,7 +111,7 @@ addOptions(Tool& tool, ViewerOptions& options)
   app.add_option(
          "input",
          options.input,
-         "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .las), planes (.json) "
+         "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .las, .e57), planes (.json) "
          "or folder of a map, or of a rectification")
       ->type_name("FILE|DIR")
       ->required();

@@ -57,8 +57,8 @@ viewpointsOfFile(const PointCloudFile& file,
                  StageLog& log)
 {
   std::vector<Eigen::Vector3f> viewpoints;
-  if (!findField(file.cloud, "view", PCLPointField::INT32))
-    return viewpoints;
+  if (!findField(file.cloud, "view", PCLPointField::INT32) || !file.viewpoints.empty())
+    return file.viewpoints;
   const auto trajectory =
       std::filesystem::path(path).replace_filename("trajectory.txt");
   if (!std::filesystem::exists(trajectory))

@@ -24,8 +24,8 @@ PCLPointCloud2
 coloredByLabel(PCLPointCloud2 cloud);
 
 /** \brief Sensor positions of the observations that the int32 field `view` of a file's
- * cloud refers to, read from the `trajectory.txt` next to the file; a warning when there
- * is none.
+ * cloud refers to: those of the file, or of the `trajectory.txt` next to it; a warning when
+ * there are none.
  * \param[in] path of the file that the cloud was read from
  * \param[in] scale metres in a unit of the trajectory
  * \return metres; none for a cloud without that field

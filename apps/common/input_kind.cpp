@@ -87,7 +87,7 @@ kindOfFile(const std::string& path)
     ending = endingOf(fs::path(path).stem().string());
   if (ending == ".log" || ending == ".clf")
     return InputKind::CarmenLog;
-  for (const char* known : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz"})
+  for (const char* known : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz", ".e57"})
     if (ending == known)
       return InputKind::Cloud;
   const std::string bytes = firstBytes(path);

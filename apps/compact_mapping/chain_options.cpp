@@ -105,7 +105,7 @@ addOptions(Tool& tool, ChainOptions& options)
          "input",
          options.input,
          "Raw session, folder of observation PCDs with or without poses, or one "
-         "cloud (.pcd, .ply, .obj, .xyz, .las)")
+         "cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
       ->type_name("INPUT")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the compact map")

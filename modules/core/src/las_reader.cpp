@@ -1,4 +1,5 @@
 #include "byte_source.h"
+#include "coordinate_shift.h"
 #include "point_cloud_readers.h"
 
 #include <Eigen/Core>
@@ -111,18 +112,6 @@ placeOf(const char* record, const LasHeader& header)
   return steps.cwiseProduct(header.scale) + header.offset;
 }
 
-/** \brief Whole kilometres of the axes along which float32 would lose millimetres. */
-Eigen::Vector3d
-shiftOf(const Eigen::Vector3d& first)
-{
-  constexpr double farthest = 10000, step = 1000; // metres
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(first[axis]) > farthest)
-      shift[axis] = step * std::floor(first[axis] / step);
-  return shift;
-}
-
 std::vector<SourceField>
 lasFields(bool has_color)
 {
@@ -154,15 +143,6 @@ storeColors(const std::vector<Color16>& colors,
   }
 }
 
-std::string
-textOfShift(const Eigen::Vector3d& shift)
-{
-  const auto whole = [](double value) {
-    return std::to_string(static_cast<long long>(value));
-  };
-  return whole(shift.x()) + ", " + whole(shift.y()) + ", " + whole(shift.z());
-}
-
 } // namespace
 
 PointCloudFile
@@ -175,6 +155,7 @@ readLas(ByteSource& source)
   requirePointsFit(header.points, header.record_bytes, source);
   const LasRecord& record = las_records[header.format];
   PointCloudFile file;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   const FieldLayout layout = planLayout(lasFields(record.color > 0), source);
   const auto count = static_cast<std::size_t>(header.points);
   shapeCloud(file.cloud, layout, count, 1);
@@ -185,8 +166,8 @@ readLas(ByteSource& source)
     source.read(bytes.data(), bytes.size());
     const Eigen::Vector3d place = placeOf(bytes.data(), header);
     if (i == 0)
-      file.shift = shiftOf(place);
-    const Eigen::Vector3f near = (place - file.shift).cast<float>();
+      shift = coordinateShift(place);
+    const Eigen::Vector3f near = (place - shift).cast<float>();
     const auto intensity = static_cast<float>(valueAt<std::uint16_t>(bytes.data(), 12));
     std::uint8_t* const to = &file.cloud.data[i * file.cloud.point_step];
     std::memcpy(to, near.data(), 3 * sizeof(float));
@@ -197,13 +178,10 @@ readLas(ByteSource& source)
         static_cast<std::uint8_t>(bytes[record.classification]);
   }
   storeColors(colors, color_offset, file.cloud);
+  setShift(shift, file);
   CoordinateCheck check(true);
   check.add(file);
   check.finish(file);
-  if (!file.shift.isZero(0))
-    file.remarks.push_back("its coordinates are those of the file less " +
-                           textOfShift(file.shift) +
-                           ", so that they keep their millimetres");
   return file;
 }
 

@@ -34,9 +34,11 @@ loadPointCloud(const std::string& path)
     return acmap::readXyz(source);
   if (ending == ".las")
     return acmap::readLas(source);
+  if (ending == ".e57")
+    return acmap::readE57(source);
   if (ending == ".laz")
     source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
-  source.fail("ending '" + ending + "' is not known; pcd, ply, obj, xyz and las are");
+  source.fail("ending '" + ending + "' is not known; pcd, ply, obj, xyz, las and e57 are");
 }
 
 } // namespace pcl
@@ -73,6 +75,8 @@ scaleCloud(PointCloudFile& file, double scale)
     scaleValues(file.cloud, sigma->offset, 1, scale);
   file.sensor_origin = (file.sensor_origin.cast<double>() * scale).cast<float>();
   file.shift *= scale;
+  for (Eigen::Vector3f& viewpoint : file.viewpoints)
+    viewpoint *= static_cast<float>(scale);
 }
 
 PointCloudFile

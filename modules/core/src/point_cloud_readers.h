@@ -27,6 +27,8 @@ PointCloudFile
 readXyz(ByteSource& source);
 PointCloudFile
 readLas(ByteSource& source);
+PointCloudFile
+readE57(ByteSource& source);
 
 /** \brief Rejects more points than the remaining bytes can contain or than an index can
  * represent.

@@ -27,8 +27,12 @@ struct PointCloudFile {
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
+  /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of
+   * the cloud; empty if the file does not know them (known: E57). */
+  std::vector<Eigen::Vector3f> viewpoints;
+
   /** \brief What was subtracted from the coordinates of the file, so that float32 keeps their
-   * millimetres; zero unless they are large (LAS). */
+   * millimetres; zero unless they are large (LAS, E57). */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 
   /** \brief Warnings about the file that did not prevent reading it, one per entry. */
@@ -54,6 +58,10 @@ struct PointCloudFile {
  * - LAS: 1.0 to 1.4, point formats 0 to 10: coordinates, `intensity`, `classification`,
  *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255. Coordinates beyond
  *   10 km are shifted by whole kilometres. Packed points (LAZ) are refused.
+ *
+ * - E57: the points of all scans in the frame of the file, with `intensity` and `rgb` where
+ *   a scan has them; of several scans, `view` is the number of the scan. Points that are marked as invalid
+ *   are NaN. One scan with rows and columns is organized. Shifted as LAS.
  *
  * The header is compared with the size of the file before memory is allocated for the
  * points: a file of n bytes takes at most 8 n bytes of memory, a compressed one 450 n.

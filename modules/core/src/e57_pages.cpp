@@ -1,0 +1,98 @@
+#include "e57_pages.h"
+
+#include "byte_source.h"
+
+#include <array>
+#include <cstring>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr std::size_t page_size = 1024, checksum_size = 4,
+                      content_size = page_size - checksum_size;
+
+/** \brief Table of CRC-32C (Castagnoli), reflected. */
+std::array<std::uint32_t, 256>
+checksumTable()
+{
+  constexpr std::uint32_t polynomial = 0x82F63B78;
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t value = byte;
+    for (int bit = 0; bit < 8; ++bit)
+      value = value >> 1 ^ ((value & 1) != 0 ? polynomial : 0);
+    table[byte] = value;
+  }
+  return table;
+}
+
+std::uint32_t
+checksumOf(const char* bytes, std::size_t count)
+{
+  static const std::array<std::uint32_t, 256> table = checksumTable();
+  std::uint32_t value = ~std::uint32_t{0};
+  for (std::size_t i = 0; i < count; ++i)
+    value = value >> 8 ^ table[(value ^ static_cast<unsigned char>(bytes[i])) & 255];
+  return ~value;
+}
+
+/** \brief The checksum at the end of a page, most significant byte first. */
+std::uint32_t
+storedChecksum(const char* page)
+{
+  std::uint32_t value = 0;
+  for (std::size_t i = content_size; i < page_size; ++i)
+    value = value << 8 | static_cast<unsigned char>(page[i]);
+  return value;
+}
+
+std::uint64_t
+numberAt(const std::string& bytes, std::size_t offset)
+{
+  std::uint64_t value = 0;
+  std::memcpy(&value, &bytes[offset], sizeof value);
+  return value;
+}
+
+} // namespace
+
+E57Pages::E57Pages(ByteSource& source)
+{
+  constexpr std::size_t header = 48;
+  if (source.remaining() < page_size)
+    source.fail("is shorter than a page of an E57 file");
+  if (source.ahead(8).substr(0, 8) != "ASTM-E57")
+    source.fail("is no E57 file: it does not begin with ASTM-E57");
+  if (source.remaining() % page_size != 0)
+    source.fail("is truncated: E57 files have whole pages of 1024 bytes");
+  std::array<char, page_size> page{};
+  bytes_.reserve(source.remaining() / page_size * content_size);
+  for (std::size_t number = 0; source.remaining() > 0; ++number) {
+    source.read(page.data(), page_size);
+    if (checksumOf(page.data(), content_size) != storedChecksum(page.data()))
+      source.fail("is damaged: the checksum of page " + std::to_string(number) +
+                  " is wrong");
+    bytes_.append(page.data(), content_size);
+  }
+  static_assert(header <= content_size);
+  if (numberAt(bytes_, 40) != page_size)
+    source.fail("has pages of " + std::to_string(numberAt(bytes_, 40)) +
+                " bytes, those of 1024 are read");
+  const std::uint64_t begin = logical(numberAt(bytes_, 24), source),
+                      length = numberAt(bytes_, 32);
+  if (begin > bytes_.size() || length > bytes_.size() - begin)
+    source.fail("has its XML beyond its end");
+  xml_ = bytes_.substr(begin, length);
+}
+
+std::uint64_t
+E57Pages::logical(std::uint64_t physical, const ByteSource& source)
+{
+  const std::uint64_t within = physical % page_size;
+  if (within >= content_size)
+    source.fail("has an offset within a checksum");
+  return physical / page_size * content_size + within;
+}
+
+} // namespace pcl::acmap
