@@ -102,8 +102,11 @@ const std::string faces = "element face 4000000000\nproperty list uchar int corn
 const UglyRefusal any_format[] = {
     {"emptyPcd", ".pcd", "", "is empty"},
     {"emptyPly", ".ply", "", "is empty"},
-    {"unknownEnding", ".las", "1 2 3\n", "ending '.las' is not known"},
+    {"unknownEnding", ".stl", "1 2 3\n", "ending '.stl' is not known"},
     {"noEnding", "", "1 2 3\n", "ending '' is not known"},
+    {"garbageLas", ".las", garbage(3000), "no LAS file"},
+    {"garbageE57", ".e57", garbage(3000), "no E57 file"},
+    {"packedLas", ".laz", garbage(3000), "packed by LASzip"},
     {"garbagePcd", ".pcd", garbage(3000), "is no entry of a PCD header"},
     {"garbagePly", ".ply", garbage(3000), "is not a PLY file"},
     {"garbageObj", ".obj", garbage(3000), "has no vertex"},
