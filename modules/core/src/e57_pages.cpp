@@ -27,16 +27,6 @@ checksumTable()
   return table;
 }
 
-std::uint32_t
-checksumOf(const char* bytes, std::size_t count)
-{
-  static const std::array<std::uint32_t, 256> table = checksumTable();
-  std::uint32_t value = ~std::uint32_t{0};
-  for (std::size_t i = 0; i < count; ++i)
-    value = value >> 8 ^ table[(value ^ static_cast<unsigned char>(bytes[i])) & 255];
-  return ~value;
-}
-
 /** \brief The checksum at the end of a page, most significant byte first. */
 std::uint32_t
 storedChecksum(const char* page)
@@ -57,6 +47,16 @@ numberAt(const std::string& bytes, std::size_t offset)
 
 } // namespace
 
+std::uint32_t
+e57Checksum(const char* bytes, std::size_t count)
+{
+  static const std::array<std::uint32_t, 256> table = checksumTable();
+  std::uint32_t value = ~std::uint32_t{0};
+  for (std::size_t i = 0; i < count; ++i)
+    value = value >> 8 ^ table[(value ^ static_cast<unsigned char>(bytes[i])) & 255];
+  return ~value;
+}
+
 E57Pages::E57Pages(ByteSource& source)
 {
   constexpr std::size_t header = 48;
@@ -70,7 +70,7 @@ E57Pages::E57Pages(ByteSource& source)
   bytes_.reserve(source.remaining() / page_size * content_size);
   for (std::size_t number = 0; source.remaining() > 0; ++number) {
     source.read(page.data(), page_size);
-    if (checksumOf(page.data(), content_size) != storedChecksum(page.data()))
+    if (e57Checksum(page.data(), content_size) != storedChecksum(page.data()))
       source.fail("is damaged: the checksum of page " + std::to_string(number) +
                   " is wrong");
     bytes_.append(page.data(), content_size);

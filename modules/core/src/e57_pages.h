@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace pcl::acmap {
 
 class ByteSource;
+
+/** \brief Checksum of a page of an E57 file, CRC-32C. */
+std::uint32_t
+e57Checksum(const char* bytes, std::size_t count);
 
 /** \brief The bytes of an E57 file (ASTM E2807) without the checksums of its pages. */
 class E57Pages {
