@@ -46,8 +46,10 @@ shortText(double value)
 std::shared_ptr<acmap::ObservationCache>
 cacheOfFiles(double scale)
 {
-  return std::make_shared<acmap::ObservationCache>(
+  const auto cache = std::make_shared<acmap::ObservationCache>(
       [scale](const std::string& path) { return acmap::loadScaledCloud(path, scale); });
+  cache->setLimit(std::size_t{64} << 20); // the system keeps files in memory anyway
+  return cache;
 }
 
 } // namespace
