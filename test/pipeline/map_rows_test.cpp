@@ -79,7 +79,8 @@ TEST(MapRows, HalvesUntilTheyFit)
                                         {7, 0, 31, 2, 64},
                                         {1, 1, 1, 1, 1, 1, 1},
                                         {200, 3, 3},
-                                        {5, 500}})
+                                        {5, 500},
+                                        {9001, 3, 5002}}) // several chunks
     for (const std::size_t maximum : {1u, 2u, 3u, 7u, 16u, 33u, 100000u}) {
       MapRows rows(0, true);
       rows.setMaximum(maximum);

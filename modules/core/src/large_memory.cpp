@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <cstdint>
+#include <new>
 
 namespace pcl::acmap {
 
@@ -22,6 +23,33 @@ adviseLargePages(void* begin, std::size_t bytes)
   static_cast<void>(begin);
   static_cast<void>(bytes);
 #endif
+}
+
+namespace {
+
+constexpr std::size_t worth_pages = std::size_t{1} << 18; // bytes
+
+} // namespace
+
+void*
+allocateFromSystem(std::size_t bytes)
+{
+  if (bytes < worth_pages)
+    return ::operator new(bytes);
+  void* const memory = ::mmap(
+      nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED)
+    throw std::bad_alloc();
+  return memory;
+}
+
+void
+returnToSystem(void* memory, std::size_t bytes)
+{
+  if (bytes < worth_pages)
+    ::operator delete(memory);
+  else
+    ::munmap(memory, bytes);
 }
 
 } // namespace pcl::acmap

@@ -20,4 +20,49 @@ reserveLarge(std::vector<Value>& values, std::size_t count)
   adviseLargePages(values.data(), values.capacity() * sizeof(Value));
 }
 
+/** \brief Memory from the system itself; small blocks from the heap.
+ * \throws std::bad_alloc */
+void*
+allocateFromSystem(std::size_t bytes);
+
+void
+returnToSystem(void* memory, std::size_t bytes);
+
+/** \brief Allocator of large temporary arrays. Unlike the heap, which keeps the memory of
+ * each thread for later, it returns them to the system as soon as they are released. */
+template <typename Value>
+struct SystemAllocator {
+  using value_type = Value;
+
+  SystemAllocator() = default;
+
+  template <typename Other>
+  SystemAllocator(const SystemAllocator<Other>&)
+  {}
+
+  Value*
+  allocate(std::size_t count)
+  {
+    return static_cast<Value*>(allocateFromSystem(count * sizeof(Value)));
+  }
+
+  void
+  deallocate(Value* memory, std::size_t count)
+  {
+    returnToSystem(memory, count * sizeof(Value));
+  }
+
+  bool
+  operator==(const SystemAllocator&) const
+  {
+    return true;
+  }
+
+  bool
+  operator!=(const SystemAllocator&) const
+  {
+    return false;
+  }
+};
+
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/compiled_point_types.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/filters/impl/consolidation_kernel.h>
 #include <pcl/filters/impl/voxel_consolidation.hpp>
 
@@ -117,15 +118,20 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   PCLPointCloud2 result = emptyResult(*input_, consolidation.representatives.size());
   result.is_dense = report.without_normal == 0;
   const RowWriter writer(result);
-  std::uint8_t* row = result.data.data();
-  for (const Representative& representative : consolidation.representatives) {
-    const auto witness = static_cast<std::size_t>(
-        points.index(static_cast<std::size_t>(representative.witness)));
-    std::memcpy(
-        row, input_->data.data() + witness * input_->point_step, input_->point_step);
-    writer.write(representative, static_cast<float>(report.residual), row);
-    row += result.point_step;
-  }
+  const auto writeRows = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Representative& representative = consolidation.representatives[r];
+      const auto witness = static_cast<std::size_t>(
+          points.index(static_cast<std::size_t>(representative.witness)));
+      std::uint8_t* const row = &result.data[r * result.point_step];
+      std::memcpy(
+          row, input_->data.data() + witness * input_->point_step, input_->point_step);
+      writer.write(representative, static_cast<float>(report.residual), row);
+    }
+  };
+  acmap::withThreads(threads_, [&] {
+    acmap::parallelForChunks(consolidation.representatives.size(), writeRows);
+  });
   Indices voxel_of_point;
   if (keep_sources_) {
     voxel_of_point.assign(acmap::rowsOf(*input_), -1);

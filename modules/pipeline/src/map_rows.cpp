@@ -1,8 +1,12 @@
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/pipeline/map_rows.h>
 
+#include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -34,6 +38,24 @@ moveEveryNth(const PCLPointCloud2& cloud, std::size_t n, std::vector<std::uint8_
   return kept;
 }
 
+/** \param[in] before number of finite points before this view
+ * \return the number of finite points before each chunk, and in the end before the next
+ * view */
+std::vector<std::size_t>
+countFinite(const PointView& points, std::size_t before)
+{
+  std::vector<std::size_t> counts(
+      (points.size() + parallel_chunk - 1) / parallel_chunk + 1);
+  parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t& count = counts[begin / parallel_chunk + 1];
+    for (std::size_t i = begin; i < end; ++i)
+      count += points[i].allFinite() ? 1 : 0;
+  });
+  counts.front() = before;
+  std::partial_sum(counts.begin(), counts.end(), counts.begin());
+  return counts;
+}
+
 } // namespace
 
 MapRows::MapRows(std::size_t points, bool colored, CostCallback cost)
@@ -54,6 +76,12 @@ MapRows::announce(std::size_t bytes) const
 }
 
 void
+MapRows::reserve(std::size_t points)
+{
+  cloud_.data.reserve(std::min(points, maximum_) * cloud_.point_step);
+}
+
+void
 MapRows::append(const PointCloudFile& observation,
                 const Eigen::Isometry3d& T_map_camera,
                 std::int32_t view)
@@ -62,15 +90,13 @@ MapRows::append(const PointCloudFile& observation,
   const std::size_t bytes = cloud_.data.size() + points.size() * cloud_.point_step;
   if (bytes > announced_)
     announce(bytes);
+  const std::vector<std::size_t> befores = countFinite(points, seen_);
+  seen_ = befores.back();
+  cloud_.data.resize((seen_ + every_ - 1) / every_ * cloud_.point_step);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f point = points[i];
-    if (!point.allFinite() || seen_++ % every_ != 0)
-      continue;
+  const auto write = [&](std::size_t i, const Eigen::Vector3f& point, std::size_t row) {
     const Eigen::Vector3f place = (T_map_camera * point.cast<double>()).cast<float>();
-    const std::size_t row = cloud_.data.size();
-    cloud_.data.resize(row + cloud_.point_step);
-    std::uint8_t* const to = &cloud_.data[row];
+    std::uint8_t* const to = &cloud_.data[row * cloud_.point_step];
     std::memcpy(to, place.data(), 3 * sizeof(float));
     if (color)
       std::memcpy(
@@ -78,7 +104,15 @@ MapRows::append(const PointCloudFile& observation,
           &observation.cloud.data[i * observation.cloud.point_step + color->offset],
           sizeof(std::uint32_t));
     std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
-  }
+  };
+  parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t before = befores[begin / parallel_chunk];
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3f point = points[i];
+      if (point.allFinite() && before++ % every_ == 0)
+        write(i, point, (before - 1) / every_);
+    }
+  });
   while (cloud_.data.size() / cloud_.point_step > maximum_) {
     cloud_.data.resize(moveEveryNth(cloud_, 2, cloud_.data) * cloud_.point_step);
     every_ *= 2;

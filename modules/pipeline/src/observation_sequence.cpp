@@ -47,9 +47,13 @@ shortText(double value)
 std::shared_ptr<acmap::ObservationCache>
 cacheOfFiles(double scale)
 {
-  return std::make_shared<acmap::ObservationCache>([scale](const std::string& path) {
-    return std::make_shared<const PointCloudFile>(acmap::loadScaledCloud(path, scale));
-  });
+  const auto cache =
+      std::make_shared<acmap::ObservationCache>([scale](const std::string& path) {
+        return std::make_shared<const PointCloudFile>(
+            acmap::loadScaledCloud(path, scale));
+      });
+  cache->setLimit(std::size_t{64} << 20); // the system keeps files in memory anyway
+  return cache;
 }
 
 } // namespace

@@ -17,16 +17,36 @@ namespace pcl::acmap {
 
 namespace {
 
+/** Collects values in parallel, in the order of the points.
+ * \param[in] take appends the values of a point: take (i, values) */
+template <typename Value, typename Take>
+std::vector<Value>
+gather(std::size_t size, const Take& take)
+{
+  using Values = std::vector<Value>;
+  return parallelReduceChunks(
+      size,
+      Values{},
+      [&](std::size_t begin, std::size_t end) {
+        Values values;
+        for (std::size_t i = begin; i < end; ++i)
+          take(i, values);
+        return values;
+      },
+      [](Values& all, const Values& next) {
+        all.insert(all.end(), next.begin(), next.end());
+      });
+}
+
 std::vector<Eigen::Vector3f>
 sampleOf(const PointView& points)
 {
   constexpr std::size_t wanted = 1 << 12;
   const PointSample chosen(points.size(), wanted);
-  std::vector<Eigen::Vector3f> sample;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  return gather<Eigen::Vector3f>(points.size(), [&](std::size_t i, auto& sample) {
     if (points[i].allFinite() && chosen.holds(points[i]))
       sample.push_back(points[i]);
-  return sample;
+  });
 }
 
 double
@@ -153,11 +173,11 @@ samplesByVoxel(const PointView& points, const VoxelLattice& lattice)
 {
   constexpr std::size_t enough = 1 << 14;
   const PointSample chosen(points.size(), enough);
-  std::vector<VoxelPoint> samples;
-  VoxelHit hit;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  auto samples = gather<VoxelPoint>(points.size(), [&](std::size_t i, auto& values) {
+    VoxelHit hit;
     if (chosen.holds(points[i]) && lattice.locate(points[i], hit))
-      samples.push_back({voxelKey(hit.place), static_cast<std::uint32_t>(i)});
+      values.push_back({voxelKey(hit.place), static_cast<std::uint32_t>(i)});
+  });
   std::sort(
       samples.begin(), samples.end(), [](const VoxelPoint& a, const VoxelPoint& b) {
         return a.voxel != b.voxel ? a.voxel < b.voxel : a.point < b.point;

@@ -85,21 +85,20 @@ CellTable::find(VoxelKey key)
 }
 
 void
-CellTable::join(const CellTable& other)
+CellTable::join(const CellTable& other, std::size_t cell)
 {
-  for (std::size_t c = 0; c < other.cells.size(); ++c) {
-    const std::size_t cell = find(other.cells[c].key);
-    if (cells[cell].count == 0)
-      cells[cell] = other.cells[c];
-    else
-      cells[cell].join(other.cells[c]);
-    if (other.colors.empty())
-      continue;
-    colors.resize(cells.size());
-    colors[cell].red += other.colors[c].red;
-    colors[cell].green += other.colors[c].green;
-    colors[cell].blue += other.colors[c].blue;
-  }
+  const CellSums& more = other.cells[cell];
+  const std::size_t own = find(more.key);
+  if (cells[own].count == 0)
+    cells[own] = more;
+  else
+    cells[own].join(more);
+  if (other.colors.empty())
+    return;
+  colors.resize(cells.size());
+  colors[own].red += other.colors[cell].red;
+  colors[own].green += other.colors[cell].green;
+  colors[own].blue += other.colors[cell].blue;
 }
 
 void

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "large_memory.h"
+
 #include <pcl/core/impl/voxel_moments.h>
 
 #include <algorithm>
@@ -66,6 +68,9 @@ toVoxelCell(const CellSums& sums, double edge);
 /** \brief The cells of some points, found by key in an open-addressing hash table. */
 class CellTable {
 public:
+  template <typename Value>
+  using Array = std::vector<Value, SystemAllocator<Value>>;
+
   /** \param[in] maximum expected number of cells, which may be exceeded */
   explicit CellTable(std::size_t maximum = 0);
 
@@ -74,16 +79,16 @@ public:
   std::size_t
   find(VoxelKey key);
 
-  /** \brief Adds the cells of another table. */
+  /** \brief Adds a cell of another table. */
   void
-  join(const CellTable& other);
+  join(const CellTable& other, std::size_t cell);
 
   /** \brief Removes all cells, but keeps their memory. */
   void
   clear();
 
-  std::vector<CellSums> cells;
-  std::vector<ColorSum> colors; // parallel to the cells if there are colours
+  Array<CellSums> cells;
+  Array<ColorSum> colors; // parallel to the cells if there are colours
 
 private:
   void
@@ -94,7 +99,7 @@ private:
     std::uint32_t cell;
   };
 
-  std::vector<Slot> slots_;
+  Array<Slot> slots_;
   int shift_ = 0;
 };
 

@@ -1,14 +1,15 @@
-#include "voxels/cell_sums.h"
+#include "voxels/shared_cells.h"
 
 #include <pcl/core/impl/parallel.h>
+
+#include <atomic>
 
 namespace pcl::acmap {
 
 namespace {
 
-/** Sums over a contiguous range of the points. */
-struct Stretch {
-  CellTable table;
+/** Numbers of points that are in no cell. */
+struct LeftOut {
   std::size_t invalid = 0;
   std::size_t distant = 0;
 };
@@ -43,22 +44,26 @@ public:
   , lattice_(lattice)
   {}
 
+  std::size_t
+  stretches() const
+  {
+    return (points_.size() + points_of_near_cells - 1) / points_of_near_cells;
+  }
+
+  /** Sums a stretch of consecutive points.
+   * \param[out] near their cells, which replace those of an earlier stretch */
   void
-  sum(std::size_t begin, std::size_t end, Stretch& stretch) const
+  sum(std::size_t stretch, CellTable& near, LeftOut& left_out) const
   {
     Batch batch;
-    CellTable near(std::min(end - begin, points_of_near_cells));
-    stretch.table = CellTable(std::min(end - begin, 2 * points_of_near_cells));
-    for (std::size_t next; begin < end; begin = next) {
-      next = std::min(begin + points_of_near_cells, end);
-      for (std::size_t first = begin; first < next; first += Batch::capacity) {
-        const std::size_t size = std::min(Batch::capacity, next - first);
-        gather(first, size, batch);
-        locate(size, batch);
-        add(first, size, batch, near, stretch);
-      }
-      stretch.table.join(near);
-      near.clear();
+    near.clear();
+    const std::size_t begin = stretch * points_of_near_cells;
+    const std::size_t end = std::min(begin + points_of_near_cells, points_.size());
+    for (std::size_t first = begin; first < end; first += Batch::capacity) {
+      const std::size_t size = std::min(Batch::capacity, end - first);
+      gather(first, size, batch);
+      locate(size, batch);
+      add(first, size, batch, near, left_out);
     }
   }
 
@@ -97,14 +102,14 @@ private:
       std::size_t size,
       const Batch& batch,
       CellTable& table,
-      Stretch& stretch) const
+      LeftOut& left_out) const
   {
     VoxelKey last_key = ~VoxelKey{0};
     std::size_t cell = 0;
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t i = begin + k;
       if (!batch.is_within[k]) {
-        ++(points_[i].allFinite() ? stretch.distant : stretch.invalid);
+        ++(points_[i].allFinite() ? left_out.distant : left_out.invalid);
         continue;
       }
       if (batch.key[k] != last_key)
@@ -126,7 +131,7 @@ private:
   }
 
   void
-  addColor(std::size_t i, std::size_t cell, std::vector<ColorSum>& sums) const
+  addColor(std::size_t i, std::size_t cell, CellTable::Array<ColorSum>& sums) const
   {
     std::uint32_t packed;
     const auto place = static_cast<std::size_t>(points_.index(i));
@@ -146,67 +151,52 @@ private:
   const VoxelLattice& lattice_;
 };
 
-/** Uses as many ranges as threads: the sums are exact, so the result does not depend on
- * their number. */
-std::vector<Stretch>
-sumStretches(const Summation& summation, std::size_t size)
+/** Keys between parts of about the same number of points. */
+std::vector<VoxelKey>
+limitsOf(const PointView& points, const VoxelLattice& lattice)
+{
+  constexpr std::size_t parts = 64, points_of_part = 64;
+  std::vector<VoxelKey> keys;
+  VoxelHit hit;
+  for (std::size_t i = 0; i < points.size();
+       i += points.size() / (parts * points_of_part) + 1)
+    if (lattice.locate(points[i], hit))
+      keys.push_back(voxelKey(hit.place));
+  std::sort(keys.begin(), keys.end());
+  std::vector<VoxelKey> limits;
+  for (std::size_t k = points_of_part; k < keys.size(); k += points_of_part)
+    limits.push_back(keys[k]);
+  return limits;
+}
+
+/** Sums all points with as many tasks as threads: the sums are exact, so the result does
+ * not depend on their number. */
+LeftOut
+sumAll(const Summation& summation, const PointView& points, VoxelMoments& voxels)
 {
   constexpr std::size_t worth_a_thread = std::size_t{1} << 18;
   const auto threads =
       static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
-  const std::size_t count = std::clamp<std::size_t>(size / worth_a_thread, 1, threads);
-  std::vector<Stretch> stretches(count);
-  oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-    summation.sum(size * k / count, size * (k + 1) / count, stretches[k]);
-  });
-  return stretches;
-}
-
-/** Location of a cell in a range of the points. */
-struct CellPlace {
-  VoxelKey key;
-  std::uint32_t stretch;
-  std::uint32_t cell;
-};
-
-std::vector<CellPlace>
-sortedPlaces(const std::vector<Stretch>& stretches)
-{
-  std::vector<CellPlace> places;
-  for (std::uint32_t s = 0; s < stretches.size(); ++s) {
-    const auto& cells = stretches[s].table.cells;
-    for (std::uint32_t c = 0; c < cells.size(); ++c)
-      places.push_back({cells[c].key, s, c});
-  }
-  std::sort(places.begin(), places.end(), [](const CellPlace& a, const CellPlace& b) {
-    return a.key != b.key ? a.key < b.key : a.stretch < b.stretch;
-  });
-  return places;
-}
-
-void
-joinStretches(const std::vector<Stretch>& stretches, VoxelMoments& voxels)
-{
-  const std::vector<CellPlace> places = sortedPlaces(stretches);
-  voxels.cells.reserve(places.size());
-  voxels.colors.reserve(places.size());
-  for (std::size_t begin = 0, end; begin < places.size(); begin = end) {
-    CellSums sums = stretches[places[begin].stretch].table.cells[places[begin].cell];
-    ColorSum color;
-    for (end = begin; end < places.size() && places[end].key == sums.key; ++end) {
-      const CellTable& table = stretches[places[end].stretch].table;
-      if (end > begin)
-        sums.join(table.cells[places[end].cell]);
-      if (table.colors.empty())
-        continue;
-      const ColorSum& more = table.colors[places[end].cell];
-      color.red += more.red;
-      color.green += more.green;
-      color.blue += more.blue;
+  const std::size_t tasks =
+      std::clamp<std::size_t>(points.size() / worth_a_thread, 1, threads);
+  SharedCells all(tasks > 1 ? limitsOf(points, voxels.lattice)
+                            : std::vector<VoxelKey>());
+  std::vector<LeftOut> of_tasks(tasks);
+  std::atomic<std::size_t> next = 0;
+  oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+    CellTable near(std::min(points.size(), points_of_near_cells));
+    for (std::size_t stretch; (stretch = next++) < summation.stretches();) {
+      summation.sum(stretch, near, of_tasks[task]);
+      all.join(near);
     }
-    voxels.cells.push_back(toVoxelCell(sums, voxels.lattice.edge()));
-    voxels.colors.push_back(color);
+  });
+  all.moveTo(voxels);
+  LeftOut left_out;
+  for (const LeftOut& of_task : of_tasks) {
+    left_out.invalid += of_task.invalid;
+    left_out.distant += of_task.distant;
   }
+  return left_out;
 }
 
 } // namespace
@@ -222,14 +212,9 @@ sumVoxels(const PointView& points,
     VoxelMoments voxels;
     voxels.lattice = VoxelLattice(points, edge);
     const Summation summation(points, sensors, colors, voxels.lattice);
-    const std::vector<Stretch> stretches = sumStretches(summation, points.size());
-    joinStretches(stretches, voxels);
-    if (!colors)
-      voxels.colors.clear();
-    for (const Stretch& stretch : stretches) {
-      voxels.invalid_points += stretch.invalid;
-      voxels.distant_points += stretch.distant;
-    }
+    const LeftOut left_out = sumAll(summation, points, voxels);
+    voxels.invalid_points = left_out.invalid;
+    voxels.distant_points = left_out.distant;
     return voxels;
   });
 }

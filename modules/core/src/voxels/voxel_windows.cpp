@@ -7,11 +7,13 @@ namespace pcl::acmap {
 VoxelWindows::VoxelWindows(const VoxelMoments& voxels)
 : voxels_(voxels)
 {
-  const auto& cells = voxels.cells;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    if (c == 0 || voxelOf(cells[c].key) != voxelOf(cells[c - 1].key))
-      begins_.push_back(c);
-  begins_.push_back(cells.size());
+  keys_.reserve(voxels.cells.size());
+  for (const VoxelCell& cell : voxels.cells) {
+    if (keys_.empty() || voxelOf(cell.key) != voxelOf(keys_.back()))
+      begins_.push_back(keys_.size());
+    keys_.push_back(cell.key);
+  }
+  begins_.push_back(keys_.size());
 }
 
 VoxelWindows::Cursor::Cursor(const VoxelWindows& windows, int reach)
@@ -22,20 +24,17 @@ VoxelWindows::Cursor::Cursor(const VoxelWindows& windows, int reach)
 std::size_t
 VoxelWindows::Cursor::firstCellFrom(VoxelKey key) const
 {
-  const auto& cells = windows_.voxels_.cells;
-  const auto found = std::lower_bound(
-      cells.begin(), cells.end(), key, [](const VoxelCell& cell, VoxelKey minimum) {
-        return cell.key < minimum;
-      });
-  return static_cast<std::size_t>(found - cells.begin());
+  const auto& keys = windows_.keys_;
+  return static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), key) -
+                                  keys.begin());
 }
 
 const std::vector<WindowPart>&
 VoxelWindows::Cursor::moveTo(std::size_t voxel)
 {
   parts_.clear();
-  const auto& cells = windows_.voxels_.cells;
-  const VoxelPlace middle = placeOf(cells[windows_.begins_[voxel]].key);
+  const auto& keys = windows_.keys_;
+  const VoxelPlace middle = placeOf(keys[windows_.begins_[voxel]]);
   const bool starts = rows_.empty();
   std::size_t row = 0;
   for (int dx = -reach_; dx <= reach_; ++dx)
@@ -47,14 +46,13 @@ VoxelWindows::Cursor::moveTo(std::size_t voxel)
       if (starts)
         rows_.push_back(firstCellFrom(begin));
       std::size_t& place = rows_[row];
-      while (place < cells.size() && cells[place].key < begin)
+      while (place < keys.size() && keys[place] < begin)
         ++place;
-      for (std::size_t c = place; c < cells.size() && cells[c].key < end; ++c)
-        parts_.push_back(
-            {static_cast<std::uint32_t>(c),
-             static_cast<std::int8_t>(dx),
-             static_cast<std::int8_t>(dy),
-             static_cast<std::int8_t>(placeOf(cells[c].key)[2] - middle[2])});
+      for (std::size_t c = place; c < keys.size() && keys[c] < end; ++c)
+        parts_.push_back({static_cast<std::uint32_t>(c),
+                          static_cast<std::int8_t>(dx),
+                          static_cast<std::int8_t>(dy),
+                          static_cast<std::int8_t>(placeOf(keys[c])[2] - middle[2])});
     }
   return parts_;
 }

@@ -1,5 +1,8 @@
 #include "consolidation/candidates.h"
 
+#include <pcl/core/impl/parallel.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -124,14 +127,21 @@ makeCandidates(const VoxelWindows& windows,
                const SensorView& sensors)
 {
   const CandidateMaker maker(windows, sensors);
-  std::vector<Candidate> candidates;
-  candidates.reserve(windows.size() + fits.second.size());
-  auto second = fits.second.begin();
-  for (std::size_t v = 0; v < windows.size(); ++v) {
-    candidates.push_back(maker.make(v, fits.first[v]));
-    if (second != fits.second.end() && second->first == v)
-      candidates.push_back(maker.make(v, (second++)->second));
-  }
+  std::vector<Candidate> candidates(windows.size() + fits.second.size());
+  parallelForChunks(windows.size(), [&](std::size_t begin, std::size_t end) {
+    auto second = std::lower_bound(
+        fits.second.begin(), fits.second.end(), begin, [](const auto& fit, auto voxel) {
+          return fit.first < voxel;
+        });
+    // each second side before this chunk is one more candidate
+    auto next = candidates.begin() + static_cast<std::ptrdiff_t>(begin) +
+                (second - fits.second.begin());
+    for (std::size_t v = begin; v < end; ++v) {
+      *next++ = maker.make(v, fits.first[v]);
+      if (second != fits.second.end() && second->first == v)
+        *next++ = maker.make(v, (second++)->second);
+    }
+  });
   return candidates;
 }
 

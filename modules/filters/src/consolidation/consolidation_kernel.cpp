@@ -118,15 +118,28 @@ fitTheirSensors(const std::vector<Representative>& representatives,
 {
   if (!sensors.isKnown())
     return false;
-  std::size_t edge_on = 0, seen = 0;
-  for (const Representative& r : representatives) {
-    const Eigen::Vector3f* sensor = sensors[static_cast<std::size_t>(r.witness)];
-    if (!sensor || std::isnan(r.normal.x()))
-      continue;
-    constexpr float grazing = 0.05f;
-    ++seen;
-    edge_on += std::abs(r.normal.dot((*sensor - r.point).normalized())) < grazing;
-  }
+  using Counts = std::pair<std::size_t, std::size_t>; // edge-on, all
+  const auto [edge_on, seen] = parallelReduceChunks(
+      representatives.size(),
+      Counts{0, 0},
+      [&](std::size_t begin, std::size_t end) {
+        Counts counts{0, 0};
+        for (std::size_t i = begin; i < end; ++i) {
+          const Representative& r = representatives[i];
+          const Eigen::Vector3f* sensor = sensors[static_cast<std::size_t>(r.witness)];
+          if (!sensor || std::isnan(r.normal.x()))
+            continue;
+          constexpr float grazing = 0.05f;
+          ++counts.second;
+          counts.first +=
+              std::abs(r.normal.dot((*sensor - r.point).normalized())) < grazing;
+        }
+        return counts;
+      },
+      [](Counts& sum, const Counts& next) {
+        sum.first += next.first;
+        sum.second += next.second;
+      });
   return 20 * edge_on <= seen;
 }
 
@@ -237,13 +250,15 @@ consolidatePoints(const PointView& points,
 
     progress.tell(0.6, "surfaces");
     NoiseProfile noise;
-    const SurfaceFits fits = fitSurfaces(windows, noise);
+    SurfaceFits fits = fitSurfaces(windows, noise);
     describe(voxels, noise, fits, report);
     timer.finish("surfaces");
 
     progress.tell(0.8, "representatives");
     const std::vector<Candidate> candidates = makeCandidates(windows, fits, sensors);
+    fits = {};
     const Thinning thinning = thinOut(candidates, edge);
+    result.representatives.reserve(thinning.kept.size());
     for (const std::uint32_t kept : thinning.kept) {
       result.representatives.push_back(candidates[kept].representative);
       if (std::isnan(candidates[kept].representative.normal.x()))

@@ -14,19 +14,28 @@ representativesOfCells(const VoxelWindows& windows,
 {
   const auto& cells = windows.voxels().cells;
   std::vector<std::int32_t> of_cell(cells.size());
-  std::size_t first = 0;
-  for (std::size_t v = 0; v < windows.size(); ++v) {
-    std::size_t last = first;
-    while (last < candidates.size() && candidates[last].voxel == v)
-      ++last;
-    for (std::size_t c = windows.firstCell(v); c < windows.firstCell(v + 1); ++c) {
-      of_cell[c] = thinning.stand_in[first];
-      for (std::size_t k = first; k < last; ++k)
-        if (candidates[k].octants >> octantOf(cells[c].key) & 1)
-          of_cell[c] = thinning.stand_in[k];
+  parallelForChunks(windows.size(), [&](std::size_t begin, std::size_t end) {
+    auto first = static_cast<std::size_t>(
+        std::lower_bound(candidates.begin(),
+                         candidates.end(),
+                         begin,
+                         [](const Candidate& candidate, std::size_t voxel) {
+                           return candidate.voxel < voxel;
+                         }) -
+        candidates.begin());
+    for (std::size_t v = begin; v < end; ++v) {
+      std::size_t last = first;
+      while (last < candidates.size() && candidates[last].voxel == v)
+        ++last;
+      for (std::size_t c = windows.firstCell(v); c < windows.firstCell(v + 1); ++c) {
+        of_cell[c] = thinning.stand_in[first];
+        for (std::size_t k = first; k < last; ++k)
+          if (candidates[k].octants >> octantOf(cells[c].key) & 1)
+            of_cell[c] = thinning.stand_in[k];
+      }
+      first = last;
     }
-    first = last;
-  }
+  });
   return of_cell;
 }
 
@@ -46,14 +55,16 @@ setMeanColors(const VoxelMoments& voxels,
     sums[r].blue += voxels.colors[c].blue;
     counts[r] += voxels.cells[c].moments.count;
   }
-  for (std::size_t r = 0; r < representatives.size(); ++r) {
-    const auto mean = [&](std::uint64_t sum) {
-      return static_cast<std::uint8_t>(
-          std::lround(static_cast<double>(sum) / counts[r]));
-    };
-    representatives[r].color = {
-        mean(sums[r].red), mean(sums[r].green), mean(sums[r].blue)};
-  }
+  parallelForChunks(representatives.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const auto mean = [&](std::uint64_t sum) {
+        return static_cast<std::uint8_t>(
+            std::lround(static_cast<double>(sum) / counts[r]));
+      };
+      representatives[r].color = {
+          mean(sums[r].red), mean(sums[r].green), mean(sums[r].blue)};
+    }
+  });
 }
 
 std::vector<std::int32_t>

@@ -2,8 +2,11 @@
 
 #include "consolidation/point_hash.h"
 
+#include <pcl/core/impl/parallel.h>
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -19,32 +22,79 @@ areOpposite(const Candidate& a, const Candidate& b)
   return (a.octants & b.octants) == 0;
 }
 
-/** \return the closest kept candidate that displaces this one, -1 if there is none */
-std::int32_t
-displacing(const std::vector<Candidate>& candidates,
-           const PointHash& kept,
-           const Candidate& candidate,
-           double edge)
+/** Two candidates so close that the earlier one displaces the later one if it is kept. */
+struct Conflict {
+  std::uint32_t later;
+  std::uint32_t earlier;
+  float squared_distance; // square metres
+};
+
+bool
+isCloser(const Conflict& a, const Conflict& b)
 {
-  // a point that left its voxel is only needed if there would be a hole without it
-  const double radius =
-      edge * (candidate.strayed > 0 ? min_distance_of_strays : min_distance);
-  double minimum = radius * radius;
-  std::int32_t found = -1;
-  const Eigen::Vector3f& point = candidate.representative.point;
-  kept.visitNear(point, [&](std::uint32_t other) {
-    const Candidate& earlier = candidates[other];
-    const double distance = (earlier.representative.point - point).squaredNorm();
-    const auto name = static_cast<std::int32_t>(other);
-    if ((distance < minimum || (distance == minimum && name < found)) &&
-        !areOpposite(earlier, candidate)) {
-      minimum = distance;
-      found = name;
-    }
-    return false;
-  });
-  return found;
+  return std::pair(a.squared_distance, a.earlier) <
+         std::pair(b.squared_distance, b.earlier);
 }
+
+class ConflictSearch {
+public:
+  ConflictSearch(const std::vector<Candidate>& candidates, double edge)
+  : candidates_(candidates)
+  , edge_(edge)
+  , hash_(candidates.size(), static_cast<float>(min_distance_of_strays * edge))
+  {
+    for (std::uint32_t c = 0; c < candidates.size(); ++c)
+      hash_.add(c, candidates[c].representative.point);
+  }
+
+  /** \return in the order of the later candidates */
+  std::vector<Conflict>
+  run() const
+  {
+    using Conflicts = std::vector<Conflict>;
+    return parallelReduceChunks(
+        candidates_.size(),
+        Conflicts{},
+        [&](std::size_t begin, std::size_t end) {
+          Conflicts found;
+          for (std::size_t c = begin; c < end; ++c)
+            find(static_cast<std::uint32_t>(c), found);
+          return found;
+        },
+        [](Conflicts& all, const Conflicts& next) {
+          all.insert(all.end(), next.begin(), next.end());
+        });
+  }
+
+private:
+  void
+  find(std::uint32_t later, std::vector<Conflict>& found) const
+  {
+    const Candidate& candidate = candidates_[later];
+    // a point that left its voxel is only needed if there would be a hole without it
+    const double radius =
+        edge_ * (candidate.strayed > 0 ? min_distance_of_strays : min_distance);
+    const Eigen::Vector3f& point = candidate.representative.point;
+    hash_.visitNear(point, [&](std::uint32_t earlier) {
+      const Candidate& other = candidates_[earlier];
+      const float distance = (other.representative.point - point).squaredNorm();
+      if (static_cast<double>(distance) < radius * radius &&
+          comesBefore(earlier, later) && !areOpposite(other, candidate))
+        found.push_back({later, earlier, distance});
+      return false;
+    });
+  }
+
+  bool
+  comesBefore(std::uint32_t a, std::uint32_t b) const
+  {
+    return std::pair(candidates_[a].strayed, a) < std::pair(candidates_[b].strayed, b);
+  }
+
+  const std::vector<Candidate>& candidates_;
+  double edge_; // metres
+  PointHash hash_;
+};
 
 std::vector<std::uint32_t>
 orderOf(const std::vector<Candidate>& candidates)
@@ -61,25 +111,44 @@ orderOf(const std::vector<Candidate>& candidates)
   return order;
 }
 
+/** Decides one candidate after the other which of them are kept.
+ * \return for each candidate the closest kept one that displaces it, -1 if it is kept */
+std::vector<std::int32_t>
+displacements(const std::vector<Candidate>& candidates,
+              const std::vector<Conflict>& conflicts)
+{
+  std::vector<std::size_t> begins(candidates.size() + 1, 0);
+  for (const Conflict& conflict : conflicts)
+    ++begins[conflict.later + 1];
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    begins[c + 1] += begins[c];
+  std::vector<std::int32_t> displaced_by(candidates.size(), -1);
+  for (const std::uint32_t candidate : orderOf(candidates)) {
+    const Conflict* closest = nullptr;
+    for (std::size_t k = begins[candidate]; k < begins[candidate + 1]; ++k)
+      if (displaced_by[conflicts[k].earlier] < 0 &&
+          (!closest || isCloser(conflicts[k], *closest)))
+        closest = &conflicts[k];
+    if (closest)
+      displaced_by[candidate] = static_cast<std::int32_t>(closest->earlier);
+  }
+  return displaced_by;
+}
+
 } // namespace
 
 Thinning
 thinOut(const std::vector<Candidate>& candidates, double edge)
 {
-  PointHash kept(candidates.size(), static_cast<float>(min_distance_of_strays * edge));
+  const std::vector<std::int32_t> displaced_by =
+      displacements(candidates, ConflictSearch(candidates, edge).run());
   Thinning thinning;
-  std::vector<std::int32_t> displaced_by(candidates.size(), -1);
-  for (const std::uint32_t candidate : orderOf(candidates)) {
-    displaced_by[candidate] = displacing(candidates, kept, candidates[candidate], edge);
-    if (displaced_by[candidate] < 0) {
-      kept.add(candidate, candidates[candidate].representative.point);
-      thinning.kept.push_back(candidate);
-    }
-  }
-  std::sort(thinning.kept.begin(), thinning.kept.end());
   thinning.stand_in.assign(candidates.size(), -1);
-  for (std::size_t k = 0; k < thinning.kept.size(); ++k)
-    thinning.stand_in[thinning.kept[k]] = static_cast<std::int32_t>(k);
+  for (std::uint32_t c = 0; c < candidates.size(); ++c)
+    if (displaced_by[c] < 0) {
+      thinning.stand_in[c] = static_cast<std::int32_t>(thinning.kept.size());
+      thinning.kept.push_back(c);
+    }
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (displaced_by[c] >= 0)
       thinning.stand_in[c] =

@@ -33,12 +33,11 @@ widestPlane(const VoxelMoments& voxels,
             const std::vector<WindowPart>& parts,
             const Choose& choose)
 {
-  const Moments inner = sumParts(voxels, parts, [&](const WindowPart& part) {
-    return part.isInner() && choose(part);
-  });
-  Moments wide = sumParts(voxels, parts, [&](const WindowPart& part) {
-    return !part.isInner() && choose(part);
-  });
+  Moments inner, wide;
+  for (const WindowPart& part : parts)
+    if (choose(part))
+      (part.isInner() ? inner : wide)
+          .addShifted(voxels.cells[part.cell].moments, part.dx, part.dy, part.dz);
   wide += inner;
   if (wide.count < 1)
     return {};

@@ -1,7 +1,5 @@
 #include "texturing/canvas_surface.h"
 
-#include "texturing/chart_frame.h"
-
 #include <cmath>
 
 namespace pcl::acmap::texturing {
@@ -108,11 +106,9 @@ CanvasSurface::placeOf(const Eigen::Vector3d& point) const
 }
 
 Eigen::Vector3d
-CanvasSurface::middleOf(double column, double row) const
+CanvasSurface::middleOn(const Unrolled& surface, double column, double row)
 {
-  if (const auto* const flat = std::get_if<Rectangle>(&surface_))
-    return texturing::middleOf(flat->chart, column, row);
-  const auto& [cylinder, size] = std::get<Unrolled>(surface_);
+  const auto& [cylinder, size] = surface;
   const double angle =
       sideOf(cylinder) * cylinder.arc * ((column + 0.5) / size.x() - 0.5);
   const double height =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texturing/chart_frame.h"
+
 #include <pcl/core/compact_map.h>
 
 #include <Eigen/Geometry>
@@ -17,6 +19,14 @@ public:
 
   /** \param[in] size of the picture, texels */
   CanvasSurface(const CylinderPatch& cylinder, const RgbImage& size);
+
+  /** Coefficients of the plane; nullptr for a cylinder. */
+  const Eigen::Vector4d*
+  plane() const
+  {
+    const auto* const flat = std::get_if<Rectangle>(&surface_);
+    return flat ? &flat->plane : nullptr;
+  }
 
   /** Distance of a point from the plane or the cylinder. */
   double
@@ -40,7 +50,12 @@ public:
 
   /** Centre of a texel. */
   Eigen::Vector3d
-  middleOf(double column, double row) const;
+  middleOf(double column, double row) const
+  {
+    const auto* const flat = std::get_if<Rectangle>(&surface_);
+    return flat ? texturing::middleOf(flat->chart, column, row)
+                : middleOn(std::get<Unrolled>(surface_), column, row);
+  }
 
   /** Width of a texel. */
   double
@@ -58,6 +73,9 @@ private:
     CylinderPatch cylinder;
     Eigen::Vector2d size; ///< texels
   };
+
+  static Eigen::Vector3d
+  middleOn(const Unrolled& surface, double column, double row);
 
   std::variant<Rectangle, Unrolled> surface_;
 };

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace pcl::acmap::texturing {
 namespace {
 
@@ -11,22 +13,43 @@ namespace {
 Eigen::AlignedBox3d
 boxOf(const ColoredView& view)
 {
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = 0; i < view.points.size(); ++i) {
-    const Eigen::Vector3f point = view.points[i];
-    if (point.allFinite())
-      box.extend(view.T_map_camera * point.cast<double>());
-  }
-  return box;
+  return parallelReduceChunks(
+      view.points.size(),
+      Eigen::AlignedBox3d(),
+      [&](std::size_t begin, std::size_t end) {
+        Eigen::AlignedBox3d box;
+        for (std::size_t i = begin; i < end; ++i) {
+          const Eigen::Vector3f point = view.points[i];
+          if (point.allFinite())
+            box.extend(view.T_map_camera * point.cast<double>());
+        }
+        return box;
+      },
+      [](Eigen::AlignedBox3d& all, const Eigen::AlignedBox3d& next) {
+        all.extend(next);
+      });
 }
 
-/** The canvases to which points of a view can belong. */
-std::vector<std::int32_t>
+/** A canvas to which points of a view can belong. */
+struct NearCanvas {
+  std::int32_t index;
+  const Canvas* canvas;
+  const Eigen::Vector4d* plane; ///< nullptr for a cylinder
+
+  double
+  distance(const Eigen::Vector3d& point) const
+  {
+    return plane ? std::abs(plane->head<3>().dot(point) + (*plane)[3])
+                 : canvas->surface.distance(point);
+  }
+};
+
+std::vector<NearCanvas>
 canvasesNear(const ColoredView& view,
              const std::vector<Canvas>& canvases,
              double maximum_distance)
 {
-  std::vector<std::int32_t> near;
+  std::vector<NearCanvas> near;
   const Eigen::AlignedBox3d seen = boxOf(view);
   if (seen.isEmpty())
     return near;
@@ -37,7 +60,7 @@ canvasesNear(const ColoredView& view,
     const Eigen::AlignedBox3d box = surface.box();
     if (is_front && seen.exteriorDistance(box.center()) <
                         box.diagonal().norm() / 2 + maximum_distance)
-      near.push_back(static_cast<std::int32_t>(c));
+      near.push_back({static_cast<std::int32_t>(c), &canvases[c], surface.plane()});
   }
   return near;
 }
@@ -50,19 +73,20 @@ nearestCanvases(const ColoredView& view,
                 double maximum_distance,
                 TexelPlace outermost)
 {
-  const std::vector<std::int32_t> near = canvasesNear(view, canvases, maximum_distance);
+  const std::vector<NearCanvas> near = canvasesNear(view, canvases, maximum_distance);
   std::vector<std::int32_t> nearest(view.points.size(), -1);
   parallelForChunks(nearest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (!view.points[i].allFinite())
+        continue;
       const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
       double minimum = maximum_distance;
-      for (const std::int32_t c : near) {
-        const Canvas& canvas = canvases[static_cast<std::size_t>(c)];
-        const double distance = canvas.surface.distance(point);
+      for (const NearCanvas& one : near) {
+        const double distance = one.distance(point);
         if (distance < minimum &&
-            canvas.at(canvas.surface.placeOf(point)) >= outermost) {
+            one.canvas->at(one.canvas->surface.placeOf(point)) >= outermost) {
           minimum = distance;
-          nearest[i] = c;
+          nearest[i] = one.index;
         }
       }
     }

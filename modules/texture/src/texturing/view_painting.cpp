@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap::texturing {
@@ -28,18 +29,23 @@ colorOf(const ColoredView& view, std::size_t i)
           static_cast<std::uint8_t>(packed)};
 }
 
+/** What a pixel sees, if it is no surface of the map. */
+constexpr std::int32_t something_else = -1, nothing = -2;
+
 /** Textures one canvas with one view. */
 class Painter {
 public:
+  /** \param[in] seen for each pixel the number of the surface that it sees,
+   * \ref something_else, or \ref nothing if it has no depth */
   Painter(const ColoredView& view,
           const Pinhole& camera,
           std::int32_t number,
-          const std::vector<std::int32_t>& nearest,
+          const std::vector<std::int32_t>& seen,
           Canvas& canvas)
   : view_(view)
   , camera_(camera)
   , number_(number)
-  , nearest_(nearest)
+  , seen_(seen)
   , canvas_(canvas)
   , height_(static_cast<int>(view.points.size()) / view.width)
   , T_camera_map_(view.T_map_camera.inverse())
@@ -48,8 +54,8 @@ public:
   void
   paintRow(std::int32_t row)
   {
-    const TextureChart& chart = canvas_.chart;
-    for (std::int32_t column = 0; column < chart.colors.width; ++column) {
+    const auto [first, end] = columnsInView(row);
+    for (std::int32_t column = first; column < end; ++column) {
       const std::size_t texel = canvas_.index(column, row);
       if (canvas_.mask[texel] != TexelPlace::Inside)
         continue;
@@ -62,16 +68,52 @@ public:
       if (!isInside(pixel))
         continue;
       const double visible = visibility(pixel);
-      if (visible > 0)
-        canvas_.offer(texel,
-                      {static_cast<float>(visible * quality(middle, point, pixel)),
-                       number_,
-                       meanColor(column, row, point)});
+      if (!(visible > 0))
+        continue;
+      const auto weight = static_cast<float>(visible * quality(middle, point, pixel));
+      if (weight > canvas_.samples[texel].back().weight) // else it would not be kept
+        canvas_.offer(texel, {weight, number_, meanColor(column, row, point)});
     }
   }
 
 private:
   static constexpr double min_depth = 0.05; // metres
+
+  /** The columns of a row that may be in the image, from the first to the end. The row
+   * of a plane is a straight line, of which each border of the image cuts a part off, here
+   * with a margin for rounding. */
+  std::pair<std::int32_t, std::int32_t>
+  columnsInView(std::int32_t row) const
+  {
+    const std::int32_t width = canvas_.chart.colors.width;
+    if (!canvas_.surface.plane())
+      return {0, width};
+    const Eigen::Vector3d start = T_camera_map_ * canvas_.surface.middleOf(0, row);
+    const Eigen::Vector3d stop = T_camera_map_ * canvas_.surface.middleOf(width, row);
+    constexpr double margin = 1; // pixels
+    const auto distances = [&](const Eigen::Vector3d& point) {
+      const double x = camera_.fx * point.x() + camera_.cx * point.z();
+      const double y = camera_.fy * point.y() + camera_.cy * point.z();
+      return std::array<double, 5>{point.z() - min_depth / 2,
+                                   x + margin * point.z(),
+                                   y + margin * point.z(),
+                                   (view_.width - 1 + margin) * point.z() - x,
+                                   (height_ - 1 + margin) * point.z() - y};
+    };
+    const std::array<double, 5> from = distances(start), to = distances(stop);
+    double first = 0, end = 1;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      if (from[k] < 0 && to[k] < 0)
+        return {0, 0};
+      const double crossing = from[k] / (from[k] - to[k]);
+      if (from[k] < 0)
+        first = std::max(first, crossing);
+      else if (to[k] < 0)
+        end = std::min(end, crossing);
+    }
+    return {static_cast<std::int32_t>(std::floor(first * width)),
+            std::min(width, static_cast<std::int32_t>(std::ceil(end * width)) + 1)};
+  }
 
   bool
   isInside(const Eigen::Vector2d& pixel) const
@@ -114,9 +156,9 @@ private:
   void
   count(std::size_t pixel, int& own, int& others) const
   {
-    if (nearest_[pixel] == static_cast<std::int32_t>(canvas_.number))
+    if (seen_[pixel] == static_cast<std::int32_t>(canvas_.number))
       ++own;
-    else if (view_.points[pixel].allFinite())
+    else if (seen_[pixel] != nothing)
       ++others;
   }
 
@@ -145,7 +187,7 @@ private:
     const double texel = canvas_.surface.texelWidth();
     const double pixels = texel * camera_.fx / point.z();
     const int side = static_cast<int>(std::clamp(std::ceil(pixels), 1.0, 5.0));
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Sums sums{};
     int count = 0;
     for (int v = 0; v < side; ++v)
       for (int u = 0; u < side; ++u) {
@@ -153,56 +195,71 @@ private:
             T_camera_map_ * canvas_.surface.middleOf(column + (u + 0.5) / side - 0.5,
                                                      row + (v + 0.5) / side - 0.5);
         const Eigen::Vector2d pixel = camera_.project(place);
-        if (!(place.z() > min_depth) || !isInside(pixel) || seesOthers(pixel))
+        if (!(place.z() > min_depth) || !isInside(pixel))
           continue;
-        sum += interpolated(pixel);
+        const Corners corners = cornersOf(pixel);
+        if (seesOthers(corners))
+          continue;
+        const Sums color = interpolated(pixel, corners);
+        for (std::size_t k = 0; k < 3; ++k)
+          sums[k] += color[k];
         ++count;
       }
-    if (count > 0)
-      sum /= count;
-    else
-      sum = interpolated(camera_.project(point));
+    if (count == 0) {
+      const Eigen::Vector2d pixel = camera_.project(point);
+      sums = interpolated(pixel, cornersOf(pixel));
+      count = 1;
+    }
     Rgb color;
-    for (int k = 0; k < 3; ++k)
-      color[static_cast<std::size_t>(k)] =
-          static_cast<std::uint8_t>(std::lround(sum[k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      color[k] = static_cast<std::uint8_t>(std::lround(sums[k] / count));
     return color;
   }
 
-  /** Does one of the four pixels around a position see something else than this
-   * plane? */
+  using Sums = std::array<double, 3>;         // of red, green, blue
+  using Corners = std::array<std::size_t, 4>; // row by row
+
+  /** The four pixels around a position in the image. */
+  Corners
+  cornersOf(const Eigen::Vector2d& pixel) const
+  {
+    const int column = static_cast<int>(pixel.x());
+    const int row = static_cast<int>(pixel.y());
+    const std::size_t first = pixelAt(column, row);
+    const std::size_t right = column < view_.width - 1 ? 1 : 0;
+    const std::size_t below = pixelAt(column, row + 1);
+    return {first, first + right, below, below + right};
+  }
+
+  /** Does one of them see something else than this surface? */
   bool
-  seesOthers(const Eigen::Vector2d& pixel) const
+  seesOthers(const Corners& corners) const
   {
     int own = 0, others = 0;
-    for (int r = 0; r < 2; ++r)
-      for (int c = 0; c < 2; ++c)
-        count(pixelAt(static_cast<int>(pixel.x()) + c, static_cast<int>(pixel.y()) + r),
-              own,
-              others);
+    for (const std::size_t pixel : corners)
+      count(pixel, own, others);
     return others > 0;
   }
 
-  Eigen::Vector3d
-  interpolated(const Eigen::Vector2d& pixel) const
+  Sums
+  interpolated(const Eigen::Vector2d& pixel, const Corners& corners) const
   {
-    const double x = std::floor(pixel.x()), y = std::floor(pixel.y());
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int r = 0; r < 2; ++r)
-      for (int c = 0; c < 2; ++c) {
-        const double share = (c ? pixel.x() - x : 1 - (pixel.x() - x)) *
-                             (r ? pixel.y() - y : 1 - (pixel.y() - y));
-        const Rgb color =
-            colorOf(view_, pixelAt(static_cast<int>(x) + c, static_cast<int>(y) + r));
-        sum += share * Eigen::Vector3d(color[0], color[1], color[2]);
-      }
-    return sum;
+    const double x = pixel.x() - static_cast<int>(pixel.x());
+    const double y = pixel.y() - static_cast<int>(pixel.y());
+    const double shares[] = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
+    Sums sums{};
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      const Rgb color = colorOf(view_, corners[corner]);
+      for (std::size_t k = 0; k < 3; ++k)
+        sums[k] += shares[corner] * color[k];
+    }
+    return sums;
   }
 
   const ColoredView& view_;
   const Pinhole& camera_;
   std::int32_t number_;
-  const std::vector<std::int32_t>& nearest_;
+  const std::vector<std::int32_t>& seen_;
   Canvas& canvas_;
   int height_; ///< pixels
   Eigen::Isometry3d T_camera_map_;
@@ -239,24 +296,30 @@ paintPinhole(const ColoredView& view,
              const std::vector<std::int32_t>& nearest,
              std::vector<Canvas>& canvases)
 {
-  // compares surfaces, not canvases, as a texel at the border of a tile has neighbours on
-  // another tile
-  std::vector<std::int32_t> nearest_surfaces(nearest.size(), -1);
+  // surfaces, not canvases, as a texel at the border of a tile has neighbours on another
+  // tile
+  std::vector<std::int32_t> seen(nearest.size());
+  parallelForChunks(nearest.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (nearest[i] >= 0)
+        seen[i] = static_cast<std::int32_t>(
+            canvases[static_cast<std::size_t>(nearest[i])].number);
+      else
+        seen[i] = view.points[i].allFinite() ? something_else : nothing;
+  });
   std::vector<bool> is_seen(canvases.empty() ? 0 : canvases.back().number + 1, false);
-  for (std::size_t i = 0; i < nearest.size(); ++i)
-    if (nearest[i] >= 0) {
-      const std::size_t surface = canvases[static_cast<std::size_t>(nearest[i])].number;
-      nearest_surfaces[i] = static_cast<std::int32_t>(surface);
-      is_seen[surface] = true;
-    }
-  for (Canvas& canvas : canvases) {
+  for (const std::int32_t surface : seen)
+    if (surface >= 0)
+      is_seen[static_cast<std::size_t>(surface)] = true;
+  oneapi::tbb::parallel_for(std::size_t{0}, canvases.size(), [&](std::size_t c) {
+    Canvas& canvas = canvases[c];
     if (!is_seen[canvas.number])
-      continue;
-    Painter painter(view, camera, number, nearest_surfaces, canvas);
+      return;
+    Painter painter(view, camera, number, seen, canvas);
     oneapi::tbb::parallel_for(std::int32_t{0},
                               canvas.chart.colors.height,
                               [&](std::int32_t row) { painter.paintRow(row); });
-  }
+  });
 }
 
 void

@@ -35,7 +35,19 @@ public:
     return every_;
   }
 
-  /** \brief Appends the finite points of an observation, black without colours. */
+  /** \brief Number of points that are kept so far. */
+  std::size_t
+  size() const
+  {
+    return cloud_.data.size() / cloud_.point_step;
+  }
+
+  /** \brief Reserves memory for this number of points, or for the maximum. */
+  void
+  reserve(std::size_t points);
+
+  /** \brief Appends the finite points of an observation, black without colours. Runs in
+   * parallel. */
   void
   append(const PointCloudFile& observation,
          const Eigen::Isometry3d& T_map_camera,

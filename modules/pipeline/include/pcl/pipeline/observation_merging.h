@@ -79,6 +79,9 @@ public:
   compute(const ObservationSequence& sequence, MergedCloud& merged);
 
 private:
+  void
+  merge(const ObservationSequence& sequence, MergedCloud& merged);
+
   DepthSensor sensor_ = DepthSensor::Automatic;
   std::size_t maximum_points_ = 50000000;
   bool skip_broken_ = false;

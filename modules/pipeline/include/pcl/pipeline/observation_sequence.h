@@ -170,7 +170,9 @@ public:
   void
   requireDifferent(const std::vector<Eigen::Isometry3d>& poses) const;
 
-  /** \brief Sets how many bytes of points are kept in memory (default 512 MiB). */
+  /** \brief Sets how many bytes of points are kept in memory (default 64 MiB of
+   * files, which the system keeps anyway, 512 MiB of frames of an RGB-D camera, which take
+   * longer to read). */
   void
   setCacheSize(std::size_t bytes);
 

@@ -83,6 +83,7 @@ public:
 private:
   const VoxelMoments& voxels_;
   std::vector<std::size_t> begins_;
+  std::vector<VoxelKey> keys_; // of the cells, close to each other in memory
 };
 
 /** \brief Sums the parts selected by a predicate; the origin is the centre of the

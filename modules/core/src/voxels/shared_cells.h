@@ -1,0 +1,40 @@
+#pragma once
+
+#include "voxels/cell_sums.h"
+
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief The cells of all points, to which several threads add at the same time: each
+ * part has the cells with a range of the keys. Their sums do not depend on the order in
+ * which they were added. */
+class SharedCells {
+public:
+  /** \param[in] limits ascending, between the keys of the parts */
+  explicit SharedCells(std::vector<VoxelKey> limits)
+  : limits_(std::move(limits))
+  , parts_(limits_.size() + 1)
+  {}
+
+  void
+  join(const CellTable& cells);
+
+  /** \brief Moves the cells to an object without any, in ascending order of their
+   * keys. The parts are released one after the other, as both together are large. */
+  void
+  moveTo(VoxelMoments& voxels);
+
+private:
+  struct Part {
+    std::mutex mutex;
+    CellTable table;
+  };
+
+  std::vector<VoxelKey> limits_;
+  std::vector<Part> parts_;
+};
+
+} // namespace pcl::acmap
