@@ -183,6 +183,25 @@ TEST(Cylinders, areFittedToTheRaysOfTheSource)
   const FoundCylinders found = run(clustering);
   ASSERT_EQ(found.patches.size(), 1U);
   EXPECT_NEAR(found.patches[0].radius, truth.radius, 0.002);
+
+  // a known scale of the source is not measured again
+  NoiseScale scale =
+      measureNoiseScale(PointView(&column[0].x, sizeof(PointXYZ), column.size()),
+                        SensorView(Eigen::Vector3f(column.sensor_origin_.head<3>())));
+  clustering.setSourceScale(scale);
+  const FoundCylinders same = run(clustering);
+  ASSERT_EQ(same.patches.size(), 1U);
+  EXPECT_EQ(same.patches[0].radius, found.patches[0].radius);
+  EXPECT_EQ(same.patches[0].covariance, found.patches[0].covariance);
+  scale.spacing *= 20;
+  clustering.setSourceScale(scale);
+  const FoundCylinders coarse = run(clustering);
+  EXPECT_TRUE(coarse.patches.empty() ||
+              coarse.patches[0].covariance != found.patches[0].covariance);
+  clustering.setSourceCloud(column.makeShared());
+  EXPECT_EQ(run(clustering).patches[0].radius, found.patches[0].radius);
+  scale.spacing = -1;
+  EXPECT_THROW(clustering.setSourceScale(scale), BadArgumentException);
 }
 
 TEST(Cylinders, halfSeenColumnsAreFoundAmongWalls)

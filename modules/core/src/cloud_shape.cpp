@@ -1,6 +1,6 @@
 #include "byte_source.h"
-#include "large_memory.h"
 #include "point_cloud_readers.h"
+#include <pcl/core/impl/large_memory.h>
 
 #include <pcl/core/impl/cloud_fields.h>
 

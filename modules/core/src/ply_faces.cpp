@@ -1,11 +1,11 @@
 #include "mesh_codecs.h"
 
 #include "byte_source.h"
-#include "large_memory.h"
 #include "ply_header.h"
 #include "ply_list_rows.h"
 #include "record_moves.h"
 #include "text_number.h"
+#include <pcl/core/impl/large_memory.h>
 
 #include <algorithm>
 #include <array>

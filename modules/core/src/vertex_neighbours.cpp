@@ -1,3 +1,4 @@
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/vertex_neighbours.h>
 
 #include <algorithm>
@@ -22,20 +23,24 @@ VertexNeighbours::VertexNeighbours(std::size_t vertices,
         others_[next[static_cast<std::size_t>(triangle[k])]++] =
             triangle[(k + step) % 3];
 
-  first_.reserve(vertices + 1);
-  std::size_t end = 0;
+  first_.assign(vertices + 1, 0);
+  parallelForChunks(vertices, [&](std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v < to; ++v) {
+      const auto first = others_.begin() + static_cast<std::ptrdiff_t>(begin[v]);
+      auto last = others_.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
+      std::sort(first, last);
+      last = std::remove(first, std::unique(first, last), static_cast<std::int32_t>(v));
+      first_[v + 1] = static_cast<std::size_t>(last - first);
+    }
+  });
   for (std::size_t v = 0; v < vertices; ++v) {
-    first_.push_back(end);
     const auto first = others_.begin() + static_cast<std::ptrdiff_t>(begin[v]);
-    auto last = others_.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
-    std::sort(first, last);
-    last = std::unique(first, last);
-    for (auto other = first; other != last; ++other)
-      if (*other != static_cast<std::int32_t>(v))
-        others_[end++] = *other;
+    const auto size = static_cast<std::ptrdiff_t>(first_[v + 1]);
+    std::copy(
+        first, first + size, others_.begin() + static_cast<std::ptrdiff_t>(first_[v]));
+    first_[v + 1] += first_[v];
   }
-  first_.push_back(end);
-  others_.resize(end);
+  others_.resize(first_.back());
   others_.shrink_to_fit();
 }
 

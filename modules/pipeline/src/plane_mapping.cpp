@@ -384,6 +384,8 @@ private:
                          source ? result.labels : std::vector<std::int32_t>());
     if (source)
       clustering.setSourceCloud(source, sensors);
+    if (source && !sensors.empty() && report_.noise_scale)
+      clustering.setSourceScale(*report_.noise_scale);
     prepare(clustering, 0.9, 1);
     clustering.segment(result.cylinders);
     report_.cylinders = clustering.getReport();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "large_memory.h"
+#include <pcl/core/impl/large_memory.h>
 
 #include <pcl/core/impl/voxel_moments.h>
 

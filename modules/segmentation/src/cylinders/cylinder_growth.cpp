@@ -5,13 +5,17 @@
 #include "region_growing.h"
 
 #include <pcl/core/impl/moments.h>
+#include <pcl/core/impl/parallel.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace pcl::acmap::cylinders {
@@ -182,30 +186,49 @@ spreadElements(const SurfaceElements& elements, const std::vector<std::int32_t>&
   return chosen;
 }
 
+/** Appends the seeds at one element, over patches of several sizes. */
+void
+addSeedsAt(std::int32_t element,
+           const SurfaceElements& elements,
+           const std::vector<std::int32_t>& owner,
+           PatchWalk& walk,
+           std::vector<Seed>& seeds)
+{
+  constexpr std::array<std::size_t, 4> sizes{16, 40, 100, 250};
+  std::vector<std::int32_t> patch, part;
+  std::vector<Eigen::Vector3d> normals, part_normals;
+  walk.walk(element, sizes.back(), owner, patch, normals);
+  std::size_t before = 0;
+  for (const std::size_t size : sizes) {
+    const std::size_t used = std::min(size, patch.size());
+    if (used < sizes.front() || used == before)
+      break;
+    before = used;
+    part.assign(patch.begin(), patch.begin() + static_cast<std::ptrdiff_t>(used));
+    part_normals.assign(normals.begin(),
+                        normals.begin() + static_cast<std::ptrdiff_t>(used));
+    Seed seed;
+    if (seedOf(elements, part, part_normals, seed))
+      seeds.push_back(std::move(seed));
+  }
+}
+
 std::vector<Seed>
 findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owner)
 {
-  constexpr std::array<std::size_t, 4> sizes{16, 40, 100, 250};
-  PatchWalk walk(elements);
+  constexpr std::size_t of_a_part = 256;
+  const std::vector<std::int32_t> starts = spreadElements(elements, owner);
+  oneapi::tbb::enumerable_thread_specific<PatchWalk> walks(elements);
+  std::vector<std::vector<Seed>> parts((starts.size() + of_a_part - 1) / of_a_part);
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    PatchWalk& walk = walks.local();
+    const std::size_t end = std::min((part + 1) * of_a_part, starts.size());
+    for (std::size_t i = part * of_a_part; i < end; ++i)
+      addSeedsAt(starts[i], elements, owner, walk, parts[part]);
+  });
   std::vector<Seed> seeds;
-  std::vector<std::int32_t> patch, part;
-  std::vector<Eigen::Vector3d> normals, part_normals;
-  for (const std::int32_t element : spreadElements(elements, owner)) {
-    walk.walk(element, sizes.back(), owner, patch, normals);
-    std::size_t before = 0;
-    for (const std::size_t size : sizes) {
-      const std::size_t used = std::min(size, patch.size());
-      if (used < sizes.front() || used == before)
-        break;
-      before = used;
-      part.assign(patch.begin(), patch.begin() + static_cast<std::ptrdiff_t>(used));
-      part_normals.assign(normals.begin(),
-                          normals.begin() + static_cast<std::ptrdiff_t>(used));
-      Seed seed;
-      if (seedOf(elements, part, part_normals, seed))
-        seeds.push_back(std::move(seed));
-    }
-  }
+  for (std::vector<Seed>& part : parts)
+    std::move(part.begin(), part.end(), std::back_inserter(seeds));
   std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
     return a.error < b.error;
   });

@@ -1,7 +1,8 @@
 #include "cylinders/cylinder_growth.h"
 #include "cylinders/cylinder_templates.h"
-#include "cylinders/raw_cylinders.h"
+#include "cylinders/points_beside.h"
 
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/segmentation/impl/cylinder_clustering_kernel.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 namespace pcl::acmap {
 namespace cylinders {
@@ -94,76 +94,33 @@ describeBefore(const SurfaceElements& elements,
 
 /** Points and the planes that were given for them; without noise if that cannot be
  * measured.
- * \param[in] labels plane of each point; empty: there are no planes */
+ * \param[in] labels plane of each point; empty: there are no planes
+ * \param[in] known_scale of the points, if it was measured before */
 RawCloud
 rawCloudOf(const PointView& points,
            const SensorView& sensors,
            const std::vector<PlanePatch>& planes,
            const std::vector<std::int32_t>& labels,
+           const std::optional<NoiseScale>& known_scale,
            double sigma)
 {
   RawCloud cloud{points, sensors, {}, {}, {}, 0, sigma};
-  cloud.labels.assign(points.size(), -1);
-  if (!labels.empty()) {
-    cloud.planes = planes;
+  reserveLarge(cloud.labels, points.size());
+  if (labels.empty())
+    cloud.labels.assign(points.size(), -1);
+  else {
     cloud.labels = labels;
+    cloud.planes = planes;
     cloud.is_bent.assign(cloud.planes.size(), 0);
   }
-  const NoiseScale scale = measureNoiseScale(points, sensors);
+  const NoiseScale scale =
+      known_scale ? *known_scale : measureNoiseScale(points, sensors);
   cloud.spacing = scale.spacing;
   if (sigma > 0)
     return cloud;
   const double measured = noiseOnPlanes(cloud);
   cloud.sigma = measured > 0 ? measured : scale.sigma;
   return cloud;
-}
-
-constexpr double max_radius_change =
-    0.5; // of the radius: a coarse mesh cuts small pipes
-
-/** Points of a source beside a cylinder that was found on the mesh. */
-struct PointsBeside {
-  std::vector<std::int32_t> free; ///< on no plane that stays and on no other cylinder
-  std::size_t on = 0;             ///< within the noise of its surface
-  std::size_t free_on = 0;        ///< those of them that are free
-  std::set<std::int32_t> planes;  ///< that stay, of the others
-};
-
-PointsBeside
-pointsBeside(const RawCloud& source,
-             const std::vector<std::int32_t>& owners,
-             const std::vector<std::int32_t>& replaced,
-             const Cylinder& cylinder,
-             const CylinderReach& reach)
-{
-  constexpr double gate = 2; // sigmas
-  const double slack = 2 * source.spacing, band = 8 * source.sigma + slack;
-  const Development development(cylinder);
-  PointsBeside beside;
-  for (std::size_t i = 0; i < source.points.size(); ++i) {
-    const Eigen::Vector3d point = source.points[i].cast<double>();
-    const double along = cylinder.along(point), off = cylinder.distance(point);
-    // false for NaN
-    if (!(along > reach.low - band && along < reach.high + band) ||
-        !(std::abs(off) < band + max_radius_change * cylinder.radius))
-      continue;
-    const std::int32_t label = source.labels[i];
-    const bool is_free =
-        owners[i] < 0 &&
-        (label < 0 ||
-         std::find(replaced.begin(), replaced.end(), label) != replaced.end());
-    if (is_free)
-      beside.free.push_back(static_cast<std::int32_t>(i));
-    else if (label >= 0)
-      beside.planes.insert(label);
-    const double turn = development.angle(cylinder.across(point)) - reach.arc_begin;
-    if (std::abs(off) > gate * source.sigma ||
-        turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) > reach.arc_length)
-      continue;
-    ++beside.on;
-    beside.free_on += is_free ? 1 : 0;
-  }
-  return beside;
 }
 
 /** Fits a cylinder again without the samples near planes that stay: which points these took
@@ -202,6 +159,7 @@ fitAwayFromPlanes(const RawCloud& source,
  * on these planes; or rays pass through it */
 bool
 refitToSource(const RawCloud& source,
+              const SourceBlocks& blocks,
               const std::vector<std::int32_t>& owners,
               const GrownCylinder& grown,
               RawCylinder& cylinder)
@@ -212,7 +170,7 @@ refitToSource(const RawCloud& source,
   const CylinderReach reach =
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * source.spacing);
   const PointsBeside beside =
-      pointsBeside(source, owners, grown.planes, cylinder.fit.cylinder, reach);
+      blocks.beside(owners, grown.planes, cylinder.fit.cylinder, reach);
   const double radius = cylinder.fit.cylinder.radius;
   if (static_cast<double>(beside.free_on) <
           min_share * static_cast<double>(beside.on) ||
@@ -269,7 +227,9 @@ searchSurface(const PlaneHypotheses& hypotheses,
                      source.sensors,
                      planes.patches,
                      planes.source_labels,
+                     settings.source_scale,
                      settings.sigma);
+  const SourceBlocks blocks(raw);
   for (GrownCylinder& grown : candidates) {
     RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
     setCovariance(cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
@@ -277,7 +237,7 @@ searchSurface(const PlaneHypotheses& hypotheses,
     for (Sample& sample : cylinder.samples)
       sample.point += elements.origin;
     if (raw.sigma > 0 && raw.spacing > 0 &&
-        !refitToSource(raw, clusters.source_labels, grown, cylinder))
+        !refitToSource(raw, blocks, clusters.source_labels, grown, cylinder))
       continue;
     for (const std::int32_t member : cylinder.members)
       clusters.source_labels[static_cast<std::size_t>(member)] =
@@ -307,7 +267,8 @@ searchRaw(const PlaneHypotheses& hypotheses,
   RawCloud cloud =
       planes.labels.empty()
           ? findRawPlanes(points, sensors, settings.sigma, settings.threads, progress)
-          : rawCloudOf(points, sensors, planes.patches, planes.labels, settings.sigma);
+          : rawCloudOf(
+                points, sensors, planes.patches, planes.labels, {}, settings.sigma);
   if (!(cloud.sigma > 0))
     cloud.sigma = local_noise; // everything is too curved for planes
   report.spacing = cloud.spacing;
@@ -415,7 +376,7 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
     progress.tell(0.0, "surface");
     CylinderClusters clusters;
     clusters.labels.assign(hypotheses.points.size(), -1);
-    clusters.source_labels.assign(source.points.size(), -1);
+    assignLarge(clusters.source_labels, source.points.size(), std::int32_t{-1});
     constexpr double max_noise = 0.03; // of the spacing, for normals of quadrics
     LocalNoise noise;
     if (hypotheses.triangles.empty() && hypotheses.normals.empty())

@@ -11,7 +11,6 @@ namespace pcl::acmap::cylinders {
  * finite are omitted. */
 class NearestPoints {
 public:
-  /** \param[in] points must outlive this object */
   explicit NearestPoints(const std::vector<Eigen::Vector3d>& points);
 
   /** \param[out] found the nearest points in ascending order of distance, those of one
@@ -35,19 +34,39 @@ private:
     }
   };
 
-  void
-  arrange(std::size_t begin, std::size_t end);
+  /** The nearest points so far, in ascending order. */
+  struct Search {
+    Eigen::Vector3d place;
+    std::size_t count;
+    std::vector<Candidate> nearest;
+
+    bool
+    isFull() const
+    {
+      return nearest.size() == count;
+    }
+
+    void
+    consider(const Candidate& candidate);
+  };
 
   void
-  visit(std::size_t begin,
-        std::size_t end,
-        const Eigen::Vector3d& place,
-        std::size_t count,
-        std::vector<Candidate>& heap) const;
+  arrange(const std::vector<Eigen::Vector3d>& points,
+          std::size_t begin,
+          std::size_t end);
 
-  const std::vector<Eigen::Vector3d>& points_;
-  std::vector<std::int32_t> order_; ///< the middle of a range divides it
-  std::vector<std::int8_t> axes_;   ///< of the division at each place of the order
+  void
+  visit(std::size_t begin, std::size_t end, Search& search) const;
+
+  void
+  consider(std::size_t i, Search& search) const
+  {
+    search.consider({(places_[i] - search.place).squaredNorm(), order_[i]});
+  }
+
+  std::vector<std::int32_t> order_;     ///< the middle of a range divides it
+  std::vector<std::int8_t> axes_;       ///< of the division at each place of the order
+  std::vector<Eigen::Vector3d> places_; ///< of the points, in the order
 };
 
 } // namespace pcl::acmap::cylinders

@@ -3,6 +3,7 @@
 #include "median.h"
 
 #include <pcl/core/impl/moments.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/voxel_windows.h>
 
 #include <Eigen/Eigenvalues>
@@ -336,6 +337,23 @@ RawSearch::isShorter(RawCylinder& cylinder) const
   return cylinder.gain > 0 && on_cylinder < on_plane;
 }
 
+/** Does the line through a point and its sensor pass a cylinder for certain? Quicker than
+ * \ref Offset, which tells it exactly. */
+bool
+passes(const Cylinder& cylinder,
+       const Eigen::Vector3f& point,
+       const Eigen::Vector3f& sensor)
+{
+  constexpr double rounding = 1e-6;
+  const Eigen::Vector3d place = point.cast<double>();
+  const Eigen::Vector3d line = place - sensor.cast<double>();
+  const Eigen::Vector3d way = line - line.dot(cylinder.axis) * cylinder.axis;
+  const Eigen::Vector3d from = cylinder.across(place);
+  const double a = way.squaredNorm(), b = from.dot(way);
+  const double squared = from.squaredNorm(), radius = cylinder.radius * cylinder.radius;
+  return b * b - a * (squared - radius) < -rounding * a * (squared + radius);
+}
+
 } // namespace
 
 bool
@@ -392,24 +410,40 @@ isLookedThrough(const RawCloud& cloud,
   const std::size_t step = 1 + cylinder.members.size() / enough;
   if (fit.cylinder.is_hollow)
     return false;
-  double through = 0, on = 0;
-  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
-    const Sample sample = sampleOf(cloud, i);
-    if (!sample.hasRay() || !sample.point.allFinite())
-      continue;
-    const Offset offset(fit.cylinder, sample);
-    if (!offset.exists || std::abs(offset.slant) < min_cosine)
-      continue;
-    const Eigen::Vector3d sensor = cloud.sensors[i]->cast<double>();
-    if (offset.value > (sample.point - sensor).norm())
-      continue; // the cylinder is behind the sensor
-    const double along = fit.cylinder.along(offset.foot);
-    if (along < reach.low || along > reach.high)
-      continue;
-    through += offset.value > sigmas * cloud.sigma ? 1 : 0;
-    on += std::abs(offset.value) <= sigmas * cloud.sigma ? 1 : 0;
-  }
-  return through > max_share * (through + on);
+  struct Rays {
+    std::size_t through = 0, on = 0;
+  };
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    Rays rays;
+    for (std::size_t i = begin * step; i < end * step; i += step) {
+      const Eigen::Vector3f* const sensor = cloud.sensors[i];
+      if (!sensor || passes(fit.cylinder, cloud.points[i], *sensor))
+        continue;
+      const Sample sample = sampleOf(cloud, i);
+      if (!sample.hasRay() || !sample.point.allFinite())
+        continue;
+      const Offset offset(fit.cylinder, sample);
+      if (!offset.exists || std::abs(offset.slant) < min_cosine)
+        continue;
+      if (offset.value > (sample.point - sensor->cast<double>()).norm())
+        continue; // the cylinder is behind the sensor
+      const double along = fit.cylinder.along(offset.foot);
+      if (along < reach.low || along > reach.high)
+        continue;
+      rays.through += offset.value > sigmas * cloud.sigma ? 1 : 0;
+      rays.on += std::abs(offset.value) <= sigmas * cloud.sigma ? 1 : 0;
+    }
+    return rays;
+  };
+  const Rays rays = parallelReduceChunks((cloud.points.size() + step - 1) / step,
+                                         Rays(),
+                                         count,
+                                         [](Rays& all, const Rays& more) {
+                                           all.through += more.through;
+                                           all.on += more.on;
+                                         });
+  const auto through = static_cast<double>(rays.through);
+  return through > max_share * (through + static_cast<double>(rays.on));
 }
 
 double

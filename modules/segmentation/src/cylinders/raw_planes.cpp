@@ -1,6 +1,6 @@
 #include "cylinders/raw_cylinders.h"
 
-#include "median.h"
+#include "large_median.h"
 
 #include <pcl/core/impl/voxel_windows.h>
 #include <pcl/core/noise_scale.h>
@@ -111,12 +111,11 @@ isBent(const RawCloud& cloud,
 double
 noiseOnPlanes(const RawCloud& cloud)
 {
-  constexpr double min_cosine = 0.3;
-  std::vector<double> offs;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+  constexpr double min_cosine = 0.3, none = std::numeric_limits<double>::quiet_NaN();
+  const LargeMedian median = largeMedianOf(cloud.points.size(), [&](std::size_t i) {
     const std::int32_t label = cloud.labels[i];
     if (label < 0 || cloud.is_bent[static_cast<std::size_t>(label)])
-      continue;
+      return none;
     const Eigen::Vector4d& plane =
         cloud.planes[static_cast<std::size_t>(label)].coefficients;
     const Eigen::Vector3f point = cloud.points[i];
@@ -126,12 +125,11 @@ noiseOnPlanes(const RawCloud& cloud)
     if (sensor)
       cosine =
           std::abs(plane.head<3>().dot((point - *sensor).cast<double>().normalized()));
-    if (cosine > min_cosine)
-      offs.push_back(std::abs(off) / cosine);
-  }
+    return cosine > min_cosine ? std::abs(off) / cosine : none;
+  });
   constexpr std::size_t min_points = 100;
   constexpr double median_of_normal = 0.6745;
-  return offs.size() < min_points ? 0 : medianOf(offs) / median_of_normal;
+  return median.count < min_points ? 0 : median.value / median_of_normal;
 }
 
 Sample

@@ -10,8 +10,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pcl::acmap::cylinders {
 namespace {
@@ -88,32 +90,47 @@ SurfaceElements::SurfaceElements(const PlaneHypotheses& hypotheses, double told_
 , is_mesh(!hypotheses.triangles.empty())
 {
   setPoints(hypotheses.points);
-  const NearestPoints tree(points);
   for (std::size_t i = 0; i < hypotheses.normals.size(); ++i)
     if (points[i].allFinite() && hypotheses.normals[i].allFinite()) {
       normals[i] = hypotheses.normals[i].cast<double>();
       is_smooth[i] = 1;
     }
+  // for the noise of given normals only, which may be told
+  const bool needs_quadrics = !is_oriented || !(told_sigma > 0);
+  std::optional<NearestPoints> tree;
+  if (!is_mesh || needs_quadrics)
+    tree.emplace(points);
   if (is_mesh)
     neighbours = VertexNeighbours(size(), hypotheses.triangles);
   else
-    connectNearest(tree);
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i < size(); ++i)
-    for (const std::int32_t j : neighbours[i]) {
-      const double length = (points[static_cast<std::size_t>(j)] - points[i]).norm();
-      if (length > 0)
-        lengths.push_back(length);
-    }
-  spacing = medianOf(lengths);
-  fitQuadrics(tree, !is_oriented);
-  if (told_sigma > 0)
-    sigma = told_sigma;
+    connectNearest(*tree);
+  setSpacing();
   constexpr double rounding = 5e-5; // of coordinates in files, relative to the extent
   // Consolidated points are more precise than the shape of their mesh: near edges they
   // are means over both surfaces.
   constexpr double mesh_error = 0.05; // relative to the spacing
-  sigma = std::max({sigma, rounding * extent, is_mesh ? mesh_error * spacing : 0});
+  const double least = std::max(rounding * extent, is_mesh ? mesh_error * spacing : 0);
+  if (needs_quadrics)
+    fitQuadrics(*tree, least);
+  if (told_sigma > 0)
+    sigma = told_sigma;
+  sigma = std::max(sigma, least);
+}
+
+/** Sets the spacing to the median distance between neighbours. */
+void
+SurfaceElements::setSpacing()
+{
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < size(); ++i)
+    for (const std::int32_t j : neighbours[i]) {
+      if (is_mesh && j < static_cast<std::int32_t>(i))
+        continue; // an edge of a mesh is found at both ends
+      const double square = (points[static_cast<std::size_t>(j)] - points[i]).squaredNorm();
+      if (square > 0)
+        squares.push_back(square);
+    }
+  spacing = std::sqrt(medianOf(squares));
 }
 
 void
@@ -168,15 +185,20 @@ SurfaceElements::connectNearest(const NearestPoints& tree)
   neighbours = VertexNeighbours(std::move(first), std::move(others));
 }
 
-/** Fits quadrics over the nearest points. The noise is that of the best quarter: edges
- * are no noise. */
+/** Fits quadrics over the nearest points; without given normals, to all of them. The
+ * noise is that of the best quarter: edges are no noise. Noise below the least one does
+ * not matter, and is not measured further than it takes to know. */
 void
-SurfaceElements::fitQuadrics(const NearestPoints& tree, bool sets_normals)
+SurfaceElements::fitQuadrics(const NearestPoints& tree, double least)
 {
   constexpr std::size_t sizes[] = {13, 9, 25, 41};
   constexpr double max_rms = 0.06; // of the window
+  const std::size_t quarter = size() / 4 + 1;
+  std::atomic<std::size_t> quiet{0}; // points whose noise is below the least one
   std::vector<double> rms(size(), nan);
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
+    if (is_oriented && quiet >= quarter)
+      return;
     std::vector<std::int32_t> found;
     for (std::size_t i = begin; i < end; ++i) {
       if (!points[i].allFinite())
@@ -191,7 +213,7 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, bool sets_normals)
         if (!(quadric.rms < max_rms * quadric.window))
           continue;
         rms[i] = quadric.rms;
-        if (sets_normals) {
+        if (!is_oriented) {
           normals[i] = quadric.normal;
           is_smooth[i] = 1;
         }
@@ -199,7 +221,13 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, bool sets_normals)
       }
       found.clear();
     }
+    quiet += static_cast<std::size_t>(std::count_if(
+        rms.begin() + static_cast<std::ptrdiff_t>(begin),
+        rms.begin() + static_cast<std::ptrdiff_t>(end),
+        [&](double r) { return r / quartile_of_seven <= least; }));
   });
+  if (quiet >= quarter)
+    return;
   rms.erase(std::remove_if(rms.begin(), rms.end(), [](double r) { return !(r >= 0); }),
             rms.end());
   if (rms.empty())

@@ -60,7 +60,9 @@ private:
   void
   connectNearest(const NearestPoints& tree);
   void
-  fitQuadrics(const NearestPoints& tree, bool sets_normals);
+  setSpacing();
+  void
+  fitQuadrics(const NearestPoints& tree, double least);
 };
 
 /** Noise of a cloud, and the distance between its neighbouring points, metres. */

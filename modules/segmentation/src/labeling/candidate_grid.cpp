@@ -43,11 +43,14 @@ CandidateGrid::CandidateGrid(const KnownPlanes& known,
                              int reach,
                              const std::vector<bool>& is_entered)
 : lattice_(known.points, edge)
-, keys_(1024)
-, places_(1024, -1)
-, mask_(1023)
 {
   const auto voxels = labeledVoxels(known, lattice_, is_entered);
+  std::size_t slots = 1024; // each voxel of a plane has about two around it
+  while (reach > 0 && slots < 8 * voxels.size())
+    slots *= 2;
+  keys_.resize(slots);
+  places_.resize(slots, -1);
+  mask_ = slots - 1;
   for (const auto& [key, label] : voxels) {
     Candidates& own = entry(key);
     own.has_strangers |= label < 0;
@@ -92,10 +95,10 @@ CandidateGrid::renumber(const std::vector<std::int32_t>& numbers)
 }
 
 bool
-CandidateGrid::hasStrangersAt(const Eigen::Vector3d& place, std::int32_t near) const
+CandidateGrid::hasStrangersIn(const Eigen::Vector3d& place) const
 {
   VoxelHit hit;
-  if (!(*this)[near].near_strangers || !lattice_.locate(place.cast<float>(), hit))
+  if (!lattice_.locate(place.cast<float>(), hit))
     return false;
   const std::int32_t there = find(voxelKey(hit.place));
   return there >= 0 && (*this)[there].has_strangers;

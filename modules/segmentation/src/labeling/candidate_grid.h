@@ -67,7 +67,10 @@ public:
    * plane, not the measured point: noise moves points, so the result would depend on
    * the noise of each point. */
   bool
-  hasStrangersAt(const Eigen::Vector3d& place, std::int32_t near) const;
+  hasStrangersAt(const Eigen::Vector3d& place, std::int32_t near) const
+  {
+    return (*this)[near].near_strangers && hasStrangersIn(place);
+  }
 
   /** Returns the plane of a hypothesis in the voxel of a position, -1 for none. */
   std::int32_t
@@ -86,6 +89,9 @@ public:
   }
 
 private:
+  bool
+  hasStrangersIn(const Eigen::Vector3d& place) const;
+
   Candidates&
   entry(VoxelKey key);
 

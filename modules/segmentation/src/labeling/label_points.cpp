@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -227,12 +229,13 @@ struct Scenery {
 };
 
 /** Fits those planes again whose parts were separated by pose errors, and increases
- * their warp accordingly. */
+ * their warp accordingly.
+ * \param[in] labels with the new numbers */
 void
 settleDrift(const Verdicts& verdicts,
             const std::vector<std::int32_t>& numbers,
             const Survey& survey,
-            const std::vector<std::int32_t>& labels,
+            std::vector<std::int32_t> labels,
             const Scenery& scenery,
             const std::vector<Eigen::Vector3d>& guesses,
             KnownPlanes& known)
@@ -250,8 +253,12 @@ settleDrift(const Verdicts& verdicts,
   std::vector<KnownPlane> wide = known.planes;
   for (std::size_t p = 0; p < wide.size(); ++p)
     wide[p].warp = std::hypot(wide[p].warp, drift[p]);
+  for (std::int32_t& label : labels) // the other planes are not fitted
+    if (label >= 0 && drift[static_cast<std::size_t>(label)] == 0)
+      label = -1;
+  const PlaneMembers members(labels, wide.size());
   fitPlanes(
-      sumPlanes(survey, labels, scenery.grid, scenery.noise, wide), guesses, wide);
+      sumPlanes(survey, members, scenery.grid, scenery.noise, wide), guesses, wide);
   for (std::size_t p = 0; p < wide.size(); ++p) {
     if (drift[p] == 0)
       continue;
@@ -275,18 +282,21 @@ settle(const LabelingLimits& limits,
   const Survey survey = all.thinned(max_of_a_voxel, grid);
   const Junctions junctions(known, grid);
   std::vector<std::int32_t> labels;
+  std::optional<PlaneMembers> members;
   std::vector<PlaneSums> sums;
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
     progress.tell(0.4 + 0.2 * round, "labels");
     labels = RayLabels(grid, noise, junctions, known.planes).chooseAll(survey);
-    sums = sumPlanes(survey, labels, grid, noise, known.planes);
+    members.emplace(labels, known.planes.size());
+    sums = sumPlanes(survey, *members, grid, noise, known.planes);
     fitPlanes(sums, guesses, known.planes);
   }
+  countAtHome(survey, grid, sums);
   const Verdicts verdicts =
       judge(sums,
             ViewSteps(survey, labels, grid, noise, known.planes),
-            findShadows(survey, labels, grid, noise, known.planes),
+            findShadows(survey, *members, grid, noise, known.planes),
             known.planes,
             limits.distance,
             limits.cosine);
@@ -302,7 +312,7 @@ settle(const LabelingLimits& limits,
   scenery.grid.renumber(numbers);
   for (std::int32_t& label : labels)
     label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
-  settleDrift(verdicts, numbers, survey, labels, scenery, guesses, known);
+  settleDrift(verdicts, numbers, survey, std::move(labels), scenery, guesses, known);
 }
 
 void
@@ -313,9 +323,10 @@ finish(const Scenery& scenery,
        KnownPlanes& known)
 {
   const auto& [grid, survey, noise] = scenery;
-  std::vector<PlaneSums> sums = sumPlanes(survey, labels, grid, noise, known.planes);
+  const PlaneMembers members(labels, known.planes.size());
+  std::vector<PlaneSums> sums = sumPlanes(survey, members, grid, noise, known.planes);
   centerFrames(sums, known.planes); // parts may have been merged since the last fit
-  sumClusters(survey, labels, grid, noise, known.planes, coarseness, sums);
+  sumClusters(survey, members, grid, noise, known.planes, coarseness, sums);
   finishPlanes(sums, guesses, known.planes);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "labeling/plane_members.h"
 #include "labeling/range_noise.h"
 #include "labeling/ray_fit.h"
 
@@ -36,13 +37,20 @@ struct PlaneSums {
   }
 };
 
-/** Returns the sums for each plane over its points. */
+/** Returns the sums for each plane over its points, but for the number of those at
+ * home. */
 std::vector<PlaneSums>
 sumPlanes(const Survey& survey,
-          const std::vector<std::int32_t>& labels,
+          const PlaneMembers& members,
           const CandidateGrid& grid,
           const RangeNoise& noise,
           const std::vector<KnownPlane>& planes);
+
+/** Sets for each plane the number of points in voxels of its hypotheses. */
+void
+countAtHome(const Survey& survey,
+            const CandidateGrid& grid,
+            std::vector<PlaneSums>& sums);
 
 /** Returns for each plane the number of a previous plane that explains most of its
  * points, -1 for none: the points are within the noise of that plane, and the
@@ -51,7 +59,7 @@ sumPlanes(const Survey& survey,
  * side of a thin wall. */
 std::vector<std::int32_t>
 findShadows(const Survey& survey,
-            const std::vector<std::int32_t>& labels,
+            const PlaneMembers& members,
             const CandidateGrid& grid,
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes);
@@ -61,7 +69,7 @@ findShadows(const Survey& survey,
  * \param[in] coarseness edge length of a cluster in voxels */
 void
 sumClusters(const Survey& survey,
-            const std::vector<std::int32_t>& labels,
+            const PlaneMembers& members,
             const CandidateGrid& grid,
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes,

@@ -3,7 +3,6 @@
 #include "median.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace pcl::acmap::labeling {
 namespace {
@@ -32,23 +31,6 @@ visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& vi
 }
 
 } // namespace
-
-// Two bins per octave, from 6 cm to a megametre; bin 0 for unknown ranges. The bin is
-// computed from the bits of the number: half an octave is the fraction 0x6a09e667f3bcd.
-std::size_t
-RangeNoise::bin(double range)
-{
-  if (!(range > 0))
-    return 0;
-  std::uint64_t bits;
-  std::memcpy(&bits, &range, sizeof bits);
-  constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << 52) - 1;
-  constexpr std::uint64_t root_of_two = 0x6a09e667f3bcd;
-  const int octave = static_cast<int>(bits >> 52) - 1022;
-  const bool is_upper = (bits & fraction_mask) >= root_of_two;
-  const int place = 2 * octave + (is_upper ? 8 : 7);
-  return static_cast<std::size_t>(std::clamp(place, 1, static_cast<int>(bins) - 1));
-}
 
 RangeNoise::RangeNoise(const Survey& survey,
                        const CandidateGrid& grid,

@@ -25,7 +25,7 @@ struct FitSums {
    * the plane. At the point itself, the errors of distance and position would be
    * correlated, and the plane would be tilted.
    * \param[in] weight inverse variance of the distance */
-  void
+  [[gnu::always_inline]] void
   add(const Crossing& crossing, const PlanePatch& patch, double weight)
   {
     const Eigen::Vector3d from_center = crossing.foot - patch.center;

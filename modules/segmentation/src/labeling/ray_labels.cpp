@@ -1,5 +1,6 @@
 #include "labeling/ray_labels.h"
 
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/parallel.h>
 
 namespace pcl::acmap::labeling {
@@ -7,7 +8,8 @@ namespace pcl::acmap::labeling {
 std::vector<std::int32_t>
 RayLabels::chooseAll(const Survey& survey) const
 {
-  std::vector<std::int32_t> labels(survey.size(), -1);
+  std::vector<std::int32_t> labels;
+  assignLarge(labels, survey.size(), std::int32_t{-1});
   parallelForChunks(survey.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (survey.entry(i) >= 0)

@@ -7,13 +7,17 @@
 
 namespace pcl::acmap::labeling {
 
+// Both constructors are in the loops over all points of a map: as calls they take a third
+// of the time.
+
 /** A measured point, and the unit direction along which it may be wrong. */
 struct Sight {
   Eigen::Vector3d point;
   Eigen::Vector3d ray; ///< unit, from the sensor; zero where it is unknown
   double range = 0;    ///< metres; 0 where the sensor is unknown
 
-  Sight(const Eigen::Vector3f& point, const Eigen::Vector3f* sensor)
+  [[gnu::always_inline]] Sight(const Eigen::Vector3f& point,
+                               const Eigen::Vector3f* sensor)
   : point(point.cast<double>())
   , ray(Eigen::Vector3d::Zero())
   {
@@ -33,7 +37,7 @@ struct Crossing {
   Eigen::Vector3d foot; ///< intersection of ray and plane, or projection of the point
   double range;         ///< metres from the sensor to the foot; 0 if unknown
 
-  Crossing(const Sight& sight, const PlanePatch& patch)
+  [[gnu::always_inline]] Crossing(const Sight& sight, const PlanePatch& patch)
   {
     const Eigen::Vector3d normal = patch.coefficients.head<3>();
     off = normal.dot(sight.point) + patch.coefficients[3];

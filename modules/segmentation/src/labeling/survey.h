@@ -29,7 +29,7 @@ public:
     return entries_[i];
   }
 
-  Sight
+  [[gnu::always_inline]] Sight
   sight(std::size_t i) const
   {
     return Sight(points_[place(i)], sensors_[place(i)]);
@@ -64,8 +64,8 @@ private:
   const PointView& points_;
   const SensorView& sensors_;
   std::vector<std::int32_t> entries_;
-  std::vector<std::size_t> places_; ///< indices of the points; empty for all of them
-  std::vector<std::size_t> counts_; ///< represented points; empty for one each
+  std::vector<std::uint32_t> places_; ///< indices of the points; empty for all of them
+  std::vector<std::uint32_t> counts_; ///< represented points; empty for one each
 };
 
 } // namespace pcl::acmap::labeling

@@ -1,5 +1,7 @@
 #include "labeling/view_steps.h"
 
+#include <pcl/core/impl/parallel.h>
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -25,6 +27,38 @@ isMovedOff(const Sight& sight,
   const std::int32_t plane = candidates.planes[0];
   const Crossing crossing(sight, planes[static_cast<std::size_t>(plane)].patch);
   return std::abs(crossing.off) < max_drift && grid.homeAt(crossing.foot) == plane;
+}
+
+/** Returns for each point the plane on which its observation saw it, -1 for none. */
+std::vector<std::int32_t>
+onPlanes(const Survey& survey,
+         const std::vector<std::int32_t>& labels,
+         const CandidateGrid& grid,
+         const RangeNoise& noise,
+         const std::vector<KnownPlane>& planes)
+{
+  std::vector<std::int32_t> on(survey.size(), -1);
+  parallelForChunks(survey.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t entry = survey.entry(i);
+      if (entry < 0 || survey.observation(i) < 0)
+        continue;
+      const Sight sight = survey.sight(i);
+      std::int32_t label = labels[i];
+      const bool is_moved = label < 0 && isMovedOff(sight, entry, grid, planes);
+      if (is_moved)
+        label = grid[entry].planes[0];
+      if (label < 0)
+        continue;
+      const KnownPlane& plane = planes[static_cast<std::size_t>(label)];
+      const Crossing crossing(sight, plane.patch);
+      const bool is_near =
+          crossing.off * crossing.off <= squared_gate * noise.variance(crossing, plane);
+      if ((is_near || is_moved) && !grid.hasStrangersAt(crossing.foot, entry))
+        on[i] = label;
+    }
+  });
+  return on;
 }
 
 /** Points in the frame of a plane: (u, v, height over it). */
@@ -108,31 +142,21 @@ ViewSteps::ViewSteps(const Survey& survey,
 : planes_(planes)
 , seen_(planes.size())
 {
-  std::vector<std::map<std::int32_t, Moments>> sums(planes.size());
-  for (std::size_t i = 0; i < survey.size(); ++i) {
-    const std::int32_t observation = survey.observation(i);
-    const std::int32_t entry = survey.entry(i);
-    if (entry < 0 || observation < 0)
-      continue;
-    const Sight sight = survey.sight(i);
-    std::int32_t label = labels[i];
-    const bool is_moved = label < 0 && isMovedOff(sight, entry, grid, planes);
-    if (is_moved)
-      label = grid[entry].planes[0];
-    if (label < 0)
-      continue;
-    const KnownPlane& plane = planes[static_cast<std::size_t>(label)];
-    const Crossing crossing(sight, plane.patch);
-    const bool is_near =
-        crossing.off * crossing.off <= squared_gate * noise.variance(crossing, plane);
-    if ((is_near || is_moved) && !grid.hasStrangersAt(crossing.foot, entry))
-      sums[static_cast<std::size_t>(label)][observation] +=
-          momentsOf(sight.point - plane.patch.center);
-  }
-  for (std::size_t p = 0; p < sums.size(); ++p)
-    for (const auto& [observation, moments] : sums[p])
+  const PlaneMembers members(onPlanes(survey, labels, grid, noise, planes),
+                             planes.size());
+  members.forEachPlane([&](std::size_t plane, PlaneMembers::Range range) {
+    std::map<std::int32_t, Moments> sums;
+    auto last = sums.end();
+    for (const std::size_t i : range) {
+      const std::int32_t observation = survey.observation(i);
+      if (last == sums.end() || last->first != observation)
+        last = sums.try_emplace(observation).first;
+      last->second += momentsOf(survey.sight(i).point - planes[plane].patch.center);
+    }
+    for (const auto& [observation, moments] : sums)
       if (moments.count >= min_points)
-        seen_[p].push_back({observation, moments});
+        seen_[plane].push_back({observation, moments});
+  });
 }
 
 bool

@@ -21,11 +21,18 @@ Borders
 bordersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
 {
   const std::vector<std::int32_t> owner = ownersOf(graph, planes);
+  // the largest owner among the neighbours of each hypothesis: most have only their own
+  std::vector<std::int32_t> largest(graph.size(), -1);
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    for (const std::int32_t near : graph.neighbours[i])
+      largest[i] = std::max(largest[i], owner[static_cast<std::size_t>(near)]);
   Borders borders;
   for (std::size_t i = 0; i < graph.size(); ++i) {
     if (owner[i] < 0)
       continue;
-    for (const std::int32_t near : graph.neighbours[i])
+    for (const std::int32_t near : graph.neighbours[i]) {
+      if (largest[static_cast<std::size_t>(near)] <= owner[i])
+        continue;
       for (const std::int32_t far : graph.neighbours[static_cast<std::size_t>(near)]) {
         const auto f = static_cast<std::size_t>(far);
         if (owner[f] <= owner[i])
@@ -35,6 +42,7 @@ bordersOf(const CellGraph& graph, const std::vector<GrownPlane>& planes)
         border.step += planes[static_cast<std::size_t>(owner[i])].plane.normal.dot(
             graph.points[f] - graph.points[i]);
       }
+    }
   }
   return borders;
 }

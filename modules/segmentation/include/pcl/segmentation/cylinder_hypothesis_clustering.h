@@ -6,6 +6,7 @@
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
+#include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/triangle_mesh.h>
@@ -13,6 +14,7 @@
 #include <pcl/point_types.h>
 #include <pcl/segmentation/cylinder_clustering_types.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -122,6 +124,13 @@ public:
   setSourceCloud(const PCLPointCloud2ConstPtr& cloud,
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
+  /** \brief Sets the noise scale of the source cloud where it has been measured before, by
+   * measureNoiseScale with the same sensors (default: it is measured). To be set after
+   * the source: another source has no known scale.
+   * \throws BadArgumentException when sigma or spacing are negative or not finite */
+  void
+  setSourceScale(const NoiseScale& scale);
+
   /** \brief Sets the limits of the radius in metres (default: 0, 1e9, none).
    * \throws BadArgumentException unless 0 <= min_radius <= max_radius and both are
    * finite */
@@ -205,6 +214,7 @@ private:
   double min_radius_ = 0;
   double max_radius_ = 1e9;
   double sigma_ = 0;
+  std::optional<NoiseScale> source_scale_;
   std::vector<std::int32_t> labels_;
   std::vector<std::int32_t> source_labels_;
 };
@@ -217,6 +227,7 @@ CylinderHypothesisClustering<PointT>::setSourceCloud(
     const std::vector<Eigen::Vector3f>& viewpoints)
 {
   acmap::requireViewpoints(viewpoints);
+  source_scale_.reset();
   source_ = cloud;
   const bool is_empty = !cloud || cloud->empty();
   source_points_ =

@@ -2,19 +2,22 @@
 
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/export.h>
+#include <pcl/core/noise_scale.h>
 #include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
 
 /** \brief Settings of \ref clusterCylinders; see CylinderHypothesisClustering. */
 struct CylinderClusteringSettings {
-  double min_radius = 0;   ///< metres
-  double max_radius = 1e9; ///< metres
-  double sigma = 0;        ///< metres; 0: measured
-  unsigned threads = 0;    ///< 0: all
+  double min_radius = 0;                  ///< metres
+  double max_radius = 1e9;                ///< metres
+  double sigma = 0;                       ///< metres; 0: measured
+  std::optional<NoiseScale> source_scale; ///< of the source; none: measured
+  unsigned threads = 0;                   ///< 0: all
 };
 
 /** \brief Planes that cylinders may replace. */

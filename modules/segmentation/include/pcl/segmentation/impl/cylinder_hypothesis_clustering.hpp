@@ -43,10 +43,20 @@ CylinderHypothesisClustering<PointT>::setNoise(double sigma)
 
 template <typename PointT>
 void
+CylinderHypothesisClustering<PointT>::setSourceScale(const NoiseScale& scale)
+{
+  acmap::requireInRange("noise of the source", scale.sigma, 0.0, 1e9, "m");
+  acmap::requireInRange("spacing of the source", scale.spacing, 0.0, 1e9, "m");
+  source_scale_ = scale;
+}
+
+template <typename PointT>
+void
 CylinderHypothesisClustering<PointT>::setSourceCloud(
     const PCLPointCloud2ConstPtr& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
 {
   acmap::requireViewpoints(viewpoints);
+  source_scale_.reset();
   source_ = cloud;
   source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
   source_sensors_ = cloud && !viewpoints.empty()
@@ -156,6 +166,7 @@ CylinderHypothesisClustering<PointT>::segment(std::vector<CylinderPatch>& patche
   settings.min_radius = min_radius_;
   settings.max_radius = max_radius_;
   settings.sigma = sigma_;
+  settings.source_scale = source_scale_;
   settings.threads = threads_;
   CylinderClusteringReport report;
   acmap::CylinderClusters clusters =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/export.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -8,7 +10,7 @@ namespace pcl::acmap {
 /** \brief Asks the system to back memory that is not used yet by pages of 2 MB. It only
  * concerns speed: the first use of a page of 4 KB takes longer than reading its content
  * from a file. Blocks of less than a few megabytes are left as they are. */
-void
+ACMAP_EXPORT void
 adviseLargePages(void* begin, std::size_t bytes);
 
 /** \brief Reserves memory for \a count values that are appended soon. */
@@ -18,6 +20,15 @@ reserveLarge(std::vector<Value>& values, std::size_t count)
 {
   values.reserve(count);
   adviseLargePages(values.data(), values.capacity() * sizeof(Value));
+}
+
+/** \brief Replaces the content of a vector by \a count copies of a value. */
+template <typename Value>
+void
+assignLarge(std::vector<Value>& values, std::size_t count, const Value& value)
+{
+  reserveLarge(values, count);
+  values.assign(count, value);
 }
 
 /** \brief Memory from the system itself; small blocks from the heap.
