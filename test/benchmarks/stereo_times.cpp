@@ -13,7 +13,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double max_frames = 6.0; // of SGBM, for an observation by space-time
+constexpr double max_frames = 3.0; // of SGBM, for an observation by space-time
 
 /** The minimum CPU seconds of several runs. */
 double

@@ -1,14 +1,11 @@
-#include "simd/pair_kernels.h"
+#include "kernel_variants.h"
 
-#include <pcl/core/random.h>
-
-#include <gtest/gtest.h>
+#include "simd/cubic_weights.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <iterator>
-#include <limits>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace pcl::acmap::test {
@@ -16,95 +13,8 @@ namespace {
 
 #ifdef ACMAP_SIMD_AVX2
 
-/** Random inputs, including values that variants of a kernel could treat
- * differently. */
-class Draw {
-public:
-  explicit Draw(bool has_edges)
-  : has_edges_(has_edges)
-  {}
-
-  std::vector<float>
-  floats(std::size_t size)
-  {
-    constexpr float maximum = std::numeric_limits<float>::max();
-    static const float edges[] = {0.0F,
-                                  -0.0F,
-                                  std::numeric_limits<float>::denorm_min(),
-                                  -3e-39F,
-                                  maximum,
-                                  -maximum,
-                                  std::numeric_limits<float>::infinity(),
-                                  std::numeric_limits<float>::quiet_NaN()};
-    std::vector<float> all(size);
-    for (float& one : all)
-      one = has_edges_ && random_.bits() % 16 == 0
-                ? edges[random_.bits() % std::size(edges)]
-                : static_cast<float>(random_.uniform(-1, 1));
-    return all;
-  }
-
-  template <typename Integer>
-  std::vector<Integer>
-  integers(std::size_t size, double minimum, double maximum)
-  {
-    std::vector<Integer> all(size);
-    for (Integer& one : all)
-      one = static_cast<Integer>(random_.uniform(minimum, maximum));
-    return all;
-  }
-
-  std::vector<std::uint64_t>
-  words(std::size_t size)
-  {
-    std::vector<std::uint64_t> all(size);
-    for (std::uint64_t& one : all)
-      one = random_.bits() % 16 == 0 ? ~std::uint64_t{0} : random_.bits();
-    return all;
-  }
-
-private:
-  Random random_{9};
-  bool has_edges_;
-};
-
-/** Compares with any NaN, as the standard does not define which NaN a sum returns. */
-bool
-areSame(const std::vector<float>& a, const std::vector<float>& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::memcmp(&a[i], &b[i], sizeof a[i]) != 0 &&
-        !(std::isnan(a[i]) && std::isnan(b[i])))
-      return false;
-  return a.size() == b.size();
-}
-
-/** Widths that are not multiples of the vector size, strides of one and several
- * blocks. */
-class PairKernelVariants : public testing::Test {
+class PairKernelVariants : public KernelVariants {
 protected:
-  void
-  SetUp() override
-  {
-    if (!__builtin_cpu_supports("avx2"))
-      GTEST_SKIP() << "this processor has no AVX2";
-  }
-
-  /** \param[in] check function of (width, stride, shots), and the source of random
-   * inputs */
-  template <typename Check>
-  static void
-  forSizes(const Check& check)
-  {
-    for (const bool has_edges : {false, true})
-      for (std::size_t width = 0; width <= 40; ++width)
-        for (const std::size_t stride : {16U, 48U, 80U})
-          for (const std::size_t shots : {0U, 1U, 7U}) {
-            Draw draw(has_edges);
-            check(draw, width, stride, shots);
-          }
-  }
-
   /** Compares the costs that the variants write. */
   template <typename Run>
   static void
@@ -121,28 +31,6 @@ protected:
         << width << " x " << stride;
   }
 };
-
-template <typename Value>
-ShotRows<Value>
-rowsOf(const std::vector<Value>& values, std::size_t plane, std::size_t shots)
-{
-  return {values.data(), static_cast<std::int64_t>(plane), static_cast<int>(shots)};
-}
-
-TEST_F(PairKernelVariants, Correlate)
-{
-  forSizes([](Draw& draw, std::size_t width, std::size_t stride, std::size_t shots) {
-    const auto reference = draw.floats(width * shots);
-    const auto target = draw.floats((width + stride) * shots);
-    expectSameCosts(
-        width, stride, [&](const PairKernels& kernels, const CostRow& costs) {
-          kernels.correlate(rowsOf(reference, width, shots),
-                            rowsOf(target, width + stride, shots),
-                            1000,
-                            costs);
-        });
-  });
-}
 
 TEST_F(PairKernelVariants, CountBits)
 {
@@ -290,46 +178,209 @@ TEST_F(PairKernelVariants, FindWinners)
   });
 }
 
-TEST_F(PairKernelVariants, SumAtQuarters)
-{
-  for (const bool has_edges : {false, true})
-    for (std::size_t shots = 0; shots <= 40; ++shots) {
-      Draw draw(has_edges);
-      const auto pixel = draw.floats(shots), target = draw.floats(16 * shots);
-      const auto run = [&](const PairKernels& kernels) {
-        SubPixelSums sums{};
-        kernels.sumAtQuarters(rowsOf(pixel, 1, shots), rowsOf(target, 16, shots), sums);
-        std::vector<float> all(sums.products, sums.products + 16);
-        all.insert(all.end(), sums.squares, sums.squares + 16);
-        all.insert(all.end(), sums.values, sums.values + 16);
-        return all;
-      };
-      ASSERT_TRUE(areSame(run(pair_kernels_avx2), run(pair_kernels_base))) << shots;
+/** A row of a pair with random winners, the rows of its sums, and what they are of. */
+struct SummedRow {
+  std::vector<int> shifts, least, greatest;
+  std::vector<float> levels, target, products, sums[4], target_sums[4];
+  MatchedRow row{};
+  int width, shots;
+  static constexpr int beside = 4; ///< px of the neighbour's row that are summed
+
+  SummedRow(const PairKernels& kernels, Draw& draw, int width, int shots, int spread)
+  : shifts(static_cast<std::size_t>(width + 4), MatchedRow::outside)
+  , levels(draw.floats(static_cast<std::size_t>(whole(width) * shots)))
+  , target(draw.floats(static_cast<std::size_t>(stride(width) * shots)))
+  , width(width)
+  , shots(shots)
+  {
+    const auto drawn =
+        draw.integers<int>(static_cast<std::size_t>(width), 0, spread + 0.999);
+    for (int x = 0; x < width; ++x)
+      if (x + drawn[static_cast<std::size_t>(x)] < width)
+        shifts[static_cast<std::size_t>(x + 2)] = drawn[static_cast<std::size_t>(x)];
+    for (int x = 0; x < width; ++x) {
+      const auto five = shifts.begin() + x;
+      least.push_back(*std::min_element(five, five + 5));
+      greatest.push_back(*std::max_element(five, five + 5));
     }
+    row.shifts = shifts.data() + 2;
+    row.least = least.data();
+    row.greatest = greatest.data();
+    sum(kernels);
+  }
+
+  static int
+  whole(int count)
+  {
+    return (count + 7) / 8 * 8;
+  }
+
+  static int
+  stride(int width)
+  {
+    return whole(width + 2 * beside) + 16;
+  }
+
+  float
+  level(int x, int k) const
+  {
+    return levels[static_cast<std::size_t>(k * whole(width) + x)];
+  }
+
+  /** The neighbour's level at a quarter pixel, in double precision. */
+  double
+  targetLevel(int quarters, int k) const
+  {
+    const int pixel = (quarters + 4 * beside) / 4 - beside;
+    double value = 0;
+    for (int tap = 0; tap < 4; ++tap)
+      value += static_cast<double>(cubic_weights[static_cast<std::size_t>(
+                   tap)][static_cast<std::size_t>(quarters - 4 * pixel)]) *
+               static_cast<double>(target[static_cast<std::size_t>(
+                   k * stride(width) + pixel + tap - 1 + beside)]);
+    return value;
+  }
+
+private:
+  static LevelSums
+  resized(std::vector<float> (&all)[4], int count, int before)
+  {
+    for (auto& one : all)
+      one.assign(static_cast<std::size_t>(count + 2 * before), 0.0F);
+    return {&all[0][static_cast<std::size_t>(before)],
+            &all[1][static_cast<std::size_t>(before)],
+            &all[2][static_cast<std::size_t>(before)],
+            &all[3][static_cast<std::size_t>(before)]};
+  }
+
+  static LevelSums
+  movedBy(const LevelSums& at, int first)
+  {
+    return {at.squares + first,
+            at.values + first,
+            at.squares_of_five + first,
+            at.values_of_five + first};
+  }
+
+  void
+  sum(const PairKernels& kernels)
+  {
+    const ShotRows<float> from{levels.data(), whole(width), shots};
+    const ShotRows<float> to{target.data() + beside, stride(width), shots};
+    products.assign(static_cast<std::size_t>(8 * (width + 4)), 0.0F);
+    products_of_five.assign(products.size(), 0.0F);
+    kernels.sumProducts(from, to, width, row.shifts, products.data() + 16);
+    kernels.sumFive(products.data() + 16, 8 * width, 8, products_of_five.data() + 16);
+    row.products = products.data() + 16;
+    row.products_of_five = products_of_five.data() + 16;
+    const auto sumFive = [&](const LevelSums& of, int count, int step) {
+      kernels.sumFive(of.squares, count, step, of.squares_of_five);
+      kernels.sumFive(of.values, count, step, of.values_of_five);
+    };
+    row.reference = resized(sums, whole(width), 8);
+    kernels.sumLevels(from, whole(width), true, row.reference);
+    sumFive(row.reference, whole(width), 1);
+    const int columns = whole(width + 2 * beside);
+    row.target = resized(target_sums, 4 * columns, 24);
+    kernels.sumQuarters(
+        {to.values - 3, to.plane, shots}, columns, true, movedBy(row.target, -12));
+    sumFive(movedBy(row.target, -4), 4 * columns, 4);
+  }
+
+  std::vector<float> products_of_five;
+};
+
+/** Correlates three rows of random levels. */
+std::vector<WindowMatch>
+correlated(const PairKernels& kernels, const SummedRow (&rows)[3], bool centred)
+{
+  const MatchedRow* const all[] = {&rows[0].row, &rows[1].row, &rows[2].row};
+  std::vector<WindowMatch> matches(static_cast<std::size_t>(rows[1].width));
+  kernels.correlateAround(all,
+                          3,
+                          rows[1].row,
+                          {rows[1].width, rows[1].shots, 0.01F, centred},
+                          matches.data());
+  return matches;
 }
 
-TEST_F(PairKernelVariants, SumWindow)
+/** Three rows; a spread of 0 makes all windows complete. */
+template <typename Check>
+void
+forWindows(const Check& check)
 {
-  constexpr std::size_t of_pixel = 3 * SubPixelSums::quarters;
-  for (const bool has_edges : {false, true})
-    for (std::size_t count = 0; count <= 40; ++count)
-      for (const bool wants_values : {false, true}) {
-        Draw draw(has_edges);
-        const auto sums = draw.floats(of_pixel * (count + 1));
-        std::vector<const float*> pixels;
-        for (std::size_t i = 0; i < count; ++i)
-          pixels.push_back(&sums[of_pixel * i + i % 8]);
-        const auto run = [&](const PairKernels& kernels) {
-          WindowAtQuarters window{};
-          kernels.sumWindow(
-              pixels.data(), static_cast<int>(count), wants_values, window);
-          std::vector<float> all(window.products, window.products + 8);
-          all.insert(all.end(), window.squares, window.squares + 8);
-          all.insert(all.end(), window.values, window.values + 8);
-          return all;
-        };
-        ASSERT_TRUE(areSame(run(pair_kernels_avx2), run(pair_kernels_base))) << count;
+  for (const int width : {1, 2, 5, 8, 9, 31, 40})
+    for (const int shots : {1, 2, 7})
+      for (const int spread : {0, 1, 2, 6})
+        for (const bool centred : {false, true})
+          check(width, shots, spread, centred);
+}
+
+TEST_F(PairKernelVariants, CorrelateAround)
+{
+  forWindows([](int width, int shots, int spread, bool centred) {
+    const auto run = [&](const PairKernels& kernels) {
+      Draw draw(false);
+      const SummedRow rows[] = {{kernels, draw, width, shots, spread},
+                                {kernels, draw, width, shots, spread},
+                                {kernels, draw, width, shots, spread}};
+      std::vector<float> all;
+      for (const WindowMatch& match : correlated(kernels, rows, centred)) {
+        all.insert(all.end(), match.correlation, match.correlation + 8);
+        all.insert(all.end(), {match.variance, match.size});
       }
+      return all;
+    };
+    ASSERT_TRUE(areSame(run(pair_kernels_avx2), run(pair_kernels_base)));
+  });
+}
+
+/** The ZNCC of a window by its definition. */
+double
+correlationOf(const SummedRow (&rows)[3], int x, int place, bool centred)
+{
+  const int shift = rows[1].row.shifts[x];
+  std::vector<double> left, right;
+  for (const SummedRow& row : rows)
+    for (int i = std::max(x - 2, 0); i <= std::min(x + 2, row.width - 1); ++i)
+      if (std::abs(row.row.shifts[i] - shift) <= 1)
+        for (int k = 0; k < row.shots; ++k) {
+          left.push_back(static_cast<double>(row.level(i, k)));
+          right.push_back(row.targetLevel(4 * (i + shift) + place - 4, k));
+        }
+  const auto size = static_cast<double>(left.size());
+  const auto meanOf = [&](const std::vector<double>& all) {
+    return centred ? 0.0 : std::accumulate(all.begin(), all.end(), 0.0) / size;
+  };
+  const double left_mean = meanOf(left), right_mean = meanOf(right);
+  double product = 0, left_square = 0.01 * size, right_square = 0.01 * size;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    product += (left[i] - left_mean) * (right[i] - right_mean);
+    left_square += (left[i] - left_mean) * (left[i] - left_mean);
+    right_square += (right[i] - right_mean) * (right[i] - right_mean);
+  }
+  return product / std::sqrt(left_square * right_square);
+}
+
+TEST_F(PairKernelVariants, WindowsAreCorrelatedByDefinition)
+{
+  forWindows([](int width, int shots, int spread, bool centred) {
+    Draw draw(false);
+    const PairKernels& kernels = pair_kernels_avx2;
+    const SummedRow rows[] = {{kernels, draw, width, shots, spread},
+                              {kernels, draw, width, shots, spread},
+                              {kernels, draw, width, shots, spread}};
+    const auto matches = correlated(kernels, rows, centred);
+    for (int x = 0; x < width; ++x)
+      for (int place = 0; rows[1].row.shifts[x] != MatchedRow::outside && place < 8;
+           ++place) {
+        const WindowMatch& match = matches[static_cast<std::size_t>(x)];
+        ASSERT_NEAR(static_cast<double>(match.correlation[place]),
+                    correlationOf(rows, x, place, centred),
+                    1e-4)
+            << x << " of " << width << ", " << shots << " shots, place " << place;
+      }
+  });
 }
 
 #endif

@@ -45,20 +45,30 @@ void
 ShotCoverage::smooth(const CameraImage& image,
                      std::vector<std::uint16_t>& smoothed) const
 {
+  constexpr int rows = 32;
   const auto width = static_cast<std::size_t>(width_);
-  oneapi::tbb::parallel_for(0, height_, [&](int row) {
-    std::vector<std::uint16_t> grey(3 * (width + 2));
-    std::uint16_t* const above = grey.data();
-    std::uint16_t* const here = above + width + 2;
-    std::uint16_t* const below = here + width + 2;
-    readRow(image, std::max(row - 1, 0), above);
-    readRow(image, row, here);
-    readRow(image, std::min(row + 1, height_ - 1), below);
-    for (std::size_t i = 0; i < width + 2; ++i)
-      above[i] = static_cast<std::uint16_t>(above[i] + 2 * here[i] + below[i]);
-    std::uint16_t* const to = smoothed.data() + static_cast<std::size_t>(row) * width;
-    for (std::size_t i = 0; i < width; ++i)
-      to[i] = static_cast<std::uint16_t>(above[i] + 2 * above[i + 1] + above[i + 2]);
+  const auto smoothRows = [&](int begin, int end) {
+    std::vector<std::uint16_t> grey(3 * (width + 2)), sums(width + 2);
+    const auto greyOf = [&](int row) {
+      const auto there = static_cast<std::size_t>(std::clamp(row, 0, height_ - 1));
+      return grey.data() + there % 3 * (width + 2);
+    };
+    readRow(image, std::max(begin - 1, 0), greyOf(begin - 1));
+    readRow(image, begin, greyOf(begin));
+    for (int row = begin; row < end; ++row) {
+      if (row + 1 < height_)
+        readRow(image, row + 1, greyOf(row + 1));
+      const std::uint16_t *const above = greyOf(row - 1), *const here = greyOf(row),
+                                 *const below = greyOf(row + 1);
+      for (std::size_t i = 0; i < width + 2; ++i)
+        sums[i] = static_cast<std::uint16_t>(above[i] + 2 * here[i] + below[i]);
+      std::uint16_t* const to = smoothed.data() + static_cast<std::size_t>(row) * width;
+      for (std::size_t i = 0; i < width; ++i)
+        to[i] = static_cast<std::uint16_t>(sums[i] + 2 * sums[i + 1] + sums[i + 2]);
+    }
+  };
+  oneapi::tbb::parallel_for(0, (height_ + rows - 1) / rows, [&](int block) {
+    smoothRows(block * rows, std::min((block + 1) * rows, height_));
   });
 }
 

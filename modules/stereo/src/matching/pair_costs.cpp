@@ -6,7 +6,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::acmap {
 
@@ -18,53 +17,6 @@ constexpr float cost_of_no_correlation = 2000.0F;
  * bad match. */
 constexpr std::int16_t outside_cost = 1500;
 
-/** Centred grey levels of a row over time, divided by the root of their sum of squares
- * plus a floor. */
-class CodeRow {
-public:
-  CodeRow(const ShotStack& stack, int behind)
-  : stack_(stack)
-  , size_(stack.width() + behind)
-  , floor_(variance_floor * ShotStack::unit * ShotStack::unit *
-           static_cast<float>(stack.shots()))
-  , scales_(static_cast<std::size_t>(size_))
-  , values_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(stack.shots()))
-  {}
-
-  void
-  fill(int y)
-  {
-    const ShotRows<std::int16_t> from = stack_.rows(y);
-    std::fill(scales_.begin(), scales_.end(), floor_);
-    float* const scales = scales_.data();
-    for (int k = 0; k < from.shots; ++k)
-      for (int x = 0; x < size_; ++x) {
-        const float value = from.values[k * from.plane + x];
-        scales[x] += value * value;
-      }
-    for (float& scale : scales_)
-      scale = 1.0F / std::sqrt(scale);
-    for (int k = 0; k < from.shots; ++k) {
-      float* const to = values_.data() + static_cast<std::int64_t>(k) * size_;
-      for (int x = 0; x < size_; ++x)
-        to[x] = scales[x] * from.values[k * from.plane + x];
-    }
-  }
-
-  ShotRows<float>
-  from(int x) const
-  {
-    return {values_.data() + x, size_, stack_.shots()};
-  }
-
-private:
-  const ShotStack& stack_;
-  int size_;
-  float floor_;
-  std::vector<float> scales_;
-  std::vector<float> values_;
-};
-
 /** Replaces the costs of disparities that are outside the image, and of the padding. */
 void
 markOutside(const DisparityRange& range, const CostRow& row)
@@ -75,25 +27,6 @@ markOutside(const DisparityRange& range, const CostRow& row)
     std::fill(costs + inside, costs + range.count, outside_cost);
     std::fill(costs + range.count, costs + row.stride, filled_cost);
   }
-}
-
-void
-fillOverTime(const ShotStack& reference,
-             const ShotStack& target,
-             const DisparityRange& range,
-             CostVolume& costs)
-{
-  forRowBlocks(costs.height, [&](int begin, int end) {
-    CodeRow codes(reference, 0), target_codes(target, range.first + range.stride());
-    for (int y = begin; y < end; ++y) {
-      codes.fill(y);
-      target_codes.fill(y);
-      pairKernels().correlate(codes.from(0),
-                              target_codes.from(range.first),
-                              cost_of_no_correlation,
-                              costs.row(y));
-    }
-  });
 }
 
 void
@@ -169,17 +102,10 @@ fillCosts(const ShotStack& reference,
           CostVolume& costs)
 {
   costs.resize(reference.width(), reference.height(), range.stride());
-  switch (recipe.cost) {
-  case PairCost::OverTime:
-    fillOverTime(reference, target, range, costs);
-    break;
-  case PairCost::Windows:
-    fillWindows(reference, target, recipe, range, costs);
-    break;
-  case PairCost::Census:
+  if (recipe.cost == PairCost::Census)
     fillCensus(reference, target, recipe, range, costs);
-    break;
-  }
+  else
+    fillWindows(reference, target, recipe, range, costs);
   oneapi::tbb::parallel_for(
       0, costs.height, [&](int y) { markOutside(range, costs.row(y)); });
 }

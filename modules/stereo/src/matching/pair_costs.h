@@ -18,9 +18,9 @@ struct DisparityRange {
 
   /** \brief Count, rounded up to whole blocks. */
   int
-  stride() const
+  stride(int block = disparity_block) const
   {
-    return (count + disparity_block - 1) / disparity_block * disparity_block;
+    return (count + block - 1) / block * block;
   }
 };
 
@@ -48,7 +48,8 @@ struct CostVolume {
   }
 };
 
-/** \brief Computes the cost of each disparity of each pixel. Both stacks must be
+/** \brief Computes the cost of each disparity of each pixel from windows or the census;
+ * for costs over time, see \ref fillTimeCosts. Both stacks must be
  * centred if the recipe is; the target must be readable for first + stride pixels
  * behind its rows. Runs in all threads of the caller's arena. */
 void

@@ -81,7 +81,37 @@ private:
   const MatchTests& tests_;
 };
 
+std::uint8_t
+inByteUnits(int cost)
+{
+  return static_cast<std::uint8_t>((cost + byte_cost_unit / 2) / byte_cost_unit);
+}
+
 } // namespace
+
+void
+PairMatcher::findWinners(const MatchingRecipe& recipe,
+                         const DisparityRange& range,
+                         bool uniqueness)
+{
+  if (recipe.cost == PairCost::OverTime) {
+    fillTimeCosts(reference_, target_, range, byte_costs_);
+    byte_paths_.findWinners(
+        range,
+        {inByteUnits(recipe.small_penalty), inByteUnits(recipe.large_penalty)},
+        uniqueness,
+        byte_costs_,
+        winners_);
+    return;
+  }
+  fillCosts(reference_, target_, recipe, range, costs_);
+  paths_.findWinners(
+      reference_,
+      range,
+      {recipe.small_penalty, recipe.large_penalty, recipe.contrast, uniqueness},
+      costs_,
+      winners_);
+}
 
 void
 PairMatcher::match(const PairImages& images,
@@ -91,20 +121,15 @@ PairMatcher::match(const PairImages& images,
                    PairMatch& match)
 {
   reference_.read(images.reference, images.layout, recipe.blur, 0);
-  target_.read(images.target, images.layout, recipe.blur, range.first + range.stride());
+  target_.read(images.target,
+               images.layout,
+               recipe.blur,
+               range.first + range.stride(byte_block));
   if (recipe.centred) {
     reference_.takeOffMean();
     target_.takeOffMean();
   }
-  fillCosts(reference_, target_, recipe, range, costs_);
-  paths_.findWinners(reference_,
-                     range,
-                     {recipe.small_penalty,
-                      recipe.large_penalty,
-                      recipe.contrast,
-                      tests.uniqueness > 0},
-                     costs_,
-                     winners_);
+  findWinners(recipe, range, tests.uniqueness > 0);
   refineWinners(reference_, target_, winners_, range, recipe.centred, refined_);
 
   const int width = reference_.width(), height = reference_.height();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "byte_paths.h"
 #include "pair_refinement.h"
 #include "pair_winners.h"
 #include "recipe.h"
@@ -49,10 +50,17 @@ public:
         PairMatch& match);
 
 private:
+  void
+  findWinners(const MatchingRecipe& recipe,
+              const DisparityRange& range,
+              bool uniqueness);
+
   ShotStack reference_;
   ShotStack target_;
   CostVolume costs_;
   PathSums paths_;
+  ByteVolume byte_costs_;
+  BytePaths byte_paths_;
   PairWinners winners_;
   RefinedPair refined_;
 };

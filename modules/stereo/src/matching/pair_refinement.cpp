@@ -12,9 +12,9 @@ namespace pcl::acmap {
 
 namespace {
 
-constexpr int reach = 2;                                 ///< radius of the window, px
-constexpr std::size_t places = WindowAtQuarters::places; ///< from -1 px on
-constexpr float unit = ShotStack::unit;                  ///< per grey level
+constexpr int reach = 2; ///< radius of the window, px
+constexpr int places = WindowMatch::places;
+constexpr float unit = ShotStack::unit; ///< per grey level
 constexpr float noise_floor = 0.25F * unit * unit;
 constexpr float quarter = 0.25F; ///< px
 
@@ -23,114 +23,41 @@ constexpr float quarter = 0.25F; ///< px
  * doc/stereo/trinocular_matching.md. */
 constexpr float independent_share = 0.34F;
 
-/** Sums over a window. */
-class RefinementWindow {
-public:
-  explicit RefinementWindow(bool centred)
-  : centred_(centred)
-  {}
-
-  /** Adds the pixels of a row whose winners differ by at most 1 from that of the
-   * middle.
-   * \param[in] begin, end columns */
-  void
-  add(const QuarterSums& row, int begin, int end, int winner)
-  {
-    const int* const winners = row.winners();
-    const SubPixelSums* const sums = row.sums();
-    const float *const squares = row.squares(), *const values = row.values();
-    int count = count_;
-    float square = squares_, value = values_;
-    for (int x = begin; x < end; ++x) {
-      const int difference = winner - winners[x];
-      if (difference < -1 || difference > 1)
-        continue;
-      pixels_[static_cast<std::size_t>(count++)] =
-          sums[x].products + 4 + 4 * difference;
-      square += squares[x];
-      value += values[x];
-    }
-    count_ = count;
-    squares_ = square;
-    values_ = value;
-  }
-
-  /** Must be called after the last pixel was added. \param[in] shots values per pixel
-   */
-  void
-  finish(int shots)
-  {
-    pairKernels().sumWindow(pixels_.data(), count_, !centred_, sums_);
-    size_ = static_cast<float>(count_ * shots);
-    floor_ = size_ * noise_floor;
-    mean_ = centred_ ? 0.0F : values_ / size_;
-    square_ = std::max(squares_ - size_ * mean_ * mean_, 0.0F);
-  }
-
-  /** ZNCC at a quarter pixel. */
-  float
-  correlate(std::size_t place) const
-  {
-    const float mean = centred_ ? 0.0F : sums_.values[place] / size_;
-    const float square = std::max(sums_.squares[place] - size_ * mean * mean, 0.0F);
-    return (sums_.products[place] - size_ * mean_ * mean) /
-           std::sqrt((square_ + floor_) * (square + floor_));
-  }
-
-  float
-  variance() const
-  {
-    return square_ / size_;
-  }
-
-  /** Number of values that are compared. */
-  float
-  size() const
-  {
-    return size_;
-  }
-
-private:
-  static constexpr std::size_t pixels = (2 * reach + 1) * (2 * reach + 1);
-
-  bool centred_;
-  std::array<const float*, pixels> pixels_;
-  int count_ = 0;
-  float squares_ = 0, values_ = 0; ///< sums over the reference
-  WindowAtQuarters sums_;
-  float size_ = 0, floor_ = 0, mean_ = 0, square_ = 0;
-};
-
 /** Rows of sums, as many as the height of a window. */
 class SumRows {
 public:
   SumRows(const ShotStack& reference,
           const ShotStack& target,
           const PairWinners& winners,
-          const DisparityRange& range)
+          const DisparityRange& range,
+          bool centred)
   : reference_(reference)
   , target_(target)
   , winners_(winners)
   , range_(range)
+  , terms_{reference.width(), reference.shots(), noise_floor, centred}
+  , matches_(static_cast<std::size_t>(reference.width()))
   {}
 
   void
   fill(int y)
   {
     if (y >= 0 && y < reference_.height())
-      row(y).fill(reference_, target_, winners_, range_, y);
+      row(y).fill(reference_, target_, winners_, range_, terms_.centred, y);
   }
 
-  RefinementWindow
-  windowAt(int x, int y, bool centred)
+  /** Correlates the windows around the pixels of a row. */
+  const std::vector<WindowMatch>&
+  correlate(int y)
   {
-    RefinementWindow window(centred);
-    const int begin = std::max(x - reach, 0), end = std::min(x + reach + 1, width());
-    const int winner = row(y).winners()[x];
-    for (int j = std::max(y - reach, 0); j <= std::min(y + reach, height() - 1); ++j)
-      window.add(row(j), begin, end, winner);
-    window.finish(reference_.shots());
-    return window;
+    std::array<const MatchedRow*, 2 * reach + 1> rows{};
+    int count = 0;
+    const int last = std::min(y + reach, reference_.height() - 1);
+    for (int j = std::max(y - reach, 0); j <= last; ++j)
+      rows[static_cast<std::size_t>(count++)] = &row(j).row();
+    pairKernels().correlateAround(
+        rows.data(), count, row(y).row(), terms_, matches_.data());
+    return matches_;
   }
 
   /** ZNCC of the pixel's own levels over time. An occluded pixel takes the disparity of
@@ -139,33 +66,19 @@ public:
   float
   ownCorrelation(int x, int y, float offset)
   {
-    const auto at = static_cast<std::size_t>(std::lround(offset / quarter) +
-                                             SubPixelSums::quarters / 2);
-    const SubPixelSums& sums = row(y).sums()[x];
+    constexpr int far = 8; // makes the number positive, so that its part is cut off
+    const int place = static_cast<int>(offset / quarter + (far + 0.5F)) - far;
     const float floor = static_cast<float>(reference_.shots()) * noise_floor;
-    return sums.products[at] /
-           std::sqrt((row(y).squares()[x] + floor) * (sums.squares[at] + floor));
+    return row(y).ownCorrelation(x, place, floor);
   }
 
   bool
   isInside(int x, int y)
   {
-    return row(y).winners()[x] != QuarterSums::outside;
-  }
-
-  int
-  width() const
-  {
-    return reference_.width();
+    return row(y).isInside(x);
   }
 
 private:
-  int
-  height() const
-  {
-    return reference_.height();
-  }
-
   QuarterSums&
   row(int y)
   {
@@ -176,7 +89,9 @@ private:
   const ShotStack& target_;
   const PairWinners& winners_;
   const DisparityRange& range_;
+  WindowTerms terms_;
   std::array<QuarterSums, 2 * reach + 1> rows_;
+  std::vector<WindowMatch> matches_;
 };
 
 struct Peak {
@@ -186,31 +101,24 @@ struct Peak {
 };
 
 Peak
-peakOf(const RefinementWindow& window)
+peakOf(const float (&correlations)[places])
 {
-  std::array<float, places> correlations{};
-  correlations.fill(std::numeric_limits<float>::quiet_NaN());
-  const auto at = [&](std::size_t place) {
-    if (std::isnan(correlations[place]))
-      correlations[place] = window.correlate(place);
-    return correlations[place];
-  };
-  std::size_t best = places / 2;
+  int best = places / 2;
   // Climbs from the winner by at most half a pixel: a higher peak beyond a valley is
   // another match, and a peak farther away belongs to a surface next to an edge.
-  while (best < 3 * places / 4 && at(best + 1) > at(best))
+  while (best < 3 * places / 4 && correlations[best + 1] > correlations[best])
     ++best;
-  while (best > places / 4 && at(best - 1) > at(best))
+  while (best > places / 4 && correlations[best - 1] > correlations[best])
     --best;
-  const float left = at(best - 1), right = at(best + 1);
-  const float bend = 2.0F * at(best) - left - right;
+  const float left = correlations[best - 1], right = correlations[best + 1];
+  const float bend = 2.0F * correlations[best] - left - right;
   Peak peak;
   float shift = 0.0F;
   if (bend > 0.0F)
     shift = std::clamp(0.5F * (right - left) / bend, -0.5F, 0.5F);
-  peak.offset =
-      quarter * (static_cast<float>(best) - static_cast<float>(places / 2) + shift);
-  peak.correlation = std::min(at(best) + 0.25F * (right - left) * shift, 1.0F);
+  peak.offset = quarter * (static_cast<float>(best - places / 2) + shift);
+  peak.correlation =
+      std::min(correlations[best] + 0.25F * (right - left) * shift, 1.0F);
   peak.curvature = std::max(bend, 0.0F) / (quarter * quarter);
   return peak;
 }
@@ -248,7 +156,7 @@ refineWinners(const ShotStack& reference,
 {
   refined.resize(winners.index.size());
   const int height = reference.height(), width = reference.width();
-  const auto refine = [&](SumRows& sums, int x, int y) {
+  const auto refine = [&](SumRows& sums, const WindowMatch& window, int x, int y) {
     const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                     static_cast<std::size_t>(x);
     if (!sums.isInside(x, y)) {
@@ -257,24 +165,24 @@ refineWinners(const ShotStack& reference,
       refined.sigma[at] = 1.0F;
       return;
     }
-    const RefinementWindow window = sums.windowAt(x, y, centred);
-    const Peak peak = peakOf(window);
+    const Peak peak = peakOf(window.correlation);
     refined.disparity[at] =
         static_cast<float>(range.first + winners.index[at]) + peak.offset;
     refined.correlation[at] =
         centred ? std::min(peak.correlation, sums.ownCorrelation(x, y, peak.offset))
                 : peak.correlation;
-    refined.sigma[at] = sigmaOf(peak, window.size());
-    refined.deviation[at] = std::sqrt(window.variance()) / unit;
+    refined.sigma[at] = sigmaOf(peak, window.size);
+    refined.deviation[at] = std::sqrt(window.variance) / unit;
   };
   forRowBlocks(height, [&](int begin, int end) {
-    SumRows sums(reference, target, winners, range);
+    SumRows sums(reference, target, winners, range, centred);
     for (int y = begin - reach; y < begin + reach; ++y)
       sums.fill(y);
     for (int y = begin; y < end; ++y) {
       sums.fill(y + reach);
+      const std::vector<WindowMatch>& windows = sums.correlate(y);
       for (int x = 0; x < width; ++x)
-        refine(sums, x, y);
+        refine(sums, windows[static_cast<std::size_t>(x)], x, y);
     }
   });
 }

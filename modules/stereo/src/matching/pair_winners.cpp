@@ -1,12 +1,10 @@
 #include "pair_winners.h"
 
 #include "path_penalties.h"
-
-#include <oneapi/tbb/parallel_for.h>
+#include "uniqueness.h"
+#include "winner_row.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <utility>
 
 namespace pcl::acmap {
@@ -48,53 +46,15 @@ private:
   std::vector<std::int16_t> minimum_[3];
 };
 
-/** Sums the costs of 3 x 3 pixels by disparity. Sums along paths are not suitable: in a
- * repetitive image they propagate the costs at the border over the whole image. */
-void
-sumCostsAround(const CostVolume& costs, int x, int y, std::vector<int>& sums)
-{
-  std::fill(sums.begin(), sums.end(), 0);
-  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, costs.height - 1); ++row)
-    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, costs.width - 1);
-         ++column) {
-      const std::int16_t* const from = costs.at(column, row);
-      for (std::size_t i = 0; i < sums.size(); ++i)
-        sums[i] += from[i];
-    }
-}
-
-std::uint8_t
-uniquenessOf(const std::vector<int>& sums, int best)
-{
-  // Lower bound of the costs: a perfect match alone is no evidence for uniqueness.
-  constexpr int smallest = 100;
-  int other = std::numeric_limits<int>::max() / 200;
-  for (int i = 0; i < static_cast<int>(sums.size()); ++i)
-    if (std::abs(i - best) > 1)
-      other = std::min(other, sums[static_cast<std::size_t>(i)]);
-  const int minimum = std::max(sums[static_cast<std::size_t>(best)], smallest);
-  return static_cast<std::uint8_t>(
-      std::clamp(100 * (other - minimum) / minimum, 0, 100));
-}
-
-void
-findUniqueness(const CostVolume& costs,
-               const DisparityRange& range,
-               PairWinners& winners)
-{
-  oneapi::tbb::parallel_for(0, costs.height, [&](int y) {
-    std::vector<int> sums(static_cast<std::size_t>(range.count));
-    for (int x = 0; x < costs.width; ++x) {
-      const auto at =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(costs.width) +
-          static_cast<std::size_t>(x);
-      sumCostsAround(costs, x, y, sums);
-      winners.uniqueness[at] = uniquenessOf(sums, winners.index[at]);
-    }
-  });
-}
-
 } // namespace
+
+void
+PairWinners::resize(std::size_t pixels, bool with_uniqueness)
+{
+  index.resize(pixels);
+  matched_by.resize(pixels);
+  uniqueness.resize(with_uniqueness ? pixels : 0);
+}
 
 /** A pass over all rows in one direction: down from the first, or up from the last. */
 class PathSums::Pass {
@@ -130,43 +90,25 @@ PathSums::findWinners(const ShotStack& image,
                       PairWinners& winners)
 {
   sums_.resize(costs.width, costs.height, costs.stride);
-  const auto pixels =
-      static_cast<std::size_t>(costs.width) * static_cast<std::size_t>(costs.height);
-  winners.index.resize(pixels);
-  winners.matched_by.resize(pixels);
-  winners.uniqueness.resize(settings.uniqueness ? pixels : 0);
+  winners.resize(static_cast<std::size_t>(costs.width) *
+                     static_cast<std::size_t>(costs.height),
+                 settings.uniqueness);
   {
     Pass down(image, settings, costs, false);
     for (int y = 0; y < costs.height; ++y)
       down.followRow(y, sums_.row(y).values);
   }
+  WinnerRow winner_row;
   Pass up(image, settings, costs, true);
   for (int y = costs.height - 1; y >= 0; --y) {
     up.followRow(y, sums_.row(y).values);
-    findInRow(y, range, winners);
+    pairKernels().findWinners(sums_.row(y),
+                              range.count,
+                              winner_row.begin(y, sums_.width, sums_.stride, winners));
+    winner_row.finish(y, range, winners);
   }
   if (settings.uniqueness)
-    findUniqueness(costs, range, winners);
-}
-
-void
-PathSums::findInRow(int y, const DisparityRange& range, PairWinners& winners)
-{
-  const CostRow sums = sums_.row(y);
-  const auto width = static_cast<std::size_t>(sums.width);
-  const std::size_t begin = static_cast<std::size_t>(y) * width;
-  target_minimum_.assign(width + static_cast<std::size_t>(sums.stride), 32767);
-  target_pixel_.assign(target_minimum_.size(), -1);
-  pairKernels().findWinners(
-      sums,
-      range.count,
-      {&winners.index[begin], target_minimum_.data(), target_pixel_.data()});
-  for (std::size_t x = 0; x < width; ++x) {
-    const bool is_seen = x >= static_cast<std::size_t>(range.first);
-    winners.matched_by[begin + x] =
-        is_seen ? target_pixel_[x - static_cast<std::size_t>(range.first)]
-                : std::int16_t{-1};
-  }
+    findUniqueness(costs, 1, range, winners);
 }
 
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 
 #include "pair_costs.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct PairWinners {
   /** \brief Percent by which the costs of all disparities more than 1 px away are
    * higher, in 3 x 3 pixels without paths. */
   std::vector<std::uint8_t> uniqueness;
+
+  void
+  resize(std::size_t pixels, bool with_uniqueness);
 };
 
 /** \brief Settings of \ref PathSums. */
@@ -45,12 +49,7 @@ public:
 private:
   class Pass;
 
-  void
-  findInRow(int y, const DisparityRange& range, PairWinners&);
-
   CostVolume sums_;
-  std::vector<std::int16_t> target_minimum_;
-  std::vector<std::int16_t> target_pixel_;
 };
 
 } // namespace pcl::acmap

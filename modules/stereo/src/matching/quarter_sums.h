@@ -7,57 +7,54 @@
 
 namespace pcl::acmap {
 
-/** \brief Sums over the shots for the pixels of one row, at sixteen quarter pixels
- * starting 2 px before the winner. */
+/** \brief Sums over the shots for the pixels of one row, at whole pixels around the
+ * winner, and for the neighbour's row at quarter pixels. */
 class QuarterSums {
 public:
+  /** \param[in] centred as in \ref MatchingRecipe */
   void
   fill(const ShotStack& reference,
        const ShotStack& target,
        const PairWinners& winners,
        const DisparityRange& range,
+       bool centred,
        int y);
 
-  /** \brief Sums of the neighbour, by pixel of the row. */
-  const SubPixelSums*
-  sums() const
+  /** \brief The sums; valid until the next call of \ref fill. */
+  const MatchedRow&
+  row() const
   {
-    return sums_.data();
+    return row_;
   }
 
-  /** \brief Sums of the reference's squares. */
-  const float*
-  squares() const
+  bool
+  isInside(int x) const
   {
-    return squares_.data();
+    return row_.shifts[x] != MatchedRow::outside;
   }
 
-  /** \brief Sums of the reference's values. */
-  const float*
-  values() const
-  {
-    return values_.data();
-  }
-
-  /** \brief Winners; \ref outside if they are outside the neighbour's image. */
-  const int*
-  winners() const
-  {
-    return winners_.data();
-  }
-
-  static constexpr int outside = 1 << 20;
+  /** \brief ZNCC of the levels of a pixel over time.
+   * \param[in] place quarter pixels from the winner, at most 3
+   * \param[in] floor is added to both sums of squares */
+  float
+  ownCorrelation(int x, int place, float floor) const;
 
 private:
   void
-  interpolate(const ShotStack& target, int y, int length);
+  findShifts(const PairWinners& winners, const DisparityRange& range, int y);
+  void
+  sumShots(bool values);
 
-  std::vector<SubPixelSums> sums_;
-  std::vector<float> squares_;
-  std::vector<float> values_;
-  std::vector<int> winners_;
-  std::vector<float> levels_;   // of the reference, by shot
-  std::vector<float> quarters_; // of the neighbour, by shot
+  int width_ = 0;
+  int shots_ = 0;
+  MatchedRow row_{};
+  std::vector<int> shifts_, least_, greatest_;
+  std::vector<float> levels_;        // of the reference, by shot
+  std::vector<float> target_levels_; // of the neighbour, by shot
+  std::vector<float> products_;
+  std::vector<float> products_of_five_;
+  std::vector<float> sums_[4]; // of the reference, as in LevelSums
+  std::vector<float> target_sums_[4];
 };
 
 } // namespace pcl::acmap

@@ -1,5 +1,7 @@
 #include "shot_stack.h"
 
+#include "../simd/image_kernels.h"
+
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,41 +13,62 @@ namespace {
 
 constexpr int blur_reach = 2;
 
-/** Position of the pixels of a transposed or mirrored image in the image itself. */
-struct PixelSteps {
-  PixelSteps(const CameraImage& image, const PairLayout& layout)
-  : along(layout.transposed ? image.width : 1)
-  , across(layout.transposed ? 1 : image.width)
-  {
-    const int length = layout.transposed ? image.height : image.width;
-    if (layout.mirrored) {
-      first = (length - 1) * along;
-      along = -along;
-    }
-  }
-
-  std::ptrdiff_t first = 0, along, across;
-};
-
-/** Grey levels of a row, in 16ths. */
-void
-readRow(
-    const CameraImage& image, const PixelSteps& steps, int y, int width, float* levels)
+/** Grey levels of an image, in 16ths. */
+std::vector<std::int16_t>
+greyOf(const CameraImage& image)
 {
-  const std::ptrdiff_t begin = steps.first + y * steps.across;
-  if (image.channels == 1) {
-    const std::uint8_t* const from = image.values.data() + begin;
-    for (int x = 0; x < width; ++x)
-      levels[x] = static_cast<float>(ShotStack::unit * from[x * steps.along]);
-    return;
-  }
-  const std::uint8_t* const from = image.values.data() + 3 * begin;
-  for (int x = 0; x < width; ++x) {
-    const std::uint8_t* const color = from + 3 * x * steps.along;
-    levels[x] =
-        static_cast<float>((77 * color[0] + 150 * color[1] + 29 * color[2] + 8) / 16);
-  }
+  const int pixels = image.width * image.height;
+  std::vector<std::int16_t> grey(static_cast<std::size_t>(pixels));
+  if (image.channels == 1)
+    std::transform(
+        image.values.begin(), image.values.end(), grey.begin(), [](std::uint8_t value) {
+          return static_cast<std::int16_t>(ShotStack::unit * value);
+        });
+  else
+    imageKernels().toGrey(image.values.data(), pixels, grey.data());
+  return grey;
 }
+
+/** Rows of an image that is transposed or mirrored. */
+class LevelRows {
+public:
+  LevelRows(const CameraImage& image, const PairLayout& layout)
+  : grey_(greyOf(image))
+  , layout_(layout)
+  , image_width_(image.width)
+  , width_(layout.transposed ? image.height : image.width)
+  {}
+
+  void
+  read(int y, float* levels) const
+  {
+    if (layout_.transposed)
+      for (int x = 0; x < width_; ++x)
+        levels[x] = at(x, y);
+    else
+      imageKernels().toFloats(&grey_[index(0, y)], width_, levels);
+    if (layout_.mirrored)
+      std::reverse(levels, levels + width_);
+  }
+
+private:
+  std::size_t
+  index(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(image_width_) +
+           static_cast<std::size_t>(column);
+  }
+
+  float
+  at(int x, int y) const
+  {
+    return grey_[index(y, x)];
+  }
+
+  std::vector<std::int16_t> grey_;
+  PairLayout layout_;
+  int image_width_, width_;
+};
 
 /** Repeats the first and the last value outside the range. */
 template <typename Value>
@@ -95,7 +118,8 @@ ShotStack::fill(const CameraImage& image,
                 const BlurWeights& weights,
                 std::int16_t* plane)
 {
-  const PixelSteps steps(image, layout);
+  const ImageKernels& kernels = imageKernels();
+  const LevelRows level_rows(image, layout);
   constexpr int kept = 2 * blur_reach + 1;
   const auto width = static_cast<std::size_t>(width_);
   std::vector<float> across(kept * width), row(width + 2 * blur_reach);
@@ -107,12 +131,9 @@ ShotStack::fill(const CameraImage& image,
   int read = 0;
   const auto readUpTo = [&](int last) {
     for (; read <= std::min(last, height_ - 1); ++read) {
-      readRow(image, steps, read, width_, levels);
+      level_rows.read(read, levels);
       repeatEnds(levels, width_, blur_reach, blur_reach);
-      float* const out = rowOf(read);
-      for (int x = 0; x < width_; ++x)
-        out[x] = static_cast<float>(weights.apply(
-            levels[x], levels[x - 1] + levels[x + 1], levels[x - 2] + levels[x + 2]));
+      kernels.blurAlong(levels, width_, weights.weights.data(), rowOf(read));
     }
   };
   for (int y = -border; y < height_ + border; ++y) {
@@ -124,9 +145,7 @@ ShotStack::fill(const CameraImage& image,
                                  rowOf(middle + 1),
                                  rowOf(middle + 2)};
     std::int16_t* const out = plane + offset(y, 0);
-    for (int x = 0; x < width_; ++x)
-      out[x] = static_cast<std::int16_t>(
-          weights.apply(rows[2][x], rows[1][x] + rows[3][x], rows[0][x] + rows[4][x]));
+    kernels.blurAcross(rows, width_, weights.weights.data(), out);
     repeatEnds(out, width_, border, stride_ - border - width_);
   }
 }

@@ -23,14 +23,6 @@ struct PairLayout {
 struct BlurWeights {
   explicit BlurWeights(double sigma);
 
-  int
-  apply(float middle, float near, float far) const
-  {
-    return static_cast<int>(
-        (weights[0] * middle + weights[1] * near + weights[2] * far + 512.0F) *
-        (1.0F / 1024.0F));
-  }
-
   std::array<float, 3> weights;
 };
 

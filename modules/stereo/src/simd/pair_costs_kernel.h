@@ -23,44 +23,6 @@ costsOf(const Floats& correlation, float scale)
                                  EightShorts);
 }
 
-/** Computes several blocks of eight disparities at once, so that each grey level of the
- * reference is read only once. */
-template <int blocks>
-ACMAP_INLINE void
-correlateBlocks(const ShotRows<float>& reference,
-                const ShotRows<float>& target,
-                int x,
-                int first,
-                float scale,
-                std::int16_t* costs)
-{
-  Floats sums[blocks] = {};
-  for (int k = 0; k < reference.shots; ++k) {
-    const float level = reference.values[k * reference.plane + x];
-    const float* const levels = target.values + k * target.plane + x + first;
-    for (int block = 0; block < blocks; ++block)
-      sums[block] += level * load<Floats>(levels + 8 * block);
-  }
-  for (int block = 0; block < blocks; ++block)
-    store(costs + first + 8 * block, costsOf(sums[block], scale));
-}
-
-void
-correlate(const ShotRows<float>& reference,
-          const ShotRows<float>& target,
-          float scale,
-          const CostRow& costs)
-{
-  for (int x = 0; x < costs.width; ++x) {
-    std::int16_t* const at = costs.values + static_cast<std::int64_t>(x) * costs.stride;
-    int first = 0;
-    for (; first + 64 <= costs.stride; first += 64)
-      correlateBlocks<8>(reference, target, x, first, scale, at);
-    for (; first < costs.stride; first += 16)
-      correlateBlocks<2>(reference, target, x, first, scale, at);
-  }
-}
-
 void
 addProducts(const ShotRows<std::int16_t>& reference,
             const ShotRows<std::int16_t>& target,
@@ -75,8 +37,7 @@ addProducts(const ShotRows<std::int16_t>& reference,
       Ints sum = load<Ints>(at);
       for (int k = 0; k < reference.shots; ++k)
         sum += sign * static_cast<int>(reference.values[k * reference.plane + x]) *
-               __builtin_convertvector(
-                   load<EightShorts>(target.values + k * target.plane + x + i), Ints);
+               widened(load<EightShorts>(target.values + k * target.plane + x + i));
       store(at, sum);
     }
 }

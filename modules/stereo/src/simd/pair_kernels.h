@@ -60,34 +60,55 @@ struct RowWinners {
   std::int16_t* target_pixel;
 };
 
-/** \brief Sums over shots, at sixteen quarter pixels around a disparity. */
-struct SubPixelSums {
-  static constexpr int quarters = 16;
-  float products[quarters]; ///< of both views
-  float squares[quarters];  ///< of the neighbour
-  float values[quarters];   ///< of the neighbour
+/** \brief Sums over the shots for each pixel of a row, of the levels' squares and of the
+ * levels themselves; and sums of these over the pixel and two on either side. */
+struct LevelSums {
+  float* squares;
+  float* values;
+  float* squares_of_five;
+  float* values_of_five;
 };
 
-/** \brief The same sums over a window, at eight quarter pixels. */
-struct WindowAtQuarters {
-  static constexpr int places = 8;
-  float products[places];
-  float squares[places];
-  float values[places];
+/** \brief Sums over the shots for a row of a pair and its winners. Two pixels before and
+ * behind the row are outside. */
+struct MatchedRow {
+  static constexpr int outside = 1 << 20;     ///< shift to a column that is not there
+  static constexpr int products_of_pixel = 8; ///< at whole pixels
+  static constexpr int before = 3;            ///< of these are before the winner
+
+  // Places before a row where there are eight zeros.
+  static constexpr int zeros = -16;        ///< of the products
+  static constexpr int own_zeros = -8;     ///< of the sums of the reference
+  static constexpr int target_zeros = -24; ///< of the sums of the neighbour
+
+  const int* shifts;   ///< from a pixel to its winner's column
+  const int* least;    ///< shift of the pixel and two on either side
+  const int* greatest; ///< the same
+  const float* products;
+  const float* products_of_five; ///< sums over the pixel and two on either side
+  LevelSums reference;           ///< per pixel
+  LevelSums target;              ///< per quarter of the neighbour's pixels
+};
+
+/** \brief What the windows of a row have in common. */
+struct WindowTerms {
+  int width; ///< of the row, px
+  int shots;
+  float noise_floor; ///< added to the variances
+  bool centred;      ///< as in \ref MatchingRecipe
+};
+
+/** \brief A window at the quarter pixels around the winner of its middle. */
+struct WindowMatch {
+  static constexpr int places = 8; ///< from -1 px on
+  float correlation[places];       ///< ZNCC
+  float variance;                  ///< of the reference
+  float size;                      ///< number of values that are compared
 };
 
 /** \brief The loops that take most of the time of a pair, in variants for different
  * processors; all variants give the same bytes. */
 struct PairKernels {
-  /** Computes the sums over shots of products, for a row of pixels and their
-   * disparities.
-   * \param[in] target starts at the first disparity of the first pixel
-   * \param[out] costs scale (1 - sum), limited to 0 and largest_cost */
-  void (*correlate)(const ShotRows<float>& reference,
-                    const ShotRows<float>& target,
-                    float scale,
-                    const CostRow& costs);
-
   /** Adds (or subtracts) the sums over shots of products of integers.
    * \param[in] sign 1 or -1
    * \param[in,out] sums width * stride values */
@@ -129,18 +150,39 @@ struct PairKernels {
   /** \param[in] disparities number of disparities without the padding of the stride */
   void (*findWinners)(const CostRow& sums, int disparities, const RowWinners& winners);
 
-  /** \param[in] pixel values of the pixel of the reference
-   * \param[in] target quarter pixels, starting eight before the disparity */
-  void (*sumAtQuarters)(const ShotRows<float>& pixel,
-                        const ShotRows<float>& target,
-                        SubPixelSums& sums);
+  /** Sums products at the whole pixels around each pixel's winner. \param[in] target
+   * readable from before to products_of_pixel - before px beside the columns */
+  void (*sumProducts)(const ShotRows<float>& reference,
+                      const ShotRows<float>& target,
+                      int width,
+                      const int* shifts,
+                      float* products);
 
-  /** \param[in] pixels of the window: for each, the first of eight products in its sums
-   * \param[in] values if true, the sums of the values are computed as well */
-  void (*sumWindow)(const float* const* pixels,
-                    int count,
+  /** Sums squares and, if wanted, values, in whole blocks of eight pixels. */
+  void (*sumLevels)(const ShotRows<float>& reference,
+                    int width,
                     bool values,
-                    WindowAtQuarters& window);
+                    const LevelSums& sums);
+
+  /** The same at each quarter of the pixels. \param[in] target readable from 1 px before
+   * the blocks to 2 px behind them */
+  void (*sumQuarters)(const ShotRows<float>& target,
+                      int width,
+                      bool values,
+                      const LevelSums& sums);
+
+  /** Sums the value and two on either side, in whole blocks of eight values.
+   * \param[in] step from one value to the next */
+  void (*sumFive)(const float* values, int count, int step, float* sums);
+
+  /** Correlates the windows of 5 x 5 pixels around each pixel whose winner is not
+   * outside. A window contains only the pixels whose shifts differ by at most 1 from that
+   * of its middle. \param[in] rows the rows of the windows */
+  void (*correlateAround)(const MatchedRow* const* rows,
+                          int count,
+                          const MatchedRow& middle,
+                          const WindowTerms& terms,
+                          WindowMatch* matches);
 };
 
 extern const PairKernels pair_kernels_base;

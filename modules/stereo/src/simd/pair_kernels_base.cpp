@@ -1,16 +1,25 @@
+#include "byte_costs_kernel.h"
+#include "byte_paths_kernel.h"
+#include "image_rows_kernel.h"
 #include "pair_costs_kernel.h"
 #include "pair_paths_kernel.h"
 #include "sub_pixel_kernel.h"
 
 namespace pcl::acmap {
 
-const PairKernels pair_kernels_base{correlate,
-                                    addProducts,
+const PairKernels pair_kernels_base{addProducts,
                                     correlateWindows,
                                     countBits,
                                     follow,
                                     findWinners,
-                                    sumAtQuarters,
-                                    sumWindow};
+                                    sumProducts,
+                                    sumLevels,
+                                    sumQuarters,
+                                    sumFive,
+                                    correlateAround};
+
+const ByteKernels byte_kernels_base{encode, correlate, followBytes, findByteWinners};
+
+const ImageKernels image_kernels_base{toGrey, blurAlong, blurAcross, toFloats};
 
 } // namespace pcl::acmap

@@ -4,6 +4,7 @@
 
 #include "lanes.h"
 #include "pair_kernels.h"
+#include "row_winners_kernel.h"
 
 #include <cstring>
 
@@ -11,7 +12,6 @@ namespace {
 
 using pcl::acmap::PathPenalties;
 using pcl::acmap::PathRows;
-using pcl::acmap::RowWinners;
 
 /** State of a path: costs of its last pixel, and their minimum. */
 struct PathStep {
@@ -114,49 +114,18 @@ follow(const CostRow& costs,
     followRow<false>(costs, penalties, before, after, sums);
 }
 
-constexpr Shorts first_indices{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-
 /** Sums are unsigned; after subtraction of 32768 they can be compared as signed. */
-ACMAP_INLINE Shorts
-comparable(const std::int16_t* sums, int i, int disparities)
-{
-  const Shorts value = load<Shorts>(sums + i) ^ static_cast<std::int16_t>(-32768);
-  const Shorts index = first_indices + static_cast<std::int16_t>(i);
-  return index < static_cast<std::int16_t>(disparities)
-             ? value
-             : Shorts{} + std::int16_t{32767};
-}
-
-ACMAP_INLINE void
-offerToTarget(const Shorts& value, int x, int at, const RowWinners& winners)
-{
-  const Shorts held = load<Shorts>(winners.target_minimum + at);
-  const Shorts pixel = load<Shorts>(winners.target_pixel + at);
-  const auto better = value < held;
-  store(winners.target_minimum + at, better ? value : held);
-  store(winners.target_pixel + at,
-        better ? Shorts{} + static_cast<std::int16_t>(x) : pixel);
-}
-
 void
 findWinners(const CostRow& sums, int disparities, const RowWinners& winners)
 {
-  for (int x = 0; x < sums.width; ++x) {
-    const std::int16_t* const row =
-        sums.values + static_cast<std::int64_t>(x) * sums.stride;
-    Shorts best = Shorts{} + std::int16_t{32767}, block = Shorts{};
-    for (int i = 0; i < sums.stride; i += pcl::acmap::disparity_block) {
-      const Shorts value = comparable(row, i, disparities);
-      const auto better = value < best;
-      best = better ? value : best;
-      block = better ? Shorts{} + static_cast<std::int16_t>(i) : block;
-      offerToTarget(value, x, x + i, winners);
-    }
-    const std::int16_t found = leastOf(best);
-    const Shorts index =
-        best == found ? block + first_indices : Shorts{} + std::int16_t{32767};
-    winners.index[x] = leastOf(index);
-  }
+  findWinnersOf(
+      sums.width,
+      sums.stride,
+      disparities,
+      [&](std::int64_t at) {
+        return load<Shorts>(sums.values + at) ^ static_cast<std::int16_t>(-32768);
+      },
+      winners);
 }
 
 } // namespace

@@ -45,7 +45,8 @@ struct TrinocularMatchingReport : Report {
  *
  * Setters that also exist in PCL's StereoMatching have the same names. Disparities are
  * in pixels; only the rig is in metres. Time O(n * disparities * shots) for n pixels;
- * memory 4 bytes for each pixel and disparity of a pair, for 2 pairs at once.
+ * memory 4 bytes for each pixel and disparity of a pair, 2 bytes from five shots on, for
+ * 2 pairs at once.
  * \code
  * pcl::TrinocularMatching matching;
  * matching.setInputRig (grabber.getRig ());
