@@ -208,12 +208,18 @@ TEST_F(ChainInputs, InputsOfNoUseLeaveNothing)
   refuse(empty, {}, 3, "session.yaml");
   refuse(session_, {"--truth", empty}, 3, "truth.json");
   refuse(session_, {"--poses", folder_.path("none")}, 3, "none");
-  refuse(posedObservations(), {"--no-rectification", "--min-area", "1000"}, 4, "plane");
+  refuse(posedObservations(),
+         {"--no-rectification", "--min-area", "1000", "--no-primitives"},
+         4,
+         "plane");
 }
 
 TEST_F(ChainInputs, AStageThatFailsKeepsThoseBefore)
 {
-  const auto refused = [&] { return runAgain({"--min-area", "1000"}); };
+  // where no plane may be found, a bit of a wall may be told to be a cylinder
+  const auto refused = [&] {
+    return runAgain({"--min-area", "1000", "--no-primitives"});
+  };
   expectRefused(refused(), 4, "plane");
   EXPECT_EQ(runAgain().exit_code, 0);
   EXPECT_THAT(madeStages(map_), ElementsAre("map"));

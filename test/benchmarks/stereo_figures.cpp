@@ -7,7 +7,7 @@ namespace {
 
 constexpr char usage[] =
     "Usage: acmap_bench_stereo_figures [bag] [noise] [simulated] [subpixel]\n"
-    "                                  [middlebury] [realsense] [time]\n"
+    "                                  [middlebury] [realsense] [patterns] [time]\n"
     "       acmap_bench_stereo_figures picture FOLDER\n"
     "Prints how right disparities are and what they take, ours and those of OpenCV's\n"
     "StereoSGBM, as Markdown tables; or writes pictures of them into a folder. Real\n"
@@ -29,6 +29,7 @@ main(int argc, char** argv)
                                     {"subpixel", printSubpixel},
                                     {"middlebury", printMiddlebury},
                                     {"realsense", printRealsense},
+                                    {"patterns", printPatternNumbers},
                                     {"time", printStereoTimes}};
   return printParts(argc, argv, parts, usage);
 }

@@ -30,6 +30,10 @@ printMiddlebury();
 void
 printRealsense();
 
+/** \brief How many patterns an observation needs: random ones, and selected ones. */
+void
+printPatternNumbers();
+
 /** \brief CPU seconds, compared with those of OpenCV for one frame. */
 void
 printStereoTimes();
