@@ -8,6 +8,7 @@
 #include "terminal.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
+#include <pcl/acquisition/pattern_selection.h>
 #include <pcl/acquisition/pattern_sequence_grabber.h>
 #include <pcl/acquisition/pattern_window.h>
 #include <pcl/acquisition/projector_latency.h>
@@ -208,14 +209,17 @@ checkOrder(DigiclopsGrabber& camera,
 }
 
 std::vector<RgbImage>
-drawPatterns(PatternOptions pattern, const MonitorPlace& monitor, StageLog& log)
+drawPatterns(const GrabberOptions& options, const MonitorPlace& monitor, StageLog& log)
 {
+  PatternOptions pattern = options.pattern;
   pattern.size = std::to_string(monitor.width) + "x" + std::to_string(monitor.height);
   RandomLinePattern generator = generatorOf(pattern);
   requireMemory(std::size_t{3} * pattern.patterns *
                     static_cast<std::size_t>(monitor.width) *
                     static_cast<std::size_t>(monitor.height),
                 "the patterns");
+  if (options.selects)
+    return PatternSelection().selectFrom(generator, pattern.patterns);
   std::vector<RgbImage> patterns;
   for (std::uint32_t i = 0; i < pattern.patterns; ++i) {
     stopIfInterrupted();
@@ -272,8 +276,7 @@ openProjection(const GrabberOptions& options,
   // seconds; an external trigger may take longer
   constexpr double external_timeout = 60;
   const shared_ptr<GuardedWindow> window(new GuardedWindow(drawing, options));
-  std::vector<RgbImage> patterns =
-      drawPatterns(options.pattern, window->getMonitor(), log);
+  std::vector<RgbImage> patterns = drawPatterns(options, window->getMonitor(), log);
   // with fewer cameras the order cannot be determined
   if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
     checkOrder(*device.camera, *window, patterns, status, log);

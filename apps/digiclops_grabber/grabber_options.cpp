@@ -143,6 +143,11 @@ addProjector(Tool& tool, GrabberOptions& options)
       "From a pattern's acknowledgement to its shot, seconds; auto measures "
       "what is needed [default: 0.1]")
       ->type_name("SECONDS|auto");
+  app.add_flag(
+      "--select",
+      options.selects,
+      "Choose patterns that distinguish most among many, so that fewer suffice; "
+      "takes some seconds at the start");
   app.add_flag("--early",
                options.early,
                "End an observation when a further pattern would not help");
@@ -189,7 +194,7 @@ addCamera(CLI::App& app, GrabberOptions& options)
 
 // names of options, for refuse
 constexpr const char* for_projector = "--lines --grey --min-angle --seed --monitor "
-                                      "--display --settle --early --every";
+                                      "--display --settle --select --early --every";
 constexpr const char* for_stream = "--frames --seconds";
 constexpr const char* for_camera = "--rig --patterns --mode --rate --shutter --gain "
                                    "--trigger --channel-order";

@@ -37,6 +37,7 @@ struct GrabberOptions {
   std::string display; ///< display of the projector
   NumberOrAuto settle; ///< seconds
   bool early = false;
+  bool selects = false; ///< patterns that distinguish most
 
   std::string mode;     ///< `FORMAT:MODE`; empty: chosen by the rig
   double rate = 14;     ///< Hz
