@@ -204,8 +204,16 @@ readFile(const fs::path& path, Reader reader)
 FileNumbers
 numbersIn(const std::string& folder)
 {
-  static const std::set<std::string> left_out = {
-      "report.json", "report.html", "stage.json", "map.glb", "floor_plan.svg"};
+  static const std::set<std::string> left_out = {"report.json",
+                                                 "report.html",
+                                                 "stage.json",
+                                                 "observations.txt",
+                                                 "map.glb",
+                                                 "map.html",
+                                                 "map.ifc",
+                                                 "floor_plan.svg",
+                                                 "floor_plan.dxf",
+                                                 "floor_plan.geojson"};
   std::set<fs::path> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && left_out.count(entry.path().filename()) == 0)

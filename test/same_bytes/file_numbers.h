@@ -14,7 +14,8 @@ using FileNumbers = std::map<std::string, std::vector<double>>;
 
 /** \brief Reads all files of a folder and its subfolders: fields of points, corners of
  * faces, values of images, numbers in JSON and text. Ignores reports, their pictures,
- * and what has the same numbers as other files: map.glb (map.obj), floor_plan.svg (map.json).
+ * names of files, and what has the same numbers as other files: map.glb (map.obj), map.html,
+ * map.ifc and floor plans (map.json).
  * \throws std::runtime_error with the name of a file of unknown type */
 FileNumbers
 numbersIn(const std::string& folder);
