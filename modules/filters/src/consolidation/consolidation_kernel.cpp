@@ -248,9 +248,8 @@ consolidatePoints(const PointView& points,
     remarkOnPoints(voxels, report);
     timer.finish("voxels");
 
-    progress.tell(0.6, "surfaces");
     NoiseProfile noise;
-    SurfaceFits fits = fitSurfaces(windows, noise);
+    SurfaceFits fits = fitSurfaces(windows, progress, noise);
     describe(voxels, noise, fits, report);
     timer.finish("surfaces");
 

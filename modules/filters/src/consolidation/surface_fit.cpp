@@ -99,10 +99,12 @@ refineVoxel(const VoxelWindows& windows,
 } // namespace
 
 SurfaceFits
-fitSurfaces(const VoxelWindows& windows, NoiseProfile& noise)
+fitSurfaces(const VoxelWindows& windows, const Progress& progress, NoiseProfile& noise)
 {
   SurfaceFits fits;
+  progress.tell(0.6, "surfaces");
   noise = fitWidest(windows, fits.first);
+  progress.tell(0.7, "creases");
   Refinement all = parallelReduceChunks(
       windows.size(),
       Refinement{},

@@ -3,6 +3,7 @@
 #include "consolidation/noise_profile.h"
 
 #include <pcl/core/impl/voxel_windows.h>
+#include <pcl/core/progress.h>
 
 #include <vector>
 
@@ -39,6 +40,6 @@ struct SurfaceFits {
  * separate planes to the sides from which it was seen, or the flattest 2 x 2 x 2 voxels
  * at a crease, or the voxel alone. */
 SurfaceFits
-fitSurfaces(const VoxelWindows& windows, NoiseProfile& noise);
+fitSurfaces(const VoxelWindows& windows, const Progress& progress, NoiseProfile& noise);
 
 } // namespace pcl::acmap
