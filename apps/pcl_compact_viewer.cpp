@@ -108,11 +108,11 @@ void
 addOptions(Tool& tool, ViewerOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option(
-         "input",
-         options.input,
-         "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .las, .e57), planes (.json) "
-         "or folder of a map, or of a rectification")
+  app.add_option("input",
+                 options.input,
+                 "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .las, .e57), "
+                 "planes (.json) "
+                 "or folder of a map, or of a rectification")
       ->type_name("FILE|DIR")
       ->required();
   app.add_option("--screenshot",

@@ -311,8 +311,7 @@ Tool::controls()
   const auto progress = [draws,
                          silence = silence_,
                          bar = std::shared_ptr<ProgressBar>(),
-                         last = 2.0](double fraction,
-                                     const std::string& step) mutable {
+                         last = 2.0](double fraction, const std::string& step) mutable {
     silence->end(step);
     if (draws && fraction < last) {
       bar.reset(); // clears the line of the one before

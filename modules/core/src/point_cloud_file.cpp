@@ -38,7 +38,8 @@ loadPointCloud(const std::string& path)
     return acmap::readE57(source);
   if (ending == ".laz")
     source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
-  source.fail("ending '" + ending + "' is not known; pcd, ply, obj, xyz, las and e57 are");
+  source.fail("ending '" + ending +
+              "' is not known; pcd, ply, obj, xyz, las and e57 are");
 }
 
 } // namespace pcl

@@ -126,7 +126,8 @@ SurfaceElements::setSpacing()
     for (const std::int32_t j : neighbours[i]) {
       if (is_mesh && j < static_cast<std::int32_t>(i))
         continue; // an edge of a mesh is found at both ends
-      const double square = (points[static_cast<std::size_t>(j)] - points[i]).squaredNorm();
+      const double square =
+          (points[static_cast<std::size_t>(j)] - points[i]).squaredNorm();
       if (square > 0)
         squares.push_back(square);
     }
@@ -221,10 +222,10 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, double least)
       }
       found.clear();
     }
-    quiet += static_cast<std::size_t>(std::count_if(
-        rms.begin() + static_cast<std::ptrdiff_t>(begin),
-        rms.begin() + static_cast<std::ptrdiff_t>(end),
-        [&](double r) { return r / quartile_of_seven <= least; }));
+    quiet += static_cast<std::size_t>(
+        std::count_if(rms.begin() + static_cast<std::ptrdiff_t>(begin),
+                      rms.begin() + static_cast<std::ptrdiff_t>(end),
+                      [&](double r) { return r / quartile_of_seven <= least; }));
   });
   if (quiet >= quarter)
     return;

@@ -141,9 +141,9 @@ public:
     return provisional_interval_;
   }
 
-  /** \brief After a fault of the thread of \ref start: \ref compute makes the map of the
-   * observations that were processed before it, with a remark. It throws the fault all
-   * the same if there is none. Has no effect without a fault. */
+  /** \brief Makes a map all the same after a fault of the thread of \ref start : that of the
+   * observations that were processed before it, with a remark of \ref compute, which throws
+   * the fault if there are none. Has no effect without a fault. */
   void
   keepProcessed();
 
