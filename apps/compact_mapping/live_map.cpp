@@ -195,9 +195,10 @@ LiveMap::finish(bool draws,
   requirePlanes(options_.input, mapped.found, log);
   tellSteps(mapping_.getReport(), log);
   saveTrajectory(folder.path(trajectory_name), mapped.map.trajectory);
-  saveObservationList(folder.path(observation_list_name),
-                      options_.output,
-                      mapping_.getMappedSequence());
+  if (!is_partial_) // else the observations are removed
+    saveObservationList((fs::path(options_.output) / observation_list_name).string(),
+                        options_.output,
+                        mapping_.getMappedSequence());
   if (const Trajectory& before = mapping_.getOdometryTrajectory();
       !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);

@@ -117,8 +117,9 @@ mapSequence(const ChainOptions& options,
       surfacesOf(result.found), *sequence.posed, options.texture, controls, log);
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
-  saveObservationList(
-      folder.path(observation_list_name), options.output, *sequence.posed);
+  saveObservationList((fs::path(options.output) / observation_list_name).string(),
+                      options.output,
+                      *sequence.posed);
   timer.finish("paint");
   return result;
 }

@@ -251,7 +251,7 @@ TEST_F(ChainTest, ExtendsAMapThatHasSeenTheSamePlace)
   const ToolRun again = runSessionChain(session_, out, {"--extend", map_});
   EXPECT_THAT(madeStages(out), IsEmpty()) << again.err;
   EXPECT_EQ(runSessionChain(session_, map_, {"--extend", map_}).exit_code, 2);
-  fs::remove(map_ + "/observations.txt");
+  fs::remove(map_ + "/stages/observations.txt");
   const ToolRun without =
       runSessionChain(session_, folder_.path("other"), {"--extend", map_});
   EXPECT_EQ(without.exit_code, 3);

@@ -123,8 +123,9 @@ TEST_F(TwoSessions, BecomeOneMap)
 TEST_F(TwoSessions, AreFoundByTheListOfTheirFiles)
 {
   const TemporaryFolder folder;
-  const std::string map = folder.path("map"), list = map + "/observations.txt";
+  const std::string map = folder.path("map"), list = map + "/stages/observations.txt";
   std::filesystem::create_directories(map + "/inside");
+  std::filesystem::create_directories(map + "/stages");
   EXPECT_THROW(openMappedObservations(map), InputFileException) << "no list";
   saveObservation(map + "/inside/a b.pcd", clouds_[0]->cloud, trajectory_.poses[0]);
   saveObservation(folder.path("outside.pcd"), clouds_[1]->cloud, trajectory_.poses[1]);

@@ -83,8 +83,8 @@ isFree(const EgomotionEstimate& estimate, double tilt, double rise)
 bool
 isProbed(std::size_t index)
 {
-  constexpr std::size_t factor = 3;
-  if (index == 2)
+  constexpr std::size_t all_of = 5, factor = 3;
+  if (index <= all_of)
     return true;
   while (index > 1 && index % factor == 0)
     index /= factor;

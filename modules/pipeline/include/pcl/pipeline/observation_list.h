@@ -7,8 +7,8 @@
 
 namespace pcl {
 
-/** \brief Name of the list of the observations in the folder of a map. */
-inline constexpr const char* observation_list_name = "observations.txt";
+/** \brief The list of the observations, relative to the folder of a map. */
+inline constexpr const char* observation_list_name = "stages/observations.txt";
 
 /** \brief Writes which files the observations of a map are, one path per line in the order
  * of its trajectory, so that a later session can extend the map.
