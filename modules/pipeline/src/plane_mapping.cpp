@@ -24,6 +24,13 @@ using VertexCloud = PointCloud<Vertex>;
 
 constexpr double max_voxel = 1e9; // metres, of VoxelConsolidation::setVoxelSize
 
+/** Is a noise scale known, and could its lengths be metres of a scene? */
+bool
+isInMetres(const std::optional<NoiseScale>& scale)
+{
+  return scale && scale->sigma <= max_voxel && scale->spacing <= max_voxel;
+}
+
 /** How far the outline of a plane may be from its true rim, metres. */
 double
 rimTolerance(const CylinderClusteringReport& report)
@@ -384,7 +391,7 @@ private:
                          source ? result.labels : std::vector<std::int32_t>());
     if (source)
       clustering.setSourceCloud(source, sensors);
-    if (source && !sensors.empty() && report_.noise_scale)
+    if (source && !sensors.empty() && isInMetres(report_.noise_scale))
       clustering.setSourceScale(*report_.noise_scale);
     prepare(clustering, 0.9, 1);
     clustering.segment(result.cylinders);

@@ -58,7 +58,7 @@ uglyCompactMapping()
   list.addAll(cloudCases(command, outcomesOfClouds()));
   list.addAll(sequenceCases(command, outcomesOfSequences()));
   Outcomes of_sessions = sessionOutcomes();
-  of_sessions[odd_folder] = {0, "the poses are as they came"};
+  of_sessions[odd_folder] = {0, "where the sensors stood is unknown"};
   list.addAll(sessionCases(command, of_sessions));
   return {"pcl_compact_mapping", "map", true, false, list.cases()};
 }

@@ -218,7 +218,8 @@ findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owne
 {
   constexpr std::size_t of_a_part = 256;
   const std::vector<std::int32_t> starts = spreadElements(elements, owner);
-  oneapi::tbb::enumerable_thread_specific<PatchWalk> walks(elements);
+  oneapi::tbb::enumerable_thread_specific<PatchWalk> walks(
+      [&elements] { return PatchWalk(elements); });
   std::vector<std::vector<Seed>> parts((starts.size() + of_a_part - 1) / of_a_part);
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
     PatchWalk& walk = walks.local();
