@@ -80,6 +80,7 @@ setInterval(() => {
     return runTool(browser,
                    {"--headless=new",
                     "--no-sandbox",
+                    "--disable-dev-shm-usage",
                     "--use-angle=swiftshader",
                     "--enable-unsafe-swiftshader",
                     "--user-data-dir=" + folder_.path("profile"),
