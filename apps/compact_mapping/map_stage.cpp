@@ -308,7 +308,7 @@ writeMap(const ChainOptions& options,
     saveFloorPlan(folder.path(name), plan);
   if (options.texture.outputs.glb)
     saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
-  saveMapIfc(folder.path("map.ifc"), mapped.map);
+  saveMapIfc(folder.path("map.ifc"), mapped.map, plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");
   if (draws)

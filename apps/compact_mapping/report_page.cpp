@@ -1,6 +1,7 @@
 #include "report_page.h"
 
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/base64.h>
 #include <pcl/core/output_file.h>
 
 #include <algorithm>
@@ -261,7 +262,8 @@ pictureOf(const std::string& folder,
     const std::string path = (std::filesystem::path(folder) / name).string();
     const RgbImage image = loadRgbImage(path);
     std::ifstream file(path, std::ios::binary);
-    const std::string data = base64({std::istreambuf_iterator<char>(file), {}});
+    const std::string data =
+        base64(std::string(std::istreambuf_iterator<char>(file), {}));
     if (data.rfind("iVBORw0KGgo", 0) == 0) // the signature of a PNG
       picture.update({{"width", std::to_string(image.width)},
                       {"height", std::to_string(image.height)},
@@ -386,25 +388,6 @@ quotientOf(const Json& json, const char* first, const char* second)
 }
 
 } // namespace
-
-std::string
-base64(const std::vector<std::uint8_t>& bytes)
-{
-  constexpr char digits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  constexpr unsigned shifts[] = {18, 12, 6, 0};
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8U | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? digits[bits >> shifts[k] & 63U] : '=';
-  }
-  return text;
-}
 
 std::string
 reportPage(const Json& report, const std::string& picture_folder)

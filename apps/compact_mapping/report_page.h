@@ -22,10 +22,6 @@ saveReportPage(const std::string& path,
                const nlohmann::ordered_json& report,
                const std::string& picture_folder);
 
-/** \brief Base 64 with padding, on one line. */
-std::string
-base64(const std::vector<std::uint8_t>& bytes);
-
 /** \brief The text of report_page.html, which the build makes a part of the program. */
 const char*
 reportPageTemplate();

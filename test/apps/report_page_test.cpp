@@ -4,12 +4,15 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/base64.h>
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 #include <regex>
+#include <string_view>
+#include <vector>
 
 namespace pcl::acmap::test {
 namespace {
@@ -406,20 +409,14 @@ TEST(ReportPage, CountsWhatTheLastStageCounted)
   EXPECT_THAT(pageOf(Json::object()), HasSubstr("<p class=\"result\"></p>"));
 }
 
-std::string
-base64Of(const std::string& text)
-{
-  return base64({text.begin(), text.end()});
-}
-
 TEST(Base64, IsThatOfTheStandard)
 {
-  EXPECT_EQ(base64Of(""), "");
-  EXPECT_EQ(base64Of("f"), "Zg==");
-  EXPECT_EQ(base64Of("fo"), "Zm8=");
-  EXPECT_EQ(base64Of("foo"), "Zm9v");
-  EXPECT_EQ(base64Of("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64({0xFB, 0xEF, 0xFF, 0x00}), "++//AA==");
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string_view("\xFB\xEF\xFF\0", 4)), "++//AA==");
 }
 
 /** Page with one picture only. */
@@ -441,9 +438,12 @@ TEST(ReportPage, HoldsThePictures)
   const std::string page = pageWith(folder, "a.png", "a \"b\"");
   EXPECT_EQ(htmlFault(page), "");
   EXPECT_THAT(page, HasSubstr("width=\"4\" height=\"3\" alt=\"a &quot;b&quot;\""));
+  const std::vector<std::uint8_t> png = encodePng(image);
   EXPECT_THAT(
       page,
-      HasSubstr("src=\"data:image/png;base64," + base64(encodePng(image)) + "\""));
+      HasSubstr("src=\"data:image/png;base64," +
+                base64({reinterpret_cast<const char*>(png.data()), png.size()}) +
+                "\""));
   EXPECT_THAT(page, HasSubstr("<figcaption>a &quot;b&quot;</figcaption>"));
   EXPECT_THAT(pageWith(folder, "a.png", ""),
               HasSubstr("<figcaption>a.png</figcaption>"));

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/core/impl/cloud_fields.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +35,21 @@ std::string
 rawBytes(Value value)
 {
   return {reinterpret_cast<const char*>(&value), sizeof(value)};
+}
+
+/** \brief The value of a field of one point.
+ * \throws std::runtime_error when the cloud has no such field */
+template <typename Value>
+Value
+valueOf(const PCLPointCloud2& cloud, const std::string& field, std::size_t point)
+{
+  const PCLPointField* const found = findField(cloud, field);
+  if (!found)
+    throw std::runtime_error("there is no field " + field);
+  Value value{};
+  std::memcpy(
+      &value, &cloud.data[point * cloud.point_step + found->offset], sizeof value);
+  return value;
 }
 
 } // namespace pcl::acmap::test

@@ -1,3 +1,4 @@
+#include "cloud_values.h"
 #include "temporary_folder.h"
 #include "test_data.h"
 
@@ -35,15 +36,6 @@ public:
 private:
   std::size_t count_ = 0;
 };
-
-template <typename Value>
-std::string
-bytesOfValue(Value value)
-{
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
 
 /** A scan as it is written. */
 struct WrittenScan {
@@ -85,19 +77,17 @@ e57Of(const std::vector<WrittenScan>& scans, std::size_t packets = 1)
       for (const std::string& stream : scan.streams) {
         const std::size_t from = stream.size() * packet / packets,
                           to = stream.size() * (packet + 1) / packets;
-        lengths += bytesOfValue(static_cast<std::uint16_t>(to - from));
+        lengths += rawBytes(static_cast<std::uint16_t>(to - from));
         data += stream.substr(from, to - from);
       }
       const std::size_t length = 6 + lengths.size() + data.size();
-      body += std::string("\1\0", 2) +
-              bytesOfValue(static_cast<std::uint16_t>(length - 1)) +
-              bytesOfValue(static_cast<std::uint16_t>(scan.streams.size())) + lengths +
-              data;
+      body +=
+          std::string("\1\0", 2) + rawBytes(static_cast<std::uint16_t>(length - 1)) +
+          rawBytes(static_cast<std::uint16_t>(scan.streams.size())) + lengths + data;
     }
     logical += std::string("\1\0\0\0\0\0\0\0", 8) +
-               bytesOfValue(std::uint64_t{32 + body.size()}) +
-               bytesOfValue(physical(section + 32)) + bytesOfValue(std::uint64_t{0}) +
-               body;
+               rawBytes(std::uint64_t{32 + body.size()}) +
+               rawBytes(physical(section + 32)) + rawBytes(std::uint64_t{0}) + body;
     xml += "<vectorChild><points fileOffset=\"" + std::to_string(physical(section)) +
            "\" recordCount=\"" + std::to_string(scan.count) + "\"><prototype>" +
            scan.prototype + "</prototype></points>" + scan.more + "</vectorChild>";
@@ -106,11 +96,10 @@ e57Of(const std::vector<WrittenScan>& scans, std::size_t packets = 1)
   const std::uint64_t at = logical.size();
   logical += xml;
   logical.resize((logical.size() + 1019) / 1020 * 1020);
-  const std::string header = "ASTM-E57" + bytesOfValue(1U) + bytesOfValue(0U) +
-                             bytesOfValue(std::uint64_t{logical.size() / 1020 * 1024}) +
-                             bytesOfValue(physical(at)) +
-                             bytesOfValue(std::uint64_t{xml.size()}) +
-                             bytesOfValue(std::uint64_t{1024});
+  const std::string header =
+      "ASTM-E57" + rawBytes(1U) + rawBytes(0U) +
+      rawBytes(std::uint64_t{logical.size() / 1020 * 1024}) + rawBytes(physical(at)) +
+      rawBytes(std::uint64_t{xml.size()}) + rawBytes(std::uint64_t{1024});
   logical.replace(0, 48, header);
   std::string file;
   for (std::size_t page = 0; page < logical.size(); page += 1020) {
@@ -168,21 +157,8 @@ scanOf(const std::vector<Eigen::Vector3d>& points, const std::string& more = {})
     scan.prototype += std::string("<") + name + R"( type="Float"/>)";
   for (const Eigen::Vector3d& point : points)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      scan.streams[axis] += bytesOfValue(point[static_cast<Eigen::Index>(axis)]);
+      scan.streams[axis] += rawBytes(point[static_cast<Eigen::Index>(axis)]);
   return scan;
-}
-
-template <typename Value>
-Value
-valueAt(const PCLPointCloud2& cloud, const char* name, std::size_t point)
-{
-  const PCLPointField* const field = findField(cloud, name);
-  Value value{};
-  EXPECT_NE(field, nullptr) << name;
-  if (field)
-    std::memcpy(
-        &value, &cloud.data[point * cloud.point_step + field->offset], sizeof value);
-  return value;
 }
 
 TEST(E57Reader, PackedIntegersAreReadAcrossPackets)
@@ -196,8 +172,8 @@ TEST(E57Reader, PackedIntegersAreReadAcrossPackets)
       const auto n = static_cast<float>(i);
       EXPECT_LT((file.points()[i] - 0.01F * Eigen::Vector3f(n, 2 * n, -n)).norm(),
                 1e-6F);
-      EXPECT_EQ(valueAt<float>(file.cloud, "intensity", i), 0.5F + n);
-      EXPECT_EQ(valueAt<std::uint32_t>(file.cloud, "rgb", i),
+      EXPECT_EQ(valueOf<float>(file.cloud, "intensity", i), 0.5F + n);
+      EXPECT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", i),
                 i << 16 | (i + 1) << 8 | (i + 2));
     }
     EXPECT_FALSE(findField(file.cloud, "view"));
@@ -221,8 +197,8 @@ TEST(E57Reader, ScansComeWithTheirPoses)
   EXPECT_EQ(file.sensor_origin, file.viewpoints[0]);
   // a quarter turn about z: (1, 2, 3) to (-2, 1, 3)
   EXPECT_LT((file.points()[0] - Eigen::Vector3f(998.25F, 11, 3)).norm(), 1e-3F);
-  EXPECT_EQ(valueAt<std::int32_t>(file.cloud, "view", 1), 0);
-  EXPECT_EQ(valueAt<std::int32_t>(file.cloud, "view", 2), 1);
+  EXPECT_EQ(valueOf<std::int32_t>(file.cloud, "view", 1), 0);
+  EXPECT_EQ(valueOf<std::int32_t>(file.cloud, "view", 2), 1);
 }
 
 TEST(E57Reader, RowsAndColumnsMakeAnOrganizedCloud)
@@ -341,7 +317,7 @@ TEST(E57Reader, FilesOfOthers)
   std::map<std::uint32_t, std::size_t> colors;
   for (std::size_t i = 0; i < cube.points().size(); ++i) {
     EXPECT_LE(cube.points()[i].cwiseAbs().maxCoeff(), 0.5F);
-    ++colors[valueAt<std::uint32_t>(cube.cloud, "rgb", i)];
+    ++colors[valueOf<std::uint32_t>(cube.cloud, "rgb", i)];
   }
   EXPECT_GE(colors.size(), 3U);
   const PointCloudFile two = load("A_B.e57");

@@ -1,3 +1,4 @@
+#include "cloud_values.h"
 #include "temporary_folder.h"
 #include "test_data.h"
 
@@ -86,19 +87,6 @@ private:
   Eigen::Vector3d place_;
   std::size_t record_ = 0, first_ = 0;
 };
-
-template <typename Value>
-Value
-valueOf(const PCLPointCloud2& cloud, const char* name, std::size_t point)
-{
-  const PCLPointField* const field = findField(cloud, name);
-  Value value{};
-  EXPECT_NE(field, nullptr) << name;
-  if (field)
-    std::memcpy(
-        &value, &cloud.data[point * cloud.point_step + field->offset], sizeof value);
-  return value;
-}
 
 TEST(LasReader, AllVersionsAndFormatsHaveTheirPoints)
 {

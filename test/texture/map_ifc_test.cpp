@@ -78,7 +78,7 @@ TEST(MapIfc, HasTheElementsOfARoom)
   CompactMap map = makeTexturedMap();
   map.up = -Eigen::Vector3d::UnitY();
   setRooms(makeFloorPlan(map), map);
-  saveMapIfc(path, map);
+  saveMapIfc(path, map, makeFloorPlan(map));
   const StepInstances found(path);
   std::size_t walls = 0, floors = 0, ceilings = 0;
   for (const PlanePatch& plane : map.planes) {
@@ -97,7 +97,7 @@ TEST(MapIfc, HasTheElementsOfARoom)
   EXPECT_EQ(found.doubled, 0U);
   EXPECT_GE(found.identifiers.size(), 4 + map.planes.size());
   const std::string text = contentOf(path);
-  saveMapIfc(path, map);
+  saveMapIfc(path, map, makeFloorPlan(map));
   EXPECT_EQ(contentOf(path), text);
 }
 
@@ -127,7 +127,7 @@ TEST(MapIfc, BoxesColumnsDoorsAndOpeningsAreElements)
   map.openings.resize(2);
   map.openings[0].to = Eigen::Vector3d::UnitX();
   map.openings[0].planes[0] = wall;
-  saveMapIfc(path, map);
+  saveMapIfc(path, map, makeFloorPlan(map));
   const StepInstances found(path);
   EXPECT_EQ(found.count("IFCCOLUMN"), 1U);
   EXPECT_EQ(found.count("IFCBUILDINGELEMENTPROXY"), 1U + 2U);
@@ -139,7 +139,7 @@ TEST(MapIfc, BoxesColumnsDoorsAndOpeningsAreElements)
   door.reaches_floor = true;
   door.size = {0.9, 2.1, 0.1};
   map.recesses = {door};
-  saveMapIfc(path, map);
+  saveMapIfc(path, map, makeFloorPlan(map));
   const StepInstances with_door(path);
   ASSERT_EQ(with_door.count("IFCDOOR"), 1U);
   EXPECT_THAT(with_door.of("IFCDOOR")[0], testing::HasSubstr(",2.1,0.9,.DOOR."));
@@ -149,9 +149,9 @@ TEST(MapIfc, BoxesColumnsDoorsAndOpeningsAreElements)
 TEST(MapIfc, AnEmptyMapIsAnEmptyBuilding)
 {
   const TemporaryFolder folder;
-  saveMapIfc(folder.path("map.ifc"), {});
+  saveMapIfc(folder.path("map.ifc"), {}, {});
   EXPECT_EQ(StepInstances(folder.path("map.ifc")).count("IFCBUILDINGSTOREY"), 1U);
-  EXPECT_THROW(saveMapIfc(folder.path("none/map.ifc"), {}), OutputFileException);
+  EXPECT_THROW(saveMapIfc(folder.path("none/map.ifc"), {}, {}), OutputFileException);
 }
 
 } // namespace

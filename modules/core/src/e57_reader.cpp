@@ -306,13 +306,14 @@ scansIn(const std::string& xml, const ByteSource& source)
 PointCloudFile
 readE57(ByteSource& source)
 {
-  constexpr std::uint64_t most_bytes_a_byte = 450; // as of a packed PCD
+  constexpr std::uint64_t max_expansion = 450; // memory for a byte, as of a packed PCD
+  constexpr std::uint64_t point_bytes = 24;
   const std::uint64_t bytes = source.remaining();
   E57Pages pages(source);
   const std::vector<E57Scan> scans = scansIn(pages.xml(), source);
   std::uint64_t points = 0;
   for (const E57Scan& scan : scans) {
-    if (scan.points > most_bytes_a_byte * bytes / 24 - points)
+    if (scan.points > max_expansion * bytes / point_bytes - points)
       source.fail("claims more points than its bytes can have");
     points += scan.points;
   }

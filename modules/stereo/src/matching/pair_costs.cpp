@@ -85,16 +85,6 @@ fillCensus(const ShotStack& reference,
 } // namespace
 
 void
-CostVolume::resize(int new_width, int new_height, int new_stride)
-{
-  width = new_width;
-  height = new_height;
-  stride = new_stride;
-  values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                static_cast<std::size_t>(stride));
-}
-
-void
 fillCosts(const ShotStack& reference,
           const ShotStack& target,
           const MatchingRecipe& recipe,

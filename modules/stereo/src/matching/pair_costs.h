@@ -1,5 +1,6 @@
 #pragma once
 
+#include "disparity_volume.h"
 #include "recipe.h"
 #include "shot_stack.h"
 
@@ -25,28 +26,7 @@ struct DisparityRange {
 };
 
 /** \brief One cost per pixel and disparity. */
-struct CostVolume {
-  int width = 0;
-  int height = 0;
-  int stride = 0;
-  std::vector<std::int16_t> values;
-
-  void
-  resize(int new_width, int new_height, int new_stride);
-
-  const std::int16_t*
-  at(int x, int y) const
-  {
-    return values.data() + (static_cast<std::int64_t>(y) * width + x) * stride;
-  }
-
-  CostRow
-  row(int y)
-  {
-    return {
-        values.data() + static_cast<std::int64_t>(y) * width * stride, width, stride};
-  }
-};
+using CostVolume = DisparityVolume<std::int16_t, CostRow>;
 
 /** \brief Computes the cost of each disparity of each pixel from windows or the census;
  * for costs over time, see \ref fillTimeCosts. Both stacks must be

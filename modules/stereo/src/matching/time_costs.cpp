@@ -54,16 +54,6 @@ markOutsideBytes(const DisparityRange& range, const ByteRow& row)
 } // namespace
 
 void
-ByteVolume::resize(int new_width, int new_height, int new_stride)
-{
-  width = new_width;
-  height = new_height;
-  stride = new_stride;
-  values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                static_cast<std::size_t>(stride));
-}
-
-void
 fillTimeCosts(const ShotStack& reference,
               const ShotStack& target,
               const DisparityRange& range,

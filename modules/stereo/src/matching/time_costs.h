@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../simd/byte_kernels.h"
+#include "disparity_volume.h"
 #include "pair_costs.h"
 #include "shot_stack.h"
 
@@ -10,28 +11,7 @@
 namespace pcl::acmap {
 
 /** \brief One byte per pixel and disparity. */
-struct ByteVolume {
-  int width = 0;
-  int height = 0;
-  int stride = 0;
-  std::vector<std::uint8_t> values;
-
-  void
-  resize(int new_width, int new_height, int new_stride);
-
-  const std::uint8_t*
-  at(int x, int y) const
-  {
-    return values.data() + (static_cast<std::int64_t>(y) * width + x) * stride;
-  }
-
-  ByteRow
-  row(int y)
-  {
-    return {
-        values.data() + static_cast<std::int64_t>(y) * width * stride, width, stride};
-  }
-};
+using ByteVolume = DisparityVolume<std::uint8_t, ByteRow>;
 
 /** \brief Computes the cost of each disparity of each pixel from its grey levels over
  * time; as \ref fillCosts, with a stride of whole byte blocks. Both stacks must be

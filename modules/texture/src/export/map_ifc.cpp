@@ -4,7 +4,6 @@
 #include <pcl/core/box_sides.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/cylinder_facets.h>
-#include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/polygon_triangles.h>
 #include <pcl/texture/map_ifc.h>
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -53,9 +51,10 @@ struct ModelShape {
 /** \brief Writes a map as instances. */
 class IfcModel {
 public:
-  explicit IfcModel(const CompactMap& map)
+  IfcModel(const CompactMap& map, const FloorPlan& plan)
   : map_(map)
-  , up_(upDirection(map))
+  , up_(plan.up)
+  , floor_(plan.floor)
   {
     Eigen::Matrix3d to_z_up; // from a frame with y up
     to_z_up << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -359,21 +358,6 @@ private:
     return plane >= 0 && static_cast<std::size_t>(plane) < map_.planes.size();
   }
 
-  /** \brief Height of the floor: of the lowest level plane with at least half of the
-   * largest area of these, as in a floor plan. */
-  double
-  floorHeight() const
-  {
-    double largest = 0, height = std::numeric_limits<double>::infinity();
-    for (const PlanePatch& plane : map_.planes)
-      if (levelOf(plane) > level_cosine)
-        largest = std::max(largest, plane.area);
-    for (const PlanePatch& plane : map_.planes)
-      if (levelOf(plane) > level_cosine && plane.area >= largest / 2)
-        height = std::min(height, plane.center.dot(up_));
-    return height;
-  }
-
   double
   levelOf(const PlanePatch& plane) const
   {
@@ -384,7 +368,6 @@ private:
   addPlanes()
   {
     constexpr double floor_range = 0.3; // metres
-    const double floor = floorHeight();
     walls_.resize(map_.planes.size());
     for (std::size_t id = 0; id < map_.planes.size(); ++id) {
       if (used_.count(static_cast<std::int32_t>(id)) > 0)
@@ -392,7 +375,7 @@ private:
       const PlanePatch& plane = map_.planes[id];
       const double level = levelOf(plane);
       const bool is_floor = level > level_cosine &&
-                            std::abs(plane.center.dot(up_) - floor) <= floor_range;
+                            std::abs(plane.center.dot(up_) - floor_) <= floor_range;
       const std::string name = "Plane " + std::to_string(id);
       ModelShape shape;
       addTriangles(plane, shape);
@@ -499,6 +482,7 @@ private:
 
   const CompactMap& map_;
   Eigen::Vector3d up_;
+  double floor_;         ///< height along up_
   Eigen::Matrix3d turn_; ///< from the map to a frame with z up
   StepFile file_;
   StepReference axes_, context_, place_, storey_;
@@ -511,9 +495,9 @@ private:
 } // namespace acmap
 
 void
-saveMapIfc(const std::string& path, const CompactMap& map)
+saveMapIfc(const std::string& path, const CompactMap& map, const FloorPlan& plan)
 {
-  const std::string text = acmap::IfcModel(map).text();
+  const std::string text = acmap::IfcModel(map, plan).text();
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

@@ -1,10 +1,9 @@
 #include "export/map_page_parts.h"
 
+#include <pcl/core/impl/base64.h>
 #include <pcl/core/output_file.h>
 #include <pcl/texture/map_page.h>
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -27,26 +26,6 @@ bytesOf(const std::filesystem::path& path)
   if (!stream || bytes.empty())
     throw InputFileException(path.string() + ": cannot be read");
   return bytes;
-}
-
-std::string
-inBase64(const std::string& bytes)
-{
-  constexpr char digits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) -> std::uint32_t {
-      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0;
-    };
-    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (int digit = 3; digit >= 0; --digit)
-      text += digits[three >> (6 * digit) & 63];
-  }
-  for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing)
-    text[text.size() - missing] = '=';
-  return text;
 }
 
 /** JSON as the content of a script element: no text in it ends the element. */
@@ -86,7 +65,7 @@ saveMapPage(const std::string& path, const std::string& map, const Trajectory& b
       {"orbit_controls", acmap::orbitControlsScript()},
       {"map", inScript(bytesOf(folder / "map.json"))},
       {"before", positionsOf(before)},
-      {"glb", inBase64(bytesOf(folder / "map.glb"))}};
+      {"glb", acmap::base64(bytesOf(folder / "map.glb"))}};
   acmap::OutputFile page(path);
   std::string_view rest = acmap::mapPageTemplate();
   for (const auto& [name, text] : parts) {
